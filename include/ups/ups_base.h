@@ -1,0 +1,96 @@
+/* UPS: what every other header needs: export macro, version, status, handles, ids, context, log.
+ *
+ * Rules that hold for every function of the library
+ *   - Units are SI and photometric: m, rad, cd, lm, lx, cd/m^2. A field that carries a unit says so in its name.
+ *   - Right-handed, +Z up. Transforms are 3x4, row-major, object to world.
+ *   - Pointers passed in are read during the call and never kept. Strings are UTF-8, zero-terminated.
+ *   - A function that can fail returns ups_status; outputs come last and are untouched on failure.
+ *   - No function calls back into the application.
+ *   - Zero is the null id. 64-bit targets only, so every struct has one layout and no hidden padding.
+ *   - Destroying children and parents may happen in any order: a child keeps what it needs alive.
+ */
+#ifndef UPS_BASE_H
+#define UPS_BASE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(UPS_STATIC)
+#define UPS_EXPORT
+#elif defined(_WIN32) && defined(UPS_BUILD)
+#define UPS_EXPORT __declspec(dllexport)
+#elif defined(_WIN32)
+#define UPS_EXPORT __declspec(dllimport)
+#else
+#define UPS_EXPORT __attribute__((visibility("default")))
+#endif
+#ifdef __cplusplus
+#define UPS_API extern "C" UPS_EXPORT
+#else
+#define UPS_API UPS_EXPORT
+#endif
+
+#define UPS_VERSION_MAJOR 0
+#define UPS_VERSION_MINOR 1
+#define UPS_VERSION_PATCH 0
+
+/* Enumerations are int32_t in every signature and struct, so their size never depends on a compiler. */
+typedef int32_t ups_status;
+enum {
+  UPS_OK = 0,
+  UPS_ERROR_INTERNAL = -1,
+  UPS_ERROR_INVALID_ARGUMENT = -2,
+  UPS_ERROR_INVALID_STATE = -3,    /* right call, wrong time: e.g. a render of an uncommitted scene */
+  UPS_ERROR_OUT_OF_MEMORY = -4,
+  UPS_ERROR_PARSE = -5,            /* malformed photometry or scene bytes */
+  UPS_ERROR_UNSUPPORTED = -6,      /* well-formed, but this version cannot do it */
+  UPS_ERROR_BUFFER_TOO_SMALL = -7, /* *needed tells how much */
+  UPS_ERROR_IO = -8,               /* extras only; the core opens no files */
+  UPS_TIMEOUT = 1,                 /* not a failure: wait ran out of time */
+  UPS_CANCELLED = 2                /* not a failure: results hold every finished iteration */
+};
+
+typedef struct ups_context ups_context; /* threads and log; thread-safe */
+typedef struct ups_profile ups_profile; /* one luminous intensity distribution; immutable, thread-safe */
+typedef struct ups_scene ups_scene;     /* description; one thread at a time */
+typedef struct ups_job ups_job;         /* a render on the library's own threads; thread-safe */
+typedef struct ups_result ups_result;   /* what a render has found so far: immutable, any thread */
+
+typedef struct { uint32_t v; } ups_texture_id;
+typedef struct { uint32_t v; } ups_material_id;
+typedef struct { uint32_t v; } ups_mesh_id;
+typedef struct { uint32_t v; } ups_instance_id;
+typedef struct { uint32_t v; } ups_luminaire_id;
+typedef struct { uint32_t v; } ups_sensor_id;
+
+/* Version of the loaded library: major*10000 + minor*100 + patch. */
+UPS_API uint32_t ups_version(void);
+/* Name of a status, such as "UPS_ERROR_PARSE"; static, never NULL. */
+UPS_API const char *ups_status_name(ups_status status);
+/* This thread's last failure, for people: what was wrong, where, what would be right.
+ * Never NULL; empty before the first failure; valid until this thread's next failing call. */
+UPS_API const char *ups_last_error(void);
+
+/* Every *_desc starts with struct_size and is filled with defaults by its *_init, which writes at most struct_size bytes:
+ *   ups_mesh_desc d; ups_mesh_desc_init(&d, sizeof d); d.positions_m = ...;
+ * The library reads at most d.struct_size bytes and takes its own defaults for the rest. */
+
+typedef struct ups_context_desc {
+  uint32_t struct_size;
+  int32_t thread_count; /* 0: all hardware threads; at most 1024 */
+} ups_context_desc;
+
+typedef int32_t ups_log_level;
+enum { UPS_LOG_INFO = 0, UPS_LOG_WARNING = 1 };
+
+UPS_API void ups_context_desc_init(ups_context_desc *desc, uint32_t struct_size);
+/* desc may be NULL: all defaults. The caller owns *out. */
+UPS_API ups_status ups_context_create(const ups_context_desc *desc, ups_context **out);
+UPS_API void ups_context_destroy(ups_context *context); /* NULL ok */
+UPS_API ups_status ups_context_get_thread_count(const ups_context *context, int32_t *out);
+/* Takes the oldest log message. text may be NULL with capacity 0 to ask for the size: *needed gets the bytes with the
+ * final zero, 0 when the log is empty. The message is removed only when it was copied whole. level may be NULL. */
+UPS_API ups_status ups_context_pop_log(ups_context *context, char *text, size_t capacity, size_t *needed,
+                                       ups_log_level *level);
+
+#endif

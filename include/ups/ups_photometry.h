@@ -1,0 +1,74 @@
+/* UPS: luminous intensity distributions of luminaires: parse, build, query. */
+#ifndef UPS_PHOTOMETRY_H
+#define UPS_PHOTOMETRY_H
+
+#include "ups_base.h"
+
+typedef int32_t ups_profile_format;
+enum { UPS_PROFILE_AUTO = 0, UPS_PROFILE_IES_LM63 = 1, UPS_PROFILE_EULUMDAT = 2 };
+
+typedef int32_t ups_opening_shape;
+enum {
+  UPS_OPENING_POINT = 0,
+  UPS_OPENING_RECTANGLE = 1,
+  UPS_OPENING_DISC = 2,
+  UPS_OPENING_BOX = 3,
+  UPS_OPENING_CYLINDER = 4,
+  UPS_OPENING_SPHERE = 5
+};
+
+/* How the planes of the file repeat. */
+typedef int32_t ups_profile_symmetry;
+enum {
+  UPS_SYMMETRY_NONE = 0,
+  UPS_SYMMETRY_AXIAL = 1,     /* one plane for all C */
+  UPS_SYMMETRY_C0_C180 = 2,   /* mirror plane C0-C180 */
+  UPS_SYMMETRY_C90_C270 = 3,  /* mirror plane C90-C270 */
+  UPS_SYMMETRY_QUADRANTS = 4  /* both */
+};
+
+/* Tabulated intensities in C-planes: direction (sin g cos C, sin g sin C, -cos g); gamma 0 is the nadir, local -Z. */
+typedef struct ups_profile_desc {
+  uint32_t struct_size;
+  uint32_t c_count, gamma_count; /* >= 1, >= 2; at most 4,000,000 values together */
+  uint32_t reserved;             /* 0 */
+  const float *c_deg;            /* c_count, ascending, in [0, 360); a single plane is axially symmetric */
+  const float *gamma_deg;        /* gamma_count, ascending, in [0, 180]; outside its range the intensity is 0 */
+  const float *intensity_cd;     /* c_count * gamma_count, gamma fastest, finite, >= 0 */
+} ups_profile_desc;
+
+typedef struct ups_profile_info {
+  uint32_t struct_size;
+  uint32_t warning_count;            /* texts: ups_profile_get_text */
+  double flux_lm;                    /* by the band rule: vertical bands, planes by trapezoid */
+  double interpolated_flux_lm;       /* of the interpolated intensity that is sampled */
+  double rated_flux_lm;              /* lamp lumens that the file states; < 0: absolute photometry */
+  double input_power_w;              /* < 0: not stated */
+  float peak_cd;
+  float peak_c_deg, peak_gamma_deg;  /* direction of the peak */
+  float opening_m[3];                /* luminous opening along local x, y, z; 0: point */
+  ups_opening_shape opening_shape;
+  ups_profile_symmetry symmetry;
+  uint32_t c_count, gamma_count;     /* of the stored table, symmetry expanded */
+} ups_profile_info;
+
+typedef int32_t ups_profile_text;
+enum { UPS_PROFILE_TEXT_WARNINGS = 0, UPS_PROFILE_TEXT_KEYWORDS = 1 /* "MANUFAC=...\n" */, UPS_PROFILE_TEXT_FORMAT = 2 /* "IES LM-63-2002" */ };
+
+UPS_API void ups_profile_desc_init(ups_profile_desc *desc, uint32_t struct_size);
+/* The caller owns *out. Errors: INVALID_ARGUMENT names the field. */
+UPS_API ups_status ups_profile_create(ups_context *context, const ups_profile_desc *desc, ups_profile **out);
+/* Parses the bytes of a photometric file. Errors: PARSE with the line; UNSUPPORTED names what is not built. */
+UPS_API ups_status ups_profile_parse(ups_context *context, const void *bytes, size_t size, ups_profile_format format,
+                                     ups_profile **out);
+/* info->struct_size must be set; at most that many bytes are written. */
+UPS_API ups_status ups_profile_get_info(const ups_profile *profile, ups_profile_info *info);
+/* Two calls: text NULL and capacity 0 give *needed (with the final zero), then the text. */
+UPS_API ups_status ups_profile_get_text(const ups_profile *profile, ups_profile_text topic, char *text, size_t capacity,
+                                        size_t *needed);
+/* Interpolated intensity, cd, for count directions in the profile's frame (3 floats each, any length > 0). */
+UPS_API ups_status ups_profile_eval(const ups_profile *profile, const float *directions_xyz, size_t count,
+                                    float *intensity_cd);
+UPS_API void ups_profile_destroy(ups_profile *profile); /* NULL ok */
+
+#endif

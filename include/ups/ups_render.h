@@ -1,0 +1,135 @@
+/* UPS: render a committed scene; jobs; results. */
+#ifndef UPS_RENDER_H
+#define UPS_RENDER_H
+
+#include "ups_base.h"
+
+/* A named set of techniques; UPS_METHOD_AUTO lets the scene decide. */
+typedef int32_t ups_method;
+enum {
+  UPS_METHOD_AUTO = 0,
+  UPS_METHOD_UPS = 1,
+  UPS_METHOD_PATH_TRACING = 2,
+  UPS_METHOD_LIGHT_TRACING = 3,
+  UPS_METHOD_BIDIRECTIONAL = 4,
+  UPS_METHOD_PPM = 5,
+  UPS_METHOD_SPPM = 6,                          /* UPS_ERROR_UNSUPPORTED in this version */
+  UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING = 7   /* UPS_ERROR_UNSUPPORTED in this version */
+};
+
+enum {
+  UPS_TECHNIQUE_EMITTER_HIT = 1,    /* an eye path runs into an emitter */
+  UPS_TECHNIQUE_LIGHT_SAMPLE = 2,   /* next-event estimation */
+  UPS_TECHNIQUE_CONNECT = 4,        /* an edge between two subpaths */
+  UPS_TECHNIQUE_SENSOR_CONNECT = 8, /* an edge from a light path to a camera */
+  UPS_TECHNIQUE_MERGE = 16,         /* photon density estimation at eye vertices and meters */
+  UPS_TECHNIQUE_SENSOR_HIT = 32     /* a light path lands on a meter's cell */
+};
+
+typedef struct ups_render_desc {
+  uint32_t struct_size;
+  ups_method method;
+  uint64_t seed;                      /* same seed and iterations, same bits, whatever the thread count */
+  double time_limit_s;                /* 0: none */
+  float target_relative_error;        /* stop when the worst meter's error_bound / max(E, 5 % of its set's mean) is below,
+                                       * without meters the mean pixel's; 0: off */
+  float merge_radius_m;               /* 0: from the scene */
+  uint32_t iteration_count;           /* 0: until a limit or the target is met */
+  uint32_t max_path_length;           /* edges; 0: none, roulette ends paths without bias */
+  uint32_t light_paths_per_iteration; /* 0: chosen by the library */
+  uint32_t techniques;                /* UPS_TECHNIQUE_* to allow; 0: those of the method */
+} ups_render_desc; /* at least one of time limit, target, iteration count must be set */
+
+typedef int32_t ups_job_state;
+enum { UPS_JOB_RUNNING = 0, UPS_JOB_FINISHED = 1, UPS_JOB_CANCELLED = 2, UPS_JOB_FAILED = 3 };
+
+typedef struct ups_progress {
+  uint32_t struct_size;
+  ups_job_state state;
+  double elapsed_s, remaining_s; /* remaining: predicted from the error so far; < 0: unknown */
+  uint32_t iterations_done;
+  float fraction;                /* [0, 1] of the limit or the target that will be met first */
+  float worst_relative_error, median_relative_error; /* < 0: unknown yet */
+} ups_progress;
+
+typedef struct ups_result_info {
+  uint32_t struct_size;
+  uint32_t iterations;
+  double elapsed_s;           /* rendering alone */
+  uint64_t rays, light_paths, eye_paths, merges, connections;
+  double emitted_flux_lm, absorbed_flux_lm, escaped_flux_lm; /* the balance that a designer can check */
+  uint64_t seed;
+  uint64_t dropped_samples;   /* non-finite samples left out, never silently: UPS_TEXT_DROPPED has the reasons */
+  ups_method method;          /* that ran; never AUTO */
+  uint32_t techniques;        /* UPS_TECHNIQUE_* that ran */
+  uint32_t effects;           /* UPS_EFFECT_* of the scene */
+  int32_t threads;
+} ups_result_info;
+
+/* Plain array elements: these never grow. < 0 where not known (too few iterations). */
+typedef struct ups_meter_reading {
+  float illuminance_lx;
+  float standard_error_lx; /* noise alone */
+  float bias_lx;           /* estimated, of density estimation */
+  float error_bound_lx;    /* 95 %, noise and bias together */
+  float direct_lx, indirect_lx;
+} ups_meter_reading;
+
+typedef struct ups_convergence_point { /* what accuracy cost */
+  double elapsed_s;
+  uint32_t iterations, reserved;
+  float median_relative_error, p95_relative_error, worst_relative_error, bias_share;
+} ups_convergence_point;
+
+/* Of one meter set; aggregates have their own batch statistics, as meters share light paths. */
+typedef struct ups_meter_statistics {
+  uint32_t struct_size;
+  uint32_t count;
+  double mean_lx, min_lx, max_lx;
+  double uniformity;             /* min / mean; 0 where the mean is 0 */
+  double mean_standard_error_lx; /* of the mean */
+  double median_relative_error_bound, p95_relative_error_bound, worst_relative_error_bound;
+} ups_meter_statistics;
+
+UPS_API void ups_render_desc_init(ups_render_desc *desc, uint32_t struct_size);
+
+/* Blocks until a limit or the target. The one call that a small program needs; for progress and cancel start a job. */
+UPS_API ups_status ups_render(const ups_scene *scene, const ups_render_desc *desc, ups_result **out);
+
+/* The same, without blocking: start, then poll or wait from any thread. */
+UPS_API ups_status ups_job_start(const ups_scene *scene, const ups_render_desc *desc, ups_job **out);
+UPS_API ups_status ups_job_poll(const ups_job *job, ups_progress *progress); /* progress->struct_size must be set */
+/* OK, UPS_TIMEOUT, UPS_CANCELLED or the job's error. */
+UPS_API ups_status ups_job_wait(const ups_job *job, uint32_t timeout_ms);
+UPS_API void ups_job_cancel(ups_job *job); /* asks; returns at once; NULL ok */
+/* What is there after the last whole iteration; INVALID_STATE before the first. The caller owns *out. */
+UPS_API ups_status ups_job_result(const ups_job *job, ups_result **out);
+UPS_API void ups_job_destroy(ups_job *job); /* cancels and joins; NULL ok */
+
+/* Results are copied into the caller's memory. info->struct_size must be set. */
+UPS_API ups_status ups_result_get_info(const ups_result *result, ups_result_info *info);
+/* count must be the set's meter count. */
+UPS_API ups_status ups_result_read_meters(const ups_result *result, ups_sensor_id sensor, ups_meter_reading *out,
+                                          size_t count);
+UPS_API ups_status ups_result_get_meter_statistics(const ups_result *result, ups_sensor_id sensor,
+                                                   ups_meter_statistics *out);
+typedef int32_t ups_channel;
+enum {
+  UPS_CHANNEL_LUMINANCE_RGB = 0,      /* 3 floats a pixel, cd/m^2 */
+  UPS_CHANNEL_STANDARD_ERROR_RGB = 1, /* 3 floats a pixel; -1: not known */
+  UPS_CHANNEL_ILLUMINANCE = 2         /* 1 float a pixel, lx; cameras with `illuminance` */
+};
+/* Row 0 is the image's top. row_stride_bytes 0: tight; size_bytes is the size of out. */
+UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel, float *out,
+                                         size_t row_stride_bytes, size_t size_bytes);
+/* *needed gets the number of points; BUFFER_TOO_SMALL where capacity is less. points may be NULL with capacity 0. */
+UPS_API ups_status ups_result_read_convergence(const ups_result *result, ups_convergence_point *points, size_t capacity,
+                                               size_t *needed);
+/* For people. Two calls: text NULL and capacity 0 give *needed (with the final zero), then the text. */
+typedef int32_t ups_result_text;
+enum { UPS_TEXT_WARNINGS = 0, UPS_TEXT_EFFECTS = 1, UPS_TEXT_TECHNIQUES = 2, UPS_TEXT_DROPPED = 3 };
+UPS_API ups_status ups_result_get_text(const ups_result *result, ups_result_text topic, char *text, size_t capacity,
+                                       size_t *needed);
+UPS_API void ups_result_destroy(ups_result *result); /* NULL ok */
+
+#endif

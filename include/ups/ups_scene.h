@@ -1,0 +1,155 @@
+/* UPS: what a scene is made of: textures, materials, meshes, instances, lights and luminaires. */
+#ifndef UPS_SCENE_H
+#define UPS_SCENE_H
+
+#include "ups_base.h"
+
+typedef int32_t ups_material_model;
+enum {
+  UPS_MATERIAL_MATTE = 0,    /* Lambertian; reflectance */
+  UPS_MATERIAL_PLASTIC = 1,  /* diffuse base of `reflectance` under a GGX dielectric coat of `ior`; `metallic` mixes in METAL */
+  UPS_MATERIAL_METAL = 2,    /* GGX conductor: reflectance is F0; or complex index ior_rgb, ior_k_rgb where any k > 0 */
+  UPS_MATERIAL_MIRROR = 3,   /* ideal mirror; reflectance at every angle */
+  UPS_MATERIAL_GLASS = 4,    /* solid dielectric of `ior`, `roughness`, absorption_per_m_rgb behind its surface */
+  UPS_MATERIAL_GLAZING = 5,  /* thin pane of `ior`; transmittance at normal incidence with inner reflections (< 0: clear) */
+  UPS_MATERIAL_DIFFUSER = 6  /* thin Lambertian: reflectance and transmittance, together <= 1 */
+};
+
+typedef struct ups_texture_desc {
+  uint32_t struct_size;
+  uint32_t width, height, channel_count; /* channels 1, 3 or 4; texels linear */
+  const float *texels;                   /* row 0 first (glTF: v = 0), finite */
+  size_t row_stride_bytes;               /* 0: tight */
+} ups_texture_desc;
+
+typedef int32_t ups_alpha_mode;
+enum { UPS_ALPHA_OPAQUE = 0, UPS_ALPHA_MASK = 1, UPS_ALPHA_BLEND = 2 };
+
+typedef struct ups_material_desc {
+  uint32_t struct_size;
+  ups_material_model model;
+  float reflectance_rgb[3], transmittance_rgb[3]; /* [0, 1], linear Rec.709; transmittance < 0: the model's default */
+  float roughness;                                /* [0, 1]; GGX alpha = roughness squared */
+  float ior;                                      /* >= 1 for dielectrics */
+  float ior_rgb[3], ior_k_rgb[3];                 /* METAL's complex index; all k 0: reflectance is F0 */
+  float absorption_per_m_rgb[3];                  /* GLASS, >= 0 */
+  float metallic;                                 /* [0, 1], PLASTIC only: share of METAL with the same reflectance, roughness */
+  ups_alpha_mode alpha_mode;
+  float alpha, alpha_cutoff;                      /* alpha multiplies alpha_texture; MASK: a hole where alpha < cutoff */
+  float luminance_cd_m2[3];                       /* Lambertian emission, front side; 0: none */
+  int32_t emits_both_sides;                       /* 0 or 1; 1: twice the flux */
+  float normal_scale;                             /* of the normal texture's x and y */
+  /* 0: none. A texture multiplies its factor; normal: tangent space, texel * 2 - 1; 1-channel ones read channel 0,
+   * alpha reads the last channel. */
+  ups_texture_id reflectance_texture, roughness_texture, metallic_texture, normal_texture, alpha_texture;
+} ups_material_desc;
+
+/* Both sides of every surface block and scatter light; only emission has a side: front is counter-clockwise. */
+typedef struct ups_mesh_desc {
+  uint32_t struct_size;
+  uint32_t vertex_count, triangle_count;
+  ups_material_id material;
+  const float *positions_m;       /* 3 * vertex_count, finite */
+  size_t position_stride_bytes;   /* 0: 12 */
+  const float *normals;           /* optional, 3 * vertex_count */
+  size_t normal_stride_bytes;     /* 0: 12 */
+  const float *uvs;               /* optional, 2 * vertex_count */
+  size_t uv_stride_bytes;         /* 0: 8 */
+  const float *tangents;          /* optional, xyzw as in glTF */
+  size_t tangent_stride_bytes;    /* 0: 16 */
+  const uint32_t *indices;        /* 3 * triangle_count, < vertex_count */
+} ups_mesh_desc;
+
+typedef struct ups_instance_desc {
+  uint32_t struct_size;
+  ups_mesh_id mesh;
+  double to_world[12]; /* invertible; a negative determinant flips the winding */
+} ups_instance_desc;
+
+typedef int32_t ups_light_kind;
+enum { UPS_LIGHT_POINT = 0, UPS_LIGHT_SPOT = 1, UPS_LIGHT_DIRECTIONAL = 2 };
+
+/* A source without extent. */
+typedef struct ups_light_desc {
+  uint32_t struct_size;
+  ups_light_kind kind;
+  double to_world[12];      /* shines along local -Z; scale is ignored */
+  float intensity_rgb[3];   /* cd; directional: lx on a surface that faces it */
+  float inner_cone_rad, outer_cone_rad; /* spot: 0 <= inner < outer <= pi/2; glTF's falloff in between */
+  float reserved;
+} ups_light_desc;
+
+typedef struct ups_luminaire_desc {
+  uint32_t struct_size;
+  int32_t use_opening;        /* 1: emits from the profile's luminous opening; 0: from a point */
+  const ups_profile *profile; /* may be destroyed after the call */
+  double to_world[12];        /* profile nadir is local -Z, C0 is local +X, C90 local +Y; scale is ignored */
+  float color_rgb[3];         /* chromaticity only: luminance is normalised away */
+  float flux_lm;              /* band-rule flux that the luminaire is scaled to; < 0: as the profile */
+  float dimming;              /* >= 0, multiplies the flux */
+  float intensity_scale;      /* >= 0, multiplies the flux too; for maintenance factors and EXT_lights_ies multipliers */
+} ups_luminaire_desc;
+
+UPS_API void ups_texture_desc_init(ups_texture_desc *desc, uint32_t struct_size);
+UPS_API void ups_material_desc_init(ups_material_desc *desc, uint32_t struct_size);
+UPS_API void ups_mesh_desc_init(ups_mesh_desc *desc, uint32_t struct_size);
+UPS_API void ups_instance_desc_init(ups_instance_desc *desc, uint32_t struct_size);
+UPS_API void ups_light_desc_init(ups_light_desc *desc, uint32_t struct_size);
+UPS_API void ups_luminaire_desc_init(ups_luminaire_desc *desc, uint32_t struct_size);
+
+UPS_API ups_status ups_scene_create(ups_context *context, ups_scene **out);
+UPS_API void ups_scene_destroy(ups_scene *scene); /* NULL ok; renders already running go on */
+
+/* Each copies its input and returns an id of this scene. Errors: INVALID_ARGUMENT names the field and the element. */
+UPS_API ups_status ups_scene_add_texture(ups_scene *scene, const ups_texture_desc *desc, ups_texture_id *out);
+UPS_API ups_status ups_scene_add_material(ups_scene *scene, const ups_material_desc *desc, ups_material_id *out);
+UPS_API ups_status ups_scene_add_mesh(ups_scene *scene, const ups_mesh_desc *desc, ups_mesh_id *out);
+UPS_API ups_status ups_scene_add_instance(ups_scene *scene, const ups_instance_desc *desc, ups_instance_id *out);
+UPS_API ups_status ups_scene_add_light(ups_scene *scene, const ups_light_desc *desc, ups_luminaire_id *out);
+UPS_API ups_status ups_scene_add_luminaire(ups_scene *scene, const ups_luminaire_desc *desc, ups_luminaire_id *out);
+
+/* Changes take effect at the next commit. */
+UPS_API ups_status ups_scene_set_material(ups_scene *scene, ups_material_id id, const ups_material_desc *desc);
+UPS_API ups_status ups_scene_set_transform(ups_scene *scene, ups_instance_id id, const double to_world[12]);
+UPS_API ups_status ups_scene_set_dimming(ups_scene *scene, ups_luminaire_id id, float dimming);
+UPS_API ups_status ups_scene_remove_instance(ups_scene *scene, ups_instance_id id);
+UPS_API ups_status ups_scene_remove_luminaire(ups_scene *scene, ups_luminaire_id id);
+UPS_API ups_status ups_scene_remove_sensor(ups_scene *scene, ups_sensor_id id);
+
+/* Validates, analyses which effects the scene can show, builds what rendering reads.
+ * Renders already running keep the earlier build. */
+UPS_API ups_status ups_scene_commit(ups_scene *scene);
+
+/* Bit set. A bit that is clear is an effect that this scene cannot show, and that no time is spent on. */
+enum {
+  UPS_EFFECT_SPECULAR_REFLECTION = 1,
+  UPS_EFFECT_TRANSMISSION = 2,
+  UPS_EFFECT_CAUSTICS = 4,
+  UPS_EFFECT_GLOSSY = 8,
+  UPS_EFFECT_INTERREFLECTION = 16,
+  UPS_EFFECT_COLOUR = 32,
+  UPS_EFFECT_TEXTURES = 64
+};
+
+typedef struct ups_scene_info {
+  uint32_t struct_size;
+  uint32_t effects;        /* UPS_EFFECT_*, found by ups_scene_commit */
+  uint32_t techniques;     /* UPS_TECHNIQUE_* that those effects leave useful: what UPS_METHOD_AUTO runs */
+  int32_t method;          /* UPS_METHOD_* that UPS_METHOD_AUTO stands for */
+  uint64_t triangle_count; /* instances expanded */
+  uint64_t luminaire_count, light_count, emissive_instance_count;
+  uint64_t meter_count, pixel_count;
+  double emitted_flux_lm;
+  double bounds_min_m[3], bounds_max_m[3]; /* of all geometry; min > max without any */
+} ups_scene_info;
+
+typedef int32_t ups_scene_text;
+enum { UPS_SCENE_TEXT_WARNINGS = 0, UPS_SCENE_TEXT_EFFECTS = 1, UPS_SCENE_TEXT_TECHNIQUES = 2 };
+
+/* Both need a committed scene, else INVALID_STATE. info->struct_size must be set. */
+UPS_API ups_status ups_scene_get_info(const ups_scene *scene, ups_scene_info *info);
+/* For people, a line each: warnings; each effect with its cause; each technique with the reason it is on or off. */
+UPS_API ups_status ups_scene_get_text(const ups_scene *scene, ups_scene_text topic, char *text, size_t capacity,
+                                      size_t *needed);
+
+#endif

@@ -1,0 +1,43 @@
+// Maps from the unit square to the domains that light transport samples, each followed by its density.
+#pragma once
+#include "base/vec.h"
+
+namespace ups {
+
+// Concentric map (Shirley, Chiu 1997) onto the unit disc; density 1/pi.
+inline Vec2 square_to_disc(const Vec2& u) {
+  const float a = 2 * u.x - 1, b = 2 * u.y - 1;
+  if (a == 0 && b == 0) return {0, 0};
+  const bool first = std::abs(a) > std::abs(b);
+  const float r = first ? a : b;
+  const float phi = first ? (pi / 4) * (b / a) : (pi / 2) - (pi / 4) * (a / b);
+  return {r * std::cos(phi), r * std::sin(phi)};
+}
+
+// Cosine-weighted about +z; density z/pi.
+inline Vec3 square_to_cosine_hemisphere(const Vec2& u) {
+  const Vec2 d = square_to_disc(u);
+  return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
+}
+inline float cosine_hemisphere_pdf(float cos_theta) { return std::max(0.0f, cos_theta) * inv_pi; }
+
+inline Vec3 square_to_sphere(const Vec2& u) {
+  const float z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0f, 1 - z * z)), phi = 2 * pi * u.y;
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+inline constexpr float sphere_pdf = 0.25f * inv_pi;
+
+// Uniform barycentrics (u, v) of a triangle, weights (1-u-v, u, v). Area-preserving and continuous (Heitz 2019).
+inline Vec2 square_to_triangle(const Vec2& u) {
+  float a = u.x, b = u.y;
+  if (b > a) {
+    a *= 0.5f;
+    b -= a;
+  } else {
+    b *= 0.5f;
+    a -= b;
+  }
+  return {a, b};
+}
+
+}  // namespace ups

@@ -1,0 +1,67 @@
+// What emits light. One interface for surfaces, points and luminous openings; a kind is a class in a file of its own.
+//
+// Densities: *_a per area (m^-2), *_w per solid angle. A source without extent has no area density: its position densities
+// are 1 in both emission and next-event estimation, so that their ratio is right (algorithms.md 1.2, first-hit table).
+// Densities here do not include the probability of choosing the emitter; EmitterSet knows that.
+#pragma once
+#include <cstdint>
+
+#include "base/frame.h"
+#include "base/rgb.h"
+
+namespace ups {
+
+// The start of a light path.
+struct EmissionSample {
+  Vec3 p;
+  Vec3 n;          // unit normal on the emitting side; zero for a point
+  Vec3 direction;  // unit, away from the emitter
+  Rgb flux;        // lm: emitted / (pdf_position * pdf_direction), cosine included
+  float pdf_position_a = 1;
+  float pdf_direction_w = 0;
+  float cos_0 = 1;  // |n . direction|; 1 for points and directional lights
+  float error = 0;  // of p, for ray origins
+  uint32_t instance = invalid, primitive = invalid;  // the surface that it starts from, if any
+  static constexpr uint32_t invalid = 0xffffffffu;
+};
+
+// Next-event estimation: light that arrives at a reference point from one sampled point of the emitter.
+struct DirectSample {
+  Vec3 p;
+  Vec3 n;            // emitting side's normal; zero for a point
+  Vec3 wi;           // unit, from the reference point to p
+  float distance;    // directional: 2 * scene radius
+  Rgb weight;        // lx per unit cosine at the receiver: L cos_0 / (d^2 pdf_a), or I / d^2; directional: lx
+  float cos_0 = 1;
+  float pdf_nee_a = 1;        // of p, as sampled for this reference point
+  float pdf_position_a = 1;   // of p by emission sampling
+  float pdf_direction_w = 0;  // of -wi by emission sampling
+  float error = 0;            // of p
+};
+
+// A walk has run into the emitter at p, n (front side), coming from `reference`; wo points back along the walk.
+struct EmitterHit {
+  Rgb radiance;  // towards wo; cd/m^2
+  float pdf_nee_a = 0, pdf_position_a = 0, pdf_direction_w = 0;
+};
+
+enum class EmitterKind { area, point, spot, directional, profile_point, profile_opening };
+
+class Emitter {
+ public:
+  virtual ~Emitter() = default;
+  virtual EmitterKind kind() const = 0;
+  virtual bool is_delta() const = 0;        // no eye path can hit it
+  virtual bool is_directional() const { return false; }
+  virtual double flux_lm() const = 0;       // luminance-weighted, all sides
+  virtual Rgb flux_rgb() const = 0;
+  virtual Vec3 center() const = 0;          // of its bounds
+  virtual float radius() const = 0;         // of its bounds; 0 for a point
+  // False where nothing is emitted at u. u_position.x may be used to choose a part; all numbers in [0, 1).
+  virtual bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const = 0;
+  virtual bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const = 0;
+  // Area emitters and openings. `primitive` is the triangle (area) or 0. False where wo sees no emission.
+  virtual bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo, EmitterHit& out) const = 0;
+};
+
+}  // namespace ups

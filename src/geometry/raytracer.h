@@ -1,0 +1,88 @@
+// Triangle geometry and rays. raytracer.cpp and disc_index.cpp are the only files that include Embree (3.13 or 4).
+// Positions are floats relative to the scene's origin; the caller subtracts it in double before building.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "geometry/surface.h"
+#include "geometry/texture.h"
+
+namespace ups {
+
+struct Mesh {  // object space
+  std::vector<Vec3> positions, normals;  // normals: empty or one a vertex
+  std::vector<Vec2> uvs;                 // empty or one a vertex
+  std::vector<float> tangents;           // empty or 4 a vertex
+  std::vector<uint32_t> indices;         // 3 a triangle
+  uint32_t material = 0;
+  size_t triangle_count() const { return indices.size() / 3; }
+};
+
+// What the ray tracer must know of a material: holes and bumps.
+struct SurfaceTexturing {
+  const Texture* alpha = nullptr;   // may be null with blend/mask: then `alpha_factor` alone
+  float alpha_factor = 1, alpha_cutoff = 0.5f;
+  enum { opaque, mask, blend } alpha_mode = opaque;
+  const Texture* normal = nullptr;
+  float normal_scale = 1;
+};
+
+class Raytracer {
+ public:
+  struct Instance {
+    uint32_t mesh;
+    Affine to_scene;  // object to the scene's own origin
+  };
+  // The meshes and texturing must outlive the ray tracer. texturing is indexed by Mesh::material.
+  // Throws Error (OUT_OF_MEMORY, INTERNAL with Embree's message).
+  Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
+            const std::vector<SurfaceTexturing>& texturing, int thread_count);
+  ~Raytracer();
+  Raytracer(const Raytracer&) = delete;
+  Raytracer& operator=(const Raytracer&) = delete;
+
+  // Closest hit with 0 < t < tmax; d is unit. Safe from any thread.
+  bool intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) const;
+  bool occluded(const Vec3& o, const Vec3& d, float tmax) const;
+  SurfacePoint surface_at(const Hit& hit) const;
+  // The same point from its address, for stored vertices.
+  SurfacePoint surface_at(uint32_t instance, uint32_t primitive, float u, float v) const;
+  // True where the open segment between two surface points is free; both ends are shortened by their error bounds.
+  bool visible(const SurfacePoint& a, const SurfacePoint& b) const;
+  // From a surface point to a free point (meter, light): b_error is the free point's own error bound.
+  bool visible(const SurfacePoint& a, const Vec3& b, float b_error) const;
+
+  size_t triangle_count() const;  // instances expanded
+  Vec3 bounds_min() const;
+  Vec3 bounds_max() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Discs in space, found by segments: meters' sensor index, luminous openings. Every disc crossed is reported once.
+class DiscIndex {
+ public:
+  struct Disc {
+    Vec3 center, normal;  // unit normal
+    float radius;
+  };
+  explicit DiscIndex(std::vector<Disc> discs, int thread_count);
+  ~DiscIndex();
+  struct Crossing {
+    uint32_t disc;
+    float t;
+  };
+  // Appends all crossings with 0 <= t <= tmax of the disc's plane within its radius, both sides, sorted by disc.
+  void intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Crossing>& out) const;
+  bool empty() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ups

@@ -1,0 +1,28 @@
+// An image on a surface: linear floats, bilinear, repeating in u and v. glTF's v = 0 is row 0.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/rgb.h"
+#include "base/vec.h"
+
+namespace ups {
+
+class Texture {
+ public:
+  Texture(uint32_t width, uint32_t height, uint32_t channels, std::vector<float> texels);
+  Rgb rgb(const Vec2& uv) const;    // 1-channel textures: grey
+  float first(const Vec2& uv) const;
+  float last(const Vec2& uv) const;  // alpha of 4-channel textures
+  float min_first() const { return min_first_; }
+  bool coloured() const { return coloured_; }
+
+ private:
+  template <int C> void fetch(const Vec2& uv, const int (&channel)[C], float (&out)[C]) const;
+  uint32_t width_, height_, channels_;
+  std::vector<float> texels_;
+  float min_first_ = 1;
+  bool coloured_ = false;
+};
+
+}  // namespace ups

@@ -1,0 +1,57 @@
+// What rendering reads: an immutable build of a scene. Made by scene/prepare, shared by every render that started from it.
+// Coordinates are floats relative to `origin`, the centre of the scene, so that a building far from zero keeps its precision.
+#pragma once
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "bsdf/material.h"
+#include "emitter/emitter_set.h"
+#include "geometry/raytracer.h"
+#include "sensor/camera.h"
+#include "sensor/meters.h"
+
+namespace ups {
+
+inline constexpr uint32_t none = 0xffffffffu;
+
+struct SceneEffects {
+  uint32_t effects = 0;       // UPS_EFFECT_*
+  bool path_tracing_complete = true;  // no delta emitter together with a delta surface (algorithms.md 3.1)
+  bool sharp_caster = false;  // some material has a delta lobe or a continuous lobe with alpha < 0.2
+  bool transmits_solid = false;
+  bool coloured = false;
+  std::string text;           // a line per effect, with its cause
+};
+
+struct Snapshot {
+  Vec3d origin;
+  float radius = 0;  // of the bounding sphere of geometry, emitters and sensors about the origin
+
+  std::vector<std::unique_ptr<const Texture>> textures;
+  std::vector<Material> materials;              // by SurfacePoint::material
+  std::vector<SurfaceTexturing> texturing;      // by the same index
+  std::vector<std::shared_ptr<const Mesh>> meshes;
+  std::unique_ptr<Raytracer> raytracer;         // never null; may hold no triangle
+
+  EmitterSet emitters;
+  std::vector<uint32_t> emitter_of_instance;    // none: does not emit
+  std::unique_ptr<DiscIndex> openings;          // null without luminous openings
+  std::vector<uint32_t> emitter_of_opening;     // by DiscIndex::Crossing::disc (circumscribed discs)
+
+  std::vector<Camera> cameras;
+  std::vector<MeterSet> meter_sets;
+  std::vector<uint32_t> camera_ids, meter_set_ids;  // ups_sensor_id of each
+
+  // The glass whose inside a free-standing thing lies in, as found by a probe ray at commit; none: air.
+  std::vector<uint32_t> medium_of_camera;
+  std::vector<std::vector<uint32_t>> medium_of_meter;
+  std::vector<uint32_t> medium_of_emitter;
+
+  SceneEffects effects;
+  std::vector<std::string> warnings;
+  size_t luminaire_count = 0, light_count = 0, emissive_instance_count = 0;
+};
+
+}  // namespace ups
