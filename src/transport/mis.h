@@ -141,13 +141,12 @@ inline double eye_total(const EyeState& e, const Gates& g, bool camera, bool is_
 // *_w_to_a factors: cosine over squared distance on the joining edge.
 
 // Eye path hits the emitter; e belongs to the vertex on the emitter. pn_0, pf_0: area densities of that point by
-// next-event estimation (from x_1) and by emission; pdf_direction_w: emission towards x_1.
-// d2, cos_0: of the last edge; pdf_w: with which the eye walk took it. Only after a continuous lobe can x_1 sample x_0
-// (connectable); after a delta lobe, or for k = 1 from a camera, it cannot.
-inline double weight_hit(const EyeState& e, const Counts& n, const Gates& g, bool camera, bool second_edge, double pn_0,
-                         double pf_0, double pdf_direction_w, double pb_0, bool connectable) {
+// next-event estimation (from x_1) and by emission; pdf_direction_w: emission towards x_1; pb_0: area density with which
+// the eye walk found it. connectable: x_1 can sample x_0, so it scattered by a continuous lobe or is a meter's point.
+inline double weight_hit(const EyeState& e, const Counts& n, const Gates& g, double pn_0, double pf_0,
+                         double pdf_direction_w, double pb_0, bool connectable) {
   const double M = g.merge_at_first ? e.M : 0.0;
-  const double Q = (second_edge && camera && !g.sensor_connect_at_first) ? 0.0 : e.Q;
+  const double Q = g.sensor_connect_at_first ? e.Q : 0.0;  // Q is there for k = 2 alone
   const double nee = connectable ? n.light_sample * pn_0 / pb_0 : 0.0;
   return 1.0 / (1.0 + nee + pf_0 * pdf_direction_w * (e.X + M + Q));
 }
