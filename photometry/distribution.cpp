@@ -1,0 +1,197 @@
+// The C-gamma table of distribution.h: validation, interpolation, the two fluxes, and sampling by exact inversion.
+//
+// With planes C_i and rows g_j the intensity is bilinear, so its integral over C is linear in gamma between rows. The
+// marginal density of gamma is therefore (a + b gamma) sin(gamma) in a band, whose integral is in closed form, and the
+// density of C given gamma is piecewise linear. Both are inverted exactly, so the map from the unit square is
+// continuous.
+#include "photometry/distribution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace photometry {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double to_radians(double degrees) { return degrees / 180 * pi; }  // exact at 90 and 180
+
+// sin(y) - y cos(y), by its series where the difference would cancel.
+double sine_moment(double y) {
+  if (y > 0.1) return std::sin(y) - y * std::cos(y);
+  const double y2 = y * y;
+  return y * y2 * (1.0 / 3 - y2 * (1.0 / 30 - y2 * (1.0 / 840 - y2 / 45360)));
+}
+
+// One band of gamma, from g0 over h radians, in which a function runs linearly from a to b.
+struct Band {
+  double g0, h, a, b;
+
+  // Integral of the function times sin(gamma) from t = 0 to t. Written about the middle of the range: with half width y
+  // it is 2 (mean sin(middle) sin(y) + slope cos(middle) (sin(y) - y cos(y))), which stays exact for needles.
+  double integral(double t) const {
+    const double y = 0.5 * h * t, middle = g0 + y, mean = a + 0.5 * (b - a) * t;
+    return 2 * (mean * std::sin(middle) * std::sin(y) + (b - a) / h * std::cos(middle) * sine_moment(y));
+  }
+  double density(double t) const { return (a + (b - a) * t) * std::max(0.0, std::sin(g0 + h * t)) * h; }
+  double invert(double q) const;
+};
+
+// Where the integral of a line from v0 to v1 over [0, 1] reaches the fraction q of its whole; v0 + v1 > 0, q > 0.
+double invert_linear(double v0, double v1, double q) {
+  return std::min(1.0, q * (v0 + v1) / (v0 + std::sqrt(v0 * v0 * (1 - q) + v1 * v1 * q)));
+}
+
+// Where the integral reaches the fraction q of its whole: Newton's method, kept inside a shrinking bracket.
+double Band::invert(double q) const {
+  const double target = q * integral(1), v0 = density(0), v1 = density(1);
+  double low = 0, high = 1, t = v0 + v1 > 0 ? invert_linear(v0, v1, q) : q;
+  for (int i = 0; i < 100; ++i) {
+    const double excess = integral(t) - target, slope = density(t);
+    (excess > 0 ? high : low) = t;
+    double next = slope > 0 ? t - excess / slope : low;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const bool done = std::abs(next - t) <= 1e-14 * t;
+    t = next;
+    if (done) break;
+  }
+  return t;
+}
+
+// The last cell i of `count` that starts at or below the target and is not empty; `cumulative(i)` is where it starts.
+template <class Cumulative>
+size_t find_cell(size_t count, double target, const Cumulative& cumulative) {
+  size_t low = 0, high = count;
+  while (high - low > 1) {
+    const size_t middle = (low + high) / 2;
+    (cumulative(middle) <= target ? low : high) = middle;
+  }
+  while (low > 0 && !(cumulative(low + 1) > cumulative(low))) --low;
+  return low;
+}
+
+// Strictly inside a cell, so that an edge of zero intensity is never hit.
+double fraction(double part, double whole) { return std::clamp(part / whole, 0x1p-60, 1 - 0x1p-53); }
+
+std::string element(const char* field, size_t i) { return std::string(field) + "[" + std::to_string(i) + "]"; }
+
+void check_angles(const std::vector<double>& angle, const char* field, double last, bool last_allowed) {
+  for (size_t i = 0; i < angle.size(); ++i) {
+    if (!(angle[i] >= 0) || angle[i] > last || (angle[i] == last && !last_allowed))
+      throw std::invalid_argument(element(field, i) + " = " + std::to_string(angle[i]) + " is outside [0, " +
+                                  (last_allowed ? "180]" : "360)"));
+    if (i > 0 && !(angle[i] > angle[i - 1]))
+      throw std::invalid_argument(element(field, i) + " = " + std::to_string(angle[i]) +
+                                  " does not ascend: it must be greater than the one before");
+  }
+}
+
+}  // namespace
+
+Distribution::Distribution(std::vector<double> c_deg, std::vector<double> gamma_deg, std::vector<double> intensity_cd)
+    : c_deg_(std::move(c_deg)), gamma_deg_(std::move(gamma_deg)), table_(std::move(intensity_cd)) {
+  if (c_deg_.empty()) throw std::invalid_argument("c_deg is empty: at least one plane is needed");
+  if (gamma_deg_.size() < 2) throw std::invalid_argument("gamma_deg has fewer than 2 angles");
+  if (c_deg_.size() > max_values / gamma_deg_.size())
+    throw std::invalid_argument("intensity_cd would have more than " + std::to_string(max_values) + " values");
+  check_angles(c_deg_, "c_deg", 360, false);
+  check_angles(gamma_deg_, "gamma_deg", 180, true);
+  if (c_deg_.size() > 1 && c_deg_[0] != 0) throw std::invalid_argument("c_deg[0] is not 0");
+  if (table_.size() != c_deg_.size() * gamma_deg_.size())
+    throw std::invalid_argument("intensity_cd has " + std::to_string(table_.size()) +
+                                " values where c_deg and gamma_deg ask for " +
+                                std::to_string(c_deg_.size() * gamma_deg_.size()));
+  for (size_t i = 0; i < table_.size(); ++i)
+    if (!(table_[i] >= 0) || !std::isfinite(table_[i]))
+      throw std::invalid_argument(element("intensity_cd", i) + " is negative or not finite");
+
+  const size_t peak = size_t(std::max_element(table_.begin(), table_.end()) - table_.begin());
+  peak_cd_ = table_[peak];
+  peak_c_deg_ = c_deg_[peak / gamma_deg_.size()];
+  peak_gamma_deg_ = gamma_deg_[peak % gamma_deg_.size()];
+  build_sampling_tables();
+  if (!std::isfinite(band_flux_lm_) || !std::isfinite(interpolated_flux_lm_))
+    throw std::invalid_argument("intensity_cd has values too large to add up");
+}
+
+void Distribution::build_sampling_tables() {
+  for (double c : c_deg_) c_rad_.push_back(to_radians(c));
+  for (double g : gamma_deg_) gamma_rad_.push_back(to_radians(g));
+  const size_t planes = c_deg_.size(), rows = gamma_deg_.size();
+
+  c_cumulative_.resize(rows * (planes + 1));
+  for (size_t j = 0; j < rows; ++j)
+    for (size_t i = 0; i < planes; ++i)
+      c_cumulative_[j * (planes + 1) + i + 1] =
+          c_cumulative_[j * (planes + 1) + i] + c_width(i) * 0.5 * (at(i, j) + at((i + 1) % planes, j));
+
+  band_cumulative_.assign(1, 0.0);
+  for (size_t j = 0; j + 1 < rows; ++j) {
+    const double a = c_cumulative_[j * (planes + 1) + planes], b = c_cumulative_[(j + 1) * (planes + 1) + planes];
+    const double h = gamma_rad_[j + 1] - gamma_rad_[j];
+    band_cumulative_.push_back(band_cumulative_.back() + Band{gamma_rad_[j], h, a, b}.integral(1));
+    band_flux_lm_ += 0.5 * (a + b) * 2 * std::sin(gamma_rad_[j] + 0.5 * h) * std::sin(0.5 * h);  // cos a - cos b
+  }
+  interpolated_flux_lm_ = band_cumulative_.back();
+}
+
+double Distribution::c_width(size_t c) const {
+  return (c + 1 < c_rad_.size() ? c_rad_[c + 1] : 2 * pi + c_rad_[0]) - c_rad_[c];
+}
+
+double Distribution::plane_value(size_t c, size_t gamma, double t) const {
+  const size_t plane = c < c_deg_.size() ? c : 0;
+  return at(plane, gamma) * (1 - t) + at(plane, gamma + 1) * t;
+}
+
+bool Distribution::locate(double x, double y, double z, Place& place) const {
+  const double gamma = std::atan2(std::hypot(x, y), -z);
+  if (!(gamma >= gamma_rad_.front() && gamma <= gamma_rad_.back())) return false;
+  const auto row = std::upper_bound(gamma_rad_.begin() + 1, gamma_rad_.end() - 1, gamma);
+  place.gamma = size_t(row - gamma_rad_.begin()) - 1;
+  place.t = (gamma - row[-1]) / (row[0] - row[-1]);
+  place.c = 0;
+  place.s = 0;
+  if (c_rad_.size() > 1) {
+    double c = std::atan2(y, x);
+    if (c < 0) c += 2 * pi;
+    place.c = size_t(std::upper_bound(c_rad_.begin() + 1, c_rad_.end(), c) - c_rad_.begin()) - 1;
+    place.s = std::min(1.0, (c - c_rad_[place.c]) / c_width(place.c));
+  }
+  return true;
+}
+
+double Distribution::eval(double x, double y, double z) const {
+  Place p;
+  if ((x == 0 && y == 0 && z == 0) || !locate(x, y, z, p)) return 0;
+  return plane_value(p.c, p.gamma, p.t) * (1 - p.s) + plane_value(p.c + 1, p.gamma, p.t) * p.s;
+}
+
+double Distribution::pdf_w(double x, double y, double z) const {
+  return interpolated_flux_lm_ > 0 ? eval(x, y, z) / interpolated_flux_lm_ : 0;
+}
+
+Distribution::Sample Distribution::sample(double u1, double u2) const {
+  if (!(interpolated_flux_lm_ > 0)) return {0, 0, -1, 0, 0};
+  const size_t planes = c_deg_.size();
+
+  const double flux_below = u1 * interpolated_flux_lm_;
+  const size_t j = find_cell(gamma_rad_.size() - 1, flux_below, [&](size_t k) { return band_cumulative_[k]; });
+  const double* row = &c_cumulative_[j * (planes + 1)];
+  const double* next_row = row + planes + 1;
+  const Band band{gamma_rad_[j], gamma_rad_[j + 1] - gamma_rad_[j], row[planes], next_row[planes]};
+  const double t =
+      band.invert(fraction(flux_below - band_cumulative_[j], band_cumulative_[j + 1] - band_cumulative_[j]));
+
+  const auto cumulative = [&](size_t k) { return row[k] * (1 - t) + next_row[k] * t; };
+  const double c_target = u2 * cumulative(planes);
+  const size_t i = find_cell(planes, c_target, cumulative);
+  const double v0 = plane_value(i, j, t), v1 = plane_value(i + 1, j, t);
+  const double s = invert_linear(v0, v1, fraction(c_target - cumulative(i), cumulative(i + 1) - cumulative(i)));
+
+  const double gamma = band.g0 + t * band.h, c = c_rad_[i] + s * c_width(i), sine = std::sin(gamma);
+  const double intensity = v0 * (1 - s) + v1 * s;
+  return {sine * std::cos(c), sine * std::sin(c), -std::cos(gamma), intensity, intensity / interpolated_flux_lm_};
+}
+
+}  // namespace photometry

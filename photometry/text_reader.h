@@ -1,0 +1,102 @@
+// Lines and numbers from the bytes of a text file, with the line of each. Reads what writers of photometric files leave
+// behind: byte order marks, UTF-16, Latin-1, any line ends, Ctrl-Z, commas between or inside numbers. Never asks the
+// locale. Used by the readers of photometric formats.
+#pragma once
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "photometry/distribution.h"
+
+namespace photometry {
+
+inline std::string at_line(size_t line, const std::string& what) {
+  return "line " + std::to_string(line) + ": " + what;
+}
+[[noreturn]] inline void fail_at(size_t line, const std::string& what) { throw ParseError(at_line(line, what)); }
+
+inline std::string_view trimmed(std::string_view s) {
+  const char* blank = " \t\r\n\v\f";
+  const size_t first = s.find_first_not_of(blank);
+  return first == s.npos ? std::string_view() : s.substr(first, s.find_last_not_of(blank) - first + 1);
+}
+
+inline std::string upper_case(std::string_view s) {
+  std::string out(s);
+  for (char& c : out)
+    if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
+  return out;
+}
+
+// The whole of the token as a number; a leading + is allowed. False where it is none or out of a double's range.
+inline bool parse_number(std::string_view token, double& value) {
+  if (token.size() > 1 && token[0] == '+' && token[1] != '-') token.remove_prefix(1);
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  return error == std::errc() && end == token.data() + token.size();
+}
+
+// Six digits, for messages.
+inline std::string shown(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr);
+}
+
+// UTF-8 from bytes that are UTF-8, UTF-16 with its mark, or else taken as Latin-1.
+std::string decode_text(const void* bytes, size_t size);
+
+class TextReader {
+ public:
+  explicit TextReader(std::string text) : text_(std::move(text)) {}
+
+  // False at the end. The line comes without its end.
+  bool next_line(std::string_view& line) {
+    if (at_ >= text_.size()) return false;
+    const size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+    line = std::string_view(text_).substr(at_, end - at_);
+    line_ = next_line_++;
+    at_ = end + (end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n' ? 2 : 1);
+    return true;
+  }
+  size_t line() const { return line_; }  // of the last line or token, from 1
+
+  struct Mark {
+    size_t at, line, next_line;
+  };
+  Mark mark() const { return {at_, line_, next_line_}; }
+  void go_to(const Mark& m) { at_ = m.at, line_ = m.line, next_line_ = m.next_line; }
+
+  // Decides whether commas in the rest of the text are decimal: no point anywhere, and no blank-separated token with
+  // more than one comma or a comma at its edge. (Separated by commas, a record of ten fields would have many.)
+  bool detect_decimal_commas();
+
+  // The next blank- or comma-separated token, over line ends. False at the end or at Ctrl-Z.
+  bool next_token(std::string_view& token) {
+    while (at_ < text_.size() && is_separator(text_[at_])) {
+      if (text_[at_] == '\n' || (text_[at_] == '\r' && !(at_ + 1 < text_.size() && text_[at_ + 1] == '\n')))
+        ++next_line_;
+      ++at_;
+    }
+    if (at_ >= text_.size() || text_[at_] == end_of_text) return false;
+    const size_t first = at_;
+    while (at_ < text_.size() && !is_separator(text_[at_]) && text_[at_] != end_of_text) ++at_;
+    token = std::string_view(text_).substr(first, at_ - first);
+    line_ = next_line_;
+    return true;
+  }
+  // `name` says what is expected here, for the message.
+  double number(const std::string& name);
+
+ private:
+  static constexpr char end_of_text = '\x1a';
+  bool is_separator(char c) const {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f' || c == '\0' || c == ';' ||
+           (c == ',' && !decimal_commas_);
+  }
+
+  std::string text_;
+  size_t at_ = 0, line_ = 1, next_line_ = 1;
+  bool decimal_commas_ = false;
+};
+
+}  // namespace photometry
