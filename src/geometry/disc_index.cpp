@@ -1,0 +1,103 @@
+// Which discs does a segment cross? Asked by light walks for meters, and by both walks for luminous openings.
+//
+// Embree only finds candidates (user geometry: its own disc shapes skip crossings near a ray's start); whether a disc
+// is crossed is decided here, in double, so that few discs and many give the same answer.
+#include <algorithm>
+
+#include "geometry/embree.h"
+#include "geometry/raytracer.h"
+
+namespace ups {
+namespace {
+
+using Disc = DiscIndex::Disc;
+using Crossing = DiscIndex::Crossing;
+
+constexpr size_t brute_force_count = 4;
+
+bool cross(const Disc& disc, const Vec3d& o, const Vec3d& d, float tmax, float& t_out) {
+  const Vec3d n(disc.normal), c(disc.center);
+  const double divisor = dot(d, n);
+  if (divisor == 0) return false;
+  const double t = dot(c - o, n) / divisor;
+  if (!(t >= 0 && t <= tmax)) return false;
+  if (length2(o + d * t - c) > double(disc.radius) * disc.radius) return false;
+  t_out = float(t);
+  return true;
+}
+
+struct Query {
+  embree::QueryContext context;  // first: Embree hands back a pointer to it
+  Vec3d o, d;
+  float tmax;
+  std::vector<Crossing>* out;
+};
+
+void bounds(const RTCBoundsFunctionArguments* args) {
+  const Disc& disc = static_cast<const Disc*>(args->geometryUserPtr)[args->primID];
+  const float pad = 0x1p-21f * (max_abs(disc.center) + disc.radius);
+  const auto half = [&](float n) { return disc.radius * std::sqrt(std::max(0.0f, 1 - n * n)) + pad; };
+  const Vec3 h{half(disc.normal.x), half(disc.normal.y), half(disc.normal.z)};
+  const Vec3 lower = disc.center - h, upper = disc.center + h;
+  RTCBounds& b = *args->bounds_o;
+  b.lower_x = lower.x, b.lower_y = lower.y, b.lower_z = lower.z;
+  b.upper_x = upper.x, b.upper_y = upper.y, b.upper_z = upper.z;
+}
+
+// Leaves the ray as it is, so that Embree goes on to the next disc.
+void collect(const RTCOccludedFunctionNArguments* args) {
+  const Disc& disc = static_cast<const Disc*>(args->geometryUserPtr)[args->primID];
+  const Query& query = *reinterpret_cast<const Query*>(args->context);
+  float t;
+  if (cross(disc, query.o, query.d, query.tmax, t)) query.out->push_back({args->primID, t});
+}
+
+}  // namespace
+
+struct DiscIndex::Impl {
+  std::vector<Disc> discs;
+  std::unique_ptr<embree::Device> device;  // both null for few discs
+  std::unique_ptr<embree::Scene> scene;
+};
+
+DiscIndex::DiscIndex(std::vector<Disc> discs, int thread_count) : impl_(std::make_unique<Impl>()) {
+  impl_->discs = std::move(discs);
+  if (impl_->discs.size() <= brute_force_count) return;
+  impl_->device = std::make_unique<embree::Device>();
+  impl_->scene = std::make_unique<embree::Scene>(*impl_->device);
+  RTCGeometry geometry = rtcNewGeometry(*impl_->device, RTC_GEOMETRY_TYPE_USER);
+  impl_->device->check();
+  rtcSetGeometryUserPrimitiveCount(geometry, unsigned(impl_->discs.size()));
+  rtcSetGeometryUserData(geometry, impl_->discs.data());
+  rtcSetGeometryBoundsFunction(geometry, &bounds, nullptr);
+  rtcSetGeometryOccludedFunction(geometry, &collect);
+  impl_->scene->attach(geometry, 0);
+  tbb::task_arena arena(thread_count > 0 ? thread_count : tbb::task_arena::automatic);
+  impl_->scene->commit(arena);
+}
+
+DiscIndex::~DiscIndex() = default;
+
+bool DiscIndex::empty() const { return impl_->discs.empty(); }
+
+void DiscIndex::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Crossing>& out) const {
+  if (!impl_->scene) {
+    float t;
+    for (size_t i = 0; i < impl_->discs.size(); ++i)
+      if (cross(impl_->discs[i], Vec3d(o), Vec3d(d), tmax, t)) out.push_back({uint32_t(i), t});
+    return;
+  }
+  const size_t first = out.size();
+  Query query;
+  embree::init(query.context);
+  query.o = Vec3d(o), query.d = Vec3d(d), query.tmax = tmax, query.out = &out;
+  RTCRay ray = embree::make_ray(o, d, tmax);
+  embree::occluded(*impl_->scene, query.context, ray);
+  // A disc may be offered twice where the index split its box; its crossing is the same both times.
+  const auto begin = out.begin() + ptrdiff_t(first);
+  std::sort(begin, out.end(), [](const Crossing& a, const Crossing& b) { return a.disc < b.disc; });
+  out.erase(std::unique(begin, out.end(), [](const Crossing& a, const Crossing& b) { return a.disc == b.disc; }),
+            out.end());
+}
+
+}  // namespace ups

@@ -1,0 +1,118 @@
+// Embree 3.13 and 4 behind one face: the calls whose names or arguments differ, and owners that release what they hold.
+// Included by raytracer.cpp and disc_index.cpp alone. The build says which version it links (UPS_EMBREE_MAJOR).
+#pragma once
+#if !defined(UPS_EMBREE_MAJOR) && __has_include(<embree4/rtcore.h>)
+#define UPS_EMBREE_MAJOR 4
+#elif !defined(UPS_EMBREE_MAJOR)
+#define UPS_EMBREE_MAJOR 3
+#endif
+#if UPS_EMBREE_MAJOR >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+#include <tbb/task_arena.h>
+
+#include <mutex>
+#include <string>
+
+#include "base/error.h"
+#include "base/vec.h"
+
+namespace ups::embree {
+
+#if UPS_EMBREE_MAJOR >= 4
+using QueryContext = RTCRayQueryContext;
+inline void init(QueryContext& context) { rtcInitRayQueryContext(&context); }
+inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  rtcIntersect1(scene, &ray, &arguments);
+}
+inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) {
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &context;
+  rtcOccluded1(scene, &ray, &arguments);
+}
+#else
+using QueryContext = RTCIntersectContext;
+inline void init(QueryContext& context) { rtcInitIntersectContext(&context); }
+inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
+inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
+#endif
+
+inline RTCRay make_ray(const Vec3& o, const Vec3& d, float tmax) {
+  RTCRay ray;
+  ray.org_x = o.x, ray.org_y = o.y, ray.org_z = o.z, ray.tnear = 0;
+  ray.dir_x = d.x, ray.dir_y = d.y, ray.dir_z = d.z, ray.time = 0;
+  ray.tfar = tmax, ray.mask = 0xffffffffu, ray.id = 0, ray.flags = 0;
+  return ray;
+}
+
+// Owns a device; keeps the first error that Embree reports, whichever thread it came from.
+class Device {
+ public:
+  Device() : device_(rtcNewDevice(nullptr)) {
+    if (!device_)
+      throw Error(UPS_ERROR_INTERNAL, "Embree: no device, error " + std::to_string(rtcGetDeviceError(nullptr)));
+    rtcSetDeviceErrorFunction(device_, &Device::on_error, this);
+  }
+  ~Device() { rtcReleaseDevice(device_); }
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+  operator RTCDevice() const { return device_; }
+
+  void check() {
+    const std::lock_guard lock(mutex_);
+    if (code_ == RTC_ERROR_NONE) return;
+    const ups_status status = code_ == RTC_ERROR_OUT_OF_MEMORY ? UPS_ERROR_OUT_OF_MEMORY : UPS_ERROR_INTERNAL;
+    throw Error(status, "Embree: " + message_);
+  }
+
+ private:
+  static void on_error(void* self, RTCError code, const char* text) {
+    Device& device = *static_cast<Device*>(self);
+    const std::lock_guard lock(device.mutex_);
+    if (device.code_ != RTC_ERROR_NONE) return;
+    device.code_ = code;
+    device.message_ = text ? text : "unknown error";
+  }
+  RTCDevice device_;
+  std::mutex mutex_;
+  RTCError code_ = RTC_ERROR_NONE;
+  std::string message_;
+};
+
+// Owns a scene. Robust: rays do not slip between triangles that share an edge.
+class Scene {
+ public:
+  explicit Scene(Device& device) : device_(&device), scene_(rtcNewScene(device)) {
+    device.check();
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+  }
+  ~Scene() { rtcReleaseScene(scene_); }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+  operator RTCScene() const { return scene_; }
+
+  // Takes over the geometry's one reference.
+  void attach(RTCGeometry geometry, uint32_t id) {
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene_, geometry, id);
+    rtcReleaseGeometry(geometry);
+    device_->check();
+  }
+  // Embree builds in the arena of its caller: a device's own thread setting would change the whole process.
+  void commit(tbb::task_arena& arena) {
+    arena.execute([&] { rtcCommitScene(scene_); });
+    device_->check();
+  }
+
+ private:
+  Device* device_;
+  RTCScene scene_;
+};
+
+}  // namespace ups::embree
