@@ -25,15 +25,28 @@ class EmitterSet {
   // For a light path: in proportion to flux.
   Choice choose_emission(float u) const;
   float emission_probability(size_t i) const;
-  // For next-event estimation at a point: a function of the point alone, so that both walks know it.
+  // For next-event estimation at a point: a function of the point alone, so that both walks know it. Up to 64 emitters
+  // by flux / distance^2, mixed with a tenth by flux; more by flux.
   Choice choose_direct(const Vec3& reference, float u) const;
   float direct_probability(const Vec3& reference, size_t i) const;
 
  private:
   std::vector<std::unique_ptr<Emitter>> emitters_;
+  static constexpr size_t max_by_distance = 64;
+  struct Nearness;
+  Nearness nearness(const Vec3& reference) const;
+  float mixed_probability(const Nearness& near, size_t i) const;
+
   DiscreteDistribution by_flux_;
   double flux_lm_ = 0;
-  // Implementers: add what choose_direct needs.
+  // Of each emitter, if there are at most max_by_distance. Below least_distance2 emitters at one place are told apart
+  // by flux, so that nothing divides by zero.
+  struct Bounds {
+    Vec3 center;
+    float flux, least_distance2;
+    bool directional;
+  };
+  std::vector<Bounds> bounds_;
 };
 
 }  // namespace ups

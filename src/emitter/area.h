@@ -1,0 +1,54 @@
+// Triangles that emit light evenly in all directions: a Lambertian area emitter of constant luminance. Made by the
+// scene for every instance whose material emits.
+#pragma once
+#include <vector>
+
+#include "base/discrete.h"
+#include "emitter/emitter.h"
+
+namespace ups {
+
+struct EmitterTriangle {
+  Vec3 p0, p1, p2;
+};
+
+class AreaEmitter : public Emitter {
+ public:
+  // Triangles in the order of the mesh (a hit's primitive is an index into them), counter-clockwise seen from the side
+  // that emits; both_sides: the back emits as well, with the same radiance, cd/m^2.
+  AreaEmitter(std::vector<EmitterTriangle> triangles, const Rgb& radiance, bool both_sides, uint32_t instance);
+
+  EmitterKind kind() const override { return EmitterKind::area; }
+  bool is_delta() const override { return false; }
+  double flux_lm() const override;
+  Rgb flux_rgb() const override;
+  Vec3 center() const override { return center_; }
+  float radius() const override { return radius_; }
+  bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
+  bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
+  bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,
+                EmitterHit& out) const override;
+
+  double area() const { return by_area_.total(); }
+
+ private:
+  struct Point {
+    Vec3 p, n;  // n: unit normal of the front
+    float error;
+    uint32_t primitive;
+  };
+  bool sample_position(const Vec2& u, Point& out) const;
+  float direction_pdf(float cos_front) const;  // per solid angle, of a direction with this cosine to the front normal
+
+  std::vector<EmitterTriangle> triangles_;
+  std::vector<Vec3> normals_;  // zero for a triangle without area
+  DiscreteDistribution by_area_;
+  Rgb radiance_;
+  bool both_sides_;
+  uint32_t instance_;
+  float pdf_a_ = 0;
+  Vec3 center_;
+  float radius_ = 0;
+};
+
+}  // namespace ups

@@ -1,0 +1,122 @@
+// Emission and next-event estimation of point, spot and directional lights.
+#include "emitter/point.h"
+
+#include "base/warp.h"
+
+namespace ups {
+
+void PunctualEmitter::start_emission(const Vec3& direction, const Rgb& flux, float pdf_direction_w,
+                                     EmissionSample& out) const {
+  out = {};
+  out.p = p_;
+  out.direction = direction;
+  out.flux = flux;
+  out.pdf_direction_w = pdf_direction_w;
+  out.error = error_;
+}
+
+bool PunctualEmitter::start_direct(const Vec3& reference, DirectSample& out) const {
+  const Vec3 to_p = p_ - reference;
+  const float distance2 = length2(to_p);
+  const float weight = 1 / distance2;
+  if (!(distance2 > 0) || !std::isfinite(weight)) return false;
+  out = {};
+  out.p = p_;
+  out.distance = std::sqrt(distance2);
+  out.wi = to_p / out.distance;
+  out.weight = Rgb(weight);
+  out.error = error_;
+  return true;
+}
+
+double PointEmitter::flux_lm() const { return luminance(flux_rgb()); }
+Rgb PointEmitter::flux_rgb() const { return intensity_ * (4 * pi); }
+
+bool PointEmitter::sample_emission(const Vec2&, const Vec2& u_direction, EmissionSample& out) const {
+  start_emission(square_to_sphere(u_direction), flux_rgb(), sphere_pdf, out);
+  return !is_black(intensity_);
+}
+
+bool PointEmitter::sample_direct(const Vec3& reference, const Vec2&, DirectSample& out) const {
+  if (is_black(intensity_) || !start_direct(reference, out)) return false;
+  out.weight *= intensity_;
+  out.pdf_direction_w = sphere_pdf;
+  return is_finite(out.weight);
+}
+
+SpotEmitter::SpotEmitter(const Vec3& p, const Vec3& axis, const Rgb& intensity, float inner_cone_rad,
+                         float outer_cone_rad, float error)
+    : PunctualEmitter(p, error), frame_(normalize(axis)), intensity_(intensity) {
+  const auto versine = [](double angle) { return 2 * std::pow(std::sin(0.5 * angle), 2); };
+  outer_versine_ = versine(outer_cone_rad);
+  inner_versine_ = std::min(versine(inner_cone_rad), outer_versine_);
+  solid_angle_ = 2 * double(pi) * (inner_versine_ + (outer_versine_ - inner_versine_) / 3);
+}
+
+double SpotEmitter::attenuation(double versine) const {
+  if (versine <= inner_versine_) return 1;
+  if (versine >= outer_versine_) return 0;
+  const double ramp = (outer_versine_ - versine) / (outer_versine_ - inner_versine_);
+  return ramp * ramp;
+}
+
+double SpotEmitter::flux_lm() const { return luminance(flux_rgb()); }
+Rgb SpotEmitter::flux_rgb() const { return intensity_ * float(solid_angle_); }
+
+// The cone's core and its ramp in proportion to their fluxes; the integral of the squared ramp is a cube.
+bool SpotEmitter::sample_emission(const Vec2&, const Vec2& u_direction, EmissionSample& out) const {
+  if (!(solid_angle_ > 0) || is_black(intensity_)) return false;
+  const double ramp_width = outer_versine_ - inner_versine_;
+  const double v = u_direction.x * (inner_versine_ + ramp_width / 3);
+  const double rest = v - inner_versine_;  // of the ramp's integral, from its bright end
+  const double versine =
+      rest <= 0 ? v : outer_versine_ - ramp_width * std::cbrt(std::max(0.0, 1 - 3 * rest / ramp_width));
+  const double sine = std::sqrt(std::max(0.0, versine * (2 - versine))), phi = 2 * double(pi) * u_direction.y;
+  const Vec3 local(float(sine * std::cos(phi)), float(sine * std::sin(phi)), float(1 - versine));
+  const float pdf = float(attenuation(versine) / solid_angle_);
+  start_emission(normalize(frame_.to_world(local)), flux_rgb(), pdf, out);
+  return pdf > 0;
+}
+
+bool SpotEmitter::sample_direct(const Vec3& reference, const Vec2&, DirectSample& out) const {
+  if (!(solid_angle_ > 0) || !start_direct(reference, out)) return false;
+  const double versine = 0.5 * length2(normalize(Vec3d(out.wi)) + normalize(Vec3d(frame_.n)));
+  const double factor = attenuation(versine);
+  out.weight *= intensity_ * float(factor);
+  out.pdf_direction_w = float(factor / solid_angle_);
+  return factor > 0 && is_finite(out.weight) && !is_black(out.weight);
+}
+
+DirectionalEmitter::DirectionalEmitter(const Vec3& direction, const Rgb& illuminance, float scene_radius)
+    : frame_(normalize(direction)), illuminance_(illuminance), scene_radius_(scene_radius) {}
+
+double DirectionalEmitter::flux_lm() const { return luminance(flux_rgb()); }
+Rgb DirectionalEmitter::flux_rgb() const { return illuminance_ * (pi * scene_radius_ * scene_radius_); }
+
+bool DirectionalEmitter::sample_emission(const Vec2& u_position, const Vec2&, EmissionSample& out) const {
+  if (is_black(illuminance_) || !(scene_radius_ > 0)) return false;
+  const Vec2 disc = square_to_disc(u_position);
+  out = {};
+  out.p = (frame_.s * disc.x + frame_.t * disc.y - frame_.n) * scene_radius_;
+  out.n = frame_.n;
+  out.direction = frame_.n;
+  out.flux = flux_rgb();
+  out.pdf_position_a = pdf_position_a();
+  out.pdf_direction_w = 1;
+  return true;
+}
+
+bool DirectionalEmitter::sample_direct(const Vec3& reference, const Vec2&, DirectSample& out) const {
+  if (is_black(illuminance_) || !(scene_radius_ > 0)) return false;
+  out = {};
+  out.n = frame_.n;
+  out.wi = -frame_.n;
+  out.distance = 2 * scene_radius_;
+  out.p = reference + out.wi * out.distance;
+  out.weight = illuminance_;
+  out.pdf_position_a = pdf_position_a();
+  out.pdf_direction_w = 1;
+  return true;
+}
+
+}  // namespace ups
