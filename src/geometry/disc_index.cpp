@@ -80,6 +80,8 @@ DiscIndex::~DiscIndex() = default;
 
 bool DiscIndex::empty() const { return impl_->discs.empty(); }
 
+const DiscIndex::Disc& DiscIndex::disc(uint32_t i) const { return impl_->discs[i]; }
+
 void DiscIndex::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Crossing>& out) const {
   if (!impl_->scene) {
     float t;

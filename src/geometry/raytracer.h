@@ -79,6 +79,7 @@ class DiscIndex {
   // Appends all crossings with 0 <= t <= tmax of the disc's plane within its radius, both sides, sorted by disc.
   void intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Crossing>& out) const;
   bool empty() const;
+  const Disc& disc(uint32_t i) const;
 
  private:
   struct Impl;

@@ -1,0 +1,213 @@
+#include "render/accumulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ups {
+
+namespace {
+
+// Fewer replicates say too little about an error.
+constexpr uint32_t min_batches = 4;
+constexpr double share_of_mean = 0.05;  // the floor of a relative error's denominator
+
+// Two-sided 95 % quantile of Student's t, 3 to 15 degrees of freedom.
+double t_quantile(uint32_t batches) {
+  static constexpr double table[] = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131};
+  return table[std::min<uint32_t>(batches, batch_count) - min_batches];
+}
+
+struct Spread {
+  double mean = 0, standard_error = -1;
+};
+// Of batch sums with counts that differ by one at the most.
+template <class T>
+Spread spread(const T* sums, uint32_t samples, size_t stride = 1) {
+  const uint32_t used = std::min(samples, batch_count);
+  Spread s;
+  double total = 0;
+  for (uint32_t b = 0; b < used; ++b) total += sums[b * stride];
+  s.mean = samples ? total / samples : 0;
+  if (used < min_batches) return s;
+  double square = 0;
+  for (uint32_t b = 0; b < used; ++b) {
+    const double n = samples / batch_count + (b < samples % batch_count);
+    const double d = sums[b * stride] / n - s.mean;
+    square += n * d * d;
+  }
+  s.standard_error = std::sqrt(square / (double(samples) * (used - 1)));
+  return s;
+}
+
+double quantile(std::vector<double>& v, double q) {
+  const size_t i = std::min(v.size() - 1, size_t(q * double(v.size())));
+  std::nth_element(v.begin(), v.begin() + ptrdiff_t(i), v.end());
+  return v[i];
+}
+
+ErrorSummary summary_of(std::vector<double> errors, double bias_share) {
+  ErrorSummary s;
+  if (errors.empty()) return s;
+  double sum = 0, worst = 0;
+  for (double e : errors) {
+    sum += e;
+    worst = std::max(worst, e);
+  }
+  s.mean = float(sum / double(errors.size()));
+  s.worst = float(worst);
+  s.p95 = float(quantile(errors, 0.95));
+  s.median = float(quantile(errors, 0.5));
+  s.bias_share = float(bias_share);
+  return s;
+}
+
+}  // namespace
+
+Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan) {
+  for (const MeterSet& set : scene.meter_sets) meters_.emplace_back(set.meters.size());
+  for (const Camera& c : scene.cameras) {
+    const size_t n = size_t(c.pixel_count()) * 3;
+    images_.push_back({c.width(), c.height(), std::vector<double>(n), std::vector<double>(n), std::vector<float>(n),
+                       std::vector<float>(n * batch_count), std::vector<uint32_t>(plan.camera_subsets)});
+  }
+}
+
+void Accumulator::add(const IterationTally& tally) {
+  const uint32_t batch = iterations_ % batch_count;
+  for (size_t s = 0; s < meters_.size(); ++s)
+    for (size_t m = 0; m < meters_[s].size(); ++m) {
+      const MeterTally& t = tally.meters[s][m];
+      MeterSums& sums = meters_[s][m];
+      sums.value[batch] += t.value;
+      sums.direct += t.direct;
+      sums.bias[batch] += t.bias;
+    }
+  for (size_t c = 0; c < images_.size(); ++c) add_image(c, tally);
+  work_.add(tally.work);
+  ++iterations_;
+}
+
+void Accumulator::add_image(size_t c, const IterationTally& tally) {
+  Image& image = images_[c];
+  const uint32_t pixels = image.width * image.height, subsets = plan_.camera_subsets;
+  ++image.visits[iterations_ % subsets];
+  for (uint32_t p = 0; p < pixels; ++p) {
+    if (!plan_.visits_pixel(iterations_, image.width, p)) continue;
+    const Rgb& v = tally.pixels[c][p];
+    const float rgb[3] = {v.r, v.g, v.b};
+    for (int k = 0; k < 3; ++k) {
+      image.eye[p * 3 + k] += rgb[k];
+      image.pending[p * 3 + k] += rgb[k];
+    }
+  }
+  const float per_pass = 1.0f / float(subsets);
+  if (!tally.splats[c].empty())
+    for (uint32_t p = 0; p < pixels; ++p) {
+      const Rgb& v = tally.splats[c][p];
+      const float rgb[3] = {v.r, v.g, v.b};
+      for (int k = 0; k < 3; ++k) {
+        image.splat[p * 3 + k] += rgb[k];
+        image.pending[p * 3 + k] += rgb[k] * per_pass;
+      }
+    }
+  if ((iterations_ + 1) % subsets != 0) return;
+  float* batch = image.batches.data() + size_t(plan_.pass(iterations_) % batch_count) * pixels * 3;
+  for (size_t i = 0; i < size_t(pixels) * 3; ++i) batch[i] += image.pending[i];
+  std::fill(image.pending.begin(), image.pending.end(), 0.0f);
+}
+
+MeterSetReading Accumulator::read_meters(size_t set) const {
+  const std::vector<MeterSums>& meters = meters_[set];
+  MeterSetReading r;
+  r.meters.resize(meters.size());
+  double batch_mean[batch_count] = {}, minimum = INFINITY, maximum = 0;
+  for (size_t m = 0; m < meters.size(); ++m) {
+    const MeterSums& sums = meters[m];
+    const Spread e = spread(sums.value, iterations_), b = spread(sums.bias, iterations_);
+    ups_meter_reading& out = r.meters[m];
+    out.illuminance_lx = float(e.mean);
+    out.direct_lx = float(iterations_ ? sums.direct / iterations_ : 0.0);
+    out.indirect_lx = float(std::max(0.0, e.mean - double(out.direct_lx)));
+    out.bias_lx = float(b.mean);
+    out.standard_error_lx = float(e.standard_error);
+    // |b| + t sqrt(s^2 + s_b^2): the two are uncorrelated, as the bias estimate's kernel is orthogonal to the disc's.
+    out.error_bound_lx = e.standard_error < 0 ? -1.0f
+                                              : float(std::abs(b.mean) + t_quantile(iterations_) * std::hypot(e.standard_error, b.standard_error));
+    minimum = std::min(minimum, e.mean);
+    maximum = std::max(maximum, e.mean);
+    for (uint32_t k = 0; k < batch_count; ++k) batch_mean[k] += sums.value[k] / double(meters.size());
+  }
+  const Spread mean = spread(batch_mean, iterations_);
+  ups_meter_statistics& s = r.statistics;
+  s.struct_size = sizeof s;
+  s.count = uint32_t(meters.size());
+  s.mean_lx = mean.mean;
+  s.min_lx = minimum;
+  s.max_lx = maximum;
+  s.uniformity = mean.mean > 0 ? minimum / mean.mean : 0;
+  s.mean_standard_error_lx = mean.standard_error;
+  std::vector<double> errors;
+  for (const ups_meter_reading& m : r.meters)
+    if (m.error_bound_lx >= 0 && mean.mean > 0)
+      errors.push_back(m.error_bound_lx / std::max(double(m.illuminance_lx), share_of_mean * mean.mean));
+  const bool known = mean.standard_error >= 0;  // a dark set has no error
+  const ErrorSummary e = summary_of(std::move(errors), 0);
+  s.median_relative_error_bound = e.median >= 0 ? e.median : known ? 0 : -1;
+  s.p95_relative_error_bound = e.p95 >= 0 ? e.p95 : known ? 0 : -1;
+  s.worst_relative_error_bound = e.worst >= 0 ? e.worst : known ? 0 : -1;
+  return r;
+}
+
+ImageReading Accumulator::read_image(size_t c) const {
+  const Image& image = images_[c];
+  const size_t pixels = size_t(image.width) * image.height;
+  ImageReading r{image.width, image.height, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f)};
+  const uint32_t passes = iterations_ / plan_.camera_subsets;
+  for (size_t p = 0; p < pixels; ++p) {
+    const uint32_t x = uint32_t(p % image.width), y = uint32_t(p / image.width);
+    const uint32_t visits = image.visits[(x + y * plan_.subset_shift()) % plan_.camera_subsets];
+    for (size_t i = p * 3; i < p * 3 + 3; ++i) {
+      r.luminance_rgb[i] = float((visits ? image.eye[i] / visits : 0.0) + (iterations_ ? image.splat[i] / iterations_ : 0.0));
+      if (passes >= min_batches)
+        r.standard_error_rgb[i] = float(spread(image.batches.data() + i, passes, pixels * 3).standard_error);
+    }
+  }
+  return r;
+}
+
+ErrorSummary Accumulator::summarize() const {
+  if (meters_.empty()) return summarize_images();
+  std::vector<double> errors;
+  double bias = 0, bound = 0;
+  for (size_t s = 0; s < meters_.size(); ++s) {
+    const MeterSetReading set = read_meters(s);
+    if (set.statistics.mean_standard_error_lx < 0) return {};
+    for (const ups_meter_reading& m : set.meters) {
+      const double floor = share_of_mean * set.statistics.mean_lx;
+      errors.push_back(floor > 0 ? m.error_bound_lx / std::max(double(m.illuminance_lx), floor) : 0.0);
+      bias += std::abs(m.bias_lx);
+      bound += m.error_bound_lx;
+    }
+  }
+  return summary_of(std::move(errors), bound > 0 ? bias / bound : 0.0);
+}
+
+ErrorSummary Accumulator::summarize_images() const {
+  std::vector<double> errors;
+  for (size_t c = 0; c < images_.size(); ++c) {
+    const uint32_t passes = iterations_ / plan_.camera_subsets;
+    if (passes < min_batches) return {};
+    const ImageReading image = read_image(c);
+    const size_t pixels = image.luminance_rgb.size() / 3;
+    const auto y = [](const float* p) { return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]; };
+    double mean = 0;
+    for (size_t p = 0; p < pixels; ++p) mean += y(&image.luminance_rgb[p * 3]) / double(pixels);
+    if (!(mean > 0)) continue;
+    for (size_t p = 0; p < pixels; ++p)
+      errors.push_back(t_quantile(passes) * y(&image.standard_error_rgb[p * 3]) /
+                       std::max(y(&image.luminance_rgb[p * 3]), share_of_mean * mean));
+  }
+  return summary_of(std::move(errors), 0.0);
+}
+
+}  // namespace ups

@@ -1,0 +1,61 @@
+// Sums of iterations and what can be said of their error. 16 interleaved batches, each with its own scrambling of the
+// stratified numbers, are independent replicates with the same radius history: their spread is the standard error, and
+// drift of the radius cancels out of it.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "transport/integrator.h"
+#include "ups/ups_render.h"
+
+namespace ups {
+
+struct ImageReading {
+  uint32_t width = 0, height = 0;
+  std::vector<float> luminance_rgb, standard_error_rgb;  // 3 a pixel; standard error -1: not known
+};
+
+struct MeterSetReading {
+  std::vector<ups_meter_reading> meters;
+  ups_meter_statistics statistics{};
+};
+
+// Quantiles of the relative error over all meters, without meters over all pixels; -1: not known yet.
+struct ErrorSummary {
+  float median = -1, p95 = -1, worst = -1, mean = -1, bias_share = -1;
+};
+
+class Accumulator {
+ public:
+  explicit Accumulator(const Snapshot& scene, const Plan& plan);
+  void add(const IterationTally& tally);  // the next iteration
+  uint32_t iterations() const { return iterations_; }
+  const WorkCounts& work() const { return work_; }
+
+  MeterSetReading read_meters(size_t set) const;
+  ImageReading read_image(size_t camera) const;
+  ErrorSummary summarize() const;
+
+ private:
+  // value, direct, bias of each batch of one meter
+  struct MeterSums {
+    double value[batch_count] = {}, direct = 0, bias[batch_count] = {};
+  };
+  struct Image {
+    uint32_t width, height;
+    std::vector<double> eye, splat;      // 3 a pixel, of all iterations
+    std::vector<float> pending;          // eye + splat of the pass under way
+    std::vector<float> batches;          // 3 a pixel, batch by batch, of whole passes
+    std::vector<uint32_t> visits;        // by subset
+  };
+  void add_image(size_t c, const IterationTally& tally);
+  ErrorSummary summarize_images() const;
+
+  const Plan& plan_;
+  uint32_t iterations_ = 0;
+  std::vector<std::vector<MeterSums>> meters_;
+  std::vector<Image> images_;
+  WorkCounts work_;
+};
+
+}  // namespace ups

@@ -1,0 +1,120 @@
+#include "transport/eye_pass.h"
+
+#include "transport/eye_walk.h"
+
+namespace ups {
+
+namespace {
+
+constexpr size_t pixels_per_block = 256;
+constexpr size_t paths_per_block = 256;
+constexpr uint32_t first_camera_stream = 1, first_meter_stream = 1u << 16;
+
+// Eye path j meets light path (odd j + shift) mod N. Both are new in each iteration: a pixel must not meet the same
+// stratum of the light paths again and again. N is a power of two, so every light path is met equally often.
+class Pairing {
+ public:
+  Pairing(const EyePassInput& in)
+      : light_(in.light), odd_(uint32_t(mix64(in.settings.seed * 2 + in.iteration)) | 1u),
+        shift_(uint32_t(mix64(hash_combine(in.settings.seed, in.iteration)))) {}
+  void assign(uint32_t path, EyeWalk::Sensor& sensor) const {
+    if (light_.begin.size() < 2) return;
+    const uint32_t n = uint32_t(light_.begin.size() - 1), i = (path * odd_ + shift_) & (n - 1);
+    sensor.first_light_vertex = light_.begin[i];
+    sensor.end_light_vertex = light_.begin[i + 1];
+  }
+
+ private:
+  const LightPaths& light_;
+  uint32_t odd_, shift_;
+};
+
+std::vector<uint32_t> visited_pixels(const Plan& plan, const Camera& camera, uint32_t iteration) {
+  std::vector<uint32_t> pixels;
+  pixels.reserve(camera.pixel_count() / plan.camera_subsets + camera.height());
+  for (uint32_t p = 0; p < camera.pixel_count(); ++p)
+    if (plan.visits_pixel(iteration, camera.width(), p)) pixels.push_back(p);
+  return pixels;
+}
+
+void add_work(const std::vector<WorkCounts>& blocks, IterationTally& tally) {
+  for (const WorkCounts& w : blocks) tally.work.add(w);
+}
+
+}  // namespace
+
+uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_path, ThreadPool& pool, IterationTally& tally) {
+  const Camera& camera = in.scene.cameras[c];
+  const std::vector<uint32_t> pixels = visited_pixels(in.plan, camera, in.iteration);
+  const Pairing pairing(in);
+  std::vector<WorkCounts> work((pixels.size() + pixels_per_block - 1) / pixels_per_block);
+  pool.for_blocks(pixels.size(), pixels_per_block, [&](size_t b, size_t begin, size_t end) {
+    if (in.stop.load(std::memory_order_relaxed)) return;
+    for (size_t i = begin; i < end; ++i) {
+      const uint32_t pixel = pixels[i];
+      EyeWalk::Sensor sensor;
+      sensor.camera = true;
+      const double r1 = in.plan.pixel_radius.empty() ? 0.0 : in.plan.pixel_radius[c][pixel];
+      const double radius2 = in.plan.radius2(r1, in.camera_radius_factor);
+      sensor.counts = camera_counts(in.plan, in.settings, radius2);
+      sensor.radius = float(std::sqrt(radius2));
+      sensor.photons = &in.camera_photons;
+      sensor.medium = in.scene.medium_of_camera[c];
+      pairing.assign(first_path + uint32_t(i), sensor);
+      PathSampler rng(in.settings.seed, first_camera_stream + c, hash_combine(in.camera_batch, pixel), in.camera_batch_visit,
+                      in.iteration, pixel);
+      const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
+      ++work[b].eye_paths;
+      EyeWalk walk(in, sensor, rng, work[b]);
+      tally.pixels[c][pixel] = walk.from_camera(camera.position(), d, camera.pdf_w(d)).value;
+    }
+  });
+  add_work(work, tally);
+  return first_path + uint32_t(pixels.size());
+}
+
+uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_path, ThreadPool& pool, IterationTally& tally) {
+  const MeterSet& set = in.scene.meter_sets[s];
+  const uint32_t samples = in.plan.meter_samples;
+  const size_t meters_per_block = std::max<size_t>(1, paths_per_block / samples);
+  const Pairing pairing(in);
+  std::vector<WorkCounts> work((set.meters.size() + meters_per_block - 1) / meters_per_block);
+  pool.for_blocks(set.meters.size(), meters_per_block, [&](size_t b, size_t begin, size_t end) {
+    if (in.stop.load(std::memory_order_relaxed)) return;
+    for (size_t m = begin; m < end; ++m) {
+      const Meter& meter = set.meters[m];
+      EyeWalk::Sensor sensor;
+      const double r1 = in.plan.meter_radius.empty() ? 0.0 : in.plan.meter_radius[s][m];
+      const double radius2 = in.plan.radius2(r1, in.meter_radius_factor);
+      sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), radius2);
+      sensor.end = mis::sensor_end(sensor.counts, !set.is_cell(), set.cell_area());
+      sensor.radius = float(std::sqrt(radius2));
+      sensor.photons = &in.meter_photons;
+      sensor.medium = in.scene.medium_of_meter[s][m];
+      MeterTally sum;
+      for (uint32_t k = 0; k < samples; ++k) {
+        const uint32_t path = uint32_t(m) * samples + k;
+        pairing.assign(first_path + path, sensor);
+        PathSampler rng(in.settings.seed, first_meter_stream + s, hash_combine(in.meter_batch, m),
+                        in.meter_batch_visit * samples + k, in.iteration, path);
+        Vec3 p = lifted(meter.p, meter.frame.n, meter.error);
+        if (set.is_cell())
+          p += meter.frame.s * ((rng.get(0, Slot::cell_x) - 0.5f) * set.cell_width) +
+               meter.frame.t * ((rng.get(0, Slot::cell_y) - 0.5f) * set.cell_height);
+        ++work[b].eye_paths;
+        const EyeTally found = EyeWalk(in, sensor, rng, work[b]).from_meter(p, meter.frame);
+        sum.value += luminance(found.value);
+        sum.direct += found.direct;
+        sum.bias += found.bias;
+      }
+      MeterTally& t = tally.meters[s][m];
+      t.value += sum.value / samples;
+      t.direct += sum.direct / samples;
+      t.bias += sum.bias / samples;
+    }
+  });
+  add_work(work, tally);
+  return first_path + uint32_t(set.meters.size()) * samples;
+}
+
+}  // namespace ups

@@ -1,0 +1,299 @@
+#include "transport/eye_walk.h"
+
+#include <limits>
+
+#include "base/warp.h"
+
+namespace ups {
+
+namespace {
+constexpr float infinity = std::numeric_limits<float>::infinity();
+}
+
+EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w) {
+  origin_ = last_ = p;
+  direction_ = direction;
+  edge_.pdf = pdf_w;
+  walk();
+  return tally_;
+}
+
+EyeTally EyeWalk::from_meter(const Vec3& p, const Frame& frame) {
+  origin_ = last_ = p;
+  meter_frame_ = frame;
+  if (in_.settings.photon_mapping) return tally_;  // photons land on the meter itself
+  throughput_ = Rgb(1.0f);
+  if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE) || in_.settings.light_tracing) meter_sample_light();
+  if (in_.settings.has(UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_SENSOR_CONNECT))
+    for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) meter_connect(in_.light.vertices[i]);
+  if (in_.settings.light_tracing) return tally_;
+
+  const Vec3 local = square_to_cosine_hemisphere(rng_.direction(0));
+  if (local.z < min_cosine) return tally_;
+  direction_ = frame.to_world(local);
+  throughput_ = start_throughput_ = Rgb(pi);
+  edge_.pdf = edge_.cos_out = local.z;
+  edge_.pdf *= inv_pi;
+  walk();
+  return tally_;
+}
+
+void EyeWalk::walk() {
+  for (uint32_t edges = 1; !longer_than_allowed(edges); ++edges) {
+    Hit hit;
+    ++work_.rays;
+    const bool found = scene_.raytracer->intersect(origin_, direction_, infinity, hit);
+    SurfacePoint surface;
+    if (found) surface = scene_.raytracer->surface_at(hit);
+    const float distance = found ? hit.t : infinity;
+    const uint32_t medium = medium_of_edge(scene_, medium_, found ? &surface : nullptr, direction_);
+    if (scene_.openings) hit_openings(edges, distance, medium);
+    if (!found) return;
+    const Rgb transmittance = attenuation(scene_, medium, distance);
+    throughput_ *= transmittance;
+    medium_ = medium;
+    const float cos_in = std::abs(dot(direction_, surface.ng));
+    if (cos_in < min_cosine) return;
+    const uint32_t emitter = scene_.emitter_of_instance[surface.instance];
+    if (emitter != none) hit_emitter(emitter, surface.primitive, surface.p, cos_in, distance, edges, Rgb(1.0f));
+    if (in_.settings.light_tracing) return;  // an emitter seen directly was all that it can add
+
+    Vertex v{surface, Bsdf(scene_.materials[surface.material], surface.uv), -direction_, {}, arrive(cos_in, distance), false, edges};
+    v.local_wo = surface.shading.to_local(v.wo);
+    if (!consistent_side(surface, v.wo, v.local_wo)) return;
+    v.merge = merge_gate(in_.plan, v.bsdf);
+    if (v.bsdf.has_continuous()) {
+      if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) sample_light(v);
+      if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
+        for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) connect(v, in_.light.vertices[i]);
+      if (v.merge && sensor_.radius > 0 && sensor_.photons) merge(v);
+    }
+    if (!scatter(v)) return;
+  }
+}
+
+mis::EyeState EyeWalk::arrive(float cos_in, float distance) const {
+  const double d2 = double(distance) * distance;
+  switch (edge_.kind) {
+    case Edge::sensor: return mis::eye_first(sensor_.counts, sensor_.camera, sensor_.end, edge_.pdf, edge_.cos_out, cos_in, d2);
+    case Edge::delta: return mis::eye_step_delta(edge_.state, edge_.chi, edge_.cos_out, cos_in);
+    case Edge::continuous: break;
+  }
+  return mis::eye_step(edge_.state, sensor_.counts, sensor_.camera, edge_.merge, edge_.pdf, edge_.pdf_reverse, edge_.cos_out, cos_in, d2);
+}
+
+// Luminous openings block nothing: they are found beside the surfaces.
+void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
+  thread_local std::vector<DiscIndex::Crossing> crossings;
+  crossings.clear();
+  scene_.openings->intersect_all(origin_, direction_, distance, crossings);
+  for (const DiscIndex::Crossing& c : crossings) {
+    const uint32_t emitter = scene_.emitter_of_opening[c.disc];
+    if (!(c.t > 0)) continue;
+    const Vec3 p = origin_ + direction_ * c.t;
+    const float cos_in = std::abs(dot(direction_, scene_.openings->disc(c.disc).normal));
+    if (cos_in < min_cosine) continue;
+    hit_emitter(emitter, 0, p, cos_in, c.t, edges, attenuation(scene_, medium, c.t));
+  }
+}
+
+void EyeWalk::hit_emitter(uint32_t index, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
+                          const Rgb& transmittance) {
+  const bool alone = in_.settings.photon_mapping || in_.settings.light_tracing;
+  if (!in_.settings.has(UPS_TECHNIQUE_EMITTER_HIT) && !in_.settings.light_tracing) return;
+  if (in_.settings.photon_mapping && !only_delta_) return;
+  const Emitter& emitter = scene_.emitters[index];
+  EmitterHit hit;
+  if (!emitter.eval_hit(last_, p, primitive, -direction_, hit)) return;
+  double w = 1;
+  if (!alone) {
+    const double pb_0 = edge_.pdf * cos_in / (double(distance) * distance);
+    const double pn_0 = double(scene_.emitters.direct_probability(last_, index)) * hit.pdf_nee_a;
+    const double pf_0 = double(scene_.emitters.emission_probability(index)) * hit.pdf_position_a;
+    const bool connectable = edge_.kind == Edge::continuous || (edge_.kind == Edge::sensor && !sensor_.camera);
+    w = mis::weight_hit(arrive(cos_in, distance), sensor_.counts, in_.plan.gates, pn_0, pf_0, hit.pdf_direction_w, pb_0, connectable);
+  }
+  add(throughput_ * transmittance * hit.radiance * float(w), edges, Drop::emitter_hit);
+}
+
+namespace {
+
+// Area densities of x_0 and x_1 by emission, of x_0 by next-event estimation.
+struct DirectDensities {
+  double pn_0, pf_0, pf_1;
+};
+DirectDensities direct_densities(const Snapshot& scene, const EmitterSet::Choice& choice, const DirectSample& s, double cos_1) {
+  const Emitter& e = scene.emitters[choice.index];
+  const double emit = scene.emitters.emission_probability(choice.index);
+  const double d2 = double(s.distance) * s.distance;
+  if (e.is_directional()) return {choice.probability, emit, s.pdf_position_a * cos_1};
+  if (e.is_delta()) return {choice.probability, emit, s.pdf_direction_w * cos_1 / d2};
+  return {double(choice.probability) * s.pdf_nee_a, emit * s.pdf_position_a, s.pdf_direction_w * cos_1 / d2};
+}
+
+}  // namespace
+
+// s = 1: next-event estimation at x_1.
+void EyeWalk::sample_light(const Vertex& v) {
+  const uint32_t edges = v.edges + 1;
+  if (longer_than_allowed(edges)) return;
+  const EmitterSet::Choice choice = scene_.emitters.choose_direct(v.surface.p, rng_.get(v.edges, Slot::choice));
+  if (!(choice.probability > 0)) return;
+  DirectSample s;
+  const Emitter& emitter = scene_.emitters[choice.index];
+  if (!emitter.sample_direct(v.surface.p, rng_.position(v.edges), s)) return;
+  const Vec3 local = v.surface.shading.to_local(s.wi);
+  if (!consistent_side(v.surface, s.wi, local)) return;
+  const Rgb f = v.bsdf.eval(v.local_wo, local, TransportMode::radiance);
+  if (is_black(f)) return;
+  const double cos_1 = std::abs(dot(s.wi, v.surface.ng)), d2 = double(s.distance) * s.distance;
+  const DirectDensities p = direct_densities(scene_, choice, s, cos_1);
+  const double pb_0 = emitter.is_delta() ? 0.0 : v.bsdf.pdf(v.local_wo, local) * s.cos_0 / d2;
+  const double total = (v.merge && in_.plan.gates.merge_at_first ? sensor_.counts.eta : 0.0) +
+                       mis::eye_total(v.state, in_.plan.gates, sensor_.camera, true, v.bsdf.pdf(local, v.local_wo));
+  const double w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1, total);
+  const uint32_t medium = medium_beyond(scene_, v.surface, medium_, s.wi);
+  const Rgb value = throughput_ * f * s.weight * attenuation(scene_, medium, s.distance) * float(w / choice.probability);
+  if (is_black(value)) return;
+  if (is_finite(value) && !segment_free(scene_, v.surface.ray_origin(s.wi), lifted(s.p, s.n, s.error), work_)) return;
+  add(value, edges, Drop::light_sample);
+}
+
+// 2 <= s < k: an edge to a vertex of the light path.
+void EyeWalk::connect(const Vertex& v, const LightVertex& l) {
+  const uint32_t edges = v.edges + 1 + l.depth;
+  if (longer_than_allowed(edges)) return;
+  const Vec3 to = l.p - v.surface.p;
+  const float d2 = length2(to);
+  if (!(d2 > 0)) return;
+  const float distance = std::sqrt(d2);
+  const Vec3 d = to / distance;
+  const Vec3 eye_local = v.surface.shading.to_local(d);
+  if (!consistent_side(v.surface, d, eye_local)) return;
+  const Rgb f_eye = v.bsdf.eval(v.local_wo, eye_local, TransportMode::radiance);
+  if (is_black(f_eye)) return;
+  const SurfacePoint surface = l.surface();
+  const Vec3 light_local = surface.shading.to_local(-d), light_wo = surface.shading.to_local(l.wo);
+  if (!consistent_side(surface, -d, light_local)) return;
+  const Bsdf bsdf(scene_.materials[l.material], l.uv);
+  const Rgb f_light = bsdf.eval(light_wo, light_local, TransportMode::importance) * shading_correction(surface, l.wo, -d);
+  if (is_black(f_light)) return;
+  ++work_.connections;
+  const double cos_eye = std::abs(dot(d, v.surface.ng)), cos_light = std::abs(dot(d, l.ng));
+  const double pb_light = v.bsdf.pdf(v.local_wo, eye_local) * cos_light / d2;
+  const double pf_eye = bsdf.pdf(light_wo, light_local) * cos_eye / d2;
+  const double w = mis::weight_connect(l.mis, v.state, sensor_.counts, l.merge, v.merge, pb_light, bsdf.pdf(light_local, light_wo),
+                                       pf_eye, v.bsdf.pdf(eye_local, v.local_wo));
+  const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
+  const Rgb value = throughput_ * f_eye * l.flux * f_light * attenuation(scene_, medium, distance) * float(w / d2);
+  if (is_black(value)) return;
+  if (is_finite(value) && !segment_free(scene_, v.surface.ray_origin(d), surface.ray_origin(-d), work_)) return;
+  add(value, edges, Drop::connect);
+}
+
+// Density estimation at an eye vertex: photons on the same side of the same surface within the radius.
+void EyeWalk::merge(const Vertex& v) {
+  const float r2 = sensor_.radius * sensor_.radius;
+  const double norm = 1.0 / (double(in_.plan.light_paths) * 3.14159265358979323846 * r2);
+  sensor_.photons->query(v.surface.p, sensor_.radius, [&](uint32_t index, float d2) {
+    const LightVertex& l = in_.light.vertices[index];
+    if (longer_than_allowed(v.edges + l.depth)) return;
+    // Leaks through thin walls and around edges: same orientation, same side, in the tangent plane.
+    const float cos_light = dot(l.wo, v.surface.ng);
+    if (dot(l.ng, v.surface.ng) < 0.7f || cos_light * dot(l.wo, l.ng) <= 0 || std::abs(cos_light) < min_cosine) return;
+    if (std::abs(dot(v.surface.ng, l.p - v.surface.p)) > 0.1f * sensor_.radius) return;
+    const Vec3 local = v.surface.shading.to_local(l.wo);
+    if (!consistent_side(v.surface, l.wo, local)) return;
+    // eval() carries |cos(wi, n_s)|; a photon's surface density already carries |cos(wi, n_g)|.
+    const Rgb f = v.bsdf.eval(v.local_wo, local, TransportMode::radiance) / std::abs(cos_light);
+    if (is_black(f)) return;
+    double w = 1;
+    if (!in_.settings.photon_mapping) {
+      const double eye = mis::eye_total(v.state, in_.plan.gates, sensor_.camera, l.depth == 1, v.bsdf.pdf(local, v.local_wo));
+      w = mis::weight_merge(l.mis, sensor_.counts, v.bsdf.pdf(v.local_wo, local), eye);
+    }
+    ++work_.merges;
+    const Rgb value = throughput_ * f * l.flux * float(w * norm);
+    if (add(value, v.edges + l.depth, Drop::merge))
+      tally_.bias += 2 * luminance(value) * (2 * d2 < r2 ? -1.0f : 1.0f);
+  });
+}
+
+bool EyeWalk::scatter(const Vertex& v) {
+  BsdfSample s;
+  if (!v.bsdf.sample(v.local_wo, rng_.get(v.edges, Slot::lobe), rng_.direction(v.edges), TransportMode::radiance, s)) return false;
+  if (in_.settings.photon_mapping && !s.delta) return false;  // its continuous part was merged
+  const Vec3 wi = v.surface.shading.to_world(s.wi);
+  if (!consistent_side(v.surface, wi, s.wi)) return false;
+  throughput_ *= s.weight;
+  const bool lossless = s.delta && max_component(s.weight) > 0.9f;
+  const float q = survival(throughput_, start_throughput_, v.edges, lossless);
+  if (is_black(throughput_) || !is_finite(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
+  throughput_ *= 1 / q;
+  only_delta_ = only_delta_ && s.delta;
+  edge_.kind = s.delta ? Edge::delta : Edge::continuous;
+  edge_.state = v.state;
+  edge_.merge = v.merge;
+  edge_.pdf = s.pdf;
+  edge_.pdf_reverse = s.pdf_reverse;
+  edge_.cos_out = std::abs(dot(wi, v.surface.ng));
+  edge_.chi = double(s.pdf_reverse) / s.pdf * s.delta_jacobian;
+  medium_ = medium_beyond(scene_, v.surface, medium_, wi);
+  last_ = v.surface.p;
+  origin_ = v.surface.ray_origin(wi);
+  direction_ = wi;
+  return true;
+}
+
+// k = 1 at the meter's own point.
+void EyeWalk::meter_sample_light() {
+  const EmitterSet::Choice choice = scene_.emitters.choose_direct(last_, rng_.get(0, Slot::choice));
+  if (!(choice.probability > 0)) return;
+  DirectSample s;
+  const Emitter& emitter = scene_.emitters[choice.index];
+  if (!emitter.sample_direct(last_, rng_.position(0), s)) return;
+  const double cos_1 = dot(s.wi, meter_frame_.n), d2 = double(s.distance) * s.distance;
+  if (cos_1 < min_cosine) return;
+  double w = 1;
+  if (!in_.settings.light_tracing) {
+    const DirectDensities p = direct_densities(scene_, choice, s, cos_1);
+    const double pb_0 = emitter.is_delta() ? 0.0 : cos_1 * double(inv_pi) * s.cos_0 / d2;
+    w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1, mis::sensor_total_direct(sensor_.end, in_.plan.gates));
+  }
+  const Rgb value = s.weight * attenuation(scene_, medium_, s.distance) * float(cos_1 * w / choice.probability);
+  if (is_black(value)) return;
+  if (is_finite(value) && !segment_free(scene_, origin_, lifted(s.p, s.n, s.error), work_)) return;
+  add(value, 1, Drop::light_sample);
+}
+
+// s = k: an edge from the meter's own point to a vertex of the light path.
+void EyeWalk::meter_connect(const LightVertex& l) {
+  const uint32_t edges = 1 + l.depth;
+  if (longer_than_allowed(edges)) return;
+  const Vec3 to = l.p - last_;
+  const float d2 = length2(to);
+  if (!(d2 > 0)) return;
+  const float distance = std::sqrt(d2);
+  const Vec3 d = to / distance;
+  const double cos_meter = dot(d, meter_frame_.n);
+  if (cos_meter < min_cosine) return;
+  const SurfacePoint surface = l.surface();
+  const Vec3 light_local = surface.shading.to_local(-d), light_wo = surface.shading.to_local(l.wo);
+  if (!consistent_side(surface, -d, light_local)) return;
+  const Bsdf bsdf(scene_.materials[l.material], l.uv);
+  const Rgb f = bsdf.eval(light_wo, light_local, TransportMode::importance) * shading_correction(surface, l.wo, -d);
+  if (is_black(f)) return;
+  ++work_.connections;
+  const double cos_light = std::abs(dot(d, l.ng));
+  double w = 1;
+  if (!in_.settings.light_tracing)
+    w = mis::weight_sensor_connect(l.mis, sensor_.counts, sensor_.counts.connect, sensor_.end, l.merge,
+                                   cos_meter * double(inv_pi) * cos_light / d2, bsdf.pdf(light_local, light_wo),
+                                   bsdf.pdf(light_wo, light_local) * cos_meter / d2);
+  const Rgb value = l.flux * f * attenuation(scene_, medium_, distance) * float(w * cos_meter / d2);
+  if (is_black(value)) return;
+  if (is_finite(value) && !segment_free(scene_, origin_, surface.ray_origin(-d), work_)) return;
+  add(value, edges, Drop::connect);
+}
+
+}  // namespace ups

@@ -1,0 +1,92 @@
+// One eye path: from a sensor's point through the scene, every technique at every vertex. Used by the eye pass.
+#pragma once
+#include "transport/eye_pass.h"
+#include "transport/sampler.h"
+#include "transport/walk.h"
+
+namespace ups {
+
+// What one eye path found.
+struct EyeTally {
+  Rgb value;
+  float direct = 0;  // luminance of the part with one edge
+  float bias = 0;    // luminance; see MeterTally
+};
+
+class EyeWalk {
+ public:
+  struct Sensor {
+    bool camera = false;
+    mis::Counts counts;
+    mis::SensorEnd end;
+    float radius = 0;                   // of merges; 0: none
+    const PhotonIndex* photons = nullptr;
+    uint32_t first_light_vertex = 0, end_light_vertex = 0;  // of the light path that it connects to
+    uint32_t medium = none;
+  };
+  EyeWalk(const EyePassInput& in, const Sensor& sensor, const PathSampler& rng, WorkCounts& work)
+      : in_(in), scene_(in.scene), sensor_(sensor), rng_(rng), work_(work), medium_(sensor.medium) {}
+
+  // pdf_w: density of the direction; throughput: what a unit of radiance along it is worth.
+  EyeTally from_camera(const Vec3& p, const Vec3& direction, float pdf_w);
+  // A planar meter's point: next-event estimation, connections, then a cosine-weighted walk.
+  EyeTally from_meter(const Vec3& p, const Frame& frame);
+
+ private:
+  struct Edge {
+    enum { sensor, continuous, delta } kind = sensor;
+    mis::EyeState state;
+    bool merge = false;
+    double pdf = 0, pdf_reverse = 0, cos_out = 1, chi = 0;
+  };
+  // A vertex on a surface, with what its techniques share.
+  struct Vertex {
+    SurfacePoint surface;
+    Bsdf bsdf;
+    Vec3 wo, local_wo;
+    mis::EyeState state;
+    bool merge;
+    uint32_t edges;  // from the sensor
+  };
+
+  void walk();
+  mis::EyeState arrive(float cos_in, float distance) const;
+  void hit_openings(uint32_t edges, float distance, uint32_t medium);
+  void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges, const Rgb& transmittance);
+  void sample_light(const Vertex& v);
+  void connect(const Vertex& v, const LightVertex& l);
+  void merge(const Vertex& v);
+  bool scatter(const Vertex& v);
+  void meter_sample_light();
+  void meter_connect(const LightVertex& l);
+
+  bool longer_than_allowed(uint32_t edges) const {
+    return in_.settings.max_path_length && edges > in_.settings.max_path_length;
+  }
+  bool add(const Rgb& value, uint32_t edges, Drop technique) {
+    if (!is_finite(value)) {
+      ++work_.dropped[size_t(technique)];
+      return false;
+    }
+    tally_.value += value;
+    if (edges == 1) tally_.direct += luminance(value);
+    return true;
+  }
+
+  const EyePassInput& in_;
+  const Snapshot& scene_;
+  const Sensor& sensor_;
+  PathSampler rng_;
+  WorkCounts& work_;
+  EyeTally tally_;
+
+  Vec3 origin_, direction_;
+  Vec3 last_;  // the vertex that the current edge leaves
+  Frame meter_frame_;
+  Rgb throughput_{1.0f}, start_throughput_{1.0f};
+  Edge edge_;
+  bool only_delta_ = true;  // no continuous scattering so far
+  uint32_t medium_;
+};
+
+}  // namespace ups

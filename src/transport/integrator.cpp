@@ -1,0 +1,55 @@
+#include "transport/integrator.h"
+
+#include "transport/eye_pass.h"
+#include "transport/light_pass.h"
+#include "transport/radii.h"
+
+namespace ups {
+
+Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool)
+    : scene_(std::move(scene)), settings_(settings), pool_(pool), plan_(make_plan(*scene_, settings)) {
+  choose_radii(*scene_, settings_, pool_, plan_);
+}
+
+float Integrator::largest_radius(const std::vector<std::vector<float>>& radii, double factor) const {
+  double largest = 0;
+  for (const auto& set : radii)
+    for (float r : set) largest = std::max(largest, double(r));
+  return float(std::sqrt(plan_.radius2(largest, factor)));
+}
+
+bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, IterationTally& tally) const {
+  tally = {};
+  for (const Camera& c : scene_->cameras) {
+    tally.pixels.emplace_back(c.pixel_count());
+    tally.splats.emplace_back(settings_.has(UPS_TECHNIQUE_SENSOR_CONNECT) ? c.pixel_count() : 0);
+  }
+  for (const MeterSet& s : scene_->meter_sets) tally.meters.emplace_back(s.meters.size());
+
+  const uint32_t pass = plan_.pass(iteration);
+  const double camera_factor = Plan::radius2_factor(pass), meter_factor = Plan::radius2_factor(iteration);
+  LightPaths light;
+  PhotonIndex camera_photons, meter_photons;
+  if (settings_.traces_light()) {
+    const SensorIndex sensors(*scene_, plan_, settings_, iteration, pool_.thread_count());
+    const bool merges = settings_.has(UPS_TECHNIQUE_MERGE);
+    const bool connects = settings_.has(UPS_TECHNIQUE_CONNECT) || settings_.light_tracing;
+    light = trace_light_paths({*scene_, plan_, settings_, iteration, iteration % batch_count, iteration / batch_count,
+                               camera_factor, merges || connects, stop},
+                              sensors, pool_, tally);
+    const float camera_radius = largest_radius(plan_.pixel_radius, camera_factor);
+    const float meter_radius = largest_radius(plan_.meter_radius, meter_factor);
+    if (merges && camera_radius > 0) camera_photons = PhotonIndex(light.vertices, camera_radius);
+    if (merges && meter_radius > 0) meter_photons = PhotonIndex(light.vertices, meter_radius);
+  }
+
+  const EyePassInput eye{*scene_, plan_, settings_, light, camera_photons, meter_photons, iteration,
+                         pass % batch_count, pass / batch_count, iteration % batch_count, iteration / batch_count,
+                         camera_factor, meter_factor, stop};
+  uint32_t path = 0;
+  for (uint32_t c = 0; c < scene_->cameras.size(); ++c) path = trace_camera_paths(eye, c, path, pool_, tally);
+  for (uint32_t s = 0; s < scene_->meter_sets.size(); ++s) path = trace_meter_paths(eye, s, path, pool_, tally);
+  return !stop.load();
+}
+
+}  // namespace ups

@@ -1,0 +1,31 @@
+// Traces the light paths of one iteration: stores vertices for connections and merges, splats to cameras (t = 1), lands on
+// cells (t = 0), merges at point meters, keeps the books of flux.
+#pragma once
+#include <atomic>
+
+#include "base/parallel.h"
+#include "transport/light_vertex.h"
+#include "transport/sensor_index.h"
+#include "transport/tally.h"
+
+namespace ups {
+
+struct LightPassInput {
+  const Snapshot& scene;
+  const Plan& plan;
+  const TransportSettings& settings;
+  uint32_t iteration;
+  uint32_t batch;         // which scrambling of the stratified numbers
+  uint32_t batch_visit;   // how many earlier iterations of this batch
+  double camera_radius_factor;  // Plan::radius2_factor of the cameras' pass
+  bool store_vertices;
+  const std::atomic<bool>& stop;  // when set, what is found is incomplete and to be thrown away
+};
+
+// Adds to tally.splats, tally.meters, tally.work; the same bits for any number of threads.
+LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally);
+
+// Distances at which pilot light paths cross the discs of a sensor index, for choosing radii: squared, unsorted, by disc.
+std::vector<std::vector<float>> pilot_crossings(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool);
+
+}  // namespace ups

@@ -1,0 +1,41 @@
+// Vertices of the light paths of one iteration, as connections and merges read them.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/rgb.h"
+#include "geometry/surface.h"
+#include "transport/mis.h"
+
+namespace ups {
+
+struct LightVertex {
+  Vec3 p, ng, ns;
+  Vec3 wo;   // towards the vertex before
+  Vec2 uv;
+  Rgb flux;  // lm that this light path carries here; divide by N for a photon
+  float error = 0;
+  uint32_t material = 0;
+  uint32_t medium = 0;  // of the edge that arrived
+  uint16_t depth = 0;   // a of x_a
+  bool merge = false;   // photons are merged here: the material's gate and g_1
+  mis::LightState mis;
+
+  SurfacePoint surface() const {
+    SurfacePoint s;
+    s.p = p;
+    s.ng = ng;
+    s.shading = Frame(ns);
+    s.uv = uv;
+    s.error = error;
+    s.material = material;
+    return s;
+  }
+};
+
+struct LightPaths {
+  std::vector<LightVertex> vertices;  // path by path
+  std::vector<uint32_t> begin;        // N + 1
+};
+
+}  // namespace ups

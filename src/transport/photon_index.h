@@ -1,0 +1,84 @@
+// Light vertices by place, for merging: a hashed grid of cells twice the largest radius, filled by counting sort.
+#pragma once
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "transport/light_vertex.h"
+
+namespace ups {
+
+class PhotonIndex {
+ public:
+  PhotonIndex() = default;
+  // Holds the vertices whose `merge` gate is open. max_radius > 0 bounds every later query.
+  PhotonIndex(const std::vector<LightVertex>& vertices, float max_radius) : cell_(2 * max_radius) {
+    std::vector<uint32_t> which;
+    for (uint32_t i = 0; i < vertices.size(); ++i)
+      if (vertices[i].merge) which.push_back(i);
+    const size_t buckets = std::bit_ceil(std::max<size_t>(which.size(), 16));
+    mask_ = uint32_t(buckets - 1);
+    begin_.assign(buckets + 1, 0);
+    std::vector<uint32_t> bucket(which.size());
+    for (size_t i = 0; i < which.size(); ++i) {
+      bucket[i] = bucket_of(cell_of(vertices[which[i]].p));
+      ++begin_[bucket[i] + 1];
+    }
+    for (size_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
+    std::vector<uint32_t> next(begin_.begin(), begin_.end() - 1);
+    photons_.resize(which.size());
+    for (size_t i = 0; i < which.size(); ++i) photons_[next[bucket[i]]++] = {vertices[which[i]].p, which[i]};
+  }
+
+  bool empty() const { return photons_.empty(); }
+
+  // visit(vertex index, squared distance) for every photon within the radius, each once.
+  template <class Visit>
+  void query(const Vec3& p, float radius, const Visit& visit) const {
+    if (photons_.empty()) return;
+    const float r2 = radius * radius;
+    const Cell lo = cell_of(p - Vec3(radius, radius, radius)), hi = cell_of(p + Vec3(radius, radius, radius));
+    uint32_t seen[8];
+    int count = 0;
+    for (int64_t z = lo.z; z <= hi.z; ++z)
+      for (int64_t y = lo.y; y <= hi.y; ++y)
+        for (int64_t x = lo.x; x <= hi.x; ++x) {
+          const uint32_t b = bucket_of({x, y, z});
+          // Two of the cells may share a bucket: its photons must not count twice.
+          if (std::find(seen, seen + count, b) != seen + count) continue;
+          if (count < 8) seen[count++] = b;
+          for (uint32_t i = begin_[b]; i < begin_[b + 1]; ++i) {
+            const float d2 = length2(photons_[i].p - p);
+            if (d2 < r2) visit(photons_[i].vertex, d2);
+          }
+        }
+  }
+
+ private:
+  struct Cell {
+    int64_t x, y, z;
+  };
+  struct Photon {
+    Vec3 p;
+    uint32_t vertex;
+  };
+  // A query's box spans at most two cells an axis because a cell is two radii wide.
+  Cell cell_of(const Vec3& p) const {
+    return {int64_t(std::floor(p.x / cell_)), int64_t(std::floor(p.y / cell_)), int64_t(std::floor(p.z / cell_))};
+  }
+  uint32_t bucket_of(const Cell& c) const {
+    uint64_t h = uint64_t(c.x) * 0x9e3779b97f4a7c15ull ^ uint64_t(c.y) * 0xc2b2ae3d27d4eb4full ^ uint64_t(c.z) * 0x165667b19e3779f9ull;
+    h ^= h >> 32;
+    h *= 0xd6e8feb86659fd93ull;
+    return uint32_t(h >> 32) & mask_;
+  }
+
+  float cell_ = 1;
+  uint32_t mask_ = 0;
+  std::vector<uint32_t> begin_;
+  std::vector<Photon> photons_;
+};
+
+}  // namespace ups

@@ -1,0 +1,86 @@
+#include "transport/plan.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace ups {
+
+namespace {
+
+// Small iterations: many fit into a short time limit, and more of them cost only the build of the photon index.
+constexpr uint32_t camera_paths_per_iteration = 1u << 15;
+constexpr uint32_t meter_paths_per_iteration = 1u << 14;
+constexpr uint32_t max_meter_samples = 1u << 8;
+constexpr uint32_t max_light_paths = 1u << 15;
+constexpr uint32_t min_light_paths = 1u << 12;
+
+uint64_t count_pixels(const Snapshot& scene) {
+  uint64_t n = 0;
+  for (const Camera& c : scene.cameras) n += c.pixel_count();
+  return n;
+}
+
+uint64_t count_meters(const Snapshot& scene) {
+  uint64_t n = 0;
+  for (const MeterSet& s : scene.meter_sets) n += s.meters.size();
+  return n;
+}
+
+}  // namespace
+
+double Plan::radius2_factor(uint32_t visits) {
+  constexpr double alpha = 2.0 / 3.0;
+  // The product of the recurrence from i = 1: Gamma(i + alpha) / (Gamma(1 + alpha) Gamma(i + 1)), i = visits + 1.
+  const double i = double(visits) + 1;
+  int sign;  // lgamma() itself writes a global
+  return std::exp(lgamma_r(i + alpha, &sign) - lgamma_r(1 + alpha, &sign) - lgamma_r(i + 1, &sign));
+}
+
+Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
+  Plan plan;
+  const uint64_t pixels = count_pixels(scene), meters = count_meters(scene);
+  if (pixels > 0)
+    plan.camera_subsets = uint32_t((pixels + camera_paths_per_iteration - 1) / camera_paths_per_iteration);
+  if (meters > 0) {
+    const uint64_t share = std::max<uint64_t>(1, meter_paths_per_iteration / meters);
+    plan.meter_samples = uint32_t(std::min<uint64_t>(std::bit_floor(share), max_meter_samples));
+  }
+  if (settings.traces_light()) {
+    const uint64_t eye = pixels / plan.camera_subsets + meters * plan.meter_samples;
+    plan.light_paths = settings.light_paths
+                           ? std::bit_ceil(settings.light_paths)
+                           : uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), min_light_paths, max_light_paths));
+  }
+  plan.min_radius = 32 * 0x1p-24f * scene.radius;
+  if (settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) plan.gates = {false, false};
+  plan.gate_glossy_merges = scene.effects.path_tracing_complete && !settings.photon_mapping;
+  return plan;
+}
+
+namespace {
+
+mis::Counts common_counts(const Plan& plan, const TransportSettings& s, double radius2) {
+  mis::Counts n;
+  n.hit = s.has(UPS_TECHNIQUE_EMITTER_HIT);
+  n.light_sample = s.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
+  n.connect = s.has(UPS_TECHNIQUE_CONNECT);
+  if (s.has(UPS_TECHNIQUE_MERGE)) n.eta = double(plan.light_paths) * 3.14159265358979323846 * radius2;
+  return n;
+}
+
+}  // namespace
+
+mis::Counts camera_counts(const Plan& plan, const TransportSettings& s, double radius2) {
+  mis::Counts n = common_counts(plan, s, radius2);
+  if (s.has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = double(plan.light_paths) * plan.camera_subsets;
+  return n;
+}
+
+mis::Counts meter_counts(const Plan& plan, const TransportSettings& s, bool cell, double radius2) {
+  mis::Counts n = common_counts(plan, s, radius2);
+  if (cell && s.has(UPS_TECHNIQUE_SENSOR_HIT)) n.land = double(plan.light_paths) / plan.meter_samples;
+  return n;
+}
+
+}  // namespace ups

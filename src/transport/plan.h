@@ -1,0 +1,61 @@
+// What one iteration does: the techniques of the method, how many paths go where, and the merge radii. Fixed before the
+// first iteration from the scene alone, so that a seed and an iteration count determine every bit.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/snapshot.h"
+#include "transport/mis.h"
+#include "ups/ups_render.h"
+
+namespace ups {
+
+struct TransportSettings {
+  uint32_t techniques = 0;       // UPS_TECHNIQUE_*
+  bool photon_mapping = false;   // PPM: merge at the first vertex that can, weight 1 (Hachisuka et al. 2008)
+  bool light_tracing = false;    // LT: nothing but t = 1 and t = 0, weight 1
+  uint64_t seed = 0;
+  uint32_t max_path_length = 0;  // edges; 0: none
+  uint32_t light_paths = 0;      // a power of two; 0: chosen here
+  float merge_radius = 0;        // 0: from the scene
+
+  bool has(uint32_t technique) const { return (techniques & technique) != 0; }
+  bool traces_light() const {
+    return has(UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_HIT);
+  }
+};
+
+// Fixed sizes of an iteration.
+struct Plan {
+  uint32_t light_paths = 0;     // N
+  uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave
+  uint32_t meter_samples = 1;   // Ke, a power of two
+  mis::Gates gates;
+  bool gate_glossy_merges = false;  // no merging at vertices sharper than alpha 0.05: path tracing is complete there
+  std::vector<std::vector<float>> pixel_radius, meter_radius;  // r_1 of each pixel, each meter; empty without merging
+
+  float min_radius = 0;  // below some ulps of the coordinates a radius means nothing
+
+  // r_i^2 / r_1^2 after `visits` earlier iterations: r^2_{i+1} = r^2_i (i + alpha) / (i + 1), alpha = 2/3
+  // (Knaus, Zwicker 2011, Eq. 16).
+  static double radius2_factor(uint32_t visits);
+  // Squared radius of this iteration; 0 where radius_1 is 0: no merging.
+  double radius2(double radius_1, double factor) const {
+    return radius_1 > 0 ? std::max(radius_1 * radius_1 * factor, double(min_radius) * min_radius) : 0.0;
+  }
+  bool visits_pixel(uint32_t iteration, uint32_t width, uint32_t pixel) const {
+    const uint32_t x = pixel % width, y = pixel / width;
+    return (x + y * subset_shift()) % camera_subsets == iteration % camera_subsets;
+  }
+  uint32_t subset_shift() const { return camera_subsets < 3 ? 1 : 2; }
+  uint32_t pass(uint32_t iteration) const { return iteration / camera_subsets; }
+};
+
+Plan make_plan(const Snapshot& scene, const TransportSettings& settings);
+
+// Counts of every technique for one eye path of a sensor; radius2 is that of this iteration.
+mis::Counts camera_counts(const Plan& plan, const TransportSettings& settings, double radius2);
+mis::Counts meter_counts(const Plan& plan, const TransportSettings& settings, bool cell, double radius2);
+
+}  // namespace ups

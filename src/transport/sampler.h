@@ -1,0 +1,61 @@
+// Random numbers of one path by fixed addresses (vertex, slot): scrambled Sobol points for the first vertices, Philox for
+// the rest. A switched-off effect never shifts the numbers of another.
+#pragma once
+#include "base/rng.h"
+#include "transport/sobol.h"
+
+namespace ups {
+
+// What a vertex draws. A light path's vertex 0 is the emitter, an eye path's the sensor.
+enum class Slot {
+  choice, position_x, position_y,  // next-event estimation; a light path's vertex 0: its emitter
+  direction_x, direction_y, lobe, roulette,
+  cell_x, cell_y,  // a point in a meter's cell
+  count
+};
+
+class PathSampler {
+ public:
+  // stream: which family of paths (light, camera, meter). key: which member of it (batch and pixel or meter), so that
+  // each has its own scrambling. index: the running number of the sample within the batch.
+  // iteration, path: address of the independent numbers beyond the stratified ones.
+  PathSampler(uint64_t seed, uint32_t stream, uint64_t key, uint32_t index, uint32_t iteration, uint32_t path)
+      : scramble_(hash_combine(hash_combine(seed, stream), key)),
+        index_(index),
+        iteration_(iteration),
+        path_(path),
+        philox_key_{uint32_t(mix64(seed ^ stream)), uint32_t(mix64(seed ^ stream) >> 32)} {}
+
+  float get(uint32_t vertex, Slot slot) {
+    const int dimension = sobol_dimension(vertex, slot);
+    if (dimension >= 0) {
+      const uint32_t seed = uint32_t(mix64(scramble_ + uint64_t(dimension)));
+      return to_unit_float(sobol_owen(index_, dimension, seed));
+    }
+    const uint32_t address = vertex * 3 + uint32_t(slot) / 4;
+    if (address != cached_address_) {
+      cached_ = philox({iteration_, path_, address, 0}, philox_key_);
+      cached_address_ = address;
+    }
+    return to_unit_float(cached_[uint32_t(slot) % 4]);
+  }
+  Vec2 position(uint32_t vertex) { return {get(vertex, Slot::position_x), get(vertex, Slot::position_y)}; }
+  Vec2 direction(uint32_t vertex) { return {get(vertex, Slot::direction_x), get(vertex, Slot::direction_y)}; }
+
+ private:
+  // The best dimensions go where most of the variance is: the first two directions, then emitters, lobes, later ones.
+  static int sobol_dimension(uint32_t vertex, Slot slot) {
+    static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, 0, 1, -1, -1, 18, 19},
+                                                      {9, 10, 11, 2, 3, 8, -1, -1, -1},
+                                                      {15, 16, 17, 12, 13, 14, -1, -1, -1}};
+    return vertex < 3 ? table[vertex][int(slot)] : -1;
+  }
+
+  uint64_t scramble_;
+  uint32_t index_, iteration_, path_;
+  std::array<uint32_t, 2> philox_key_;
+  uint32_t cached_address_ = 0xffffffffu;
+  std::array<uint32_t, 4> cached_{};
+};
+
+}  // namespace ups

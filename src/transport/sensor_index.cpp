@@ -1,0 +1,29 @@
+#include "transport/sensor_index.h"
+
+#include "transport/walk.h"
+
+namespace ups {
+
+SensorIndex::SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t visits,
+                         int threads) {
+  std::vector<DiscIndex::Disc> discs;
+  const double factor = Plan::radius2_factor(visits);
+  for (uint32_t s = 0; s < scene.meter_sets.size(); ++s) {
+    const MeterSet& set = scene.meter_sets[s];
+    const bool cell = set.is_cell();
+    if (!settings.has(cell ? UPS_TECHNIQUE_SENSOR_HIT : UPS_TECHNIQUE_MERGE)) continue;
+    const float half_diagonal = 0.5f * std::sqrt(set.cell_width * set.cell_width + set.cell_height * set.cell_height);
+    for (uint32_t m = 0; m < set.meters.size(); ++m) {
+      const Meter& meter = set.meters[m];
+      const double r = plan.meter_radius.empty() ? 0.0 : plan.meter_radius[s][m];
+      const double radius2 = plan.radius2(r, factor);
+      if (!cell && !(radius2 > 0)) continue;
+      entries_.push_back({s, m, cell ? 0.0 : radius2, meter_counts(plan, settings, cell, radius2)});
+      const float radius = cell ? half_diagonal * 1.0001f : float(std::sqrt(radius2));
+      discs.push_back({lifted(meter.p, meter.frame.n, meter.error), meter.frame.n, radius});
+    }
+  }
+  if (!discs.empty()) discs_ = std::make_unique<DiscIndex>(std::move(discs), threads);
+}
+
+}  // namespace ups

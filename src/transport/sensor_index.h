@@ -1,0 +1,33 @@
+// Meters as discs that light paths cross: photons are merged at a point meter's disc, counted on a cell. The sensors are
+// stored and the photons stream by, so meters that float in the air catch what no surface stores.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "scene/snapshot.h"
+#include "transport/plan.h"
+
+namespace ups {
+
+class SensorIndex {
+ public:
+  // For one iteration's radii. Holds point meters where merging is on and cells where landing is on.
+  SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t visits, int threads);
+
+  struct Entry {
+    uint32_t set, meter;
+    double radius2 = 0;  // of a point; 0: a cell
+    mis::Counts counts;
+  };
+  bool empty() const { return entries_.empty(); }
+  const Entry& entry(uint32_t disc) const { return entries_[disc]; }
+  void crossings(const Vec3& o, const Vec3& d, float tmax, std::vector<DiscIndex::Crossing>& out) const {
+    discs_->intersect_all(o, d, tmax, out);
+  }
+
+ private:
+  std::vector<Entry> entries_;
+  std::unique_ptr<DiscIndex> discs_;
+};
+
+}  // namespace ups

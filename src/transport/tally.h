@@ -1,0 +1,47 @@
+// What one iteration found: sums for every sensor, and counts. The accumulator in render/ turns iterations into readings.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/rgb.h"
+
+namespace ups {
+
+// Why a sample was left out: it was not finite.
+enum class Drop { emitter_hit, light_sample, connect, sensor_connect, merge, sensor_hit, count };
+inline constexpr const char* drop_names[] = {"emitter_hit", "light_sample", "connect", "sensor_connect", "merge", "sensor_hit"};
+
+struct WorkCounts {
+  uint64_t rays = 0, light_paths = 0, eye_paths = 0, light_vertices = 0, merges = 0, connections = 0;
+  std::array<uint64_t, size_t(Drop::count)> dropped{};
+  double absorbed_lm = 0, escaped_lm = 0;  // summed over light paths, not yet divided by their number
+
+  void add(const WorkCounts& o) {
+    rays += o.rays;
+    light_paths += o.light_paths;
+    eye_paths += o.eye_paths;
+    light_vertices += o.light_vertices;
+    merges += o.merges;
+    connections += o.connections;
+    for (size_t i = 0; i < dropped.size(); ++i) dropped[i] += o.dropped[i];
+    absorbed_lm += o.absorbed_lm;
+    escaped_lm += o.escaped_lm;
+  }
+};
+
+// Estimates of this iteration for one meter, lx.
+struct MeterTally {
+  double value = 0;
+  double direct = 0;  // part of value that came straight from an emitter
+  double bias = 0;    // 2 (M_r - M_{r/sqrt 2}) of all merges: its mean is their bias to O(r^4)
+};
+
+struct IterationTally {
+  std::vector<std::vector<Rgb>> pixels;   // a camera: eye paths; only visited pixels are meaningful
+  std::vector<std::vector<Rgb>> splats;   // a camera: light paths, already divided by N; empty without t = 1
+  std::vector<std::vector<MeterTally>> meters;
+  WorkCounts work;
+};
+
+}  // namespace ups

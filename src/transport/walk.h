@@ -1,0 +1,68 @@
+// What both walks do alike: roulette, media, visibility, consistent sides, gates. Used by the light pass and the eye pass.
+#pragma once
+#include <algorithm>
+
+#include "scene/snapshot.h"
+#include "transport/plan.h"
+#include "transport/tally.h"
+
+namespace ups {
+
+inline constexpr float min_cosine = 1e-6f;  // below it an edge is rejected by both walks (algorithm's grazing rule)
+
+// Survival probability: none before 4 edges; then the throughput left relative to its start, never below 0.05, so that
+// no path ends certainly and none lives long without light. Nearly lossless delta chains (light guides, facing mirrors)
+// are exempt up to 64 edges.
+inline float survival(const Rgb& now, const Rgb& start, uint32_t edges, bool lossless_delta) {
+  if (edges < 4 || (lossless_delta && edges < 64)) return 1.0f;
+  const float s = max_component(start);
+  return s > 0 ? std::clamp(max_component(now) / s, 0.05f, 1.0f) : 1.0f;
+}
+
+// Shading and geometric normal agree on which side w lies.
+inline bool consistent_side(const SurfacePoint& s, const Vec3& w, const Vec3& local) {
+  const float g = dot(w, s.ng);
+  return std::abs(g) > min_cosine && g * local.z > 0;
+}
+
+// Non-symmetry of shading normals in the light walk (Veach 1997, Eq. 5.19): wi towards the light, wo onwards; multiplies
+// f |cos(wo, n_s)|.
+inline float shading_correction(const SurfacePoint& s, const Vec3& wi, const Vec3& wo) {
+  const float denominator = std::abs(dot(wi, s.ng) * dot(wo, s.shading.n));
+  if (denominator <= 0) return 0;
+  return std::abs(dot(wi, s.shading.n) * dot(wo, s.ng)) / denominator;
+}
+
+// The solid dielectric that an edge runs in. The surface at its end knows best: its back is inside. `walk` is what the
+// walk believes.
+inline uint32_t medium_of_edge(const Snapshot& scene, uint32_t walk, const SurfacePoint* end, const Vec3& d) {
+  if (!end || scene.materials[end->material].model != MaterialModel::glass) return walk;
+  if (dot(d, end->ng) > 0) return end->material;
+  return walk == end->material ? none : walk;
+}
+// After the surface: behind a solid dielectric is its inside.
+inline uint32_t medium_beyond(const Snapshot& scene, const SurfacePoint& s, uint32_t walk, const Vec3& w) {
+  if (scene.materials[s.material].model != MaterialModel::glass) return walk;
+  return dot(w, s.ng) < 0 ? s.material : none;
+}
+inline Rgb attenuation(const Snapshot& scene, uint32_t medium, float distance) {
+  if (medium == none) return Rgb(1.0f);
+  return exp(scene.materials[medium].absorption_per_m * -distance);
+}
+
+inline bool segment_free(const Snapshot& scene, const Vec3& a, const Vec3& b, WorkCounts& work) {
+  const Vec3 d = b - a;
+  const float l = length(d);
+  if (!(l > 0)) return true;
+  ++work.rays;
+  return !scene.raytracer->occluded(a, d / l, l);
+}
+
+// Photons may be merged at a point of this material: a function of the point alone, so that both walks know it.
+inline bool merge_gate(const Plan& plan, const Bsdf& bsdf) {
+  return bsdf.has_continuous() && !(plan.gate_glossy_merges && bsdf.min_alpha_continuous() < 0.05f);
+}
+
+inline Vec3 lifted(const Vec3& p, const Vec3& n, float error) { return p + n * (2 * error); }
+
+}  // namespace ups
