@@ -79,7 +79,6 @@ DiscIndex::DiscIndex(std::vector<Disc> discs, int thread_count) : impl_(std::mak
 DiscIndex::~DiscIndex() = default;
 
 bool DiscIndex::empty() const { return impl_->discs.empty(); }
-const DiscIndex::Disc& DiscIndex::disc(uint32_t index) const { return impl_->discs[index]; }
 
 const DiscIndex::Disc& DiscIndex::disc(uint32_t i) const { return impl_->discs[i]; }
 
