@@ -1,0 +1,792 @@
+// The C API of UPS as P/Invoke. Written by bindings/generate.py from include/ups; do not edit.
+using System;
+using System.Runtime.InteropServices;
+
+namespace Ups
+{
+    public enum Status : int
+    {
+        Ok = 0,
+        ErrorInternal = -1,
+        ErrorInvalidArgument = -2,
+        ErrorInvalidState = -3,
+        ErrorOutOfMemory = -4,
+        ErrorParse = -5,
+        ErrorUnsupported = -6,
+        ErrorBufferTooSmall = -7,
+        ErrorIo = -8,
+        Timeout = 1,
+        Cancelled = 2,
+    }
+
+    public enum LogLevel : int
+    {
+        Info = 0,
+        Warning = 1,
+    }
+
+    public enum ProfileFormat : int
+    {
+        Auto = 0,
+        IesLm63 = 1,
+        Eulumdat = 2,
+    }
+
+    public enum OpeningShape : int
+    {
+        Point = 0,
+        Rectangle = 1,
+        Disc = 2,
+        Box = 3,
+        Cylinder = 4,
+        Sphere = 5,
+    }
+
+    public enum ProfileSymmetry : int
+    {
+        None = 0,
+        Axial = 1,
+        C0C180 = 2,
+        C90C270 = 3,
+        Quadrants = 4,
+    }
+
+    public enum ProfileText : int
+    {
+        Warnings = 0,
+        Keywords = 1,
+        Format = 2,
+    }
+
+    public enum MaterialModel : int
+    {
+        Matte = 0,
+        Plastic = 1,
+        Metal = 2,
+        Mirror = 3,
+        Glass = 4,
+        Glazing = 5,
+        Diffuser = 6,
+    }
+
+    public enum AlphaMode : int
+    {
+        Opaque = 0,
+        Mask = 1,
+        Blend = 2,
+    }
+
+    public enum LightKind : int
+    {
+        Point = 0,
+        Spot = 1,
+        Directional = 2,
+    }
+
+    [Flags]
+    public enum Effect : uint
+    {
+        SpecularReflection = 1,
+        Transmission = 2,
+        Caustics = 4,
+        Glossy = 8,
+        Interreflection = 16,
+        Colour = 32,
+        Textures = 64,
+    }
+
+    public enum SceneText : int
+    {
+        Warnings = 0,
+        Effects = 1,
+        Techniques = 2,
+    }
+
+    public enum Projection : int
+    {
+        Perspective = 0,
+    }
+
+    public enum MeterKind : int
+    {
+        Planar = 0,
+        Cylindrical = 1,
+        Semicylindrical = 2,
+        Hemispherical = 3,
+        Spherical = 4,
+    }
+
+    public enum Method : int
+    {
+        Auto = 0,
+        Ups = 1,
+        PathTracing = 2,
+        LightTracing = 3,
+        Bidirectional = 4,
+        Ppm = 5,
+        Sppm = 6,
+        BidirectionalPhotonMapping = 7,
+    }
+
+    [Flags]
+    public enum Technique : uint
+    {
+        EmitterHit = 1,
+        LightSample = 2,
+        Connect = 4,
+        SensorConnect = 8,
+        Merge = 16,
+        SensorHit = 32,
+    }
+
+    public enum JobState : int
+    {
+        Running = 0,
+        Finished = 1,
+        Cancelled = 2,
+        Failed = 3,
+    }
+
+    public enum Channel : int
+    {
+        LuminanceRgb = 0,
+        StandardErrorRgb = 1,
+        Illuminance = 2,
+    }
+
+    public enum ResultText : int
+    {
+        Warnings = 0,
+        Effects = 1,
+        Techniques = 2,
+        Dropped = 3,
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TextureId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MaterialId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MeshId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct InstanceId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct LuminaireId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct SensorId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ContextDesc
+    {
+        public uint StructSize;
+        public int ThreadCount;
+        /// <summary>With the library's defaults.</summary>
+        public static ContextDesc Create()
+        {
+            var d = new ContextDesc();
+            Native.ups_context_desc_init(&d, (uint)sizeof(ContextDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ProfileDesc
+    {
+        public uint StructSize;
+        public uint CCount;
+        public uint GammaCount;
+        public uint Reserved;
+        internal float* CDeg;
+        internal float* GammaDeg;
+        internal float* IntensityCd;
+        /// <summary>With the library's defaults.</summary>
+        public static ProfileDesc Create()
+        {
+            var d = new ProfileDesc();
+            Native.ups_profile_desc_init(&d, (uint)sizeof(ProfileDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ProfileInfo
+    {
+        public uint StructSize;
+        public uint WarningCount;
+        public double FluxLm;
+        public double InterpolatedFluxLm;
+        public double RatedFluxLm;
+        public double InputPowerW;
+        public float PeakCd;
+        public float PeakCDeg;
+        public float PeakGammaDeg;
+        private fixed float openingM_[3];
+        public OpeningShape OpeningShape;
+        public ProfileSymmetry Symmetry;
+        public uint CCount;
+        public uint GammaCount;
+        public float[] OpeningM
+        {
+            get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "ProfileInfo.OpeningM"); }
+        }
+        internal static ProfileInfo Sized()
+        {
+            return new ProfileInfo { StructSize = (uint)sizeof(ProfileInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TextureDesc
+    {
+        public uint StructSize;
+        public uint Width;
+        public uint Height;
+        public uint ChannelCount;
+        internal float* Texels;
+        public UIntPtr RowStrideBytes;
+        /// <summary>With the library's defaults.</summary>
+        public static TextureDesc Create()
+        {
+            var d = new TextureDesc();
+            Native.ups_texture_desc_init(&d, (uint)sizeof(TextureDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MaterialDesc
+    {
+        public uint StructSize;
+        public MaterialModel Model;
+        private fixed float reflectanceRgb_[3];
+        private fixed float transmittanceRgb_[3];
+        public float Roughness;
+        public float Ior;
+        private fixed float iorRgb_[3];
+        private fixed float iorKRgb_[3];
+        private fixed float absorptionPerMRgb_[3];
+        public float Metallic;
+        public AlphaMode AlphaMode;
+        public float Alpha;
+        public float AlphaCutoff;
+        private fixed float luminanceCdM2_[3];
+        public int EmitsBothSides;
+        public float NormalScale;
+        public TextureId ReflectanceTexture;
+        public TextureId RoughnessTexture;
+        public TextureId MetallicTexture;
+        public TextureId NormalTexture;
+        public TextureId AlphaTexture;
+        public float[] ReflectanceRgb
+        {
+            get { fixed (float* p = reflectanceRgb_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = reflectanceRgb_) Elements.Set(p, 3, value, "MaterialDesc.ReflectanceRgb"); }
+        }
+        public float[] TransmittanceRgb
+        {
+            get { fixed (float* p = transmittanceRgb_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = transmittanceRgb_) Elements.Set(p, 3, value, "MaterialDesc.TransmittanceRgb"); }
+        }
+        public float[] IorRgb
+        {
+            get { fixed (float* p = iorRgb_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = iorRgb_) Elements.Set(p, 3, value, "MaterialDesc.IorRgb"); }
+        }
+        public float[] IorKRgb
+        {
+            get { fixed (float* p = iorKRgb_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = iorKRgb_) Elements.Set(p, 3, value, "MaterialDesc.IorKRgb"); }
+        }
+        public float[] AbsorptionPerMRgb
+        {
+            get { fixed (float* p = absorptionPerMRgb_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = absorptionPerMRgb_) Elements.Set(p, 3, value, "MaterialDesc.AbsorptionPerMRgb"); }
+        }
+        public float[] LuminanceCdM2
+        {
+            get { fixed (float* p = luminanceCdM2_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = luminanceCdM2_) Elements.Set(p, 3, value, "MaterialDesc.LuminanceCdM2"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static MaterialDesc Create()
+        {
+            var d = new MaterialDesc();
+            Native.ups_material_desc_init(&d, (uint)sizeof(MaterialDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MeshDesc
+    {
+        public uint StructSize;
+        public uint VertexCount;
+        public uint TriangleCount;
+        public MaterialId Material;
+        internal float* PositionsM;
+        public UIntPtr PositionStrideBytes;
+        internal float* Normals;
+        public UIntPtr NormalStrideBytes;
+        internal float* Uvs;
+        public UIntPtr UvStrideBytes;
+        internal float* Tangents;
+        public UIntPtr TangentStrideBytes;
+        internal uint* Indices;
+        /// <summary>With the library's defaults.</summary>
+        public static MeshDesc Create()
+        {
+            var d = new MeshDesc();
+            Native.ups_mesh_desc_init(&d, (uint)sizeof(MeshDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct InstanceDesc
+    {
+        public uint StructSize;
+        public MeshId Mesh;
+        private fixed double toWorld_[12];
+        public double[] ToWorld
+        {
+            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "InstanceDesc.ToWorld"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static InstanceDesc Create()
+        {
+            var d = new InstanceDesc();
+            Native.ups_instance_desc_init(&d, (uint)sizeof(InstanceDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct LightDesc
+    {
+        public uint StructSize;
+        public LightKind Kind;
+        private fixed double toWorld_[12];
+        private fixed float intensityRgb_[3];
+        public float InnerConeRad;
+        public float OuterConeRad;
+        public float Reserved;
+        public double[] ToWorld
+        {
+            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "LightDesc.ToWorld"); }
+        }
+        public float[] IntensityRgb
+        {
+            get { fixed (float* p = intensityRgb_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = intensityRgb_) Elements.Set(p, 3, value, "LightDesc.IntensityRgb"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static LightDesc Create()
+        {
+            var d = new LightDesc();
+            Native.ups_light_desc_init(&d, (uint)sizeof(LightDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct LuminaireDesc
+    {
+        public uint StructSize;
+        public int UseOpening;
+        internal IntPtr Profile;
+        private fixed double toWorld_[12];
+        private fixed float colorRgb_[3];
+        public float FluxLm;
+        public float Dimming;
+        public float IntensityScale;
+        public double[] ToWorld
+        {
+            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "LuminaireDesc.ToWorld"); }
+        }
+        public float[] ColorRgb
+        {
+            get { fixed (float* p = colorRgb_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = colorRgb_) Elements.Set(p, 3, value, "LuminaireDesc.ColorRgb"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static LuminaireDesc Create()
+        {
+            var d = new LuminaireDesc();
+            Native.ups_luminaire_desc_init(&d, (uint)sizeof(LuminaireDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct SceneInfo
+    {
+        public uint StructSize;
+        public uint Effects;
+        public uint Techniques;
+        public int Method;
+        public ulong TriangleCount;
+        public ulong LuminaireCount;
+        public ulong LightCount;
+        public ulong EmissiveInstanceCount;
+        public ulong MeterCount;
+        public ulong PixelCount;
+        public double EmittedFluxLm;
+        private fixed double boundsMinM_[3];
+        private fixed double boundsMaxM_[3];
+        public double[] BoundsMinM
+        {
+            get { fixed (double* p = boundsMinM_) return Elements.Copy(p, 3); }
+            set { fixed (double* p = boundsMinM_) Elements.Set(p, 3, value, "SceneInfo.BoundsMinM"); }
+        }
+        public double[] BoundsMaxM
+        {
+            get { fixed (double* p = boundsMaxM_) return Elements.Copy(p, 3); }
+            set { fixed (double* p = boundsMaxM_) Elements.Set(p, 3, value, "SceneInfo.BoundsMaxM"); }
+        }
+        internal static SceneInfo Sized()
+        {
+            return new SceneInfo { StructSize = (uint)sizeof(SceneInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct CameraDesc
+    {
+        public uint StructSize;
+        public Projection Projection;
+        public uint Width;
+        public uint Height;
+        private fixed double toWorld_[12];
+        public float VerticalFovRad;
+        public int Illuminance;
+        public double[] ToWorld
+        {
+            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "CameraDesc.ToWorld"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static CameraDesc Create()
+        {
+            var d = new CameraDesc();
+            Native.ups_camera_desc_init(&d, (uint)sizeof(CameraDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MeterDesc
+    {
+        public uint StructSize;
+        public MeterKind Kind;
+        internal double* PositionsM;
+        internal float* Normals;
+        internal float* Tangents;
+        private fixed float cellSizeM_[2];
+        public uint Count;
+        public uint Reserved;
+        public float[] CellSizeM
+        {
+            get { fixed (float* p = cellSizeM_) return Elements.Copy(p, 2); }
+            set { fixed (float* p = cellSizeM_) Elements.Set(p, 2, value, "MeterDesc.CellSizeM"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static MeterDesc Create()
+        {
+            var d = new MeterDesc();
+            Native.ups_meter_desc_init(&d, (uint)sizeof(MeterDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct RenderDesc
+    {
+        public uint StructSize;
+        public Method Method;
+        public ulong Seed;
+        public double TimeLimitS;
+        public float TargetRelativeError;
+        public float MergeRadiusM;
+        public uint IterationCount;
+        public uint MaxPathLength;
+        public uint LightPathsPerIteration;
+        public uint Techniques;
+        /// <summary>With the library's defaults.</summary>
+        public static RenderDesc Create()
+        {
+            var d = new RenderDesc();
+            Native.ups_render_desc_init(&d, (uint)sizeof(RenderDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Progress
+    {
+        public uint StructSize;
+        public JobState State;
+        public double ElapsedS;
+        public double RemainingS;
+        public uint IterationsDone;
+        public float Fraction;
+        public float WorstRelativeError;
+        public float MedianRelativeError;
+        internal static Progress Sized()
+        {
+            return new Progress { StructSize = (uint)sizeof(Progress) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ResultInfo
+    {
+        public uint StructSize;
+        public uint Iterations;
+        public double ElapsedS;
+        public ulong Rays;
+        public ulong LightPaths;
+        public ulong EyePaths;
+        public ulong Merges;
+        public ulong Connections;
+        public double EmittedFluxLm;
+        public double AbsorbedFluxLm;
+        public double EscapedFluxLm;
+        public ulong Seed;
+        public ulong DroppedSamples;
+        public Method Method;
+        public uint Techniques;
+        public uint Effects;
+        public int Threads;
+        internal static ResultInfo Sized()
+        {
+            return new ResultInfo { StructSize = (uint)sizeof(ResultInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MeterReading
+    {
+        public float IlluminanceLx;
+        public float StandardErrorLx;
+        public float BiasLx;
+        public float ErrorBoundLx;
+        public float DirectLx;
+        public float IndirectLx;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ConvergencePoint
+    {
+        public double ElapsedS;
+        public uint Iterations;
+        public uint Reserved;
+        public float MedianRelativeError;
+        public float P95RelativeError;
+        public float WorstRelativeError;
+        public float BiasShare;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MeterStatistics
+    {
+        public uint StructSize;
+        public uint Count;
+        public double MeanLx;
+        public double MinLx;
+        public double MaxLx;
+        public double Uniformity;
+        public double MeanStandardErrorLx;
+        public double MedianRelativeErrorBound;
+        public double P95RelativeErrorBound;
+        public double WorstRelativeErrorBound;
+        internal static MeterStatistics Sized()
+        {
+            return new MeterStatistics { StructSize = (uint)sizeof(MeterStatistics) };
+        }
+    }
+
+    public sealed class ContextHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_context_destroy(handle); return true; }
+    }
+
+    public sealed class ProfileHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_profile_destroy(handle); return true; }
+    }
+
+    public sealed class SceneHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_scene_destroy(handle); return true; }
+    }
+
+    public sealed class JobHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_job_destroy(handle); return true; }
+    }
+
+    public sealed class ResultHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_result_destroy(handle); return true; }
+    }
+
+    internal static unsafe class Native
+    {
+        private const string Library = "ups";
+        internal const uint HeaderVersion = 100;
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern uint ups_version();
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern IntPtr ups_status_name(Status status);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern IntPtr ups_last_error();
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_context_desc_init(ContextDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_context_create(ContextDesc* desc, out ContextHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_context_destroy(IntPtr context);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_context_get_thread_count(ContextHandle context, int* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_context_pop_log(ContextHandle context, byte* text, UIntPtr capacity, UIntPtr*
+            needed, LogLevel* level);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_profile_desc_init(ProfileDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_create(ContextHandle context, ProfileDesc* desc, out ProfileHandle
+            @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_parse(ContextHandle context, void* bytes, UIntPtr size, ProfileFormat
+            format, out ProfileHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_info(ProfileHandle profile, ProfileInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_text(ProfileHandle profile, ProfileText topic, byte* text, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_eval(ProfileHandle profile, float* directions_xyz, UIntPtr count,
+            float* intensity_cd);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_profile_destroy(IntPtr profile);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_texture_desc_init(TextureDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_material_desc_init(MaterialDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_mesh_desc_init(MeshDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_instance_desc_init(InstanceDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_light_desc_init(LightDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_luminaire_desc_init(LuminaireDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_create(ContextHandle context, out SceneHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_scene_destroy(IntPtr scene);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_texture(SceneHandle scene, TextureDesc* desc, TextureId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_material(SceneHandle scene, MaterialDesc* desc, MaterialId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_mesh(SceneHandle scene, MeshDesc* desc, MeshId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_instance(SceneHandle scene, InstanceDesc* desc, InstanceId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_light(SceneHandle scene, LightDesc* desc, LuminaireId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_luminaire(SceneHandle scene, LuminaireDesc* desc, LuminaireId*
+            @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_material(SceneHandle scene, MaterialId id, MaterialDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_transform(SceneHandle scene, InstanceId id, double* to_world);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_dimming(SceneHandle scene, LuminaireId id, float dimming);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_remove_instance(SceneHandle scene, InstanceId id);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_remove_luminaire(SceneHandle scene, LuminaireId id);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_remove_sensor(SceneHandle scene, SensorId id);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_commit(SceneHandle scene);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_info(SceneHandle scene, SceneInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_text(SceneHandle scene, SceneText topic, byte* text, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_camera_desc_init(CameraDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_meter_desc_init(MeterDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_camera(SceneHandle scene, CameraDesc* desc, SensorId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_meters(SceneHandle scene, MeterDesc* desc, SensorId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_render_desc_init(RenderDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_render(SceneHandle scene, RenderDesc* desc, out ResultHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_job_start(SceneHandle scene, RenderDesc* desc, out JobHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_job_poll(JobHandle job, Progress* progress);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_job_wait(JobHandle job, uint timeout_ms);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_job_cancel(JobHandle job);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_job_result(JobHandle job, out ResultHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_job_destroy(IntPtr job);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_info(ResultHandle result, ResultInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_meters(ResultHandle result, SensorId sensor, MeterReading* @out,
+            UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_meter_statistics(ResultHandle result, SensorId sensor,
+            MeterStatistics* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_image(ResultHandle result, SensorId camera, Channel channel,
+            float* @out, UIntPtr row_stride_bytes, UIntPtr size_bytes);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_convergence(ResultHandle result, ConvergencePoint* points, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_text(ResultHandle result, ResultText topic, byte* text, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_result_destroy(IntPtr result);
+    }
+}

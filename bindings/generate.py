@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+"""Writes the raw layer of both bindings from include/ups/*.h: python/ups/_ffi.py and csharp/Ups.Native.cs.
+
+    bindings/generate.py            writes the two files
+    bindings/generate.py --check    fails when they are not what the headers say (a test runs this)
+
+What people use stands on top, written by hand: python/ups/__init__.py and csharp/Ups.cs.
+"""
+import difflib
+import re
+import sys
+import textwrap
+from pathlib import Path
+
+import c_header
+
+HERE = Path(__file__).resolve().parent
+
+# The C scalars that these headers use: ctypes' name and C#'s.
+CTYPES = {"void": None, "char": "c_char", "float": "c_float", "double": "c_double", "size_t": "c_size_t",
+          "int32_t": "c_int32", "uint32_t": "c_uint32", "uint64_t": "c_uint64"}
+CSHARP = {"void": "void", "char": "byte", "float": "float", "double": "double", "size_t": "UIntPtr", "int32_t": "int",
+          "uint32_t": "uint", "uint64_t": "ulong"}
+
+
+def pascal(name):
+    """to_world and PATH_TRACING become ToWorld and PathTracing; a type's own prefix goes: ups_mesh_desc is MeshDesc."""
+    return "".join(w[:1].upper() + w[1:] for w in re.sub("^ups_", "", name.lower()).split("_"))
+
+
+def enum_members(enum):
+    """(name without the common prefix, value) of each member."""
+    prefix = c_header.common_prefix(enum)
+    return [(name[len(prefix):], value) for name, value in enum.members]
+
+
+def enum_name(enum):
+    return pascal(enum.name or c_header.common_prefix(enum).rstrip("_"))
+
+
+# ---- Python
+
+
+def ctypes_type(api, t, in_struct=False):
+    if t.name in api.handles:  # a handle is an address; out-parameters are the address of one
+        base, stars = "c_void_p", t.pointers - 1
+    elif t.name == "void" and t.pointers:
+        base, stars = "c_void_p", t.pointers - 1
+    elif t.name == "char" and t.pointers:
+        base, stars = "c_char_p", t.pointers - 1
+    elif t.name in api.aliases:
+        base, stars = CTYPES[api.aliases[t.name]], t.pointers
+    else:
+        base, stars = CTYPES[t.name] if t.name in CTYPES else pascal(t.name), t.pointers
+    if t.count and not in_struct:  # an array parameter is a pointer
+        stars += 1
+    for _ in range(stars):
+        base = f"POINTER({base})"
+    return f"{base} * {t.count}" if t.count and in_struct else str(base)
+
+
+def python_source(api):
+    v = api.version
+    out = ['"""The C API of UPS as ctypes. Written by bindings/generate.py from include/ups; do not edit."""',
+           "import enum",
+           "from ctypes import (POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint32,",
+           "                    c_uint64, c_void_p)", "",
+           f"HEADER_VERSION = ({v['MAJOR']}, {v['MINOR']}, {v['PATCH']})", ""]
+    for enum in api.enums:
+        out += ["", f"class {enum_name(enum)}(enum.{'IntEnum' if enum.name else 'IntFlag'}):"]
+        out += [f"    {name} = {value}" for name, value in enum_members(enum)] + [""]
+    for struct in api.structs:
+        out += ["", f"class {pascal(struct.name)}(Structure):", "    _fields_ = ["]
+        out += [f'        ("{f.name}", {ctypes_type(api, f.type, in_struct=True)}),' for f in struct.fields]
+        out += ["    ]", ""]
+    out += ["", "# Result and parameters of each function.", "PROTOTYPES = {"]
+    for f in api.functions:
+        parameters = ", ".join(ctypes_type(api, p.type) for p in f.parameters)
+        line = f'    "{f.name}": ({ctypes_type(api, f.returns)}, [{parameters}]),'
+        out += textwrap.wrap(line, 120, subsequent_indent=" " * 8)
+    out += ["}", "", "# Function that fills each description with its defaults.", "INIT = {"]
+    out += [f'    {pascal(s.name)}: "{s.name}_init",' for s in api.structs if api.function(s.name + "_init")]
+    out += ["}", ""]
+    return "\n".join(out)
+
+
+# ---- C#
+
+CSHARP_KEYWORDS = {"out", "in", "ref", "params", "object", "string", "fixed", "event", "checked"}
+
+
+def csharp_value_type(api, t, in_struct):
+    if t.name in api.handles:
+        if in_struct:
+            return "IntPtr"
+        return f"{pascal(t.name)}Handle" if t.pointers == 1 else f"out {pascal(t.name)}Handle"
+    base = CSHARP[t.name] if t.name in CSHARP else pascal(t.name)
+    stars = t.pointers + (1 if t.count and not in_struct else 0)
+    return base + "*" * stars
+
+
+def csharp_struct(api, struct):
+    name = pascal(struct.name)
+    out = ["[StructLayout(LayoutKind.Sequential)]", f"public unsafe struct {name}", "{"]
+    properties = []
+    for f in struct.fields:
+        kind = csharp_value_type(api, f.type, in_struct=True)
+        if not f.type.count:
+            access = "internal" if f.type.pointers else "public"  # Ups.cs pins what an address stands for
+            out.append(f"    {access} {kind} {pascal(f.name)};")
+            continue
+        member = pascal(f.name)
+        buffer = member[0].lower() + member[1:] + "_"
+        out.append(f"    private fixed {kind} {buffer}[{f.type.count}];")
+        properties += [
+            f"    public {kind}[] {member}", "    {",
+            f"        get {{ fixed ({kind}* p = {buffer}) return Elements.Copy(p, {f.type.count}); }}",
+            f"        set {{ fixed ({kind}* p = {buffer}) Elements.Set(p, {f.type.count}, value, "
+            f'"{name}.{member}"); }}',
+            "    }"]
+    out += properties
+    if api.function(struct.name + "_init"):
+        out += ["    /// <summary>With the library's defaults.</summary>",
+                f"    public static {name} Create()", "    {", f"        var d = new {name}();",
+                f"        Native.{struct.name}_init(&d, (uint)sizeof({name}));", "        return d;", "    }"]
+    elif struct.fields[0].name == "struct_size":
+        out += [f"    internal static {name} Sized()", "    {",
+                f"        return new {name} {{ StructSize = (uint)sizeof({name}) }};", "    }"]
+    return out + ["}", ""]
+
+
+def csharp_parameter(api, p, destroys):
+    kind = "IntPtr" if destroys else csharp_value_type(api, p.type, in_struct=False)
+    return f"{kind} {'@' if p.name in CSHARP_KEYWORDS else ''}{p.name}"
+
+
+def csharp_source(api):
+    v = api.version
+    out = ["// The C API of UPS as P/Invoke. Written by bindings/generate.py from include/ups; do not edit.",
+           "using System;", "using System.Runtime.InteropServices;", "", "namespace Ups", "{"]
+    body = []
+    for enum in api.enums:
+        body += ["[Flags]"] if enum.name is None else []
+        body += [f"public enum {enum_name(enum)} : {'int' if enum.name else 'uint'}", "{"]
+        body += [f"    {pascal(name)} = {value}," for name, value in enum_members(enum)] + ["}", ""]
+    for struct in api.structs:
+        body += csharp_struct(api, struct)
+    for handle in api.handles:
+        name = pascal(handle)
+        body += [f"public sealed class {name}Handle : NativeHandle", "{",
+                 f"    protected override bool ReleaseHandle() {{ Native.{handle}_destroy(handle); return true; }}",
+                 "}", ""]
+    body += ["internal static unsafe class Native", "{", '    private const string Library = "ups";',
+             f"    internal const uint HeaderVersion = {v['MAJOR'] * 10000 + v['MINOR'] * 100 + v['PATCH']};", ""]
+    for f in api.functions:
+        destroys = any(f.name == h + "_destroy" for h in api.handles)
+        returns = "IntPtr" if f.returns.pointers else csharp_value_type(api, f.returns, in_struct=False)
+        parameters = ", ".join(csharp_parameter(api, p, destroys) for p in f.parameters)
+        body.append("    [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]")
+        line = f"    internal static extern {returns} {f.name}({parameters});"
+        body += [line] if len(line) <= 116 else textwrap.wrap(line, 116, subsequent_indent=" " * 8)
+    body += ["}"]
+    out += [("    " + line if line else "") for line in "\n".join(body).split("\n")]
+    return "\n".join(out + ["}", ""])
+
+
+def main():
+    api = c_header.parse_headers(HERE.parent / "include" / "ups")
+    stale = 0
+    for path, text in ((HERE / "python" / "ups" / "_ffi.py", python_source(api)),
+                       (HERE / "csharp" / "Ups.Native.cs", csharp_source(api))):
+        if sys.argv[1:] == ["--check"]:
+            committed = path.read_text(encoding="utf-8") if path.exists() else ""
+            difference = list(difflib.unified_diff(committed.splitlines(), text.splitlines(),
+                                                   str(path.relative_to(HERE)), "from the headers", lineterm=""))
+            print(*difference, sep="\n", end="\n" if difference else "")
+            stale += bool(difference)
+        else:
+            path.write_text(text, encoding="utf-8")
+    if stale:
+        sys.exit("The bindings are older than the headers: run bindings/generate.py and commit what it writes.")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,514 @@
+"""The C API of UPS as ctypes. Written by bindings/generate.py from include/ups; do not edit."""
+import enum
+from ctypes import (POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint32,
+                    c_uint64, c_void_p)
+
+HEADER_VERSION = (0, 1, 0)
+
+
+class Status(enum.IntEnum):
+    OK = 0
+    ERROR_INTERNAL = -1
+    ERROR_INVALID_ARGUMENT = -2
+    ERROR_INVALID_STATE = -3
+    ERROR_OUT_OF_MEMORY = -4
+    ERROR_PARSE = -5
+    ERROR_UNSUPPORTED = -6
+    ERROR_BUFFER_TOO_SMALL = -7
+    ERROR_IO = -8
+    TIMEOUT = 1
+    CANCELLED = 2
+
+
+class LogLevel(enum.IntEnum):
+    INFO = 0
+    WARNING = 1
+
+
+class ProfileFormat(enum.IntEnum):
+    AUTO = 0
+    IES_LM63 = 1
+    EULUMDAT = 2
+
+
+class OpeningShape(enum.IntEnum):
+    POINT = 0
+    RECTANGLE = 1
+    DISC = 2
+    BOX = 3
+    CYLINDER = 4
+    SPHERE = 5
+
+
+class ProfileSymmetry(enum.IntEnum):
+    NONE = 0
+    AXIAL = 1
+    C0_C180 = 2
+    C90_C270 = 3
+    QUADRANTS = 4
+
+
+class ProfileText(enum.IntEnum):
+    WARNINGS = 0
+    KEYWORDS = 1
+    FORMAT = 2
+
+
+class MaterialModel(enum.IntEnum):
+    MATTE = 0
+    PLASTIC = 1
+    METAL = 2
+    MIRROR = 3
+    GLASS = 4
+    GLAZING = 5
+    DIFFUSER = 6
+
+
+class AlphaMode(enum.IntEnum):
+    OPAQUE = 0
+    MASK = 1
+    BLEND = 2
+
+
+class LightKind(enum.IntEnum):
+    POINT = 0
+    SPOT = 1
+    DIRECTIONAL = 2
+
+
+class Effect(enum.IntFlag):
+    SPECULAR_REFLECTION = 1
+    TRANSMISSION = 2
+    CAUSTICS = 4
+    GLOSSY = 8
+    INTERREFLECTION = 16
+    COLOUR = 32
+    TEXTURES = 64
+
+
+class SceneText(enum.IntEnum):
+    WARNINGS = 0
+    EFFECTS = 1
+    TECHNIQUES = 2
+
+
+class Projection(enum.IntEnum):
+    PERSPECTIVE = 0
+
+
+class MeterKind(enum.IntEnum):
+    PLANAR = 0
+    CYLINDRICAL = 1
+    SEMICYLINDRICAL = 2
+    HEMISPHERICAL = 3
+    SPHERICAL = 4
+
+
+class Method(enum.IntEnum):
+    AUTO = 0
+    UPS = 1
+    PATH_TRACING = 2
+    LIGHT_TRACING = 3
+    BIDIRECTIONAL = 4
+    PPM = 5
+    SPPM = 6
+    BIDIRECTIONAL_PHOTON_MAPPING = 7
+
+
+class Technique(enum.IntFlag):
+    EMITTER_HIT = 1
+    LIGHT_SAMPLE = 2
+    CONNECT = 4
+    SENSOR_CONNECT = 8
+    MERGE = 16
+    SENSOR_HIT = 32
+
+
+class JobState(enum.IntEnum):
+    RUNNING = 0
+    FINISHED = 1
+    CANCELLED = 2
+    FAILED = 3
+
+
+class Channel(enum.IntEnum):
+    LUMINANCE_RGB = 0
+    STANDARD_ERROR_RGB = 1
+    ILLUMINANCE = 2
+
+
+class ResultText(enum.IntEnum):
+    WARNINGS = 0
+    EFFECTS = 1
+    TECHNIQUES = 2
+    DROPPED = 3
+
+
+class TextureId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class MaterialId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class MeshId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class InstanceId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class LuminaireId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class SensorId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class ContextDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("thread_count", c_int32),
+    ]
+
+
+class ProfileDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("c_count", c_uint32),
+        ("gamma_count", c_uint32),
+        ("reserved", c_uint32),
+        ("c_deg", POINTER(c_float)),
+        ("gamma_deg", POINTER(c_float)),
+        ("intensity_cd", POINTER(c_float)),
+    ]
+
+
+class ProfileInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("warning_count", c_uint32),
+        ("flux_lm", c_double),
+        ("interpolated_flux_lm", c_double),
+        ("rated_flux_lm", c_double),
+        ("input_power_w", c_double),
+        ("peak_cd", c_float),
+        ("peak_c_deg", c_float),
+        ("peak_gamma_deg", c_float),
+        ("opening_m", c_float * 3),
+        ("opening_shape", c_int32),
+        ("symmetry", c_int32),
+        ("c_count", c_uint32),
+        ("gamma_count", c_uint32),
+    ]
+
+
+class TextureDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("channel_count", c_uint32),
+        ("texels", POINTER(c_float)),
+        ("row_stride_bytes", c_size_t),
+    ]
+
+
+class MaterialDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("model", c_int32),
+        ("reflectance_rgb", c_float * 3),
+        ("transmittance_rgb", c_float * 3),
+        ("roughness", c_float),
+        ("ior", c_float),
+        ("ior_rgb", c_float * 3),
+        ("ior_k_rgb", c_float * 3),
+        ("absorption_per_m_rgb", c_float * 3),
+        ("metallic", c_float),
+        ("alpha_mode", c_int32),
+        ("alpha", c_float),
+        ("alpha_cutoff", c_float),
+        ("luminance_cd_m2", c_float * 3),
+        ("emits_both_sides", c_int32),
+        ("normal_scale", c_float),
+        ("reflectance_texture", TextureId),
+        ("roughness_texture", TextureId),
+        ("metallic_texture", TextureId),
+        ("normal_texture", TextureId),
+        ("alpha_texture", TextureId),
+    ]
+
+
+class MeshDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("vertex_count", c_uint32),
+        ("triangle_count", c_uint32),
+        ("material", MaterialId),
+        ("positions_m", POINTER(c_float)),
+        ("position_stride_bytes", c_size_t),
+        ("normals", POINTER(c_float)),
+        ("normal_stride_bytes", c_size_t),
+        ("uvs", POINTER(c_float)),
+        ("uv_stride_bytes", c_size_t),
+        ("tangents", POINTER(c_float)),
+        ("tangent_stride_bytes", c_size_t),
+        ("indices", POINTER(c_uint32)),
+    ]
+
+
+class InstanceDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("mesh", MeshId),
+        ("to_world", c_double * 12),
+    ]
+
+
+class LightDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("to_world", c_double * 12),
+        ("intensity_rgb", c_float * 3),
+        ("inner_cone_rad", c_float),
+        ("outer_cone_rad", c_float),
+        ("reserved", c_float),
+    ]
+
+
+class LuminaireDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("use_opening", c_int32),
+        ("profile", c_void_p),
+        ("to_world", c_double * 12),
+        ("color_rgb", c_float * 3),
+        ("flux_lm", c_float),
+        ("dimming", c_float),
+        ("intensity_scale", c_float),
+    ]
+
+
+class SceneInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("effects", c_uint32),
+        ("techniques", c_uint32),
+        ("method", c_int32),
+        ("triangle_count", c_uint64),
+        ("luminaire_count", c_uint64),
+        ("light_count", c_uint64),
+        ("emissive_instance_count", c_uint64),
+        ("meter_count", c_uint64),
+        ("pixel_count", c_uint64),
+        ("emitted_flux_lm", c_double),
+        ("bounds_min_m", c_double * 3),
+        ("bounds_max_m", c_double * 3),
+    ]
+
+
+class CameraDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("projection", c_int32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("to_world", c_double * 12),
+        ("vertical_fov_rad", c_float),
+        ("illuminance", c_int32),
+    ]
+
+
+class MeterDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("positions_m", POINTER(c_double)),
+        ("normals", POINTER(c_float)),
+        ("tangents", POINTER(c_float)),
+        ("cell_size_m", c_float * 2),
+        ("count", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class RenderDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("method", c_int32),
+        ("seed", c_uint64),
+        ("time_limit_s", c_double),
+        ("target_relative_error", c_float),
+        ("merge_radius_m", c_float),
+        ("iteration_count", c_uint32),
+        ("max_path_length", c_uint32),
+        ("light_paths_per_iteration", c_uint32),
+        ("techniques", c_uint32),
+    ]
+
+
+class Progress(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("state", c_int32),
+        ("elapsed_s", c_double),
+        ("remaining_s", c_double),
+        ("iterations_done", c_uint32),
+        ("fraction", c_float),
+        ("worst_relative_error", c_float),
+        ("median_relative_error", c_float),
+    ]
+
+
+class ResultInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("iterations", c_uint32),
+        ("elapsed_s", c_double),
+        ("rays", c_uint64),
+        ("light_paths", c_uint64),
+        ("eye_paths", c_uint64),
+        ("merges", c_uint64),
+        ("connections", c_uint64),
+        ("emitted_flux_lm", c_double),
+        ("absorbed_flux_lm", c_double),
+        ("escaped_flux_lm", c_double),
+        ("seed", c_uint64),
+        ("dropped_samples", c_uint64),
+        ("method", c_int32),
+        ("techniques", c_uint32),
+        ("effects", c_uint32),
+        ("threads", c_int32),
+    ]
+
+
+class MeterReading(Structure):
+    _fields_ = [
+        ("illuminance_lx", c_float),
+        ("standard_error_lx", c_float),
+        ("bias_lx", c_float),
+        ("error_bound_lx", c_float),
+        ("direct_lx", c_float),
+        ("indirect_lx", c_float),
+    ]
+
+
+class ConvergencePoint(Structure):
+    _fields_ = [
+        ("elapsed_s", c_double),
+        ("iterations", c_uint32),
+        ("reserved", c_uint32),
+        ("median_relative_error", c_float),
+        ("p95_relative_error", c_float),
+        ("worst_relative_error", c_float),
+        ("bias_share", c_float),
+    ]
+
+
+class MeterStatistics(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("count", c_uint32),
+        ("mean_lx", c_double),
+        ("min_lx", c_double),
+        ("max_lx", c_double),
+        ("uniformity", c_double),
+        ("mean_standard_error_lx", c_double),
+        ("median_relative_error_bound", c_double),
+        ("p95_relative_error_bound", c_double),
+        ("worst_relative_error_bound", c_double),
+    ]
+
+
+# Result and parameters of each function.
+PROTOTYPES = {
+    "ups_version": (c_uint32, []),
+    "ups_status_name": (c_char_p, [c_int32]),
+    "ups_last_error": (c_char_p, []),
+    "ups_context_desc_init": (None, [POINTER(ContextDesc), c_uint32]),
+    "ups_context_create": (c_int32, [POINTER(ContextDesc), POINTER(c_void_p)]),
+    "ups_context_destroy": (None, [c_void_p]),
+    "ups_context_get_thread_count": (c_int32, [c_void_p, POINTER(c_int32)]),
+    "ups_context_pop_log": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t), POINTER(c_int32)]),
+    "ups_profile_desc_init": (None, [POINTER(ProfileDesc), c_uint32]),
+    "ups_profile_create": (c_int32, [c_void_p, POINTER(ProfileDesc), POINTER(c_void_p)]),
+    "ups_profile_parse": (c_int32, [c_void_p, c_void_p, c_size_t, c_int32, POINTER(c_void_p)]),
+    "ups_profile_get_info": (c_int32, [c_void_p, POINTER(ProfileInfo)]),
+    "ups_profile_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_profile_eval": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)]),
+    "ups_profile_destroy": (None, [c_void_p]),
+    "ups_texture_desc_init": (None, [POINTER(TextureDesc), c_uint32]),
+    "ups_material_desc_init": (None, [POINTER(MaterialDesc), c_uint32]),
+    "ups_mesh_desc_init": (None, [POINTER(MeshDesc), c_uint32]),
+    "ups_instance_desc_init": (None, [POINTER(InstanceDesc), c_uint32]),
+    "ups_light_desc_init": (None, [POINTER(LightDesc), c_uint32]),
+    "ups_luminaire_desc_init": (None, [POINTER(LuminaireDesc), c_uint32]),
+    "ups_scene_create": (c_int32, [c_void_p, POINTER(c_void_p)]),
+    "ups_scene_destroy": (None, [c_void_p]),
+    "ups_scene_add_texture": (c_int32, [c_void_p, POINTER(TextureDesc), POINTER(TextureId)]),
+    "ups_scene_add_material": (c_int32, [c_void_p, POINTER(MaterialDesc), POINTER(MaterialId)]),
+    "ups_scene_add_mesh": (c_int32, [c_void_p, POINTER(MeshDesc), POINTER(MeshId)]),
+    "ups_scene_add_instance": (c_int32, [c_void_p, POINTER(InstanceDesc), POINTER(InstanceId)]),
+    "ups_scene_add_light": (c_int32, [c_void_p, POINTER(LightDesc), POINTER(LuminaireId)]),
+    "ups_scene_add_luminaire": (c_int32, [c_void_p, POINTER(LuminaireDesc), POINTER(LuminaireId)]),
+    "ups_scene_set_material": (c_int32, [c_void_p, MaterialId, POINTER(MaterialDesc)]),
+    "ups_scene_set_transform": (c_int32, [c_void_p, InstanceId, POINTER(c_double)]),
+    "ups_scene_set_dimming": (c_int32, [c_void_p, LuminaireId, c_float]),
+    "ups_scene_remove_instance": (c_int32, [c_void_p, InstanceId]),
+    "ups_scene_remove_luminaire": (c_int32, [c_void_p, LuminaireId]),
+    "ups_scene_remove_sensor": (c_int32, [c_void_p, SensorId]),
+    "ups_scene_commit": (c_int32, [c_void_p]),
+    "ups_scene_get_info": (c_int32, [c_void_p, POINTER(SceneInfo)]),
+    "ups_scene_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_camera_desc_init": (None, [POINTER(CameraDesc), c_uint32]),
+    "ups_meter_desc_init": (None, [POINTER(MeterDesc), c_uint32]),
+    "ups_scene_add_camera": (c_int32, [c_void_p, POINTER(CameraDesc), POINTER(SensorId)]),
+    "ups_scene_add_meters": (c_int32, [c_void_p, POINTER(MeterDesc), POINTER(SensorId)]),
+    "ups_render_desc_init": (None, [POINTER(RenderDesc), c_uint32]),
+    "ups_render": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
+    "ups_job_start": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
+    "ups_job_poll": (c_int32, [c_void_p, POINTER(Progress)]),
+    "ups_job_wait": (c_int32, [c_void_p, c_uint32]),
+    "ups_job_cancel": (None, [c_void_p]),
+    "ups_job_result": (c_int32, [c_void_p, POINTER(c_void_p)]),
+    "ups_job_destroy": (None, [c_void_p]),
+    "ups_result_get_info": (c_int32, [c_void_p, POINTER(ResultInfo)]),
+    "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t]),
+    "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)]),
+    "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t]),
+    "ups_result_read_convergence": (c_int32, [c_void_p, POINTER(ConvergencePoint), c_size_t, POINTER(c_size_t)]),
+    "ups_result_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_result_destroy": (None, [c_void_p]),
+}
+
+# Function that fills each description with its defaults.
+INIT = {
+    ContextDesc: "ups_context_desc_init",
+    ProfileDesc: "ups_profile_desc_init",
+    TextureDesc: "ups_texture_desc_init",
+    MaterialDesc: "ups_material_desc_init",
+    MeshDesc: "ups_mesh_desc_init",
+    InstanceDesc: "ups_instance_desc_init",
+    LightDesc: "ups_light_desc_init",
+    LuminaireDesc: "ups_luminaire_desc_init",
+    CameraDesc: "ups_camera_desc_init",
+    MeterDesc: "ups_meter_desc_init",
+    RenderDesc: "ups_render_desc_init",
+}

@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""Does the ABI stay what it was? Run by ctest, a subcommand a question; and by hand to accept a change:
+
+    tests/abi/check_abi.py layout --write        after a struct changed
+    tests/abi/check_abi.py baseline --write      after any change; a breaking one also needs a new SONAME
+
+exports   the library's dynamic symbols, src/api/exports.txt and the functions that the headers declare are the same
+headers   every public header compiles alone, as strict C99 without hidden padding and as C++17
+layout    size and offset of every struct and field, and the value of every enumerator, are those of layout.txt
+baseline  libabigail finds no difference to baseline.abi. It reads a library of empty functions made from the headers,
+          types and signatures without any C++; `exports` ties the real library to the same headers. Exit code 77:
+          skipped.
+"""
+import argparse
+import difflib
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+INCLUDE = ROOT / "include"
+sys.path.insert(0, str(ROOT / "bindings"))
+import c_header  # noqa: E402
+
+SKIPPED = 77
+
+
+def run(*command, cwd=None):
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, cwd=cwd)
+    if done.returncode:
+        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def compare(name, committed, found, advice):
+    difference = list(difflib.unified_diff(committed, found, name, "now", lineterm=""))
+    if difference:
+        sys.exit("\n".join(difference) + f"\n{advice}")
+
+
+# ---- exports
+
+
+def check_exports(arguments):
+    symbols = set()
+    for line in run("nm", "-D", "--defined-only", "--format=posix", arguments.library).splitlines():
+        name, kind = line.split()[:2]
+        if kind != "A":  # the names of symbol versions
+            symbols.add(name.split("@")[0])
+    listed = (ROOT / "src/api/exports.txt").read_text(encoding="utf-8").split()
+    declared = [f.name for f in c_header.parse_headers(INCLUDE / "ups").functions]
+    if len(set(listed)) != len(listed):
+        sys.exit("src/api/exports.txt lists a function twice")
+    compare("src/api/exports.txt", sorted(listed), sorted(declared), "The headers declare something else.")
+    compare("src/api/exports.txt", sorted(listed), sorted(symbols), "The library exports something else.")
+    print(f"{len(listed)} functions are declared, listed and exported")
+
+
+# ---- headers
+
+
+def check_headers(arguments):
+    c = [arguments.cc, "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wstrict-prototypes", "-Wpadded"]
+    cxx = [arguments.cxx, "-std=c++17", "-pedantic", "-Wall", "-Wextra"]
+    headers = sorted((INCLUDE / "ups").glob("*.h"))
+    with tempfile.TemporaryDirectory() as folder:
+        for header in headers:
+            for compiler, suffix in ((c, "c"), (cxx, "cpp")):
+                source = Path(folder, f"{header.stem}.{suffix}")
+                source.write_text(f"#include <ups/{header.name}>\nextern int ups_not_empty;\n")
+                run(*compiler, "-Werror", "-I", INCLUDE, "-c", source, "-o", source.with_suffix(".o"))
+    print(f"{len(headers)} headers compile alone as C99 and as C++17")
+
+
+# ---- layout
+
+
+def measure_layout(cc):
+    """A line for each struct with its size, field with its offset and size, enumerator with its value."""
+    api = c_header.parse_headers(INCLUDE / "ups")
+    lines = ["#include <stdio.h>", "#include <ups/ups.h>", "int main(void) {"]
+    for s in api.structs:
+        lines.append(f'printf("{s.name} %zu\\n", sizeof({s.name}));')
+        for f in s.fields:
+            lines.append(f'printf("  {f.name} %zu %zu\\n", offsetof({s.name}, {f.name}), '
+                         f'sizeof((({s.name} *)0)->{f.name}));')
+    lines += [f'printf("{name} %d\\n", (int){name});' for e in api.enums for name, _ in e.members]
+    lines.append("return 0; }")
+    with tempfile.TemporaryDirectory() as folder:
+        source = Path(folder, "layout.c")
+        source.write_text("\n".join(lines))
+        run(cc, "-std=c99", "-I", INCLUDE, source, "-o", source.with_suffix(""))
+        return run(source.with_suffix("")).splitlines()
+
+
+def check_layout(arguments):
+    found = measure_layout(arguments.cc)
+    if arguments.write:
+        (HERE / "layout.txt").write_text("\n".join(found) + "\n")
+        return
+    committed = (HERE / "layout.txt").read_text().splitlines()
+    compare("tests/abi/layout.txt", committed, found,
+            "The layout changed. A field at the end of a *_desc or *_info is compatible, a new enumerator too;\nanything "
+            "else breaks programs. "
+            "To accept: tests/abi/check_abi.py layout --write")
+    print(f"{len(found)} sizes, offsets and values are those of layout.txt")
+
+
+# ---- baseline
+
+
+def declaration(v):
+    star = f"{v.type.name} {'*' * v.type.pointers}{v.name}" + (f"[{v.type.count}]" if v.type.count else "")
+    return "const " + star if v.type.const else star
+
+
+def build_empty_library(cc, folder):
+    lines = ["#include <ups/ups.h>"]
+    for f in c_header.parse_headers(INCLUDE / "ups").functions:
+        returns = declaration(c_header.Variable(f.name, f.returns))
+        parameters = ", ".join(map(declaration, f.parameters)) or "void"
+        body = "" if f.returns == c_header.Type("void", False, 0, 0) else "return 0; "
+        lines.append(f"{returns}({parameters}) {{ {body}}}")
+    Path(folder, "ups.c").write_text("\n".join(lines) + "\n")
+    run(cc, "-std=c99", "-g", "-w", "-shared", "-fPIC", "-I", INCLUDE, "ups.c", "-o", "libups.so", cwd=folder)
+    return Path(folder, "libups.so")
+
+
+def check_baseline(arguments):
+    if not shutil.which("abidw") or not shutil.which("abidiff"):
+        print("skipped: abidw and abidiff are not installed (Debian's package abigail-tools)")
+        sys.exit(SKIPPED)
+    baseline = HERE / "baseline.abi"
+    with tempfile.TemporaryDirectory() as folder:
+        library = build_empty_library(arguments.cc, folder)
+        if arguments.write:
+            run("abidw", "--no-show-locs", "--no-corpus-path", "--no-comp-dir-path", "--no-architecture", library,
+                "--out-file", baseline)
+            return
+        done = subprocess.run(["abidiff", "--no-architecture", baseline, library], capture_output=True, text=True)
+    if done.returncode:  # a bit set: 1 and 2 errors, 4 a change, 8 a change that surely breaks programs
+        sys.exit(f"{done.stdout}{done.stderr}\nabidiff: exit code {done.returncode}. New functions and fields at the end "
+                 "of a *_desc or *_info are compatible;\nanything else breaks programs and needs a new SONAME. "
+                 "To accept: tests/abi/check_abi.py baseline --write")
+    print("libabigail finds no difference to baseline.abi")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("question", choices=("exports", "headers", "layout", "baseline"))
+    parser.add_argument("--library", help="libups.so, for exports")
+    parser.add_argument("--cc", default="cc", help="C compiler")
+    parser.add_argument("--cxx", default="c++", help="C++ compiler")
+    parser.add_argument("--write", action="store_true", help="layout, baseline: write the committed file")
+    arguments = parser.parse_args()
+    globals()["check_" + arguments.question](arguments)
+
+
+if __name__ == "__main__":
+    main()
