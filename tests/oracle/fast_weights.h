@@ -17,12 +17,18 @@ class FastWeights {
 
   double weight(Technique technique, int at) const {
     switch (technique) {
-      case Technique::hit: return hit();
-      case Technique::light_sample: return light_sample();
-      case Technique::connect: return connect(at);
-      case Technique::sensor_connect: return sensor_connect();
-      case Technique::land: return mis::weight_land(light_[p_.k], n_, p_.cell_area, p_.pdf_to_emitter[p_.k]);
-      case Technique::merge: return merge(at);
+      case Technique::hit:
+        return hit();
+      case Technique::light_sample:
+        return light_sample();
+      case Technique::connect:
+        return connect(at);
+      case Technique::sensor_connect:
+        return sensor_connect();
+      case Technique::land:
+        return mis::weight_land(light_[p_.k], n_, p_.cell_area, p_.pdf_to_emitter[p_.k]);
+      case Technique::merge:
+        return merge(at);
     }
     return -1;
   }
@@ -47,23 +53,25 @@ class FastWeights {
                                        p_.cos_near[0], p_.emission_a);
     for (int a = 1; a < p_.k; ++a) {
       const double out = p_.pdf_to_sensor[a], back = p_.pdf_to_emitter[a];
-      light_[a + 1] = p_.delta[a] ? mis::light_step_delta(light_[a], back / out * p_.jacobian[a], p_.cos_near[a], p_.cos_far[a])
-                                  : mis::light_step(light_[a], light_gate(a), out, back, p_.cos_near[a], p_.cos_far[a], d2(a));
+      light_[a + 1] = p_.delta[a]
+                          ? mis::light_step_delta(light_[a], back / out * p_.jacobian[a], p_.cos_near[a], p_.cos_far[a])
+                          : mis::light_step(light_[a], light_gate(a), out, back, p_.cos_near[a], p_.cos_far[a], d2(a));
     }
   }
 
   void walk_from_sensor() {
     eye_.resize(p_.k);
     const int k = p_.k;
-    end_ = p_.camera() ? mis::SensorEnd{}
-                       : mis::sensor_end(n_, p_.sensor == SensorType::point_meter, p_.cell_area);
+    end_ = p_.camera() ? mis::SensorEnd{} : mis::sensor_end(n_, p_.sensor == SensorType::point_meter, p_.cell_area);
     const double cos_sensor = p_.camera() ? 1 : p_.cos_far[k - 1];
-    eye_[k - 1] = mis::eye_first(n_, p_.camera(), end_, p_.pdf_to_emitter[k], cos_sensor, p_.cos_near[k - 1], d2(k - 1));
+    eye_[k - 1] =
+        mis::eye_first(n_, p_.camera(), end_, p_.pdf_to_emitter[k], cos_sensor, p_.cos_near[k - 1], d2(k - 1));
     for (int a = k - 1; a > 0; --a) {
       const double out = p_.pdf_to_emitter[a], back = p_.pdf_to_sensor[a];
       const double cos_out = p_.cos_far[a - 1], cos_in = p_.cos_near[a - 1];
-      eye_[a - 1] = p_.delta[a] ? mis::eye_step_delta(eye_[a], back / (out * p_.jacobian[a]), cos_out, cos_in)
-                                : mis::eye_step(eye_[a], n_, p_.camera(), p_.merges[a], out, back, cos_out, cos_in, d2(a - 1));
+      eye_[a - 1] = p_.delta[a]
+                        ? mis::eye_step_delta(eye_[a], back / (out * p_.jacobian[a]), cos_out, cos_in)
+                        : mis::eye_step(eye_[a], n_, p_.camera(), p_.merges[a], out, back, cos_out, cos_in, d2(a - 1));
     }
   }
 
@@ -89,7 +97,8 @@ class FastWeights {
     return mis::weight_sensor_connect(light_[a], n_, count, end_, light_gate(a), pb_a, p_.pdf_to_emitter[a], pf_a);
   }
   double merge(int m) const {
-    const double eye = m == p_.k ? end_.land : mis::eye_total(eye_[m], gates_, p_.camera(), m == 1, p_.pdf_to_sensor[m]);
+    const double eye =
+        m == p_.k ? end_.land : mis::eye_total(eye_[m], gates_, p_.camera(), m == 1, p_.pdf_to_sensor[m]);
     return mis::weight_merge(light_[m], n_, p_.pdf_to_emitter[m], eye);
   }
 

@@ -26,8 +26,8 @@ struct Worst {
 
 std::string describe(const Path& p, const mis::Gates& gates, int subset) {
   std::ostringstream out;
-  out << "k " << p.k << ", emitter " << int(p.emitter) << ", sensor " << int(p.sensor) << ", subset " << subset << ", gates "
-      << gates.merge_at_first << gates.sensor_connect_at_first << ", delta";
+  out << "k " << p.k << ", emitter " << int(p.emitter) << ", sensor " << int(p.sensor) << ", subset " << subset
+      << ", gates " << gates.merge_at_first << gates.sensor_connect_at_first << ", delta";
   for (int i = 1; i < p.k; ++i) out << ' ' << p.delta[i];
   return out.str();
 }
@@ -54,9 +54,8 @@ void compare(const Path& path, const mis::Counts& n, const mis::Gates& gates, in
 }
 
 void report(const Worst& worst) {
-
-  std::printf("  %ld paths (%ld more that no technique makes), worst weight error %.2g, worst |sum - 1| %.2g\n", worst.paths,
-              worst.impossible, worst.weight, worst.sum);
+  std::printf("  %ld paths (%ld more that no technique makes), worst weight error %.2g, worst |sum - 1| %.2g\n",
+              worst.paths, worst.impossible, worst.weight, worst.sum);
 }
 
 TEST(MisOracle, EverySubsetOfTechniquesMatchesTheDefinition) {
@@ -75,8 +74,15 @@ TEST(MisOracle, EverySubsetOfTechniquesMatchesTheDefinition) {
 
 // Long and sharp paths, where single precision loses whole paths: sums must neither overflow nor vanish at any scale.
 TEST(MisOracle, LongSharpPathsKeepTheirEnergyAtAllScales) {
-  const PathRanges range{.k_min = 9, .k_max = 16, .distance_min = 1e-3, .distance_max = 1e3, .cos_min = 1e-6,
-                         .pdf_min = 1e-6, .pdf_max = 1e12, .position_min = 1e-3, .position_max = 1e6};
+  const PathRanges range{.k_min = 9,
+                         .k_max = 16,
+                         .distance_min = 1e-3,
+                         .distance_max = 1e3,
+                         .cos_min = 1e-6,
+                         .pdf_min = 1e-6,
+                         .pdf_max = 1e12,
+                         .position_min = 1e-3,
+                         .position_max = 1e6};
   for (double scale : {1e-3, 1.0, 1e5}) {
     Random random(7);
     Worst worst;

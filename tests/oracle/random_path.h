@@ -1,5 +1,5 @@
-// A path with random local quantities: what the oracle (slow_weights.h) and the engine's recurrences (fast_weights.h) are
-// both computed from. No geometry and no scene: any positive numbers are a valid case for the weights.
+// A path with random local quantities: what the oracle (slow_weights.h) and the engine's recurrences (fast_weights.h)
+// are both computed from. No geometry and no scene: any positive numbers are a valid case for the weights.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -78,7 +78,14 @@ inline Path random_path(Random& random, const PathRanges& range) {
 }
 
 // Technique subsets by bit, as every restriction of the engine switches them.
-enum Subset { use_hit = 1, use_light_sample = 2, use_connect = 4, use_sensor_connect = 8, use_merge = 16, use_land = 32 };
+enum Subset {
+  use_hit = 1,
+  use_light_sample = 2,
+  use_connect = 4,
+  use_sensor_connect = 8,
+  use_merge = 16,
+  use_land = 32
+};
 inline constexpr int subset_count = 64;
 
 inline mis::Counts random_counts(Random& random, const Path& path, int subset, double length_scale = 1) {

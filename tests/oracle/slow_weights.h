@@ -14,7 +14,7 @@ enum class Technique { hit, light_sample, connect, sensor_connect, land, merge }
 
 struct Term {
   Technique technique;
-  int at = 0;             // connect: light vertices s; merge: the vertex m
+  int at = 0;              // connect: light vertices s; merge: the vertex m
   double log_density = 0;  // times its count
   double weight = 0;       // the balance heuristic
 };

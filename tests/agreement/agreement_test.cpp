@@ -1,0 +1,131 @@
+// Do methods that share little code agree? Where no closed form exists, path tracing, bidirectional path tracing, UPS
+// and light tracing must measure the same light. Two scenes: area emitters with glossy, plastic and glass objects,
+// where path tracing is complete; a point light among diffuse surfaces, where every method is.
+//
+// Readings are compared in pairs: |a - b| <= 4 combined standard errors + the reported biases. Errors come from 16
+// batches each; for the difference of two readings P(|t_30| > 4) = 4e-4. 48 and 96 comparisons: a right engine fails
+// with probability below 2 % and 4 %. Image means are over 8 seeds: P(|t_14| > 4) = 1.3e-3, 3 and 6 pairs: below 1 %.
+// Seeds are fixed: a test that passes once passes always.
+#include <numeric>
+
+#include "../support/expect_lx.h"
+
+namespace ups::test {
+namespace {
+
+using Readings = std::vector<ups_meter_reading>;
+
+void expect_agreement(const std::vector<std::pair<ups_method, Readings>>& all, double largest_relative_error) {
+  for (size_t i = 0; i < all.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      for (size_t m = 0; m < all[i].second.size(); ++m) {
+        const auto &a = all[i].second[m], &b = all[j].second[m];
+        const std::string what = std::string(method_name(all[i].first)) + " and " + method_name(all[j].first) +
+                                 ", meter " + std::to_string(m);
+        ASSERT_GE(a.standard_error_lx, 0) << what;
+        ASSERT_GE(b.standard_error_lx, 0) << what;
+        const double s = std::hypot(a.standard_error_lx, b.standard_error_lx),
+                     difference = a.illuminance_lx - b.illuminance_lx;
+        EXPECT_LE(s, largest_relative_error * b.illuminance_lx) << what << ": too noisy to judge";
+        EXPECT_LE(std::abs(difference), sigmas * s + std::abs(a.bias_lx) + std::abs(b.bias_lx))
+            << what << ": " << a.illuminance_lx << " and " << b.illuminance_lx << " lx, " << difference / s
+            << " standard errors";
+      }
+}
+
+struct Mean {
+  double value = 0, standard_error = 0;
+};
+
+Mean image_mean(Scene& scene, const Sensor& camera, ups_method method, uint32_t iterations) {
+  std::vector<double> means;
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
+    const Image image = scene.render({.method = method, .iterations = iterations, .seed = seed}).image(camera);
+    means.push_back(std::accumulate(image.luminance.begin(), image.luminance.end(), 0.0) /
+                    double(image.luminance.size()));
+  }
+  const double n = double(means.size()), mean = std::accumulate(means.begin(), means.end(), 0.0) / n;
+  double squares = 0;
+  for (double m : means) squares += (m - mean) * (m - mean);
+  return {mean, std::sqrt(squares / (n - 1) / n)};
+}
+
+void expect_same_image_mean(Scene& scene, const Sensor& camera, const std::vector<ups_method>& methods,
+                            uint32_t iterations) {
+  std::vector<Mean> means;
+  for (ups_method m : methods) means.push_back(image_mean(scene, camera, m, iterations));
+  for (size_t i = 0; i < means.size(); ++i)
+    for (size_t j = 0; j < i; ++j) {
+      const double s = std::hypot(means[i].standard_error, means[j].standard_error);
+      const std::string what = std::string(method_name(methods[i])) + " and " + method_name(methods[j]);
+      EXPECT_LE(s, 0.01 * means[j].value) << what << ": too noisy to judge";
+      EXPECT_LE(std::abs(means[i].value - means[j].value), sigmas * s)
+          << what << ": " << means[i].value << " and " << means[j].value << " cd/m^2";
+    }
+}
+
+std::vector<P3> grid(double z) {
+  std::vector<P3> out;
+  for (int i = 0; i < 16; ++i) out.push_back({0.5 + i % 4, 0.4 + 0.7333 * (i / 4), z});
+  return out;
+}
+
+void add_room(Scene& scene) {
+  Shape walls = box({0, 0, 0}, {4, 3, 2.5}).flipped();
+  walls.triangles.erase(walls.triangles.begin(), walls.triangles.begin() + 2);  // without its floor
+  scene.add(walls, matte(0.6));
+}
+
+class AreaLitRoom : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    add_room(scene);
+    scene.add(quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), rough(UPS_MATERIAL_PLASTIC, 0.4, 0.3));
+    scene.add(box({2.6, 1.8, 0}, {3.4, 2.6, 0.7}), rough(UPS_MATERIAL_METAL, 0.8, 0.45));
+    scene.add(icosphere({1.2, 1.3, 0.45}, 0.4, 2), glass(1.5));
+    scene.add(quad({1.4, 0.9, 2.4}, {0, 1.2, 0}, {1.2, 0, 0}), emitter(1000, 0.5));
+  }
+  Scene scene;
+};
+
+TEST_F(AreaLitRoom, MetersAgree) {
+  const Sensor meters = scene.add_meters(grid(0.9), {0, 0, 1});
+  std::vector<std::pair<ups_method, Readings>> all;
+  for (ups_method m : eye_methods) all.emplace_back(m, scene.render({.method = m, .iterations = 96}).readings(meters));
+  expect_agreement(all, 0.02);
+}
+
+TEST_F(AreaLitRoom, ImagesAgree) {
+  const Sensor camera = scene.add_camera({0.3, 0.2, 1.6}, {1, 0.8, -0.5}, 32, 24, 1.1);
+  expect_same_image_mean(scene, camera, {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING}, 24);
+}
+
+class PointLitDiffuseRoom : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    add_room(scene);
+    scene.add(quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), matte(0.3));
+    scene.add(box({2.6, 1.8, 0.01}, {3.4, 2.6, 0.7}), matte(0.8));
+    scene.add(quad({1, 1, 1.6}, {1, 0, 0}, {0, 1, 0}), matte(0.5));  // a shade below the light
+    scene.add_point_light({1.5, 1.5, 2}, 100);
+  }
+  Scene scene;
+};
+
+TEST_F(PointLitDiffuseRoom, CellsAgree) {
+  const Sensor cells =
+      scene.add_cells(grid(0), std::vector<P3>(16, {0, 0, 1}), std::vector<P3>(16, {1, 0, 0}), 0.2, 0.2);
+  std::vector<std::pair<ups_method, Readings>> all;
+  for (ups_method m : cell_methods)
+    all.emplace_back(m, scene.render({.method = m, .iterations = 96, .light_paths = 1u << 15}).readings(cells));
+  expect_agreement(all, 0.02);
+}
+
+TEST_F(PointLitDiffuseRoom, ImagesAgree) {
+  const Sensor camera = scene.add_camera({0.3, 0.2, 1.6}, {1, 0.8, -0.5}, 32, 24, 1.1);
+  expect_same_image_mean(
+      scene, camera, {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING}, 24);
+}
+
+}  // namespace
+}  // namespace ups::test

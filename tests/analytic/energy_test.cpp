@@ -1,0 +1,150 @@
+// Is energy conserved through many bounces? Integrating spheres and furnaces have closed forms that hold for every
+// estimator; the library's own flux balance must close.
+#include <random>
+
+#include "../support/expect_lx.h"
+
+namespace ups::test {
+namespace {
+
+constexpr double flux_lm = 10000;
+
+// Points spread evenly over the area of a mesh that is seen from inside.
+struct Points {
+  std::vector<P3> positions, normals;
+};
+Points points_inside(const Shape& outward, int count, uint32_t seed) {
+  std::vector<double> sums;
+  double sum = 0;
+  for (size_t t = 0; t < outward.triangles.size(); ++t) sums.push_back(sum += length(outward.area_normal(t)));
+  std::mt19937 engine(seed);
+  const auto uniform = [&] { return std::generate_canonical<double, 53>(engine); };
+  Points out;
+  for (int i = 0; i < count; ++i) {
+    const double target = sum * (i + uniform()) / count;
+    const size_t t = size_t(std::lower_bound(sums.begin(), sums.end(), target) - sums.begin());
+    double u = uniform(), v = uniform();
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const P3 a = outward.corner(t, 0);
+    out.positions.push_back(a + (outward.corner(t, 1) - a) * u + (outward.corner(t, 2) - a) * v);
+    out.normals.push_back(normalize(outward.area_normal(t)) * -1);
+  }
+  return out;
+}
+
+class IntegratingSphere : public ::testing::TestWithParam<double> {};
+
+// E = Phi / (A (1 - rho)) with the mesh's own area: the mean over the wall by energy balance, and nearly so at every
+// point, as the form factor between any two points of a sphere is 1 / A. No hidden limit of bounces survives this.
+TEST_P(IntegratingSphere, ReachesTheEnergyBalance) {
+  const double rho = GetParam();
+  const Shape wall = icosphere({0, 0, 0}, 1, 4);
+  const Points points = points_inside(wall, 16, 1);
+  Scene scene;
+  scene.add(wall, matte(rho));
+  scene.add_point_light({0, 0, 0}, flux_lm / (4 * pi_d));
+  const Sensor meters = scene.add_meters(points.positions, points.normals);
+  const double expected = flux_lm / (wall.area() * (1 - rho));
+  for (ups_method method : eye_methods) {
+    const Result result = scene.render({.method = method, .iterations = 32});
+    const auto s = result.statistics(meters);
+    expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, 0.005, method_name(method));
+    EXPECT_NEAR(result.info().emitted_flux_lm, flux_lm, 1e-5 * flux_lm);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Reflectances, IntegratingSphere, ::testing::Values(0.5, 0.9, 0.95, 0.98),
+                         [](const auto& i) { return "rho_0" + std::to_string(int(std::lround(100 * i.param))); });
+
+// A concentric black emitter of area a takes its share a / A of the reflected light:
+// E = Phi / (A (1 - rho (1 - a / A))). Both emitter and wall can be hit, so every technique carries light.
+TEST(Energy, IntegratingSphereAroundASphereEmitter) {
+  const double rho = 0.9, luminance = 1000;
+  const Shape wall = icosphere({0, 0, 0}, 1, 4), lamp = icosphere({0, 0, 0}, 0.2, 3);
+  const double flux = pi_d * luminance * lamp.area();
+  const Points points = points_inside(wall, 16, 2);
+  Scene scene;
+  scene.add(wall, matte(rho));
+  scene.add(lamp, emitter(luminance));
+  const Sensor meters = scene.add_meters(points.positions, points.normals);
+  const double expected = flux / (wall.area() * (1 - rho * (1 - lamp.area() / wall.area())));
+  for (ups_method method : eye_methods) {
+    const Result result = scene.render({.method = method, .iterations = 32});
+    const auto s = result.statistics(meters);
+    expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, 0.005, method_name(method));
+    EXPECT_NEAR(result.info().emitted_flux_lm, flux, 1e-5 * flux);
+  }
+}
+
+// Every surface emits Le and reflects rho: L = Le / (1 - rho) everywhere, whatever the shape.
+TEST(Energy, ClosedFurnaceIsUniform) {
+  const double rho = 0.6, luminance = 10, expected = pi_d * luminance / (1 - rho);
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), emitter(luminance, rho));
+  scene.add(box({1, 1, 0.2}, {2, 2, 1}), emitter(luminance, rho));
+  const Sensor meters = scene.add_meters({{3, 1, 0}, {0, 1.5, 2}, {3, 2, 1.3}, {0.01, 0.01, 0.01}, {1.5, 1.5, 1}},
+                                         {{0, 0, 1}, {1, 0, 0}, {0.3, -2, 1}, {1, 1, 1}, {0, 0, 1}});
+  for (ups_method method : eye_methods) {
+    const auto readings = scene.render({.method = method, .iterations = 64}).readings(meters);
+    for (size_t i = 0; i < readings.size(); ++i)
+      expect_lx(readings[i], expected, 0.01, std::string(method_name(method)) + ", meter " + std::to_string(i));
+  }
+}
+
+void expect_balance(Scene& scene, double emitted, const char* what) {
+  for (ups_method method : {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING}) {
+    const auto info = scene.render({.method = method, .iterations = 32}).info();
+    EXPECT_NEAR(info.emitted_flux_lm, emitted, 1e-5 * emitted) << what << ", " << method_name(method);
+    EXPECT_NEAR(info.absorbed_flux_lm + info.escaped_flux_lm, emitted, 2e-3 * emitted)
+        << what << ", " << method_name(method);
+    EXPECT_LE(info.escaped_flux_lm, 1e-6 * emitted) << what << ", " << method_name(method) << ": a closed room leaks";
+  }
+}
+
+// Materials that lose or invent energy, leaks through edges and lost paths all break the balance.
+TEST(Energy, FluxBalanceOfAClosedRoomWithEveryMaterial) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.7));
+  scene.add(quad({1.5, 1.5, 2.9}, {0, 1, 0}, {1, 0, 0}), emitter(1000, 0.3));
+  scene.add(icosphere({1, 1, 1}, 0.4, 2), glass(1.5));
+  scene.add(icosphere({3, 1, 1}, 0.4, 2), rough(UPS_MATERIAL_GLASS, 1, 0.4));
+  scene.add(box({2.5, 2.5, 0.1}, {3.5, 3.5, 1}), rough(UPS_MATERIAL_METAL, 0.9, 0.3));
+  scene.add(box({0.5, 2.5, 0.1}, {1.5, 3.5, 1}), rough(UPS_MATERIAL_PLASTIC, 0.6, 0.2));
+  scene.add(quad({0.2, 0.2, 0.2}, {0, 3, 0}, {0, 0, 2}), mirror(0.85));
+  scene.add(quad({1.8, 0.2, 1.5}, {0.8, 0, 0}, {0, 0.8, 0.3}), rough(UPS_MATERIAL_GLAZING, 1, 0));
+  scene.add(quad({1.8, 2.2, 2}, {0.8, 0, 0}, {0, 0.8, 0}), rough(UPS_MATERIAL_DIFFUSER, 0.4, 0));
+  scene.add_meters({{2, 2, 0.5}}, {0, 0, 1});
+  expect_balance(scene, pi_d * 1000, "area emitter");
+}
+
+TEST(Energy, FluxBalanceWithSourcesWithoutExtent) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
+  scene.add(icosphere({1, 1, 1}, 0.4, 2), glass(1.5));
+  scene.add_point_light({2, 2, 2}, 100);
+  scene.add_spot({3, 3, 2}, {0, -1, -1}, 1000, 0.3, 0.5);
+  scene.add_meters({{2, 2, 0.5}}, {0, 0, 1});
+  // The spot: full intensity inside, ((cos a - cos o) / (cos i - cos o))^2 between, whose mean over cos a is 1 / 3.
+  const double ci = std::cos(0.3), co = std::cos(0.5);
+  expect_balance(scene, 400 * pi_d + 2000 * pi_d * ((1 - ci) + (ci - co) / 3), "point and spot");
+}
+
+// What leaves an open scene is counted: a black floor of 4 x 4 m, 1.5 m below an isotropic source, catches the share of
+// CIE 171:2006 case 5.4, 2210.66 of 10,000 lm; the rest escapes.
+TEST(Energy, OpenSceneCountsWhatEscapes) {
+  Scene scene;
+  scene.add(quad({0, 0, 0}, {4, 0, 0}, {0, 4, 0}), matte(0));
+  scene.add_point_light({2, 2, 1.5}, flux_lm / (4 * pi_d));
+  scene.add_meters({{2, 2, 0}}, {0, 0, 1});
+  const auto info = scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .light_paths = 1u << 14}).info();
+  EXPECT_NEAR(info.absorbed_flux_lm + info.escaped_flux_lm, flux_lm, 1e-5 * flux_lm);
+  // A binomial share of 2^20 paths at the least, or better: 4 standard deviations (false alarm below 6e-5).
+  const double share = 0.221066, sigma = flux_lm * std::sqrt(share * (1 - share) / double(info.light_paths));
+  EXPECT_GE(info.light_paths, 1u << 20);
+  EXPECT_NEAR(info.absorbed_flux_lm, share * flux_lm, 4 * sigma + 0.01);
+}
+
+}  // namespace
+}  // namespace ups::test

@@ -1,0 +1,56 @@
+// How the analytic tests judge a reading. An error of half a percent is allowed, or four standard errors where the
+// noise is larger; the noise itself is bounded, so that a test cannot pass by being vague. Standard errors come from 16
+// batches: a right engine fails one comparison with probability below P(|t_15| > 4) = 0.12 % where noise decides, and
+// far below that where the half percent does. Seeds are fixed: a test that passes once passes always.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "scene_builder.h"
+
+namespace ups::test {
+
+inline constexpr double relative_tolerance = 0.005;
+inline constexpr double sigmas = 4;
+
+inline const char* method_name(ups_method m) {
+  return m == UPS_METHOD_UPS             ? "UPS"
+         : m == UPS_METHOD_BIDIRECTIONAL ? "BPT"
+         : m == UPS_METHOD_PATH_TRACING  ? "PT"
+         : m == UPS_METHOD_LIGHT_TRACING ? "LT"
+         : m == UPS_METHOD_PPM           ? "PPM"
+                                         : "other";
+}
+inline constexpr ups_method eye_methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING};
+inline constexpr ups_method cell_methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING,
+                                              UPS_METHOD_LIGHT_TRACING};
+
+inline void expect_lx(double value, double standard_error, double expected, double largest_relative_error,
+                      const std::string& what) {
+  EXPECT_GE(standard_error, 0) << what << ": no standard error";
+  EXPECT_LE(standard_error, largest_relative_error * expected) << what << ": too noisy to judge " << value;
+  EXPECT_LE(std::abs(value - expected), std::max(relative_tolerance * expected, sigmas * standard_error))
+      << what << ": " << value << " +- " << standard_error << " lx, expected " << expected << " (" << std::showpos
+      << 100 * (value / expected - 1) << " %, " << (value - expected) / standard_error << " standard errors)";
+}
+inline void expect_lx(const ups_meter_reading& r, double expected, double largest_relative_error,
+                      const std::string& what) {
+  expect_lx(r.illuminance_lx, r.standard_error_lx, expected, largest_relative_error, what);
+}
+
+// Light that arrives by density estimation alone: inside what the library itself claims, and the claim is worth
+// something. error_bound is a 95 % statement; twice that is beyond 4 standard errors.
+inline void expect_inside_bound(const ups_meter_reading& r, double expected, double largest_relative_bound,
+                                const std::string& what) {
+  EXPECT_GT(r.error_bound_lx, 0) << what;
+  EXPECT_LE(r.error_bound_lx, largest_relative_bound * expected)
+      << what << ": bound too wide, read " << r.illuminance_lx;
+  EXPECT_LE(std::abs(r.illuminance_lx - expected), 2 * r.error_bound_lx)
+      << what << ": " << r.illuminance_lx << " +- " << r.error_bound_lx << " lx (bias " << r.bias_lx << ", noise "
+      << r.standard_error_lx << "), expected " << expected;
+}
+
+}  // namespace ups::test

@@ -1,0 +1,290 @@
+// Scenes in a few lines, for tests that go through the public C API alone. Every failing call throws with the library's
+// message, and so does a result that holds a non-finite value or left a sample out: no test can overlook either.
+//
+//   Scene scene;
+//   scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
+//   scene.add_point_light({2, 2, 2.5}, 100);
+//   const auto meters = scene.add_meters({{1, 1, 0}}, {0, 0, 1});
+//   const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 64});
+//   result.readings(meters)[0].illuminance_lx
+#pragma once
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "shapes.h"
+#include "ups/ups.h"
+
+namespace ups::test {
+
+inline void check(ups_status status, const char* call) {
+  if (status != UPS_OK)
+    throw std::runtime_error(std::string(call) + ": " + ups_status_name(status) + ": " + ups_last_error());
+}
+
+template <class Desc, class Init>
+Desc make_desc(Init init) {
+  Desc d;
+  init(&d, uint32_t(sizeof d));
+  return d;
+}
+
+// ---- materials ------------------------------------------------------------------------------------------------------
+
+inline ups_material_desc material(ups_material_model model, double reflectance) {
+  auto d = make_desc<ups_material_desc>(ups_material_desc_init);
+  d.model = model;
+  for (float& r : d.reflectance_rgb) r = float(reflectance);
+  return d;
+}
+inline ups_material_desc matte(double reflectance) { return material(UPS_MATERIAL_MATTE, reflectance); }
+inline ups_material_desc mirror(double reflectance) { return material(UPS_MATERIAL_MIRROR, reflectance); }
+inline ups_material_desc glass(double ior, double roughness = 0) {
+  auto d = material(UPS_MATERIAL_GLASS, 1);
+  d.ior = float(ior);
+  d.roughness = float(roughness);
+  return d;
+}
+inline ups_material_desc rough(ups_material_model model, double reflectance, double roughness) {
+  auto d = material(model, reflectance);
+  d.roughness = float(roughness);
+  return d;
+}
+// Matte, and its front has a luminance of its own.
+inline ups_material_desc emitter(double luminance_cd_m2, double reflectance = 0) {
+  auto d = matte(reflectance);
+  for (float& l : d.luminance_cd_m2) l = float(luminance_cd_m2);
+  return d;
+}
+
+// ---- results --------------------------------------------------------------------------------------------------------
+
+struct Image {
+  uint32_t width = 0, height = 0;
+  std::vector<float> luminance, standard_error;  // rgb
+};
+
+struct Sensor {
+  ups_sensor_id id{0};
+  uint32_t count = 0;              // meters
+  uint32_t width = 0, height = 0;  // camera
+};
+
+class Result {
+ public:
+  Result(ups_result* result, const std::vector<Sensor>& sensors) : result_(result, ups_result_destroy) {
+    if (info().dropped_samples != 0) throw std::runtime_error("dropped samples: " + text(UPS_TEXT_DROPPED));
+    for (const Sensor& s : sensors) {
+      if (s.count > 0)
+        readings(s);
+      else
+        image(s);
+    }
+  }
+
+  ups_result_info info() const {
+    ups_result_info i{};
+    i.struct_size = sizeof i;
+    check(ups_result_get_info(result_.get(), &i), "ups_result_get_info");
+    require_finite({i.emitted_flux_lm, i.absorbed_flux_lm, i.escaped_flux_lm, i.elapsed_s}, "result info");
+    return i;
+  }
+  std::vector<ups_meter_reading> readings(const Sensor& meters) const {
+    std::vector<ups_meter_reading> out(meters.count);
+    check(ups_result_read_meters(result_.get(), meters.id, out.data(), out.size()), "ups_result_read_meters");
+    for (const auto& r : out)
+      require_finite({r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx},
+                     "meter reading");
+    return out;
+  }
+  ups_meter_statistics statistics(const Sensor& meters) const {
+    ups_meter_statistics s{};
+    s.struct_size = sizeof s;
+    check(ups_result_get_meter_statistics(result_.get(), meters.id, &s), "ups_result_get_meter_statistics");
+    require_finite({s.mean_lx, s.min_lx, s.max_lx, s.uniformity, s.mean_standard_error_lx}, "meter statistics");
+    return s;
+  }
+  Image image(const Sensor& camera) const {
+    Image out{camera.width, camera.height, read(camera, UPS_CHANNEL_LUMINANCE_RGB),
+              read(camera, UPS_CHANNEL_STANDARD_ERROR_RGB)};
+    return out;
+  }
+  std::string text(ups_result_text topic) const {
+    size_t needed = 0;
+    ups_result_get_text(result_.get(), topic, nullptr, 0, &needed);
+    std::string out(needed, '\0');
+    if (needed > 0)
+      check(ups_result_get_text(result_.get(), topic, out.data(), needed, &needed), "ups_result_get_text");
+    return out.c_str();
+  }
+
+ private:
+  static void require_finite(std::initializer_list<double> values, const char* what) {
+    for (double v : values)
+      if (!std::isfinite(v)) throw std::runtime_error(std::string("not finite: ") + what);
+  }
+  std::vector<float> read(const Sensor& camera, ups_channel channel) const {
+    std::vector<float> out(size_t(3) * camera.width * camera.height);
+    check(ups_result_read_image(result_.get(), camera.id, channel, out.data(), 0, out.size() * sizeof(float)),
+          "ups_result_read_image");
+    for (float v : out) require_finite({v}, "image");
+    return out;
+  }
+  std::unique_ptr<ups_result, decltype(&ups_result_destroy)> result_;
+};
+
+// ---- scene ----------------------------------------------------------------------------------------------------------
+
+struct RenderOptions {
+  ups_method method = UPS_METHOD_UPS;
+  uint32_t iterations = 64;
+  uint64_t seed = 1;
+  double merge_radius_m = 0;
+  uint32_t light_paths = 0;
+  uint32_t techniques = 0;
+};
+
+// Local -Z along `direction`, at `position`; row-major 3x4.
+inline std::array<double, 12> facing(const P3& position, const P3& direction) {
+  const P3 z = normalize(direction) * -1,
+           x = normalize(std::abs(z.z) < 0.9 ? cross({0, 0, 1}, z) : cross({0, 1, 0}, z));
+  const P3 y = cross(z, x);
+  return {x.x, y.x, z.x, position.x, x.y, y.y, z.y, position.y, x.z, y.z, z.z, position.z};
+}
+
+class Scene {
+ public:
+  explicit Scene(int threads = 0) {
+    auto d = make_desc<ups_context_desc>(ups_context_desc_init);
+    d.thread_count = threads;
+    ups_context* context = nullptr;
+    check(ups_context_create(&d, &context), "ups_context_create");
+    context_.reset(context);
+    ups_scene* scene = nullptr;
+    check(ups_scene_create(context, &scene), "ups_scene_create");
+    scene_.reset(scene);
+  }
+  ups_context* context() const { return context_.get(); }
+  ups_scene* get() const { return scene_.get(); }
+
+  // `offset` moves the instance, in double: far from the origin floats could not hold the vertices.
+  void add(const Shape& shape, const ups_material_desc& material, const P3& offset = {}) {
+    ups_material_id material_id;
+    check(ups_scene_add_material(scene_.get(), &material, &material_id), "ups_scene_add_material");
+    std::vector<float> positions;
+    for (const P3& v : shape.vertices) positions.insert(positions.end(), {float(v.x), float(v.y), float(v.z)});
+    auto mesh = make_desc<ups_mesh_desc>(ups_mesh_desc_init);
+    mesh.vertex_count = uint32_t(shape.vertices.size());
+    mesh.triangle_count = uint32_t(shape.triangles.size());
+    mesh.material = material_id;
+    mesh.positions_m = positions.data();
+    mesh.indices = shape.triangles.data()->data();
+    auto instance = make_desc<ups_instance_desc>(ups_instance_desc_init);
+    check(ups_scene_add_mesh(scene_.get(), &mesh, &instance.mesh), "ups_scene_add_mesh");
+    instance.to_world[3] = offset.x;
+    instance.to_world[7] = offset.y;
+    instance.to_world[11] = offset.z;
+    ups_instance_id id;
+    check(ups_scene_add_instance(scene_.get(), &instance, &id), "ups_scene_add_instance");
+  }
+
+  void add_point_light(const P3& position, double intensity_cd) {
+    add_light(UPS_LIGHT_POINT, position, {0, 0, -1}, intensity_cd, 0, pi_d / 4);
+  }
+  void add_spot(const P3& position, const P3& direction, double intensity_cd, double inner_rad, double outer_rad) {
+    add_light(UPS_LIGHT_SPOT, position, direction, intensity_cd, inner_rad, outer_rad);
+  }
+  void add_directional(const P3& direction, double illuminance_lx) {
+    add_light(UPS_LIGHT_DIRECTIONAL, {0, 0, 0}, direction, illuminance_lx, 0, pi_d / 4);
+  }
+  // Nadir along `direction`.
+  void add_luminaire(const ups_profile* profile, const P3& position, const P3& direction, bool opening) {
+    auto d = make_desc<ups_luminaire_desc>(ups_luminaire_desc_init);
+    d.profile = profile;
+    d.use_opening = opening;
+    const auto m = facing(position, direction);
+    std::copy(m.begin(), m.end(), d.to_world);
+    ups_luminaire_id id;
+    check(ups_scene_add_luminaire(scene_.get(), &d, &id), "ups_scene_add_luminaire");
+  }
+
+  Sensor add_meters(const std::vector<P3>& positions, const P3& normal) {
+    return add_meters(positions, std::vector<P3>(positions.size(), normal));
+  }
+  Sensor add_meters(const std::vector<P3>& positions, const std::vector<P3>& normals) {
+    return add_meter_set(positions, normals, {}, 0, 0);
+  }
+  // Rectangles of the same size, each from its centre; `tangents` run along the width.
+  Sensor add_cells(const std::vector<P3>& centers, const std::vector<P3>& normals, const std::vector<P3>& tangents,
+                   double width, double height) {
+    return add_meter_set(centers, normals, tangents, width, height);
+  }
+  Sensor add_camera(const P3& position, const P3& direction, uint32_t width, uint32_t height, double vertical_fov_rad) {
+    auto d = make_desc<ups_camera_desc>(ups_camera_desc_init);
+    d.width = width;
+    d.height = height;
+    d.vertical_fov_rad = float(vertical_fov_rad);
+    const auto m = facing(position, direction);
+    std::copy(m.begin(), m.end(), d.to_world);
+    Sensor s{{0}, 0, width, height};
+    check(ups_scene_add_camera(scene_.get(), &d, &s.id), "ups_scene_add_camera");
+    sensors_.push_back(s);
+    return s;
+  }
+
+  Result render(const RenderOptions& options) {
+    check(ups_scene_commit(scene_.get()), "ups_scene_commit");
+    auto d = make_desc<ups_render_desc>(ups_render_desc_init);
+    d.method = options.method;
+    d.iteration_count = options.iterations;
+    d.seed = options.seed;
+    d.merge_radius_m = float(options.merge_radius_m);
+    d.light_paths_per_iteration = options.light_paths;
+    d.techniques = options.techniques;
+    ups_result* result = nullptr;
+    check(ups_render(scene_.get(), &d, &result), "ups_render");
+    return Result(result, sensors_);
+  }
+
+ private:
+  void add_light(ups_light_kind kind, const P3& position, const P3& direction, double intensity, double inner,
+                 double outer) {
+    auto d = make_desc<ups_light_desc>(ups_light_desc_init);
+    d.kind = kind;
+    const auto m = facing(position, direction);
+    std::copy(m.begin(), m.end(), d.to_world);
+    for (float& i : d.intensity_rgb) i = float(intensity);
+    d.inner_cone_rad = float(inner);
+    d.outer_cone_rad = float(outer);
+    ups_luminaire_id id;
+    check(ups_scene_add_light(scene_.get(), &d, &id), "ups_scene_add_light");
+  }
+  Sensor add_meter_set(const std::vector<P3>& positions, const std::vector<P3>& normals,
+                       const std::vector<P3>& tangents, double width, double height) {
+    std::vector<double> p;
+    std::vector<float> n, t;
+    for (const P3& v : positions) p.insert(p.end(), {v.x, v.y, v.z});
+    for (const P3& v : normals) n.insert(n.end(), {float(v.x), float(v.y), float(v.z)});
+    for (const P3& v : tangents) t.insert(t.end(), {float(v.x), float(v.y), float(v.z)});
+    auto d = make_desc<ups_meter_desc>(ups_meter_desc_init);
+    d.count = uint32_t(positions.size());
+    d.positions_m = p.data();
+    d.normals = n.data();
+    d.tangents = t.empty() ? nullptr : t.data();
+    d.cell_size_m[0] = float(width);
+    d.cell_size_m[1] = float(height);
+    Sensor s{{0}, d.count, 0, 0};
+    check(ups_scene_add_meters(scene_.get(), &d, &s.id), "ups_scene_add_meters");
+    sensors_.push_back(s);
+    return s;
+  }
+
+  std::unique_ptr<ups_context, decltype(&ups_context_destroy)> context_{nullptr, ups_context_destroy};
+  std::unique_ptr<ups_scene, decltype(&ups_scene_destroy)> scene_{nullptr, ups_scene_destroy};
+  std::vector<Sensor> sensors_;
+};
+
+}  // namespace ups::test
