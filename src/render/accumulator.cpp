@@ -67,7 +67,7 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan) 
   for (const MeterSet& set : scene.meter_sets) meters_.emplace_back(set.meters.size());
   for (const Camera& c : scene.cameras) {
     const size_t n = size_t(c.pixel_count()) * 3;
-    images_.push_back({c.width(), c.height(), std::vector<double>(n), std::vector<double>(n), std::vector<float>(n),
+    images_.push_back({c.width(), c.height(), std::vector<double>(c.illuminance() ? n / 3 : 0), std::vector<double>(n), std::vector<double>(n), std::vector<float>(n),
                        std::vector<float>(n * batch_count), std::vector<uint32_t>(plan.camera_subsets)});
   }
 }
@@ -93,6 +93,7 @@ void Accumulator::add_image(size_t c, const IterationTally& tally) {
   ++image.visits[iterations_ % subsets];
   for (uint32_t p = 0; p < pixels; ++p) {
     if (!plan_.visits_pixel(iterations_, image.width, p)) continue;
+    if (!image.illuminance.empty()) image.illuminance[p] += tally.illuminance[c][p];
     const Rgb& v = tally.pixels[c][p];
     const float rgb[3] = {v.r, v.g, v.b};
     for (int k = 0; k < 3; ++k) {
@@ -161,11 +162,13 @@ MeterSetReading Accumulator::read_meters(size_t set) const {
 ImageReading Accumulator::read_image(size_t c) const {
   const Image& image = images_[c];
   const size_t pixels = size_t(image.width) * image.height;
-  ImageReading r{image.width, image.height, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f)};
+  ImageReading r{image.width, image.height, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f),
+                 std::vector<float>(image.illuminance.size())};
   const uint32_t passes = iterations_ / plan_.camera_subsets;
   for (size_t p = 0; p < pixels; ++p) {
     const uint32_t x = uint32_t(p % image.width), y = uint32_t(p / image.width);
     const uint32_t visits = image.visits[(x + y * plan_.subset_shift()) % plan_.camera_subsets];
+    if (!image.illuminance.empty() && visits) r.illuminance[p] = float(image.illuminance[p] / visits);
     for (size_t i = p * 3; i < p * 3 + 3; ++i) {
       r.luminance_rgb[i] = float((visits ? image.eye[i] / visits : 0.0) + (iterations_ ? image.splat[i] / iterations_ : 0.0));
       if (passes >= min_batches)

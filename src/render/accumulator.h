@@ -13,6 +13,7 @@ namespace ups {
 struct ImageReading {
   uint32_t width = 0, height = 0;
   std::vector<float> luminance_rgb, standard_error_rgb;  // 3 a pixel; standard error -1: not known
+  std::vector<float> illuminance;                        // 1 a pixel; empty where not asked for
 };
 
 struct MeterSetReading {
@@ -43,6 +44,7 @@ class Accumulator {
   };
   struct Image {
     uint32_t width, height;
+    std::vector<double> illuminance;     // of all visits; empty where not asked for
     std::vector<double> eye, splat;      // 3 a pixel, of all iterations
     std::vector<float> pending;          // eye + splat of the pass under way
     std::vector<float> batches;          // 3 a pixel, batch by batch, of whole passes

@@ -8,7 +8,7 @@ namespace {
 
 constexpr size_t pixels_per_block = 256;
 constexpr size_t paths_per_block = 256;
-constexpr uint32_t first_camera_stream = 1, first_meter_stream = 1u << 16;
+constexpr uint32_t first_camera_stream = 1, first_illuminance_stream = 1u << 15, first_meter_stream = 1u << 16;
 
 // Eye path j meets light path (odd j + shift) mod N. Both are new in each iteration: a pixel must not meet the same
 // stratum of the light paths again and again. N is a power of two, so every light path is met equally often.
@@ -43,6 +43,25 @@ void add_work(const std::vector<WorkCounts>& blocks, IterationTally& tally) {
 
 }  // namespace
 
+namespace {
+
+// What the pixel sees first that is not a mirror or clear glass, measured like a meter that faces the eye.
+float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3& d, EyeWalk::Sensor sensor,
+                        const PathSampler& rng, WorkCounts& work) {
+  SurfacePoint surface;
+  Vec3 direction;
+  if (first_diffuse(in.scene, camera.position(), d, surface, direction) <= 0) return 0;
+  sensor.camera = false;
+  const double radius2 = double(sensor.radius) * sensor.radius;
+  sensor.counts = meter_counts(in.plan, in.settings, false, radius2);
+  sensor.end = mis::sensor_end(sensor.counts, merge_gate(in.plan, Bsdf(in.scene.materials[surface.material], surface.uv)), 0);
+  const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
+  ++work.eye_paths;
+  return luminance(EyeWalk(in, sensor, rng, work).from_surface(surface, frame).value);
+}
+
+}  // namespace
+
 uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_path, ThreadPool& pool, IterationTally& tally) {
   const Camera& camera = in.scene.cameras[c];
   const std::vector<uint32_t> pixels = visited_pixels(in.plan, camera, in.iteration);
@@ -61,12 +80,14 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
       sensor.photons = &in.camera_photons;
       sensor.medium = in.scene.medium_of_camera[c];
       pairing.assign(first_path + uint32_t(i), sensor);
-      PathSampler rng(in.settings.seed, first_camera_stream + c, hash_combine(in.camera_batch, pixel), in.camera_batch_visit,
-                      in.iteration, pixel);
+      const uint64_t key = hash_combine(in.camera_batch, pixel);
+      PathSampler rng(in.settings.seed, first_camera_stream + c, key, in.camera_batch_visit, in.iteration, pixel);
       const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
       ++work[b].eye_paths;
-      EyeWalk walk(in, sensor, rng, work[b]);
-      tally.pixels[c][pixel] = walk.from_camera(camera.position(), d, camera.pdf_w(d)).value;
+      tally.pixels[c][pixel] = EyeWalk(in, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
+      if (!camera.illuminance()) continue;
+      const PathSampler own(in.settings.seed, first_illuminance_stream + c, key, in.camera_batch_visit, in.iteration, pixel);
+      tally.illuminance[c][pixel] = pixel_illuminance(in, camera, d, sensor, own, work[b]);
     }
   });
   add_work(work, tally);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/warp.h"
+#include "emitter/profile.h"
 
 namespace ups {
 
@@ -16,6 +17,12 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
   edge_.pdf = pdf_w;
   walk();
   return tally_;
+}
+
+EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) {
+  meter_frame_ = frame;
+  if (sensor_.end.merge > 0 && sensor_.photons) meter_merge(surface);
+  return from_meter(surface.ray_origin(frame.n), frame);
 }
 
 EyeTally EyeWalk::from_meter(const Vec3& p, const Frame& frame) {
@@ -92,7 +99,8 @@ void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
     if (!(c.t > 0)) continue;
     const Vec3 p = origin_ + direction_ * c.t;
     const float cos_in = std::abs(dot(direction_, scene_.openings->disc(c.disc).normal));
-    if (cos_in < min_cosine) continue;
+    // The index holds circumscribed discs, of luminous openings alone.
+    if (cos_in < min_cosine || !static_cast<const ProfileOpeningEmitter&>(scene_.emitters[emitter]).contains(p)) continue;
     hit_emitter(emitter, 0, p, cos_in, c.t, edges, attenuation(scene_, medium, c.t));
   }
 }
@@ -191,17 +199,38 @@ void EyeWalk::connect(const Vertex& v, const LightVertex& l) {
   add(value, edges, Drop::connect);
 }
 
+double EyeWalk::photon_norm() const {
+  return 1.0 / (double(in_.plan.light_paths) * 3.14159265358979323846 * sensor_.radius * sensor_.radius);
+}
+
+// Against leaks through thin walls and around edges: same orientation, same side, in the tangent plane.
+bool EyeWalk::same_surface(const SurfacePoint& s, const LightVertex& l) const {
+  const float cos_light = dot(l.wo, s.ng);
+  return dot(l.ng, s.ng) >= 0.7f && cos_light * dot(l.wo, l.ng) > 0 && std::abs(cos_light) >= min_cosine &&
+         std::abs(dot(s.ng, l.p - s.p)) <= 0.1f * sensor_.radius;
+}
+
+// Density estimation of illuminance itself, where the meter's point lies on a surface that photons are stored on.
+void EyeWalk::meter_merge(const SurfacePoint& surface) {
+  const double norm = photon_norm();
+  sensor_.photons->query(surface.p, sensor_.radius, [&](uint32_t index, float) {
+    const LightVertex& l = in_.light.vertices[index];
+    const float cos_light = dot(l.wo, meter_frame_.n);
+    if (longer_than_allowed(l.depth) || cos_light < min_cosine || !same_surface(surface, l)) return;
+    const double w = in_.settings.photon_mapping ? 1.0 : mis::weight_merge(l.mis, sensor_.counts, cos_light * double(inv_pi), 0.0);
+    ++work_.merges;
+    add(l.flux * float(w * norm), l.depth, Drop::merge);
+  });
+}
+
 // Density estimation at an eye vertex: photons on the same side of the same surface within the radius.
 void EyeWalk::merge(const Vertex& v) {
   const float r2 = sensor_.radius * sensor_.radius;
-  const double norm = 1.0 / (double(in_.plan.light_paths) * 3.14159265358979323846 * r2);
+  const double norm = photon_norm();
   sensor_.photons->query(v.surface.p, sensor_.radius, [&](uint32_t index, float d2) {
     const LightVertex& l = in_.light.vertices[index];
-    if (longer_than_allowed(v.edges + l.depth)) return;
-    // Leaks through thin walls and around edges: same orientation, same side, in the tangent plane.
+    if (longer_than_allowed(v.edges + l.depth) || !same_surface(v.surface, l)) return;
     const float cos_light = dot(l.wo, v.surface.ng);
-    if (dot(l.ng, v.surface.ng) < 0.7f || cos_light * dot(l.wo, l.ng) <= 0 || std::abs(cos_light) < min_cosine) return;
-    if (std::abs(dot(v.surface.ng, l.p - v.surface.p)) > 0.1f * sensor_.radius) return;
     const Vec3 local = v.surface.shading.to_local(l.wo);
     if (!consistent_side(v.surface, l.wo, local)) return;
     // eval() carries |cos(wi, n_s)|; a photon's surface density already carries |cos(wi, n_g)|.

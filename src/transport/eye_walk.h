@@ -31,6 +31,8 @@ class EyeWalk {
   EyeTally from_camera(const Vec3& p, const Vec3& direction, float pdf_w);
   // A planar meter's point: next-event estimation, connections, then a cosine-weighted walk.
   EyeTally from_meter(const Vec3& p, const Frame& frame);
+  // The same on a surface, on the side of frame.n: photons stored there are merged.
+  EyeTally from_surface(const SurfacePoint& surface, const Frame& frame);
 
  private:
   struct Edge {
@@ -59,6 +61,9 @@ class EyeWalk {
   bool scatter(const Vertex& v);
   void meter_sample_light();
   void meter_connect(const LightVertex& l);
+  void meter_merge(const SurfacePoint& surface);
+  bool same_surface(const SurfacePoint& s, const LightVertex& l) const;
+  double photon_norm() const;  // 1 / (N pi r^2)
 
   bool longer_than_allowed(uint32_t edges) const {
     return in_.settings.max_path_length && edges > in_.settings.max_path_length;

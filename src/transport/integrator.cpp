@@ -22,6 +22,7 @@ bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, Iteratio
   tally = {};
   for (const Camera& c : scene_->cameras) {
     tally.pixels.emplace_back(c.pixel_count());
+    tally.illuminance.emplace_back(c.illuminance() ? c.pixel_count() : 0);
     tally.splats.emplace_back(settings_.has(UPS_TECHNIQUE_SENSOR_CONNECT) ? c.pixel_count() : 0);
   }
   for (const MeterSet& s : scene_->meter_sets) tally.meters.emplace_back(s.meters.size());

@@ -12,38 +12,16 @@ namespace {
 constexpr uint32_t pilot_iteration = 0xffffffffu;  // its random numbers are nobody else's
 constexpr size_t pilot_photons = 32;
 
-// Distance of the first point that can be merged at, along a specular chain from the middle of a pixel, and its cosine.
-struct Footprint {
-  float distance = 0, cosine = 1;
-};
-Footprint first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d) {
-  Footprint f;
-  for (int edges = 0; edges < 32; ++edges) {
-    Hit hit;
-    if (!scene.raytracer->intersect(o, d, std::numeric_limits<float>::infinity(), hit)) return {};
-    const SurfacePoint s = scene.raytracer->surface_at(hit);
-    f.distance += hit.t;
-    const Bsdf bsdf(scene.materials[s.material], s.uv);
-    if (bsdf.has_continuous()) {
-      f.cosine = std::abs(dot(d, s.ng));
-      return f;
-    }
-    BsdfSample next;
-    if (!bsdf.sample(s.shading.to_local(-d), 0.5f, {0.5f, 0.5f}, TransportMode::radiance, next)) return {};
-    d = s.shading.to_world(next.wi);
-    o = s.ray_origin(d);
-  }
-  return {};
-}
-
 // r_1 = 1.5 sqrt(A / pi), A the pixel's footprint at the first diffuse point.
 std::vector<float> pixel_radii(const Snapshot& scene, const Camera& camera, ThreadPool& pool) {
   std::vector<float> radii(camera.pixel_count());
   pool.for_blocks(radii.size(), 1024, [&](size_t, size_t begin, size_t end) {
     for (size_t p = begin; p < end; ++p) {
       const Vec3 d = camera.ray(uint32_t(p) % camera.width(), uint32_t(p) / camera.width(), {0.5f, 0.5f});
-      const Footprint f = first_diffuse(scene, camera.position(), d);
-      const float area = f.distance * f.distance / (camera.pdf_w(d) * std::max(f.cosine, 0.1f));
+      SurfacePoint s;
+      Vec3 direction = d;
+      const float distance = first_diffuse(scene, camera.position(), d, s, direction);
+      const float area = distance * distance / (camera.pdf_w(d) * std::max(std::abs(dot(direction, s.ng)), 0.1f));
       radii[p] = 1.5f * std::sqrt(area * inv_pi);
     }
   });

@@ -39,6 +39,7 @@ struct MeterTally {
 
 struct IterationTally {
   std::vector<std::vector<Rgb>> pixels;   // a camera: eye paths; only visited pixels are meaningful
+  std::vector<std::vector<float>> illuminance;  // a camera: lx on the first diffuse surface; empty where not asked for
   std::vector<std::vector<Rgb>> splats;   // a camera: light paths, already divided by N; empty without t = 1
   std::vector<std::vector<MeterTally>> meters;
   WorkCounts work;

@@ -1,6 +1,7 @@
 // What both walks do alike: roulette, media, visibility, consistent sides, gates. Used by the light pass and the eye pass.
 #pragma once
 #include <algorithm>
+#include <limits>
 
 #include "scene/snapshot.h"
 #include "transport/plan.h"
@@ -61,6 +62,26 @@ inline bool segment_free(const Snapshot& scene, const Vec3& a, const Vec3& b, Wo
 // Photons may be merged at a point of this material: a function of the point alone, so that both walks know it.
 inline bool merge_gate(const Plan& plan, const Bsdf& bsdf) {
   return bsdf.has_continuous() && !(plan.gate_glossy_merges && bsdf.min_alpha_continuous() < 0.05f);
+}
+
+// The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe. Its
+// distance along the chain; 0: none.
+inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, SurfacePoint& s, Vec3& direction) {
+  float distance = 0;
+  for (int edges = 0; edges < 32; ++edges) {
+    Hit hit;
+    if (!scene.raytracer->intersect(o, d, std::numeric_limits<float>::infinity(), hit)) return 0;
+    s = scene.raytracer->surface_at(hit);
+    distance += hit.t;
+    direction = d;
+    const Bsdf bsdf(scene.materials[s.material], s.uv);
+    if (bsdf.has_continuous()) return distance;
+    BsdfSample next;
+    if (!bsdf.sample(s.shading.to_local(-d), 0.5f, {0.5f, 0.5f}, TransportMode::radiance, next)) return 0;
+    d = s.shading.to_world(next.wi);
+    o = s.ray_origin(d);
+  }
+  return 0;
 }
 
 inline Vec3 lifted(const Vec3& p, const Vec3& n, float error) { return p + n * (2 * error); }

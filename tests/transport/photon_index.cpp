@@ -1,0 +1,68 @@
+// Does a query of the photon index find the photons within the radius, each once, however buckets collide?
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "base/rng.h"
+#include "transport/photon_index.h"
+
+namespace {
+
+using namespace ups;
+
+Vec3 random_point(uint32_t i, float scale, float offset) {
+  const auto bits = philox({i, 0, 0, 0}, {42, 0});
+  return {to_unit_float(bits[0]) * scale + offset, to_unit_float(bits[1]) * scale + offset, to_unit_float(bits[2]) * scale};
+}
+
+void compare(const std::vector<LightVertex>& vertices, float radius, const std::vector<Vec3>& queries) {
+  const PhotonIndex index(vertices, radius);
+  size_t found_any = 0;
+  for (const Vec3& q : queries) {
+    std::multiset<uint32_t> found, expected;
+    index.query(q, radius, [&](uint32_t v, float) { found.insert(v); });
+    for (uint32_t v = 0; v < vertices.size(); ++v)
+      if (vertices[v].merge && length2(vertices[v].p - q) < radius * radius) expected.insert(v);
+    ASSERT_EQ(found, expected);
+    found_any += found.size();
+  }
+  EXPECT_GT(found_any, 0u);
+}
+
+// 60 photons make 64 buckets: cells of one query share buckets often.
+TEST(PhotonIndex, EqualsBruteForceWithFewBuckets) {
+  for (float offset : {-0.5f, 1000.0f}) {
+    std::vector<LightVertex> vertices(60);
+    std::vector<Vec3> queries;
+    for (uint32_t i = 0; i < 60; ++i) {
+      vertices[i].p = random_point(i, 1, offset);
+      vertices[i].merge = i % 7 != 0;
+    }
+    for (uint32_t i = 0; i < 500; ++i) queries.push_back(random_point(1000 + i, 1, offset));
+    compare(vertices, 0.11f, queries);
+  }
+}
+
+// Coplanar photons, queried in their plane and a step of a float beside it.
+TEST(PhotonIndex, FlatPhotonsAreNotLostToRounding) {
+  std::vector<LightVertex> vertices(2000);
+  std::vector<Vec3> queries;
+  for (uint32_t i = 0; i < vertices.size(); ++i) {
+    vertices[i].p = random_point(i, 1, 0);
+    vertices[i].p.z = 0.75f;
+    vertices[i].merge = true;
+  }
+  for (uint32_t i = 0; i < 300; ++i) {
+    Vec3 q = random_point(5000 + i, 1, 0);
+    q.z = i % 3 == 0 ? 0.75f : std::nextafter(0.75f, i % 3 == 1 ? 0.0f : 1.0f);
+    queries.push_back(q);
+  }
+  compare(vertices, 0.05f, queries);
+}
+
+TEST(PhotonIndex, EmptyIndexFindsNothing) {
+  PhotonIndex().query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
+  PhotonIndex(std::vector<LightVertex>(3), 1.0f).query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
+}
+
+}  // namespace

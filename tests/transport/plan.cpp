@@ -1,0 +1,50 @@
+// Are an iteration's sizes and radii what the plan says?
+#include <gtest/gtest.h>
+
+#include "transport/plan.h"
+
+namespace {
+
+using namespace ups;
+
+TEST(Plan, RadiusFollowsTheRecurrence) {
+  double r2 = 1;  // r^2_{i+1} = r^2_i (i + 2/3) / (i + 1), i from 1
+  for (uint32_t i = 1; i < 5000; ++i) {
+    ASSERT_NEAR(Plan::radius2_factor(i - 1) / r2, 1.0, 1e-10) << i;
+    r2 *= (i + 2.0 / 3.0) / (i + 1);
+  }
+  EXPECT_NEAR(Plan::radius2_factor(1000000) / (1.1077321 * std::pow(1e6, -1.0 / 3.0)), 1.0, 1e-4);  // 1/Gamma(5/3)
+}
+
+TEST(Plan, EveryPixelIsVisitedOncePerPass) {
+  for (uint32_t subsets : {1u, 2u, 3u, 4u, 5u, 10u, 17u}) {
+    Plan plan;
+    plan.camera_subsets = subsets;
+    const uint32_t width = 37, height = 23;
+    for (uint32_t p = 0; p < width * height; ++p) {
+      int visits = 0;
+      for (uint32_t i = 5 * subsets; i < 6 * subsets; ++i) visits += plan.visits_pixel(i, width, p);
+      ASSERT_EQ(visits, 1) << "pixel " << p << " of " << subsets << " subsets";
+    }
+  }
+}
+
+TEST(Plan, CountsFollowTheTechniques) {
+  Plan plan;
+  plan.light_paths = 1024;
+  plan.camera_subsets = 4;
+  plan.meter_samples = 16;
+  TransportSettings s;
+  s.techniques = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_SENSOR_HIT;
+  const mis::Counts c = camera_counts(plan, s, 0.25);
+  EXPECT_EQ(c.hit, 1);
+  EXPECT_EQ(c.light_sample, 0);
+  EXPECT_EQ(c.connect, 0);
+  EXPECT_EQ(c.sensor_connect, 4096);  // light paths for each visit of a pixel
+  EXPECT_EQ(c.land, 0);
+  EXPECT_NEAR(c.eta, 1024 * 3.14159265358979 * 0.25, 1e-9);
+  EXPECT_EQ(meter_counts(plan, s, true, 0).land, 64);
+  EXPECT_EQ(meter_counts(plan, s, false, 0).land, 0);
+}
+
+}  // namespace

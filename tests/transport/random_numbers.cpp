@@ -1,0 +1,64 @@
+// Are the random numbers what they claim: Philox's known answers, stratified Sobol points, fixed addresses?
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "transport/sampler.h"
+
+namespace {
+
+using namespace ups;
+
+// Known-answer vectors of Random123 (Salmon et al. 2011).
+TEST(Philox, KnownAnswers) {
+  using A4 = std::array<uint32_t, 4>;
+  EXPECT_EQ(philox({0, 0, 0, 0}, {0, 0}), (A4{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  const uint32_t f = 0xffffffff;
+  EXPECT_EQ(philox({f, f, f, f}, {f, f}), (A4{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
+            (A4{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+}
+
+TEST(Sobol, EveryDimensionFillsEveryIntervalOnce) {
+  for (int d = 0; d < sobol_dimensions; ++d)
+    for (uint32_t n : {16u, 256u, 4096u}) {
+      std::vector<int> count(n);
+      for (uint32_t i = 0; i < n; ++i) ++count[uint64_t(sobol_owen(i, d, 0x1234567u + uint32_t(d))) * n >> 32];
+      for (int c : count) ASSERT_EQ(c, 1) << "dimension " << d << ", " << n << " points";
+    }
+}
+
+// The first two dimensions are a (0, 2)-sequence: 2^8 points put one into each cell of any 2^a x 2^b grid, a + b = 8.
+TEST(Sobol, FirstTwoDimensionsAreStratifiedTogether) {
+  for (int a = 0; a <= 8; ++a) {
+    std::vector<int> count(256);
+    for (uint32_t i = 0; i < 256; ++i) {
+      const uint32_t x = a ? sobol_owen(i, 0, 77) >> (32 - a) : 0, y = a < 8 ? sobol_owen(i, 1, 78) >> (32 - (8 - a)) : 0;
+      ++count[x << (8 - a) | y];
+    }
+    for (int c : count) ASSERT_EQ(c, 1) << "grid 2^" << a << " x 2^" << 8 - a;
+  }
+}
+
+TEST(PathSampler, NumbersDependOnTheirAddressAlone) {
+  PathSampler a(1, 2, 3, 4, 5, 6), b(1, 2, 3, 4, 5, 6);
+  std::vector<float> first;
+  for (uint32_t v = 0; v < 12; ++v)
+    for (int s = 0; s < int(Slot::count); ++s) first.push_back(a.get(v, Slot(s)));
+  size_t i = first.size();
+  for (uint32_t v = 12; v-- > 0;)
+    for (int s = int(Slot::count); s-- > 0;) EXPECT_EQ(b.get(v, Slot(s)), first[--i]);
+}
+
+TEST(PathSampler, AddressesDoNotCollide) {
+  PathSampler a(1, 2, 3, 4, 5, 6);
+  std::vector<float> all;
+  for (uint32_t v = 0; v < 64; ++v)
+    for (int s = 0; s < int(Slot::count); ++s) all.push_back(a.get(v, Slot(s)));
+  std::sort(all.begin(), all.end());
+  int equal = 0;
+  for (size_t i = 1; i < all.size(); ++i) equal += all[i] == all[i - 1];
+  EXPECT_LE(equal, 1);  // 576 numbers of 24 bits: 0.01 expected pairs
+}
+
+}  // namespace
