@@ -1,39 +1,11 @@
 // Is energy conserved through many bounces? Integrating spheres and furnaces have closed forms that hold for every
 // estimator; the library's own flux balance must close.
-#include <random>
-
 #include "../support/expect_lx.h"
 
 namespace ups::test {
 namespace {
 
 constexpr double flux_lm = 10000;
-
-// Points spread evenly over the area of a mesh that is seen from inside.
-struct Points {
-  std::vector<P3> positions, normals;
-};
-Points points_inside(const Shape& outward, int count, uint32_t seed) {
-  std::vector<double> sums;
-  double sum = 0;
-  for (size_t t = 0; t < outward.triangles.size(); ++t) sums.push_back(sum += length(outward.area_normal(t)));
-  std::mt19937 engine(seed);
-  const auto uniform = [&] { return std::generate_canonical<double, 53>(engine); };
-  Points out;
-  for (int i = 0; i < count; ++i) {
-    const double target = sum * (i + uniform()) / count;
-    const size_t t = size_t(std::lower_bound(sums.begin(), sums.end(), target) - sums.begin());
-    double u = uniform(), v = uniform();
-    if (u + v > 1) {
-      u = 1 - u;
-      v = 1 - v;
-    }
-    const P3 a = outward.corner(t, 0);
-    out.positions.push_back(a + (outward.corner(t, 1) - a) * u + (outward.corner(t, 2) - a) * v);
-    out.normals.push_back(normalize(outward.area_normal(t)) * -1);
-  }
-  return out;
-}
 
 class IntegratingSphere : public ::testing::TestWithParam<double> {};
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -140,6 +141,32 @@ inline double convex_irradiance_factor(const Shape& shape, const P3& point, cons
     if (dot(point - shape.centroid(t), shape.area_normal(t)) > 0)
       sum += polygon_irradiance_factor({shape.corner(t, 0), shape.corner(t, 1), shape.corner(t, 2)}, point, normal);
   return sum;
+}
+
+// Points spread evenly over the area of a mesh that is seen from inside.
+struct Points {
+  std::vector<P3> positions, normals;
+};
+inline Points points_inside(const Shape& outward, int count, uint32_t seed) {
+  std::vector<double> sums;
+  double sum = 0;
+  for (size_t t = 0; t < outward.triangles.size(); ++t) sums.push_back(sum += length(outward.area_normal(t)));
+  std::mt19937 engine(seed);
+  const auto uniform = [&] { return std::generate_canonical<double, 53>(engine); };
+  Points out;
+  for (int i = 0; i < count; ++i) {
+    const double target = sum * (i + uniform()) / count;
+    const size_t t = size_t(std::lower_bound(sums.begin(), sums.end(), target) - sums.begin());
+    double u = uniform(), v = uniform();
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const P3 a = outward.corner(t, 0);
+    out.positions.push_back(a + (outward.corner(t, 1) - a) * u + (outward.corner(t, 2) - a) * v);
+    out.normals.push_back(normalize(outward.area_normal(t)) * -1);
+  }
+  return out;
 }
 
 }  // namespace ups::test
