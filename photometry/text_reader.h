@@ -2,6 +2,7 @@
 // behind: byte order marks, UTF-16, Latin-1, any line ends, Ctrl-Z, commas between or inside numbers. Never asks the
 // locale. Used by the readers of photometric formats.
 #pragma once
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <string>
@@ -55,7 +56,7 @@ class TextReader {
     const size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
     line = std::string_view(text_).substr(at_, end - at_);
     line_ = next_line_++;
-    at_ = end + (end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n' ? 2 : 1);
+    at_ = std::min(end + (text_.compare(end, 2, "\r\n") == 0 ? 2 : 1), text_.size());
     return true;
   }
   size_t line() const { return line_; }  // of the last line or token, from 1
