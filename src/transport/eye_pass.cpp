@@ -105,6 +105,7 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
     for (size_t m = begin; m < end; ++m) {
       const Meter& meter = set.meters[m];
       EyeWalk::Sensor sensor;
+      sensor.cell = set.is_cell();
       const double r1 = in.plan.meter_radius.empty() ? 0.0 : in.plan.meter_radius[s][m];
       const double radius2 = in.plan.radius2(r1, in.meter_radius_factor);
       sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), radius2);

@@ -28,10 +28,10 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
 EyeTally EyeWalk::from_meter(const Vec3& p, const Frame& frame) {
   origin_ = last_ = p;
   meter_frame_ = frame;
-  if (in_.settings.photon_mapping) return tally_;  // photons land on the meter itself
-  throughput_ = Rgb(1.0f);
+  if (in_.settings.photon_mapping) return tally_;                  // photons land on the meter itself
+  if (in_.settings.light_tracing && sensor_.cell) return tally_;  // so do light paths
   if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE) || in_.settings.light_tracing) meter_sample_light();
-  if (in_.settings.has(UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_SENSOR_CONNECT))
+  if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
     for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) meter_connect(in_.light.vertices[i]);
   if (in_.settings.light_tracing) return tally_;
 

@@ -16,7 +16,7 @@ struct EyeTally {
 class EyeWalk {
  public:
   struct Sensor {
-    bool camera = false;
+    bool camera = false, cell = false;
     mis::Counts counts;
     mis::SensorEnd end;
     float radius = 0;                   // of merges; 0: none
