@@ -1,0 +1,148 @@
+// Is the choice among emitters a probability, the same from both sides, and sensible? Chi-square tests have fixed seeds
+// and a false-alarm rate of 1e-4 each.
+#include "emitter/emitter_set.h"
+
+#include <gtest/gtest.h>
+
+#include "emitter/test_emitters.h"
+#include "support/chi_square.h"
+
+namespace ups::test {
+namespace {
+
+constexpr double false_alarm = 1e-4;
+
+// Lengths scaled, as are areas and the sun's disc; radiance and illuminance stay, points' intensities grow with them.
+EmitterSet mixed_set(float scale = 1) {
+  const float s2 = scale * scale;
+  std::vector<std::unique_ptr<Emitter>> e;
+  e.push_back(std::make_unique<PointEmitter>(Vec3(0, 0, 3) * scale, Rgb(0), 0.0f));  // dark, first
+  e.push_back(std::make_unique<PointEmitter>(Vec3(2, 0, 3) * scale, Rgb(10) * s2, 0.0f));
+  e.push_back(std::make_unique<PointEmitter>(Vec3(-20, 5, 3) * scale, Rgb(100) * s2, 0.0f));
+  e.push_back(std::make_unique<AreaEmitter>(
+      rectangle(Vec3(1, 1, 1) * scale, Vec3(3, 0, 0) * scale, Vec3(0, 2, 0) * scale), Rgb(5), false, 0));
+  e.push_back(std::make_unique<DirectionalEmitter>(Vec3(0, 0, -1), Rgb(0.05f), 30 * scale));
+  e.push_back(std::make_unique<PointEmitter>(Vec3(0, 0, 2) * scale, Rgb(0), 0.0f));  // dark, last
+  return EmitterSet(std::move(e));
+}
+
+EmitterSet many_points(int n) {
+  Random random(30);
+  std::vector<std::unique_ptr<Emitter>> e;
+  for (int i = 0; i < n; ++i) {
+    const Vec3 p = random.in_box(10);
+    e.push_back(std::make_unique<PointEmitter>(p, Rgb(random()), 0.0f));
+  }
+  return EmitterSet(std::move(e));
+}
+
+template <class Choose, class Probability>
+void expect_choice(size_t n, const Choose& choose, const Probability& probability, uint32_t seed) {
+  constexpr int samples = 200000, cells = 16;
+  Random random(seed);
+  std::vector<double> observed(n, 0.0), expected, rest(cells, 0.0);
+  double sum = 0;
+  for (size_t i = 0; i < n; ++i) {
+    sum += probability(i);
+    expected.push_back(samples * double(probability(i)));
+  }
+  EXPECT_NEAR(sum, 1, 1e-6);
+  for (int i = 0; i < samples; ++i) {
+    const EmitterSet::Choice c = choose(random());
+    ASSERT_EQ(c.probability, probability(c.index));  // the same bits
+    ASSERT_GT(c.probability, 0);
+    ASSERT_GE(c.u, 0);
+    ASSERT_LT(c.u, 1);
+    observed[c.index] += 1;
+    rest[size_t(c.u * cells)] += 1;
+  }
+  EXPECT_GT(chi_square_test(observed, expected).p_value, false_alarm);
+  EXPECT_GT(chi_square_test(rest, std::vector<double>(cells, samples / double(cells))).p_value, false_alarm);
+}
+
+TEST(EmitterSet, ChoosesWithTheProbabilityThatItStates) {
+  const EmitterSet few = mixed_set(), many = many_points(1000), some = many_points(64);
+  uint32_t seed = 31;
+  for (const EmitterSet* set : {&few, &many, &some}) {
+    expect_choice(
+        set->size(), [&](float u) { return set->choose_emission(u); },
+        [&](size_t i) { return set->emission_probability(i); }, seed++);
+    for (const Vec3& p : {Vec3(0, 0, 0), Vec3(2, 0, 2.9f), Vec3(-500, 20, 1)})
+      expect_choice(
+          set->size(), [&](float u) { return set->choose_direct(p, u); },
+          [&](size_t i) { return set->direct_probability(p, i); }, seed++);
+  }
+}
+
+// In order of u, u after the choice rises from 0 to 1 within each emitter: strata stay strata.
+TEST(EmitterSet, KeepsStratification) {
+  const EmitterSet set = mixed_set();
+  EmitterSet::Choice before = set.choose_direct({0, 0, 1}, 0);
+  EXPECT_EQ(before.u, 0);
+  for (int i = 1; i < 10000; ++i) {
+    const EmitterSet::Choice c = set.choose_direct({0, 0, 1}, float(i) / 10000);
+    ASSERT_TRUE(c.index > before.index || c.u > before.u);
+    before = c;
+  }
+}
+
+TEST(EmitterSet, EmissionIsByFlux) {
+  const EmitterSet set = mixed_set();
+  double flux = 0;
+  for (size_t i = 0; i < set.size(); ++i) flux += set[i].flux_lm();
+  EXPECT_NEAR(set.flux_lm(), flux, 1e-6 * flux);
+  for (size_t i = 0; i < set.size(); ++i) EXPECT_NEAR(set.emission_probability(i), set[i].flux_lm() / flux, 1e-6);
+}
+
+TEST(EmitterSet, DirectPrefersTheNearAndForgetsNone) {
+  const EmitterSet set = mixed_set();
+  EXPECT_GT(set.direct_probability({2, 0, 2.5f}, 1), 0.75);
+  EXPECT_GT(set.direct_probability({-20, 5, 2}, 2), 0.75);
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(2, 0, 3), Vec3(1e5f, 0, 0)})
+    for (size_t i = 0; i < set.size(); ++i)
+      EXPECT_GE(set.direct_probability(p, i), 0.0999f * set.emission_probability(i));
+}
+
+TEST(EmitterSet, DependsOnNoUnitOfLength) {
+  const EmitterSet metre = mixed_set();
+  Random random(50);
+  for (float scale : {0x1p-10f, 0x1p14f}) {
+    const EmitterSet scaled = mixed_set(scale);
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 p = random.in_box(10);
+      const float u = random();
+      const EmitterSet::Choice a = metre.choose_direct(p, u), b = scaled.choose_direct(p * scale, u);
+      ASSERT_EQ(a.index, b.index);
+      ASSERT_FLOAT_EQ(a.probability, b.probability);
+    }
+  }
+}
+
+TEST(EmitterSet, NothingAndOneAndCoincidentOnes) {
+  EXPECT_EQ(EmitterSet().choose_emission(0.5f).probability, 0);
+  EXPECT_EQ(EmitterSet().choose_direct(Vec3(), 0.5f).probability, 0);
+  std::vector<std::unique_ptr<Emitter>> dark;
+  dark.push_back(std::make_unique<PointEmitter>(Vec3(), Rgb(0), 0.0f));
+  const EmitterSet dark_set(std::move(dark));
+  EXPECT_EQ(dark_set.choose_emission(0.5f).probability, 0);
+  EXPECT_EQ(dark_set.choose_direct(Vec3(), 0.5f).probability, 0);
+  EXPECT_EQ(dark_set.direct_probability(Vec3(), 0), 0);
+
+  std::vector<std::unique_ptr<Emitter>> one, three;
+  one.push_back(std::make_unique<PointEmitter>(Vec3(1, 2, 3), Rgb(1), 0.0f));
+  const EmitterSet single(std::move(one));
+  EXPECT_EQ(single.choose_direct({1, 2, 3}, 0.5f).probability, 1);
+  EXPECT_EQ(single.choose_direct({1, 2, 3}, 0.5f).u, 0.5f);
+
+  // Looking from the very place of two of them: finite, and told apart by flux.
+  three.push_back(std::make_unique<PointEmitter>(Vec3(1, 2, 3), Rgb(1), 0.0f));
+  three.push_back(std::make_unique<PointEmitter>(Vec3(1, 2, 3), Rgb(3), 0.0f));
+  three.push_back(std::make_unique<PointEmitter>(Vec3(5, 2, 3), Rgb(4), 0.0f));
+  const EmitterSet set(std::move(three));
+  const float p0 = set.direct_probability({1, 2, 3}, 0), p1 = set.direct_probability({1, 2, 3}, 1);
+  EXPECT_NEAR(p1 / p0, 3, 1e-4);
+  EXPECT_NEAR(p0 + p1 + set.direct_probability({1, 2, 3}, 2), 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace ups::test
