@@ -3,7 +3,6 @@
 #pragma once
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "bsdf/material.h"
@@ -18,7 +17,7 @@ inline constexpr uint32_t none = 0xffffffffu;
 
 struct SceneEffects {
   uint32_t effects = 0;       // UPS_EFFECT_*
-  bool path_tracing_complete = true;  // no delta emitter together with a delta surface (algorithms.md 3.1)
+  bool path_tracing_complete = true;  // no emitter without extent beside a mirror-like surface
   bool sharp_caster = false;  // some material has a delta lobe or a continuous lobe with alpha < 0.2
   bool transmits_solid = false;
   bool coloured = false;
@@ -29,7 +28,7 @@ struct Snapshot {
   Vec3d origin;
   float radius = 0;  // of the bounding sphere of geometry, emitters and sensors about the origin
 
-  std::vector<std::unique_ptr<const Texture>> textures;
+  std::vector<std::shared_ptr<const Texture>> textures;
   std::vector<Material> materials;              // by SurfacePoint::material
   std::vector<SurfaceTexturing> texturing;      // by the same index
   std::vector<std::shared_ptr<const Mesh>> meshes;

@@ -1,0 +1,66 @@
+// Structs that cross the boundary with their size, and texts that are asked for twice. A caller built against another
+// version may have a shorter or longer struct: what it lacks gets the library's defaults, what is unknown is ignored.
+// Included by src/api alone.
+#pragma once
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "api/guard.h"
+
+namespace ups::api {
+
+// struct_size and one field; whole 4-byte units, as all fields are.
+inline uint32_t checked_size(const void* data, const char* argument) {
+  uint32_t size;
+  std::memcpy(&size, data, sizeof size);
+  if (size < 8 || size % 4 != 0)
+    fail_argument(std::string(argument) + "->struct_size is " + std::to_string(size) +
+                  "; it must be the struct's sizeof, which is a multiple of 4 and at least 8");
+  return size;
+}
+
+// For *_init: at most `size` bytes of the defaults.
+template <class Desc>
+void write_defaults(Desc* desc, uint32_t size, Desc defaults) {
+  if (!desc || size < sizeof size) return;
+  defaults.struct_size = size;
+  std::memcpy(desc, &defaults, std::min<size_t>(size, sizeof defaults));
+}
+
+// The whole desc: what the caller has, defaults for the rest.
+template <class Desc>
+Desc read_desc(const Desc* desc, void (*init)(Desc*, uint32_t)) {
+  require(desc, "desc");
+  const uint32_t size = checked_size(desc, "desc");
+  Desc whole;
+  init(&whole, uint32_t(sizeof whole));
+  std::memcpy(&whole, desc, std::min<size_t>(size, sizeof whole));
+  whole.struct_size = uint32_t(sizeof whole);
+  return whole;
+}
+
+// For *_get_info and the like: at most out->struct_size bytes; struct_size itself stays.
+template <class Info>
+void write_info(Info* out, Info whole, const char* argument) {
+  require(out, argument);
+  const uint32_t size = checked_size(out, argument);
+  whole.struct_size = size;
+  std::memcpy(out, &whole, std::min<size_t>(size, sizeof whole));
+}
+
+// The two-call convention: *needed always gets the bytes with the final zero. False where text is NULL: only asked.
+inline bool copy_text(const std::string& from, char* text, size_t capacity, size_t* needed) {
+  if (!text && capacity > 0) fail_argument("text is NULL, but capacity is " + std::to_string(capacity));
+  if (!text && !needed) fail_argument("needed is NULL; without text it is all that can be answered");
+  const size_t size = from.size() + 1;
+  if (needed) *needed = size;
+  if (!text) return false;
+  if (capacity < size)
+    throw Error(UPS_ERROR_BUFFER_TOO_SMALL,
+                "capacity is " + std::to_string(capacity) + "; the text needs " + std::to_string(size) + " bytes");
+  std::memcpy(text, from.c_str(), size);
+  return true;
+}
+
+}  // namespace ups::api

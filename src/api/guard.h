@@ -1,0 +1,52 @@
+// The boundary: every function of the C API runs its body in guard(), which turns exceptions into a status and this
+// thread's message. Nothing escapes. Included by src/api alone.
+#pragma once
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include "base/error.h"
+#include "photometry/distribution.h"
+
+namespace ups::api {
+
+// Keeps "function: message" as this thread's last error; returns status.
+ups_status fail(ups_status status, const char* function, const char* message) noexcept;
+
+template <class Body>
+ups_status guard(const char* function, const Body& body) noexcept {
+  try {
+    if constexpr (std::is_same_v<std::invoke_result_t<Body>, ups_status>) {
+      return body();  // with a status of its own, such as UPS_TIMEOUT
+    } else {
+      body();
+      return UPS_OK;
+    }
+  } catch (const Error& e) {
+    return fail(e.status(), function, e.what());
+  } catch (const photometry::ParseError& e) {
+    return fail(UPS_ERROR_PARSE, function, e.what());
+  } catch (const photometry::UnsupportedError& e) {
+    return fail(UPS_ERROR_UNSUPPORTED, function, e.what());
+  } catch (const std::bad_alloc&) {
+    return fail(UPS_ERROR_OUT_OF_MEMORY, function, "out of memory");
+  } catch (const std::length_error& e) {
+    return fail(UPS_ERROR_OUT_OF_MEMORY, function, e.what());
+  } catch (const std::invalid_argument& e) {
+    return fail(UPS_ERROR_INVALID_ARGUMENT, function, e.what());
+  } catch (const std::exception& e) {
+    return fail(UPS_ERROR_INTERNAL, function, e.what());
+  } catch (...) {
+    return fail(UPS_ERROR_INTERNAL, function, "an exception of an unknown kind");
+  }
+}
+
+// A pointer argument that must not be NULL.
+template <class T>
+T& require(T* pointer, const char* argument) {
+  if (!pointer) fail_argument(std::string(argument) + " is NULL");
+  return *pointer;
+}
+
+}  // namespace ups::api

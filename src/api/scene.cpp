@@ -1,0 +1,215 @@
+// ups_scene.h: defaults of the descs, what is added to a scene, commit, and what can be asked afterwards.
+#include "api/desc.h"
+#include "api/handles.h"
+#include "scene/check.h"
+#include "scene/prepare.h"
+
+using namespace ups;
+using namespace ups::api;
+
+namespace {
+
+constexpr double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+template <class Desc>
+Desc placed() {
+  Desc d{};
+  std::copy(std::begin(identity), std::end(identity), d.to_world);
+  return d;
+}
+
+void fill(float (&rgb)[3], float value) { std::fill(std::begin(rgb), std::end(rgb), value); }
+
+// Adds what `desc` describes and hands out its id.
+template <class Desc, class Id, class Add>
+ups_status add(const char* function, ups_scene* scene, const Desc* desc, void (*init)(Desc*, uint32_t), Id* out,
+               const Add& add_to) {
+  return guard(function, [&] {
+    require(scene, "scene");
+    require(out, "out");
+    *out = add_to(scene->description, read_desc(desc, init));
+  });
+}
+
+template <class Change>
+ups_status change(const char* function, ups_scene* scene, const Change& body) {
+  return guard(function, [&] { body(require(scene, "scene").description); });
+}
+
+const Snapshot& committed(const ups_scene* scene) {
+  const ups_scene& s = require(scene, "scene");
+  if (!s.snapshot) throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
+  return *s.snapshot;
+}
+
+ups_scene_info info_of(const Snapshot& s, const MethodChoice& method) {
+  ups_scene_info info{};
+  info.effects = s.effects.effects;
+  info.techniques = method.techniques;
+  info.method = method.method;
+  info.triangle_count = s.raytracer->triangle_count();
+  info.luminaire_count = s.luminaire_count;
+  info.light_count = s.light_count;
+  info.emissive_instance_count = s.emissive_instance_count;
+  for (const MeterSet& set : s.meter_sets) info.meter_count += set.meters.size();
+  for (const Camera& camera : s.cameras) info.pixel_count += camera.pixel_count();
+  info.emitted_flux_lm = s.emitters.flux_lm();
+  const Vec3d low = Vec3d(s.raytracer->bounds_min()) + s.origin, high = Vec3d(s.raytracer->bounds_max()) + s.origin;
+  for (int i = 0; i < 3; ++i) info.bounds_min_m[i] = low[i], info.bounds_max_m[i] = high[i];
+  return info;
+}
+
+std::string lines(const std::vector<std::string>& list) {
+  std::string text;
+  for (const std::string& line : list) text += line + "\n";
+  return text;
+}
+
+}  // namespace
+
+// ---- defaults ----
+
+void ups_texture_desc_init(ups_texture_desc* desc, uint32_t struct_size) {
+  write_defaults(desc, struct_size, ups_texture_desc{});
+}
+
+void ups_material_desc_init(ups_material_desc* desc, uint32_t struct_size) {
+  ups_material_desc d{};
+  d.model = UPS_MATERIAL_MATTE;
+  fill(d.reflectance_rgb, 0.5f);
+  fill(d.transmittance_rgb, -1);
+  d.ior = 1.5f;
+  fill(d.ior_rgb, 1);
+  d.alpha_mode = UPS_ALPHA_OPAQUE;
+  d.alpha = 1;
+  d.alpha_cutoff = 0.5f;
+  d.normal_scale = 1;
+  write_defaults(desc, struct_size, d);
+}
+
+void ups_mesh_desc_init(ups_mesh_desc* desc, uint32_t struct_size) {
+  write_defaults(desc, struct_size, ups_mesh_desc{});
+}
+
+void ups_instance_desc_init(ups_instance_desc* desc, uint32_t struct_size) {
+  write_defaults(desc, struct_size, placed<ups_instance_desc>());
+}
+
+void ups_light_desc_init(ups_light_desc* desc, uint32_t struct_size) {
+  auto d = placed<ups_light_desc>();
+  d.kind = UPS_LIGHT_POINT;
+  fill(d.intensity_rgb, 1);
+  d.outer_cone_rad = 0.25f * pi;
+  write_defaults(desc, struct_size, d);
+}
+
+void ups_luminaire_desc_init(ups_luminaire_desc* desc, uint32_t struct_size) {
+  auto d = placed<ups_luminaire_desc>();
+  d.use_opening = 1;
+  fill(d.color_rgb, 1);
+  d.flux_lm = -1;
+  d.dimming = d.intensity_scale = 1;
+  write_defaults(desc, struct_size, d);
+}
+
+// ---- scene ----
+
+ups_status ups_scene_create(ups_context* context, ups_scene** out) {
+  return guard(__func__, [&] {
+    require(out, "out");
+    auto scene = std::make_unique<ups_scene>();
+    scene->context = require(context, "context").core;
+    *out = scene.release();
+  });
+}
+
+void ups_scene_destroy(ups_scene* scene) { delete scene; }
+
+ups_status ups_scene_add_texture(ups_scene* scene, const ups_texture_desc* desc, ups_texture_id* out) {
+  return add(__func__, scene, desc, &ups_texture_desc_init, out,
+             [](Description& d, const auto& desc_) { return d.add_texture(desc_); });
+}
+
+ups_status ups_scene_add_material(ups_scene* scene, const ups_material_desc* desc, ups_material_id* out) {
+  return add(__func__, scene, desc, &ups_material_desc_init, out,
+             [](Description& d, const auto& desc_) { return d.add_material(desc_); });
+}
+
+ups_status ups_scene_add_mesh(ups_scene* scene, const ups_mesh_desc* desc, ups_mesh_id* out) {
+  return add(__func__, scene, desc, &ups_mesh_desc_init, out,
+             [](Description& d, const auto& desc_) { return d.add_mesh(desc_); });
+}
+
+ups_status ups_scene_add_instance(ups_scene* scene, const ups_instance_desc* desc, ups_instance_id* out) {
+  return add(__func__, scene, desc, &ups_instance_desc_init, out,
+             [](Description& d, const auto& desc_) { return d.add_instance(desc_); });
+}
+
+ups_status ups_scene_add_light(ups_scene* scene, const ups_light_desc* desc, ups_luminaire_id* out) {
+  return add(__func__, scene, desc, &ups_light_desc_init, out,
+             [](Description& d, const auto& desc_) { return d.add_light(desc_); });
+}
+
+ups_status ups_scene_add_luminaire(ups_scene* scene, const ups_luminaire_desc* desc, ups_luminaire_id* out) {
+  return add(__func__, scene, desc, &ups_luminaire_desc_init, out, [](Description& d, const auto& desc_) {
+    return d.add_luminaire(desc_, require(desc_.profile, "profile").data);
+  });
+}
+
+ups_status ups_scene_set_material(ups_scene* scene, ups_material_id id, const ups_material_desc* desc) {
+  return change(__func__, scene, [&](Description& d) { d.set_material(id, read_desc(desc, &ups_material_desc_init)); });
+}
+
+ups_status ups_scene_set_transform(ups_scene* scene, ups_instance_id id, const double to_world[12]) {
+  return change(__func__, scene, [&](Description& d) {
+    check::pointer(to_world, "to_world");
+    double copy[12];
+    std::copy(to_world, to_world + 12, copy);
+    d.set_transform(id, copy);
+  });
+}
+
+ups_status ups_scene_set_dimming(ups_scene* scene, ups_luminaire_id id, float dimming) {
+  return change(__func__, scene, [&](Description& d) { d.set_dimming(id, dimming); });
+}
+
+ups_status ups_scene_remove_instance(ups_scene* scene, ups_instance_id id) {
+  return change(__func__, scene, [&](Description& d) { d.remove_instance(id); });
+}
+
+ups_status ups_scene_remove_luminaire(ups_scene* scene, ups_luminaire_id id) {
+  return change(__func__, scene, [&](Description& d) { d.remove_luminaire(id); });
+}
+
+ups_status ups_scene_remove_sensor(ups_scene* scene, ups_sensor_id id) {
+  return change(__func__, scene, [&](Description& d) { d.remove_sensor(id); });
+}
+
+ups_status ups_scene_commit(ups_scene* scene) {
+  return guard(__func__, [&] {
+    ups_scene& s = require(scene, "scene");
+    std::shared_ptr<const Snapshot> snapshot;
+    ThreadPool& pool = *s.context->pool;
+    pool.for_blocks(1, 1, [&](size_t, size_t, size_t) { snapshot = prepare(s.description, pool.thread_count()); });
+    MethodChoice method = choose_method(*snapshot, UPS_METHOD_AUTO, 0);
+    for (const std::string& warning : snapshot->warnings) s.context->log(UPS_LOG_WARNING, "scene: " + warning);
+    s.snapshot = std::move(snapshot);
+    s.method = std::move(method);
+  });
+}
+
+ups_status ups_scene_get_info(const ups_scene* scene, ups_scene_info* info) {
+  return guard(__func__, [&] { write_info(info, info_of(committed(scene), scene->method), "info"); });
+}
+
+ups_status ups_scene_get_text(const ups_scene* scene, ups_scene_text topic, char* text, size_t capacity,
+                              size_t* needed) {
+  return guard(__func__, [&] {
+    const Snapshot& s = committed(scene);
+    check::enumeration(topic, UPS_SCENE_TEXT_TECHNIQUES, "topic", "UPS_SCENE_TEXT_*");
+    const std::string from = topic == UPS_SCENE_TEXT_WARNINGS  ? lines(s.warnings) + lines(scene->method.warnings)
+                             : topic == UPS_SCENE_TEXT_EFFECTS ? s.effects.text
+                                                               : scene->method.text;
+    copy_text(from, text, capacity, needed);
+  });
+}

@@ -1,0 +1,293 @@
+// See description.h. Surfaces first (textures, materials, meshes, instances), then what emits, then sensors.
+#include "scene/description.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/check.h"
+
+namespace ups {
+namespace {
+
+Affine to_affine(const double (&m)[12]) {
+  Affine a;
+  std::copy(std::begin(m), std::end(m), a.m);
+  return a;
+}
+
+Rgb to_rgb(const float (&c)[3]) { return {c[0], c[1], c[2]}; }
+
+void check_count(uint32_t value, uint32_t low, uint32_t high, const char* field) {
+  if (value < low || value > high)
+    fail_argument(std::string(field) + " is " + std::to_string(value) + "; it must be " + std::to_string(low) + " to " +
+                  std::to_string(high));
+}
+
+std::vector<Vec3> read_vectors(const check::Floats& floats) {
+  std::vector<Vec3> out;
+  out.reserve(floats.count);
+  for (size_t i = 0; i < floats.count; ++i) out.emplace_back(floats.at(i)[0], floats.at(i)[1], floats.at(i)[2]);
+  return out;
+}
+
+std::vector<float> read_texels(const ups_texture_desc& d) {
+  const size_t row = size_t(d.width) * d.channel_count;
+  check::require(d.row_stride_bytes == 0 || (d.row_stride_bytes >= 4 * row && d.row_stride_bytes % 4 == 0),
+                 "row_stride_bytes is " + std::to_string(d.row_stride_bytes) +
+                     "; it must be 0 (tight) or a multiple of 4 of at least " + std::to_string(4 * row));
+  const size_t stride = d.row_stride_bytes ? d.row_stride_bytes / 4 : row;
+  std::vector<float> texels(row * d.height);
+  for (size_t y = 0; y < d.height; ++y)
+    for (size_t i = 0; i < row; ++i) {
+      const float value = d.texels[y * stride + i];
+      if (!std::isfinite(value))
+        fail_argument("texels: row " + std::to_string(y) + ", column " + std::to_string(i / d.channel_count) +
+                      ", channel " + std::to_string(i % d.channel_count) + " is " + check::text(double(value)) +
+                      "; it must be finite");
+      texels[y * row + i] = value;
+    }
+  return texels;
+}
+
+void check_emission_and_alpha(const ups_material_desc& d) {
+  check::enumeration(d.alpha_mode, UPS_ALPHA_BLEND, "alpha_mode", "UPS_ALPHA_*");
+  check::range(double(d.alpha), 0, 1, "alpha");
+  check::at_least(double(d.alpha_cutoff), 0, "alpha_cutoff");
+  check::colour(d.luminance_cd_m2, 0, INFINITY, "luminance_cd_m2");
+  check::flag(d.emits_both_sides, "emits_both_sides");
+  check::finite(double(d.normal_scale), "normal_scale");
+}
+
+void check_transmittance(const ups_material_desc& d) {
+  const float* t = d.transmittance_rgb;
+  if (t[0] < 0 && t[1] < 0 && t[2] < 0) return;  // the model's default
+  check::colour(d.transmittance_rgb, 0, 1, "transmittance_rgb");
+  if (d.model != UPS_MATERIAL_DIFFUSER) return;
+  for (size_t i = 0; i < 3; ++i) {
+    const double sum = double(d.reflectance_rgb[i]) + double(t[i]);
+    check::require(sum <= 1 + 1e-6, "reflectance_rgb[" + std::to_string(i) + "] + transmittance_rgb[" +
+                                        std::to_string(i) + "] is " + check::text(sum) +
+                                        "; a diffuser's must be at most 1 together");
+  }
+}
+
+void check_indices_of_refraction(const ups_material_desc& d) {
+  const bool dielectric =
+      d.model == UPS_MATERIAL_PLASTIC || d.model == UPS_MATERIAL_GLASS || d.model == UPS_MATERIAL_GLAZING;
+  if (dielectric)
+    check::at_least(double(d.ior), 1, "ior");
+  else
+    check::finite(double(d.ior), "ior");
+  check::colour(d.ior_k_rgb, 0, INFINITY, "ior_k_rgb");
+  check::colour(d.ior_rgb, 0, INFINITY, "ior_rgb");
+  const bool complex = d.ior_k_rgb[0] > 0 || d.ior_k_rgb[1] > 0 || d.ior_k_rgb[2] > 0;
+  for (size_t i = 0; complex && d.model == UPS_MATERIAL_METAL && i < 3; ++i)
+    check::require(d.ior_rgb[i] > 0,
+                   check::element("ior_rgb", i) + " is 0; it must be above 0 where ior_k_rgb is used");
+}
+
+}  // namespace
+
+// ---- surfaces ----
+
+ups_texture_id Description::add_texture(const ups_texture_desc& d) {
+  check_count(d.width, 1, 1u << 20, "width");
+  check_count(d.height, 1, 1u << 20, "height");
+  check::require(d.channel_count == 1 || d.channel_count == 3 || d.channel_count == 4,
+                 "channel_count is " + std::to_string(d.channel_count) + "; it must be 1, 3 or 4");
+  check::pointer(d.texels, "texels");
+  std::vector<float> texels = read_texels(d);
+  const auto [low, high] = std::minmax_element(texels.begin(), texels.end());
+  TextureDescription texture{nullptr, d.channel_count, *low, *high};
+  texture.texture = std::make_shared<const Texture>(d.width, d.height, d.channel_count, std::move(texels));
+  return {textures_.add(std::move(texture))};
+}
+
+void Description::check_material_textures(const ups_material_desc& d) const {
+  const auto find = [&](ups_texture_id id, const char* field) -> const TextureDescription* {
+    if (id.v == 0) return nullptr;
+    return &textures_.get(id.v, (std::string(field) + ": texture").c_str());
+  };
+  const auto share = [&](ups_texture_id id, const char* field) {  // of light: more than 1 would create energy
+    const TextureDescription* t = find(id, field);
+    check::require(!t || (t->min >= 0 && t->max <= 1 + 1e-6f),
+                   std::string(field) + ": texture id " + std::to_string(id.v) + " has texels from " +
+                       (t ? check::text(double(t->min)) + " to " + check::text(double(t->max)) : "") +
+                       "; they must lie in [0, 1]");
+  };
+  share(d.reflectance_texture, "reflectance_texture");
+  share(d.roughness_texture, "roughness_texture");
+  share(d.metallic_texture, "metallic_texture");
+  find(d.alpha_texture, "alpha_texture");
+  const TextureDescription* normal = find(d.normal_texture, "normal_texture");
+  check::require(!normal || normal->channels >= 3, "normal_texture: texture id " + std::to_string(d.normal_texture.v) +
+                                                       " has 1 channel; it must have 3 or 4");
+}
+
+void Description::check_material(const ups_material_desc& d) const {
+  check::enumeration(d.model, UPS_MATERIAL_DIFFUSER, "model", "UPS_MATERIAL_*");
+  check::colour(d.reflectance_rgb, 0, 1, "reflectance_rgb");
+  check_transmittance(d);
+  check::range(double(d.roughness), 0, 1, "roughness");
+  check_indices_of_refraction(d);
+  check::colour(d.absorption_per_m_rgb, 0, INFINITY, "absorption_per_m_rgb");
+  check::range(double(d.metallic), 0, 1, "metallic");
+  check_emission_and_alpha(d);
+  check_material_textures(d);
+}
+
+ups_material_id Description::add_material(const ups_material_desc& d) {
+  check_material(d);
+  return {materials_.add(d)};
+}
+
+void Description::set_material(ups_material_id id, const ups_material_desc& d) {
+  ups_material_desc& old = materials_.get(id.v, "material");
+  check_material(d);
+  old = d;
+}
+
+ups_mesh_id Description::add_mesh(const ups_mesh_desc& d) {
+  check_count(d.vertex_count, 1, 0xfffffffe, "vertex_count");
+  check_count(d.triangle_count, 1, 0xfffffffe, "triangle_count");
+  check::require(d.material.v != 0, "material is 0; a mesh needs one");
+  materials_.get(d.material.v, "material: material");
+  check::pointer(d.positions_m, "positions_m");
+  check::pointer(d.indices, "indices");
+  const check::Floats positions{d.positions_m, d.vertex_count, 3, d.position_stride_bytes};
+  const check::Floats normals{d.normals, d.normals ? d.vertex_count : 0, 3, d.normal_stride_bytes};
+  const check::Floats uvs{d.uvs, d.uvs ? d.vertex_count : 0, 2, d.uv_stride_bytes};
+  const check::Floats tangents{d.tangents, d.tangents ? d.vertex_count : 0, 4, d.tangent_stride_bytes};
+  check::all_finite(positions, "positions_m", "position_stride_bytes");
+  check::all_finite(normals, "normals", "normal_stride_bytes");
+  check::all_finite(uvs, "uvs", "uv_stride_bytes");
+  check::all_finite(tangents, "tangents", "tangent_stride_bytes");
+  const size_t index_count = 3 * size_t(d.triangle_count);
+  for (size_t i = 0; i < index_count; ++i)
+    if (d.indices[i] >= d.vertex_count)
+      fail_argument("indices: element " + std::to_string(i) + " is " + std::to_string(d.indices[i]) +
+                    "; it must be below vertex_count, " + std::to_string(d.vertex_count));
+  auto mesh = std::make_shared<Mesh>();
+  mesh->material = d.material.v - 1;
+  mesh->positions = read_vectors(positions);
+  mesh->normals = read_vectors(normals);
+  for (size_t i = 0; i < uvs.count; ++i) mesh->uvs.push_back({uvs.at(i)[0], uvs.at(i)[1]});
+  for (size_t i = 0; i < tangents.count; ++i)
+    mesh->tangents.insert(mesh->tangents.end(), tangents.at(i), tangents.at(i) + 4);
+  mesh->indices.assign(d.indices, d.indices + index_count);
+  return {meshes_.add(std::move(mesh))};
+}
+
+ups_instance_id Description::add_instance(const ups_instance_desc& d) {
+  check::require(d.mesh.v != 0, "mesh is 0; an instance needs one");
+  meshes_.get(d.mesh.v, "mesh: mesh");
+  check::transform(d.to_world, "to_world");
+  return {instances_.add({d.mesh.v, to_affine(d.to_world)})};
+}
+
+void Description::set_transform(ups_instance_id id, const double (&to_world)[12]) {
+  InstanceDescription& instance = instances_.get(id.v, "instance");
+  check::transform(to_world, "to_world");
+  instance.to_world = to_affine(to_world);
+}
+
+// ---- what emits ----
+
+ups_luminaire_id Description::add_light(const ups_light_desc& d) {
+  check::enumeration(d.kind, UPS_LIGHT_DIRECTIONAL, "kind", "UPS_LIGHT_*");
+  check::transform(d.to_world, "to_world");
+  check::colour(d.intensity_rgb, 0, INFINITY, "intensity_rgb");
+  check::require(d.reserved == 0, "reserved is " + check::text(double(d.reserved)) + "; it must be 0");
+  if (d.kind == UPS_LIGHT_SPOT) {
+    check::range(double(d.outer_cone_rad), 0, double(float(0.5 * 3.14159265358979)), "outer_cone_rad");
+    check::require(d.inner_cone_rad >= 0 && d.inner_cone_rad < d.outer_cone_rad,
+                   "inner_cone_rad is " + check::text(double(d.inner_cone_rad)) +
+                       "; it must be at least 0 and less than outer_cone_rad, " +
+                       check::text(double(d.outer_cone_rad)));
+  }
+  const LightDescription light{d.kind, to_affine(d.to_world), to_rgb(d.intensity_rgb), d.inner_cone_rad,
+                               d.outer_cone_rad};
+  return {sources_.add({light, 1.0f})};
+}
+
+ups_luminaire_id Description::add_luminaire(const ups_luminaire_desc& d,
+                                            std::shared_ptr<const photometry::Photometry> profile) {
+  check::flag(d.use_opening, "use_opening");
+  check::pointer(profile.get(), "profile");
+  check::transform(d.to_world, "to_world");
+  check::colour(d.color_rgb, 0, INFINITY, "color_rgb");
+  const float y = luminance(to_rgb(d.color_rgb));
+  check::require(y > 0 && std::isfinite(y),
+                 "color_rgb is black; it must have a luminance above 0 (flux sets how much light)");
+  check::finite(double(d.flux_lm), "flux_lm");
+  check::at_least(double(d.dimming), 0, "dimming");
+  check::at_least(double(d.intensity_scale), 0, "intensity_scale");
+  check::require(
+      d.flux_lm <= 0 || profile->distribution.band_flux_lm() > 0,
+      "flux_lm is " + check::text(double(d.flux_lm)) + ", but the profile emits nothing that could be scaled to it");
+  LuminaireDescription luminaire{std::move(profile),      d.use_opening == 1, to_affine(d.to_world),
+                                 to_rgb(d.color_rgb) / y, d.flux_lm,          d.intensity_scale};
+  return {sources_.add({std::move(luminaire), d.dimming})};
+}
+
+void Description::set_dimming(ups_luminaire_id id, float dimming) {
+  SourceDescription& source = sources_.get(id.v, "luminaire");
+  check::at_least(double(dimming), 0, "dimming");
+  source.dimming = dimming;
+}
+
+// ---- sensors ----
+
+ups_sensor_id Description::add_camera(const ups_camera_desc& d) {
+  check::enumeration(d.projection, UPS_PERSPECTIVE, "projection", "UPS_PERSPECTIVE");
+  check_count(d.width, 1, 16384, "width");
+  check_count(d.height, 1, 16384, "height");
+  check::transform(d.to_world, "to_world");
+  check::require(
+      d.vertical_fov_rad > 0 && double(d.vertical_fov_rad) < 3.14159265358979,
+      "vertical_fov_rad is " + check::text(double(d.vertical_fov_rad)) + "; it must be above 0 and below pi");
+  check::flag(d.illuminance, "illuminance");
+  return {sensors_.add(
+      CameraDescription{to_affine(d.to_world), d.width, d.height, d.vertical_fov_rad, d.illuminance == 1})};
+}
+
+ups_sensor_id Description::add_meters(const ups_meter_desc& d) {
+  check::enumeration(d.kind, UPS_METER_SPHERICAL, "kind", "UPS_METER_*");
+  if (d.kind != UPS_METER_PLANAR)
+    throw Error(UPS_ERROR_UNSUPPORTED, "kind is " + std::to_string(d.kind) +
+                                           "; this version measures planar illuminance alone (UPS_METER_PLANAR)");
+  check_count(d.count, 1, 16'777'216, "count");
+  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  check::pointer(d.positions_m, "positions_m");
+  check::pointer(d.normals, "normals");
+  const float width = d.cell_size_m[0], height = d.cell_size_m[1];
+  const bool cells = width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height);
+  check::require(cells || (width == 0 && height == 0), "cell_size_m is " + check::text(double(width)) + ", " +
+                                                           check::text(double(height)) +
+                                                           "; it must be 0, 0 (points) or both above 0");
+  if (cells) check::pointer(d.tangents, "tangents");
+  for (size_t i = 0; i < d.count; ++i)
+    for (size_t k = 0; k < 3; ++k)
+      if (!std::isfinite(d.positions_m[3 * i + k]))
+        fail_argument("positions_m: element " + std::to_string(i) + ", component " + std::to_string(k) + " is " +
+                      check::text(d.positions_m[3 * i + k]) + "; it must be finite");
+  const check::Floats normals{d.normals, d.count, 3, 0}, tangents{d.tangents, d.tangents ? d.count : 0, 3, 0};
+  check::all_finite(normals, "normals", "");
+  check::all_finite(tangents, "tangents", "");
+  MetersDescription meters{{}, read_vectors(normals), read_vectors(tangents), width, height};
+  for (size_t i = 0; i < d.count; ++i) {
+    const double* p = d.positions_m + 3 * i;
+    meters.positions.emplace_back(p[0], p[1], p[2]);
+    const Vec3d n(meters.normals[i]);
+    if (!(length(n) > 0))
+      fail_argument("normals: element " + std::to_string(i) + " has length 0; it must point somewhere");
+    if (meters.tangents.empty()) continue;
+    const Vec3d t(meters.tangents[i]);
+    if (!(length(cross(n, t)) > 1e-6 * length(n) * length(t)))
+      fail_argument("tangents: element " + std::to_string(i) +
+                    " is parallel to its normal, or 0; it must point along a side");
+  }
+  return {sensors_.add(std::move(meters))};
+}
+
+}  // namespace ups

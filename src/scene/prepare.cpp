@@ -1,0 +1,423 @@
+// See prepare.h. The steps in order: place, materials, geometry, emitters, sensors, media, effects and warnings.
+#include "scene/prepare.h"
+
+#include <tbb/parallel_for.h>
+
+#include <map>
+
+#include "emitter/area.h"
+#include "emitter/point.h"
+#include "emitter/profile.h"
+#include "scene/check.h"
+#include "scene/duplicates.h"
+#include "scene/effects.h"
+
+namespace ups {
+namespace {
+
+// Rounding of a free point relative to its largest coordinate, as for surface points (geometry/raytracer.cpp).
+constexpr float gamma_error = 16 * 0x1p-24f;
+constexpr double max_coordinate_m = 1e9;
+
+struct Box {
+  Vec3d lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
+  bool empty() const { return !(lower.x <= upper.x); }
+  void grow(const Vec3d& p) {
+    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+  }
+  Vec3d corner(int i) const {
+    return {i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z};
+  }
+};
+
+Rgb to_rgb(const float (&c)[3]) { return {c[0], c[1], c[2]}; }
+
+// Axes of a placed thing whose scale does not matter: z first, then x.
+struct Axes {
+  Vec3d x, y, z;
+  explicit Axes(const Affine& m) : z(normalize(m.column(2))) {
+    x = normalize(m.column(0) - z * dot(m.column(0), z));
+    y = cross(z, x);
+  }
+  Frame frame() const { return {Vec3(x), Vec3(y), Vec3(z)}; }
+};
+
+template <class Visit>
+void each_corner(const Vec3& center, const Vec3& half_a, const Vec3& half_b, const Visit& visit) {
+  visit(center + half_a + half_b);
+  visit(center + half_a - half_b);
+  visit(center - half_a + half_b);
+  visit(center - half_a - half_b);
+}
+
+// Errors of what is built inside say whose they are.
+template <class Build>
+void in_context(const std::string& name, const Build& build) {
+  try {
+    build();
+  } catch (const Error& e) {
+    throw Error(e.status(), name + ": " + e.what());
+  }
+}
+
+class Builder {
+ public:
+  Builder(const Description& description, int thread_count)
+      : in_(description), threads_(thread_count), out_(std::make_shared<Snapshot>()) {}
+
+  std::shared_ptr<const Snapshot> build() {
+    place();
+    add_materials();
+    add_geometry();
+    add_emissive_instances();
+    add_sources();
+    out_->emitters = EmitterSet(std::move(emitters_));
+    if (!openings_.empty()) out_->openings = std::make_unique<DiscIndex>(std::move(openings_), threads_);
+    add_sensors();
+    find_media();
+    out_->effects = find_effects(*out_, used_materials_);
+    add_warnings();
+    return out_;
+  }
+
+ private:
+  void place();
+  void add_materials();
+  void add_geometry();
+  void add_emissive_instances();
+  void add_sources();
+  void add_light(const LightDescription& light, float dimming);
+  void add_luminaire(uint32_t id, const LuminaireDescription& luminaire, float dimming);
+  bool add_emitter(std::unique_ptr<Emitter> emitter, const Vec3& probe);
+  void add_sensors();
+  MeterSet make_meters(const MetersDescription& meters) const;
+  void find_media();
+  uint32_t medium_at(Vec3 p) const;
+  void add_warnings();
+
+  Affine to_scene(Affine m) const {
+    m.m[3] -= out_->origin.x, m.m[7] -= out_->origin.y, m.m[11] -= out_->origin.z;
+    return m;
+  }
+  Vec3 to_scene(const Vec3d& p) const { return Vec3(p - out_->origin); }
+  float free_error(const Vec3& p) const { return gamma_error * max_abs(p); }
+  float error_at(const Vec3& p, const Vec3& n) const;
+  Vec3 off_surface(const Vec3& p, const Vec3& n) const;
+  void warn(std::string text) { out_->warnings.push_back(std::move(text)); }
+
+  const Description& in_;
+  int threads_;
+  std::shared_ptr<Snapshot> out_;
+  std::vector<Raytracer::Instance> instances_;
+  std::vector<uint32_t> instance_ids_;
+  std::vector<bool> used_materials_;
+  std::vector<std::unique_ptr<Emitter>> emitters_;
+  std::vector<Vec3> emitter_probes_;  // a point of each, off any surface
+  std::vector<DiscIndex::Disc> openings_;
+};
+
+// ---- place ----
+
+// The origin is the centre of all that has a place; distances from it are what floats have to hold.
+void Builder::place() {
+  Box box;
+  const auto grow = [&](const Vec3d& p, const char* noun, uint32_t id) {
+    if (!(max_abs(p) <= max_coordinate_m))
+      fail_argument(std::string(noun) + " id " + std::to_string(id) + " reaches a coordinate of " +
+                    check::text(max_abs(p)) + " m; the library works within " + check::text(max_coordinate_m) +
+                    " m of the world's origin");
+    box.grow(p);
+  };
+  std::map<uint32_t, Box> mesh_boxes;
+  in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
+    Box& mesh = mesh_boxes[i.mesh];
+    if (mesh.empty())
+      for (const Vec3& p : in_.meshes().get(i.mesh, "mesh")->positions) mesh.grow(Vec3d(p));
+    for (int k = 0; k < 8; ++k) grow(i.to_world.point(mesh.corner(k)), "instance", id);
+  });
+  in_.sources().each([&](uint32_t id, const SourceDescription& s) {
+    if (const auto* light = std::get_if<LightDescription>(&s.kind)) {
+      if (light->kind != UPS_LIGHT_DIRECTIONAL) grow(light->to_world.column(3), "luminaire", id);
+      return;
+    }
+    const auto& luminaire = std::get<LuminaireDescription>(s.kind);
+    const float* size = luminaire.profile->opening.size_m;
+    const double reach = luminaire.use_opening ? 0.5 * std::hypot(size[0], size[1]) : 0;
+    const Vec3d p = luminaire.to_world.column(3), r(reach, reach, reach);
+    grow(p - r, "luminaire", id);
+    grow(p + r, "luminaire", id);
+  });
+  in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
+    if (const auto* camera = std::get_if<CameraDescription>(&s)) return grow(camera->to_world.column(3), "sensor", id);
+    const auto& meters = std::get<MetersDescription>(s);
+    const double reach = 0.5 * std::hypot(double(meters.cell_width), double(meters.cell_height));
+    for (const Vec3d& p : meters.positions) {
+      grow(p - Vec3d(reach, reach, reach), "sensor", id);
+      grow(p + Vec3d(reach, reach, reach), "sensor", id);
+    }
+  });
+  if (box.empty()) return;
+  out_->origin = box.lower * 0.5 + box.upper * 0.5;
+  out_->radius = float(length(box.upper - box.lower) * 0.5 * (1 + 0x1p-20));
+}
+
+// ---- surfaces ----
+
+void Builder::add_materials() {
+  const auto texture = [&](ups_texture_id id) -> const Texture* {
+    return id.v ? out_->textures[id.v - 1].get() : nullptr;
+  };
+  in_.textures().each([&](uint32_t, const TextureDescription& t) { out_->textures.push_back(t.texture); });
+  in_.materials().each([&](uint32_t id, const ups_material_desc& d) {
+    Material m;
+    m.model = MaterialModel(d.model);
+    m.reflectance = to_rgb(d.reflectance_rgb);
+    m.transmittance = to_rgb(d.transmittance_rgb);
+    m.roughness = d.roughness, m.ior = d.ior, m.metallic = d.metallic;
+    m.ior_rgb = to_rgb(d.ior_rgb), m.ior_k_rgb = to_rgb(d.ior_k_rgb);
+    m.absorption_per_m = to_rgb(d.absorption_per_m_rgb);
+    m.reflectance_texture = texture(d.reflectance_texture);
+    m.roughness_texture = texture(d.roughness_texture);
+    m.metallic_texture = texture(d.metallic_texture);
+    out_->materials.push_back(m);
+    SurfaceTexturing t;
+    t.alpha = texture(d.alpha_texture);
+    t.alpha_factor = d.alpha, t.alpha_cutoff = d.alpha_cutoff;
+    t.normal = texture(d.normal_texture);
+    t.normal_scale = d.normal_scale;
+    if (d.alpha_mode == UPS_ALPHA_MASK) t.alpha_mode = SurfaceTexturing::mask;
+    if (d.alpha_mode == UPS_ALPHA_BLEND && (t.alpha || t.alpha_factor < 1)) t.alpha_mode = SurfaceTexturing::blend;
+    if (t.alpha_mode != SurfaceTexturing::opaque && !is_black(to_rgb(d.luminance_cd_m2))) {
+      t.alpha_mode = SurfaceTexturing::opaque;  // holes in an emitter would have to be left out of its sampling too
+      warn("material " + std::to_string(id) + " emits light: its alpha is ignored, so its surface has no holes");
+    }
+    out_->texturing.push_back(t);
+  });
+  used_materials_.resize(out_->materials.size());
+}
+
+void Builder::add_geometry() {
+  in_.meshes().each([&](uint32_t, const std::shared_ptr<const Mesh>& mesh) { out_->meshes.push_back(mesh); });
+  in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
+    instances_.push_back({i.mesh - 1, to_scene(i.to_world)});
+    instance_ids_.push_back(id);
+    used_materials_[out_->meshes[i.mesh - 1]->material] = true;
+  });
+  out_->raytracer = std::make_unique<Raytracer>(out_->meshes, instances_, out_->texturing, threads_);
+}
+
+// How far p may be from where it should be, and from a surface that it lies on: p + n * 2 * error is in front of both.
+float Builder::error_at(const Vec3& p, const Vec3& n) const {
+  const float own = free_error(p);
+  const float reach = 0x1p-17f * out_->radius;  // no surface point's error is larger
+  Hit hit;
+  if (!(reach > 0) || !out_->raytracer->intersect(p + n * reach, -n, 2 * reach, hit)) return own;
+  const SurfacePoint s = out_->raytracer->surface_at(hit);
+  const float distance = std::abs(reach - hit.t);
+  return distance <= own + 2 * s.error ? own + distance + s.error : own;
+}
+
+// A source without extent that lies on a surface shines from the side that it faces.
+Vec3 Builder::off_surface(const Vec3& p, const Vec3& n) const {
+  const float error = error_at(p, n);
+  return error > free_error(p) ? p + n * (2 * error) : p;
+}
+
+// ---- emitters ----
+
+bool Builder::add_emitter(std::unique_ptr<Emitter> emitter, const Vec3& probe) {
+  if (!(emitter->flux_lm() > 0)) return false;
+  if (!std::isfinite(emitter->flux_lm())) fail_argument("emits more light than a float can hold");
+  emitters_.push_back(std::move(emitter));
+  emitter_probes_.push_back(probe);
+  return true;
+}
+
+void Builder::add_emissive_instances() {
+  out_->emitter_of_instance.assign(instances_.size(), none);
+  for (uint32_t i = 0; i < instances_.size(); ++i) {
+    const Mesh& mesh = *out_->meshes[instances_[i].mesh];
+    const ups_material_desc& material = in_.materials().get(mesh.material + 1, "material");
+    const Rgb radiance = to_rgb(material.luminance_cd_m2);
+    if (is_black(radiance)) continue;
+    const Affine& m = instances_[i].to_scene;
+    std::vector<Vec3> corners;
+    for (const Vec3& p : mesh.positions) corners.push_back(Vec3(m.point(Vec3d(p))));
+    const bool mirrored = m.determinant() < 0;
+    std::vector<EmitterTriangle> triangles;
+    for (size_t t = 0; t < mesh.indices.size(); t += 3) {
+      EmitterTriangle triangle{corners[mesh.indices[t]], corners[mesh.indices[t + 1]], corners[mesh.indices[t + 2]]};
+      if (mirrored) std::swap(triangle.p1, triangle.p2);  // keeps the front in front
+      triangles.push_back(triangle);
+    }
+    const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
+    const std::string name = "instance " + std::to_string(instance_ids_[i]);
+    const auto index = uint32_t(emitters_.size());
+    const bool both_sides = material.emits_both_sides == 1;
+    in_context(name, [&] {
+      if (!add_emitter(std::make_unique<AreaEmitter>(std::move(triangles), radiance, both_sides, i),
+                       s.ray_origin(s.ng)))
+        return warn(name + " has a luminance but no area: it emits nothing");
+      out_->emitter_of_instance[i] = index;
+      ++out_->emissive_instance_count;
+    });
+  }
+}
+
+void Builder::add_sources() {
+  in_.sources().each([&](uint32_t id, const SourceDescription& source) {
+    in_context("luminaire " + std::to_string(id), [&] {
+      if (const auto* light = std::get_if<LightDescription>(&source.kind))
+        add_light(*light, source.dimming);
+      else
+        add_luminaire(id, std::get<LuminaireDescription>(source.kind), source.dimming);
+    });
+  });
+}
+
+void Builder::add_light(const LightDescription& light, float dimming) {
+  ++out_->light_count;
+  const Rgb intensity = light.intensity * dimming;
+  if (is_black(intensity)) return;
+  const Vec3 axis = -Axes(light.to_world).frame().n;
+  const Vec3 p = off_surface(to_scene(light.to_world.column(3)), axis);
+  if (light.kind == UPS_LIGHT_POINT)
+    add_emitter(std::make_unique<PointEmitter>(p, intensity, free_error(p)), p);
+  else if (light.kind == UPS_LIGHT_SPOT)
+    add_emitter(
+        std::make_unique<SpotEmitter>(p, axis, intensity, light.inner_cone_rad, light.outer_cone_rad, free_error(p)),
+        p);
+  else
+    add_emitter(std::make_unique<DirectionalEmitter>(axis, intensity, out_->radius > 0 ? out_->radius : 1.0f),
+                axis * -out_->radius);
+}
+
+void Builder::add_luminaire(uint32_t id, const LuminaireDescription& luminaire, float dimming) {
+  ++out_->luminaire_count;
+  const std::string name = "luminaire " + std::to_string(id) + ": ";
+  for (const std::string& text : luminaire.profile->warnings) warn(name + text);
+  const photometry::Opening& opening = luminaire.profile->opening;
+  const double band_flux = luminaire.profile->distribution.band_flux_lm();
+  if (!(band_flux > 0)) return warn(name + "its profile has no flux: it emits nothing");
+  const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / band_flux : 1;
+  const Rgb scale = luminaire.color * float(double(dimming) * double(luminaire.intensity_scale) * to_flux);
+  if (is_black(scale)) return;
+  const std::shared_ptr<const photometry::Distribution> distribution(luminaire.profile,
+                                                                     &luminaire.profile->distribution);
+  const Frame frame = Axes(luminaire.to_world).frame();
+  const Vec3 nadir = -frame.n, p = to_scene(luminaire.to_world.column(3));
+  const bool has_area = ProfileOpeningEmitter::has_area(opening);
+  if (!luminaire.use_opening || !has_area) {
+    if (luminaire.use_opening && opening.shape != photometry::OpeningShape::point)
+      warn(name + "its opening has no horizontal extent: it emits from a point");
+    const Vec3 q = off_surface(p, nadir);
+    add_emitter(std::make_unique<ProfilePointEmitter>(distribution, frame, q, scale, free_error(q)), q);
+    return;
+  }
+  if (!ProfileOpeningEmitter::is_exact(opening))
+    warn(name + "its opening is not flat: it emits from the opening's horizontal extent");
+  float error = error_at(p, nadir);
+  each_corner(p, frame.s * (0.5f * opening.size_m[0]), frame.t * (0.5f * opening.size_m[1]),
+              [&](const Vec3& corner) { error = std::max(error, error_at(corner, nadir)); });
+  auto emitter = std::make_unique<ProfileOpeningEmitter>(distribution, frame, p, opening, scale, error);
+  const Vec3 front = p + nadir * (2 * error);  // where its rays start, and where walks run into it
+  const DiscIndex::Disc disc{front, emitter->normal(), emitter->circumscribed_radius()};
+  const auto index = uint32_t(emitters_.size());
+  if (!add_emitter(std::move(emitter), front)) return;
+  openings_.push_back(disc);
+  out_->emitter_of_opening.push_back(index);
+}
+
+// ---- sensors ----
+
+MeterSet Builder::make_meters(const MetersDescription& in) const {
+  MeterSet set;
+  set.cell_width = in.cell_width, set.cell_height = in.cell_height;
+  set.meters.resize(in.positions.size());
+  tbb::parallel_for(size_t(0), in.positions.size(), [&](size_t i) {
+    Meter& meter = set.meters[i];
+    const Vec3d n = normalize(Vec3d(in.normals[i]));
+    meter.p = to_scene(in.positions[i]);
+    meter.frame = Frame(Vec3(n));
+    if (!in.tangents.empty()) {
+      const Vec3d t(in.tangents[i]), s = normalize(t - n * dot(t, n));
+      meter.frame = {Vec3(s), Vec3(cross(n, s)), Vec3(n)};
+    }
+    meter.error = error_at(meter.p, meter.frame.n);
+    if (!set.is_cell()) return;
+    each_corner(meter.p, meter.frame.s * (0.5f * set.cell_width), meter.frame.t * (0.5f * set.cell_height),
+                [&](const Vec3& corner) { meter.error = std::max(meter.error, error_at(corner, meter.frame.n)); });
+  });
+  return set;
+}
+
+void Builder::add_sensors() {
+  in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
+    if (const auto* c = std::get_if<CameraDescription>(&s)) {
+      out_->cameras.emplace_back(to_scene(c->to_world), c->width, c->height, c->vertical_fov_rad, c->illuminance);
+      out_->camera_ids.push_back(id);
+    } else {
+      out_->meter_sets.push_back(make_meters(std::get<MetersDescription>(s)));
+      out_->meter_set_ids.push_back(id);
+    }
+  });
+}
+
+// ---- media ----
+
+// The solid glass that p lies in: of the first glass surface in some direction p sees the inside, or none.
+uint32_t Builder::medium_at(Vec3 p) const {
+  const Vec3 d = normalize(Vec3(0.0123f, 0.0071f, 1.0f));  // along no wall
+  Hit hit;
+  for (int crossings = 0; crossings < 10'000; ++crossings) {
+    if (!out_->raytracer->intersect(p, d, INFINITY, hit)) return none;
+    const SurfacePoint s = out_->raytracer->surface_at(hit);
+    if (out_->materials[s.material].model == MaterialModel::glass) return dot(d, s.ng) > 0 ? s.material : none;
+    p = s.ray_origin(d);
+  }
+  return none;
+}
+
+void Builder::find_media() {
+  bool absorbs = false;
+  for (size_t i = 0; i < out_->materials.size(); ++i)
+    absorbs |= used_materials_[i] && out_->materials[i].model == MaterialModel::glass &&
+               !is_black(out_->materials[i].absorption_per_m);
+  const auto find = [&](const Vec3& p) { return absorbs ? medium_at(p) : none; };
+  for (const Camera& camera : out_->cameras) out_->medium_of_camera.push_back(find(camera.position()));
+  for (const Vec3& p : emitter_probes_) out_->medium_of_emitter.push_back(find(p));
+  for (const MeterSet& set : out_->meter_sets) {
+    std::vector<uint32_t>& media = out_->medium_of_meter.emplace_back(set.meters.size(), none);
+    if (!absorbs) continue;
+    tbb::parallel_for(size_t(0), set.meters.size(), [&](size_t i) {
+      const Meter& meter = set.meters[i];
+      media[i] = find(meter.p + meter.frame.n * (2 * meter.error));
+    });
+  }
+}
+
+// ---- warnings ----
+
+void Builder::add_warnings() {
+  const Duplicates duplicates = find_duplicates(out_->meshes, instances_);
+  if (duplicates.count > 0) {
+    const auto name = [&](const Duplicates::Triangle& t) {
+      return "triangle " + std::to_string(t.primitive) + " of instance " + std::to_string(instance_ids_[t.instance]);
+    };
+    warn(std::to_string(duplicates.count) + (duplicates.count == 1 ? " triangle lies" : " triangles lie") +
+         " exactly on another, such as " + name(duplicates.second) + " on " + name(duplicates.first) +
+         ": rounding decides which of them a ray hits");
+  }
+  if (out_->emitters.size() == 0) warn("nothing in the scene emits light");
+  if (out_->cameras.empty() && out_->meter_sets.empty())
+    warn("the scene has no camera and no meters: there is nothing to measure");
+}
+
+}  // namespace
+
+std::shared_ptr<const Snapshot> prepare(const Description& description, int thread_count) {
+  return Builder(description, thread_count).build();
+}
+
+}  // namespace ups
