@@ -1,0 +1,62 @@
+/* UPS extra: a glTF 2.0 file (.gltf, .glb) becomes the content of a scene. Library ups_gltf; needs the core library ups.
+ *
+ * glTF's +Y up is turned to the library's +Z up: (x, y, z) becomes (x, -z, y). What glTF has no words for (materials by
+ * measured values, luminaires, meters) stands in `extras.ups` of a node or a material.
+ * The rules of ups_base.h hold; messages are this library's own: ups_gltf_last_error().
+ */
+#ifndef UPS_GLTF_H
+#define UPS_GLTF_H
+
+#include "ups_base.h"
+
+typedef struct ups_gltf_import ups_gltf_import; /* what the file named: sensors and warnings; immutable, thread-safe */
+
+typedef struct ups_gltf_import_desc {
+  uint32_t struct_size;
+  uint32_t camera_width, camera_height; /* pixels of every camera; both 0: as the file says */
+  uint32_t reserved;                    /* 0 */
+} ups_gltf_import_desc;
+
+typedef int32_t ups_gltf_sensor_kind;
+enum { UPS_GLTF_CAMERA = 0, UPS_GLTF_METERS = 1 };
+
+typedef struct ups_gltf_sensor_info {
+  uint32_t struct_size;
+  ups_gltf_sensor_kind kind;
+  ups_sensor_id sensor;   /* in the scene that the file was imported into */
+  uint32_t width, height; /* camera: pixels */
+  int32_t illuminance;    /* camera: 1 where it has UPS_CHANNEL_ILLUMINANCE */
+  uint32_t meter_count;   /* meters */
+  uint32_t columns, rows; /* meters on a grid: columns run fastest, then rows; 0: free points */
+  uint32_t reserved;
+} ups_gltf_sensor_info;
+
+UPS_API void ups_gltf_import_desc_init(ups_gltf_import_desc *desc, uint32_t struct_size);
+
+/* Adds everything in the file to the scene; the caller commits it. desc may be NULL: all defaults. The caller owns *out.
+ * Errors: IO (a file cannot be read), PARSE (malformed), UNSUPPORTED (names what is not built), and those of the core.
+ * The message names the file and the node, mesh, material or accessor. After an error the scene holds part of the file:
+ * destroy it. */
+UPS_API ups_status ups_gltf_import_file(ups_context *context, const char *path, const ups_gltf_import_desc *desc,
+                                        ups_scene *scene, ups_gltf_import **out);
+UPS_API void ups_gltf_import_destroy(ups_gltf_import *import_result); /* NULL ok; the scene stays */
+
+/* Sensors in the order of the node hierarchy. info->struct_size must be set; at most that many bytes are written. */
+UPS_API ups_status ups_gltf_get_sensor_count(const ups_gltf_import *import_result, uint32_t *out);
+UPS_API ups_status ups_gltf_get_sensor(const ups_gltf_import *import_result, uint32_t index, ups_gltf_sensor_info *info);
+/* Unique in the file and fit for a file name: [A-Za-z0-9._-]. Two calls: text NULL and capacity 0 give *needed (with the
+ * final zero), then the text. */
+UPS_API ups_status ups_gltf_get_sensor_name(const ups_gltf_import *import_result, uint32_t index, char *text,
+                                            size_t capacity, size_t *needed);
+/* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;
+ * count must be the sensor's meter_count. */
+UPS_API ups_status ups_gltf_read_meters(const ups_gltf_import *import_result, uint32_t index, double *positions_m,
+                                        float *normals, size_t count);
+/* For people, a line each: what was left out or looks wrong, each with its place. Two calls, as above. */
+UPS_API ups_status ups_gltf_get_warnings(const ups_gltf_import *import_result, char *text, size_t capacity,
+                                         size_t *needed);
+
+/* This thread's last failure of this library, for people. Never NULL; valid until this thread's next failing call. */
+UPS_API const char *ups_gltf_last_error(void);
+
+#endif

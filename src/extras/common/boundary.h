@@ -1,0 +1,87 @@
+// How a small library of the extras meets its C callers: exceptions become a status and a thread's message, descs and
+// texts are copied by size. Each library keeps one thread-local message of its own. Called by gltf, exr and ocio alone.
+#pragma once
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "ups/ups_base.h"
+
+namespace ups::extras {
+
+class Error : public std::runtime_error {
+ public:
+  Error(ups_status status, const std::string& message) : std::runtime_error(message), status_(status) {}
+  ups_status status() const { return status_; }
+
+ private:
+  ups_status status_;
+};
+
+inline void require(bool condition, const char* message) {
+  if (!condition) throw Error(UPS_ERROR_INVALID_ARGUMENT, message);
+}
+
+// Runs body; what it throws becomes the status, the text goes to message.
+template <class Body>
+ups_status guarded(std::string& message, Body&& body) noexcept {
+  try {
+    try {
+      body();
+      return UPS_OK;
+    } catch (const Error& e) {
+      message = e.what();
+      return e.status();
+    } catch (const std::bad_alloc&) {
+      message = "out of memory";
+      return UPS_ERROR_OUT_OF_MEMORY;
+    } catch (const std::exception& e) {
+      message = std::string("internal error: ") + e.what();
+      return UPS_ERROR_INTERNAL;
+    } catch (...) {
+      message = "internal error of an unknown kind";
+      return UPS_ERROR_INTERNAL;
+    }
+  } catch (...) {  // not even the message could be stored
+    return UPS_ERROR_OUT_OF_MEMORY;
+  }
+}
+
+// The caller's desc over this version's defaults, whichever of the two structs is longer.
+template <class Desc>
+Desc read_desc(const Desc* given, Desc defaults) {
+  if (!given) return defaults;
+  require(given->struct_size >= sizeof(uint32_t), "struct_size is not set: fill the desc by its init function first");
+  std::memcpy(static_cast<void*>(&defaults), given, std::min<size_t>(given->struct_size, sizeof(Desc)));
+  return defaults;
+}
+
+// Copies at most struct_size bytes, which the caller set, and leaves struct_size alone.
+template <class Info>
+void write_info(const Info& from, Info* to) {
+  require(to != nullptr, "info is NULL");
+  const uint32_t size = to->struct_size;
+  require(size >= sizeof(uint32_t), "info->struct_size is not set");
+  std::memcpy(static_cast<void*>(to), &from, std::min<size_t>(size, sizeof(Info)));
+  to->struct_size = size;
+}
+
+// The two-call protocol for texts.
+inline void copy_text(const std::string& from, char* text, size_t capacity, size_t* needed) {
+  require(needed != nullptr || text != nullptr, "both text and needed are NULL");
+  const size_t size = from.size() + 1;
+  if (needed) *needed = size;
+  if (!text) {
+    require(capacity == 0, "text is NULL but capacity is not 0");
+    return;
+  }
+  if (capacity < size) {
+    throw Error(UPS_ERROR_BUFFER_TOO_SMALL,
+                "the text needs " + std::to_string(size) + " bytes, capacity is " + std::to_string(capacity));
+  }
+  std::memcpy(text, from.c_str(), size);
+}
+
+}  // namespace ups::extras

@@ -1,0 +1,232 @@
+// OpenEXR files of float channels: written for renders and grids, read for `ups compare`. The only file that includes
+// OpenEXR. Files are composed in memory first: OpenEXR's writer reports no error of its last bytes.
+#include "ups/ups_exr.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/atomic_file.h"
+#include "common/boundary.h"
+
+struct ups_exr_image {
+  uint32_t width = 0, height = 0;
+  std::vector<std::string> names;
+  std::vector<std::vector<float>> channels;
+  std::vector<std::pair<std::string, std::string>> attributes;
+};
+
+namespace {
+
+using ups::extras::Error;
+using ups::extras::require;
+
+// A small file can claim a large image; this many values (1 GiB) are more than any camera of the library has.
+constexpr uint64_t max_values = uint64_t(1) << 28;
+constexpr int64_t max_side = 65536;
+
+thread_local std::string last_error;
+
+template <class Body>
+ups_status guarded(Body&& body) {
+  return ups::extras::guarded(last_error, body);
+}
+
+class MemoryStream : public Imf::OStream {
+ public:
+  MemoryStream() : Imf::OStream("memory") {}
+  void write(const char c[], int n) override {
+    if (bytes_.size() < position_ + size_t(n)) bytes_.resize(position_ + size_t(n));
+    std::memcpy(bytes_.data() + position_, c, size_t(n));
+    position_ += size_t(n);
+  }
+  uint64_t tellp() override { return position_; }
+  void seekp(uint64_t position) override { position_ = size_t(position); }
+  const std::vector<char>& bytes() const { return bytes_; }
+
+ private:
+  std::vector<char> bytes_;
+  size_t position_ = 0;
+};
+
+void check_channels(const ups_exr_channel* channels, uint32_t count) {
+  require(channels != nullptr && count > 0, "no channels are given");
+  for (uint32_t i = 0; i < count; ++i) {
+    require(channels[i].name != nullptr && channels[i].name[0] != '\0', "a channel has no name");
+    require(channels[i].data != nullptr, "a channel's data is NULL");
+    for (uint32_t j = 0; j < i; ++j) {
+      require(std::strcmp(channels[i].name, channels[j].name) != 0, "two channels have the same name");
+    }
+  }
+}
+
+Imf::Header make_header(uint32_t width, uint32_t height, const ups_exr_channel* channels, uint32_t channel_count,
+                        const ups_exr_attribute* attributes, uint32_t attribute_count) {
+  Imf::Header header{int(width), int(height)};
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (uint32_t i = 0; i < channel_count; ++i) header.channels().insert(channels[i].name, Imf::Channel(Imf::FLOAT));
+  require(attributes != nullptr || attribute_count == 0, "attributes is NULL");
+  for (uint32_t i = 0; i < attribute_count; ++i) {
+    require(attributes[i].name != nullptr && attributes[i].name[0] != '\0', "an attribute has no name");
+    require(attributes[i].value != nullptr, "an attribute's value is NULL");
+    if (header.find(attributes[i].name) != header.end()) {
+      throw Error(UPS_ERROR_INVALID_ARGUMENT,
+                  std::string("the attribute '") + attributes[i].name + "' is OpenEXR's own or given twice");
+    }
+    header.insert(attributes[i].name, Imf::StringAttribute(attributes[i].value));
+  }
+  return header;
+}
+
+std::vector<char> compose(const Imf::Header& header, uint32_t width, uint32_t height, const ups_exr_channel* channels,
+                          uint32_t channel_count) {
+  MemoryStream stream;
+  {
+    Imf::OutputFile file(stream, header);
+    Imf::FrameBuffer frame;
+    for (uint32_t i = 0; i < channel_count; ++i) {
+      const ups_exr_channel& channel = channels[i];
+      const size_t pixel = channel.pixel_stride_bytes ? channel.pixel_stride_bytes : sizeof(float);
+      const size_t row = channel.row_stride_bytes ? channel.row_stride_bytes : pixel * width;
+      // OpenEXR's slices serve reading too, hence the cast; writing only reads.
+      char* data = reinterpret_cast<char*>(const_cast<float*>(channel.data));
+      frame.insert(channel.name, Imf::Slice(Imf::FLOAT, data, pixel, row));
+    }
+    file.setFrameBuffer(frame);
+    file.writePixels(int(height));
+  }
+  return stream.bytes();
+}
+
+void read_image(const char* path, ups_exr_image& image) {
+  Imf::InputFile file(path);
+  const Imf::Header& header = file.header();
+  const auto window = header.dataWindow();
+  const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
+  uint64_t count = 0;
+  for (auto it = header.channels().begin(); it != header.channels().end(); ++it) ++count;
+  if (width < 1 || height < 1 || width > max_side || height > max_side ||
+      uint64_t(width) * uint64_t(height) * count > max_values) {
+    throw Error(UPS_ERROR_UNSUPPORTED, "an image of " + std::to_string(width) + " x " + std::to_string(height) +
+                                           " pixels and " + std::to_string(count) + " channels is not read");
+  }
+  image.width = uint32_t(width);
+  image.height = uint32_t(height);
+  Imf::FrameBuffer frame;
+  image.channels.assign(count, std::vector<float>(size_t(width * height)));
+  for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+    float* data = image.channels[image.names.size()].data();
+    image.names.emplace_back(it.name());
+    frame.insert(it.name(), Imf::Slice::Make(Imf::FLOAT, data, window));
+  }
+  for (auto it = header.begin(); it != header.end(); ++it) {
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
+    if (text) image.attributes.emplace_back(it.name(), text->value());
+  }
+  file.setFrameBuffer(frame);
+  file.readPixels(window.min.y, window.max.y);
+}
+
+}  // namespace
+
+ups_status ups_exr_write(const char* path, uint32_t width, uint32_t height, const ups_exr_channel* channels,
+                         uint32_t channel_count, const ups_exr_attribute* attributes, uint32_t attribute_count) {
+  return guarded([&] {
+    require(path != nullptr, "path is NULL");
+    require(width > 0 && height > 0 && width <= max_side && height <= max_side, "width and height must be 1 to 65536");
+    check_channels(channels, channel_count);
+    const Imf::Header header = make_header(width, height, channels, channel_count, attributes, attribute_count);
+    const std::vector<char> bytes = compose(header, width, height, channels, channel_count);
+    ups::extras::write_file(path, bytes.data(), bytes.size());
+  });
+}
+
+ups_status ups_exr_read(const char* path, ups_exr_image** out) {
+  return guarded([&] {
+    require(path != nullptr, "path is NULL");
+    require(out != nullptr, "out is NULL");
+    if (!std::ifstream(path, std::ios::binary)) {
+      throw Error(UPS_ERROR_IO, std::string("cannot open '") + path + "': no such file, or not readable");
+    }
+    auto image = std::make_unique<ups_exr_image>();
+    try {
+      read_image(path, *image);
+    } catch (const Error& e) {
+      throw Error(e.status(), std::string("'") + path + "': " + e.what());
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& e) {  // OpenEXR's own
+      throw Error(UPS_ERROR_PARSE, std::string("'") + path + "' is not a readable OpenEXR image: " + e.what());
+    }
+    *out = image.release();
+  });
+}
+
+void ups_exr_image_destroy(ups_exr_image* image) { delete image; }
+
+ups_status ups_exr_get_size(const ups_exr_image* image, uint32_t* width, uint32_t* height) {
+  return guarded([&] {
+    require(image != nullptr, "image is NULL");
+    require(width != nullptr && height != nullptr, "width or height is NULL");
+    *width = image->width;
+    *height = image->height;
+  });
+}
+
+ups_status ups_exr_get_channel_count(const ups_exr_image* image, uint32_t* out) {
+  return guarded([&] {
+    require(image != nullptr, "image is NULL");
+    require(out != nullptr, "out is NULL");
+    *out = uint32_t(image->names.size());
+  });
+}
+
+ups_status ups_exr_get_channel_name(const ups_exr_image* image, uint32_t index, char* text, size_t capacity,
+                                    size_t* needed) {
+  return guarded([&] {
+    require(image != nullptr, "image is NULL");
+    require(index < image->names.size(), "index is not below the channel count");
+    ups::extras::copy_text(image->names[index], text, capacity, needed);
+  });
+}
+
+ups_status ups_exr_get_attribute(const ups_exr_image* image, const char* name, char* text, size_t capacity,
+                                 size_t* needed) {
+  return guarded([&] {
+    require(image != nullptr, "image is NULL");
+    require(name != nullptr, "name is NULL");
+    for (const auto& [key, value] : image->attributes) {
+      if (key == name) return ups::extras::copy_text(value, text, capacity, needed);
+    }
+    throw Error(UPS_ERROR_INVALID_ARGUMENT, std::string("there is no text attribute '") + name + "'");
+  });
+}
+
+ups_status ups_exr_read_channel(const ups_exr_image* image, const char* name, float* out, size_t count) {
+  return guarded([&] {
+    require(image != nullptr, "image is NULL");
+    require(name != nullptr, "name is NULL");
+    require(out != nullptr, "out is NULL");
+    std::string all;
+    for (size_t i = 0; i < image->names.size(); ++i) {
+      all += (i ? ", " : "") + image->names[i];
+      if (image->names[i] != name) continue;
+      require(count == image->channels[i].size(), "count is not width * height");
+      std::copy(image->channels[i].begin(), image->channels[i].end(), out);
+      return;
+    }
+    throw Error(UPS_ERROR_INVALID_ARGUMENT, std::string("there is no channel '") + name + "', only " + all);
+  });
+}
+
+const char* ups_exr_last_error(void) { return last_error.c_str(); }

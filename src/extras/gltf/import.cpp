@@ -1,0 +1,144 @@
+// The C boundary of ups_gltf and the order in which an import works.
+#include "gltf/import.h"
+
+#include <algorithm>
+
+namespace ups::gltf {
+
+using extras::Error;
+
+void Importer::check(ups_status status, const std::string& where) const {
+  if (status != UPS_OK) throw Error(status, where + ": " + ups_last_error());
+}
+
+void Importer::warn(const std::string& text) {
+  if (warned_.insert(text).second) warnings.push_back(text);
+}
+
+void Importer::warn_about_extensions(const JsonReader& reader, std::initializer_list<std::string_view> known) {
+  const Json& object = reader.object_or_empty("extensions").json();
+  for (const auto& [name, value] : object.members) {
+    (void)value;
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    warn(reader.where() + ": its extension '" + name + "' is skipped");
+  }
+}
+
+void Importer::warn_about_the_rest() {
+  if (!document_.model.animations.empty()) warn("animations are skipped");
+  for (const char* array : {"meshes", "cameras"}) {
+    const Json* items = document_.json.find(array);
+    for (size_t i = 0; items && i < items->items.size(); ++i) {
+      const std::string where = std::string(array) + "[" + std::to_string(i) + "]";
+      if (!JsonReader(items->items[i], where).ups_extras()) continue;
+      warn(where + ": extras.ups is skipped here; it belongs on a node, a material or a scene");
+    }
+  }
+  if (JsonReader(document_.json, "the file").ups_extras()) {
+    warn("extras.ups at the file's top level is skipped; it belongs on a node, a material or a scene");
+  }
+}
+
+void Importer::run(const std::string& path) {
+  try {
+    document_ = load_document(path, warnings);
+    meshes_.resize(document_.model.meshes.size());
+    add_materials();
+    read_scene();
+    warn_about_the_rest();
+  } catch (const Error& e) {
+    throw Error(e.status(), path + ": " + e.what());
+  }
+}
+
+}  // namespace ups::gltf
+
+struct ups_gltf_import {
+  std::vector<ups::gltf::Sensor> sensors;
+  std::string warnings;
+};
+
+namespace {
+
+using ups::extras::require;
+
+thread_local std::string last_error;
+
+template <class Body>
+ups_status guarded(Body&& body) {
+  return ups::extras::guarded(last_error, body);
+}
+
+const ups::gltf::Sensor& sensor_of(const ups_gltf_import* import_result, uint32_t index) {
+  require(import_result != nullptr, "import_result is NULL");
+  require(index < import_result->sensors.size(), "index is not below the sensor count");
+  return import_result->sensors[index];
+}
+
+ups_gltf_import_desc default_desc() { return {sizeof(ups_gltf_import_desc), 0, 0, 0}; }
+
+}  // namespace
+
+void ups_gltf_import_desc_init(ups_gltf_import_desc* desc, uint32_t struct_size) {
+  if (!desc || struct_size < sizeof(uint32_t)) return;
+  ups_gltf_import_desc defaults = default_desc();
+  defaults.struct_size = struct_size;
+  std::memcpy(static_cast<void*>(desc), &defaults, std::min<size_t>(struct_size, sizeof defaults));
+}
+
+ups_status ups_gltf_import_file(ups_context* context, const char* path, const ups_gltf_import_desc* desc,
+                                ups_scene* scene, ups_gltf_import** out) {
+  return guarded([&] {
+    require(context != nullptr, "context is NULL");
+    require(path != nullptr, "path is NULL");
+    require(scene != nullptr, "scene is NULL");
+    require(out != nullptr, "out is NULL");
+    const ups_gltf_import_desc options = ups::extras::read_desc(desc, default_desc());
+    require((options.camera_width == 0) == (options.camera_height == 0),
+            "camera_width and camera_height must both be given or both be 0");
+    ups::gltf::Importer importer(context, scene, options);
+    importer.run(path);
+    std::string warnings;
+    for (const std::string& warning : importer.warnings) warnings += (warnings.empty() ? "" : "\n") + warning;
+    *out = new ups_gltf_import{std::move(importer.sensors), std::move(warnings)};
+  });
+}
+
+void ups_gltf_import_destroy(ups_gltf_import* import_result) { delete import_result; }
+
+ups_status ups_gltf_get_sensor_count(const ups_gltf_import* import_result, uint32_t* out) {
+  return guarded([&] {
+    require(import_result != nullptr, "import_result is NULL");
+    require(out != nullptr, "out is NULL");
+    *out = uint32_t(import_result->sensors.size());
+  });
+}
+
+ups_status ups_gltf_get_sensor(const ups_gltf_import* import_result, uint32_t index, ups_gltf_sensor_info* info) {
+  return guarded([&] { ups::extras::write_info(sensor_of(import_result, index).info, info); });
+}
+
+ups_status ups_gltf_get_sensor_name(const ups_gltf_import* import_result, uint32_t index, char* text, size_t capacity,
+                                    size_t* needed) {
+  return guarded([&] { ups::extras::copy_text(sensor_of(import_result, index).name, text, capacity, needed); });
+}
+
+ups_status ups_gltf_read_meters(const ups_gltf_import* import_result, uint32_t index, double* positions_m,
+                                float* normals, size_t count) {
+  return guarded([&] {
+    const ups::gltf::Sensor& sensor = sensor_of(import_result, index);
+    require(sensor.info.kind == UPS_GLTF_METERS, "the sensor is a camera, not a set of meters");
+    require(count == sensor.info.meter_count, "count is not the sensor's meter_count");
+    if (positions_m) std::copy(sensor.positions_m.begin(), sensor.positions_m.end(), positions_m);
+    if (normals) std::copy(sensor.normals.begin(), sensor.normals.end(), normals);
+  });
+}
+
+ups_status ups_gltf_get_warnings(const ups_gltf_import* import_result, char* text, size_t capacity, size_t* needed) {
+  return guarded([&] {
+    require(import_result != nullptr, "import_result is NULL");
+    ups::extras::copy_text(import_result->warnings, text, capacity, needed);
+  });
+}
+
+const char* ups_gltf_last_error(void) { return last_error.c_str(); }

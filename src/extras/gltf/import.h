@@ -1,0 +1,98 @@
+// The state of one import, shared by its parts: materials and textures, meshes, nodes, lights, meters. import.cpp owns
+// the order of work; each part is a file of its own.
+#pragma once
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/boundary.h"
+#include "gltf/document.h"
+#include "gltf/transform.h"
+#include "ups/ups.h"
+#include "ups/ups_gltf.h"
+
+namespace ups::gltf {
+
+struct Sensor {
+  ups_gltf_sensor_info info;
+  std::string name;
+  std::vector<double> positions_m;  // meters: world, 3 values each
+  std::vector<float> normals;
+};
+
+struct ProfileDeleter {
+  void operator()(ups_profile* profile) const { ups_profile_destroy(profile); }
+};
+using ProfilePtr = std::unique_ptr<ups_profile, ProfileDeleter>;
+
+struct Material {
+  ups_material_id id;
+  int uv_set;  // the TEXCOORD_n that its textures use
+};
+
+inline void store(const Rgb& from, float (&to)[3]) {
+  for (size_t i = 0; i < 3; ++i) to[i] = float(from[i]);
+}
+
+class Importer {
+ public:
+  Importer(ups_context* context, ups_scene* scene, const ups_gltf_import_desc& desc)
+      : context_(context), scene_(scene), desc_(desc) {}
+  void run(const std::string& path);
+
+  std::vector<Sensor> sensors;
+  std::vector<std::string> warnings;
+
+ private:
+  // Throws what the core said, with the place in the file, unless status is OK.
+  void check(ups_status status, const std::string& where) const;
+  void warn(const std::string& text);  // each text once
+  void warn_about_the_rest();          // animations, skins and what else the scene does not take over
+  void warn_about_extensions(const JsonReader& reader, std::initializer_list<std::string_view> known);
+
+  // texture.cpp
+  enum class Decode { color, color_with_alpha, normal, green, blue };
+  ups_texture_id texture(const JsonReader& material, const JsonReader& info, Decode decode);
+  // material.cpp, material_extras.cpp
+  void add_materials();
+  Material add_material(const JsonReader& material);
+  void read_core_material(const JsonReader& material, ups_material_desc& desc);
+  void read_transmission(const JsonReader& material, ups_material_desc& desc);
+  void read_emission(const JsonReader& material, ups_material_desc& desc);
+  void read_alpha(const JsonReader& material, ups_material_desc& desc);
+  void read_extras_material(const JsonReader& extras, ups_material_desc& desc);
+  int uv_set_of(const JsonReader& material);
+  const Material& default_material();
+  // mesh.cpp
+  const std::vector<ups_mesh_id>& mesh(int index);
+  std::optional<ups_mesh_id> add_primitive(const tinygltf::Primitive& primitive, const std::string& where);
+  // node.cpp
+  void read_scene();
+  void read_node(int index, const Affine& parent);
+  void add_instances(int index, const Affine& to_world, const std::string& where);
+  void add_camera(const JsonReader& node, int index, const Affine& frame);
+  // light.cpp
+  void add_punctual_light(const JsonReader& node, const Affine& frame);
+  void add_ies_light(const JsonReader& node, const Affine& frame);
+  void add_luminaire(const JsonReader& luminaire, const Affine& frame);
+  const ups_profile* profile(const std::string& key, const Bytes& bytes, const std::string& where);
+  // meters.cpp
+  void add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame);
+  std::string unique_name(const std::string& name);
+
+  ups_context* context_;
+  ups_scene* scene_;
+  ups_gltf_import_desc desc_;
+  Document document_;
+  std::vector<Material> materials_;
+  std::optional<Material> default_material_;
+  std::vector<std::optional<std::vector<ups_mesh_id>>> meshes_;
+  std::vector<std::pair<std::string, ProfilePtr>> profiles_;
+  std::vector<std::pair<std::string, ups_texture_id>> textures_;
+  std::set<std::string> names_, warned_;
+  std::vector<char> visited_;  // nodes
+};
+
+}  // namespace ups::gltf

@@ -1,0 +1,158 @@
+// Sources of a node: KHR_lights_punctual, EXT_lights_ies, and the luminaires of `extras.ups`. Each photometric file is
+// parsed once.
+#include <cmath>
+#include <limits>
+
+#include "gltf/import.h"
+
+namespace ups::gltf {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double quarter_pi = 0.78539816339744831;
+
+// Rec.709.
+double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
+
+constexpr double min_temperature = 1667, max_temperature = 25000;
+
+// Chromaticity of the Planckian locus: Kang et al. 2002, "Design of advanced color temperature control system for HDTV
+// applications", J. Korean Phys. Soc. 41 (6); valid from 1667 K to 25000 K. Then linear Rec.709 (IEC 61966-2-1 matrix),
+// negative components clipped, and scaled to luminance 1.
+Rgb planckian_rgb(double kelvin) {
+  const double t = 1e3 / kelvin;
+  const double x = kelvin <= 4000 ? -0.2661239 * t * t * t - 0.2343589 * t * t + 0.8776956 * t + 0.179910
+                                  : -3.0258469 * t * t * t + 2.1070379 * t * t + 0.2226347 * t + 0.240390;
+  double y = 0;
+  if (kelvin <= 2222) {
+    y = -1.1063814 * x * x * x - 1.34811020 * x * x + 2.18555832 * x - 0.20219683;
+  } else if (kelvin <= 4000) {
+    y = -0.9549476 * x * x * x - 1.37418593 * x * x + 2.09137015 * x - 0.16748867;
+  } else {
+    y = 3.0817580 * x * x * x - 5.87338670 * x * x + 3.75112997 * x - 0.37001483;
+  }
+  const double X = x / y, Z = (1 - x - y) / y;  // Y = 1
+  Rgb rgb = {3.2404542 * X - 1.5371385 - 0.4985314 * Z, -0.9692660 * X + 1.8760108 + 0.0415560 * Z,
+             0.0556434 * X - 0.2040259 + 1.0572252 * Z};
+  for (double& c : rgb) c = std::max(c, 0.0);
+  const double scale = luminance(rgb);
+  for (double& c : rgb) c /= scale;
+  return rgb;
+}
+
+std::string core_text(const ups_profile* profile, ups_profile_text topic) {
+  size_t size = 0;
+  if (ups_profile_get_text(profile, topic, nullptr, 0, &size) != UPS_OK) return {};
+  std::string text(size, '\0');
+  if (ups_profile_get_text(profile, topic, text.data(), size, &size) != UPS_OK) return {};
+  text.resize(size ? size - 1 : 0);
+  return text;
+}
+
+// Index into the lights of an extension at the file's top level.
+JsonReader light_of(const Json& document, const JsonReader& use, const char* name) {
+  const auto top = JsonReader(document, "the file").extension(name);
+  const std::vector<Json> none;
+  const std::vector<Json>& lights = top ? top->array("lights") : none;
+  const int64_t index = use.integer("light", -1, 0, std::numeric_limits<int32_t>::max());
+  if (index < 0 || size_t(index) >= lights.size()) {
+    use.fail("light",
+             "is missing or out of range: the file has " + std::to_string(lights.size()) + " lights of " + name);
+  }
+  return JsonReader(lights[size_t(index)], std::string(name) + " light " + std::to_string(index));
+}
+
+}  // namespace
+
+void Importer::add_punctual_light(const JsonReader& node, const Affine& frame) {
+  const JsonReader light = light_of(document_.json, *node.extension("KHR_lights_punctual"), "KHR_lights_punctual");
+  const std::string where = node.where() + ", " + light.where();
+  const std::string type = light.text("type", "");
+  ups_light_desc desc;
+  ups_light_desc_init(&desc, sizeof desc);
+  if (type == "point") {
+    desc.kind = UPS_LIGHT_POINT;
+  } else if (type == "directional") {
+    desc.kind = UPS_LIGHT_DIRECTIONAL;
+  } else if (type == "spot") {
+    desc.kind = UPS_LIGHT_SPOT;
+    const JsonReader spot = light.object_or_empty("spot");
+    desc.inner_cone_rad = float(spot.number("innerConeAngle", 0, 0, 2 * quarter_pi));
+    desc.outer_cone_rad = float(spot.number("outerConeAngle", quarter_pi, 0, 2 * quarter_pi));
+    if (!(desc.inner_cone_rad < desc.outer_cone_rad)) spot.fail("innerConeAngle", "must be less than outerConeAngle");
+  } else {
+    light.fail("type", "must be point, spot or directional");
+  }
+  const double intensity = light.number("intensity", 1, 0, unlimited);
+  const Rgb color = light.rgb("color", {1, 1, 1}, 0, unlimited, false);
+  store({color[0] * intensity, color[1] * intensity, color[2] * intensity}, desc.intensity_rgb);
+  std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  ups_luminaire_id id{};
+  check(ups_scene_add_light(scene_, &desc, &id), where);
+}
+
+const ups_profile* Importer::profile(const std::string& key, const Bytes& bytes, const std::string& where) {
+  for (const auto& [known, profile] : profiles_) {
+    if (known == key) return profile.get();
+  }
+  ups_profile* parsed = nullptr;
+  check(ups_profile_parse(context_, bytes.data(), bytes.size(), UPS_PROFILE_AUTO, &parsed), where);
+  profiles_.emplace_back(key, ProfilePtr(parsed));
+  const std::string text = core_text(parsed, UPS_PROFILE_TEXT_WARNINGS);
+  for (size_t begin = 0; begin < text.size();) {
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    if (end > begin) warn(key + ": " + text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parsed;
+}
+
+void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
+  const JsonReader use = *node.extension("EXT_lights_ies");
+  const JsonReader light = light_of(document_.json, use, "EXT_lights_ies");
+  std::string where = node.where() + ", " + light.where();
+  ups_luminaire_desc desc;
+  ups_luminaire_desc_init(&desc, sizeof desc);
+  if (light.has("uri") == light.has("bufferView")) light.fail("uri", "or \"bufferView\" must be given, and not both");
+  if (light.has("uri")) {
+    const std::string uri = light.text("uri", "");
+    const bool embedded = uri.rfind("data:", 0) == 0;
+    if (!embedded) where += ", file '" + uri + "'";
+    desc.profile = profile(embedded ? light.where() : uri, read_uri(document_, uri, where), where);
+  } else {
+    const int64_t view = light.integer("bufferView", 0, 0, std::numeric_limits<int32_t>::max());
+    const ByteRange range = buffer_view(document_, int(view), where);
+    desc.profile = profile(light.where(), Bytes(range.data, range.data + range.size), where);
+  }
+  const Rgb color = use.rgb("color", {1, 1, 1}, 0, unlimited, false);
+  const double y = luminance(color);
+  // The core takes chromaticity and scale apart; the extension's colour multiplies each component.
+  store(y > 0 ? color : Rgb{1, 1, 1}, desc.color_rgb);
+  desc.intensity_scale = float(use.number("multiplier", 1, 0, unlimited) * y);
+  desc.use_opening = 0;  // the extension: "infinitely small points"
+  std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  ups_luminaire_id id{};
+  check(ups_scene_add_luminaire(scene_, &desc, &id), where);
+}
+
+void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
+  luminaire.allow_only({"file", "flux_lm", "dimming", "colour_temperature_k", "opening"});
+  const std::string file = luminaire.text("file", "");
+  if (file.empty()) luminaire.fail("file", "is missing: the name of an IES or EULUMDAT file beside the scene");
+  const std::string where = luminaire.where() + ", file '" + file + "'";
+  ups_luminaire_desc desc;
+  ups_luminaire_desc_init(&desc, sizeof desc);
+  desc.profile = profile(file, read_file(document_.folder / std::filesystem::u8path(file), luminaire.where()), where);
+  desc.use_opening = luminaire.boolean("opening", true);
+  desc.dimming = float(luminaire.number("dimming", 1, 0, unlimited));
+  if (luminaire.has("flux_lm")) desc.flux_lm = float(luminaire.number("flux_lm", 0, 0, unlimited));
+  if (luminaire.has("colour_temperature_k")) {
+    store(planckian_rgb(luminaire.number("colour_temperature_k", 0, min_temperature, max_temperature)), desc.color_rgb);
+  }
+  std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  ups_luminaire_id id{};
+  check(ups_scene_add_luminaire(scene_, &desc, &id), where);
+}
+
+}  // namespace ups::gltf

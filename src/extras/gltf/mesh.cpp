@@ -1,0 +1,124 @@
+// Triangle primitives of glTF meshes become meshes of the scene, once each, when the first node uses them. Strips and
+// fans are unrolled; points and lines have no area and are skipped.
+#include "gltf/import.h"
+
+namespace ups::gltf {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& where, const std::string& problem) {
+  throw extras::Error(UPS_ERROR_PARSE, where + ": " + problem);
+}
+
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
+  const auto found = primitive.attributes.find(name);
+  return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+// glTF 2.0, section 3.7.2.1: how strips and fans list their triangles.
+std::vector<uint32_t> unroll(const std::vector<uint32_t>& from, int mode) {
+  std::vector<uint32_t> to;
+  for (size_t i = 0; i + 2 < from.size(); ++i) {
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+      to.insert(to.end(), {from[i + 1], from[i + 2], from[0]});
+    } else {
+      to.insert(to.end(), {from[i], from[i + 1 + i % 2], from[i + 2 - i % 2]});
+    }
+  }
+  return to;
+}
+
+std::vector<uint32_t> triangle_indices(const Document& document, const tinygltf::Primitive& primitive,
+                                       size_t vertex_count, const std::string& where) {
+  std::vector<uint32_t> indices;
+  if (primitive.indices >= 0) {
+    indices = read_indices(document, primitive.indices, where + ", indices");
+  } else {
+    indices.resize(vertex_count);
+    for (size_t i = 0; i < vertex_count; ++i) indices[i] = uint32_t(i);
+  }
+  for (size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] >= vertex_count) {
+      fail(where, "index " + std::to_string(indices[i]) + " at place " + std::to_string(i) + " of accessor " +
+                      std::to_string(primitive.indices) + " is out of range: there are " +
+                      std::to_string(vertex_count) + " vertices");
+    }
+  }
+  if (primitive.mode != TINYGLTF_MODE_TRIANGLES) return unroll(indices, primitive.mode);
+  if (indices.size() % 3 != 0) fail(where, std::to_string(indices.size()) + " indices do not make whole triangles");
+  return indices;
+}
+
+// An optional attribute; empty where the primitive does not have it.
+std::vector<float> optional_floats(const Document& document, const tinygltf::Primitive& primitive,
+                                   const std::string& name, int components, size_t vertex_count,
+                                   const std::string& where) {
+  const int accessor = attribute(primitive, name);
+  if (accessor < 0) return {};
+  std::vector<float> values = read_floats(document, accessor, components, where + ", " + name);
+  if (values.size() != vertex_count * size_t(components)) {
+    fail(where, name + " has " + std::to_string(values.size() / size_t(components)) + " elements, POSITION has " +
+                    std::to_string(vertex_count));
+  }
+  return values;
+}
+
+}  // namespace
+
+std::optional<ups_mesh_id> Importer::add_primitive(const tinygltf::Primitive& primitive, const std::string& where) {
+  if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+    fail(where, "mode " + std::to_string(primitive.mode) + " is not one of glTF's 0 to 6");
+  }
+  if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+    warn(where + ": points and lines are skipped");
+    return std::nullopt;
+  }
+  if (attribute(primitive, "POSITION") < 0) {
+    warn(where + ": skipped, it has no POSITION");
+    return std::nullopt;
+  }
+  if (!primitive.targets.empty()) warn(where + ": morph targets are skipped");
+  if (attribute(primitive, "COLOR_0") >= 0) warn(where + ": vertex colours (COLOR_0) are skipped");
+
+  const std::vector<float> positions =
+      read_floats(document_, attribute(primitive, "POSITION"), 3, where + ", POSITION");
+  const size_t vertex_count = positions.size() / 3;
+  const std::vector<uint32_t> indices = triangle_indices(document_, primitive, vertex_count, where);
+  if (indices.empty()) {
+    warn(where + ": skipped, it has no triangle");
+    return std::nullopt;
+  }
+  const Material& material = primitive.material >= 0 ? materials_.at(size_t(primitive.material)) : default_material();
+  const std::string uv_name = "TEXCOORD_" + std::to_string(material.uv_set);
+  const auto normals = optional_floats(document_, primitive, "NORMAL", 3, vertex_count, where);
+  const auto uvs = optional_floats(document_, primitive, uv_name, 2, vertex_count, where);
+  const auto tangents = optional_floats(document_, primitive, "TANGENT", 4, vertex_count, where);
+
+  ups_mesh_desc desc;
+  ups_mesh_desc_init(&desc, sizeof desc);
+  desc.material = material.id;
+  desc.vertex_count = uint32_t(vertex_count);
+  desc.triangle_count = uint32_t(indices.size() / 3);
+  desc.positions_m = positions.data();
+  desc.normals = normals.empty() ? nullptr : normals.data();
+  desc.uvs = uvs.empty() ? nullptr : uvs.data();
+  desc.tangents = tangents.empty() ? nullptr : tangents.data();
+  desc.indices = indices.data();
+  ups_mesh_id id{};
+  check(ups_scene_add_mesh(scene_, &desc, &id), where);
+  return id;
+}
+
+const std::vector<ups_mesh_id>& Importer::mesh(int index) {
+  auto& ids = meshes_.at(size_t(index));
+  if (ids) return *ids;
+  ids.emplace();
+  const tinygltf::Mesh& source = document_.model.meshes[size_t(index)];
+  for (size_t i = 0; i < source.primitives.size(); ++i) {
+    const std::string where = place("mesh", size_t(index), source.name) + ", primitive " + std::to_string(i);
+    if (const auto id = add_primitive(source.primitives[i], where)) ids->push_back(*id);
+  }
+  return *ids;
+}
+
+}  // namespace ups::gltf

@@ -1,0 +1,164 @@
+// Walks the node hierarchy: each node's meshes, camera, lights and what its `extras.ups` says, turned to +Z up.
+#include <cmath>
+#include <limits>
+
+#include "gltf/import.h"
+
+namespace ups::gltf {
+
+namespace {
+
+constexpr int64_t default_width = 512, max_width = 16384;
+constexpr double flat = 1e-14;  // relative: as the core, which refuses such matrices
+
+bool is_unit(const std::vector<double>& scale) {
+  for (double s : scale) {
+    if (s != 1) return false;
+  }
+  return true;
+}
+
+[[noreturn]] void fail(const std::string& where, const std::string& problem) {
+  throw extras::Error(UPS_ERROR_PARSE, where + ": " + problem);
+}
+
+}  // namespace
+
+void Importer::read_scene() {
+  const tinygltf::Model& model = document_.model;
+  std::vector<int> roots;
+  if (!model.scenes.empty()) {
+    const int chosen = model.defaultScene >= 0 ? model.defaultScene : 0;
+    if (size_t(chosen) >= model.scenes.size()) fail("scene " + std::to_string(chosen), "is not in the file");
+    const std::string where = place("scene", size_t(chosen), model.scenes[size_t(chosen)].name);
+    const JsonReader scene = document_.element("scenes", size_t(chosen), where);
+    if (const auto extras = scene.ups_extras()) {
+      extras->allow_only({"sky"});
+      if (extras->has("sky")) {
+        throw extras::Error(UPS_ERROR_UNSUPPORTED, where +
+                                                       ": extras.ups.sky is not built yet; light the scene with "
+                                                       "luminaires or emitting surfaces");
+      }
+    }
+    if (model.scenes.size() > 1) warn("only " + where + " is read, the other scenes of the file are skipped");
+    roots = model.scenes[size_t(chosen)].nodes;
+  } else {
+    std::vector<char> is_child(model.nodes.size(), 0);
+    for (const auto& node : model.nodes) {
+      for (int child : node.children) {
+        if (child >= 0 && size_t(child) < is_child.size()) is_child[size_t(child)] = 1;
+      }
+    }
+    for (size_t i = 0; i < is_child.size(); ++i) {
+      if (!is_child[i]) roots.push_back(int(i));
+    }
+  }
+
+  // A stack instead of recursion: a file may nest nodes as deep as it likes. Depth first, in the file's order.
+  visited_.assign(model.nodes.size(), 0);
+  std::vector<std::pair<int, Affine>> stack;
+  const auto push = [&](const std::vector<int>& children, const Affine& parent) {
+    for (auto child = children.rbegin(); child != children.rend(); ++child) stack.emplace_back(*child, parent);
+  };
+  push(roots, turn_to_z_up());
+  while (!stack.empty()) {
+    const auto [index, parent] = stack.back();
+    stack.pop_back();
+    if (index < 0 || size_t(index) >= model.nodes.size()) {
+      fail("node " + std::to_string(index), "is out of range: the file has " + std::to_string(model.nodes.size()));
+    }
+    const tinygltf::Node& node = model.nodes[size_t(index)];
+    const std::string where = place("node", size_t(index), node.name);
+    if (visited_[size_t(index)]++) fail(where, "has two parents or is its own ancestor; nodes must form a tree");
+    read_node(index, parent);
+    push(node.children, parent * local_transform(node, where).full);
+  }
+}
+
+void Importer::read_node(int index, const Affine& parent) {
+  const tinygltf::Node& source = document_.model.nodes[size_t(index)];
+  const std::string where = place("node", size_t(index), source.name);
+  const JsonReader node = document_.element("nodes", size_t(index), where);
+  const NodeTransform local = local_transform(source, where);
+  if (source.mesh >= 0) add_instances(source.mesh, parent * local.full, where);
+  if (source.skin >= 0) warn(where + ": its skin is skipped");
+  warn_about_extensions(node, {"KHR_lights_punctual", "EXT_lights_ies"});
+
+  const auto extras = node.ups_extras();
+  if (extras) {
+    extras->allow_only({"meters", "luminaire", "width", "height", "illuminance_camera"});
+    for (const char* key : {"width", "height", "illuminance_camera"}) {
+      if (extras->has(key) && source.camera < 0) extras->fail(key, "needs a camera on the same node");
+    }
+  }
+  const auto meters = extras ? extras->object("meters") : std::nullopt;
+  const auto luminaire = extras ? extras->object("luminaire") : std::nullopt;
+  const bool has_punctual = node.extension("KHR_lights_punctual").has_value();
+  const bool has_ies = node.extension("EXT_lights_ies").has_value();
+  if (source.camera < 0 && !meters && !luminaire && !has_punctual && !has_ies) return;
+
+  bool scaled = false;
+  const Affine frame = without_scale(parent * local.unscaled, scaled, where);
+  if (scaled || !is_unit(source.scale))
+    warn(where + ": its scale is ignored for meters, luminaires, lights and cameras");
+  if (source.camera >= 0) add_camera(node, source.camera, frame);
+  if (has_punctual) add_punctual_light(node, frame);
+  if (has_ies) add_ies_light(node, frame);
+  if (luminaire) add_luminaire(*luminaire, frame);
+  if (meters) add_meters(*meters, source.name, frame);
+}
+
+void Importer::add_instances(int index, const Affine& to_world, const std::string& where) {
+  // Relative to the axes' lengths: a scale of 0 hides the node, a small one does not.
+  const double volume = length(to_world.column(0)) * length(to_world.column(1)) * length(to_world.column(2));
+  if (!(std::abs(determinant(to_world)) > flat * volume)) {
+    warn(where + ": its mesh is skipped, as its matrix has a scale of 0");
+    return;
+  }
+  for (const ups_mesh_id& id : mesh(index)) {
+    ups_instance_desc desc;
+    ups_instance_desc_init(&desc, sizeof desc);
+    desc.mesh = id;
+    std::copy(std::begin(to_world.m), std::end(to_world.m), desc.to_world);
+    ups_instance_id instance{};
+    check(ups_scene_add_instance(scene_, &desc, &instance), where);
+  }
+}
+
+void Importer::add_camera(const JsonReader& node, int index, const Affine& frame) {
+  const tinygltf::Camera& camera = document_.model.cameras.at(size_t(index));
+  const std::string where = node.where() + ", " + place("camera", size_t(index), camera.name);
+  if (camera.type != "perspective") {
+    warn(where + ": skipped, only perspective cameras are read");
+    return;
+  }
+  const auto extras = node.ups_extras();
+  const JsonReader size = extras ? *extras : JsonReader(empty_object(), where);
+  const double aspect = camera.perspective.aspectRatio > 0 ? camera.perspective.aspectRatio : 1;
+  const auto pixels = [](double count) {
+    return int64_t(std::lround(std::min(std::max(count, 1.0), double(max_width))));
+  };
+  int64_t width = size.integer("width", 0, 1, max_width), height = size.integer("height", 0, 1, max_width);
+  if (width == 0) width = height > 0 ? pixels(double(height) * aspect) : default_width;
+  if (height == 0) height = pixels(double(width) / aspect);
+
+  ups_camera_desc desc;
+  ups_camera_desc_init(&desc, sizeof desc);
+  desc.width = desc_.camera_width ? desc_.camera_width : uint32_t(width);
+  desc.height = desc_.camera_height ? desc_.camera_height : uint32_t(height);
+  std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  desc.vertical_fov_rad = float(camera.perspective.yfov);
+  desc.illuminance = size.boolean("illuminance_camera", false);
+  Sensor sensor{};
+  check(ups_scene_add_camera(scene_, &desc, &sensor.info.sensor), where);
+  sensor.info.struct_size = sizeof sensor.info;
+  sensor.info.kind = UPS_GLTF_CAMERA;
+  sensor.info.width = desc.width;
+  sensor.info.height = desc.height;
+  sensor.info.illuminance = desc.illuminance;
+  const std::string node_name = node.text("name", "");
+  sensor.name = unique_name(node_name.empty() ? "camera" : node_name);
+  sensors.push_back(std::move(sensor));
+}
+
+}  // namespace ups::gltf

@@ -1,0 +1,77 @@
+// The C boundary of ups_ocio.
+#include "ups/ups_ocio.h"
+
+#include <cmath>
+
+#include "common/boundary.h"
+#include "ocio/false_color.h"
+#include "ocio/view.h"
+
+namespace {
+
+using ups::extras::require;
+
+constexpr uint32_t max_side = 16384;
+
+thread_local std::string last_error;
+
+template <class Body>
+ups_status guarded(Body&& body) {
+  return ups::extras::guarded(last_error, body);
+}
+
+void check_size(uint32_t width, uint32_t height) {
+  require(width > 0 && height > 0 && width <= max_side && height <= max_side, "width and height must be 1 to 16384");
+}
+
+ups_ocio_false_color_desc default_desc() {
+  ups_ocio_false_color_desc desc{};
+  desc.struct_size = sizeof desc;
+  return desc;
+}
+
+}  // namespace
+
+ups_status ups_ocio_choose_exposure(const float* luminance_rgb, uint32_t width, uint32_t height, double* out) {
+  return guarded([&] {
+    require(luminance_rgb != nullptr, "luminance_rgb is NULL");
+    require(out != nullptr, "out is NULL");
+    check_size(width, height);
+    *out = ups::ocio::choose_exposure(luminance_rgb, size_t(width) * height);
+  });
+}
+
+ups_status ups_ocio_write_png(const char* path, const float* luminance_rgb, uint32_t width, uint32_t height,
+                              double exposure) {
+  return guarded([&] {
+    require(path != nullptr, "path is NULL");
+    require(luminance_rgb != nullptr, "luminance_rgb is NULL");
+    require(std::isfinite(exposure) && exposure >= 0, "exposure must be finite and at least 0");
+    check_size(width, height);
+    if (exposure == 0) exposure = ups::ocio::choose_exposure(luminance_rgb, size_t(width) * height);
+    ups::ocio::write_png(path, ups::ocio::view_of(luminance_rgb, width, height, exposure));
+  });
+}
+
+void ups_ocio_false_color_desc_init(ups_ocio_false_color_desc* desc, uint32_t struct_size) {
+  if (!desc || struct_size < sizeof(uint32_t)) return;
+  ups_ocio_false_color_desc defaults = default_desc();
+  defaults.struct_size = struct_size;
+  std::memcpy(static_cast<void*>(desc), &defaults, std::min<size_t>(struct_size, sizeof defaults));
+}
+
+ups_status ups_ocio_write_false_color_png(const char* path, const ups_ocio_false_color_desc* desc) {
+  return guarded([&] {
+    require(path != nullptr, "path is NULL");
+    require(desc != nullptr, "desc is NULL");
+    const ups_ocio_false_color_desc given = ups::extras::read_desc(desc, default_desc());
+    require(given.values != nullptr, "values is NULL");
+    check_size(given.columns, given.rows);
+    require(std::isfinite(given.scale_min) && std::isfinite(given.scale_max) &&
+                (given.scale_max > given.scale_min || (given.scale_max == 0 && given.scale_min == 0)),
+            "scale_max must be greater than scale_min, or both 0");
+    ups::ocio::write_png(path, ups::ocio::false_color_picture(given));
+  });
+}
+
+const char* ups_ocio_last_error(void) { return last_error.c_str(); }

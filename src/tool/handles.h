@@ -1,0 +1,70 @@
+// The C API's handles with owners, its two-call texts as strings, its failures as exceptions. For the whole program.
+#pragma once
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ups/ups.h"
+#include "ups/ups_exr.h"
+#include "ups/ups_gltf.h"
+#include "ups/ups_ocio.h"
+
+namespace ups::tool {
+
+// The work failed: message on standard error, exit code 1.
+class Failure : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+template <auto destroy>
+struct Destroy {
+  template <class T>
+  void operator()(T* handle) const {
+    destroy(handle);
+  }
+};
+using Context = std::unique_ptr<ups_context, Destroy<ups_context_destroy>>;
+using Profile = std::unique_ptr<ups_profile, Destroy<ups_profile_destroy>>;
+using Scene = std::unique_ptr<ups_scene, Destroy<ups_scene_destroy>>;
+using Job = std::unique_ptr<ups_job, Destroy<ups_job_destroy>>;
+using Result = std::unique_ptr<ups_result, Destroy<ups_result_destroy>>;
+using Import = std::unique_ptr<ups_gltf_import, Destroy<ups_gltf_import_destroy>>;
+using Image = std::unique_ptr<ups_exr_image, Destroy<ups_exr_image_destroy>>;
+
+inline void check(ups_status status, const char* (*last_error)() = ups_last_error) {
+  if (status != UPS_OK) throw Failure(last_error());
+}
+
+// read(text, capacity, needed) is one of the API's two-call functions.
+template <class Read>
+std::string read_text(Read&& read) {
+  size_t needed = 0;
+  check(read(nullptr, 0, &needed));
+  if (needed == 0) return {};
+  std::string text(needed, '\0');
+  check(read(text.data(), needed, &needed));
+  text.resize(needed - 1);
+  return text;
+}
+
+std::vector<std::string> lines_of(const std::string& text);  // without empty ones
+
+// A scene file as the commands use it: imported and committed.
+struct SensorEntry {
+  ups_gltf_sensor_info info;
+  std::string name;
+};
+
+struct LoadedScene {
+  Context context;
+  Scene scene;
+  Import import_result;
+  std::vector<SensorEntry> sensors;
+  std::vector<std::string> warnings;  // of the import and of the commit
+};
+
+Context make_context(int threads);
+LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height);
+
+}  // namespace ups::tool

@@ -1,0 +1,73 @@
+// Reports as JSON, the program's contract with scripts. The only file of the program that includes nlohmann/json.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tool/report.h"
+
+namespace ups::tool {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+// JSON has no NaN: a number that is not known is -1.
+double number(double value) { return std::isfinite(value) ? value : -1; }
+
+std::string dump(const ordered_json& json) {
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+  const ups_result_info& info = report.info;
+  ordered_json meters = ordered_json::object(), cameras = ordered_json::object(), convergence = ordered_json::array();
+  for (const MeterReport& set : report.meters) {
+    const ups_meter_statistics& s = set.statistics;
+    meters[set.name] = {{"mean_lx", number(s.mean_lx)},
+                        {"min_lx", number(s.min_lx)},
+                        {"max_lx", number(s.max_lx)},
+                        {"uniformity", number(s.uniformity)},
+                        {"mean_standard_error_lx", number(s.mean_standard_error_lx)},
+                        {"worst_relative_error_bound", number(s.worst_relative_error_bound)}};
+  }
+  for (const CameraReport& camera : report.cameras) {
+    cameras[camera.name] = {{"width", camera.width},
+                            {"height", camera.height},
+                            {"mean_luminance_cd_m2", number(camera.mean_luminance_cd_m2)}};
+  }
+  for (const ups_convergence_point& point : report.convergence) {
+    convergence.push_back({{"time_s", number(point.elapsed_s)},
+                           {"iterations", point.iterations},
+                           {"median_relative_error", number(point.median_relative_error)},
+                           {"p95_relative_error", number(point.p95_relative_error)},
+                           {"worst_relative_error", number(point.worst_relative_error)}});
+  }
+  return dump({{"scene", report.scene},
+               {"method", method_word(info.method)},
+               {"techniques", report.techniques},
+               {"effects", report.effects},
+               {"iterations", info.iterations},
+               {"time_s", number(info.elapsed_s)},
+               {"threads", info.threads},
+               {"seed", info.seed},
+               {"flux",
+                {{"emitted_lm", number(info.emitted_flux_lm)},
+                 {"absorbed_lm", number(info.absorbed_flux_lm)},
+                 {"escaped_lm", number(info.escaped_flux_lm)}}},
+               {"dropped_samples", info.dropped_samples},
+               {"meters", meters},
+               {"cameras", cameras},
+               {"convergence", convergence},
+               {"warnings", report.warnings}});
+}
+
+std::string to_json(const Comparison& comparison) {
+  return dump({{"rmse", number(comparison.rmse)},
+               {"relative_mse", number(comparison.relative_mse)},
+               {"mean_a", number(comparison.mean_a)},
+               {"mean_b", number(comparison.mean_b)},
+               {"worst_pixel", {comparison.worst_x, comparison.worst_y}}});
+}
+
+}  // namespace ups::tool

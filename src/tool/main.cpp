@@ -1,0 +1,132 @@
+// The program `ups`: its command line. The only file that includes CLI11.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "tool/commands.h"
+#include "ups/ups.h"
+
+namespace {
+
+using ups::tool::RenderOptions;
+
+std::string version_text() {
+  const uint32_t v = ups_version();
+  return "ups " + std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." + std::to_string(v % 100);
+}
+
+std::string positive(const std::string& text) {
+  double value = 0;
+  const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
+  return good ? "" : "must be a number greater than 0, not '" + text + "'";
+}
+
+// WxH into the two numbers; the text of what is wrong, or none.
+std::string parse_size(const std::string& text, uint32_t& width, uint32_t& height) {
+  constexpr uint32_t max_side = 16384;
+  const size_t cross = text.find('x');
+  const auto number = [](const std::string& digits, uint32_t& out) {
+    if (digits.empty() || digits.size() > 5 || digits.find_first_not_of("0123456789") != std::string::npos)
+      return false;
+    out = uint32_t(std::stoul(digits));
+    return out >= 1 && out <= max_side;
+  };
+  if (cross != std::string::npos && number(text.substr(0, cross), width) && number(text.substr(cross + 1), height)) {
+    return {};
+  }
+  return "must be WIDTHxHEIGHT, each from 1 to 16384, such as 640x480, not '" + text + "'";
+}
+
+void add_render(CLI::App& app, RenderOptions& options) {
+  static const std::map<std::string, int32_t> methods = {
+      {"auto", UPS_METHOD_AUTO},         {"ups", UPS_METHOD_UPS},
+      {"pt", UPS_METHOD_PATH_TRACING},   {"lt", UPS_METHOD_LIGHT_TRACING},
+      {"bpt", UPS_METHOD_BIDIRECTIONAL}, {"ppm", UPS_METHOD_PPM},
+      {"sppm", UPS_METHOD_SPPM},         {"bpm", UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}};
+  CLI::App* command = app.add_subcommand("render", "Compute illuminance and luminance of a glTF scene");
+  command->add_option("SCENE", options.scene, "A .gltf or .glb file")->required();
+  command
+      ->add_option_function<std::string>(
+          "--method", [&options](const std::string& word) { options.method = methods.at(word); },
+          "auto (the scene decides), ups, pt, lt, bpt, ppm, sppm, bpm")
+      ->check(CLI::IsMember({"auto", "ups", "pt", "lt", "bpt", "ppm", "sppm", "bpm"}))
+      ->type_name("METHOD");
+  command->add_option("--time", options.time_s, "Stop after this many seconds")
+      ->check(CLI::Validator(positive, ""))
+      ->type_name("S");
+  command->add_option("--iterations", options.iterations, "Stop after this many iterations")
+      ->check(CLI::Range(uint32_t(1), UINT32_MAX))
+      ->type_name("N");
+  command
+      ->add_option("--target-error", options.target_error,
+                   "Stop when the worst meter's relative error, without meters the mean pixel's, is below: 0.02 is 2 %")
+      ->check(CLI::Validator(positive, ""))
+      ->type_name("R");
+  command->add_option("--seed", options.seed, "Same seed and iterations, same result (1)")->type_name("N");
+  command->add_option("--threads", options.threads, "0: all hardware threads")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  command
+      ->add_option_function<std::string>(
+          "--size", [&options](const std::string& text) { parse_size(text, options.width, options.height); },
+          "Size of every camera's image, instead of the file's")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            uint32_t w, h;
+            return parse_size(text, w, h);
+          },
+          ""))
+      ->type_name("WxH");
+  command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
+      ->type_name("DIR");
+  command->add_flag("--json", options.json, "Print one JSON object on standard output");
+  command->footer(
+      "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"
+      "Ctrl-C stops it; the results so far are written.");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Illuminance and luminance by Unified Path Sampling", "ups");
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  RenderOptions render_options;
+  add_render(app, render_options);
+  std::string file;
+  CLI::App* info = app.add_subcommand("info", "What a scene (.gltf, .glb) or a photometric file (.ies, .ldt) contains");
+  info->add_option("FILE", file)->required();
+  std::string a, b;
+  bool json = false;
+  CLI::App* compare = app.add_subcommand("compare", "How far the image A is from the reference B");
+  compare->add_option("A.exr", a)->required();
+  compare->add_option("B.exr", b, "The reference")->required();
+  compare->add_flag("--json", json, "Print one JSON object on standard output");
+  compare->footer(
+      "Over luminance Y of R, G, B, or the channel Y. With B as R:\n"
+      "relative_mse = mean[(A - R)^2 / (R^2 + 0.01 mean(R)^2)]; -1: unknown, as B is black.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? ups::tool::exit_done : ups::tool::exit_usage;  // --help and --version are no errors
+  }
+  if (info->parsed()) return ups::tool::info(file);
+  if (compare->parsed()) return ups::tool::compare(a, b, json);
+  return ups::tool::render(render_options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const int code = run(argc, argv);
+    if (std::fflush(stdout) != 0) {
+      std::fprintf(stderr, "ups: error: cannot write to standard output\n");
+      return ups::tool::exit_failed;
+    }
+    return code;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "ups: error: %s\n", e.what());
+    return ups::tool::exit_failed;
+  }
+}

@@ -1,0 +1,172 @@
+#include "tool/output.h"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include "common/atomic_file.h"
+#include "tool/report.h"
+
+namespace ups::tool {
+
+namespace {
+
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+// What an image is of, for whoever opens it years later.
+Attributes common_attributes(const ups_result* result) {
+  ups_result_info info{};
+  info.struct_size = sizeof info;
+  check(ups_result_get_info(result, &info));
+  const uint32_t v = ups_version();
+  const std::string version =
+      std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." + std::to_string(v % 100);
+  return {{"software", "ups " + version},
+          {"method", method_word(info.method)},
+          {"iterations", std::to_string(info.iterations)},
+          {"seed", std::to_string(info.seed)}};
+}
+
+void write_exr(const std::string& path, uint32_t width, uint32_t height, const std::vector<ups_exr_channel>& channels,
+               const Attributes& attributes) {
+  std::vector<ups_exr_attribute> raw;
+  for (const auto& [name, value] : attributes) raw.push_back({name.c_str(), value.c_str()});
+  check(ups_exr_write(path.c_str(), width, height, channels.data(), uint32_t(channels.size()), raw.data(),
+                      uint32_t(raw.size())),
+        ups_exr_last_error);
+}
+
+void write_false_color(const std::string& path, const std::string& title, uint32_t columns, uint32_t rows,
+                       const float* values, bool first_row_at_bottom) {
+  ups_ocio_false_color_desc desc;
+  ups_ocio_false_color_desc_init(&desc, sizeof desc);
+  desc.columns = columns;
+  desc.rows = rows;
+  desc.first_row_at_bottom = first_row_at_bottom;
+  desc.values = values;
+  desc.title = title.c_str();
+  check(ups_ocio_write_false_color_png(path.c_str(), &desc), ups_ocio_last_error);
+}
+
+void write_camera(const std::string& base, const SensorEntry& camera, const ups_result* result, Attributes attributes) {
+  const uint32_t width = camera.info.width, height = camera.info.height;
+  const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
+  const auto error = read_image(result, camera, UPS_CHANNEL_STANDARD_ERROR_RGB);
+  constexpr size_t pixel = 3 * sizeof(float);
+  std::vector<ups_exr_channel> channels = {{"R", &luminance[0], pixel, 0},
+                                           {"G", &luminance[1], pixel, 0},
+                                           {"B", &luminance[2], pixel, 0},
+                                           {"standard_error.R", &error[0], pixel, 0},
+                                           {"standard_error.G", &error[1], pixel, 0},
+                                           {"standard_error.B", &error[2], pixel, 0}};
+  for (const ups_exr_channel& channel : channels)
+    attributes.emplace_back(std::string("unit.") + channel.name, "cd/m^2");
+  std::vector<float> illuminance;
+  if (camera.info.illuminance) {
+    illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);
+    channels.push_back({"illuminance.Y", illuminance.data(), 0, 0});
+    attributes.emplace_back("unit.illuminance.Y", "lx");
+    write_false_color(base + "_illuminance.png", camera.name + " illuminance", width, height, illuminance.data(),
+                      false);
+  }
+  write_exr(base + ".exr", width, height, channels, attributes);
+  check(ups_ocio_write_png((base + ".png").c_str(), luminance.data(), width, height, 0), ups_ocio_last_error);
+}
+
+struct MeterTable {
+  std::vector<double> positions;
+  std::vector<float> normals;
+  std::vector<ups_meter_reading> readings;
+};
+
+void write_csv(const std::string& path, const MeterTable& table) {
+  std::string text =
+      "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,"
+      "indirect_lx\n";
+  for (size_t i = 0; i < table.readings.size(); ++i) {
+    const ups_meter_reading& r = table.readings[i];
+    const double values[] = {table.positions[3 * i],
+                             table.positions[3 * i + 1],
+                             table.positions[3 * i + 2],
+                             table.normals[3 * i],
+                             table.normals[3 * i + 1],
+                             table.normals[3 * i + 2],
+                             r.illuminance_lx,
+                             r.standard_error_lx,
+                             r.bias_lx,
+                             r.error_bound_lx,
+                             r.direct_lx,
+                             r.indirect_lx};
+    for (size_t c = 0; c < std::size(values); ++c) {
+      char number[40];
+      std::snprintf(number, sizeof number, "%s%.9g", c ? "," : "", values[c] == 0 ? 0.0 : values[c]);  // no "-0"
+      text += number;
+    }
+    text += "\n";
+  }
+  extras::write_file(path, text.data(), text.size());
+}
+
+// An image's top line is the grid's last row: row 0 stands at the bottom.
+void write_grid(const std::string& base, const SensorEntry& grid, const MeterTable& table, Attributes attributes) {
+  const uint32_t columns = grid.info.columns, rows = grid.info.rows;
+  std::vector<float> illuminance, error, by_row;
+  for (uint32_t row = rows; row-- > 0;) {
+    for (uint32_t column = 0; column < columns; ++column) {
+      const ups_meter_reading& reading = table.readings[size_t(row) * columns + column];
+      illuminance.push_back(reading.illuminance_lx);
+      error.push_back(reading.standard_error_lx);
+    }
+  }
+  attributes.emplace_back("unit.Y", "lx");
+  attributes.emplace_back("unit.standard_error.Y", "lx");
+  write_exr(base + ".exr", columns, rows, {{"Y", illuminance.data(), 0, 0}, {"standard_error.Y", error.data(), 0, 0}},
+            attributes);
+  write_false_color(base + ".png", grid.name, columns, rows, illuminance.data(), false);
+}
+
+void write_meters(const std::string& base, uint32_t index, const SensorEntry& meters, const LoadedScene& scene,
+                  const ups_result* result, const Attributes& attributes) {
+  const size_t count = meters.info.meter_count;
+  MeterTable table;
+  table.positions.resize(3 * count);
+  table.normals.resize(3 * count);
+  table.readings.resize(count);
+  check(ups_gltf_read_meters(scene.import_result.get(), index, table.positions.data(), table.normals.data(), count),
+        ups_gltf_last_error);
+  check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
+  write_csv(base + ".csv", table);
+  if (meters.info.columns > 0) write_grid(base, meters, table, attributes);
+}
+
+}  // namespace
+
+std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel) {
+  const size_t channels = channel == UPS_CHANNEL_ILLUMINANCE ? 1 : 3;
+  std::vector<float> pixels(size_t(camera.info.width) * camera.info.height * channels);
+  check(ups_result_read_image(result, camera.info.sensor, channel, pixels.data(), 0, pixels.size() * sizeof(float)));
+  return pixels;
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    throw Failure("--out: cannot make the folder '" + folder + "'" + (error ? ": " + error.message() : ""));
+  }
+}
+
+void write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result) {
+  const Attributes attributes = common_attributes(result);
+  for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
+    const SensorEntry& sensor = scene.sensors[i];
+    const std::string base = (std::filesystem::path(folder) / sensor.name).string();
+    if (sensor.info.kind == UPS_GLTF_CAMERA) {
+      write_camera(base, sensor, result, attributes);
+    } else {
+      write_meters(base, i, sensor, scene, result, attributes);
+    }
+  }
+}
+
+}  // namespace ups::tool

@@ -1,0 +1,17 @@
+// The files of `ups render --out`: images and tables of every sensor. Called by the render command.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tool/handles.h"
+
+namespace ups::tool {
+
+// RGB channels: 3 floats a pixel; illuminance: 1. Row 0 at the top.
+std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel);
+
+// Throws Failure where the folder cannot be made.
+void make_folder(const std::string& folder);
+void write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result);
+
+}  // namespace ups::tool

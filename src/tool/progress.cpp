@@ -1,0 +1,69 @@
+#include "tool/progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ups::tool {
+
+namespace {
+
+constexpr double line_interval_s = 5;
+constexpr int bar_width = 30;
+
+std::string percent(double fraction, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f %%", digits, 100 * fraction);
+  return text;
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  char text[32];
+  if (seconds < 99.5) {
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+  } else if (seconds < 5400) {
+    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
+  } else {
+    std::snprintf(text, sizeof text, "%.1f h", seconds / 3600);
+  }
+  return text;
+}
+
+std::string progress_text(const ups_progress& progress) {
+  std::string text = percent(progress.fraction, 0) + ", " + std::to_string(progress.iterations_done) + " iterations";
+  if (progress.worst_relative_error >= 0) text += ", worst error " + percent(progress.worst_relative_error, 1);
+  if (progress.median_relative_error >= 0) text += ", median " + percent(progress.median_relative_error, 1);
+  if (progress.remaining_s >= 0) text += ", " + duration_text(progress.remaining_s) + " left";
+  return text;
+}
+
+Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1), next_line_s_(line_interval_s) {}
+
+void Progress::update(const ups_progress& progress) {
+  if (!terminal_) {
+    if (progress.elapsed_s < next_line_s_) return;
+    next_line_s_ = progress.elapsed_s + line_interval_s;
+    std::fprintf(stderr, "%s\n", progress_text(progress).c_str());
+    return;
+  }
+  const int full = std::clamp(int(std::lround(progress.fraction * bar_width)), 0, bar_width);
+  std::string line = "[" + std::string(size_t(full), '#') + std::string(size_t(bar_width - full), ' ') + "] ";
+  line += progress_text(progress);
+  const size_t length = line.size();
+  if (length < last_length_) line += std::string(last_length_ - length, ' ');  // over the longer line before
+  last_length_ = length;
+  std::fprintf(stderr, "\r%s", line.c_str());
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+void Progress::finish() {
+  if (drawn_) std::fprintf(stderr, "\n");
+  drawn_ = false;
+}
+
+}  // namespace ups::tool

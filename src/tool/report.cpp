@@ -1,0 +1,146 @@
+#include "tool/report.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tool/output.h"
+
+namespace ups::tool {
+
+namespace {
+
+struct Bit {
+  uint32_t bit;
+  const char* name;
+};
+
+// The C names, lower case, without prefix.
+constexpr Bit technique_names[] = {{UPS_TECHNIQUE_EMITTER_HIT, "emitter_hit"},
+                                   {UPS_TECHNIQUE_LIGHT_SAMPLE, "light_sample"},
+                                   {UPS_TECHNIQUE_CONNECT, "connect"},
+                                   {UPS_TECHNIQUE_SENSOR_CONNECT, "sensor_connect"},
+                                   {UPS_TECHNIQUE_MERGE, "merge"},
+                                   {UPS_TECHNIQUE_SENSOR_HIT, "sensor_hit"}};
+constexpr Bit effect_names[] = {{UPS_EFFECT_SPECULAR_REFLECTION, "specular_reflection"},
+                                {UPS_EFFECT_TRANSMISSION, "transmission"},
+                                {UPS_EFFECT_CAUSTICS, "caustics"},
+                                {UPS_EFFECT_GLOSSY, "glossy"},
+                                {UPS_EFFECT_INTERREFLECTION, "interreflection"},
+                                {UPS_EFFECT_COLOUR, "colour"},
+                                {UPS_EFFECT_TEXTURES, "textures"}};
+
+template <size_t N>
+std::vector<std::string> names_of(uint32_t bits, const Bit (&names)[N]) {
+  std::vector<std::string> result;
+  for (const Bit& name : names) {
+    if (bits & name.bit) result.emplace_back(name.name);
+  }
+  return result;
+}
+
+void append_once(std::vector<std::string>& to, const std::vector<std::string>& from) {
+  for (const std::string& line : from) {
+    if (std::find(to.begin(), to.end(), line) == to.end()) to.push_back(line);
+  }
+}
+
+double mean_luminance(const std::vector<float>& rgb) {
+  double sum = 0;
+  for (size_t i = 0; i + 2 < rgb.size(); i += 3) sum += 0.2126 * rgb[i] + 0.7152 * rgb[i + 1] + 0.0722 * rgb[i + 2];
+  return rgb.empty() ? 0 : 3 * sum / double(rgb.size());
+}
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char text[512];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string result;
+  for (const std::string& word : words) result += (result.empty() ? "" : ", ") + word;
+  return result.empty() ? "none" : result;
+}
+
+std::string percent_text(double fraction) { return fraction < 0 ? "unknown" : format("%.2f %%", 100 * fraction); }
+
+}  // namespace
+
+std::string method_word(ups_method method) {
+  switch (method) {
+    case UPS_METHOD_UPS:
+      return "ups";
+    case UPS_METHOD_PATH_TRACING:
+      return "pt";
+    case UPS_METHOD_LIGHT_TRACING:
+      return "lt";
+    case UPS_METHOD_BIDIRECTIONAL:
+      return "bpt";
+    case UPS_METHOD_PPM:
+      return "ppm";
+    case UPS_METHOD_SPPM:
+      return "sppm";
+    case UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING:
+      return "bpm";
+    default:
+      return "auto";
+  }
+}
+
+Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result) {
+  Report report{};
+  report.scene = scene_path;
+  report.info.struct_size = sizeof report.info;
+  check(ups_result_get_info(result, &report.info));
+  report.techniques = names_of(report.info.techniques, technique_names);
+  report.effects = names_of(report.info.effects, effect_names);
+  append_once(report.warnings, scene.warnings);
+  const auto text = [&](ups_result_text topic) {
+    return lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
+      return ups_result_get_text(result, topic, to, capacity, needed);
+    }));
+  };
+  append_once(report.warnings, text(UPS_TEXT_WARNINGS));
+  append_once(report.warnings, text(UPS_TEXT_DROPPED));
+  for (const SensorEntry& sensor : scene.sensors) {
+    if (sensor.info.kind == UPS_GLTF_METERS) {
+      MeterReport meters{sensor.name, {}};
+      meters.statistics.struct_size = sizeof meters.statistics;
+      check(ups_result_get_meter_statistics(result, sensor.info.sensor, &meters.statistics));
+      report.meters.push_back(meters);
+    } else {
+      const auto pixels = read_image(result, sensor, UPS_CHANNEL_LUMINANCE_RGB);
+      report.cameras.push_back({sensor.name, sensor.info.width, sensor.info.height, mean_luminance(pixels)});
+    }
+  }
+  size_t count = 0;
+  check(ups_result_read_convergence(result, nullptr, 0, &count));
+  report.convergence.resize(count);
+  if (count > 0) check(ups_result_read_convergence(result, report.convergence.data(), count, &count));
+  return report;
+}
+
+std::string to_text(const Report& report) {
+  const ups_result_info& info = report.info;
+  std::string text = format("%s: method %s, %u iterations in %.2f s on %d threads, seed %llu\n", report.scene.c_str(),
+                            method_word(info.method).c_str(), info.iterations, info.elapsed_s, info.threads,
+                            static_cast<unsigned long long>(info.seed));
+  text += "effects: " + joined(report.effects) + "\ntechniques: " + joined(report.techniques) + "\n";
+  text += format("flux: emitted %.6g lm, absorbed %.6g lm, escaped %.6g lm\n", info.emitted_flux_lm,
+                 info.absorbed_flux_lm, info.escaped_flux_lm);
+  for (const MeterReport& meters : report.meters) {
+    const ups_meter_statistics& s = meters.statistics;
+    text += format("meters %s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f, worst error %s\n",
+                   meters.name.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity,
+                   percent_text(s.worst_relative_error_bound).c_str());
+  }
+  for (const CameraReport& camera : report.cameras) {
+    text += format("camera %s: %u x %u, mean luminance %.6g cd/m^2\n", camera.name.c_str(), camera.width, camera.height,
+                   camera.mean_luminance_cd_m2);
+  }
+  for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
+}  // namespace ups::tool

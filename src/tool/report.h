@@ -1,0 +1,42 @@
+// What a render found, as numbers to print: gathered once, printed as JSON or for people. Called by the render command.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tool/handles.h"
+
+namespace ups::tool {
+
+struct MeterReport {
+  std::string name;
+  ups_meter_statistics statistics;
+};
+
+struct CameraReport {
+  std::string name;
+  uint32_t width, height;
+  double mean_luminance_cd_m2;
+};
+
+struct Report {
+  std::string scene;
+  ups_result_info info;
+  std::vector<std::string> techniques, effects, warnings;
+  std::vector<MeterReport> meters;
+  std::vector<CameraReport> cameras;
+  std::vector<ups_convergence_point> convergence;
+};
+
+Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);
+std::string method_word(ups_method method);  // as in --method
+
+std::string to_text(const Report& report);
+std::string to_json(const Report& report);
+
+struct Comparison {
+  double rmse, relative_mse, mean_a, mean_b;
+  uint32_t worst_x, worst_y;
+};
+std::string to_json(const Comparison& comparison);
+
+}  // namespace ups::tool

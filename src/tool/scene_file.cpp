@@ -1,0 +1,64 @@
+// How the commands load a scene file: context, import, commit, sensors and warnings.
+#include <algorithm>
+
+#include "tool/handles.h"
+
+namespace ups::tool {
+
+Context make_context(int threads) {
+  ups_context_desc desc;
+  ups_context_desc_init(&desc, sizeof desc);
+  desc.thread_count = threads;
+  ups_context* context = nullptr;
+  check(ups_context_create(&desc, &context));
+  return Context(context);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (size_t begin = 0; begin < text.size();) {
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    if (end > begin) lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height) {
+  LoadedScene loaded;
+  loaded.context = make_context(threads);
+  ups_scene* scene = nullptr;
+  check(ups_scene_create(loaded.context.get(), &scene));
+  loaded.scene.reset(scene);
+  ups_gltf_import_desc desc;
+  ups_gltf_import_desc_init(&desc, sizeof desc);
+  desc.camera_width = camera_width;
+  desc.camera_height = camera_height;
+  ups_gltf_import* imported = nullptr;
+  check(ups_gltf_import_file(loaded.context.get(), path.c_str(), &desc, scene, &imported), ups_gltf_last_error);
+  loaded.import_result.reset(imported);
+  uint32_t count = 0;
+  check(ups_gltf_get_sensor_count(imported, &count), ups_gltf_last_error);
+  for (uint32_t i = 0; i < count; ++i) {
+    SensorEntry sensor{};
+    sensor.info.struct_size = sizeof sensor.info;
+    check(ups_gltf_get_sensor(imported, i, &sensor.info), ups_gltf_last_error);
+    sensor.name = read_text([&](char* to, size_t capacity, size_t* needed) {
+      return ups_gltf_get_sensor_name(imported, i, to, capacity, needed);
+    });
+    loaded.sensors.push_back(sensor);
+  }
+  loaded.warnings = lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
+    return ups_gltf_get_warnings(imported, to, capacity, needed);
+  }));
+  const ups_status committed = ups_scene_commit(scene);
+  if (committed != UPS_OK) throw Failure(path + ": " + ups_last_error());
+  for (const std::string& line : lines_of(read_text([&](char*to, size_t capacity, size_t*needed) {
+         return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);
+       }))) {
+    loaded.warnings.push_back(line);
+  }
+  return loaded;
+}
+
+}  // namespace ups::tool
