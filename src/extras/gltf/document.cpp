@@ -224,7 +224,7 @@ BufferFiles read_buffer_files(const JsonReader& root, const Document& document, 
   return files;
 }
 
-void load_model(Document& document, const Bytes& file, bool binary) {
+void load_model(Document& document, const Bytes& file, bool binary, std::vector<std::string>& warnings) {
   const std::string base = "ups-buffer-files";  // a name for tinygltf's look-ups, no folder
   BufferFiles files = read_buffer_files(JsonReader(document.json, "the file"), document, base, binary);
   tinygltf::TinyGLTF loader;
@@ -235,10 +235,10 @@ void load_model(Document& document, const Bytes& file, bool binary) {
   const bool good = binary ? loader.LoadBinaryFromMemory(&document.model, &error, &warning, file.data(), size, base)
                            : loader.LoadASCIIFromString(&document.model, &error, &warning,
                                                         reinterpret_cast<const char*>(file.data()), size, base);
-  if (good && error.empty()) return;
   std::replace(error.begin(), error.end(), '\n', ' ');
   if (error.size() > 300) error = error.substr(0, 300) + "...";  // it may quote a whole data URI
-  fail_parse(error.empty() ? "not a valid glTF file" : error);
+  if (!good) fail_parse(error.empty() ? "not a valid glTF file" : error);
+  if (!error.empty()) warnings.push_back(error);  // tinygltf went on
 }
 
 }  // namespace
@@ -299,7 +299,7 @@ Document load_document(const std::string& path, std::vector<std::string>& warnin
   check_extensions(root, warnings);
   check_primitives(root);
   check_arrays(root);
-  load_model(document, file, binary);
+  load_model(document, file, binary, warnings);
   return document;
 }
 

@@ -21,7 +21,7 @@ Json convert(const nlohmann::json& from, int depth) {
   Json to;
   if (from.is_object()) {
     to.kind = Json::Kind::object;
-    for (const auto& [key, value] : from.items()) to.members.emplace_back(key, convert(value, depth + 1));
+    for (const auto& [key, value] : from.items()) to.members.push_back({key, convert(value, depth + 1)});
   } else if (from.is_array()) {
     to.kind = Json::Kind::array;
     to.items.reserve(from.size());
@@ -84,7 +84,7 @@ std::string place(const char* kind, size_t index, const std::string& name) {
   std::string result = kind;
   result += " ";
   result += std::to_string(index);
-  if (!name.empty()) result += " " + in_quotes(name);
+  if (!name.empty()) (result += ' ') += in_quotes(name);
   return result;
 }
 
@@ -108,11 +108,11 @@ void JsonReader::fail(std::string_view key, const std::string& problem) const {
 void JsonReader::allow_only(std::initializer_list<std::string_view> keys) const {
   for (const auto& member : object_->members) {
     bool known = false;
-    for (std::string_view key : keys) known = known || key == member.first;
+    for (std::string_view key : keys) known = known || key == member.name;
     if (known) continue;
     std::string allowed;
     for (std::string_view key : keys) allowed += (allowed.empty() ? "" : ", ") + in_quotes(key);
-    fail(member.first, "is not known here; allowed: " + allowed);
+    fail(member.name, "is not known here; allowed: " + allowed);
   }
 }
 

@@ -12,6 +12,8 @@
 
 namespace ups::gltf {
 
+struct JsonMember;
+
 struct Json {
   enum class Kind { null, boolean, number, text, array, object };
   Kind kind = Kind::null;
@@ -19,11 +21,16 @@ struct Json {
   double number = 0;
   std::string text;
   std::vector<Json> items;
-  std::vector<std::pair<std::string, Json>> members;
+  std::vector<JsonMember> members;
 
   const Json* find(std::string_view key) const;  // null where this is no object or has no such member
   bool is_object() const { return kind == Kind::object; }
   bool is_array() const { return kind == Kind::array; }
+};
+
+struct JsonMember {
+  std::string name;
+  Json value;
 };
 
 // Throws extras::Error (UPS_ERROR_PARSE) with line and column.

@@ -1,0 +1,139 @@
+#include "recorded_core.h"
+
+struct ups_profile {
+  std::string bytes;
+};
+
+namespace {
+
+std::string last_error;
+int profiles = 0;
+
+template <class Desc>
+void write_defaults(Desc* desc, uint32_t size, Desc defaults) {
+  defaults.struct_size = size;
+  *desc = defaults;
+}
+
+template <class T>
+std::vector<T> copied(const T* from, size_t count) {
+  return from ? std::vector<T>(from, from + count) : std::vector<T>();
+}
+
+template <class Item, class Id>
+ups_status record(std::vector<Item>& to, Item item, Id* out) {
+  to.push_back(std::move(item));
+  out->v = uint32_t(to.size());
+  return UPS_OK;
+}
+
+}  // namespace
+
+int living_profiles() { return profiles; }
+
+const char* ups_last_error(void) { return last_error.c_str(); }
+
+// The defaults of the real core, as far as the importer leaves fields at them.
+void ups_texture_desc_init(ups_texture_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_mesh_desc_init(ups_mesh_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_instance_desc_init(ups_instance_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_light_desc_init(ups_light_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_camera_desc_init(ups_camera_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_meter_desc_init(ups_meter_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+
+void ups_material_desc_init(ups_material_desc* desc, uint32_t size) {
+  ups_material_desc defaults{};
+  for (int i = 0; i < 3; ++i) {
+    defaults.reflectance_rgb[i] = 0.5f;
+    defaults.transmittance_rgb[i] = -1;
+    defaults.ior_rgb[i] = 1;
+  }
+  defaults.ior = 1.5f;
+  defaults.alpha = 1;
+  defaults.alpha_cutoff = 0.5f;
+  defaults.normal_scale = 1;
+  write_defaults(desc, size, defaults);
+}
+
+void ups_luminaire_desc_init(ups_luminaire_desc* desc, uint32_t size) {
+  ups_luminaire_desc defaults{};
+  defaults.use_opening = 1;
+  for (float& c : defaults.color_rgb) c = 1;
+  defaults.flux_lm = -1;
+  defaults.dimming = defaults.intensity_scale = 1;
+  write_defaults(desc, size, defaults);
+}
+
+ups_status ups_scene_add_texture(ups_scene* scene, const ups_texture_desc* d, ups_texture_id* out) {
+  const size_t count = size_t(d->width) * d->height * d->channel_count;
+  return record(scene->textures, {d->width, d->height, d->channel_count, copied(d->texels, count)}, out);
+}
+
+ups_status ups_scene_add_material(ups_scene* scene, const ups_material_desc* d, ups_material_id* out) {
+  return record(scene->materials, *d, out);
+}
+
+ups_status ups_scene_add_mesh(ups_scene* scene, const ups_mesh_desc* d, ups_mesh_id* out) {
+  const size_t count = d->vertex_count;
+  return record(
+      scene->meshes,
+      {d->material.v, copied(d->positions_m, 3 * count), copied(d->normals, 3 * count), copied(d->uvs, 2 * count),
+       copied(d->tangents, 4 * count), copied(d->indices, 3 * size_t(d->triangle_count))},
+      out);
+}
+
+ups_status ups_scene_add_instance(ups_scene* scene, const ups_instance_desc* d, ups_instance_id* out) {
+  return record(scene->instances, *d, out);
+}
+
+ups_status ups_scene_add_light(ups_scene* scene, const ups_light_desc* d, ups_luminaire_id* out) {
+  return record(scene->lights, *d, out);
+}
+
+ups_status ups_scene_add_luminaire(ups_scene* scene, const ups_luminaire_desc* d, ups_luminaire_id* out) {
+  return record(scene->luminaires, {*d, d->profile->bytes}, out);
+}
+
+ups_status ups_scene_add_camera(ups_scene* scene, const ups_camera_desc* d, ups_sensor_id* out) {
+  return record(scene->cameras, *d, out);
+}
+
+ups_status ups_scene_add_meters(ups_scene* scene, const ups_meter_desc* d, ups_sensor_id* out) {
+  if (d->kind != UPS_METER_PLANAR) {
+    last_error = "recorded core: this kind of meter is not built";
+    return UPS_ERROR_UNSUPPORTED;
+  }
+  const size_t count = d->count;
+  return record(scene->meters,
+                {d->kind,
+                 copied(d->positions_m, 3 * count),
+                 copied(d->normals, 3 * count),
+                 copied(d->tangents, 3 * count),
+                 {d->cell_size_m[0], d->cell_size_m[1]}},
+                out);
+}
+
+ups_status ups_profile_parse(ups_context*, const void* bytes, size_t size, ups_profile_format, ups_profile** out) {
+  std::string text(static_cast<const char*>(bytes), size);
+  if (text.rfind(refused_profile, 0) == 0) {
+    last_error = "recorded core: no such format";
+    return UPS_ERROR_UNSUPPORTED;
+  }
+  *out = new ups_profile{std::move(text)};
+  ++profiles;
+  return UPS_OK;
+}
+
+// Every profile has one warning.
+ups_status ups_profile_get_text(const ups_profile*, ups_profile_text, char* text, size_t capacity, size_t* needed) {
+  const std::string warning = "recorded warning\n";
+  *needed = warning.size() + 1;
+  if (text && capacity >= *needed) warning.copy(text, warning.size());
+  if (text && capacity >= *needed) text[warning.size()] = '\0';
+  return UPS_OK;
+}
+
+void ups_profile_destroy(ups_profile* profile) {
+  if (profile) --profiles;
+  delete profile;
+}

@@ -1,0 +1,339 @@
+// Files that are wrong: the importer must say what, where and what would be right, and neither crash nor leak.
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "scene_builder.h"
+
+namespace {
+
+class BrokenFile : public ImportTest {
+ protected:
+  SceneBuilder square() {
+    SceneBuilder builder;
+    builder.add_square();
+    builder.add_node({{"mesh", 0}, {"name", "floor"}});
+    return builder;
+  }
+  SceneBuilder with_material(const json& material) {
+    SceneBuilder builder = square();
+    builder.doc["materials"] = json::array({material});
+    return builder;
+  }
+  SceneBuilder with_extras(const json& ups) {
+    SceneBuilder builder;
+    builder.add_node({{"name", "desk"}, {"extras", {{"ups", ups}}}});
+    return builder;
+  }
+};
+
+TEST_F(BrokenFile, NoSuchFile) {
+  EXPECT_EQ(ups_gltf_import_file(&context, (folder / "none.gltf").c_str(), nullptr, &scene, &imported), UPS_ERROR_IO);
+  EXPECT_NE(std::string(ups_gltf_last_error()).find("none.gltf"), std::string::npos);
+  EXPECT_EQ(imported, nullptr);
+}
+
+TEST_F(BrokenFile, AFolderIsNoFile) {
+  EXPECT_EQ(ups_gltf_import_file(&context, folder.c_str(), nullptr, &scene, &imported), UPS_ERROR_IO);
+}
+
+TEST_F(BrokenFile, NullArguments) {
+  EXPECT_EQ(ups_gltf_import_file(nullptr, "a", nullptr, &scene, &imported), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(ups_gltf_import_file(&context, nullptr, nullptr, &scene, &imported), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(ups_gltf_import_file(&context, "a", nullptr, nullptr, &imported), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(ups_gltf_import_file(&context, "a", nullptr, &scene, nullptr), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(ups_gltf_get_sensor_count(nullptr, nullptr), UPS_ERROR_INVALID_ARGUMENT);
+  ups_gltf_import_destroy(nullptr);
+}
+
+TEST_F(BrokenFile, BadJson) {
+  EXPECT_EQ(import_text("{\"asset\":\n {\"version\" \"2.0\"}}"), UPS_ERROR_PARSE);
+  expect_words({"line 2"});
+  EXPECT_EQ(import_text(""), UPS_ERROR_PARSE);
+  EXPECT_EQ(import_text("[]"), UPS_ERROR_PARSE);
+  EXPECT_EQ(import_text("{}"), UPS_ERROR_PARSE);
+  expect_words({"asset"});
+}
+
+TEST_F(BrokenFile, DeeplyNestedJson) {
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  EXPECT_EQ(import_text("{\"asset\":{\"version\":\"2.0\"},\"extras\":" + deep + "}"), UPS_ERROR_PARSE);
+  expect_words({"nested"});
+}
+
+TEST_F(BrokenFile, OldVersion) {
+  SceneBuilder builder = square();
+  builder.doc["asset"]["version"] = "1.0";
+  expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"1.0", "2.0"});
+}
+
+TEST_F(BrokenFile, UnknownRequiredExtension) {
+  SceneBuilder builder = square();
+  builder.doc["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"KHR_draco_mesh_compression", "requires"});
+}
+
+TEST_F(BrokenFile, MissingBuffer) {
+  SceneBuilder builder = square();
+  EXPECT_EQ(import_text(builder.gltf()), UPS_ERROR_IO);
+  expect_words({"buffer 0", "scene.bin"});
+}
+
+TEST_F(BrokenFile, ShortBuffer) {
+  SceneBuilder builder = square();
+  const std::string text = builder.gltf();
+  write("scene.bin", "abc");
+  EXPECT_EQ(import_text(text), UPS_ERROR_PARSE);
+  expect_words({"buffer 0", "scene.bin", "3 bytes"});
+}
+
+TEST_F(BrokenFile, BufferInBadBase64) {
+  for (const char* uri : {"data:application/octet-stream;base64,AAAA", "data:application/octet-stream;base64,",
+                          "data:image/webp;base64,AAAA", "data:"}) {
+    SceneBuilder builder = square();
+    builder.gltf();
+    builder.doc["buffers"][0]["uri"] = uri;
+    EXPECT_EQ(import_text(builder.doc.dump()), UPS_ERROR_PARSE) << uri;
+    expect_words({"buffer 0"});
+  }
+}
+
+TEST_F(BrokenFile, TruncatedBinaryFileAtEveryLength) {
+  const std::string whole = square().glb();
+  ASSERT_EQ(import_text(whole, "scene.glb"), UPS_OK) << error;
+  for (size_t length = 0; length < whole.size(); ++length) {
+    ASSERT_NE(import_text(whole.substr(0, length), "scene.glb"), UPS_OK) << length;
+  }
+  expect_words({"truncated"});
+}
+
+TEST_F(BrokenFile, NanVertex) {
+  SceneBuilder builder = square();
+  const float nan = std::nanf("");
+  std::memcpy(&builder.bytes[7 * 4], &nan, 4);  // vertex 2, y
+  expect_failure(builder, UPS_ERROR_PARSE, {"mesh 0 \"square\"", "POSITION", "accessor 0", "element 2", "finite"});
+}
+
+TEST_F(BrokenFile, IndexOutOfRange) {
+  SceneBuilder builder = square();
+  builder.bytes[48 + 2 * 5] = 77;
+  expect_failure(builder, UPS_ERROR_PARSE, {"mesh 0 \"square\", primitive 0", "index 77", "accessor 1", "4 vertices"});
+}
+
+TEST_F(BrokenFile, AccessorPastItsView) {
+  SceneBuilder builder = square();
+  builder.doc["accessors"][0]["count"] = 5;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "5 elements", "48 bytes"});
+  builder.doc["accessors"][0]["count"] = 9007199254740991;  // 2^53 - 1
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0"});
+  builder.doc["accessors"][0]["count"] = 4;
+  builder.doc["accessors"][0]["byteOffset"] = 4;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "offset 4"});
+  builder.doc["accessors"][0]["byteOffset"] = -4;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "byteOffset"});
+}
+
+TEST_F(BrokenFile, ViewPastItsBuffer) {
+  SceneBuilder builder = square();
+  builder.doc["bufferViews"][0]["byteOffset"] = 50;
+  expect_failure(builder, UPS_ERROR_PARSE, {"buffer view 0", "past buffer 0"});
+  builder.doc["bufferViews"][0]["byteOffset"] = 9007199254740991;
+  expect_failure(builder, UPS_ERROR_PARSE, {"buffer view 0"});
+  builder.doc["bufferViews"][0]["buffer"] = 3;
+  expect_failure(builder, UPS_ERROR_PARSE, {"buffer view 0", "buffer", "out of range"});
+}
+
+TEST_F(BrokenFile, IndicesOfOtherArrays) {
+  for (const char* path :
+       {"/meshes/0/primitives/0/indices", "/meshes/0/primitives/0/attributes/POSITION",
+        "/meshes/0/primitives/0/material", "/accessors/0/bufferView", "/nodes/0/mesh", "/nodes/0/camera"}) {
+    for (const json& value : {json(99), json(-2), json("0"), json(0.5)}) {
+      SceneBuilder builder = square();
+      builder.doc[json::json_pointer(path)] = value;
+      expect_failure(builder, UPS_ERROR_PARSE, {std::strrchr(path, '/') + 1});
+    }
+  }
+}
+
+TEST_F(BrokenFile, WrongAccessorKinds) {
+  SceneBuilder builder = square();
+  builder.doc["accessors"][0]["type"] = "VEC2";
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "VEC3"});
+  builder = square();
+  builder.doc["accessors"][1]["componentType"] = 5126;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 1"});
+  builder = square();
+  builder.doc["accessors"][0]["componentType"] = 5130;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "5130"});
+}
+
+TEST_F(BrokenFile, SparseAccessorWithoutBytes) {
+  SceneBuilder builder = square();
+  auto& accessor = builder.doc["accessors"][0];
+  accessor.erase("bufferView");
+  accessor["count"] = 4000000000u;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "too large"});
+}
+
+TEST_F(BrokenFile, SparseIndexOutOfRange) {
+  SceneBuilder builder = square();
+  const uint16_t index = 4;
+  const float value[3] = {};
+  const int indices = builder.add_view(&index, sizeof index), values = builder.add_view(value, sizeof value);
+  builder.doc["accessors"][0]["sparse"] = {{"count", 1},
+                                           {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                                           {"values", {{"bufferView", values}}}};
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "sparse", "index 4"});
+  builder.doc["accessors"][0]["sparse"]["values"]["bufferView"] = 17;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "sparse", "17"});
+}
+
+TEST_F(BrokenFile, NodesThatAreNoTree) {
+  SceneBuilder builder = square();
+  builder.doc["nodes"].push_back({{"children", {1}}, {"name", "snake"}});
+  builder.doc["nodes"][0]["children"] = {1};
+  expect_failure(builder, UPS_ERROR_PARSE, {"node 1 \"snake\"", "tree"});
+  builder = square();
+  builder.doc["nodes"][0]["children"] = {8};
+  expect_failure(builder, UPS_ERROR_PARSE, {"node 8"});
+  builder = square();
+  builder.doc["scene"] = 4;
+  expect_failure(builder, UPS_ERROR_PARSE, {"scene 4"});
+}
+
+TEST_F(BrokenFile, BadNodeTransforms) {
+  for (const auto& [key, value] : std::initializer_list<std::pair<const char*, json>>{
+           {"translation", {1, 2}}, {"rotation", {0, 0, 0, 0}}, {"scale", {1}}, {"matrix", {1, 2, 3}}}) {
+    SceneBuilder builder = square();
+    builder.doc["nodes"][0][key] = value;
+    expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", key});
+  }
+}
+
+TEST_F(BrokenFile, EmissiveTextureIsNotLeftOut) {
+  SceneBuilder builder = with_material({{"name", "lamp"}, {"emissiveTexture", {{"index", 0}}}});
+  expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"material 0 \"lamp\"", "emissiveTexture"});
+}
+
+TEST_F(BrokenFile, MissingTextureImage) {
+  SceneBuilder builder = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+  expect_failure(builder, UPS_ERROR_PARSE, {"material 0", "index"});
+  builder.doc["textures"] = json::array({{{"source", 0}}});
+  builder.doc["images"] = json::array({{{"uri", "wood.png"}}});
+  expect_failure(builder, UPS_ERROR_IO, {"material 0", "image 0", "wood.png"});
+  write("wood.png", "no image");
+  expect_failure(builder, UPS_ERROR_PARSE, {"image 0", "PNG or JPEG"});
+  builder.doc["images"][0] = {{"bufferView", 0}, {"mimeType", "image/png"}};
+  builder.doc["bufferViews"][0]["byteLength"] = 4000;
+  expect_failure(builder, UPS_ERROR_PARSE, {"image 0", "buffer view 0", "past buffer 0"});
+}
+
+struct BadExtras {
+  const char* name;
+  json ups;
+  std::initializer_list<const char*> words;
+};
+
+TEST_F(BrokenFile, MaterialExtras) {
+  const BadExtras cases[] = {
+      {"unknown model", {{"model", "velvet"}}, {"model", "matte"}},
+      {"no model", {{"reflectance", 0.5}}, {"model"}},
+      {"unknown key", {{"model", "matte"}, {"reflectence", 0.5}}, {"reflectence", "allowed"}},
+      {"key of another model", {{"model", "matte"}, {"roughness", 0.5}}, {"roughness", "reflectance"}},
+      {"above 1", {{"model", "matte"}, {"reflectance", 1.5}}, {"reflectance", "from 0 to 1"}},
+      {"two numbers", {{"model", "matte"}, {"reflectance", {0.5, 0.5}}}, {"reflectance"}},
+      {"a word", {{"model", "matte"}, {"reflectance", "grey"}}, {"reflectance"}},
+      {"index and reflectance", {{"model", "metal"}, {"reflectance", 0.5}, {"ior", 1}, {"k", 3}}, {"reflectance", "k"}},
+      {"index without k", {{"model", "metal"}, {"ior", 1}}, {"k"}},
+      {"creates light", {{"model", "diffuser"}, {"reflectance", 0.6}, {"transmittance", 0.5}}, {"transmittance"}},
+      {"ior below 1", {{"model", "glass"}, {"ior", 0.5}}, {"ior"}},
+      {"no object", 3, {"object"}}};
+  for (const BadExtras& c : cases) {
+    SCOPED_TRACE(c.name);
+    SceneBuilder builder = with_material({{"name", "wall"}, {"extras", {{"ups", c.ups}}}});
+    expect_failure(builder, UPS_ERROR_PARSE, c.words);
+    expect_words({"material 0 \"wall\"", "extras.ups"});
+  }
+}
+
+TEST_F(BrokenFile, NodeExtras) {
+  const json grid = {{"width_m", 4}, {"height_m", 3}, {"columns", 2}, {"rows", 2}};
+  const auto changed = [&](const char* key, const json& value) {
+    json copy = grid;
+    copy[key] = value;
+    return json{{"meters", copy}};
+  };
+  const BadExtras cases[] = {
+      {"unknown key", {{"metres", 1}}, {"metres", "allowed"}},
+      {"unknown meter key", changed("colums", 4), {"colums"}},
+      {"no columns", {{"meters", {{"width_m", 4}, {"height_m", 3}, {"rows", 2}}}}, {"columns"}},
+      {"no width", changed("width_m", 0), {"width_m"}},
+      {"half a column", changed("columns", 2.5), {"columns", "whole"}},
+      {"too many", changed("columns", 16777216), {"columns", "16777216"}},
+      {"unknown kind", changed("kind", "round"), {"kind", "planar"}},
+      {"area of points", {{"meters", {{"points_m", {{0, 0, 0}}}, {"area", true}}}}, {"area"}},
+      {"fewer normals", {{"meters", {{"points_m", {{0, 0, 0}, {1, 0, 0}}}, {"normals", {{0, 0, 1}}}}}}, {"normals"}},
+      {"null normal", {{"meters", {{"points_m", {{0, 0, 0}}}, {"normals", {{0, 0, 0}}}}}}, {"normals", "element 0"}},
+      {"no points", {{"meters", {{"points_m", json::array()}}}}, {"points_m"}},
+      {"size without camera", {{"width", 640}}, {"width", "camera"}},
+      {"no file", {{"luminaire", {{"flux_lm", 900}}}}, {"file"}},
+      {"negative dimming", {{"luminaire", {{"file", "a.ies"}, {"dimming", -1}}}}, {"dimming"}},
+      {"too cold", {{"luminaire", {{"file", "a.ies"}, {"colour_temperature_k", 500}}}}, {"colour_temperature_k"}},
+      {"unknown luminaire key", {{"luminaire", {{"file", "a.ies"}, {"flux", 9}}}}, {"flux"}}};
+  write("a.ies", "good");
+  for (const BadExtras& c : cases) {
+    SCOPED_TRACE(c.name);
+    SceneBuilder builder = with_extras(c.ups);
+    expect_failure(builder, UPS_ERROR_PARSE, c.words);
+    expect_words({"node 0 \"desk\"", "extras.ups"});
+  }
+}
+
+TEST_F(BrokenFile, MeterKindThatTheCoreRefuses) {
+  SceneBuilder builder = with_extras(
+      {{"meters", {{"width_m", 4}, {"height_m", 3}, {"columns", 2}, {"rows", 2}, {"kind", "cylindrical"}}}});
+  expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"node 0 \"desk\"", "recorded core"});
+}
+
+TEST_F(BrokenFile, MissingOrRefusedPhotometricFile) {
+  SceneBuilder builder = with_extras({{"luminaire", {{"file", "lamp.ies"}}}});
+  expect_failure(builder, UPS_ERROR_IO, {"node 0 \"desk\"", "lamp.ies"});
+  write("lamp.ies", refused_profile);
+  expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"node 0 \"desk\"", "lamp.ies", "recorded core: no such format"});
+
+  SceneBuilder extension;
+  extension.add_node({{"extensions", {{"EXT_lights_ies", {{"light", 0}}}}}});
+  expect_failure(extension, UPS_ERROR_PARSE, {"node 0", "light"});
+  extension.doc["extensions"]["EXT_lights_ies"]["lights"] = json::array({{{"uri", "none.ies"}}});
+  expect_failure(extension, UPS_ERROR_IO, {"node 0", "none.ies"});
+  extension.doc["extensions"]["EXT_lights_ies"]["lights"] = json::array({{{"bufferView", 0}}});
+  expect_failure(extension, UPS_ERROR_PARSE, {"node 0", "buffer view 0"});
+}
+
+TEST_F(BrokenFile, SkyIsNotBuilt) {
+  SceneBuilder builder = square();
+  builder.doc["scenes"][0]["extras"]["ups"]["sky"] = {{"cie_type", 5}};
+  expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"scene 0", "sky", "not built"});
+  builder.doc["scenes"][0]["extras"]["ups"] = {{"sun", 1}};
+  expect_failure(builder, UPS_ERROR_PARSE, {"scene 0", "sun", "sky"});
+}
+
+// Whatever bytes are there, the importer ends with a status. Sanitizers turn a stray read into a failure.
+TEST_F(BrokenFile, RandomBytesChanged) {
+  SceneBuilder builder = with_material({{"name", "m"}, {"extras", {{"ups", {{"model", "matte"}}}}}});
+  builder.add_node({{"extras", {{"ups", {{"meters", {{"points_m", {{0, 0, 1}}}}}}}}}});
+  const std::string whole = builder.glb();
+  std::mt19937 random(1);
+  int failures = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string changed = whole;
+    for (int k = 0; k < 1 + i % 3; ++k) changed[random() % changed.size()] = char(random());
+    if (import_text(changed, "scene.glb") != UPS_OK) {
+      ++failures;
+      ASSERT_FALSE(error.empty());
+    }
+  }
+  EXPECT_GT(failures, 1000);  // most bytes matter
+}
+
+}  // namespace

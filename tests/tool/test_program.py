@@ -1,0 +1,295 @@
+"""Runs the program `ups` on small scenes, right and wrong ones, and checks what it promises: exit codes, messages, JSON,
+tables and images. Usage: test_program.py PATH_TO_UPS [unittest options]"""
+import base64
+import csv
+import json
+import os
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = None
+UP = [-0.70710678, 0, 0, 0.70710678]  # local +Z to glTF's +Y
+
+IES = """IESNA:LM-63-2002
+[TEST] none
+[MANUFAC] this project
+TILT=NONE
+1 -1 1 3 1 1 2 0 0 0
+1 1 10
+0 45 90
+0
+100 100 100
+"""
+
+CSV_HEADER = ("x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx")
+
+
+def room():
+    """A matte floor of 4 m x 4 m, a point light of 100 cd 2 m above (1, 0.5) in world x, y, a grid on the floor that
+    faces up, a point, and a camera that looks down."""
+    positions = struct.pack("<12f", -2, 0, 2, 2, 0, 2, 2, 0, -2, -2, 0, -2)
+    indices = struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    data = positions + indices
+    down = [-0.70710678, 0, 0, 0.70710678]
+    return {
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": len(data),
+                     "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                      {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+        "materials": [{"extras": {"ups": {"model": "matte", "reflectance": 0.5}}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 0.9, "znear": 0.1, "aspectRatio": 1.5}}],
+        "extensionsUsed": ["KHR_lights_punctual"],
+        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 100}]}},
+        "scene": 0,
+        "scenes": [{"nodes": [0, 1, 2, 3, 4]}],
+        "nodes": [
+            {"mesh": 0},
+            {"translation": [1, 2, -0.5], "extensions": {"KHR_lights_punctual": {"light": 0}}},
+            {"name": "work plane", "translation": [0, 0, 0], "rotation": UP,
+             "extras": {"ups": {"meters": {"width_m": 4, "height_m": 2, "columns": 4, "rows": 2}}}},
+            {"name": "spot", "rotation": UP, "translation": [1, 0, -0.5],
+             "extras": {"ups": {"meters": {"points_m": [[0, 0, 0]], "normals": [[0, 0, 1]]}}}},
+            {"name": "view", "camera": 0, "translation": [0, 4, 0], "rotation": down,
+             "extras": {"ups": {"width": 24, "height": 16, "illuminance_camera": True}}},
+        ],
+    }
+
+
+class ProgramTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="ups-tool-")
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, content):
+        if not isinstance(content, (str, bytes)):
+            content = json.dumps(content)
+        with open(self.path(name), "wb") as file:
+            file.write(content.encode() if isinstance(content, str) else content)
+        return self.path(name)
+
+    def run_program(self, *arguments, code=0):
+        done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder.name, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True, timeout=120)
+        self.assertEqual(done.returncode, code, msg=f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def render(self, *arguments, scene=None):
+        scene = self.write("room.gltf", scene or room())
+        return json.loads(self.run_program("render", scene, "--json", "--seed", 7, *arguments).stdout)
+
+    def fail(self, *arguments, words):
+        done = self.run_program(*arguments, code=1)
+        self.assertEqual(done.stdout, "")
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+
+class Usage(ProgramTest):
+    def test_wrong_usage_is_2(self):
+        scene = self.write("room.gltf", room())
+        for arguments in ([], ["paint"], ["render"], ["render", scene, "--fast"], ["render", scene, "more"],
+                          ["render", scene, "--method", "magic"], ["render", scene, "--time", "-1"],
+                          ["render", scene, "--time", "nan"], ["render", scene, "--time", "soon"],
+                          ["render", scene, "--iterations", "0"], ["render", scene, "--iterations", "-5"],
+                          ["render", scene, "--target-error", "0"], ["render", scene, "--seed", "-1"],
+                          ["render", scene, "--seed", "x"], ["render", scene, "--threads", "-1"],
+                          ["render", scene, "--size", "640"], ["render", scene, "--size", "0x9"],
+                          ["render", scene, "--size", "640x480x3"], ["render", scene, "--out"], ["info"],
+                          ["compare", "a.exr"]):
+            with self.subTest(arguments=arguments):
+                done = self.run_program(*arguments, code=2)
+                self.assertEqual(done.stdout, "")
+                self.assertNotEqual(done.stderr, "")
+
+    def test_help_and_version_are_0(self):
+        self.assertRegex(self.run_program("--version").stdout, r"^ups \d+\.\d+\.\d+\n$")
+        for arguments in (["--help"], ["render", "--help"], ["info", "--help"], ["compare", "--help"]):
+            self.assertNotEqual(self.run_program(*arguments).stdout, "")
+        self.assertIn("relative_mse", self.run_program("compare", "--help").stdout)
+
+
+class BrokenFiles(ProgramTest):
+    def broken(self, change, words, command="render"):
+        scene = room()
+        change(scene)
+        self.fail(command, self.write("broken.gltf", scene), words=["broken.gltf"] + words)
+
+    def test_files_that_are_not_there(self):
+        self.fail("render", "none.gltf", words=["none.gltf"])
+        self.fail("info", "none.gltf", words=["none.gltf"])
+        self.fail("info", "none.ies", words=["none.ies"])
+        self.fail("compare", "a.exr", "b.exr", words=["a.exr"])
+
+    def test_bad_content(self):
+        self.fail("render", self.write("bad.gltf", "{"), words=["bad.gltf", "JSON"])
+        self.fail("render", self.write("bad.glb", b"glTF\2\0\0\0"), words=["bad.glb", "truncated"])
+        self.fail("info", self.write("bad.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 2"), words=["bad.ies"])
+        self.fail("info", self.write("bad.txt", ""), words=["bad.txt", ".gltf"])
+        self.fail("compare", self.write("a.exr", "no image"), self.path("a.exr"), words=["a.exr"])
+
+    def test_scenes_that_name_what_is_wrong(self):
+        def material(scene): scene["materials"][0]["extras"]["ups"]["reflectence"] = 1
+        def node(scene): scene["nodes"][2]["extras"]["ups"]["meters"]["colums"] = 1
+        def luminaire(scene): scene["nodes"][0]["extras"] = {"ups": {"luminaire": {"file": "gone.ies"}}}
+        def sky(scene): scene["scenes"][0]["extras"] = {"ups": {"sky": {"cie_type": 5}}}
+        def meters(scene): scene["nodes"][2]["extras"]["ups"]["meters"]["kind"] = "spherical"
+        def nothing(scene): scene["scenes"][0]["nodes"] = [0, 1]
+        def index(scene): scene["accessors"][0]["count"] = 3
+        def extension(scene): scene["extensionsRequired"] = ["XYZ_fancy"]
+        self.broken(material, ["material 0", "reflectence"])
+        self.broken(node, ["node 2", "work plane", "colums"])
+        self.broken(luminaire, ["node 0", "gone.ies"])
+        self.broken(sky, ["sky", "not built"])
+        self.broken(meters, ["node 2", "work plane"])
+        self.broken(nothing, ["nothing to render"])
+        self.broken(index, ["mesh 0", "index 3"])
+        self.broken(extension, ["XYZ_fancy"], command="info")
+
+    def test_methods_that_are_not_built(self):
+        scene = self.write("room.gltf", room())
+        for method in ("sppm", "bpm"):
+            self.fail("render", scene, "--method", method, "--iterations", 1, words=["ups: error"])
+
+    def test_out_that_is_a_file(self):
+        self.fail("render", self.write("room.gltf", room()), "--out", self.path("room.gltf"), words=["room.gltf"])
+
+
+class Render(ProgramTest):
+    def test_json(self):
+        result = self.render("--iterations", 32, "--threads", 1)
+        self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
+                                       "seed", "flux", "dropped_samples", "meters", "cameras", "convergence",
+                                       "warnings"})
+        self.assertEqual(result["scene"], self.path("room.gltf"))
+        self.assertEqual(result["iterations"], 32)
+        self.assertEqual(result["seed"], 7)
+        self.assertEqual(result["threads"], 1)
+        self.assertEqual(set(result["flux"]), {"emitted_lm", "absorbed_lm", "escaped_lm"})
+        self.assertAlmostEqual(result["flux"]["emitted_lm"], 400 * 3.14159265, delta=0.01 * 1257)
+        self.assertEqual(list(result["meters"]), ["work_plane", "spot"])
+        for statistics in result["meters"].values():
+            self.assertEqual(set(statistics), {"mean_lx", "min_lx", "max_lx", "uniformity", "mean_standard_error_lx",
+                                               "worst_relative_error_bound"})
+        self.assertEqual(set(result["cameras"]), {"view"})
+        self.assertEqual({k: result["cameras"]["view"][k] for k in ("width", "height")}, {"width": 24, "height": 16})
+        self.assertGreater(result["cameras"]["view"]["mean_luminance_cd_m2"], 0)
+        for point in result["convergence"]:
+            self.assertEqual(set(point), {"time_s", "iterations", "median_relative_error", "p95_relative_error",
+                                          "worst_relative_error"})
+        # 100 cd, 2 m straight above, on a floor that sees nothing else: 100 / 2^2 lx.
+        self.assertAlmostEqual(result["meters"]["spot"]["mean_lx"], 25, delta=0.25)
+        self.assertEqual(os.listdir(self.folder.name), ["room.gltf"])  # without --out no file
+
+    def test_files(self):
+        out = self.path("deep/out")
+        result = self.render("--iterations", 32, "--out", out)
+        self.assertEqual(sorted(os.listdir(out)), ["spot.csv", "view.exr", "view.png", "view_illuminance.png",
+                                                   "work_plane.csv", "work_plane.exr", "work_plane.png"])
+        for name in os.listdir(out):
+            with open(os.path.join(out, name), "rb") as file:
+                start = file.read(8)
+            if name.endswith(".png"):
+                self.assertEqual(start, b"\x89PNG\r\n\x1a\n")
+            if name.endswith(".exr"):
+                self.assertEqual(start[:4], b"\x76\x2f\x31\x01")
+        with open(os.path.join(out, "work_plane.csv"), encoding="ascii") as file:
+            self.assertEqual(file.readline(), CSV_HEADER + "\n")
+            file.seek(0)
+            rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]
+        self.assertEqual(len(rows), 8)
+        self.assertEqual([(r["x_m"], r["y_m"]) for r in rows],
+                         [(x, y) for y in (-0.5, 0.5) for x in (-1.5, -0.5, 0.5, 1.5)])
+        for row in rows:
+            self.assertAlmostEqual(row["z_m"], 0, places=6)
+            self.assertAlmostEqual(row["nz"], 1, places=6)
+            # Inverse square and cosine of the point light at (1, 0.5, 2).
+            squared = (row["x_m"] - 1) ** 2 + (row["y_m"] - 0.5) ** 2 + 4
+            self.assertAlmostEqual(row["illuminance_lx"] / (100 * 2 / squared ** 1.5), 1, delta=0.01)
+            self.assertAlmostEqual(row["direct_lx"] + row["indirect_lx"], row["illuminance_lx"], delta=1e-3)
+            self.assertGreaterEqual(row["error_bound_lx"], 0)
+        mean = sum(r["illuminance_lx"] for r in rows) / 8
+        self.assertAlmostEqual(result["meters"]["work_plane"]["mean_lx"], mean, delta=1e-3 * mean)
+
+    def test_same_bits_whatever_the_threads(self):
+        tables = []
+        for threads in (1, 2):
+            out = self.path(f"out{threads}")
+            self.render("--iterations", 16, "--threads", threads, "--out", out)
+            with open(os.path.join(out, "work_plane.csv"), "rb") as file:
+                tables.append(file.read())
+        self.assertEqual(tables[0], tables[1])
+
+    def test_size(self):
+        result = self.render("--iterations", 16, "--size", "10x5")
+        self.assertEqual({k: result["cameras"]["view"][k] for k in ("width", "height")}, {"width": 10, "height": 5})
+
+    def test_methods_bear_their_words(self):
+        for method in ("ups", "pt", "lt", "bpt", "ppm"):
+            with self.subTest(method=method):
+                self.assertEqual(self.render("--iterations", 16, "--method", method)["method"], method)
+
+    def test_time_limit(self):
+        self.assertGreater(self.render("--time", 0.5)["time_s"], 0)
+
+    def test_text(self):
+        done = self.run_program("render", self.write("room.gltf", room()), "--iterations", 16)
+        for word in ("work_plane", "spot", "view", "lx", "cd/m^2"):
+            self.assertIn(word, done.stdout)
+
+    def test_interrupt_writes_what_is_there(self):
+        scene = self.write("room.gltf", room())
+        out = self.path("out")
+        process = subprocess.Popen([PROGRAM, "render", scene, "--time", "300", "--json", "--out", out],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(3)
+        process.send_signal(signal.SIGINT)
+        stdout, stderr = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 130, msg=stderr)
+        self.assertGreaterEqual(json.loads(stdout)["iterations"], 1)
+        self.assertIn("interrupted", stderr)
+        self.assertIn("work_plane.csv", os.listdir(out))
+
+
+class InfoAndCompare(ProgramTest):
+    def test_info_of_a_scene(self):
+        text = self.run_program("info", self.write("room.gltf", room())).stdout
+        for word in ("triangles: 2", "1 lights", "work_plane", "4 x 2", "view", "24 x 16", "effects", "techniques"):
+            self.assertIn(word, text)
+
+    def test_info_of_a_photometric_file(self):
+        text = self.run_program("info", self.write("Lamp.IES", IES)).stdout
+        for word in ("LM-63-2002", "628", "peak: 100 cd", "symmetry: axial", "opening: point", "MANUFAC"):
+            self.assertIn(word, text)
+
+    def test_compare(self):
+        for seed, name in ((1, "a"), (2, "b")):
+            self.run_program("render", self.write("room.gltf", room()), "--iterations", 16, "--seed", seed, "--method",
+                             "pt", "--out", self.path(name))
+        a, b = self.path("a/view.exr"), self.path("b/view.exr")
+        same = json.loads(self.run_program("compare", a, a, "--json").stdout)
+        self.assertEqual(set(same), {"rmse", "relative_mse", "mean_a", "mean_b", "worst_pixel"})
+        self.assertEqual((same["rmse"], same["relative_mse"]), (0, 0))
+        other = json.loads(self.run_program("compare", a, b, "--json").stdout)
+        self.assertEqual(other["mean_a"], same["mean_a"])
+        self.assertGreater(other["mean_b"], 0)
+        self.assertEqual(len(other["worst_pixel"]), 2)
+        self.assertIn("worst pixel", self.run_program("compare", a, b).stdout)
+        grid = self.path("a/work_plane.exr")
+        self.assertGreater(json.loads(self.run_program("compare", grid, grid, "--json").stdout)["mean_a"], 0)
+        self.fail("compare", a, grid, words=["24 x 16", "4 x 2"])
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
