@@ -103,17 +103,20 @@ TEST_F(GoodFile, Names) {
   builder.add_node({{"camera", 0}, {"name", "desk"}});
   builder.add_node({{"camera", 0}});
   builder.add_node({{"extras", grid(nullptr)}});
+  builder.add_node({{"camera", 0}, {"name", "view"}, {"extras", {{"ups", {{"illuminance_camera", true}}}}}});
+  builder.add_node({{"extras", grid("view_illuminance")}});
   import(builder);
   uint32_t count = 0;
   ASSERT_EQ(ups_gltf_get_sensor_count(imported, &count), UPS_OK);
-  ASSERT_EQ(count, 7u);
-  const char* expected[] = {"B_ro_1_2", "desk", "meters", "desk_2", "desk_3", "camera", "meters_2"};
+  ASSERT_EQ(count, 9u);
+  const char* expected[] = {"B_ro_1_2",          "desk", "meters", "desk_2", "desk_3", "camera", "meters_2", "view",
+                            "view_illuminance_2"};
   for (uint32_t i = 0; i < count; ++i) EXPECT_EQ(name_of(i), expected[i]);
   char small[3];
   size_t needed = 0;
   EXPECT_EQ(ups_gltf_get_sensor_name(imported, 0, small, sizeof small, &needed), UPS_ERROR_BUFFER_TOO_SMALL);
   EXPECT_EQ(needed, 9u);
-  EXPECT_EQ(ups_gltf_get_sensor_name(imported, 7, small, sizeof small, &needed), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(ups_gltf_get_sensor_name(imported, 9, small, sizeof small, &needed), UPS_ERROR_INVALID_ARGUMENT);
 }
 
 TEST_F(GoodFile, MeshesAreSharedAndTurned) {

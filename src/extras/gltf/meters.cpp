@@ -129,15 +129,20 @@ void Importer::add_meters(const JsonReader& meters, const std::string& node_name
   sensor.normals = std::move(data.normals);
   std::string name = meters.text("name", "");
   if (name.empty()) name = node_name;
-  sensor.name = unique_name(name.empty() ? "meters" : name);
+  sensor.name = unique_name(name.empty() ? "meters" : name, false);
   sensors.push_back(std::move(sensor));
 }
 
-// NAME, NAME_2, NAME_3, ...: unique over cameras and meters, as both write NAME.exr.
-std::string Importer::unique_name(const std::string& name) {
-  const std::string base = fit_for_files(name);
+// NAME, NAME_2, NAME_3, ...: unique over cameras and meters, as both write NAME.exr. An illuminance camera also writes
+// NAME_illuminance.png.
+std::string Importer::unique_name(const std::string& name, bool illuminance) {
+  const std::string base = fit_for_files(name), second = "_illuminance";
   std::string result = base;
-  for (int i = 2; !names_.insert(result).second; ++i) result = base + "_" + std::to_string(i);
+  for (int i = 2; names_.count(result) || (illuminance && names_.count(result + second)); ++i) {
+    result = base + "_" + std::to_string(i);
+  }
+  names_.insert(result);
+  if (illuminance) names_.insert(result + second);
   return result;
 }
 
