@@ -67,8 +67,7 @@ const char* symmetry_text(ups_profile_symmetry symmetry) {
 
 void print_list(const char* title, const std::string& text) {
   const auto lines = lines_of(text);
-  if (lines.empty()) return;
-  std::printf("%s:\n", title);
+  std::printf("%s:%s\n", title, lines.empty() ? " none" : "");
   for (const std::string& line : lines) std::printf("  %s\n", line.c_str());
 }
 
@@ -133,8 +132,7 @@ void print_scene(const std::string& file, const LoadedScene& scene) {
   for (const SensorEntry& sensor : scene.sensors) print_sensor(sensor);
   print_list("effects", text(UPS_SCENE_TEXT_EFFECTS));
   print_list("techniques", text(UPS_SCENE_TEXT_TECHNIQUES));
-  if (scene.warnings.empty()) return;
-  std::printf("warnings:\n");
+  std::printf("warnings:%s\n", scene.warnings.empty() ? " none" : "");
   for (const std::string& warning : scene.warnings) std::printf("  %s\n", warning.c_str());
 }
 

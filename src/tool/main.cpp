@@ -23,6 +23,12 @@ std::string positive(const std::string& text) {
   return good ? "" : "must be a number greater than 0, not '" + text + "'";
 }
 
+// CLI11 lets "-1" wrap around.
+std::string whole(const std::string& text) {
+  const bool good = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return good ? "" : "must be a whole number of at least 0, not '" + text + "'";
+}
+
 // WxH into the two numbers; the text of what is wrong, or none.
 std::string parse_size(const std::string& text, uint32_t& width, uint32_t& height) {
   constexpr uint32_t max_side = 16384;
@@ -64,7 +70,9 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "Stop when the worst meter's relative error, without meters the mean pixel's, is below: 0.02 is 2 %")
       ->check(CLI::Validator(positive, ""))
       ->type_name("R");
-  command->add_option("--seed", options.seed, "Same seed and iterations, same result (1)")->type_name("N");
+  command->add_option("--seed", options.seed, "Same seed and iterations, same result (1)")
+      ->check(CLI::Validator(whole, ""))
+      ->type_name("N");
   command->add_option("--threads", options.threads, "0: all hardware threads")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
