@@ -167,6 +167,9 @@ TEST_F(MaterialTest, Textures) {
   builder.doc["images"] = json::array({{{"uri", png}}});
   builder.doc["textures"] = json::array({{{"source", 0}}});
   const json info = {{"index", 0}};
+  builder.add_square();
+  builder.doc["meshes"][0]["primitives"][0]["material"] = 0;
+  builder.add_node({{"mesh", 0}});
   builder.doc["materials"] =
       json::array({{{"alphaMode", "MASK"},
                     {"pbrMetallicRoughness", {{"baseColorTexture", info}, {"metallicRoughnessTexture", info}}},
@@ -193,6 +196,7 @@ TEST_F(MaterialTest, Textures) {
   EXPECT_EQ(scene.materials[1].alpha_texture.v, 0u);
   EXPECT_EQ(scene.textures.size(), 5u);  // each use once
   EXPECT_EQ(scene.textures[0].width, 2u);
+  EXPECT_TRUE(warned("no TEXCOORD_0")) << warnings();
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ using ProfilePtr = std::unique_ptr<ups_profile, ProfileDeleter>;
 struct Material {
   ups_material_id id;
   int uv_set;  // the TEXCOORD_n that its textures use
+  bool textured;
 };
 
 inline void store(const Rgb& from, float (&to)[3]) {

@@ -160,7 +160,9 @@ Material Importer::add_material(const JsonReader& material) {
   read_alpha(material, desc);
   ups_material_id id{};
   check(ups_scene_add_material(scene_, &desc, &id), material.where());
-  return {id, uv_set_of(material)};
+  const bool textured = desc.reflectance_texture.v || desc.roughness_texture.v || desc.metallic_texture.v ||
+                        desc.normal_texture.v || desc.alpha_texture.v;
+  return {id, uv_set_of(material), textured};
 }
 
 void Importer::add_materials() {

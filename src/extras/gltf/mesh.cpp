@@ -92,6 +92,7 @@ std::optional<ups_mesh_id> Importer::add_primitive(const tinygltf::Primitive& pr
   const std::string uv_name = "TEXCOORD_" + std::to_string(material.uv_set);
   const auto normals = optional_floats(document_, primitive, "NORMAL", 3, vertex_count, where);
   const auto uvs = optional_floats(document_, primitive, uv_name, 2, vertex_count, where);
+  if (uvs.empty() && material.textured) warn(where + ": it has no " + uv_name + " for its material's textures");
   const auto tangents = optional_floats(document_, primitive, "TANGENT", 4, vertex_count, where);
 
   ups_mesh_desc desc;
