@@ -21,8 +21,8 @@ def vanity(width, depth, height, period):
     """Carcass with two drawer fronts before it; the wall is at y = 0, the fronts face -y."""
     carcass = textured_box((-width / 2, -depth + 0.02, 0), (width / 2, 0, height), period)
     half = height / 2
-    fronts = [textured_box((-width / 2 + 0.002, -depth, z0 + 0.004), (width / 2 - 0.002, -depth + 0.018, z0 + half - 0.004),
-                           period) for z0 in (0, half)]
+    fronts = [textured_box((-width / 2 + 0.002, -depth, z0 + 0.004),
+                           (width / 2 - 0.002, -depth + 0.018, z0 + half - 0.004), period) for z0 in (0, half)]
     return merged([carcass, *fronts])
 
 

@@ -15,7 +15,7 @@ RIM_RADIUS = 0.040      # of the reflector and of the tube under it
 REFLECTOR_DEPTH = RIM_RADIUS ** 2 / (4 * FOCAL_LENGTH)
 REFLECTOR_RIM_Z = 0.022
 EMITTER_RADIUS = 0.0035
-LENS_TOP_Z, LENS_EDGE_Z, LENS_CURVATURE = 0.008, 0.004, 0.080
+LENS_EDGE_TOP_Z, LENS_EDGE_Z, LENS_CURVATURE = 0.008, 0.005, 0.100
 LENS_RADIUS = 0.0406    # reaches into the wall of the tube, so that no light passes beside it
 FLANGE_RADIUS = 0.052
 CEILING_HOLE_RADIUS = 0.046
@@ -38,18 +38,21 @@ def downlight_reflector():
 def downlight_trim():
     """Tube from the reflector's rim to the flange under the ceiling; the flange's edge pierces the ceiling, so that
     reflector, tube, flange and ceiling close off the space above."""
-    return lathe([[(RIM_RADIUS, REFLECTOR_RIM_Z), (RIM_RADIUS, -0.003)], [(RIM_RADIUS, -0.003), (FLANGE_RADIUS, -0.003)],
+    return lathe([[(RIM_RADIUS, REFLECTOR_RIM_Z), (RIM_RADIUS, -0.003)],
+                  [(RIM_RADIUS, -0.003), (FLANGE_RADIUS, -0.003)],
                   [(FLANGE_RADIUS, -0.003), (FLANGE_RADIUS, 0.003)]], 96)
 
 
 def downlight_lens():
-    """Plano-convex, flat side up to the lamp, bulging downwards: it spreads the beam of the reflector."""
+    """Biconvex: the beam of the reflector crosses over under it and spreads to about 25 degrees on each side."""
     half_angle = math.degrees(math.asin(LENS_RADIUS / LENS_CURVATURE))
-    centre_z = LENS_EDGE_Z + LENS_CURVATURE * math.cos(math.radians(half_angle))
-    bulge = arc((0, centre_z), LENS_CURVATURE, -90, half_angle - 90, 24)
-    bulge = np.concatenate([bulge, bulge - (0, centre_z)], 1)
-    lens = lathe([bulge, [(LENS_RADIUS, LENS_EDGE_Z), (LENS_RADIUS, LENS_TOP_Z)],
-                  [(LENS_RADIUS, LENS_TOP_Z), (0, LENS_TOP_Z)]], 96)
+    centre_distance = LENS_CURVATURE * math.cos(math.radians(half_angle))
+    below, above = LENS_EDGE_Z + centre_distance, LENS_EDGE_TOP_Z - centre_distance
+    lower = arc((0, below), LENS_CURVATURE, -90, half_angle - 90, 24)
+    upper = arc((0, above), LENS_CURVATURE, 90 - half_angle, 90, 24)
+    lens = lathe([np.concatenate([lower, lower - (0, below)], 1),
+                  [(LENS_RADIUS, LENS_EDGE_Z), (LENS_RADIUS, LENS_EDGE_TOP_Z)],
+                  np.concatenate([upper, upper - (0, above)], 1)], 96)
     return check_closed(lens, "downlight lens")
 
 

@@ -17,7 +17,7 @@ import lamps  # noqa: E402
 import sanitary  # noqa: E402
 import tiles  # noqa: E402
 from gltf_builder import Frame, GltfBuilder  # noqa: E402
-from shapes import box, merged, plate_with_holes, quad, sphere, tube  # noqa: E402
+from shapes import box, merged, plate_with_holes, quad, rounded_box, sphere, tube  # noqa: E402
 
 LENGTH, WIDTH, HEIGHT = 3.2, 2.6, 2.5          # x, y, z
 BAND = (1.2, 1.4)                              # coloured tiles between these heights
@@ -93,8 +93,8 @@ def add_lamps(scene, m):
     bulb = lamps.downlight_emitter()
     emitter = scene.material("emitter", {"model": "matte", "reflectance": 0.0},
                              luminance=DOWNLIGHT_FLUX / (math.pi * bulb.area()))
-    fixture = scene.mesh("downlight", (lamps.downlight_reflector(), m["aluminium"]), (lamps.downlight_trim(), m["trim"]),
-                         (lamps.downlight_lens(), m["lens"]), (bulb, emitter))
+    fixture = scene.mesh("downlight", (lamps.downlight_reflector(), m["aluminium"]),
+                         (lamps.downlight_trim(), m["trim"]), (lamps.downlight_lens(), m["lens"]), (bulb, emitter))
     for k, (x, y) in enumerate(DOWNLIGHTS, 1):
         scene.place(f"downlight {k}", fixture, (x, y, HEIGHT))
     body = scene.mesh("wall lamp", (lamps.wall_lamp_body(), m["chrome"]))
@@ -128,8 +128,9 @@ def add_vanity(scene, m):
     size = (VANITY_WIDTH, VANITY_DEPTH, VANITY_HEIGHT)
     scene.shape("vanity", things.vanity(*size, period).moved(x, WIDTH, VANITY_Z), m["oak"])
     scene.shape("vanity handles", things.vanity_handles(*size).moved(x, WIDTH, VANITY_Z), m["chrome"])
-    scene.shape("counter", things.rounded_box((x - VANITY_WIDTH / 2 - 0.01, WIDTH - VANITY_DEPTH - 0.01, COUNTER_Z - 0.03),
-                                              (x + VANITY_WIDTH / 2 + 0.01, WIDTH, COUNTER_Z), 0.004, 3), m["counter"])
+    half = VANITY_WIDTH / 2 + 0.01
+    counter = rounded_box((x - half, WIDTH - VANITY_DEPTH - 0.01, COUNTER_Z - 0.03), (x + half, WIDTH, COUNTER_Z), 0.004)
+    scene.shape("counter", counter, m["counter"])
     scene.shape("basin", sanitary.basin().moved(x, WIDTH - 0.25, COUNTER_Z), m["ceramic"])
     scene.shape("basin drain", sanitary.basin_drain().moved(x, WIDTH - 0.25, COUNTER_Z), m["chrome"])
     scene.shape("basin tap", sanitary.basin_tap().moved(x, WIDTH - 0.045, COUNTER_Z), m["chrome"])
@@ -137,9 +138,9 @@ def add_vanity(scene, m):
     scene.shape("mirror back", box((x0 - 0.006, WIDTH - 0.020, z0 - 0.006), (x1 + 0.006, WIDTH, z1 + 0.006)), m["trim"])
     scene.shape("mirror", quad((x0, WIDTH - 0.021, z0), (x1 - x0, 0, 0), (0, 0, z1 - z0)), m["mirror"])
     on_counter = COUNTER_Z + 0.0005  # glass does not touch what it stands on
-    scene.shape("drinking glass", things.drinking_glass().moved(1.42, 2.24, on_counter), m["glass"])
-    scene.shape("bottle", things.bottle().moved(1.33, 2.36, on_counter), m["green glass"])
-    scene.shape("glass sphere", sphere(0.042, 48, 96).moved(2.22, 2.24, on_counter + 0.042), m["glass"])
+    scene.shape("drinking glass", things.drinking_glass().moved(1.46, 2.20, on_counter), m["glass"])
+    scene.shape("bottle", things.bottle().moved(1.32, 2.23, on_counter), m["green glass"])
+    scene.shape("glass sphere", sphere(0.042, 48, 96).moved(2.20, 2.22, on_counter + 0.042), m["glass"])
     scene.shape("soap dish", things.soap_dish().moved(2.13, 2.42, COUNTER_Z), m["ceramic"])
     scene.shape("soap", things.soap().turned("z", 25).moved(2.13, 2.42, COUNTER_Z), m["soap"])
 
@@ -164,7 +165,8 @@ def add_furnishings(scene, m):
 def add_sensors(scene):
     scene.meters("floor", Frame.upright((2.30, 1.05, 0.002)), width_m=1.7, height_m=2.0, columns=12, rows=10)
     scene.meters("workplane", Frame.upright((1.975, 1.05, 0.75)), width_m=2.25, height_m=2.0, columns=16, rows=12)
-    scene.meters("face", Frame.facing((VANITY_X, 1.85, 1.55), (0, 1, 0)), width_m=0.36, height_m=0.48, columns=6, rows=8)
+    scene.meters("face", Frame.facing((VANITY_X, 1.85, 1.55), (0, 1, 0)), width_m=0.36, height_m=0.48,
+                 columns=6, rows=8)
     scene.camera("view", (3.02, 0.14, 1.56), (1.16, 1.86, 1.02), 62, 640, 480)
 
 

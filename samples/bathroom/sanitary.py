@@ -9,7 +9,7 @@ from shapes import Mesh, arc, check_closed, lathe, merged, rounded_box, sheet, t
 TUB_LENGTH, TUB_WIDTH, TUB_HEIGHT = 1.70, 0.76, 0.56  # along y, x, z; the origin is the middle of its footprint
 TUB_DEPTH = 0.46
 RIM_ROUNDING = 0.018
-WATER_Z = TUB_HEIGHT - 0.12
+WATER_Z = TUB_HEIGHT - 0.10
 WATER_CELL = 0.008
 
 

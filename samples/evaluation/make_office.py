@@ -43,8 +43,9 @@ def main():
     floor_paint, wall_paint, ceiling_paint = (scene.material(name, {"model": "matte", "reflectance": reflectance})
                                               for name, reflectance in (("floor", 0.2), ("walls", 0.5),
                                                                         ("ceiling", 0.7)))
-    walls = merged([quad((0, 0, 0), (0, WIDTH, 0), (0, 0, HEIGHT)), quad((LENGTH, WIDTH, 0), (0, -WIDTH, 0), (0, 0, HEIGHT)),
-                    quad((LENGTH, 0, 0), (-LENGTH, 0, 0), (0, 0, HEIGHT)), quad((0, WIDTH, 0), (LENGTH, 0, 0), (0, 0, HEIGHT))])
+    corners = [(0, WIDTH, 0), (LENGTH, WIDTH, 0), (LENGTH, 0, 0), (0, 0, 0)]
+    walls = merged([quad(a, tuple(q - p for p, q in zip(a, b)), (0, 0, HEIGHT))
+                    for a, b in zip(corners, corners[1:] + corners[:1])])
     scene.shape("floor", quad((0, 0, 0), (LENGTH, 0, 0), (0, WIDTH, 0)), floor_paint)
     scene.shape("walls", walls, wall_paint)
     scene.shape("ceiling", ceiling, ceiling_paint)

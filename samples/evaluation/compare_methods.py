@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""Which method is nearest to a reference after equal time? Runs `ups render` and prints one line a method.
+
+  compare_methods.py --ups build/release/bin/ups --scene bathroom.glb --methods ups bpt ppm --time 60 --seeds 8
+
+The reference is rendered with another seed: by default the method `ups` for 100 times the time. Meters:
+error = sum |E - E_reference| / sum E_reference over all meters. Cameras: `ups compare` of the EXR images. With
+--max-error the exit code is 1 when a method's mean error of the meters is larger.
+"""
+import argparse
+import csv
+import json
+import math
+import os
+import subprocess
+import sys
+
+
+def run(command):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stderr.strip()}")
+    return json.loads(done.stdout)
+
+
+def render(arguments, method, seed, out, limit):
+    os.makedirs(out, exist_ok=True)
+    command = [arguments.ups, "render", arguments.scene, "--method", method, "--seed", str(seed), "--out", out,
+               "--json", *limit]
+    if arguments.threads:
+        command += ["--threads", str(arguments.threads)]
+    if arguments.size:
+        command += ["--size", arguments.size]
+    summary = run(command)
+    with open(os.path.join(out, "render.json"), "w", encoding="utf-8") as file:
+        json.dump(summary, file, indent=1)
+    return summary
+
+
+def reference_of(arguments):
+    """The folder with the reference's files; an earlier one is used again only where it was made by the same words."""
+    out = arguments.reference_dir or os.path.join(arguments.out, "reference")
+    limit = (["--iterations", str(arguments.reference_iterations)] if arguments.reference_iterations
+             else ["--time", str(arguments.reference_time or 100 * arguments.time)])
+    recipe = [os.path.abspath(arguments.scene), os.path.getmtime(arguments.scene), arguments.reference_method,
+              arguments.reference_seed, limit, arguments.size]
+    note = os.path.join(out, "recipe.json")
+    if os.path.exists(note):
+        with open(note, encoding="utf-8") as file:
+            if json.load(file) == recipe:
+                with open(os.path.join(out, "render.json"), encoding="utf-8") as summary:
+                    return out, json.load(summary)
+    print(f"reference: {arguments.reference_method}, seed {arguments.reference_seed}, {' '.join(limit)}",
+          file=sys.stderr)
+    summary = render(arguments, arguments.reference_method, arguments.reference_seed, out, limit)
+    with open(note, "w", encoding="utf-8") as file:
+        json.dump(recipe, file)
+    return out, summary
+
+
+def illuminances(folder, names):
+    values = {}
+    for name in names:
+        with open(os.path.join(folder, name + ".csv"), newline="", encoding="utf-8") as file:
+            values[name] = [float(row["illuminance_lx"]) for row in csv.DictReader(file)]
+    return values
+
+
+def meter_error(measured, reference):
+    """sum |E - E_reference| / sum E_reference over all meters of all sets."""
+    difference = total = 0.0
+    for name, expected in reference.items():
+        if len(measured[name]) != len(expected):
+            sys.exit(f"meters {name}: {len(measured[name])} values, the reference has {len(expected)}")
+        difference += sum(abs(a - b) for a, b in zip(measured[name], expected))
+        total += sum(expected)
+    return difference / total if total > 0 else math.nan
+
+
+def mean(values):
+    return sum(values) / len(values) if values else math.nan
+
+
+def judge(arguments, method, reference_dir, reference, names):
+    """Renders one method with every seed; returns its line of the table."""
+    line = {"method": method, "iterations": [], "time": [], "meters": [], "rmse": [], "relative_mse": []}
+    for seed in range(1, arguments.seeds + 1):
+        if seed == arguments.reference_seed:
+            sys.exit(f"seed {seed} is the reference's: their errors would be the same")
+        out = os.path.join(arguments.out, f"{method}_{seed}")
+        summary = render(arguments, method, seed, out, ["--time", str(arguments.time)])
+        line["iterations"].append(summary["iterations"])
+        line["time"].append(summary["time_s"])
+        if reference:
+            line["meters"].append(meter_error(illuminances(out, names), reference))
+        for camera in summary["cameras"]:
+            images = [os.path.join(folder, camera + ".exr") for folder in (out, reference_dir)]
+            compared = run([arguments.ups, "compare", *images, "--json"])
+            line["rmse"].append(compared["rmse"])
+            line["relative_mse"].append(compared["relative_mse"])
+    return line
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--ups", required=True, help="the program")
+    parser.add_argument("--scene", required=True)
+    parser.add_argument("--methods", nargs="+", default=["ups", "bpt", "ppm"])
+    parser.add_argument("--time", type=float, default=30, help="seconds a render")
+    parser.add_argument("--seeds", type=int, default=1, help="renders a method")
+    parser.add_argument("--threads", type=int)
+    parser.add_argument("--size", help="WxH of the cameras")
+    parser.add_argument("--out", default="out/evaluation")
+    parser.add_argument("--reference-method", default="ups")
+    parser.add_argument("--reference-seed", type=int, default=1001)
+    parser.add_argument("--reference-time", type=float, help="seconds; without it 100 times --time")
+    parser.add_argument("--reference-iterations", type=int, help="instead of a time")
+    parser.add_argument("--reference-dir", help="where the reference is kept; default: OUT/reference")
+    parser.add_argument("--meters", nargs="+", help="names of the meter sets that count; default: all")
+    parser.add_argument("--max-error", type=float, help="fail above this error of the meters, e.g. 0.005")
+    return parser.parse_args()
+
+
+def main():
+    arguments = parse()
+    reference_dir, reference_summary = reference_of(arguments)
+    names = arguments.meters or list(reference_summary["meters"])
+    unknown = set(names) - set(reference_summary["meters"])
+    if unknown:
+        sys.exit(f"no meters {sorted(unknown)}; the scene has {list(reference_summary['meters'])}")
+    reference = illuminances(reference_dir, names)
+    # A reference has noise of its own; the errors below cannot be read finer than this.
+    total = sum(sum(values) for values in reference.values())
+    noise = 0.0
+    for name in names:
+        with open(os.path.join(reference_dir, name + ".csv"), newline="", encoding="utf-8") as file:
+            noise += sum(max(float(row["standard_error_lx"]), 0.0) for row in csv.DictReader(file))
+    if names and total > 0:
+        print(f"reference: mean standard error {100 * noise / total:.3f} % of the mean")
+
+    print(f"{'method':>8} {'iterations':>10} {'time_s':>7} {'meters: error':>14} {'camera: RMSE':>13} "
+          f"{'relative MSE':>13}")
+    failed = False
+    for method in arguments.methods:
+        line = judge(arguments, method, reference_dir, reference, names)
+        error = mean(line["meters"])
+        print(f"{method:>8} {mean(line['iterations']):10.0f} {mean(line['time']):7.1f} {100 * error:12.3f} % "
+              f"{mean(line['rmse']):13.4g} {mean(line['relative_mse']):13.4g}", flush=True)
+        if arguments.max_error is not None and not error <= arguments.max_error:
+            print(f"  over the limit of {100 * arguments.max_error:g} %")
+            failed = True
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
