@@ -40,11 +40,12 @@ template <class Choose, class Probability>
 void expect_choice(size_t n, const Choose& choose, const Probability& probability, uint32_t seed) {
   constexpr int samples = 200000, cells = 16;
   Random random(seed);
-  std::vector<double> observed(n, 0.0), expected, rest(cells, 0.0);
+  std::vector<double> observed(n, 0.0), expected, joint(n * cells, 0.0), joint_expected;
   double sum = 0;
   for (size_t i = 0; i < n; ++i) {
     sum += probability(i);
     expected.push_back(samples * double(probability(i)));
+    joint_expected.insert(joint_expected.end(), cells, expected.back() / cells);
   }
   EXPECT_NEAR(sum, 1, 1e-6);
   for (int i = 0; i < samples; ++i) {
@@ -54,10 +55,10 @@ void expect_choice(size_t n, const Choose& choose, const Probability& probabilit
     ASSERT_GE(c.u, 0);
     ASSERT_LT(c.u, 1);
     observed[c.index] += 1;
-    rest[size_t(c.u * cells)] += 1;
+    joint[c.index * cells + size_t(c.u * cells)] += 1;  // u is uniform again for every emitter
   }
   EXPECT_GT(chi_square_test(observed, expected).p_value, false_alarm);
-  EXPECT_GT(chi_square_test(rest, std::vector<double>(cells, samples / double(cells))).p_value, false_alarm);
+  EXPECT_GT(chi_square_test(joint, joint_expected).p_value, false_alarm);
 }
 
 TEST(EmitterSet, ChoosesWithTheProbabilityThatItStates) {
@@ -77,13 +78,24 @@ TEST(EmitterSet, ChoosesWithTheProbabilityThatItStates) {
 // In order of u, u after the choice rises from 0 to 1 within each emitter: strata stay strata.
 TEST(EmitterSet, KeepsStratification) {
   const EmitterSet set = mixed_set();
+  constexpr int steps = 10000;
   EmitterSet::Choice before = set.choose_direct({0, 0, 1}, 0);
   EXPECT_EQ(before.u, 0);
-  for (int i = 1; i < 10000; ++i) {
-    const EmitterSet::Choice c = set.choose_direct({0, 0, 1}, float(i) / 10000);
-    ASSERT_TRUE(c.index > before.index || c.u > before.u);
+  int emitters = 1;
+  for (int i = 1; i < steps; ++i) {
+    const EmitterSet::Choice c = set.choose_direct({0, 0, 1}, float(i) / steps);
+    const float step = 1.01f / (steps * c.probability), last_step = 1.01f / (steps * before.probability);
+    if (c.index == before.index) {
+      ASSERT_NEAR(c.u, before.u + step, 0.05f * step);
+    } else {
+      ASSERT_GT(c.index, before.index);
+      ASSERT_GT(before.u, 1 - last_step);
+      ASSERT_LT(c.u, step);
+      ++emitters;
+    }
     before = c;
   }
+  EXPECT_EQ(emitters, 4);  // all that are not dark
 }
 
 TEST(EmitterSet, EmissionIsByFlux) {
