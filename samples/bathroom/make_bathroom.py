@@ -128,8 +128,8 @@ def add_vanity(scene, m):
     size = (VANITY_WIDTH, VANITY_DEPTH, VANITY_HEIGHT)
     scene.shape("vanity", things.vanity(*size, period).moved(x, WIDTH, VANITY_Z), m["oak"])
     scene.shape("vanity handles", things.vanity_handles(*size).moved(x, WIDTH, VANITY_Z), m["chrome"])
-    half = VANITY_WIDTH / 2 + 0.01
-    counter = rounded_box((x - half, WIDTH - VANITY_DEPTH - 0.01, COUNTER_Z - 0.03), (x + half, WIDTH, COUNTER_Z), 0.004)
+    half, front = VANITY_WIDTH / 2 + 0.01, WIDTH - VANITY_DEPTH - 0.01
+    counter = rounded_box((x - half, front, COUNTER_Z - 0.03), (x + half, WIDTH, COUNTER_Z), 0.004)
     scene.shape("counter", counter, m["counter"])
     scene.shape("basin", sanitary.basin().moved(x, WIDTH - 0.25, COUNTER_Z), m["ceramic"])
     scene.shape("basin drain", sanitary.basin_drain().moved(x, WIDTH - 0.25, COUNTER_Z), m["chrome"])

@@ -13,28 +13,26 @@ limits=(--time 60)
 
 step() { printf '\n== %s\n' "$*"; }
 
-# The caller's own limit or folder takes the place of the default one.
-previous=
-for option in "$@"; do
-  case "${option%%=*}" in --time | --iterations | --target-error) limits=() ;; esac
-  case "$option" in --out=*) out=${option#--out=} ;; esac
-  [ "$previous" = --out ] && out=$option
-  previous=$option
-done
+# The caller's own limit or folder takes the place of the default one; --json is always asked for, and read below.
 options=()
 while [ $# -gt 0 ]; do
+  case "${1%%=*}" in --time | --iterations | --target-error) limits=() ;; esac
   case "$1" in
-    --out) shift 2 ;;
-    --out=*) shift ;;
-    --json) shift ;; # always asked for, and read below
-    *) options+=("$1") && shift ;;
+    --out)
+      out=${2:?run: --out needs a folder}
+      shift
+      ;;
+    --out=*) out=${1#--out=} ;;
+    --json) ;;
+    *) options+=("$1") ;;
   esac
+  shift
 done
 
 step "Packages (samples/setup.sh run)"
 bash samples/setup.sh run
 
-# A configuration that is there keeps its options: tests/run.sh may have made it.
+# A configuration that is there keeps its options: tests/run.sh may have made it, with tests.
 step "Configure build/release"
 if [ -f build/release/CMakeCache.txt ]; then
   cmake -S . -B build/release
@@ -46,11 +44,11 @@ step "Build the program ups on $cores cores"
 cmake --build build/release --parallel "$cores" --target ups_program
 ups=build/release/bin/ups
 
-step "Render: ups render $scene ${limits[*]} --out $out ${options[*]}"
+step "Render: ups render $scene ${limits[*]-} --out $out ${options[*]-}"
 mkdir -p "$out"
 "$ups" render "$scene" ${limits[@]+"${limits[@]}"} --out "$out" --json ${options[@]+"${options[@]}"} >"$out/render.json"
 
 step "Result"
 /usr/bin/python3 samples/bathroom/summary.py "$out/render.json"
 echo "images and tables are in $out:"
-ls -1 "$out" | sed 's/^/  /'
+find "$out" -maxdepth 1 -type f | sort | sed 's/^/  /'

@@ -23,7 +23,8 @@ def main():
     for name, meters in render["meters"].items():
         worst = meters["worst_relative_error_bound"]
         print(f"{name:>10}: mean {meters['mean_lx']:.1f} lx (standard error "
-              f"{known(meters['mean_standard_error_lx'])} lx), {meters['min_lx']:.1f} to {meters['max_lx']:.1f} lx, uniformity {meters['uniformity']:.2f}, "
+              f"{known(meters['mean_standard_error_lx'])} lx), {meters['min_lx']:.1f} to "
+              f"{meters['max_lx']:.1f} lx, uniformity {meters['uniformity']:.2f}, "
               f"worst error bound {known(100 * worst)}{' %' if worst >= 0 else ''}")
     for name, camera in render["cameras"].items():
         print(f"{name:>10}: {camera['width']} x {camera['height']} pixels, mean luminance "

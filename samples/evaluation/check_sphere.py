@@ -40,7 +40,8 @@ def main():
                 difference = wall["mean_lx"] / expected - 1
                 failed |= not abs(difference) <= arguments.tolerance
                 print(f"{reflectance:5g} {method:>7} {wall['mean_lx']:10.2f} {expected:10.2f} "
-                      f"{100 * difference:9.3f} % {100 * wall['mean_standard_error_lx'] / expected:13.3f} %", flush=True)
+                      f"{100 * difference:9.3f} % {100 * wall['mean_standard_error_lx'] / expected:13.3f} %",
+                      flush=True)
     sys.exit(1 if failed else 0)
 
 
