@@ -1,5 +1,6 @@
-// How a surface point scatters light: the one interface of all material models, in the local shading frame (z = n_s, the
-// surface's front). Built per surface point from a Material (bsdf/material.h); used by both walks and by connections.
+// How a surface point scatters light: the one interface of all material models, in the local shading frame (z = n_s,
+// the surface's front). Built per surface point from a Material (bsdf/material.h); used by both walks and by
+// connections.
 //
 // Conventions: both directions point away from the surface. `wo` is where the walk came from, `wi` where it goes.
 // eval() is f * |cos(wi)|. Densities are per solid angle; every continuous density includes the probability of not
@@ -15,9 +16,9 @@ namespace ups {
 enum class TransportMode { radiance, importance };
 
 struct BsdfSample {
-  Vec3 wi;              // local, unit
-  Rgb weight;           // f * |cos| / pdf, or lobe's reflectance / probability for a delta lobe
-  float pdf = 0;        // of wi given wo: per solid angle, or the discrete probability of a delta lobe
+  Vec3 wi;                // local, unit
+  Rgb weight;             // f * |cos| / pdf, or lobe's reflectance / probability for a delta lobe
+  float pdf = 0;          // of wi given wo: per solid angle, or the discrete probability of a delta lobe
   float pdf_reverse = 0;  // the same scattering event backwards: of wo given wi
   bool delta = false;
   bool transmitted = false;  // wi on the other side of the surface than wo

@@ -23,6 +23,22 @@ struct Material {
 // Below this GGX alpha a lobe is a delta lobe in all walks (algorithms.md 2, hazard 4).
 inline constexpr float min_alpha = 3e-5f;
 
+// What the models (bsdf/models.h) read: the material at one surface point, with what is the same for all directions.
+struct BsdfParameters {
+  const Material* material;
+  Rgb reflectance;    // textured
+  Rgb transmittance;  // diffuser; glazing: of one passage through the pane at normal incidence
+  float alpha = 0;    // of the interface; 0: smooth, its lobe is a delta lobe
+  float metallic = 0;
+  // Lobes that close the energy balance of a rough interface, see bsdf/albedo.h.
+  Rgb base, multiple;                   // share of the diffuse base; of light scattered repeatedly by metal
+  float base_norm = 0;                  // 1 / (pi (1 - mean albedo of the coat))
+  float missing_norm[2] = {0, 0};       // 1 / (pi mean missing albedo), outside and inside
+  float missing_reflected[2] = {1, 1};  // share of the missing light that stays on its side
+};
+
+// `reflectance` of a plastic is the share of the light that enters its coat and comes out again; the total at an angle
+// is coat + reflectance * (1 - coat).
 class Bsdf {
  public:
   Bsdf(const Material& material, const Vec2& uv);
@@ -30,7 +46,7 @@ class Bsdf {
   bool has_delta() const;       // some lobe can only be sampled
   bool has_continuous() const;  // eval() is not always 0: the point can be connected to and merged at
   bool transmits() const;       // eval() or sample() can cross the surface
-  bool is_solid_dielectric() const { return material_->model == MaterialModel::glass; }
+  bool is_solid_dielectric() const { return p_.material->model == MaterialModel::glass; }
   // GGX alpha of the sharpest continuous lobe; 1 for Lambertian ones; 0 where there is no continuous lobe.
   float min_alpha_continuous() const;
 
@@ -41,10 +57,7 @@ class Bsdf {
   bool sample(const Vec3& wo, float u_lobe, const Vec2& u, TransportMode mode, BsdfSample& out) const;
 
  private:
-  const Material* material_;
-  Rgb reflectance_;
-  float alpha_ = 1, metallic_ = 0;
-  // Implementers: add what the models need; keep it a trivially copyable value under 128 bytes.
+  BsdfParameters p_;
 };
 
 // Classes of a whole material, for the scene's analysis (scene/effects.h): over all texture values.
@@ -52,7 +65,7 @@ struct MaterialTraits {
   bool delta;       // has a delta lobe
   bool continuous;  // has a continuous lobe
   bool transmits;
-  bool glossy;      // a continuous lobe with alpha < 0.2
+  bool glossy;  // a continuous lobe with alpha < 0.2
   bool coloured;
   bool interreflects;  // any reflectance or transmittance above 0
 };

@@ -1,0 +1,285 @@
+// The tables of albedo.h: quadrature over visible normals, on grids that follow the functions' own scales.
+//
+// Sharp lobes are alike up to scale: near grazing everything depends on mu / alpha alone. So the grid's first
+// coordinate mixes mu / alpha with mu, missing light is stored over its envelope and the coat's albedo over the Fresnel
+// reflectance; what is left varies slowly, also as alpha goes to 0.
+#include "bsdf/albedo.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bsdf/fresnel.h"
+#include "bsdf/microfacet.h"
+
+namespace ups {
+namespace {
+
+constexpr int mu_count = 32, roughness_count = 14, ior_count = 10;
+constexpr float min_roughness = 0.05f;          // sqrt(alpha); below, the scaled functions no longer change
+constexpr float min_ior = 1.001f, max_ior = 3;  // beyond: as for max_ior
+
+float mu_coordinate(float mu, float alpha) { return 0.5f * (std::sqrt(mu * (1 + alpha) / (mu + alpha)) + mu); }
+// Its inverse, by bisection: it is monotonic.
+float mu_at(float coordinate, float alpha) {
+  float low = 0, high = 1;
+  for (int i = 0; i < 40; ++i) {
+    const float middle = 0.5f * (low + high);
+    (mu_coordinate(middle, alpha) < coordinate ? low : high) = middle;
+  }
+  return std::max(low, 1e-6f);
+}
+float alpha_at(int i) {
+  const float roughness = min_roughness + (1 - min_roughness) * float(i) / (roughness_count - 1);
+  return roughness * roughness;
+}
+// Fresnel reflectances move fastest close to ior 1.
+float ior_coordinate(float ior) { return std::cbrt((ior - 1) / (ior + 1)); }
+float ior_at(int i) {
+  const float a = ior_coordinate(min_ior), c = a + (ior_coordinate(max_ior) - a) * float(i) / (ior_count - 1),
+              s = c * c * c;
+  return (1 + s) / (1 - s);
+}
+
+float envelope(float mu, float alpha) { return alpha * alpha / (alpha * alpha + mu * mu); }
+// The integral of 2 mu envelope(mu) over mu in [0, 1].
+float envelope_average(float alpha) { return alpha * alpha * std::log1p(1 / (alpha * alpha)); }
+
+struct Position {
+  int index;
+  float fraction;
+};
+Position position(float coordinate, int count) {  // coordinate in [0, 1]
+  const float x = std::clamp(coordinate, 0.0f, 1.0f) * float(count - 1);
+  const int i = std::min(int(x), count - 2);
+  return {i, x - float(i)};
+}
+Position roughness_position(float alpha) {
+  return position((std::sqrt(alpha) - min_roughness) / (1 - min_roughness), roughness_count);
+}
+Position ior_position(float ior) {
+  const float a = ior_coordinate(min_ior), b = ior_coordinate(max_ior);
+  return position((ior_coordinate(std::max(ior, min_ior)) - a) / (b - a), ior_count);
+}
+float mix(float a, float b, float t) { return a + (b - a) * t; }
+
+// The integral of 2 mu over mu in [0, 1], cut evenly in the coordinate of mu.
+struct DiffuseIncidence {
+  static constexpr int parts = 8 * (mu_count - 1);
+  float mu[roughness_count][parts], weight[roughness_count][parts];
+  DiffuseIncidence() {
+    for (int row = 0; row < roughness_count; ++row) {
+      const float alpha = alpha_at(row);
+      float low = 0;
+      for (int i = 0; i < parts; ++i) {
+        const float high = i + 1 == parts ? 1 : mu_at(float(i + 1) / parts, alpha);
+        mu[row][i] = mu_at((float(i) + 0.5f) / parts, alpha);
+        weight[row][i] = (high - low) * (high + low);
+        low = high;
+      }
+    }
+  }
+};
+
+// A function of mu and alpha, and its average over diffuse incidence as a function of alpha.
+struct Table {
+  float value[roughness_count][mu_count] = {};
+  float average[roughness_count] = {};
+
+  float at_node(int row, float coordinate) const {
+    const Position m = position(coordinate, mu_count);
+    return mix(value[row][m.index], value[row][m.index + 1], m.fraction);
+  }
+  float at(float mu, float alpha) const {
+    const Position r = roughness_position(alpha), m = position(mu_coordinate(mu, alpha), mu_count);
+    const float a = mix(value[r.index][m.index], value[r.index][m.index + 1], m.fraction);
+    const float b = mix(value[r.index + 1][m.index], value[r.index + 1][m.index + 1], m.fraction);
+    return mix(a, b, r.fraction);
+  }
+  float average_at(float alpha) const {
+    const Position r = roughness_position(alpha);
+    return mix(average[r.index], average[r.index + 1], r.fraction);
+  }
+  // Averages of value * scale(mu, alpha), as interpolated, over total(alpha).
+  template <class Scale, class Total>
+  void integrate(const DiffuseIncidence& incidence, const Scale& scale, const Total& total) {
+    for (int row = 0; row < roughness_count; ++row) {
+      const float alpha = alpha_at(row);
+      double sum = 0;
+      for (int i = 0; i < DiffuseIncidence::parts; ++i) {
+        const float coordinate = (float(i) + 0.5f) / DiffuseIncidence::parts;
+        sum += incidence.weight[row][i] * at_node(row, coordinate) * scale(incidence.mu[row][i], alpha);
+      }
+      average[row] = float(sum / total(alpha));
+    }
+  }
+};
+
+// Gauss-Legendre points across the cap of visible normals, equidistant ones around it (half of it: it is symmetric).
+constexpr int cap_points = 16, around_points = 12;
+struct Quadrature {
+  float drop[cap_points], weight[cap_points], cosine[around_points], sine[around_points];
+  Quadrature() {
+    constexpr double pi_d = 3.141592653589793238463;
+    for (int i = 0; i < cap_points; ++i) {
+      double z = std::cos(pi_d * (i + 0.75) / (cap_points + 0.5)), slope = 1;
+      for (int step = 0; step < 8; ++step) {  // Newton on the Legendre polynomial
+        double p = 1, before = 0;
+        for (int k = 0; k < cap_points; ++k) {
+          const double next = ((2 * k + 1) * z * p - k * before) / (k + 1);
+          before = p;
+          p = next;
+        }
+        slope = cap_points * (z * p - before) / (z * z - 1);
+        z -= p / slope;
+      }
+      const double rest = 0.5 * (1 + z);  // u = 1 - rest^2 crowds points where facets are seen edge-on
+      drop[i] = float(1 - rest * rest);
+      weight[i] = float(2 * rest / ((1 - z * z) * slope * slope) / around_points);
+    }
+    for (int j = 0; j < around_points; ++j) {
+      cosine[j] = float(std::cos(pi_d * (j + 0.5) / around_points));
+      sine[j] = float(std::sin(pi_d * (j + 0.5) / around_points));
+    }
+  }
+};
+
+float sum_of(const float (&terms)[around_points]) {
+  double sum = 0;
+  for (float term : terms) sum += term;
+  return float(sum);
+}
+
+// Facets visible from one direction: the cosine to them, and reflection at them, for a ring of the quadrature.
+struct Ring {
+  float cos_h[around_points], h_z[around_points], reflected[around_points];  // reflected: G2 / G1, 0 below the horizon
+};
+
+// The inner loops have no branch, so that compilers can make them vectors.
+Ring visible_ring(const Quadrature& quadrature, int i, const Vec3& wo, float alpha) {
+  const Vec3 v = normalize(Vec3{alpha * wo.x, 0, wo.z});
+  const float a2 = alpha * alpha, root_o = smith_root(wo, alpha);
+  const float drop = quadrature.drop[i] * (1 + v.z), sine = std::sqrt(std::max(0.0f, drop * (2 - drop)));
+  Ring ring;
+  for (int j = 0; j < around_points; ++j) {
+    const float x = alpha * (v.x + sine * quadrature.cosine[j]), y = alpha * sine * quadrature.sine[j];
+    const float z = std::max(v.z + (1 - drop), 1e-12f), scale = 1 / std::sqrt(x * x + y * y + z * z);
+    const float cos_h = std::max(0.0f, (wo.x * x + wo.z * z) * scale);
+    const float wi_x = 2 * cos_h * x * scale - wo.x, wi_y = 2 * cos_h * y * scale;
+    const float wi_z = std::max(0.0f, 2 * cos_h * z * scale - wo.z);
+    const float root_i = std::sqrt(a2 * (wi_x * wi_x + wi_y * wi_y) + wi_z * wi_z);
+    ring.cos_h[j] = cos_h;
+    ring.h_z[j] = z * scale;
+    ring.reflected[j] = wi_z * (wo.z + root_o) / (wo.z * root_i + wi_z * root_o + 1e-30f);
+  }
+  return ring;
+}
+
+struct RingAlbedo {
+  float reflected, missing;
+};
+RingAlbedo dielectric_ring(const Ring& ring, float wo_z, float alpha, float eta) {
+  const float a2 = alpha * alpha, inverse_eta = 1 / eta, eta2_minus_1 = (eta - 1) * (eta + 1);
+  float reflected[around_points], missing[around_points];
+  for (int j = 0; j < around_points; ++j) {
+    const float c = ring.cos_h[j], square = std::max(0.0f, eta2_minus_1 + c * c);
+    const float t = std::sqrt(square);  // eta * cos of refraction
+    const float eta2_c = eta * eta * c, rs = (c - t) / (c + t + 1e-30f), rp = (eta2_c - t) / (eta2_c + t + 1e-30f);
+    const float fresnel = square > 0 ? 0.5f * (rs * rs + rp * rp) : 1.0f;
+    const float wt_z = std::max(0.0f, (wo_z - ring.h_z[j] * c + ring.h_z[j] * t) * inverse_eta);
+    const float wt_z2 = wt_z * wt_z;
+    const float transmitted = 2 * wt_z / (wt_z + std::sqrt(a2 * std::max(0.0f, 1 - wt_z2) + wt_z2) + 1e-30f);  // G1
+    reflected[j] = fresnel * ring.reflected[j];
+    missing[j] = fresnel * (1 - ring.reflected[j]) + (1 - fresnel) * (1 - transmitted);
+  }
+  return {sum_of(reflected), sum_of(missing)};
+}
+
+struct Tables {
+  Table conductor;
+  std::array<Table, ior_count> coat, outside, inside;
+
+  Tables() {
+    for (int r = 0; r < roughness_count; ++r)
+      for (int m = 0; m < mu_count; ++m) fill(r, m);
+    const DiffuseIncidence incidence;
+    conductor.integrate(incidence, envelope, envelope_average);
+    for (int n = 0; n < ior_count; ++n) {
+      const float ior = ior_at(n);
+      coat[n].integrate(
+          incidence, [ior](float mu, float) { return fresnel_dielectric(mu, ior); },
+          [ior](float) { return diffuse_fresnel_reflectance(ior); });
+      outside[n].integrate(incidence, envelope, envelope_average);
+      inside[n].integrate(incidence, envelope, envelope_average);
+    }
+  }
+
+  void fill(int r, int m) {
+    static const Quadrature quadrature;
+    const float alpha = alpha_at(r), mu = mu_at(float(m) / (mu_count - 1), alpha), e = envelope(mu, alpha);
+    const Vec3 wo{std::sqrt(std::max(0.0f, (1 - mu) * (1 + mu))), 0, mu};
+    for (int i = 0; i < cap_points; ++i) {
+      const Ring ring = visible_ring(quadrature, i, wo, alpha);
+      const float weight = quadrature.weight[i];
+      conductor.value[r][m] += weight * (around_points - sum_of(ring.reflected)) / e;
+      for (int n = 0; n < ior_count; ++n) {
+        const float ior = ior_at(n);
+        const RingAlbedo from_outside = dielectric_ring(ring, mu, alpha, ior);
+        coat[n].value[r][m] += weight * from_outside.reflected / fresnel_dielectric(mu, ior);
+        outside[n].value[r][m] += weight * from_outside.missing / e;
+        inside[n].value[r][m] += weight * dielectric_ring(ring, mu, alpha, 1 / ior).missing / e;
+      }
+    }
+  }
+};
+
+const Tables& tables() {
+  static const Tables instance;
+  return instance;
+}
+
+// Between the tables of two indices.
+float between(const std::array<Table, ior_count>& by_ior, float mu, float alpha, float ior) {
+  const Position n = ior_position(ior);
+  return mix(by_ior[n.index].at(mu, alpha), by_ior[n.index + 1].at(mu, alpha), n.fraction);
+}
+float average_between(const std::array<Table, ior_count>& by_ior, float alpha, float ior) {
+  const Position n = ior_position(ior);
+  return mix(by_ior[n.index].average_at(alpha), by_ior[n.index + 1].average_at(alpha), n.fraction);
+}
+
+}  // namespace
+
+float conductor_missing(float mu, float alpha) {
+  return std::min(1.0f, tables().conductor.at(mu, alpha) * envelope(mu, alpha));
+}
+float conductor_missing_average(float alpha) { return tables().conductor.average_at(alpha) * envelope_average(alpha); }
+
+float dielectric_missing(float mu, float alpha, float ior, bool inside) {
+  const auto& by_ior = inside ? tables().inside : tables().outside;
+  return std::min(1.0f, between(by_ior, mu, alpha, ior) * envelope(mu, alpha));
+}
+float dielectric_missing_average(float alpha, float ior, bool inside) {
+  return average_between(inside ? tables().inside : tables().outside, alpha, ior) * envelope_average(alpha);
+}
+
+float coat_albedo(float mu, float alpha, float ior) {
+  const float fresnel = fresnel_dielectric(mu, ior);
+  return alpha > 0 ? std::min(1.0f, fresnel * between(tables().coat, mu, alpha, ior)) : fresnel;
+}
+float coat_albedo_average(float alpha, float ior) {
+  const float fresnel = diffuse_fresnel_reflectance(ior);
+  return alpha > 0 ? fresnel * average_between(tables().coat, alpha, ior) : fresnel;
+}
+
+float missing_lobe_pdf(float mu, float alpha) { return mu * envelope(mu, alpha) / (pi * envelope_average(alpha)); }
+
+Vec3 sample_missing_lobe(float alpha, const Vec2& u) {
+  // CDF of mu: log(1 + mu^2 / alpha^2) over its value at mu = 1
+  const float a2 = alpha * alpha;
+  const float mu = std::min(1.0f, alpha * std::sqrt(std::expm1(u.x * std::log1p(1 / a2))));
+  const float sine = std::sqrt(std::max(0.0f, (1 - mu) * (1 + mu))), phi = 2 * pi * u.y;
+  return {sine * std::cos(phi), sine * std::sin(phi), mu};
+}
+
+}  // namespace ups

@@ -1,0 +1,30 @@
+// How much light does one scattering by a rough interface return, and how much does it lose to facets that shadow each
+// other? Tables behind the energy compensation of the rough models (Kelemen, Szirmay-Kalos 2001; Kulla, Conty 2017).
+//
+// "Missing" is 1 - directional albedo of single scattering without absorption. The tables are computed on first use
+// (C++ guarantees that once, whatever the threads) and depend on nothing else.
+//
+// Missing light is given back by a lobe missing(wo) * missing(wi) / (pi * average), which is reciprocal and closes the
+// balance exactly when `average` is the integral of 2 mu missing(mu). It is sampled with missing_lobe_pdf().
+#pragma once
+#include "base/vec.h"
+
+namespace ups {
+
+// Of conductors, at Fresnel reflectance 1. `mu` is |cos| of the direction.
+float conductor_missing(float mu, float alpha);
+float conductor_missing_average(float alpha);
+
+// Of a dielectric's reflection and transmission together, from outside or from inside.
+float dielectric_missing(float mu, float alpha, float ior, bool inside);
+float dielectric_missing_average(float alpha, float ior, bool inside);
+
+// Of a dielectric's reflection alone, from outside: the coat of a plastic. alpha 0: the exact Fresnel reflectance.
+float coat_albedo(float mu, float alpha, float ior);
+float coat_albedo_average(float alpha, float ior);  // over diffuse incidence
+
+// The envelope that missing light follows, 1 / (1 + (mu / alpha)^2), times |cos|: a density over the hemisphere z > 0.
+float missing_lobe_pdf(float mu, float alpha);
+Vec3 sample_missing_lobe(float alpha, const Vec2& u);
+
+}  // namespace ups

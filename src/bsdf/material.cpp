@@ -1,0 +1,225 @@
+// A Material at a surface point becomes a Bsdf; calls go to the model's functions by a switch. Also the classes of
+// whole materials that the scene's analysis asks for.
+#include "bsdf/material.h"
+
+#include <type_traits>
+
+#include "bsdf/microfacet.h"
+#include "bsdf/models.h"
+
+namespace ups {
+namespace {
+
+float unit(float x) { return x > 0 ? std::min(x, 1.0f) : 0.0f; }  // NaN: 0
+Rgb unit(const Rgb& c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
+
+bool grazing(const Vec3& w) { return !(std::abs(w.z) >= min_cosine); }
+
+Rgb pane_passage(const Material& m) {
+  return {glazing::internal_transmittance(m.transmittance.r, m.ior),
+          glazing::internal_transmittance(m.transmittance.g, m.ior),
+          glazing::internal_transmittance(m.transmittance.b, m.ior)};
+}
+
+bool is_interface_smooth(const Material& m, float alpha) {
+  return m.model == MaterialModel::glass ? glass::is_smooth(alpha, m.ior) : alpha < min_alpha;
+}
+
+Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi) {
+  if (grazing(wo) || grazing(wi)) return {};
+  switch (p.material->model) {
+    case MaterialModel::matte:
+    case MaterialModel::diffuser:
+      return diffuse::evaluate(p, wo, wi);
+    case MaterialModel::plastic:
+    case MaterialModel::metal:
+      return glossy::evaluate(p, wo, wi);
+    case MaterialModel::glass:
+      return glass::evaluate(p, wo, wi);
+    case MaterialModel::glazing:
+    case MaterialModel::mirror:
+      break;
+  }
+  return {};
+}
+
+Sampled sample_model(const BsdfParameters& p, const Vec3& wo, float u_lobe, const Vec2& u, TransportMode mode,
+                     BsdfSample& out) {
+  switch (p.material->model) {
+    case MaterialModel::matte:
+    case MaterialModel::diffuser:
+      return diffuse::sample(p, wo, u_lobe, u, out);
+    case MaterialModel::plastic:
+    case MaterialModel::metal:
+      return glossy::sample(p, wo, u_lobe, u, out);
+    case MaterialModel::glass:
+      return glass::sample(p, wo, u_lobe, u, mode, out);
+    case MaterialModel::glazing:
+      return glazing::sample(p, wo, u_lobe, out);
+    case MaterialModel::mirror:
+      return mirror::sample(p, wo, out);
+  }
+  return Sampled::none;
+}
+
+// Importance is carried unchanged through a refraction, radiance changes with n^2 (Veach 1997, 5.2).
+float radiance_scale(const BsdfParameters& p, const Vec3& wo, const Vec3& wi, TransportMode mode) {
+  if (mode != TransportMode::radiance || p.material->model != MaterialModel::glass || wo.z * wi.z > 0) return 1;
+  const float n2 = p.material->ior * p.material->ior;
+  return wo.z > 0 ? 1 / n2 : n2;
+}
+
+}  // namespace
+
+static_assert(std::is_trivially_copyable_v<Bsdf> && sizeof(Bsdf) <= 128);
+
+Bsdf::Bsdf(const Material& m, const Vec2& uv) {
+  p_.material = &m;
+  p_.reflectance = unit(m.reflectance_texture ? m.reflectance * m.reflectance_texture->rgb(uv) : m.reflectance);
+  p_.metallic = m.model == MaterialModel::metal ? 1 : 0;
+  switch (m.model) {
+    case MaterialModel::matte:
+    case MaterialModel::mirror:
+      return;
+    case MaterialModel::diffuser:
+      p_.transmittance = unit(m.transmittance);
+      return;
+    case MaterialModel::glazing:
+      p_.transmittance = pane_passage(m);
+      return;
+    case MaterialModel::plastic:
+      p_.metallic = unit(m.metallic_texture ? m.metallic * m.metallic_texture->first(uv) : m.metallic);
+      break;
+    case MaterialModel::metal:
+    case MaterialModel::glass:
+      break;
+  }
+  const float roughness = unit(m.roughness_texture ? m.roughness * m.roughness_texture->first(uv) : m.roughness);
+  const float alpha = roughness * roughness;
+  p_.alpha = is_interface_smooth(m, alpha) ? 0 : alpha;
+  if (m.model == MaterialModel::glass)
+    glass::prepare(p_);
+  else
+    glossy::prepare(p_);
+}
+
+bool Bsdf::has_delta() const {
+  switch (p_.material->model) {
+    case MaterialModel::matte:
+    case MaterialModel::diffuser:
+      return false;
+    case MaterialModel::mirror:
+      return !is_black(p_.reflectance);
+    case MaterialModel::glazing:
+      return true;
+    case MaterialModel::glass:
+      return !(p_.alpha > 0);
+    case MaterialModel::plastic:
+    case MaterialModel::metal:
+      return !(p_.alpha > 0) && (p_.metallic > 0 || p_.material->ior > 1);
+  }
+  return false;
+}
+
+float Bsdf::min_alpha_continuous() const {
+  switch (p_.material->model) {
+    case MaterialModel::mirror:
+    case MaterialModel::glazing:
+      return 0;
+    case MaterialModel::matte:
+    case MaterialModel::diffuser:
+      return is_black(p_.reflectance) && is_black(p_.transmittance) ? 0 : 1;
+    case MaterialModel::glass:
+      return p_.alpha;
+    case MaterialModel::plastic:
+    case MaterialModel::metal:
+      if (p_.alpha > 0 && (p_.metallic > 0 || p_.material->ior > 1)) return p_.alpha;
+      return is_black(p_.base) ? 0 : 1;
+  }
+  return 0;
+}
+
+bool Bsdf::has_continuous() const { return min_alpha_continuous() > 0; }
+
+bool Bsdf::transmits() const { return p_.material->model == MaterialModel::glass || !is_black(p_.transmittance); }
+
+Rgb Bsdf::eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  return evaluate(p_, wo, wi).value * radiance_scale(p_, wo, wi, mode);
+}
+
+float Bsdf::pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(p_, wo, wi).pdf; }
+
+bool Bsdf::sample(const Vec3& wo, float u_lobe, const Vec2& u, TransportMode mode, BsdfSample& out) const {
+  if (grazing(wo)) return false;
+  const Sampled sampled = sample_model(p_, wo, u_lobe, u, mode, out);
+  if (sampled != Sampled::direction) return sampled == Sampled::delta;
+  const Vec3 wi = out.wi;
+  const Scattering s = evaluate(p_, wo, wi);
+  if (!(s.pdf > 0)) return false;
+  out = {wi, s.value * (radiance_scale(p_, wo, wi, mode) / s.pdf), s.pdf, s.pdf_reverse};
+  out.transmitted = wo.z * wi.z < 0;
+  return true;
+}
+
+namespace {
+
+bool tinted(const Rgb& c) { return c.r != c.g || c.r != c.b; }
+
+// The GGX lobe of a plastic, metal or glass, over all values of the roughness texture.
+void add_interface(const Material& m, MaterialTraits& t) {
+  const float largest = unit(m.roughness);
+  const float smallest = m.roughness_texture ? largest * unit(m.roughness_texture->min_first()) : largest;
+  t.delta = is_interface_smooth(m, smallest * smallest);
+  if (is_interface_smooth(m, largest * largest)) return;
+  t.continuous = true;
+  t.glossy = smallest * smallest < 0.2f;
+}
+
+}  // namespace
+
+MaterialTraits traits_of(const Material& m) {
+  const bool reflects = !is_black(unit(m.reflectance)), diffuses = !is_black(unit(m.transmittance));
+  const bool coloured =
+      reflects && (tinted(m.reflectance) || (m.reflectance_texture && m.reflectance_texture->coloured()));
+  const bool metallic = m.model == MaterialModel::metal || unit(m.metallic) > 0;
+  MaterialTraits t{};
+  switch (m.model) {
+    case MaterialModel::matte:
+      t.continuous = t.interreflects = reflects;
+      t.coloured = coloured;
+      break;
+    case MaterialModel::diffuser:
+      t.continuous = t.interreflects = reflects || diffuses;
+      t.transmits = diffuses;
+      t.coloured = coloured || tinted(unit(m.transmittance));
+      break;
+    case MaterialModel::mirror:
+      t.delta = t.interreflects = reflects;
+      t.coloured = coloured;
+      break;
+    case MaterialModel::glazing:
+      t.delta = t.interreflects = true;
+      t.transmits = !is_black(m.transmittance);
+      t.coloured = tinted(pane_passage(m));
+      break;
+    case MaterialModel::glass:
+      add_interface(m, t);
+      t.transmits = t.interreflects = true;
+      t.coloured = tinted(m.absorption_per_m);
+      break;
+    case MaterialModel::plastic:
+      if (metallic || m.ior > 1) add_interface(m, t);
+      t.continuous = t.continuous || (reflects && (unit(m.metallic) < 1 || m.metallic_texture));
+      t.interreflects = reflects || metallic || m.ior > 1;
+      t.coloured = coloured;
+      break;
+    case MaterialModel::metal:
+      add_interface(m, t);
+      t.interreflects = true;
+      t.coloured = glossy::has_complex_index(m) ? tinted(m.ior_rgb) || tinted(m.ior_k_rgb) : coloured;
+      break;
+  }
+  return t;
+}
+
+}  // namespace ups

@@ -1,0 +1,65 @@
+// The material models behind Bsdf, a namespace each, in a file each. Bsdf (material.cpp) chooses by the model and has
+// already rejected directions that graze the surface.
+//
+// prepare()   fills the direction-independent parameters of a rough model.
+// evaluate()  all continuous lobes at once: value (f |cos wi|, importance mode), density and reverse density.
+// sample()    one of: Sampled::none; ::delta with the whole BsdfSample filled in; ::direction with only wi chosen, the
+//             rest of which follows from evaluate().
+#pragma once
+#include "bsdf/material.h"
+
+namespace ups {
+
+struct Scattering {
+  Rgb value;
+  float pdf = 0, pdf_reverse = 0;
+};
+
+enum class Sampled { none, delta, direction };
+
+namespace diffuse {  // matte, diffuser
+Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi);
+Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, const Vec2& u, BsdfSample& out);
+}  // namespace diffuse
+
+namespace glossy {                          // plastic, metal, mixtures
+bool has_complex_index(const Material& m);  // then reflectance is not used
+void prepare(BsdfParameters& p);
+Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi);
+Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, const Vec2& u, BsdfSample& out);
+}  // namespace glossy
+
+namespace glass {  // solid dielectric; wo.z > 0 is outside
+bool is_smooth(float alpha, float ior);
+void prepare(BsdfParameters& p);
+Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi);
+Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, const Vec2& u, TransportMode mode,
+               BsdfSample& out);
+}  // namespace glass
+
+namespace glazing {  // thin panes; delta lobes alone
+// Transmittance of one passage through the pane that makes its total at normal incidence `transmittance`.
+float internal_transmittance(float transmittance, float ior);
+Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, BsdfSample& out);
+}  // namespace glazing
+
+namespace mirror {
+Sampled sample(const BsdfParameters& p, const Vec3& wo, BsdfSample& out);
+}  // namespace mirror
+
+// A number uniform in [low, high) again uniform in [0, 1).
+inline float stretch(float u, float low, float high) {
+  return high > low ? std::clamp((u - low) / (high - low), 0.0f, 0x1.fffffep-1f) : 0.0f;
+}
+
+// A delta lobe that stays on its side and goes on at the same angle.
+inline Sampled mirrored(const Vec3& wo, const Rgb& weight, float probability, BsdfSample& out) {
+  out = {};
+  out.wi = {-wo.x, -wo.y, wo.z};
+  out.weight = weight;
+  out.pdf = out.pdf_reverse = probability;
+  out.delta = true;
+  return is_black(weight) ? Sampled::none : Sampled::delta;
+}
+
+}  // namespace ups
