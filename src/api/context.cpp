@@ -109,6 +109,7 @@ ups_status ups_context_get_thread_count(const ups_context* context, int32_t* out
 ups_status ups_context_pop_log(ups_context* context, char* text, size_t capacity, size_t* needed,
                                ups_log_level* level) {
   return guard(__func__, [&] {
+    if (!text && capacity > 0) fail_argument("text is NULL, but capacity is " + std::to_string(capacity));
     require(context, "context").core->pop([&](const ContextCore::Message* message) {
       if (!message) {
         if (needed) *needed = 0;

@@ -1,0 +1,205 @@
+// What a commit builds: the origin, which side emits, meters and luminaires on surfaces, media, and what is complete.
+#include <gtest/gtest.h>
+
+#include "scene/prepare.h"
+
+namespace ups {
+namespace {
+
+struct Things {
+  Description description;
+
+  uint32_t material(ups_material_model model, float luminance = 0, float absorption = 0) {
+    ups_material_desc d{};
+    d.struct_size = sizeof d;
+    d.model = model;
+    for (float& r : d.reflectance_rgb) r = 0.5f;
+    for (float& t : d.transmittance_rgb) t = -1;
+    for (float& l : d.luminance_cd_m2) l = luminance;
+    for (float& a : d.absorption_per_m_rgb) a = absorption;
+    d.ior = 1.5f, d.alpha = 1, d.alpha_cutoff = 0.5f, d.normal_scale = 1;
+    return description.add_material(d).v;
+  }
+  // A box with its front outwards, placed.
+  void box(uint32_t material, const Vec3d& lo, const Vec3d& hi, bool mirrored = false) {
+    static const float p[24] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
+    static const uint32_t i[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                   2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    ups_mesh_desc m{};
+    m.vertex_count = 8, m.triangle_count = 12;
+    m.material.v = material;
+    m.positions_m = p, m.indices = i;
+    ups_instance_desc d{};
+    d.mesh = description.add_mesh(m);
+    const Vec3d s = hi - lo;
+    const double place[12] = {mirrored ? -s.x : s.x, 0, 0, mirrored ? hi.x : lo.x, 0, s.y, 0, lo.y, 0, 0, s.z, lo.z};
+    std::copy(std::begin(place), std::end(place), d.to_world);
+    description.add_instance(d);
+  }
+  void meter(const Vec3d& p, const Vec3& n) {
+    const double position[3] = {p.x, p.y, p.z};
+    const float normal[3] = {n.x, n.y, n.z};
+    ups_meter_desc d{};
+    d.count = 1;
+    d.positions_m = position, d.normals = normal;
+    description.add_meters(d);
+  }
+  void point_light(const Vec3d& p) {
+    ups_light_desc d{};
+    const double place[12] = {1, 0, 0, p.x, 0, 1, 0, p.y, 0, 0, 1, p.z};
+    std::copy(std::begin(place), std::end(place), d.to_world);
+    for (float& i : d.intensity_rgb) i = 1;
+    description.add_light(d);
+  }
+  // Below the nadir alone, 100 cd; a downlight with an opening or without.
+  void downlight(const Vec3d& p, photometry::Opening opening, float flux_lm) {
+    photometry::Photometry data{photometry::Distribution({0}, {0, 90}, {100, 0})};
+    data.opening = opening;
+    ups_luminaire_desc d{};
+    d.use_opening = 1;
+    const double place[12] = {2, 0, 0, p.x, 0, 2, 0, p.y, 0, 0, 2, p.z};  // its scale must not matter
+    std::copy(std::begin(place), std::end(place), d.to_world);
+    d.color_rgb[0] = 2, d.color_rgb[1] = d.color_rgb[2] = 1;
+    d.flux_lm = flux_lm, d.dimming = 0.5f, d.intensity_scale = 0.8f;
+    description.add_luminaire(d, std::make_shared<photometry::Photometry>(std::move(data)));
+  }
+  std::shared_ptr<const Snapshot> build() const { return prepare(description, 2); }
+};
+
+TEST(Prepare, OriginIsTheCentre) {
+  Things t;
+  t.box(t.material(UPS_MATERIAL_MATTE), {5e5, 1e5, 0}, {5e5 + 10, 1e5 + 6, 3});
+  t.meter({5e5 + 1, 1e5 + 1, 0.8}, {0, 0, 1});
+  t.point_light({5e5 + 5, 1e5 + 3, 5});  // above the box
+  const auto s = t.build();
+  EXPECT_EQ(s->origin.x, 5e5 + 5);
+  EXPECT_EQ(s->origin.y, 1e5 + 3);
+  EXPECT_EQ(s->origin.z, 2.5);
+  EXPECT_NEAR(s->radius, std::sqrt(25 + 9 + 6.25), 1e-4);
+  EXPECT_LT(length(s->meter_sets[0].meters[0].p - Vec3(-4, -2, -1.7f)), 1e-6f);
+  EXPECT_LT(length(s->raytracer->bounds_min() - Vec3(-5, -3, -2.5f)), 1e-6f);
+  EXPECT_EQ(s->emitters.size(), 1u);
+  EXPECT_EQ(s->meter_set_ids[0], 1u);
+}
+
+TEST(Prepare, EmissionLeavesTheFrontOfMirroredBoxesToo) {
+  for (const bool mirrored : {false, true}) {
+    Things t;
+    t.box(t.material(UPS_MATERIAL_MATTE, 10), {-1, -1, -1}, {1, 1, 1}, mirrored);
+    const auto s = t.build();
+    ASSERT_EQ(s->emitters.size(), 1u);
+    EXPECT_EQ(s->emitter_of_instance[0], 0u);
+    EXPECT_NEAR(s->emitters.flux_lm(), 3.14159265 * 10 * 24, 1e-2);
+    for (int i = 0; i < 50; ++i) {
+      EmissionSample e;
+      ASSERT_TRUE(s->emitters[0].sample_emission({(float(i) + 0.5f) / 50, 0.4f}, {0.3f, 0.6f}, e));
+      EXPECT_GT(dot(e.n, e.p), 0) << "inwards";
+      EXPECT_GT(dot(e.direction, e.n), 0);
+      // The emitter's triangles are the ray tracer's: the same front.
+      EXPECT_LT(length(s->raytracer->surface_at(0, e.primitive, 0.3f, 0.3f).ng - e.n), 1e-5f);
+    }
+  }
+}
+
+TEST(Prepare, MetersOnSurfacesStandOnTheirNormalsSide) {
+  Things t;
+  const uint32_t matte = t.material(UPS_MATERIAL_MATTE);
+  t.box(matte, {0.1, 0.1, 0.3}, {40.1, 30.1, 3.3});
+  t.point_light({20, 20, 2});
+  for (const double step : {-3e-7, 0.0, 3e-7})
+    for (const float up : {1.0f, -1.0f}) {
+      t.meter({17.3, 11.7, 0.3 + step}, {0, 0, up});
+      t.meter({17.3, 11.7, 3.3 + step}, {0, 0, up});
+    }
+  t.meter({17.3, 11.7, 1}, {0, 0, 1});
+  const auto s = t.build();
+  for (const MeterSet& set : s->meter_sets) {
+    const Meter& m = set.meters[0];
+    const Vec3 start = m.p + m.frame.n * (2 * m.error);
+    Hit hit;
+    // Back through itself a ray must find the surface at once; ahead and at a grazing angle it must not.
+    const bool free_standing = std::abs(m.p.z - float(1 - s->origin.z)) < 0.1f;
+    EXPECT_EQ(s->raytracer->intersect(start, -m.frame.n, 1e-3f, hit), !free_standing);
+    EXPECT_FALSE(s->raytracer->intersect(start, m.frame.n, 1e-3f, hit));
+    EXPECT_FALSE(s->raytracer->intersect(start, normalize(m.frame.s + m.frame.n * 1e-4f), 1, hit));
+    EXPECT_LT(m.error, 3e-4f);
+  }
+}
+
+TEST(Prepare, LuminairesScaleAndPlace) {
+  Things t;
+  t.box(t.material(UPS_MATERIAL_MATTE), {0, 0, 0}, {8, 6, 3});
+  t.downlight({2, 3, 3}, {photometry::OpeningShape::rectangle, {0.6f, 0.3f, 0}}, 1000);  // flush with the ceiling
+  t.downlight({5, 3, 3}, {}, -1);
+  t.downlight({6, 3, 2}, {photometry::OpeningShape::box, {0.6f, 0.3f, 0.1f}}, 0);  // 0 lm: left out
+  t.downlight({6, 3, 2}, {photometry::OpeningShape::box, {0.6f, 0.3f, 0.1f}}, 10);
+  const auto s = t.build();
+  ASSERT_EQ(s->emitters.size(), 3u);
+  EXPECT_EQ(s->luminaire_count, 4u);
+  EXPECT_EQ(s->emitters[0].kind(), EmitterKind::profile_opening);
+  EXPECT_EQ(s->emitters[1].kind(), EmitterKind::profile_point);
+  const photometry::Distribution d({0}, {0, 90}, {100, 0});
+  const double band_to_true = d.interpolated_flux_lm() / d.band_flux_lm();
+  EXPECT_NEAR(s->emitters[0].flux_lm(), 400 * band_to_true, 1e-3 * 400);
+  EXPECT_NEAR(s->emitters[1].flux_lm(), 0.4 * d.interpolated_flux_lm(), 1e-3 * d.band_flux_lm());
+  const Rgb flux = s->emitters[0].flux_rgb();
+  EXPECT_NEAR(flux.r / flux.g, 2, 1e-5f);
+  EXPECT_NEAR(luminance(flux), s->emitters[0].flux_lm(), 1e-2);
+  EXPECT_TRUE(s->effects.coloured);
+
+  // Discs stand for openings, in front of the ceiling; the box is announced as approximated.
+  ASSERT_EQ(s->emitter_of_opening, (std::vector<uint32_t>{0, 2}));
+  std::vector<DiscIndex::Crossing> crossings;
+  const Vec3 o = Vec3(Vec3d(2, 3, 0.5) - s->origin);
+  Hit hit;
+  ASSERT_TRUE(s->raytracer->intersect(o, {0, 0, 1}, INFINITY, hit));
+  s->openings->intersect_all(o, {0, 0, 1}, hit.t, crossings);
+  ASSERT_EQ(crossings.size(), 1u);
+  EXPECT_EQ(crossings[0].disc, 0u);
+  EXPECT_NEAR(s->openings->disc(0).radius, 0.5f * std::hypot(0.6f, 0.3f), 1e-5f);
+  EXPECT_EQ(s->openings->disc(0).normal.z, -1);
+  ASSERT_EQ(s->warnings.size(), 2u);  // and that there is nothing to measure
+  EXPECT_NE(s->warnings[0].find("luminaire 4: its opening is not flat"), std::string::npos) << s->warnings[0];
+
+  // The point in the ceiling shines down into the room.
+  DirectSample direct;
+  const Vec3 floor = Vec3(Vec3d(5.5, 3, 0.1) - s->origin);
+  ASSERT_TRUE(s->emitters[1].sample_direct(floor, {0.5f, 0.5f}, direct));
+  EXPECT_FALSE(s->raytracer->occluded(direct.p, -direct.wi, direct.distance));
+}
+
+TEST(Prepare, FindsTheGlassThatThingsLieIn) {
+  Things t;
+  const uint32_t matte = t.material(UPS_MATERIAL_MATTE), water = t.material(UPS_MATERIAL_GLASS, 0, 0.3f);
+  t.box(matte, {-10, -10, -10}, {10, 10, 10});
+  t.box(water, {-1, -1, -1}, {1, 1, 1});
+  t.box(matte, {-0.5, -0.5, 0.5}, {0.5, 0.5, 0.6});  // a lid within the water, above the meter
+  t.meter({0, 0, 0}, {0, 0, 1});
+  t.meter({3, 0, 0}, {0, 0, 1});
+  t.meter({0, 0, -2}, {0, 0, 1});  // below the water: sees it from outside
+  t.point_light({0.2, 0.1, 0.8});
+  const auto s = t.build();
+  EXPECT_EQ(s->medium_of_meter[0][0], water - 1);
+  EXPECT_EQ(s->medium_of_meter[1][0], none);
+  EXPECT_EQ(s->medium_of_meter[2][0], none);
+  EXPECT_EQ(s->medium_of_emitter[0], water - 1);
+  EXPECT_TRUE(s->effects.transmits_solid);
+  EXPECT_FALSE(s->effects.path_tracing_complete) << "a point light and smooth water";
+  EXPECT_TRUE(s->effects.sharp_caster);
+}
+
+TEST(Prepare, PathTracingIsCompleteWithoutDeltaSurfacesOrWithoutDeltaEmitters) {
+  Things diffuse;
+  diffuse.box(diffuse.material(UPS_MATERIAL_MATTE), {-1, -1, -1}, {1, 1, 1});
+  diffuse.point_light({0, 0, 0});
+  EXPECT_TRUE(diffuse.build()->effects.path_tracing_complete);
+  EXPECT_FALSE(diffuse.build()->effects.sharp_caster);
+  Things area;
+  area.box(area.material(UPS_MATERIAL_MIRROR), {-1, -1, -1}, {1, 1, 1});
+  area.box(area.material(UPS_MATERIAL_MATTE, 5), {-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1});
+  EXPECT_TRUE(area.build()->effects.path_tracing_complete);
+  EXPECT_TRUE(area.build()->effects.sharp_caster);
+}
+
+}  // namespace
+}  // namespace ups
