@@ -8,8 +8,9 @@
 
 #include "ups_base.h"
 
-/* The factor that takes luminance, cd/m^2, to the view transform's scene-linear values, where 0.18 is a mid grey:
- * 0.18 / (geometric mean of the pixels' luminance between its 5th and 95th percentile, black pixels left out).
+/* The factor that takes luminance, cd/m^2, to the view transform's scene-linear values:
+ * 0.26 / (geometric mean of the pixels' luminance between its 5th and 95th percentile, black pixels left out).
+ * The view shows 0.26 as an 18 % grey.
  * The same image always gives the same factor; an image without light gives 1.
  * luminance_rgb: 3 floats a pixel, linear Rec.709, finite, row 0 at the top. */
 UPS_API ups_status ups_ocio_choose_exposure(const float *luminance_rgb, uint32_t width, uint32_t height, double *out);

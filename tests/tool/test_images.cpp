@@ -118,14 +118,20 @@ TEST_F(Images, ExposureIsTheGreyOfTheGeometricMean) {
   double exposure = 0;
   std::vector<float> rgb(300, 50.f);  // 100 pixels
   ASSERT_EQ(ups_ocio_choose_exposure(rgb.data(), 10, 10, &exposure), UPS_OK);
-  EXPECT_NEAR(exposure, 0.18 / 50, 1e-8);
+  EXPECT_NEAR(exposure, 0.26 / 50, 1e-8);
   for (int i = 0; i < 12; ++i) rgb[size_t(i)] = 1e6f;  // four of 100 pixels are lamps
   for (int i = 12; i < 150; ++i) rgb[size_t(i)] = 0;   // and many are black
   ASSERT_EQ(ups_ocio_choose_exposure(rgb.data(), 10, 10, &exposure), UPS_OK);
-  EXPECT_NEAR(exposure / (0.18 / 50), 1, 0.5);
+  EXPECT_NEAR(exposure / (0.26 / 50), 1, 0.5);
   std::fill(rgb.begin(), rgb.end(), 0.f);
   ASSERT_EQ(ups_ocio_choose_exposure(rgb.data(), 10, 10, &exposure), UPS_OK);
   EXPECT_EQ(exposure, 1);
+}
+
+TEST_F(Images, ChosenExposureShowsTheMeanAsGrey) {
+  const std::vector<float> rgb(300, 50.f);
+  ASSERT_EQ(ups_ocio_write_png(path("v.png").c_str(), rgb.data(), 10, 10, 0), UPS_OK) << ups_ocio_last_error();
+  EXPECT_NEAR(read_png(path("v.png")).at(3, 3)[1], 118, 3);  // sRGB of 18 %
 }
 
 TEST_F(Images, ViewIsGreyForGreyAndRisesWithLuminance) {

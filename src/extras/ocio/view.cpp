@@ -15,7 +15,7 @@ namespace {
 
 namespace OCIO = OCIO_NAMESPACE;
 
-constexpr double mid_grey = 0.18;
+constexpr double mid_grey = 0.26;  // which the view shows as sRGB 117, an 18 % grey
 constexpr double low_percentile = 0.05, high_percentile = 0.95;
 
 OCIO::TransformRcPtr builtin(const char* style, OCIO::TransformDirection direction) {
