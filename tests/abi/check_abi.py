@@ -87,7 +87,8 @@ def measure_layout(cc):
         for f in s.fields:
             lines.append(f'printf("  {f.name} %zu %zu\\n", offsetof({s.name}, {f.name}), '
                          f'sizeof((({s.name} *)0)->{f.name}));')
-    lines += [f'printf("{name} %d\\n", (int){name});' for e in api.enums for name, _ in e.members]
+    for e in api.enums:
+        lines += [f'printf("{name} %d\\n", (int){name});' for name, _ in e.members]
     lines.append("return 0; }")
     with tempfile.TemporaryDirectory() as folder:
         source = Path(folder, "layout.c")
@@ -103,9 +104,8 @@ def check_layout(arguments):
         return
     committed = (HERE / "layout.txt").read_text().splitlines()
     compare("tests/abi/layout.txt", committed, found,
-            "The layout changed. A field at the end of a *_desc or *_info is compatible, a new enumerator too;\nanything "
-            "else breaks programs. "
-            "To accept: tests/abi/check_abi.py layout --write")
+            "The layout changed. A field at the end of a *_desc or *_info is compatible, a new enumerator too;\n"
+            "anything else breaks programs. To accept: tests/abi/check_abi.py layout --write")
     print(f"{len(found)} sizes, offsets and values are those of layout.txt")
 
 
@@ -142,8 +142,8 @@ def check_baseline(arguments):
             return
         done = subprocess.run(["abidiff", "--no-architecture", baseline, library], capture_output=True, text=True)
     if done.returncode:  # a bit set: 1 and 2 errors, 4 a change, 8 a change that surely breaks programs
-        sys.exit(f"{done.stdout}{done.stderr}\nabidiff: exit code {done.returncode}. New functions and fields at the end "
-                 "of a *_desc or *_info are compatible;\nanything else breaks programs and needs a new SONAME. "
+        sys.exit(f"{done.stdout}{done.stderr}\nabidiff: exit code {done.returncode}. New functions and fields at the "
+                 "end of a *_desc or *_info are compatible;\nanything else breaks programs and needs a new SONAME. "
                  "To accept: tests/abi/check_abi.py baseline --write")
     print("libabigail finds no difference to baseline.abi")
 

@@ -1,0 +1,217 @@
+// Does the C# binding work? Layout against tests/abi/layout.txt (the argument), values in and out, errors, lifetimes.
+// A program without a test framework: prints each failed check and exits with their number.
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Reflection;
+using System.Runtime.InteropServices;
+using Ups;
+
+internal static class BindingTest
+{
+    private const BindingFlags EveryField = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
+    private static int failures_;
+
+    private static void Expect(bool condition, string what)
+    {
+        if (condition) return;
+        ++failures_;
+        Console.WriteLine("FAILED: " + what);
+    }
+
+    private static void ExpectNear(double value, double expected, double relative, string what)
+    {
+        Expect(Math.Abs(value - expected) <= relative * Math.Abs(expected), what + ": " + value + ", not " + expected);
+    }
+
+    private static void ExpectStatus(Status status, string part, Action action, string what)
+    {
+        try
+        {
+            action();
+            Expect(false, what + ": no exception");
+        }
+        catch (UpsException e)
+        {
+            Expect(e.Status == status && e.Message.Contains(part), what + ": " + e.Message);
+        }
+    }
+
+    /// <summary>to_world, ToWorld and the fixed buffer toWorld_ are one name.</summary>
+    private static string Plain(string name) { return name.Replace("_", "").ToLowerInvariant(); }
+
+    private static void TestLayout(string path)
+    {
+        var types = new Dictionary<string, Type>();
+        foreach (var type in typeof(MeshDesc).Assembly.GetTypes())
+            if (type.IsValueType && type.Namespace == "Ups" && !type.IsNested) types[Plain("ups_" + type.Name)] = type;
+        Type current = null;
+        var fields = new Dictionary<string, FieldInfo>();
+        int structs = 0, enumerators = 0;
+        foreach (var line in File.ReadAllLines(path))
+        {
+            var words = line.Split(new[] { ' ' }, StringSplitOptions.RemoveEmptyEntries);
+            if (line.StartsWith("UPS_"))
+            {
+                ++enumerators;
+                continue;
+            }
+            if (words.Length == 2)
+            {
+                ++structs;
+                Expect(fields.Count == 0, "fields that C has not: " + string.Join(", ", fields.Keys));
+                Expect(types.TryGetValue(Plain(words[0]), out current), "no type for " + words[0]);
+                fields.Clear();
+                foreach (var f in current.GetFields(EveryField)) fields[Plain(f.Name)] = f;
+                Expect(Marshal.SizeOf(current) == int.Parse(words[1]), "size of " + words[0]);
+                continue;
+            }
+            FieldInfo field;
+            if (!fields.TryGetValue(Plain(words[0]), out field))
+            {
+                Expect(false, "no field " + words[0] + " in " + current);
+                continue;
+            }
+            fields.Remove(Plain(words[0]));
+            var offset = (int)Marshal.OffsetOf(current, field.Name);
+            Expect(offset == int.Parse(words[1]), "offset of " + current + "." + field.Name + ": " + offset);
+        }
+        Expect(fields.Count == 0, "fields that C has not: " + string.Join(", ", fields.Keys));
+        Expect(structs > 20 && enumerators > 50, "layout.txt was read");
+    }
+
+    private static Scene LampOverFloor(Context context, float reflectance, out SensorId meters, out LuminaireId light)
+    {
+        var scene = new Scene(context);
+        var material = MaterialDesc.Create();
+        material.ReflectanceRgb = new[] { reflectance, reflectance, reflectance };
+        var instance = InstanceDesc.Create();
+        instance.Mesh = scene.AddMesh(new float[] { -5, -5, 0, 5, -5, 0, 5, 5, 0, -5, 5, 0 },
+                                      new uint[] { 0, 1, 2, 0, 2, 3 }, scene.AddMaterial(material));
+        scene.AddInstance(instance);
+        var lamp = LightDesc.Create();
+        lamp.Kind = LightKind.Point;
+        lamp.IntensityRgb = new float[] { 400, 400, 400 };
+        lamp.ToWorld = new double[] { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 2.5 };
+        light = scene.AddLight(lamp);
+        meters = scene.AddMeters(new[] { 0, 0, 0.5, 1, 0, 0.5 }, new float[] { 0, 0, 1, 0, 0, 1 });
+        return scene;
+    }
+
+    private static RenderDesc Iterations(uint count)
+    {
+        var desc = RenderDesc.Create();
+        desc.IterationCount = count;
+        desc.Seed = 5;
+        return desc;
+    }
+
+    private static void TestValues(Context context)
+    {
+        var intensities = new float[19];
+        var gammas = new float[19];
+        for (var i = 0; i < 19; ++i)
+        {
+            intensities[i] = 100;
+            gammas[i] = 10 * i;
+        }
+        using (var profile = Profile.FromTable(context, new float[] { 0 }, gammas, intensities))
+        {
+            ExpectNear(profile.Info.InterpolatedFluxLm, 400 * Math.PI, 1e-5, "flux of a uniform intensity");
+            Expect(profile.IntensityCd(new float[] { 0, 0, -1, 1, 1, 1 })[1] == 100, "uniform intensity");
+        }
+
+        SensorId meters;
+        LuminaireId light;
+        using (var scene = LampOverFloor(context, 0, out meters, out light))
+        {
+            var camera = CameraDesc.Create();
+            camera.Width = 6;
+            camera.Height = 4;
+            camera.VerticalFovRad = 0.1f;
+            camera.Illuminance = 1;
+            camera.ToWorld = new double[] { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 2 };
+            var eye = scene.AddCamera(camera);
+            scene.Commit();
+            Expect(scene.Info.TriangleCount == 2 && scene.Info.MeterCount == 2, "what the scene holds");
+            Expect(scene.Info.BoundsMaxM[1] == 5, "an array inside a struct");
+            using (var result = scene.Render(Iterations(16)))
+            {
+                // I cos(a) / d^2; a point source over a black floor has no noise, only float rounding.
+                var readings = result.Meters(meters);
+                ExpectNear(readings[0].IlluminanceLx, 100, 1e-4, "below the lamp");
+                ExpectNear(readings[1].IlluminanceLx, 800 / Math.Pow(5, 1.5), 1e-4, "beside the lamp");
+                foreach (var e in result.Image(eye, 6, 4, Channel.Illuminance)) ExpectNear(e, 64, 0.01, "floor");
+                Expect(result.Convergence().Length > 0, "convergence");
+                Expect(result.Info.Iterations == 16 && result.Info.Seed == 5, "the render's own data");
+            }
+            scene.SetDimming(light, 0.5f);
+            scene.Commit();
+            using (var result = scene.Render(Iterations(4)))
+                ExpectNear(result.Meters(meters)[0].IlluminanceLx, 50, 1e-4, "dimmed");
+        }
+    }
+
+    private static void TestErrors(Context context)
+    {
+        ExpectStatus(Status.ErrorInvalidArgument, "thread_count", () => new Context(-1), "negative thread count");
+        ExpectStatus(Status.ErrorParse, "", () => Profile.Parse(context, new byte[] { 65, 66 }, ProfileFormat.IesLm63),
+                     "bytes that are no photometry");
+        using (var scene = new Scene(context))
+            ExpectStatus(Status.ErrorInvalidState, "", () => { var i = scene.Info; }, "a scene without a commit");
+        var closed = new Scene(context);
+        closed.Dispose();
+        closed.Dispose();
+        try
+        {
+            closed.Commit();
+            Expect(false, "a disposed scene: no exception");
+        }
+        catch (ObjectDisposedException)
+        {
+        }
+    }
+
+    private static void TestJobsAndLifetimes()
+    {
+        var context = new Context(2);
+        SensorId meters;
+        LuminaireId light;
+        var scene = LampOverFloor(context, 0.8f, out meters, out light);
+        scene.Commit();
+        var endless = RenderDesc.Create();
+        endless.TimeLimitS = 600;
+        using (var job = scene.Start(endless))
+        {
+            Expect(job.Wait(0) == Status.Timeout, "an endless job runs");
+            job.Cancel();
+            Expect(job.Wait() == Status.Cancelled, "a cancelled job ends");
+        }
+        var last = scene.Start(Iterations(8));
+        context.Dispose();
+        scene.Dispose();
+        Expect(last.Wait() == Status.Ok, "a job outlives its scene");
+        Expect(last.Poll().State == JobState.Finished, "finished");
+        var result = last.Result();
+        last.Dispose();
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        Expect(result.Meters(meters)[0].IlluminanceLx >= 99.9, "a result outlives its job");
+    }
+
+    private static int Main(string[] arguments)
+    {
+        TestLayout(arguments[0]);
+        using (var context = new Context(2))
+        {
+            Expect(context.ThreadCount == 2, "threads");
+            LogLevel level;
+            Expect(context.PopLog(out level) == null, "an empty log");
+            TestValues(context);
+            TestErrors(context);
+        }
+        TestJobsAndLifetimes();
+        Console.WriteLine(failures_ == 0 ? "all checks passed" : failures_ + " checks failed");
+        return failures_;
+    }
+}

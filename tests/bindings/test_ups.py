@@ -1,0 +1,211 @@
+"""Does the Python binding work: values in and out, errors, lifetimes, jobs."""
+import gc
+import math
+
+import numpy as np
+import pytest
+import ups
+
+
+@pytest.fixture(scope="module")
+def context():
+    return ups.Context(thread_count=2)
+
+
+def uniform_profile(context, intensity_cd=100.0):
+    return ups.Profile.from_table(context, [0], np.linspace(0, 180, 19), np.full((1, 19), intensity_cd))
+
+
+def lamp_over_floor(context, reflectance=0.0, intensity_cd=400.0):
+    """A point 2 m above a meter that sees no other surface: 100 lx."""
+    scene = ups.Scene(context)
+    material = scene.add_material(reflectance_rgb=[reflectance] * 3)
+    mesh = scene.add_mesh([(-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0)], [(0, 1, 2), (0, 2, 3)], material)
+    instance = scene.add_instance(mesh)
+    light = scene.add_light(kind=ups.LightKind.POINT, intensity_rgb=[intensity_cd] * 3,
+                            to_world=ups.translation(0, 0, 2.5))
+    meters = scene.add_meters([(0, 0, 0.5), (1, 0, 0.5)], normals=(0, 0, 1))
+    return scene, meters, light, instance
+
+
+def test_version_is_that_of_the_headers():
+    assert ups.version() == ups._ffi.HEADER_VERSION
+
+
+def test_context_has_the_threads_asked_for():
+    with ups.Context(thread_count=3) as context:
+        assert context.thread_count == 3
+        assert context.pop_log() == []
+
+
+def test_an_error_has_status_and_text(context):
+    with pytest.raises(ups.Error) as caught:
+        ups.Context(thread_count=-1)
+    assert caught.value.status == ups.Status.ERROR_INVALID_ARGUMENT
+    assert "thread_count" in str(caught.value)
+    with pytest.raises(ups.Error) as caught:
+        ups.Profile.parse(context, b"IESNA:LM-63-2002\nTILT=NONE\n1 2 three\n", ups.ProfileFormat.IES_LM63)
+    assert caught.value.status == ups.Status.ERROR_PARSE
+
+
+def test_profile_flux_is_four_pi_times_a_uniform_intensity(context):
+    profile = uniform_profile(context, 100.0)
+    # Linear between the table's gammas and uniform: the integral over the sphere is exact but for float rounding.
+    assert profile.info.interpolated_flux_lm == pytest.approx(4 * math.pi * 100, rel=1e-5)
+    assert profile.info.peak_cd == 100.0
+    assert np.array_equal(profile.intensity_cd([(0, 0, -1), (3, 0, 0), (0, 1, 1)]), np.full(3, 100, np.float32))
+
+
+def test_profile_from_bytes(context):
+    ies = b"IESNA:LM-63-2002\n[MANUFAC] A\xc3\xa9\nTILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 20\n0 45 90\n0\n50 40 0\n"
+    profile = ups.Profile.parse(context, ies)
+    assert profile.format == "IES LM-63-2002"
+    assert "MANUFAC=Aé" in profile.keywords
+    assert np.allclose(profile.intensity_cd([(0, 0, -1), (1, 0, -1), (0, 0, 1)]), (50, 40, 0), atol=1e-4)
+
+
+def test_arrays_of_the_wrong_shape_are_refused(context):
+    scene = ups.Scene(context)
+    material = scene.add_material()
+    with pytest.raises(ValueError, match="positions_m"):
+        scene.add_mesh([(0, 0), (1, 0), (1, 1)], [(0, 1, 2)], material)
+    with pytest.raises(ValueError, match="reflectance_rgb"):
+        scene.add_material(reflectance_rgb=(1, 1))
+    with pytest.raises(TypeError, match="no_such_field"):
+        scene.add_material(no_such_field=1)
+    with pytest.raises(ValueError, match="to_world"):
+        scene.add_light(to_world=np.eye(3))
+
+
+def test_an_index_out_of_range_is_refused_by_the_library(context):
+    scene = ups.Scene(context)
+    with pytest.raises(ups.Error) as caught:
+        scene.add_mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0)], [(0, 1, 3)], scene.add_material())
+    assert caught.value.status == ups.Status.ERROR_INVALID_ARGUMENT
+
+
+def test_scene_reports_what_it_holds(context):
+    scene, _, _, _ = lamp_over_floor(context)
+    with pytest.raises(ups.Error) as caught:
+        scene.info
+    assert caught.value.status == ups.Status.ERROR_INVALID_STATE
+    scene.commit()
+    info = scene.info
+    assert (info.triangle_count, info.light_count, info.meter_count) == (2, 1, 2)
+    assert info.emitted_flux_lm == pytest.approx(4 * math.pi * 400, rel=1e-5)
+    assert list(info.bounds_max_m) == [5, 5, 0]
+    assert scene.text(ups.SceneText.TECHNIQUES)
+
+
+def test_meters_under_a_lamp_follow_the_inverse_square_law(context):
+    scene, meters, _, _ = lamp_over_floor(context)
+    scene.commit()
+    readings = scene.render(iteration_count=16).meters(meters)
+    # I cos(a) / d^2 with d^2 = 4 and 5. A point source over a black floor has no noise, only float rounding.
+    assert np.allclose(readings["illuminance_lx"], (100, 400 * 2 / 5**1.5), rtol=1e-4)
+    assert np.allclose(readings["direct_lx"], readings["illuminance_lx"], rtol=1e-4)
+
+
+def test_changes_show_after_a_commit(context):
+    scene, meters, light, instance = lamp_over_floor(context)
+    scene.set_dimming(light, 0.5)
+    scene.commit()
+    assert scene.render(iteration_count=4).meters(meters)["illuminance_lx"][0] == pytest.approx(50, rel=1e-4)
+    # The floor moved to between lamp and meter takes the light away.
+    scene.set_transform(instance, ups.translation(0, 0, 1))
+    scene.commit()
+    assert scene.render(iteration_count=4).meters(meters)["illuminance_lx"][0] == 0
+    scene.remove_instance(instance)
+    scene.commit()
+    assert scene.render(iteration_count=4).meters(meters)["illuminance_lx"][0] == pytest.approx(50, rel=1e-4)
+    scene.remove_sensor(meters)
+    with pytest.raises(ups.Error):
+        scene.remove_sensor(meters)
+
+
+def test_image_of_a_lit_floor(context):
+    scene, _, _, _ = lamp_over_floor(context, reflectance=0.5)
+    # From above, looking down: local -Z is down without a turn. 2 m over the floor, pixels near the middle.
+    camera = scene.add_camera(6, 4, to_world=ups.translation(0, 0, 2), vertical_fov_rad=0.1, illuminance=1)
+    scene.commit()
+    result = scene.render(iteration_count=16)
+    image, illuminance = result.image(camera), result.image(camera, ups.Channel.ILLUMINANCE)
+    assert image.shape == (4, 6, 3) and illuminance.shape == (4, 6)
+    # E = 400 / 2.5^2 = 64 lx below the lamp and, 0.1 m off at most, 0.5 % less; L = reflectance E / pi.
+    assert np.allclose(illuminance, 64, rtol=0.01)
+    assert np.allclose(image, 0.5 * 64 / math.pi, rtol=0.01)
+    assert result.image(camera, ups.Channel.STANDARD_ERROR_RGB).shape == (4, 6, 3)
+
+
+def test_job_and_render_give_the_same_bits(context):
+    scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
+    scene.commit()
+    with scene.start(iteration_count=8, seed=3) as job:
+        assert job.wait() == ups.Status.OK
+        progress = job.poll()
+        assert (progress.state, progress.iterations_done) == (ups.JobState.FINISHED, 8)
+        from_job = job.result().meters(meters)
+    assert from_job.tobytes() == scene.render(iteration_count=8, seed=3).meters(meters).tobytes()
+
+
+def test_a_job_can_be_cancelled(context):
+    scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
+    scene.commit()
+    job = scene.start(iteration_count=0, time_limit_s=600)
+    assert job.wait(0) == ups.Status.TIMEOUT
+    while job.poll().iterations_done == 0:
+        assert job.wait(0.05) == ups.Status.TIMEOUT
+    job.cancel()
+    assert job.wait() == ups.Status.CANCELLED
+    assert job.result().info.iterations >= 1
+
+
+def test_results_report_their_render(context):
+    scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
+    scene.commit()
+    result = scene.render(iteration_count=8, seed=11)
+    info = result.info
+    assert (info.iterations, info.seed, info.threads) == (8, 11, 2)
+    assert info.method != ups.Method.AUTO and info.dropped_samples == 0
+    statistics = result.statistics(meters)
+    readings = result.meters(meters)["illuminance_lx"]
+    assert statistics.count == 2
+    assert statistics.min_lx == pytest.approx(readings.min()) and statistics.max_lx == pytest.approx(readings.max())
+    assert len(result.convergence()) > 0
+    assert isinstance(result.text(ups.ResultText.TECHNIQUES), str)
+
+
+def test_a_sensor_of_the_other_kind_is_refused(context):
+    scene, meters, _, _ = lamp_over_floor(context)
+    camera = scene.add_camera(2, 2, vertical_fov_rad=1)
+    scene.commit()
+    result = scene.render(iteration_count=1)
+    with pytest.raises(ValueError):
+        result.image(meters)
+    with pytest.raises(ValueError):
+        result.meters(camera)
+
+
+def test_owners_may_go_before_what_they_made():
+    context = ups.Context()
+    scene, meters, _, _ = lamp_over_floor(context)
+    profile = uniform_profile(context)
+    scene.add_luminaire(profile, to_world=ups.translation(0, 0, 2.5), flux_lm=4 * math.pi * 400)
+    profile.close()
+    scene.commit()
+    job = scene.start(iteration_count=16)
+    context.close()
+    scene.close()
+    job.wait()
+    result = job.result()
+    job.close()
+    gc.collect()
+    assert result.meters(meters)["illuminance_lx"][0] == pytest.approx(200, rel=1e-3)
+
+
+def test_a_closed_object_is_an_error_and_no_crash(context):
+    scene, _, _, _ = lamp_over_floor(context)
+    scene.close()
+    scene.close()
+    with pytest.raises(ups.Error):
+        scene.commit()

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Installs a build into a temporary prefix, moves the prefix, and builds the C program in consumer/ against it twice:
+# with CMake's find_package(ups) and with pkg-config. Both programs must run and print the version that was installed.
+# Called by ctest, with CMAKE, PKG_CONFIG, GENERATOR, CC and FLAGS set: run.sh BUILD LIBDIR VERSION
+set -euo pipefail
+build=$1 libdir=$2 version=$3
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# Moved, because a prefix that only works where it was first installed fails in every package.
+"$CMAKE" --install "$build" --prefix "$work/first" >"$work/install.log" || { cat "$work/install.log"; exit 1; }
+mv "$work/first" "$work/prefix"
+
+expect() {
+  local printed
+  printed=$("$1")
+  echo "$2: $printed"
+  [[ $printed == "UPS $version: "*" lx" ]] || { echo "expected 'UPS $version: ... lx'" >&2; exit 1; }
+}
+
+"$CMAKE" -S "$here/consumer" -B "$work/with_cmake" -G "$GENERATOR" -DCMAKE_PREFIX_PATH="$work/prefix" \
+  -DCMAKE_C_COMPILER="$CC" -DCMAKE_C_FLAGS="$FLAGS" >"$work/cmake.log" || { cat "$work/cmake.log"; exit 1; }
+"$CMAKE" --build "$work/with_cmake"
+expect "$work/with_cmake/consumer" find_package
+
+export PKG_CONFIG_PATH=$work/prefix/$libdir/pkgconfig
+read -ra flags <<<"$("$PKG_CONFIG" --cflags --libs ups)"
+# shellcheck disable=SC2086  # FLAGS is a list
+"$CC" $FLAGS -std=c99 -pedantic -Wall -Wextra -Werror "$here/consumer/main.c" "${flags[@]}" -o "$work/with_pkgconfig"
+LD_LIBRARY_PATH=$work/prefix/$libdir expect "$work/with_pkgconfig" pkg-config
