@@ -1,5 +1,5 @@
 // Embree 3.13 and 4 behind one face: the calls whose names or arguments differ, and owners that release what they hold.
-// Included by raytracer.cpp and disc_index.cpp alone. The build says which version it links (UPS_EMBREE_MAJOR).
+// Included by this folder's .cpp files alone. The build says which version it links (UPS_EMBREE_MAJOR).
 #pragma once
 #if !defined(UPS_EMBREE_MAJOR) && __has_include(<embree4/rtcore.h>)
 #define UPS_EMBREE_MAJOR 4

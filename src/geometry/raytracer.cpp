@@ -2,11 +2,10 @@
 // bound come from here, so that both walks of a path see the same point. Called by transport and by scene/prepare.
 #include "geometry/raytracer.h"
 
-#include <cstring>
 #include <limits>
+#include <utility>
 
-#include "base/rng.h"
-#include "geometry/embree.h"
+#include "geometry/traced_mesh.h"
 
 namespace ups {
 namespace {
@@ -14,171 +13,17 @@ namespace {
 // Of (|p| + longest edge): rounding of p, of the vertices, and of Embree's own distance to the plane (tests/geometry
 // has boxes at several scales and offsets, and counts hits of the surface that a ray has just left).
 constexpr float gamma_error = 16 * 0x1p-24f;
-// A triangle lower than this share of its longest edge can be "hit" far from where it is (Embree issue 387).
-constexpr double thin_share = 1e-3;
 // Embree takes rays into an instance's frame in float. Where that would lose many digits the instance is baked: a
 // transform that stretches one way more than another by max_stretch, or a translation beyond max_reach times the
 // scene's extent.
 constexpr double max_stretch = 4, max_reach = 4;
 constexpr float min_side_cosine = 1e-3f;
 
-struct Triangle {
-  Vec3d p[3];
-  Vec3d area_normal() const { return cross(p[1] - p[0], p[2] - p[0]); }
-  double longest_edge2() const { return std::max({length2(p[1] - p[0]), length2(p[2] - p[1]), length2(p[0] - p[2])}); }
-  Vec3d at(double u, double v) const { return p[0] * (1 - u - v) + p[1] * u + p[2] * v; }
-};
-
-// A mesh as Embree holds it: in the scene's frame where baked, else in its own.
-struct Geometry {
-  const Mesh* mesh = nullptr;
-  const SurfaceTexturing* texturing = nullptr;
-  std::vector<Vec3> positions;       // one more than used: Embree reads 16 bytes at a time
-  bool complete = true;              // every triangle has an area; else these are the ones that do:
-  std::vector<uint32_t> primitives;  // their numbers in the mesh
-  std::vector<uint32_t> indices;     // their vertices
-  bool has_thin = false;
-
-  uint32_t primitive(uint32_t embree_primitive) const {
-    return complete ? embree_primitive : primitives[embree_primitive];
-  }
-  Triangle triangle(uint32_t primitive) const {
-    const uint32_t* i = &mesh->indices[3 * size_t(primitive)];
-    return {{Vec3d(positions[i[0]]), Vec3d(positions[i[1]]), Vec3d(positions[i[2]])}};
-  }
-};
-
 Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, float u, float v) {
   return a * (1 - u - v) + b * u + c * v;
 }
 
-Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v) {
-  if (mesh.uvs.empty()) return {};
-  const uint32_t* i = &mesh.indices[3 * size_t(primitive)];
-  const Vec2 &a = mesh.uvs[i[0]], &b = mesh.uvs[i[1]], &c = mesh.uvs[i[2]];
-  const float w = 1 - u - v;
-  return {w * a.x + u * b.x + v * c.x, w * a.y + u * b.y + v * c.y};
-}
-
-// ---- holes and false hits: Embree's filter ----
-
-uint64_t bits_of(float a, float b) {
-  uint32_t x, y;
-  std::memcpy(&x, &a, 4);
-  std::memcpy(&y, &b, 4);
-  return uint64_t(x) << 32 | y;
-}
-
-bool is_hole(const Geometry& geometry, uint32_t primitive, const RTCRay& ray, float u, float v) {
-  const SurfaceTexturing& t = *geometry.texturing;
-  const float texel = t.alpha ? t.alpha->last(uv_at(*geometry.mesh, primitive, u, v)) : 1.0f;
-  const float alpha = texel * t.alpha_factor;
-  if (t.alpha_mode == SurfaceTexturing::mask) return alpha < t.alpha_cutoff;
-  // Blended: let a share of the rays through; the same ray always decides the same way.
-  uint64_t h = hash_combine(bits_of(ray.org_x, ray.org_y), bits_of(ray.org_z, ray.dir_x));
-  h = hash_combine(hash_combine(h, bits_of(ray.dir_y, ray.dir_z)), primitive);
-  return to_unit_float(uint32_t(h >> 32)) >= alpha;
-}
-
-// Where the line o + t d meets the triangle's plane, in double: weights of the three vertices.
-bool meet_plane(const Triangle& triangle, const Vec3d& o, const Vec3d& d, double (&weights)[3], double& t) {
-  const Vec3d e1 = triangle.p[1] - triangle.p[0], e2 = triangle.p[2] - triangle.p[0], from = o - triangle.p[0];
-  const Vec3d across = cross(d, e2), normal = cross(from, e1);  // Moeller, Trumbore 1997
-  const double det = dot(e1, across);
-  if (det == 0) return false;
-  weights[1] = dot(from, across) / det;
-  weights[2] = dot(d, normal) / det;
-  weights[0] = 1 - weights[1] - weights[2];
-  t = dot(e2, normal) / det;
-  return std::isfinite(t) && std::isfinite(weights[0]);
-}
-
-// A true hit has t between those of the vertices, and the line passes the triangle within rounding. Hits of thin
-// triangles by near-parallel rays can fail both.
-bool is_false_hit(const Triangle& triangle, const RTCRay& ray) {
-  const Vec3d o(ray.org_x, ray.org_y, ray.org_z), d(ray.dir_x, ray.dir_y, ray.dir_z);
-  const double size = length(d);
-  double near = INFINITY, far = -INFINITY, reach = 0;
-  for (const Vec3d& p : triangle.p) {
-    const double t = dot(p - o, d) / size;
-    near = std::min(near, t), far = std::max(far, t);
-    reach = std::max(reach, length(p - o));
-  }
-  const double tolerance = 0x1p-18 * reach, distance = ray.tfar * size;
-  if (distance < near - tolerance || distance > far + tolerance) return true;
-  double weights[3], t;
-  if (!meet_plane(triangle, o, d, weights, t)) return true;
-  const Vec3d normal = triangle.area_normal();
-  const double area = length(normal), cosine = std::abs(dot(normal, d)) / (area * size);
-  for (int i = 0; i < 3; ++i) {
-    const double height = area / length(triangle.p[(i + 2) % 3] - triangle.p[(i + 1) % 3]);
-    if (-weights[i] * height * cosine > tolerance) return true;
-  }
-  return false;
-}
-
-void filter(const RTCFilterFunctionNArguments* args) {
-  if (args->valid[0] != -1) return;
-  const Geometry& geometry = *static_cast<const Geometry*>(args->geometryUserPtr);
-  const RTCRay& ray = *reinterpret_cast<const RTCRay*>(args->ray);
-  const RTCHit& hit = *reinterpret_cast<const RTCHit*>(args->hit);
-  const uint32_t primitive = geometry.primitive(hit.primID);
-  const bool reject = (geometry.has_thin && is_false_hit(geometry.triangle(primitive), ray)) ||
-                      (geometry.texturing && is_hole(geometry, primitive, ray, hit.u, hit.v));
-  if (reject) args->valid[0] = 0;
-}
-
 // ---- building ----
-
-// Triangles without area have no normal: they stay out of Embree.
-void sort_out_triangles(Geometry& geometry) {
-  const size_t count = geometry.mesh->triangle_count();
-  for (size_t i = 0; i < count; ++i) {
-    const Triangle triangle = geometry.triangle(uint32_t(i));
-    const double area2 = length2(triangle.area_normal()), edge2 = triangle.longest_edge2();
-    if (area2 > 0) {
-      if (area2 < thin_share * thin_share * edge2 * edge2) geometry.has_thin = true;
-      geometry.primitives.push_back(uint32_t(i));
-    }
-  }
-  geometry.complete = geometry.primitives.size() == count;
-  if (geometry.complete) {
-    geometry.primitives = {};
-    return;
-  }
-  for (const uint32_t p : geometry.primitives)
-    for (int k = 0; k < 3; ++k) geometry.indices.push_back(geometry.mesh->indices[3 * size_t(p) + size_t(k)]);
-}
-
-std::unique_ptr<Geometry> make_geometry(const Mesh& mesh, const std::vector<SurfaceTexturing>& texturing,
-                                        const Affine* bake) {
-  auto geometry = std::make_unique<Geometry>();
-  geometry->mesh = &mesh;
-  if (mesh.material < texturing.size() && texturing[mesh.material].alpha_mode != SurfaceTexturing::opaque)
-    geometry->texturing = &texturing[mesh.material];
-  geometry->positions.reserve(mesh.positions.size() + 1);
-  for (const Vec3& p : mesh.positions) geometry->positions.push_back(bake ? Vec3(bake->point(Vec3d(p))) : p);
-  geometry->positions.emplace_back();
-  sort_out_triangles(*geometry);
-  return geometry;
-}
-
-void attach_triangles(embree::Device& device, embree::Scene& scene, Geometry& geometry, uint32_t id) {
-  const std::vector<uint32_t>& indices = geometry.complete ? geometry.mesh->indices : geometry.indices;
-  if (indices.empty()) return;
-  RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  device.check();
-  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, geometry.positions.data(), 0,
-                             sizeof(Vec3), geometry.positions.size() - 1);
-  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0,
-                             3 * sizeof(uint32_t), indices.size() / 3);
-  rtcSetGeometryUserData(triangles, &geometry);
-  if (geometry.texturing || geometry.has_thin) {
-    rtcSetGeometryIntersectFilterFunction(triangles, &filter);
-    rtcSetGeometryOccludedFilterFunction(triangles, &filter);
-  }
-  scene.attach(triangles, id);
-}
 
 // Largest over smallest stretch, at most: product of the Frobenius norms of the matrix and its inverse.
 double stretch(const Affine& m) {
@@ -191,27 +36,33 @@ double stretch(const Affine& m) {
   return det > 0 ? std::sqrt(forward * cofactor) / (3 * det) : std::numeric_limits<double>::infinity();
 }
 
-// Largest coordinate of a mesh after a transform, at most: that of its transformed box.
-double extent(const Mesh& mesh, const Affine& m) {
-  Vec3 lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
-  for (const Vec3& p : mesh.positions) {
+struct Box {
+  Vec3d lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
+  void grow(const Vec3d& p) {
     lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
     upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
   }
-  if (mesh.positions.empty()) return 0;
-  const Vec3 half = (upper - lower) * 0.5f;
-  double reach = max_abs(m.point(Vec3d(lower + half)));
-  for (int c = 0; c < 3; ++c) reach += max_abs(m.column(c)) * double(half[c]);
-  return reach;
-}
+  bool holds(const Box& b) const {
+    return b.lower.x >= lower.x && b.lower.y >= lower.y && b.lower.z >= lower.z && b.upper.x <= upper.x &&
+           b.upper.y <= upper.y && b.upper.z <= upper.z;
+  }
+  // Around the transformed box, which may be larger than what is in it.
+  Box transformed(const Affine& m) const {
+    Box out;
+    for (int i = 0; i < 8; ++i)
+      out.grow(m.point({i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z}));
+    return out;
+  }
+};
 
-std::vector<bool> choose_baked(const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                               const std::vector<Raytracer::Instance>& instances) {
-  std::vector<size_t> uses(meshes.size());
+// Which instances Embree is given as triangles of the scene; the others share their mesh.
+std::vector<bool> choose_baked(const std::vector<Raytracer::Instance>& instances, const std::vector<Box>& boxes) {
+  std::vector<size_t> uses(boxes.size());
   double scene_extent = 0;
   for (const auto& i : instances) {
     ++uses[i.mesh];
-    scene_extent = std::max(scene_extent, extent(*meshes[i.mesh], i.to_scene));
+    const Box box = boxes[i.mesh].transformed(i.to_scene);
+    scene_extent = std::max({scene_extent, max_abs(box.lower), max_abs(box.upper)});
   }
   std::vector<bool> baked;
   for (const auto& i : instances)
@@ -224,45 +75,42 @@ std::vector<bool> choose_baked(const std::vector<std::shared_ptr<const Mesh>>& m
 
 struct Raytracer::Impl {
   struct Placed {
-    uint32_t geometry;
+    uint32_t traced;  // index
     bool baked;
     Affine to_scene;
     double side;                      // -1: the transform mirrors, so that winding and front part
     float error_offset, error_scale;  // error = gamma * (error_scale * (|p| + edge) + error_offset)
   };
   const std::vector<SurfaceTexturing>* texturing;
-  std::vector<std::unique_ptr<Geometry>> geometries;
+  std::vector<std::unique_ptr<TracedMesh>> traced;
   std::vector<Placed> placed;
   embree::Device device;
   std::vector<std::unique_ptr<embree::Scene>> instanced;
   std::unique_ptr<embree::Scene> top;
   size_t triangles = 0;
-  Vec3d lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
+  Box bounds;
 
   Triangle triangle(const Placed& instance, uint32_t primitive) const {
-    Triangle t = geometries[instance.geometry]->triangle(primitive);
+    Triangle t = traced[instance.traced]->triangle(primitive);
     if (!instance.baked)
       for (Vec3d& p : t.p) p = instance.to_scene.point(p);
     return t;
   }
-  void grow_bounds(const Placed& instance) {
-    const Geometry& geometry = *geometries[instance.geometry];
-    for (size_t i = 0; i + 1 < geometry.positions.size(); ++i) {
-      const Vec3d q(geometry.positions[i]), p = instance.baked ? q : instance.to_scene.point(q);
-      lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
-      upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
-    }
+  void grow_bounds(const Placed& instance, const Box& mesh_box) {
+    if (bounds.holds(mesh_box.transformed(instance.to_scene))) return;
+    const std::vector<Vec3>& positions = traced[instance.traced]->source->positions;
+    for (const Vec3& p : positions) bounds.grow(Vec3d(Vec3(instance.to_scene.point(Vec3d(p)))));
   }
   void place_baked(const Mesh& mesh, uint32_t id, Placed instance) {
-    instance.geometry = uint32_t(geometries.size());
+    instance.traced = uint32_t(traced.size());
     instance.baked = true;
     instance.error_offset = 0, instance.error_scale = 1;
-    geometries.push_back(make_geometry(mesh, *texturing, &instance.to_scene));
-    attach_triangles(device, *top, *geometries.back(), id);
+    traced.push_back(make_traced_mesh(mesh, *texturing, &instance.to_scene));
+    attach(device, *top, *traced.back(), id);
     placed.push_back(instance);
   }
-  void place_instanced(RTCScene scene, uint32_t geometry, uint32_t id, Placed instance) {
-    instance.geometry = geometry;
+  void place_instanced(RTCScene scene, uint32_t mesh, uint32_t id, Placed instance) {
+    instance.traced = mesh;
     instance.baked = false;
     // Embree takes rays to the object's frame in float: it loses digits of the translation, and more where stretched.
     const Affine& m = instance.to_scene;
@@ -271,17 +119,17 @@ struct Raytracer::Impl {
     float columns[12];
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 3; ++r) columns[3 * c + r] = float(m.m[4 * r + c]);
-    RTCGeometry geometry_handle = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    RTCGeometry handle = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     device.check();
-    rtcSetGeometryInstancedScene(geometry_handle, scene);
-    rtcSetGeometryTransform(geometry_handle, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
-    top->attach(geometry_handle, id);
+    rtcSetGeometryInstancedScene(handle, scene);
+    rtcSetGeometryTransform(handle, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+    top->attach(handle, id);
     placed.push_back(instance);
   }
   // Embree's barycentrics of a thin triangle can be off by centimetres: float areas of slivers. Does nothing to others.
   void refine(const Vec3& o, const Vec3& d, Hit& hit) const {
     const Placed& instance = placed[hit.instance];
-    if (!geometries[instance.geometry]->has_thin) return;
+    if (!traced[instance.traced]->has_thin) return;
     double weights[3], t, sum = 0;
     if (!meet_plane(triangle(instance, hit.primitive), Vec3d(o), Vec3d(d), weights, t) || !(t > 0)) return;
     constexpr double outside = 1e-2;  // beyond that the ray runs so close to the plane that no answer is better
@@ -302,8 +150,11 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
   impl.texturing = &texturing;
   impl.top = std::make_unique<embree::Scene>(impl.device);
   tbb::task_arena arena(thread_count > 0 ? thread_count : tbb::task_arena::automatic);
-  const std::vector<bool> baked = choose_baked(meshes, instances);
-  std::vector<std::pair<RTCScene, uint32_t>> shared(meshes.size());  // a mesh's own scene, and its geometry
+  std::vector<Box> boxes(meshes.size());
+  for (size_t i = 0; i < meshes.size(); ++i)
+    for (const Vec3& p : meshes[i]->positions) boxes[i].grow(Vec3d(p));
+  const std::vector<bool> baked = choose_baked(instances, boxes);
+  std::vector<std::pair<RTCScene, uint32_t>> shared(meshes.size());  // a mesh's own scene, and its index in traced
   for (size_t i = 0; i < instances.size(); ++i) {
     const Instance& instance = instances[i];
     const Mesh& mesh = *meshes[instance.mesh];
@@ -313,18 +164,18 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
     if (baked[i]) {
       impl.place_baked(mesh, uint32_t(i), placed);
     } else {
-      auto& [scene, geometry] = shared[instance.mesh];
+      auto& [scene, index] = shared[instance.mesh];
       if (!scene) {
-        geometry = uint32_t(impl.geometries.size());
-        impl.geometries.push_back(make_geometry(mesh, texturing, nullptr));
+        index = uint32_t(impl.traced.size());
+        impl.traced.push_back(make_traced_mesh(mesh, texturing, nullptr));
         impl.instanced.push_back(std::make_unique<embree::Scene>(impl.device));
-        attach_triangles(impl.device, *impl.instanced.back(), *impl.geometries.back(), 0);
+        attach(impl.device, *impl.instanced.back(), *impl.traced.back(), 0);
         impl.instanced.back()->commit(arena);
         scene = *impl.instanced.back();
       }
-      impl.place_instanced(scene, geometry, uint32_t(i), placed);
+      impl.place_instanced(scene, index, uint32_t(i), placed);
     }
-    impl.grow_bounds(impl.placed.back());
+    impl.grow_bounds(impl.placed.back(), boxes[instance.mesh]);
     impl.triangles += mesh.triangle_count();
   }
   impl.top->commit(arena);
@@ -345,7 +196,7 @@ bool Raytracer::intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) co
   const bool baked = query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
   hit.t = query.ray.tfar;
   hit.instance = baked ? query.hit.geomID : query.hit.instID[0];
-  hit.primitive = impl_->geometries[impl_->placed[hit.instance].geometry]->primitive(query.hit.primID);
+  hit.primitive = impl_->traced[impl_->placed[hit.instance].traced]->primitive(query.hit.primID);
   hit.u = query.hit.u;
   hit.v = query.hit.v;
   impl_->refine(o, d, hit);
@@ -414,7 +265,7 @@ bool tangents_at(const Mesh& mesh, const uint32_t* i, const SurfacePoint& point,
 // The shading normal from vertex normals and the normal texture; false where there is none to use.
 bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& point, const Triangle& triangle,
                                 Vec3& out) const {
-  const Mesh& mesh = *geometries[instance.geometry]->mesh;
+  const Mesh& mesh = *traced[instance.traced]->source;
   const uint32_t* i = &mesh.indices[3 * size_t(point.primitive)];
   const Texture* bumps = mesh.material < texturing->size() ? (*texturing)[mesh.material].normal : nullptr;
   if (mesh.normals.empty() && !bumps) return false;
@@ -458,7 +309,7 @@ Vec3d point_on(const Triangle& triangle, double area, double u, double v, double
 
 SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float u, float v) const {
   const Impl::Placed& placed = impl_->placed[instance];
-  const Mesh& mesh = *impl_->geometries[placed.geometry]->mesh;
+  const Mesh& mesh = *impl_->traced[placed.traced]->source;
   const Triangle triangle = impl_->triangle(placed, primitive);
   SurfacePoint point;
   point.instance = instance, point.primitive = primitive;
@@ -482,7 +333,7 @@ SurfacePoint Raytracer::surface_at(const Hit& hit) const {
 }
 
 size_t Raytracer::triangle_count() const { return impl_->triangles; }
-Vec3 Raytracer::bounds_min() const { return Vec3(impl_->lower); }
-Vec3 Raytracer::bounds_max() const { return Vec3(impl_->upper); }
+Vec3 Raytracer::bounds_min() const { return Vec3(impl_->bounds.lower); }
+Vec3 Raytracer::bounds_max() const { return Vec3(impl_->bounds.upper); }
 
 }  // namespace ups

@@ -1,4 +1,4 @@
-// Triangle geometry and rays. raytracer.cpp and disc_index.cpp are the only files that include Embree (3.13 or 4).
+// Triangle geometry and rays. Embree (3.13 or 4) stays within this folder's .cpp files, behind embree.h.
 // Positions are floats relative to the scene's origin; the caller subtracts it in double before building.
 #pragma once
 #include <cstdint>

@@ -1,0 +1,135 @@
+// See traced_mesh.h.
+#include "geometry/traced_mesh.h"
+
+#include <bit>
+
+#include "base/rng.h"
+
+namespace ups {
+
+bool meet_plane(const Triangle& triangle, const Vec3d& o, const Vec3d& d, double (&weights)[3], double& t) {
+  const Vec3d e1 = triangle.p[1] - triangle.p[0], e2 = triangle.p[2] - triangle.p[0], from = o - triangle.p[0];
+  const Vec3d across = cross(d, e2), normal = cross(from, e1);  // Moeller, Trumbore 1997
+  const double det = dot(e1, across);
+  if (det == 0) return false;
+  weights[1] = dot(from, across) / det;
+  weights[2] = dot(d, normal) / det;
+  weights[0] = 1 - weights[1] - weights[2];
+  t = dot(e2, normal) / det;
+  return std::isfinite(t) && std::isfinite(weights[0]);
+}
+
+Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v) {
+  if (mesh.uvs.empty()) return {};
+  const uint32_t* i = &mesh.indices[3 * size_t(primitive)];
+  const Vec2 &a = mesh.uvs[i[0]], &b = mesh.uvs[i[1]], &c = mesh.uvs[i[2]];
+  const float w = 1 - u - v;
+  return {w * a.x + u * b.x + v * c.x, w * a.y + u * b.y + v * c.y};
+}
+
+namespace {
+
+// A triangle lower than this share of its longest edge can be "hit" far from where it is (Embree issue 387).
+constexpr double thin_share = 1e-3;
+
+uint64_t bits_of(float a, float b) { return uint64_t(std::bit_cast<uint32_t>(a)) << 32 | std::bit_cast<uint32_t>(b); }
+
+bool is_hole(const TracedMesh& mesh, uint32_t primitive, const RTCRay& ray, float u, float v) {
+  const SurfaceTexturing& t = *mesh.texturing;
+  const float texel = t.alpha ? t.alpha->last(uv_at(*mesh.source, primitive, u, v)) : 1.0f;
+  const float alpha = texel * t.alpha_factor;
+  if (t.alpha_mode == SurfaceTexturing::mask) return alpha < t.alpha_cutoff;
+  // Blended: let a share of the rays through; the same ray always decides the same way.
+  uint64_t h = hash_combine(bits_of(ray.org_x, ray.org_y), bits_of(ray.org_z, ray.dir_x));
+  h = hash_combine(hash_combine(h, bits_of(ray.dir_y, ray.dir_z)), primitive);
+  return to_unit_float(uint32_t(h >> 32)) >= alpha;
+}
+
+// A true hit has t between those of the vertices, and the line passes the triangle within rounding. Hits of thin
+// triangles by near-parallel rays can fail both.
+bool is_false_hit(const Triangle& triangle, const RTCRay& ray) {
+  const Vec3d o(ray.org_x, ray.org_y, ray.org_z), d(ray.dir_x, ray.dir_y, ray.dir_z);
+  const double size = length(d);
+  double near = INFINITY, far = -INFINITY, reach = 0;
+  for (const Vec3d& p : triangle.p) {
+    const double t = dot(p - o, d) / size;
+    near = std::min(near, t), far = std::max(far, t);
+    reach = std::max(reach, length(p - o));
+  }
+  const double tolerance = 0x1p-18 * reach, distance = ray.tfar * size;
+  if (distance < near - tolerance || distance > far + tolerance) return true;
+  double weights[3], t;
+  if (!meet_plane(triangle, o, d, weights, t)) return true;
+  const Vec3d normal = triangle.area_normal();
+  const double area = length(normal), cosine = std::abs(dot(normal, d)) / (area * size);
+  for (int i = 0; i < 3; ++i) {
+    const double height = area / length(triangle.p[(i + 2) % 3] - triangle.p[(i + 1) % 3]);
+    if (-weights[i] * height * cosine > tolerance) return true;
+  }
+  return false;
+}
+
+void filter(const RTCFilterFunctionNArguments* args) {
+  if (args->valid[0] != -1) return;
+  const TracedMesh& mesh = *static_cast<const TracedMesh*>(args->geometryUserPtr);
+  const RTCRay& ray = *reinterpret_cast<const RTCRay*>(args->ray);
+  const RTCHit& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+  const uint32_t primitive = mesh.primitive(hit.primID);
+  const bool reject = (mesh.has_thin && is_false_hit(mesh.triangle(primitive), ray)) ||
+                      (mesh.texturing && is_hole(mesh, primitive, ray, hit.u, hit.v));
+  if (reject) args->valid[0] = 0;
+}
+
+// Triangles without area have no normal: they stay out of Embree.
+void sort_out_triangles(TracedMesh& mesh) {
+  const size_t count = mesh.source->triangle_count();
+  for (size_t i = 0; i < count; ++i) {
+    const Triangle triangle = mesh.triangle(uint32_t(i));
+    const double area2 = length2(triangle.area_normal()), edge2 = triangle.longest_edge2();
+    if (area2 > 0) {
+      if (area2 < thin_share * thin_share * edge2 * edge2) mesh.has_thin = true;
+      mesh.primitives.push_back(uint32_t(i));
+    }
+  }
+  mesh.complete = mesh.primitives.size() == count;
+  if (mesh.complete) {
+    mesh.primitives = {};
+    return;
+  }
+  for (const uint32_t p : mesh.primitives)
+    for (int k = 0; k < 3; ++k) mesh.indices.push_back(mesh.source->indices[3 * size_t(p) + size_t(k)]);
+}
+
+}  // namespace
+
+std::unique_ptr<TracedMesh> make_traced_mesh(const Mesh& mesh, const std::vector<SurfaceTexturing>& texturing,
+                                             const Affine* bake) {
+  auto traced = std::make_unique<TracedMesh>();
+  traced->source = &mesh;
+  if (mesh.material < texturing.size() && texturing[mesh.material].alpha_mode != SurfaceTexturing::opaque)
+    traced->texturing = &texturing[mesh.material];
+  traced->positions.reserve(mesh.positions.size() + 1);
+  for (const Vec3& p : mesh.positions) traced->positions.push_back(bake ? Vec3(bake->point(Vec3d(p))) : p);
+  traced->positions.emplace_back();
+  sort_out_triangles(*traced);
+  return traced;
+}
+
+void attach(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id) {
+  const std::vector<uint32_t>& indices = mesh.complete ? mesh.source->indices : mesh.indices;
+  if (indices.empty()) return;
+  RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  device.check();
+  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
+                             sizeof(Vec3), mesh.positions.size() - 1);
+  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0,
+                             3 * sizeof(uint32_t), indices.size() / 3);
+  rtcSetGeometryUserData(triangles, &mesh);
+  if (mesh.texturing || mesh.has_thin) {
+    rtcSetGeometryIntersectFilterFunction(triangles, &filter);
+    rtcSetGeometryOccludedFilterFunction(triangles, &filter);
+  }
+  scene.attach(triangles, id);
+}
+
+}  // namespace ups

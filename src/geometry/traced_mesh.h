@@ -1,0 +1,52 @@
+// A mesh as Embree holds it: vertices of one frame, triangles without area left out, and a filter for holes and for
+// false hits. Built and read by raytracer.cpp.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "geometry/embree.h"
+#include "geometry/raytracer.h"
+
+namespace ups {
+
+// In double: normals and barycentrics of slivers keep their digits.
+struct Triangle {
+  Vec3d p[3];
+  Vec3d area_normal() const { return cross(p[1] - p[0], p[2] - p[0]); }
+  double longest_edge2() const { return std::max({length2(p[1] - p[0]), length2(p[2] - p[1]), length2(p[0] - p[2])}); }
+  Vec3d at(double u, double v) const { return p[0] * (1 - u - v) + p[1] * u + p[2] * v; }
+};
+
+// Where the line o + t d meets the triangle's plane: weights of the three vertices. False where it runs within the
+// plane.
+bool meet_plane(const Triangle& triangle, const Vec3d& o, const Vec3d& d, double (&weights)[3], double& t);
+
+struct TracedMesh {
+  const Mesh* source = nullptr;
+  const SurfaceTexturing* texturing = nullptr;
+  std::vector<Vec3> positions;       // one more than used: Embree reads 16 bytes at a time
+  bool complete = true;              // every triangle has an area; else these are the ones that do:
+  std::vector<uint32_t> primitives;  // their numbers in the mesh
+  std::vector<uint32_t> indices;     // their vertices
+  bool has_thin = false;             // some triangle is so thin that Embree's hits of it are checked
+
+  uint32_t primitive(uint32_t embree_primitive) const {
+    return complete ? embree_primitive : primitives[embree_primitive];
+  }
+  Triangle triangle(uint32_t primitive) const {
+    const uint32_t* i = &source->indices[3 * size_t(primitive)];
+    return {{Vec3d(positions[i[0]]), Vec3d(positions[i[1]]), Vec3d(positions[i[2]])}};
+  }
+};
+
+// Interpolated texture coordinates; 0 where the mesh has none.
+Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v);
+
+// bake: the transform of the only instance; null: the mesh stays in its own frame. The mesh and the texturing outlive
+// it.
+std::unique_ptr<TracedMesh> make_traced_mesh(const Mesh& mesh, const std::vector<SurfaceTexturing>& texturing,
+                                             const Affine* bake);
+// Embree reads the mesh's own buffers as long as the scene lives.
+void attach(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id);
+
+}  // namespace ups
