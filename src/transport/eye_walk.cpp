@@ -32,7 +32,7 @@ EyeTally EyeWalk::from_meter(const Vec3& p, const Frame& frame) {
   if (in_.settings.light_tracing && sensor_.cell) return tally_;  // so do light paths
   if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE) || in_.settings.light_tracing) meter_sample_light();
   if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
-    for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) meter_connect(in_.light.vertices[i]);
+    connect_one(0, [&](const LightVertex& l) { return meter_connect(l); });
   if (in_.settings.light_tracing) return tally_;
 
   const Vec3 local = square_to_cosine_hemisphere(rng_.direction(0));
@@ -72,7 +72,7 @@ void EyeWalk::walk() {
     if (v.bsdf.has_continuous()) {
       if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) sample_light(v);
       if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
-        for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) connect(v, in_.light.vertices[i]);
+        connect_one(edges, [&](const LightVertex& l) { return connect(v, l); });
       if (v.merge && sensor_.radius > 0 && sensor_.photons) merge(v);
     }
     if (!scatter(v)) return;
@@ -167,26 +167,49 @@ void EyeWalk::sample_light(const Vertex& v) {
   add(value, edges, Drop::light_sample);
 }
 
+// All connections of a vertex, by one of them: each is weighed without its shadow ray, one is chosen in proportion and
+// stands for their sum if its ray is free (Talbot et al. 2005, resampled importance sampling). `weigh` gives them.
+template <class Weigh>
+void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
+  thread_local std::vector<Connection> all;
+  all.clear();
+  double sum = 0;
+  for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
+    const Connection c = weigh(in_.light.vertices[i]);
+    const float size = luminance(c.value);
+    if (!is_finite(c.value)) ++work_.dropped[size_t(Drop::connect)];
+    if (!(size > 0) || !is_finite(c.value)) continue;
+    sum += size;
+    all.push_back(c);
+  }
+  if (all.empty()) return;
+  double target = sum * rng_.get(vertex, Slot::connection);
+  size_t chosen = 0;
+  while (chosen + 1 < all.size() && (target -= luminance(all[chosen].value)) >= 0) ++chosen;
+  const Connection& c = all[chosen];
+  ++work_.connections;
+  if (segment_free(scene_, c.from, c.to, work_)) add(c.value * float(sum / luminance(c.value)), c.edges, Drop::connect);
+}
+
 // 2 <= s < k: an edge to a vertex of the light path.
-void EyeWalk::connect(const Vertex& v, const LightVertex& l) {
+EyeWalk::Connection EyeWalk::connect(const Vertex& v, const LightVertex& l) const {
   const uint32_t edges = v.edges + 1 + l.depth;
-  if (longer_than_allowed(edges)) return;
+  if (longer_than_allowed(edges)) return {};
   const Vec3 to = l.p - v.surface.p;
   const float d2 = length2(to);
-  if (!(d2 > 0)) return;
+  if (!(d2 > 0)) return {};
   const float distance = std::sqrt(d2);
   const Vec3 d = to / distance;
   const Vec3 eye_local = v.surface.shading.to_local(d);
-  if (!consistent_side(v.surface, d, eye_local)) return;
+  if (!consistent_side(v.surface, d, eye_local)) return {};
   const Rgb f_eye = v.bsdf.eval(v.local_wo, eye_local, TransportMode::radiance);
-  if (is_black(f_eye)) return;
+  if (is_black(f_eye)) return {};
   const SurfacePoint surface = l.surface();
   const Vec3 light_local = surface.shading.to_local(-d), light_wo = surface.shading.to_local(l.wo);
-  if (!consistent_side(surface, -d, light_local)) return;
+  if (!consistent_side(surface, -d, light_local)) return {};
   const Bsdf bsdf(scene_.materials[l.material], l.uv);
   const Rgb f_light = bsdf.eval(light_wo, light_local, TransportMode::importance) * shading_correction(surface, l.wo, -d);
-  if (is_black(f_light)) return;
-  ++work_.connections;
+  if (is_black(f_light)) return {};
   const double cos_eye = std::abs(dot(d, v.surface.ng)), cos_light = std::abs(dot(d, l.ng));
   const double pb_light = v.bsdf.pdf(v.local_wo, eye_local) * cos_light / d2;
   const double pf_eye = bsdf.pdf(light_wo, light_local) * cos_eye / d2;
@@ -194,9 +217,7 @@ void EyeWalk::connect(const Vertex& v, const LightVertex& l) {
                                        pf_eye, v.bsdf.pdf(eye_local, v.local_wo));
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
   const Rgb value = throughput_ * f_eye * l.flux * f_light * attenuation(scene_, medium, distance) * float(w / d2);
-  if (is_black(value)) return;
-  if (is_finite(value) && !segment_free(scene_, v.surface.ray_origin(d), surface.ray_origin(-d), work_)) return;
-  add(value, edges, Drop::connect);
+  return {value, v.surface.ray_origin(d), surface.ray_origin(-d), edges};
 }
 
 double EyeWalk::photon_norm() const {
@@ -296,23 +317,22 @@ void EyeWalk::meter_sample_light() {
 }
 
 // s = k: an edge from the meter's own point to a vertex of the light path.
-void EyeWalk::meter_connect(const LightVertex& l) {
+EyeWalk::Connection EyeWalk::meter_connect(const LightVertex& l) const {
   const uint32_t edges = 1 + l.depth;
-  if (longer_than_allowed(edges)) return;
+  if (longer_than_allowed(edges)) return {};
   const Vec3 to = l.p - last_;
   const float d2 = length2(to);
-  if (!(d2 > 0)) return;
+  if (!(d2 > 0)) return {};
   const float distance = std::sqrt(d2);
   const Vec3 d = to / distance;
   const double cos_meter = dot(d, meter_frame_.n);
-  if (cos_meter < min_cosine) return;
+  if (cos_meter < min_cosine) return {};
   const SurfacePoint surface = l.surface();
   const Vec3 light_local = surface.shading.to_local(-d), light_wo = surface.shading.to_local(l.wo);
-  if (!consistent_side(surface, -d, light_local)) return;
+  if (!consistent_side(surface, -d, light_local)) return {};
   const Bsdf bsdf(scene_.materials[l.material], l.uv);
   const Rgb f = bsdf.eval(light_wo, light_local, TransportMode::importance) * shading_correction(surface, l.wo, -d);
-  if (is_black(f)) return;
-  ++work_.connections;
+  if (is_black(f)) return {};
   const double cos_light = std::abs(dot(d, l.ng));
   double w = 1;
   if (!in_.settings.light_tracing)
@@ -320,9 +340,7 @@ void EyeWalk::meter_connect(const LightVertex& l) {
                                    cos_meter * double(inv_pi) * cos_light / d2, bsdf.pdf(light_local, light_wo),
                                    bsdf.pdf(light_wo, light_local) * cos_meter / d2);
   const Rgb value = l.flux * f * attenuation(scene_, medium_, distance) * float(w * cos_meter / d2);
-  if (is_black(value)) return;
-  if (is_finite(value) && !segment_free(scene_, origin_, surface.ray_origin(-d), work_)) return;
-  add(value, edges, Drop::connect);
+  return {value, origin_, surface.ray_origin(-d), edges};
 }
 
 }  // namespace ups

@@ -56,11 +56,18 @@ class EyeWalk {
   void hit_openings(uint32_t edges, float distance, uint32_t medium);
   void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges, const Rgb& transmittance);
   void sample_light(const Vertex& v);
-  void connect(const Vertex& v, const LightVertex& l);
+  struct Connection {  // before its shadow ray
+    Rgb value;
+    Vec3 from, to;
+    uint32_t edges = 0;
+  };
+  Connection connect(const Vertex& v, const LightVertex& l) const;
+  template <class Weigh>
+  void connect_one(uint32_t vertex, const Weigh& weigh);
   void merge(const Vertex& v);
   bool scatter(const Vertex& v);
   void meter_sample_light();
-  void meter_connect(const LightVertex& l);
+  Connection meter_connect(const LightVertex& l) const;
   void meter_merge(const SurfacePoint& surface);
   bool same_surface(const SurfacePoint& s, const LightVertex& l) const;
   double photon_norm() const;  // 1 / (N pi r^2)

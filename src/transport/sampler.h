@@ -11,6 +11,7 @@ enum class Slot {
   choice, position_x, position_y,  // next-event estimation; a light path's vertex 0: its emitter
   direction_x, direction_y, lobe, roulette,
   cell_x, cell_y,  // a point in a meter's cell
+  connection,      // which of a vertex's connections gets its shadow ray
   count
 };
 
@@ -45,9 +46,9 @@ class PathSampler {
  private:
   // The best dimensions go where most of the variance is: the first two directions, then emitters, lobes, later ones.
   static int sobol_dimension(uint32_t vertex, Slot slot) {
-    static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, 0, 1, -1, -1, 18, 19},
-                                                      {9, 10, 11, 2, 3, 8, -1, -1, -1},
-                                                      {15, 16, 17, 12, 13, 14, -1, -1, -1}};
+    static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, 0, 1, -1, -1, 18, 19, -1},
+                                                      {9, 10, 11, 2, 3, 8, -1, -1, -1, -1},
+                                                      {15, 16, 17, 12, 13, 14, -1, -1, -1, -1}};
     return vertex < 3 ? table[vertex][int(slot)] : -1;
   }
 

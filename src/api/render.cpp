@@ -1,0 +1,185 @@
+// ups_render.h: renders, jobs and results. A render is a job that the call waits for.
+#include <algorithm>
+
+#include "api/desc.h"
+#include "api/handles.h"
+#include "render/job.h"
+
+using namespace ups;
+using namespace ups::api;
+
+struct ups_job {
+  std::shared_ptr<ContextCore> context;  // keeps threads and log alive
+  std::unique_ptr<RenderJob> job;
+};
+
+struct ups_result {
+  std::shared_ptr<const RenderResult> data;
+};
+
+namespace {
+
+std::unique_ptr<ups_job> start(const ups_scene* scene, const ups_render_desc* desc) {
+  const ups_scene& s = require(scene, "scene");
+  if (!s.snapshot) throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
+  auto job = std::make_unique<ups_job>();
+  job->context = s.context;
+  job->job = std::make_unique<RenderJob>(s.snapshot, read_desc(desc, &ups_render_desc_init), s.context->pool);
+  job->job->start();
+  return job;
+}
+
+ups_result* wrap(std::shared_ptr<const RenderResult> data) { return new ups_result{std::move(data)}; }
+
+const RenderResult& data_of(const ups_result* result) { return *require(result, "result").data; }
+
+size_t index_of(const std::vector<uint32_t>& ids, ups_sensor_id sensor, const char* noun) {
+  const auto it = std::find(ids.begin(), ids.end(), sensor.v);
+  if (it == ids.end())
+    fail_argument("sensor id " + std::to_string(sensor.v) + " is not a " + noun + " of the scene as it was committed");
+  return size_t(it - ids.begin());
+}
+
+struct Plane {
+  const std::vector<float>& values;
+  uint32_t channels;
+};
+Plane plane_of(const ImageReading& image, ups_channel channel) {
+  switch (channel) {
+    case UPS_CHANNEL_LUMINANCE_RGB: return {image.luminance_rgb, 3};
+    case UPS_CHANNEL_STANDARD_ERROR_RGB: return {image.standard_error_rgb, 3};
+    case UPS_CHANNEL_ILLUMINANCE:
+      if (image.illuminance.empty())
+        fail_argument("channel UPS_CHANNEL_ILLUMINANCE: this camera's desc did not set `illuminance`");
+      return {image.illuminance, 1};
+    default: fail_argument("channel: " + std::to_string(channel) + " is not a UPS_CHANNEL_* value");
+  }
+}
+
+const std::string& text_of(const RenderResult& r, ups_result_text topic) {
+  switch (topic) {
+    case UPS_TEXT_WARNINGS: return r.warnings;
+    case UPS_TEXT_EFFECTS: return r.effects;
+    case UPS_TEXT_TECHNIQUES: return r.techniques;
+    case UPS_TEXT_DROPPED: return r.dropped;
+    default: fail_argument("topic: " + std::to_string(topic) + " is not a UPS_TEXT_* value");
+  }
+}
+
+}  // namespace
+
+void ups_render_desc_init(ups_render_desc* desc, uint32_t struct_size) {
+  ups_render_desc d{};
+  d.method = UPS_METHOD_AUTO;
+  d.seed = 1;
+  write_defaults(desc, struct_size, d);
+}
+
+ups_status ups_render(const ups_scene* scene, const ups_render_desc* desc, ups_result** out) {
+  return guard(__func__, [&] {
+    require(out, "out");
+    const auto job = start(scene, desc);
+    std::string message;
+    ups_status status;
+    while ((status = job->job->wait(UINT32_MAX, message)) == UPS_TIMEOUT) {}
+    if (status < 0) throw Error(status, message);
+    *out = wrap(job->job->result());
+  });
+}
+
+ups_status ups_job_start(const ups_scene* scene, const ups_render_desc* desc, ups_job** out) {
+  return guard(__func__, [&] {
+    require(out, "out");
+    *out = start(scene, desc).release();
+  });
+}
+
+ups_status ups_job_poll(const ups_job* job, ups_progress* progress) {
+  return guard(__func__, [&] { write_info(progress, require(job, "job").job->progress(), "progress"); });
+}
+
+ups_status ups_job_wait(const ups_job* job, uint32_t timeout_ms) {
+  return guard(__func__, [&]() -> ups_status {
+    std::string message;
+    const ups_status status = require(job, "job").job->wait(timeout_ms, message);
+    if (status < 0) throw Error(status, message);
+    return status;
+  });
+}
+
+void ups_job_cancel(ups_job* job) {
+  if (job) job->job->cancel();
+}
+
+ups_status ups_job_result(const ups_job* job, ups_result** out) {
+  return guard(__func__, [&] {
+    require(out, "out");
+    *out = wrap(require(job, "job").job->result());
+  });
+}
+
+void ups_job_destroy(ups_job* job) { delete job; }
+
+ups_status ups_result_get_info(const ups_result* result, ups_result_info* info) {
+  return guard(__func__, [&] { write_info(info, data_of(result).info, "info"); });
+}
+
+ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor, ups_meter_reading* out, size_t count) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    const auto& meters = r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")].meters;
+    require(out, "out");
+    if (count != meters.size())
+      fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(meters.size()) + " meters");
+    std::copy(meters.begin(), meters.end(), out);
+  });
+}
+
+ups_status ups_result_get_meter_statistics(const ups_result* result, ups_sensor_id sensor, ups_meter_statistics* out) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    write_info(out, r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")].statistics, "out");
+  });
+}
+
+ups_status ups_result_read_image(const ups_result* result, ups_sensor_id camera, ups_channel channel, float* out,
+                                 size_t row_stride_bytes, size_t size_bytes) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    const ImageReading& image = r.images[index_of(r.camera_ids, camera, "camera")];
+    const Plane plane = plane_of(image, channel);
+    require(out, "out");
+    const size_t row = size_t(image.width) * plane.channels * sizeof(float);
+    const size_t stride = row_stride_bytes ? row_stride_bytes : row;
+    if (stride < row || stride % sizeof(float))
+      fail_argument("row_stride_bytes is " + std::to_string(stride) + "; a row has " + std::to_string(row) + " bytes");
+    // Divisions, so that no product can wrap around.
+    if (size_bytes < row || (size_bytes - row) / stride < image.height - 1)
+      throw Error(UPS_ERROR_BUFFER_TOO_SMALL, "size_bytes is " + std::to_string(size_bytes) + "; " +
+                                                  std::to_string(image.height) + " rows of " + std::to_string(stride) +
+                                                  " bytes do not fit");
+    for (uint32_t y = 0; y < image.height; ++y)
+      std::memcpy(reinterpret_cast<char*>(out) + y * stride, plane.values.data() + size_t(y) * image.width * plane.channels, row);
+  });
+}
+
+ups_status ups_result_read_convergence(const ups_result* result, ups_convergence_point* points, size_t capacity,
+                                       size_t* needed) {
+  return guard(__func__, [&] {
+    const auto& all = data_of(result).convergence;
+    if (!points && capacity > 0) fail_argument("points is NULL, but capacity is " + std::to_string(capacity));
+    if (!points && !needed) fail_argument("needed is NULL; without points it is all that can be answered");
+    if (needed) *needed = all.size();
+    if (!points) return;
+    if (capacity < all.size())
+      throw Error(UPS_ERROR_BUFFER_TOO_SMALL,
+                  "capacity is " + std::to_string(capacity) + "; there are " + std::to_string(all.size()) + " points");
+    std::copy(all.begin(), all.end(), points);
+  });
+}
+
+ups_status ups_result_get_text(const ups_result* result, ups_result_text topic, char* text, size_t capacity, size_t* needed) {
+  return guard(__func__, [&] { copy_text(text_of(data_of(result), topic), text, capacity, needed); });
+}
+
+void ups_result_destroy(ups_result* result) { delete result; }
