@@ -1,4 +1,4 @@
-/* UPS extra: a glTF 2.0 file (.gltf, .glb) becomes the content of a scene. Library ups_gltf; needs the core library ups.
+/* UPS extra: a glTF 2.0 file (.gltf, .glb) becomes the content of a scene. Library ups_gltf; needs the core library.
  *
  * glTF's +Y up is turned to the library's +Z up: (x, y, z) becomes (x, -z, y). What glTF has no words for (materials by
  * measured values, luminaires, meters) stands in `extras.ups` of a node or a material.
@@ -33,19 +33,21 @@ typedef struct ups_gltf_sensor_info {
 
 UPS_API void ups_gltf_import_desc_init(ups_gltf_import_desc *desc, uint32_t struct_size);
 
-/* Adds everything in the file to the scene; the caller commits it. desc may be NULL: all defaults. The caller owns *out.
+/* Adds everything in the file to the scene; the caller commits it. desc may be NULL: all defaults.
+ * The caller owns *out.
  * Errors: IO (a file cannot be read), PARSE (malformed), UNSUPPORTED (names what is not built), and those of the core.
- * The message names the file and the node, mesh, material or accessor. After an error the scene holds part of the file:
- * destroy it. */
+ * The message names the file and the node, mesh, material or accessor. After an error the scene holds part of the
+ * file: destroy it. */
 UPS_API ups_status ups_gltf_import_file(ups_context *context, const char *path, const ups_gltf_import_desc *desc,
                                         ups_scene *scene, ups_gltf_import **out);
 UPS_API void ups_gltf_import_destroy(ups_gltf_import *import_result); /* NULL ok; the scene stays */
 
 /* Sensors in the order of the node hierarchy. info->struct_size must be set; at most that many bytes are written. */
 UPS_API ups_status ups_gltf_get_sensor_count(const ups_gltf_import *import_result, uint32_t *out);
-UPS_API ups_status ups_gltf_get_sensor(const ups_gltf_import *import_result, uint32_t index, ups_gltf_sensor_info *info);
-/* Unique in the file and fit for a file name: [A-Za-z0-9._-]. Two calls: text NULL and capacity 0 give *needed (with the
- * final zero), then the text. */
+UPS_API ups_status ups_gltf_get_sensor(const ups_gltf_import *import_result, uint32_t index,
+                                       ups_gltf_sensor_info *info);
+/* Unique in the file and fit for a file name: [A-Za-z0-9._-]. Two calls: text NULL and capacity 0 give *needed (with
+ * the final zero), then the text. */
 UPS_API ups_status ups_gltf_get_sensor_name(const ups_gltf_import *import_result, uint32_t index, char *text,
                                             size_t capacity, size_t *needed);
 /* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;

@@ -15,8 +15,8 @@
  * luminance_rgb: 3 floats a pixel, linear Rec.709, finite, row 0 at the top. */
 UPS_API ups_status ups_ocio_choose_exposure(const float *luminance_rgb, uint32_t width, uint32_t height, double *out);
 
-/* exposure as above; 0: chosen from the image. The view is OpenColorIO's built-in ACES output for SDR video, shown on an
- * sRGB display; no configuration file is read. The file appears whole or not at all. */
+/* exposure as above; 0: chosen from the image. The view is OpenColorIO's built-in ACES output for SDR video, on an sRGB
+ * display; no configuration file is read. The file appears whole or not at all. */
 UPS_API ups_status ups_ocio_write_png(const char *path, const float *luminance_rgb, uint32_t width, uint32_t height,
                                       double exposure);
 

@@ -1,5 +1,5 @@
-"""Runs the program `ups` on small scenes, right and wrong ones, and checks what it promises: exit codes, messages, JSON,
-tables and images. Usage: test_program.py PATH_TO_UPS [unittest options]"""
+"""Runs the program `ups` on small scenes, right and wrong ones, and checks what it promises: exit codes, messages,
+JSON, tables and images. Usage: test_program.py PATH_TO_UPS [unittest options]"""
 import base64
 import csv
 import json
