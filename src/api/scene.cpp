@@ -199,7 +199,10 @@ ups_status ups_scene_commit(ups_scene* scene) {
 }
 
 ups_status ups_scene_get_info(const ups_scene* scene, ups_scene_info* info) {
-  return guard(__func__, [&] { write_info(info, info_of(committed(scene), scene->method), "info"); });
+  return guard(__func__, [&] {
+    const Snapshot& snapshot = committed(scene);
+    write_info(info, info_of(snapshot, scene->method), "info");
+  });
 }
 
 ups_status ups_scene_get_text(const ups_scene* scene, ups_scene_text topic, char* text, size_t capacity,
