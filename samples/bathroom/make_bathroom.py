@@ -82,9 +82,11 @@ def add_room(scene, m):
 
     scene.shape("white tiles", merged(strip(0, BAND[0]) + strip(BAND[1], HEIGHT)), m["white tiles"])
     scene.shape("teal tiles", merged(strip(*BAND)), m["teal tiles"])
-    scene.shape("floor", quad((0, 0, 0), (LENGTH, 0, 0), (0, WIDTH, 0), tiles.FLOOR_PERIOD_M), m["floor tiles"])
-    scene.shape("ceiling", plate_with_holes((0, LENGTH), (0, WIDTH), HEIGHT, DOWNLIGHTS, lamps.CEILING_HOLE_RADIUS,
-                                            0.2), m["plaster"])
+    over = 0.01  # floor and ceiling reach past the walls: no light escapes along their edges
+    floor = quad((-over, -over, 0), (LENGTH + 2 * over, 0, 0), (0, WIDTH + 2 * over, 0), tiles.FLOOR_PERIOD_M)
+    scene.shape("floor", floor, m["floor tiles"])
+    scene.shape("ceiling", plate_with_holes((-over, LENGTH + over), (-over, WIDTH + over), HEIGHT, DOWNLIGHTS,
+                                            lamps.CEILING_HOLE_RADIUS, 0.2), m["plaster"])
     scene.shape("door", things.door(0.80, 2.05).moved(1.35, 0, 0), m["door paint"])
     scene.shape("door handle", things.door_handle().moved(1.02, 0.018, 1.02), m["chrome"])
 
