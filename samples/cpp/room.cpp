@@ -137,7 +137,7 @@ int run(const char *path) {
 
   ups_render_desc desc;
   ups_render_desc_init(&desc, sizeof desc);
-  desc.iteration_count = 32;
+  desc.iteration_count = 16;
   desc.seed = 7;
   const auto result = render_with_progress(scene.get(), desc);
   std::vector<ups_meter_reading> readings(positions.size() / 3);

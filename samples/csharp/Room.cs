@@ -1,7 +1,7 @@
 // The room of samples/c in C#: a job whose progress is shown, then the same render in one call: the same bits.
 //
 //   mcs -unsafe -out:Room.exe samples/csharp/Room.cs bindings/csharp/Ups.cs bindings/csharp/Ups.Native.cs
-//   LD_LIBRARY_PATH=<folder of libups.so> mono Room.exe [iterations]
+//   LD_LIBRARY_PATH=build/release/src/api mono Room.exe [iterations]
 using System;
 using System.Globalization;
 using System.Text;

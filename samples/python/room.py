@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The room of samples/c in Python: a job whose progress is shown, then the same render in one call: the same bits.
 
-    UPS_LIBRARY=build/release/... PYTHONPATH=bindings/python samples/python/room.py [iterations]
+    UPS_LIBRARY=build/release/src/api PYTHONPATH=bindings/python samples/python/room.py [iterations]
 """
 import sys
 

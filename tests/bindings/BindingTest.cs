@@ -123,7 +123,7 @@ internal static class BindingTest
 
         SensorId meters;
         LuminaireId light;
-        using (var scene = LampOverFloor(context, 0, out meters, out light))
+        using (var scene = LampOverFloor(context, 0.5f, out meters, out light))
         {
             var camera = CameraDesc.Create();
             camera.Width = 6;
@@ -137,10 +137,11 @@ internal static class BindingTest
             Expect(scene.Info.BoundsMaxM[1] == 5, "an array inside a struct");
             using (var result = scene.Render(Iterations(16)))
             {
-                // I cos(a) / d^2; a point source over a black floor has no noise, only float rounding.
+                // I cos(a) / d^2: the meters see the point source alone, so there is no noise, only float rounding.
                 var readings = result.Meters(meters);
                 ExpectNear(readings[0].IlluminanceLx, 100, 1e-4, "below the lamp");
                 ExpectNear(readings[1].IlluminanceLx, 800 / Math.Pow(5, 1.5), 1e-4, "beside the lamp");
+                // 400 cd / (2.5 m)^2 below the lamp; 0.5 % less at the picture's corners.
                 foreach (var e in result.Image(eye, 6, 4, Channel.Illuminance)) ExpectNear(e, 64, 0.01, "floor");
                 Expect(result.Convergence().Length > 0, "convergence");
                 Expect(result.Info.Iterations == 16 && result.Info.Seed == 5, "the render's own data");
