@@ -1,8 +1,8 @@
 // The tables of albedo.h: quadrature over visible normals, on grids that follow the functions' own scales.
 //
 // Sharp lobes are alike up to scale: near grazing everything depends on mu / alpha alone. So the grid's first
-// coordinate mixes mu / alpha with mu, missing light is stored over its envelope and the coat's albedo over the Fresnel
-// reflectance; what is left varies slowly, also as alpha goes to 0.
+// coordinate mixes mu / alpha with mu, and what is missing from a smooth interface's albedo is stored over its
+// envelope; what is left varies slowly, also as alpha goes to 0.
 #include "bsdf/albedo.h"
 
 #include <algorithm>
@@ -10,12 +10,13 @@
 #include <cmath>
 
 #include "bsdf/fresnel.h"
+#include "bsdf/material.h"
 #include "bsdf/microfacet.h"
 
 namespace ups {
 namespace {
 
-constexpr int mu_count = 32, roughness_count = 14, ior_count = 10;
+constexpr int mu_count = 32, roughness_count = 12, ior_count = 10;
 constexpr float min_roughness = 0.05f;          // sqrt(alpha); below, the scaled functions no longer change
 constexpr float min_ior = 1.001f, max_ior = 3;  // beyond: as for max_ior
 
@@ -63,13 +64,25 @@ Position ior_position(float ior) {
 }
 float mix(float a, float b, float t) { return a + (b - a) * t; }
 
+// The averages have a grid of their own: they hold for the function as interpolated, down to min_alpha.
+constexpr int average_count = 32;
+float average_coordinate(float alpha) { return std::sqrt(std::sqrt(alpha)); }
+float average_alpha_at(int i) {
+  const float a = average_coordinate(min_alpha), c = a + (1 - a) * float(i) / (average_count - 1);
+  return c * c * c * c;
+}
+Position average_position(float alpha) {
+  const float a = average_coordinate(min_alpha);
+  return position((average_coordinate(alpha) - a) / (1 - a), average_count);
+}
+
 // The integral of 2 mu over mu in [0, 1], cut evenly in the coordinate of mu.
 struct DiffuseIncidence {
-  static constexpr int parts = 8 * (mu_count - 1);
-  float mu[roughness_count][parts], weight[roughness_count][parts];
+  static constexpr int parts = 4 * (mu_count - 1);
+  float mu[average_count][parts], weight[average_count][parts];
   DiffuseIncidence() {
-    for (int row = 0; row < roughness_count; ++row) {
-      const float alpha = alpha_at(row);
+    for (int row = 0; row < average_count; ++row) {
+      const float alpha = average_alpha_at(row);
       float low = 0;
       for (int i = 0; i < parts; ++i) {
         const float high = i + 1 == parts ? 1 : mu_at(float(i + 1) / parts, alpha);
@@ -84,12 +97,8 @@ struct DiffuseIncidence {
 // A function of mu and alpha, and its average over diffuse incidence as a function of alpha.
 struct Table {
   float value[roughness_count][mu_count] = {};
-  float average[roughness_count] = {};
+  float average[average_count] = {};
 
-  float at_node(int row, float coordinate) const {
-    const Position m = position(coordinate, mu_count);
-    return mix(value[row][m.index], value[row][m.index + 1], m.fraction);
-  }
   float at(float mu, float alpha) const {
     const Position r = roughness_position(alpha), m = position(mu_coordinate(mu, alpha), mu_count);
     const float a = mix(value[r.index][m.index], value[r.index][m.index + 1], m.fraction);
@@ -97,50 +106,47 @@ struct Table {
     return mix(a, b, r.fraction);
   }
   float average_at(float alpha) const {
-    const Position r = roughness_position(alpha);
+    const Position r = average_position(alpha);
     return mix(average[r.index], average[r.index + 1], r.fraction);
   }
-  // Averages of value * scale(mu, alpha), as interpolated, over total(alpha).
-  template <class Scale, class Total>
-  void integrate(const DiffuseIncidence& incidence, const Scale& scale, const Total& total) {
-    for (int row = 0; row < roughness_count; ++row) {
-      const float alpha = alpha_at(row);
+  // Averages of value * scale(mu, alpha), over envelope_average(alpha).
+  template <class Scale>
+  void integrate(const DiffuseIncidence& incidence, const Scale& scale) {
+    for (int row = 0; row < average_count; ++row) {
+      const float alpha = average_alpha_at(row);
       double sum = 0;
       for (int i = 0; i < DiffuseIncidence::parts; ++i) {
-        const float coordinate = (float(i) + 0.5f) / DiffuseIncidence::parts;
-        sum += incidence.weight[row][i] * at_node(row, coordinate) * scale(incidence.mu[row][i], alpha);
+        const float mu = incidence.mu[row][i];
+        sum += incidence.weight[row][i] * at(mu, alpha) * scale(mu, alpha);
       }
-      average[row] = float(sum / total(alpha));
+      average[row] = float(sum / envelope_average(alpha));
     }
   }
 };
 
-// Gauss-Legendre points across the cap of visible normals, equidistant ones around it (half of it: it is symmetric).
+// Points across the cap of visible normals, each ring of them turned around it (half way: it is symmetric). Points of
+// neighbouring directions are shifted, so that edges such as that of total reflection fall between different points.
 constexpr int cap_points = 16, around_points = 12;
 struct Quadrature {
-  float drop[cap_points], weight[cap_points], cosine[around_points], sine[around_points];
+  float drop[cap_points][around_points], weight[cap_points][around_points];
+  float cosine[around_points], sine[around_points];
   Quadrature() {
-    constexpr double pi_d = 3.141592653589793238463;
-    for (int i = 0; i < cap_points; ++i) {
-      double z = std::cos(pi_d * (i + 0.75) / (cap_points + 0.5)), slope = 1;
-      for (int step = 0; step < 8; ++step) {  // Newton on the Legendre polynomial
-        double p = 1, before = 0;
-        for (int k = 0; k < cap_points; ++k) {
-          const double next = ((2 * k + 1) * z * p - k * before) / (k + 1);
-          before = p;
-          p = next;
-        }
-        slope = cap_points * (z * p - before) / (z * z - 1);
-        z -= p / slope;
-      }
-      const double rest = 0.5 * (1 + z);  // u = 1 - rest^2 crowds points where facets are seen edge-on
-      drop[i] = float(1 - rest * rest);
-      weight[i] = float(2 * rest / ((1 - z * z) * slope * slope) / around_points);
-    }
+    constexpr int shift[around_points] = {0, 6, 3, 9, 1, 7, 4, 10, 2, 8, 5, 11};
     for (int j = 0; j < around_points; ++j) {
-      cosine[j] = float(std::cos(pi_d * (j + 0.5) / around_points));
-      sine[j] = float(std::sin(pi_d * (j + 0.5) / around_points));
+      const double phi = 3.141592653589793238463 * (j + 0.5) / around_points;
+      cosine[j] = float(std::cos(phi));
+      sine[j] = float(std::sin(phi));
+      for (int i = 0; i < cap_points; ++i) {
+        const double rest = (i + (shift[j] + 0.5) / around_points) / cap_points;
+        drop[i][j] = float(1 - rest * rest);  // crowds points where facets are seen edge-on
+        weight[i][j] = float(2 * rest / (cap_points * around_points));
+      }
     }
+    double total = 0;
+    for (const auto& ring : weight)
+      for (float w : ring) total += w;
+    for (auto& ring : weight)
+      for (float& w : ring) w = float(w / total);
   }
 };
 
@@ -152,22 +158,25 @@ float sum_of(const float (&terms)[around_points]) {
 
 // Facets visible from one direction: the cosine to them, and reflection at them, for a ring of the quadrature.
 struct Ring {
-  float cos_h[around_points], h_z[around_points], reflected[around_points];  // reflected: G2 / G1, 0 below the horizon
+  float cos_h[around_points], h_z[around_points];
+  float reflected[around_points];  // G2 / G1, 0 below the horizon
+  float weight[around_points];
 };
 
 // The inner loops have no branch, so that compilers can make them vectors.
 Ring visible_ring(const Quadrature& quadrature, int i, const Vec3& wo, float alpha) {
   const Vec3 v = normalize(Vec3{alpha * wo.x, 0, wo.z});
   const float a2 = alpha * alpha, root_o = smith_root(wo, alpha);
-  const float drop = quadrature.drop[i] * (1 + v.z), sine = std::sqrt(std::max(0.0f, drop * (2 - drop)));
   Ring ring;
   for (int j = 0; j < around_points; ++j) {
+    const float drop = quadrature.drop[i][j] * (1 + v.z), sine = std::sqrt(std::max(0.0f, drop * (2 - drop)));
     const float x = alpha * (v.x + sine * quadrature.cosine[j]), y = alpha * sine * quadrature.sine[j];
     const float z = std::max(v.z + (1 - drop), 1e-12f), scale = 1 / std::sqrt(x * x + y * y + z * z);
     const float cos_h = std::max(0.0f, (wo.x * x + wo.z * z) * scale);
     const float wi_x = 2 * cos_h * x * scale - wo.x, wi_y = 2 * cos_h * y * scale;
     const float wi_z = std::max(0.0f, 2 * cos_h * z * scale - wo.z);
     const float root_i = std::sqrt(a2 * (wi_x * wi_x + wi_y * wi_y) + wi_z * wi_z);
+    ring.weight[j] = quadrature.weight[i][j];
     ring.cos_h[j] = cos_h;
     ring.h_z[j] = z * scale;
     ring.reflected[j] = wi_z * (wo.z + root_o) / (wo.z * root_i + wi_z * root_o + 1e-30f);
@@ -175,12 +184,14 @@ Ring visible_ring(const Quadrature& quadrature, int i, const Vec3& wo, float alp
   return ring;
 }
 
-struct RingAlbedo {
-  float reflected, missing;
+// Weighted with the ring: what the coat reflects less than a smooth one would, and what single scattering loses.
+struct RingLoss {
+  float coat, missing;
 };
-RingAlbedo dielectric_ring(const Ring& ring, float wo_z, float alpha, float eta) {
+RingLoss dielectric_ring(const Ring& ring, float wo_z, float alpha, float eta) {
+  const float smooth = fresnel_dielectric(wo_z, eta);
   const float a2 = alpha * alpha, inverse_eta = 1 / eta, eta2_minus_1 = (eta - 1) * (eta + 1);
-  float reflected[around_points], missing[around_points];
+  float coat[around_points], missing[around_points];
   for (int j = 0; j < around_points; ++j) {
     const float c = ring.cos_h[j], square = std::max(0.0f, eta2_minus_1 + c * c);
     const float t = std::sqrt(square);  // eta * cos of refraction
@@ -189,10 +200,10 @@ RingAlbedo dielectric_ring(const Ring& ring, float wo_z, float alpha, float eta)
     const float wt_z = std::max(0.0f, (wo_z - ring.h_z[j] * c + ring.h_z[j] * t) * inverse_eta);
     const float wt_z2 = wt_z * wt_z;
     const float transmitted = 2 * wt_z / (wt_z + std::sqrt(a2 * std::max(0.0f, 1 - wt_z2) + wt_z2) + 1e-30f);  // G1
-    reflected[j] = fresnel * ring.reflected[j];
-    missing[j] = fresnel * (1 - ring.reflected[j]) + (1 - fresnel) * (1 - transmitted);
+    coat[j] = ring.weight[j] * (smooth - fresnel * ring.reflected[j]);
+    missing[j] = ring.weight[j] * (fresnel * (1 - ring.reflected[j]) + (1 - fresnel) * (1 - transmitted));
   }
-  return {sum_of(reflected), sum_of(missing)};
+  return {sum_of(coat), sum_of(missing)};
 }
 
 struct Tables {
@@ -203,14 +214,13 @@ struct Tables {
     for (int r = 0; r < roughness_count; ++r)
       for (int m = 0; m < mu_count; ++m) fill(r, m);
     const DiffuseIncidence incidence;
-    conductor.integrate(incidence, envelope, envelope_average);
+    conductor.integrate(incidence, envelope);
     for (int n = 0; n < ior_count; ++n) {
       const float ior = ior_at(n);
-      coat[n].integrate(
-          incidence, [ior](float mu, float) { return fresnel_dielectric(mu, ior); },
-          [ior](float) { return diffuse_fresnel_reflectance(ior); });
-      outside[n].integrate(incidence, envelope, envelope_average);
-      inside[n].integrate(incidence, envelope, envelope_average);
+      coat[n].integrate(incidence,
+                        [ior](float mu, float alpha) { return envelope(mu, alpha) * fresnel_dielectric(mu, ior); });
+      outside[n].integrate(incidence, envelope);
+      inside[n].integrate(incidence, envelope);
     }
   }
 
@@ -220,14 +230,15 @@ struct Tables {
     const Vec3 wo{std::sqrt(std::max(0.0f, (1 - mu) * (1 + mu))), 0, mu};
     for (int i = 0; i < cap_points; ++i) {
       const Ring ring = visible_ring(quadrature, i, wo, alpha);
-      const float weight = quadrature.weight[i];
-      conductor.value[r][m] += weight * (around_points - sum_of(ring.reflected)) / e;
+      float missing[around_points];
+      for (int j = 0; j < around_points; ++j) missing[j] = ring.weight[j] * (1 - ring.reflected[j]);
+      conductor.value[r][m] += sum_of(missing) / e;
       for (int n = 0; n < ior_count; ++n) {
         const float ior = ior_at(n);
-        const RingAlbedo from_outside = dielectric_ring(ring, mu, alpha, ior);
-        coat[n].value[r][m] += weight * from_outside.reflected / fresnel_dielectric(mu, ior);
-        outside[n].value[r][m] += weight * from_outside.missing / e;
-        inside[n].value[r][m] += weight * dielectric_ring(ring, mu, alpha, 1 / ior).missing / e;
+        const RingLoss from_outside = dielectric_ring(ring, mu, alpha, ior);
+        coat[n].value[r][m] += from_outside.coat / (e * fresnel_dielectric(mu, ior));
+        outside[n].value[r][m] += from_outside.missing / e;
+        inside[n].value[r][m] += dielectric_ring(ring, mu, alpha, 1 / ior).missing / e;
       }
     }
   }
@@ -265,11 +276,12 @@ float dielectric_missing_average(float alpha, float ior, bool inside) {
 
 float coat_albedo(float mu, float alpha, float ior) {
   const float fresnel = fresnel_dielectric(mu, ior);
-  return alpha > 0 ? std::min(1.0f, fresnel * between(tables().coat, mu, alpha, ior)) : fresnel;
+  if (!(alpha > 0)) return fresnel;
+  return std::clamp(fresnel * (1 - between(tables().coat, mu, alpha, ior) * envelope(mu, alpha)), 0.0f, 1.0f);
 }
 float coat_albedo_average(float alpha, float ior) {
   const float fresnel = diffuse_fresnel_reflectance(ior);
-  return alpha > 0 ? fresnel * average_between(tables().coat, alpha, ior) : fresnel;
+  return alpha > 0 ? fresnel - average_between(tables().coat, alpha, ior) * envelope_average(alpha) : fresnel;
 }
 
 float missing_lobe_pdf(float mu, float alpha) { return mu * envelope(mu, alpha) / (pi * envelope_average(alpha)); }

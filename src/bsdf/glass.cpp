@@ -50,7 +50,9 @@ Scattering evaluate(const BsdfParameters& p, const Vec3& wo_, const Vec3& wi_) {
     Vec3 h = sum / std::sqrt(length_squared);
     if (h.z < 0) h = -h;
     const float o_h = dot(wo, h), i_h = dot(wi, h);
-    const float fresnel = fresnel_dielectric(std::min(1.0f, o_h), inside_o ? 1 / ior : ior);
+    // Across the interface from the thin side, where it is well conditioned, so that both ways agree.
+    const float fresnel = reflected ? fresnel_dielectric(std::min(1.0f, o_h), inside_o ? 1 / ior : ior)
+                                    : fresnel_dielectric(std::min(1.0f, inside_o ? -i_h : o_h), ior);
     const float density = ggx_density(h, alpha);
     const float g_o = smith_g1_over_cosine(wo, alpha), g_i = smith_g1_over_cosine(wi, alpha);
     if (reflected && o_h > 0) {

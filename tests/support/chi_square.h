@@ -87,13 +87,14 @@ inline ChiSquareResult chi_square_test(const std::vector<double>& observed, cons
 // (Sidak).
 inline double sidak_level(double alpha, int tests) { return -std::expm1(std::log1p(-alpha) / tests); }
 
-// Cells of the sphere: rows in cos(theta) about an axis, columns in phi. `sharpness` 1 cuts cos(theta) evenly; smaller
-// values crowd rows around the axis, half of them within 1 - cos(theta) < 2 sharpness / (1 + sharpness), so that a lobe
-// of width a is resolved with sharpness of about a^2.
+// Cells of the sphere: rows in 1 - cos(theta) about an axis, columns in phi. Half of the rows are even from 0 to
+// `width`, half even in the logarithm from there to 2, so that a lobe of angle a about the axis is resolved with a
+// width of about a^2, and so is what lies around it. The default is even everywhere.
 class SphereCells {
  public:
-  SphereCells(int rows, int columns, const Vec3d& axis = {0, 0, 1}, double sharpness = 1)
-      : rows_(rows), columns_(columns), sharpness_(sharpness), n_(normalize(axis)) {
+  SphereCells(int rows, int columns, const Vec3d& axis = {0, 0, 1},
+              double width = std::numeric_limits<double>::infinity())
+      : rows_(rows), columns_(columns), width_(width), n_(normalize(axis)) {
     const Frame frame{Vec3(n_)};
     s_ = normalize(Vec3d(frame.s) - n_ * dot(Vec3d(frame.s), n_));
     t_ = cross(n_, s_);
@@ -104,7 +105,7 @@ class SphereCells {
     const Vec3d d = normalize(Vec3d(direction));
     const Vec3d from_axis = d - n_;
     const double u = 0.5 * length2(from_axis);  // 1 - cos(theta), without cancellation
-    const double r = u / (2 * sharpness_ + u * (1 - sharpness_));
+    const double r = row_coordinate(u);
     double phi = std::atan2(dot(d, t_), dot(d, s_)) / (2 * pi_d);
     if (phi < 0) phi += 1;
     return size_t(std::clamp(int(r * rows_), 0, rows_ - 1)) * columns_ +
@@ -112,14 +113,14 @@ class SphereCells {
   }
 
   // The integral of pdf(Vec3d) -> double over each cell, to about `tolerance` a cell: a cell is cut in four until that
-  // agrees (4 x 4 Gauss points each, at most `depth` times).
+  // agrees (4 x 4 Gauss points each), at most `depth` times and at least `min_depth` times, lest a corner be missed.
   template <class Pdf>
-  std::vector<double> integrate(const Pdf& pdf, double tolerance = 1e-6, int depth = 8) const {
+  std::vector<double> integrate(const Pdf& pdf, double tolerance = 1e-6, int depth = 8, int min_depth = 1) const {
     std::vector<double> out(size());
     for (int i = 0; i < rows_; ++i)
       for (int j = 0; j < columns_; ++j) {
         const Box box{double(i) / rows_, double(i + 1) / rows_, double(j) / columns_, double(j + 1) / columns_};
-        out[size_t(i) * columns_ + j] = refine(pdf, box, gauss(pdf, box), tolerance, depth);
+        out[size_t(i) * columns_ + j] = refine(pdf, box, gauss(pdf, box), tolerance, depth, min_depth);
       }
     return out;
   }
@@ -130,14 +131,21 @@ class SphereCells {
   };
   static constexpr double pi_d = 3.141592653589793238463;
 
+  double row_coordinate(double u) const {
+    if (std::isinf(width_)) return 0.5 * u;
+    return u < width_ ? 0.5 * u / width_ : 0.5 + 0.5 * std::log(u / width_) / std::log(2 / width_);
+  }
+
   template <class Pdf>
   double gauss(const Pdf& pdf, const Box& b) const {
     static constexpr double x[4] = {0.06943184420297371, 0.33000947820757187, 0.6699905217924281, 0.9305681557970263};
     static constexpr double w[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
     double sum = 0;
     for (int i = 0; i < 4; ++i) {
-      const double r = b.r0 + (b.r1 - b.r0) * x[i], q = 1 - r + sharpness_ * r;
-      const double u = 2 * sharpness_ * r / q, du_dr = 2 * sharpness_ / (q * q), sine = std::sqrt(u * (2 - u));
+      const double r = b.r0 + (b.r1 - b.r0) * x[i], growth = 2 * std::log(2 / width_);
+      const bool near = std::isinf(width_) || r < 0.5;
+      const double u = std::isinf(width_) ? 2 * r : near ? 2 * width_ * r : width_ * std::exp((r - 0.5) * growth);
+      const double du_dr = std::isinf(width_) ? 2 : near ? 2 * width_ : u * growth, sine = std::sqrt(u * (2 - u));
       for (int j = 0; j < 4; ++j) {
         const double phi = 2 * pi_d * (b.p0 + (b.p1 - b.p0) * x[j]);
         const Vec3d d = n_ * (1 - u) + s_ * (sine * std::cos(phi)) + t_ * (sine * std::sin(phi));
@@ -148,19 +156,19 @@ class SphereCells {
   }
 
   template <class Pdf>
-  double refine(const Pdf& pdf, const Box& b, double whole, double tolerance, int depth) const {
+  double refine(const Pdf& pdf, const Box& b, double whole, double tolerance, int depth, int min_depth) const {
     const double r = 0.5 * (b.r0 + b.r1), p = 0.5 * (b.p0 + b.p1);
     const Box quarters[4] = {{b.r0, r, b.p0, p}, {b.r0, r, p, b.p1}, {r, b.r1, b.p0, p}, {r, b.r1, p, b.p1}};
     double part[4], sum = 0;
     for (int k = 0; k < 4; ++k) sum += part[k] = gauss(pdf, quarters[k]);
-    if (depth <= 1 || std::abs(sum - whole) <= tolerance) return sum;
+    if (depth <= 1 || (min_depth <= 1 && std::abs(sum - whole) <= tolerance)) return sum;
     sum = 0;
-    for (int k = 0; k < 4; ++k) sum += refine(pdf, quarters[k], part[k], tolerance / 2, depth - 1);
+    for (int k = 0; k < 4; ++k) sum += refine(pdf, quarters[k], part[k], tolerance / 2, depth - 1, min_depth - 1);
     return sum;
   }
 
   int rows_, columns_;
-  double sharpness_;
+  double width_;
   Vec3d n_, s_, t_;
 };
 

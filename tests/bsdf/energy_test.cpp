@@ -1,0 +1,142 @@
+// Reciprocity and the balance of energy: lossless materials return all light, others no more than that.
+#include <gtest/gtest.h>
+
+#include "cases.h"
+
+namespace ups::test {
+namespace {
+
+constexpr TransportMode importance = TransportMode::importance, radiance = TransportMode::radiance;
+
+// i in the digits of `base`, mirrored at the point (van der Corput).
+float radical_inverse(uint32_t i, uint32_t base) {
+  double value = 0, digit = 1.0 / base;
+  for (; i > 0; i /= base, digit /= base) value += digit * (i % base);
+  return std::min(float(value), 0x1.fffffep-1f);
+}
+
+// Directional albedo in importance mode: the mean weight over Hammersley's points in three dimensions.
+double albedo(const Material& m, float cosine, uint32_t count = 1 << 14) {
+  const Bsdf bsdf(m, {0, 0});
+  const Vec3 wo = direction(cosine);
+  double sum = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    BsdfSample s;
+    const Vec2 u{radical_inverse(i, 2), (float(i) + 0.5f) / float(count)};
+    if (bsdf.sample(wo, radical_inverse(i, 3), u, importance, s)) sum += luminance(s.weight);
+  }
+  return sum / count;
+}
+
+constexpr float cosines[] = {1.0f, 0.9f, 0.74f, 0.6f, 0.4f, 0.2f, 0.1f, 0.05f, 0.02f, 0.005f};
+constexpr float alphas[] = {1.0f, 0.6f, 0.25f, 0.1f, 0.03f, 1e-2f, 1e-3f, 1e-4f, 3.1e-5f, 1e-5f, 0.0f};
+
+void expect_white_furnace(MaterialModel model, float ior, double tolerance, bool both_sides = false) {
+  double worst = 0;
+  for (float alpha : alphas)
+    for (float cosine : cosines)
+      for (int side = 0; side <= int(both_sides); ++side) {
+        const Material m = make(model, roughness_of(alpha), Rgb(1.0f), ior);
+        const double a = albedo(m, side ? -cosine : cosine);
+        worst = std::max(worst, std::abs(a - 1));
+        EXPECT_NEAR(a, 1, tolerance) << "alpha " << alpha << " cos " << cosine << (side ? " inside" : "");
+      }
+  ::testing::Test::RecordProperty("worst", std::to_string(worst));
+  std::printf("worst deviation from 1: %.4f\n", worst);
+}
+
+TEST(WhiteFurnace, Metal) { expect_white_furnace(MaterialModel::metal, 1.5f, 0.005); }
+TEST(WhiteFurnace, Plastic) { expect_white_furnace(MaterialModel::plastic, 1.5f, 0.005); }
+TEST(WhiteFurnace, PlasticOfHighIndex) { expect_white_furnace(MaterialModel::plastic, 2.2f, 0.01); }
+TEST(WhiteFurnace, Glass) { expect_white_furnace(MaterialModel::glass, 1.5f, 0.01, true); }
+TEST(WhiteFurnace, Water) { expect_white_furnace(MaterialModel::glass, 1.33f, 0.01, true); }
+TEST(WhiteFurnace, Diamond) { expect_white_furnace(MaterialModel::glass, 2.42f, 0.015, true); }
+
+TEST(WhiteFurnace, HalfMetallic) {
+  for (float alpha : alphas) {
+    Material m = make(MaterialModel::plastic, roughness_of(alpha), Rgb(1.0f));
+    m.metallic = 0.5f;
+    for (float cosine : cosines) EXPECT_NEAR(albedo(m, cosine), 1, 0.005) << "alpha " << alpha << " cos " << cosine;
+  }
+}
+
+TEST(WhiteFurnace, ThinAndDiffuse) {
+  Material diffuser = make(MaterialModel::diffuser, 0, Rgb(0.4f));
+  diffuser.transmittance = Rgb(0.6f);
+  Material clear = make(MaterialModel::glazing, 0, Rgb(0.5f), 1.52f);
+  clear.transmittance = Rgb(-1.0f);
+  for (float cosine : cosines)
+    for (const Material& m :
+         {make(MaterialModel::matte, 0, Rgb(1.0f)), make(MaterialModel::mirror, 0, Rgb(1.0f)), diffuser, clear})
+      EXPECT_NEAR(albedo(m, -cosine), 1, 1e-3) << int(m.model) << " cos " << cosine;
+}
+
+// Below min_alpha lobes become delta lobes; nobody must see where.
+TEST(Energy, AlbedoIsContinuousInRoughness) {
+  Material plastic = make(MaterialModel::plastic, 0, {0.7f, 0.3f, 0.1f}),
+           metal = make(MaterialModel::metal, 0, Rgb(0.6f));
+  for (Material m : {plastic, metal})
+    for (float cosine : {1.0f, 0.6f, 0.2f, 0.05f}) {
+      m.roughness = 0;
+      double before = albedo(m, cosine);
+      for (float alpha : {1e-5f, 3.1e-5f, 1e-4f, 3e-4f, 1e-3f}) {
+        m.roughness = roughness_of(alpha);
+        const double now = albedo(m, cosine);
+        EXPECT_NEAR(now, before, 0.005) << "alpha " << alpha << " cos " << cosine;
+        before = now;
+      }
+    }
+}
+
+TEST(Energy, PlasticIsCoatPlusWhatTheBaseReturns) {
+  for (float alpha : {0.0f, 0.1f, 0.6f})
+    for (float cosine : {1.0f, 0.5f, 0.1f}) {
+      const auto total = [&](float base) {
+        return albedo(make(MaterialModel::plastic, roughness_of(alpha), Rgb(base)), cosine);
+      };
+      const double coat = total(0);
+      EXPECT_NEAR(total(0.5f), coat + 0.5 * (1 - coat), 0.005) << alpha << " " << cosine;
+    }
+  EXPECT_NEAR(albedo(make(MaterialModel::plastic, 0, Rgb(0.0f)), 1), 0.04, 1e-6);
+}
+
+TEST(Energy, NothingReturnsMoreThanItGets) {
+  for (const Case& c : all_cases())
+    for (float cosine : {1.0f, 0.5f, 0.1f, -0.7f})
+      EXPECT_LT(albedo(c.material, cosine, 2048), 1.015) << c.name << cosine;
+}
+
+// f(wo, wi) = f(wi, wo); across a refraction radiance one way is importance the other way (Veach 1997, 5.2), and
+// n_wo^2 f(wo, wi) = n_wi^2 f(wi, wo) for importance.
+TEST(Energy, Reciprocity) {
+  for (const Case& c : all_cases()) {
+    const Bsdf bsdf(c.material, {0, 0});
+    if (!bsdf.has_continuous()) continue;
+    Random random{3};
+    int compared = 0;
+    for (int i = 0; i < 2000; ++i) {
+      auto r = random.next();
+      const Vec3 wo = direction(2 * r.lobe - 1, 6 * r.u.x);
+      r = random.next();
+      Vec3 wi = direction(2 * r.lobe - 1, 6 * r.u.x);
+      BsdfSample s;
+      if (i % 2 && bsdf.sample(wo, r.lobe, r.u, importance, s) && !s.delta) wi = s.wi;
+      if (std::abs(wo.z) < 0.01f || std::abs(wi.z) < 0.01f) continue;
+      const Rgb there = bsdf.eval(wo, wi, importance) / std::abs(wi.z),
+                back = bsdf.eval(wi, wo, importance) / std::abs(wo.z);
+      const Rgb radiant = bsdf.eval(wo, wi, radiance) / std::abs(wi.z);
+      const float n = c.material.model == MaterialModel::glass ? c.material.ior : 1;
+      const float n_wo = wo.z > 0 ? 1 : n, n_wi = wi.z > 0 ? 1 : n;
+      for (float Rgb::*channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+        const float tolerance = rounding(c.material) * (1e-4f + back.*channel);
+        ASSERT_NEAR(there.*channel * n_wo * n_wo / (n_wi * n_wi), back.*channel, tolerance) << c.name;
+        ASSERT_NEAR(radiant.*channel, back.*channel, tolerance) << c.name;
+      }
+      compared += !is_black(there);
+    }
+    EXPECT_GT(compared, 300) << c.name;
+  }
+}
+
+}  // namespace
+}  // namespace ups::test

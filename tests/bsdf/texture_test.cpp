@@ -1,0 +1,58 @@
+// Texture lookups: where texels lie, how they repeat, what is between them.
+#include "geometry/texture.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/error.h"
+
+namespace ups {
+namespace {
+
+TEST(Texture, TexelCentresAndBilinearBetween) {
+  const Texture t(2, 2, 1, {0, 1, 2, 3});
+  EXPECT_FLOAT_EQ(t.first({0.25f, 0.25f}), 0);
+  EXPECT_FLOAT_EQ(t.first({0.75f, 0.25f}), 1);
+  EXPECT_FLOAT_EQ(t.first({0.25f, 0.75f}), 2);  // v = 0 is row 0
+  EXPECT_FLOAT_EQ(t.first({0.5f, 0.5f}), 1.5f);
+  EXPECT_FLOAT_EQ(t.first({0.375f, 0.25f}), 0.25f);
+  EXPECT_FLOAT_EQ(t.first({0.0f, 0.25f}), 0.5f);  // half way to the last column, which comes before the first
+}
+
+TEST(Texture, RepeatsInBothDirections) {
+  const Texture t(3, 2, 1, {0, 1, 2, 3, 4, 5});
+  for (float u : {0.1f, 0.4f, 0.99f})
+    for (float v : {0.05f, 0.6f}) {
+      EXPECT_NEAR(t.first({u + 4, v - 3}), t.first({u, v}), 1e-5f);
+      EXPECT_NEAR(t.first({u - 1, v + 1}), t.first({u, v}), 1e-5f);
+    }
+}
+
+TEST(Texture, Channels) {
+  const Texture grey(1, 1, 1, {0.3f}), rgb(1, 1, 3, {0.1f, 0.2f, 0.3f}), rgba(1, 1, 4, {0.5f, 0.5f, 0.5f, 0.9f});
+  EXPECT_FLOAT_EQ(grey.rgb({0, 0}).b, 0.3f);
+  EXPECT_FLOAT_EQ(grey.last({0, 0}), 0.3f);
+  EXPECT_FLOAT_EQ(rgb.rgb({0, 0}).g, 0.2f);
+  EXPECT_FLOAT_EQ(rgba.last({0, 0}), 0.9f);
+  EXPECT_FALSE(grey.coloured());
+  EXPECT_TRUE(rgb.coloured());
+  EXPECT_FALSE(rgba.coloured());
+  EXPECT_FLOAT_EQ(Texture(2, 1, 4, {0.5f, 0, 0, 0, 0.2f, 0, 0, 0}).min_first(), 0.2f);
+}
+
+TEST(Texture, EveryCoordinateIsSafe) {
+  const Texture t(4, 4, 1, std::vector<float>(16, 0.5f));
+  const float inf = std::numeric_limits<float>::infinity();
+  for (float x : {-1e30f, 1e30f, -1e-30f, 16777217.0f, inf, -inf, std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_FLOAT_EQ(t.first({x, x}), 0.5f) << x;
+}
+
+TEST(Texture, RejectsWhatDoesNotFit) {
+  EXPECT_THROW(Texture(2, 2, 3, std::vector<float>(11)), Error);
+  EXPECT_THROW(Texture(1, 1, 2, std::vector<float>(2)), Error);
+  EXPECT_THROW(Texture(0, 1, 1, {}), Error);
+}
+
+}  // namespace
+}  // namespace ups
