@@ -39,9 +39,10 @@ def main():
                 wall = json.loads(done.stdout)["meters"]["wall"]
                 difference = wall["mean_lx"] / expected - 1
                 failed |= not abs(difference) <= arguments.tolerance
+                error = wall["mean_standard_error_lx"]  # negative: too few iterations to know
+                error = f"{100 * error / expected:.3f} %" if error >= 0 else "unknown"
                 print(f"{reflectance:5g} {method:>7} {wall['mean_lx']:10.2f} {expected:10.2f} "
-                      f"{100 * difference:9.3f} % {100 * wall['mean_standard_error_lx'] / expected:13.3f} %",
-                      flush=True)
+                      f"{100 * difference:9.3f} % {error:>15}", flush=True)
     sys.exit(1 if failed else 0)
 
 

@@ -81,6 +81,11 @@ def mean(values):
     return sum(values) / len(values) if values else math.nan
 
 
+def cell(values, width, scale=1.0, unit=""):
+    """The mean for the table; a dash where the scene has nothing of the kind."""
+    return f"{scale * mean(values):.4g}{unit}".rjust(width) if values else "-".rjust(width)
+
+
 def judge(arguments, method, reference_dir, reference, names):
     """Renders one method with every seed; returns its line of the table."""
     line = {"method": method, "iterations": [], "time": [], "meters": [], "rmse": [], "relative_mse": []}
@@ -144,8 +149,9 @@ def main():
     for method in arguments.methods:
         line = judge(arguments, method, reference_dir, reference, names)
         error = mean(line["meters"])
-        print(f"{method:>8} {mean(line['iterations']):10.0f} {mean(line['time']):7.1f} {100 * error:12.3f} % "
-              f"{mean(line['rmse']):13.4g} {mean(line['relative_mse']):13.4g}", flush=True)
+        print(f"{method:>8} {mean(line['iterations']):10.0f} {mean(line['time']):7.1f} "
+              f"{cell(line['meters'], 14, 100, ' %')} {cell(line['rmse'], 13)} {cell(line['relative_mse'], 13)}",
+              flush=True)
         if arguments.max_error is not None and not error <= arguments.max_error:
             print(f"  over the limit of {100 * arguments.max_error:g} %")
             failed = True
