@@ -173,7 +173,8 @@ void Builder::add_materials() {
     Material m;
     m.model = MaterialModel(d.model);
     m.reflectance = to_rgb(d.reflectance_rgb);
-    m.transmittance = to_rgb(d.transmittance_rgb);
+    m.transmittance = to_rgb(d.transmittance_rgb);  // < 0: a clear pane; other models let nothing through
+    if (m.transmittance.r < 0 && m.model != MaterialModel::glazing) m.transmittance = {};
     m.roughness = d.roughness, m.ior = d.ior, m.metallic = d.metallic;
     m.ior_rgb = to_rgb(d.ior_rgb), m.ior_k_rgb = to_rgb(d.ior_k_rgb);
     m.absorption_per_m = to_rgb(d.absorption_per_m_rgb);
