@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs a build into a temporary prefix, moves the prefix, and builds the C program in consumer/ against it twice:
-# with CMake's find_package(ups) and with pkg-config. Both programs must run and print the version that was installed.
+# with CMake's find_package(ups) and with pkg-config. Both programs must run and print the version that was installed,
+# and so must the program `ups` where it was built.
 # Called by ctest, with CMAKE, PKG_CONFIG, GENERATOR, CC and FLAGS set: run.sh BUILD LIBDIR VERSION
 set -euo pipefail
 build=$1 libdir=$2 version=$3
@@ -29,3 +30,10 @@ read -ra flags <<<"$("$PKG_CONFIG" --cflags --libs ups)"
 # shellcheck disable=SC2086  # FLAGS is a list
 "$CC" $FLAGS -std=c99 -pedantic -Wall -Wextra -Werror "$here/consumer/main.c" "${flags[@]}" -o "$work/with_pkgconfig"
 LD_LIBRARY_PATH=$work/prefix/$libdir expect "$work/with_pkgconfig" pkg-config
+
+program=$work/prefix/bin/ups
+if [ -x "$program" ]; then
+  printed=$("$program" --version)
+  echo "program: $printed"
+  [ "$printed" = "ups $version" ] || { echo "expected 'ups $version'" >&2; exit 1; }
+fi
