@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/box.h"
 #include "geometry/traced_mesh.h"
 
 namespace ups {
@@ -35,25 +36,6 @@ double stretch(const Affine& m) {
   const double det = std::abs(m.determinant());
   return det > 0 ? std::sqrt(forward * cofactor) / (3 * det) : std::numeric_limits<double>::infinity();
 }
-
-struct Box {
-  Vec3d lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
-  void grow(const Vec3d& p) {
-    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
-    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
-  }
-  bool holds(const Box& b) const {
-    return b.lower.x >= lower.x && b.lower.y >= lower.y && b.lower.z >= lower.z && b.upper.x <= upper.x &&
-           b.upper.y <= upper.y && b.upper.z <= upper.z;
-  }
-  // Around the transformed box, which may be larger than what is in it.
-  Box transformed(const Affine& m) const {
-    Box out;
-    for (int i = 0; i < 8; ++i)
-      out.grow(m.point({i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z}));
-    return out;
-  }
-};
 
 // Which instances Embree is given as triangles of the scene; the others share their mesh.
 std::vector<bool> choose_baked(const std::vector<Raytracer::Instance>& instances, const std::vector<Box>& boxes) {

@@ -14,7 +14,7 @@ struct Hit {
 
 struct SurfacePoint {
   Vec3 p;
-  Vec3 ng;        // unit; front: counter-clockwise after the instance's transform
+  Vec3 ng;        // unit; front: counter-clockwise; a mirroring transform keeps the front in front
   Frame shading;  // shading.n on the same side as ng
   Vec2 uv;
   float error = 0;  // p is within this distance of the true surface; grows with |p| and the triangle

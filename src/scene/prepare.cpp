@@ -8,28 +8,16 @@
 #include "emitter/area.h"
 #include "emitter/point.h"
 #include "emitter/profile.h"
+#include "geometry/box.h"
 #include "scene/check.h"
 #include "scene/duplicates.h"
 #include "scene/effects.h"
+#include "scene/probe.h"
 
 namespace ups {
 namespace {
 
-// Rounding of a free point relative to its largest coordinate, as for surface points (geometry/raytracer.cpp).
-constexpr float gamma_error = 16 * 0x1p-24f;
 constexpr double max_coordinate_m = 1e9;
-
-struct Box {
-  Vec3d lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
-  bool empty() const { return !(lower.x <= upper.x); }
-  void grow(const Vec3d& p) {
-    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
-    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
-  }
-  Vec3d corner(int i) const {
-    return {i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z};
-  }
-};
 
 Rgb to_rgb(const float (&c)[3]) { return {c[0], c[1], c[2]}; }
 
@@ -42,14 +30,6 @@ struct Axes {
   }
   Frame frame() const { return {Vec3(x), Vec3(y), Vec3(z)}; }
 };
-
-template <class Visit>
-void each_corner(const Vec3& center, const Vec3& half_a, const Vec3& half_b, const Visit& visit) {
-  visit(center + half_a + half_b);
-  visit(center + half_a - half_b);
-  visit(center - half_a + half_b);
-  visit(center - half_a - half_b);
-}
 
 // Errors of what is built inside say whose they are.
 template <class Build>
@@ -93,7 +73,6 @@ class Builder {
   void add_sensors();
   MeterSet make_meters(const MetersDescription& meters) const;
   void find_media();
-  uint32_t medium_at(Vec3 p) const;
   void add_warnings();
 
   Affine to_scene(Affine m) const {
@@ -101,9 +80,6 @@ class Builder {
     return m;
   }
   Vec3 to_scene(const Vec3d& p) const { return Vec3(p - out_->origin); }
-  float free_error(const Vec3& p) const { return gamma_error * max_abs(p); }
-  float error_at(const Vec3& p, const Vec3& n) const;
-  Vec3 off_surface(const Vec3& p, const Vec3& n) const;
   void warn(std::string text) { out_->warnings.push_back(std::move(text)); }
 
   const Description& in_;
@@ -208,23 +184,6 @@ void Builder::add_geometry() {
   out_->raytracer = std::make_unique<Raytracer>(out_->meshes, instances_, out_->texturing, threads_);
 }
 
-// How far p may be from where it should be, and from a surface that it lies on: p + n * 2 * error is in front of both.
-float Builder::error_at(const Vec3& p, const Vec3& n) const {
-  const float own = free_error(p);
-  const float reach = 0x1p-17f * out_->radius;  // no surface point's error is larger
-  Hit hit;
-  if (!(reach > 0) || !out_->raytracer->intersect(p + n * reach, -n, 2 * reach, hit)) return own;
-  const SurfacePoint s = out_->raytracer->surface_at(hit);
-  const float distance = std::abs(reach - hit.t);
-  return distance <= own + 2 * s.error ? own + distance + s.error : own;
-}
-
-// A source without extent that lies on a surface shines from the side that it faces.
-Vec3 Builder::off_surface(const Vec3& p, const Vec3& n) const {
-  const float error = error_at(p, n);
-  return error > free_error(p) ? p + n * (2 * error) : p;
-}
-
 // ---- emitters ----
 
 bool Builder::add_emitter(std::unique_ptr<Emitter> emitter, const Vec3& probe) {
@@ -282,7 +241,7 @@ void Builder::add_light(const LightDescription& light, float dimming) {
   const Rgb intensity = light.intensity * dimming;
   if (is_black(intensity)) return;
   const Vec3 axis = -Axes(light.to_world).frame().n;
-  const Vec3 p = off_surface(to_scene(light.to_world.column(3)), axis);
+  const Vec3 p = off_surface(*out_, to_scene(light.to_world.column(3)), axis);
   if (light.kind == UPS_LIGHT_POINT)
     add_emitter(std::make_unique<PointEmitter>(p, intensity, free_error(p)), p);
   else if (light.kind == UPS_LIGHT_SPOT)
@@ -312,15 +271,14 @@ void Builder::add_luminaire(uint32_t id, const LuminaireDescription& luminaire, 
   if (!luminaire.use_opening || !has_area) {
     if (luminaire.use_opening && opening.shape != photometry::OpeningShape::point)
       warn(name + "its opening has no horizontal extent: it emits from a point");
-    const Vec3 q = off_surface(p, nadir);
+    const Vec3 q = off_surface(*out_, p, nadir);
     add_emitter(std::make_unique<ProfilePointEmitter>(distribution, frame, q, scale, free_error(q)), q);
     return;
   }
   if (!ProfileOpeningEmitter::is_exact(opening))
     warn(name + "its opening is not flat: it emits from the opening's horizontal extent");
-  float error = error_at(p, nadir);
-  each_corner(p, frame.s * (0.5f * opening.size_m[0]), frame.t * (0.5f * opening.size_m[1]),
-              [&](const Vec3& corner) { error = std::max(error, error_at(corner, nadir)); });
+  const float error =
+      error_at(*out_, p, nadir, frame.s * (0.5f * opening.size_m[0]), frame.t * (0.5f * opening.size_m[1]));
   auto emitter = std::make_unique<ProfileOpeningEmitter>(distribution, frame, p, opening, scale, error);
   const Vec3 front = p + nadir * (2 * error);  // where its rays start, and where walks run into it
   const DiscIndex::Disc disc{front, emitter->normal(), emitter->circumscribed_radius()};
@@ -345,10 +303,9 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
       const Vec3d t(in.tangents[i]), s = normalize(t - n * dot(t, n));
       meter.frame = {Vec3(s), Vec3(cross(n, s)), Vec3(n)};
     }
-    meter.error = error_at(meter.p, meter.frame.n);
-    if (!set.is_cell()) return;
-    each_corner(meter.p, meter.frame.s * (0.5f * set.cell_width), meter.frame.t * (0.5f * set.cell_height),
-                [&](const Vec3& corner) { meter.error = std::max(meter.error, error_at(corner, meter.frame.n)); });
+    const Vec3 half_a = meter.frame.s * (0.5f * set.cell_width), half_b = meter.frame.t * (0.5f * set.cell_height);
+    meter.error = set.is_cell() ? error_at(*out_, meter.p, meter.frame.n, half_a, half_b)
+                                : error_at(*out_, meter.p, meter.frame.n);
   });
   return set;
 }
@@ -367,25 +324,12 @@ void Builder::add_sensors() {
 
 // ---- media ----
 
-// The solid glass that p lies in: of the first glass surface in some direction p sees the inside, or none.
-uint32_t Builder::medium_at(Vec3 p) const {
-  const Vec3 d = normalize(Vec3(0.0123f, 0.0071f, 1.0f));  // along no wall
-  Hit hit;
-  for (int crossings = 0; crossings < 10'000; ++crossings) {
-    if (!out_->raytracer->intersect(p, d, INFINITY, hit)) return none;
-    const SurfacePoint s = out_->raytracer->surface_at(hit);
-    if (out_->materials[s.material].model == MaterialModel::glass) return dot(d, s.ng) > 0 ? s.material : none;
-    p = s.ray_origin(d);
-  }
-  return none;
-}
-
 void Builder::find_media() {
   bool absorbs = false;
   for (size_t i = 0; i < out_->materials.size(); ++i)
     absorbs |= used_materials_[i] && out_->materials[i].model == MaterialModel::glass &&
                !is_black(out_->materials[i].absorption_per_m);
-  const auto find = [&](const Vec3& p) { return absorbs ? medium_at(p) : none; };
+  const auto find = [&](const Vec3& p) { return absorbs ? medium_at(*out_, p) : none; };
   for (const Camera& camera : out_->cameras) out_->medium_of_camera.push_back(find(camera.position()));
   for (const Vec3& p : emitter_probes_) out_->medium_of_emitter.push_back(find(p));
   for (const MeterSet& set : out_->meter_sets) {

@@ -1,0 +1,40 @@
+// See probe.h.
+#include "scene/probe.h"
+
+namespace ups {
+
+float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n) {
+  const float own = free_error(p);
+  const float reach = 0x1p-17f * scene.radius;  // no surface point's error is larger
+  Hit hit;
+  if (!(reach > 0) || !scene.raytracer->intersect(p + n * reach, -n, 2 * reach, hit)) return own;
+  const SurfacePoint s = scene.raytracer->surface_at(hit);
+  const float distance = std::abs(reach - hit.t);
+  return distance <= own + 2 * s.error ? own + distance + s.error : own;
+}
+
+float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& half_a, const Vec3& half_b) {
+  float error = error_at(scene, p, n);
+  for (const Vec3& corner : {p + half_a + half_b, p + half_a - half_b, p - half_a + half_b, p - half_a - half_b})
+    error = std::max(error, error_at(scene, corner, n));
+  return error;
+}
+
+Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n) {
+  const float error = error_at(scene, p, n);
+  return error > free_error(p) ? p + n * (2 * error) : p;
+}
+
+uint32_t medium_at(const Snapshot& scene, Vec3 p) {
+  const Vec3 d = normalize(Vec3(0.0123f, 0.0071f, 1.0f));  // along no wall
+  Hit hit;
+  for (int crossings = 0; crossings < 10'000; ++crossings) {
+    if (!scene.raytracer->intersect(p, d, INFINITY, hit)) return none;
+    const SurfacePoint s = scene.raytracer->surface_at(hit);
+    if (scene.materials[s.material].model == MaterialModel::glass) return dot(d, s.ng) > 0 ? s.material : none;
+    p = s.ray_origin(d);
+  }
+  return none;
+}
+
+}  // namespace ups

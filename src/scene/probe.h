@@ -1,0 +1,20 @@
+// Where does a point stand that is no surface's own: off which surface, in which glass? Asked at commit by
+// scene/prepare for meters, cameras and luminaires.
+#pragma once
+#include "scene/snapshot.h"
+
+namespace ups {
+
+// Rounding of a free point, as for surface points.
+inline float free_error(const Vec3& p) { return 16 * 0x1p-24f * max_abs(p); }
+
+// How far p may be from where it should be, and from a surface that it lies on: p + n * 2 * error is in front of both.
+float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n);
+// The same for a rectangle about p.
+float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& half_a, const Vec3& half_b);
+// A source without extent that lies on a surface shines from the side that n points to.
+Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n);
+// The material of the solid glass that p lies in, or none: the first glass surface in some direction tells by its side.
+uint32_t medium_at(const Snapshot& scene, Vec3 p);
+
+}  // namespace ups
