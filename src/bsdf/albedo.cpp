@@ -16,8 +16,8 @@
 namespace ups {
 namespace {
 
-constexpr int mu_count = 32, roughness_count = 12, ior_count = 10;
-constexpr float min_roughness = 0.05f;          // sqrt(alpha); below, the scaled functions no longer change
+constexpr int mu_count = 32, alpha_count = 13, ior_count = 10;
+constexpr float min_table_alpha = 4e-4f;        // below, the scaled functions no longer change
 constexpr float min_ior = 1.001f, max_ior = 3;  // beyond: as for max_ior
 
 float mu_coordinate(float mu, float alpha) { return 0.5f * (std::sqrt(mu * (1 + alpha) / (mu + alpha)) + mu); }
@@ -30,9 +30,10 @@ float mu_at(float coordinate, float alpha) {
   }
   return std::max(low, 1e-6f);
 }
+float alpha_coordinate(float alpha) { return std::cbrt(alpha); }
 float alpha_at(int i) {
-  const float roughness = min_roughness + (1 - min_roughness) * float(i) / (roughness_count - 1);
-  return roughness * roughness;
+  const float a = alpha_coordinate(min_table_alpha), c = a + (1 - a) * float(i) / (alpha_count - 1);
+  return c * c * c;
 }
 // Fresnel reflectances move fastest close to ior 1.
 float ior_coordinate(float ior) { return std::cbrt((ior - 1) / (ior + 1)); }
@@ -55,12 +56,19 @@ Position position(float coordinate, int count) {  // coordinate in [0, 1]
   const int i = std::min(int(x), count - 2);
   return {i, x - float(i)};
 }
-Position roughness_position(float alpha) {
-  return position((std::sqrt(alpha) - min_roughness) / (1 - min_roughness), roughness_count);
+Position alpha_position(float alpha) {
+  const float a = alpha_coordinate(min_table_alpha);
+  return position((alpha_coordinate(alpha) - a) / (1 - a), alpha_count);
 }
 Position ior_position(float ior) {
-  const float a = ior_coordinate(min_ior), b = ior_coordinate(max_ior);
-  return position((ior_coordinate(std::max(ior, min_ior)) - a) / (b - a), ior_count);
+  static const float a = ior_coordinate(min_ior), b = ior_coordinate(max_ior);
+  thread_local float last = 0;
+  thread_local Position found{};
+  if (ior != last) {
+    found = position((ior_coordinate(std::max(ior, min_ior)) - a) / (b - a), ior_count);
+    last = ior;
+  }
+  return found;
 }
 float mix(float a, float b, float t) { return a + (b - a) * t; }
 
@@ -96,11 +104,11 @@ struct DiffuseIncidence {
 
 // A function of mu and alpha, and its average over diffuse incidence as a function of alpha.
 struct Table {
-  float value[roughness_count][mu_count] = {};
+  float value[alpha_count][mu_count] = {};
   float average[average_count] = {};
 
   float at(float mu, float alpha) const {
-    const Position r = roughness_position(alpha), m = position(mu_coordinate(mu, alpha), mu_count);
+    const Position r = alpha_position(alpha), m = position(mu_coordinate(mu, alpha), mu_count);
     const float a = mix(value[r.index][m.index], value[r.index][m.index + 1], m.fraction);
     const float b = mix(value[r.index + 1][m.index], value[r.index + 1][m.index + 1], m.fraction);
     return mix(a, b, r.fraction);
@@ -211,7 +219,7 @@ struct Tables {
   std::array<Table, ior_count> coat, outside, inside;
 
   Tables() {
-    for (int r = 0; r < roughness_count; ++r)
+    for (int r = 0; r < alpha_count; ++r)
       for (int m = 0; m < mu_count; ++m) fill(r, m);
     const DiffuseIncidence incidence;
     conductor.integrate(incidence, envelope);
@@ -240,6 +248,12 @@ struct Tables {
         outside[n].value[r][m] += from_outside.missing / e;
         inside[n].value[r][m] += dielectric_ring(ring, mu, alpha, 1 / ior).missing / e;
       }
+    }
+    // Where next to nothing is missing, rounding must not leave less than nothing.
+    conductor.value[r][m] = std::max(0.0f, conductor.value[r][m]);
+    for (int n = 0; n < ior_count; ++n) {
+      outside[n].value[r][m] = std::max(0.0f, outside[n].value[r][m]);
+      inside[n].value[r][m] = std::max(0.0f, inside[n].value[r][m]);
     }
   }
 };

@@ -15,6 +15,13 @@ namespace ups {
 // (Veach 1997, 5.2).
 enum class TransportMode { radiance, importance };
 
+// Everything about one pair of directions that a technique and its weight need.
+struct Scattering {
+  Rgb value;              // f * |cos(wi)|
+  float pdf = 0;          // of wi given wo
+  float pdf_reverse = 0;  // of wo given wi
+};
+
 struct BsdfSample {
   Vec3 wi;                // local, unit
   Rgb weight;             // f * |cos| / pdf, or lobe's reflectance / probability for a delta lobe
@@ -23,7 +30,7 @@ struct BsdfSample {
   bool delta = false;
   bool transmitted = false;  // wi on the other side of the surface than wo
   // Delta lobes: (n_i^2 cos_i) / (n_o^2 cos_o) with i = side of wo, o = side of wi, shading cosines; 1 for reflection
-  // and for thin panes (algorithms.md 1.2, chi without its probabilities).
+  // and for thin panes (what remains of the MIS factor without its probabilities).
   float delta_jacobian = 1;
 };
 

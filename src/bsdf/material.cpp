@@ -25,7 +25,7 @@ bool is_interface_smooth(const Material& m, float alpha) {
   return m.model == MaterialModel::glass ? glass::is_smooth(alpha, m.ior) : alpha < min_alpha;
 }
 
-Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi) {
+Scattering evaluate_model(const BsdfParameters& p, const Vec3& wo, const Vec3& wi) {
   if (grazing(wo) || grazing(wi)) return {};
   switch (p.material->model) {
     case MaterialModel::matte:
@@ -143,18 +143,18 @@ bool Bsdf::has_continuous() const { return min_alpha_continuous() > 0; }
 
 bool Bsdf::transmits() const { return p_.material->model == MaterialModel::glass || !is_black(p_.transmittance); }
 
-Rgb Bsdf::eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-  return evaluate(p_, wo, wi).value * radiance_scale(p_, wo, wi, mode);
+Scattering Bsdf::evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  Scattering s = evaluate_model(p_, wo, wi);
+  s.value *= radiance_scale(p_, wo, wi, mode);
+  return s;
 }
-
-float Bsdf::pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(p_, wo, wi).pdf; }
 
 bool Bsdf::sample(const Vec3& wo, float u_lobe, const Vec2& u, TransportMode mode, BsdfSample& out) const {
   if (grazing(wo)) return false;
   const Sampled sampled = sample_model(p_, wo, u_lobe, u, mode, out);
   if (sampled != Sampled::direction) return sampled == Sampled::delta;
   const Vec3 wi = out.wi;
-  const Scattering s = evaluate(p_, wo, wi);
+  const Scattering s = evaluate_model(p_, wo, wi);
   if (!(s.pdf > 0)) return false;
   out = {wi, s.value * (radiance_scale(p_, wo, wi, mode) / s.pdf), s.pdf, s.pdf_reverse};
   out.transmitted = wo.z * wi.z < 0;

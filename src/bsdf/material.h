@@ -20,7 +20,7 @@ struct Material {
   // Emission and alpha do not scatter; they live beside this in scene/snapshot.h.
 };
 
-// Below this GGX alpha a lobe is a delta lobe in all walks (algorithms.md 2, hazard 4).
+// Below this GGX alpha a lobe is a delta lobe in all walks.
 inline constexpr float min_alpha = 3e-5f;
 
 // What the models (bsdf/models.h) read: the material at one surface point, with what is the same for all directions.
@@ -50,8 +50,10 @@ class Bsdf {
   // GGX alpha of the sharpest continuous lobe; 1 for Lambertian ones; 0 where there is no continuous lobe.
   float min_alpha_continuous() const;
 
-  Rgb eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
-  float pdf(const Vec3& wo, const Vec3& wi) const;
+  // All continuous lobes.
+  Scattering evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
+  Rgb eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const { return evaluate(wo, wi, mode).value; }
+  float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi, TransportMode::importance).pdf; }
   // False where nothing can be sampled (absorbed, or numerically degenerate); out is then unspecified.
   // u_lobe chooses lobes (and Fresnel), u the direction; all in [0, 1).
   bool sample(const Vec3& wo, float u_lobe, const Vec2& u, TransportMode mode, BsdfSample& out) const;

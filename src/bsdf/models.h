@@ -10,11 +10,6 @@
 
 namespace ups {
 
-struct Scattering {
-  Rgb value;
-  float pdf = 0, pdf_reverse = 0;
-};
-
 enum class Sampled { none, delta, direction };
 
 namespace diffuse {  // matte, diffuser
