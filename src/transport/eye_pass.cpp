@@ -54,7 +54,8 @@ float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3
   sensor.camera = false;
   const double radius2 = double(sensor.radius) * sensor.radius;
   sensor.counts = meter_counts(in.plan, in.settings, false, radius2);
-  sensor.end = mis::sensor_end(sensor.counts, merge_gate(in.plan, Bsdf(in.scene.materials[surface.material], surface.uv)), 0);
+  const bool merges = merge_gate(Bsdf(in.scene.materials[surface.material], surface.uv));
+  sensor.end = mis::sensor_end(sensor.counts, merges ? sensor.counts.eta : 0, 0);
   const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
   ++work.eye_paths;
   return luminance(EyeWalk(in, sensor, rng, work).from_surface(surface, frame).value);
@@ -108,9 +109,9 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       sensor.cell = set.is_cell();
       const double r1 = in.plan.meter_radius.empty() ? 0.0 : in.plan.meter_radius[s][m];
       const double radius2 = in.plan.radius2(r1, in.meter_radius_factor);
-      sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), radius2);
-      sensor.end = mis::sensor_end(sensor.counts, !set.is_cell(), set.cell_area());
-      sensor.radius = float(std::sqrt(radius2));
+      sensor.radius = walk_radius_share * float(std::sqrt(radius2));
+      sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), double(sensor.radius) * sensor.radius);
+      sensor.end = mis::sensor_end(sensor.counts, set.is_cell() ? 0 : eta_of(in.plan, in.settings, radius2), set.cell_area());
       sensor.photons = &in.meter_photons;
       sensor.medium = in.scene.medium_of_meter[s][m];
       MeterTally sum;

@@ -32,7 +32,7 @@ EyeTally EyeWalk::from_meter(const Vec3& p, const Frame& frame) {
   if (in_.settings.light_tracing && sensor_.cell) return tally_;  // so do light paths
   if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE) || in_.settings.light_tracing) meter_sample_light();
   if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
-    connect_one(0, [&](const LightVertex& l) { return meter_connect(l); });
+    connect_one(0, [&](const PreparedLight& l) { return meter_connect(l); });
   if (in_.settings.light_tracing) return tally_;
 
   const Vec3 local = square_to_cosine_hemisphere(rng_.direction(0));
@@ -68,11 +68,11 @@ void EyeWalk::walk() {
     Vertex v{surface, Bsdf(scene_.materials[surface.material], surface.uv), -direction_, {}, arrive(cos_in, distance), false, edges};
     v.local_wo = surface.shading.to_local(v.wo);
     if (!consistent_side(surface, v.wo, v.local_wo)) return;
-    v.merge = merge_gate(in_.plan, v.bsdf);
+    v.merge = merge_gate(v.bsdf);
     if (v.bsdf.has_continuous()) {
       if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) sample_light(v);
       if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
-        connect_one(edges, [&](const LightVertex& l) { return connect(v, l); });
+        connect_one(edges, [&](const PreparedLight& l) { return connect(v, l); });
       if (v.merge && sensor_.radius > 0 && sensor_.photons) merge(v);
     }
     if (!scatter(v)) return;
@@ -152,19 +152,34 @@ void EyeWalk::sample_light(const Vertex& v) {
   if (!emitter.sample_direct(v.surface.p, rng_.position(v.edges), s)) return;
   const Vec3 local = v.surface.shading.to_local(s.wi);
   if (!consistent_side(v.surface, s.wi, local)) return;
-  const Rgb f = v.bsdf.eval(v.local_wo, local, TransportMode::radiance);
-  if (is_black(f)) return;
+  const Scattering f = v.bsdf.evaluate(v.local_wo, local, TransportMode::radiance);
+  if (is_black(f.value)) return;
   const double cos_1 = std::abs(dot(s.wi, v.surface.ng)), d2 = double(s.distance) * s.distance;
   const DirectDensities p = direct_densities(scene_, choice, s, cos_1);
-  const double pb_0 = emitter.is_delta() ? 0.0 : v.bsdf.pdf(v.local_wo, local) * s.cos_0 / d2;
+  const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * s.cos_0 / d2;
   const double total = (v.merge && in_.plan.gates.merge_at_first ? sensor_.counts.eta : 0.0) +
-                       mis::eye_total(v.state, in_.plan.gates, sensor_.camera, true, v.bsdf.pdf(local, v.local_wo));
+                       mis::eye_total(v.state, in_.plan.gates, sensor_.camera, true, f.pdf_reverse);
   const double w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1, total);
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, s.wi);
-  const Rgb value = throughput_ * f * s.weight * attenuation(scene_, medium, s.distance) * float(w / choice.probability);
+  const Rgb value = throughput_ * f.value * s.weight * attenuation(scene_, medium, s.distance) * float(w / choice.probability);
   if (is_black(value)) return;
   if (is_finite(value) && !segment_free(scene_, v.surface.ray_origin(s.wi), lifted(s.p, s.n, s.error), work_)) return;
   add(value, edges, Drop::light_sample);
+}
+
+// The light path's vertices as connections read them, made at the first that needs them.
+const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
+  thread_local std::vector<PreparedLight> prepared;
+  if (!light_is_prepared_) {
+    prepared.clear();
+    for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
+      const LightVertex& l = in_.light.vertices[i];
+      const SurfacePoint surface = l.surface();
+      prepared.push_back({&l, surface, Bsdf(scene_.materials[l.material], l.uv), surface.shading.to_local(l.wo)});
+    }
+    light_is_prepared_ = true;
+  }
+  return prepared;
 }
 
 // All connections of a vertex, by one of them: each is weighed without its shadow ray, one is chosen in proportion and
@@ -174,8 +189,8 @@ void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
   thread_local std::vector<Connection> all;
   all.clear();
   double sum = 0;
-  for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
-    const Connection c = weigh(in_.light.vertices[i]);
+  for (const PreparedLight& light : prepared_light()) {
+    const Connection c = weigh(light);
     const float size = luminance(c.value);
     if (!is_finite(c.value)) ++work_.dropped[size_t(Drop::connect)];
     if (!(size > 0) || !is_finite(c.value)) continue;
@@ -192,7 +207,8 @@ void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
 }
 
 // 2 <= s < k: an edge to a vertex of the light path.
-EyeWalk::Connection EyeWalk::connect(const Vertex& v, const LightVertex& l) const {
+EyeWalk::Connection EyeWalk::connect(const Vertex& v, const PreparedLight& light) const {
+  const LightVertex& l = *light.vertex;
   const uint32_t edges = v.edges + 1 + l.depth;
   if (longer_than_allowed(edges)) return {};
   const Vec3 to = l.p - v.surface.p;
@@ -202,22 +218,19 @@ EyeWalk::Connection EyeWalk::connect(const Vertex& v, const LightVertex& l) cons
   const Vec3 d = to / distance;
   const Vec3 eye_local = v.surface.shading.to_local(d);
   if (!consistent_side(v.surface, d, eye_local)) return {};
-  const Rgb f_eye = v.bsdf.eval(v.local_wo, eye_local, TransportMode::radiance);
-  if (is_black(f_eye)) return {};
-  const SurfacePoint surface = l.surface();
-  const Vec3 light_local = surface.shading.to_local(-d), light_wo = surface.shading.to_local(l.wo);
-  if (!consistent_side(surface, -d, light_local)) return {};
-  const Bsdf bsdf(scene_.materials[l.material], l.uv);
-  const Rgb f_light = bsdf.eval(light_wo, light_local, TransportMode::importance) * shading_correction(surface, l.wo, -d);
-  if (is_black(f_light)) return {};
+  const Vec3 light_local = light.surface.shading.to_local(-d);
+  if (!consistent_side(light.surface, -d, light_local)) return {};
+  const Scattering f_eye = v.bsdf.evaluate(v.local_wo, eye_local, TransportMode::radiance);
+  if (is_black(f_eye.value)) return {};
+  const Scattering f_light = light.bsdf.evaluate(light.local_wo, light_local, TransportMode::importance);
+  if (is_black(f_light.value)) return {};
   const double cos_eye = std::abs(dot(d, v.surface.ng)), cos_light = std::abs(dot(d, l.ng));
-  const double pb_light = v.bsdf.pdf(v.local_wo, eye_local) * cos_light / d2;
-  const double pf_eye = bsdf.pdf(light_wo, light_local) * cos_eye / d2;
-  const double w = mis::weight_connect(l.mis, v.state, sensor_.counts, l.merge, v.merge, pb_light, bsdf.pdf(light_local, light_wo),
-                                       pf_eye, v.bsdf.pdf(eye_local, v.local_wo));
+  const double w = mis::weight_connect(l.mis, v.state, sensor_.counts, l.merge, v.merge, f_eye.pdf * cos_light / d2,
+                                       f_light.pdf_reverse, f_light.pdf * cos_eye / d2, f_eye.pdf_reverse);
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
-  const Rgb value = throughput_ * f_eye * l.flux * f_light * attenuation(scene_, medium, distance) * float(w / d2);
-  return {value, v.surface.ray_origin(d), surface.ray_origin(-d), edges};
+  const float scale = float(w / d2) * shading_correction(light.surface, l.wo, -d);
+  const Rgb value = throughput_ * f_eye.value * l.flux * f_light.value * attenuation(scene_, medium, distance) * scale;
+  return {value, v.surface.ray_origin(d), light.surface.ray_origin(-d), edges};
 }
 
 double EyeWalk::photon_norm() const {
@@ -238,7 +251,7 @@ void EyeWalk::meter_merge(const SurfacePoint& surface) {
     const LightVertex& l = in_.light.vertices[index];
     const float cos_light = dot(l.wo, meter_frame_.n);
     if (longer_than_allowed(l.depth) || cos_light < min_cosine || !same_surface(surface, l)) return;
-    const double w = in_.settings.photon_mapping ? 1.0 : mis::weight_merge(l.mis, sensor_.counts, cos_light * double(inv_pi), 0.0);
+    const double w = in_.settings.photon_mapping ? 1.0 : mis::weight_merge_at_sensor(l.mis, sensor_.counts, sensor_.end.merge, cos_light * double(inv_pi));
     ++work_.merges;
     add(l.flux * float(w * norm), l.depth, Drop::merge);
   });
@@ -255,15 +268,15 @@ void EyeWalk::merge(const Vertex& v) {
     const Vec3 local = v.surface.shading.to_local(l.wo);
     if (!consistent_side(v.surface, l.wo, local)) return;
     // eval() carries |cos(wi, n_s)|; a photon's surface density already carries |cos(wi, n_g)|.
-    const Rgb f = v.bsdf.eval(v.local_wo, local, TransportMode::radiance) / std::abs(cos_light);
-    if (is_black(f)) return;
+    const Scattering f = v.bsdf.evaluate(v.local_wo, local, TransportMode::radiance);
+    if (is_black(f.value)) return;
     double w = 1;
     if (!in_.settings.photon_mapping) {
-      const double eye = mis::eye_total(v.state, in_.plan.gates, sensor_.camera, l.depth == 1, v.bsdf.pdf(local, v.local_wo));
-      w = mis::weight_merge(l.mis, sensor_.counts, v.bsdf.pdf(v.local_wo, local), eye);
+      const double eye = mis::eye_total(v.state, in_.plan.gates, sensor_.camera, l.depth == 1, f.pdf_reverse);
+      w = mis::weight_merge(l.mis, sensor_.counts, f.pdf, eye);
     }
     ++work_.merges;
-    const Rgb value = throughput_ * f * l.flux * float(w * norm);
+    const Rgb value = throughput_ * f.value * l.flux * float(w * norm / std::abs(cos_light));
     if (add(value, v.edges + l.depth, Drop::merge))
       tally_.bias += 2 * luminance(value) * (2 * d2 < r2 ? -1.0f : 1.0f);
   });
@@ -317,7 +330,8 @@ void EyeWalk::meter_sample_light() {
 }
 
 // s = k: an edge from the meter's own point to a vertex of the light path.
-EyeWalk::Connection EyeWalk::meter_connect(const LightVertex& l) const {
+EyeWalk::Connection EyeWalk::meter_connect(const PreparedLight& light) const {
+  const LightVertex& l = *light.vertex;
   const uint32_t edges = 1 + l.depth;
   if (longer_than_allowed(edges)) return {};
   const Vec3 to = l.p - last_;
@@ -327,20 +341,17 @@ EyeWalk::Connection EyeWalk::meter_connect(const LightVertex& l) const {
   const Vec3 d = to / distance;
   const double cos_meter = dot(d, meter_frame_.n);
   if (cos_meter < min_cosine) return {};
-  const SurfacePoint surface = l.surface();
-  const Vec3 light_local = surface.shading.to_local(-d), light_wo = surface.shading.to_local(l.wo);
-  if (!consistent_side(surface, -d, light_local)) return {};
-  const Bsdf bsdf(scene_.materials[l.material], l.uv);
-  const Rgb f = bsdf.eval(light_wo, light_local, TransportMode::importance) * shading_correction(surface, l.wo, -d);
-  if (is_black(f)) return {};
+  const Vec3 light_local = light.surface.shading.to_local(-d);
+  if (!consistent_side(light.surface, -d, light_local)) return {};
+  const Scattering f = light.bsdf.evaluate(light.local_wo, light_local, TransportMode::importance);
+  if (is_black(f.value)) return {};
   const double cos_light = std::abs(dot(d, l.ng));
   double w = 1;
   if (!in_.settings.light_tracing)
     w = mis::weight_sensor_connect(l.mis, sensor_.counts, sensor_.counts.connect, sensor_.end, l.merge,
-                                   cos_meter * double(inv_pi) * cos_light / d2, bsdf.pdf(light_local, light_wo),
-                                   bsdf.pdf(light_wo, light_local) * cos_meter / d2);
-  const Rgb value = l.flux * f * attenuation(scene_, medium_, distance) * float(w * cos_meter / d2);
-  return {value, origin_, surface.ray_origin(-d), edges};
+                                   cos_meter * double(inv_pi) * cos_light / d2, f.pdf_reverse, f.pdf * cos_meter / d2);
+  const float scale = float(w * cos_meter / d2) * shading_correction(light.surface, l.wo, -d);
+  return {l.flux * f.value * attenuation(scene_, medium_, distance) * scale, origin_, light.surface.ray_origin(-d), edges};
 }
 
 }  // namespace ups

@@ -61,13 +61,20 @@ class EyeWalk {
     Vec3 from, to;
     uint32_t edges = 0;
   };
-  Connection connect(const Vertex& v, const LightVertex& l) const;
+  struct PreparedLight {
+    const LightVertex* vertex;
+    SurfacePoint surface;
+    Bsdf bsdf;
+    Vec3 local_wo;
+  };
+  const std::vector<PreparedLight>& prepared_light();
+  Connection connect(const Vertex& v, const PreparedLight& light) const;
   template <class Weigh>
   void connect_one(uint32_t vertex, const Weigh& weigh);
   void merge(const Vertex& v);
   bool scatter(const Vertex& v);
   void meter_sample_light();
-  Connection meter_connect(const LightVertex& l) const;
+  Connection meter_connect(const PreparedLight& light) const;
   void meter_merge(const SurfacePoint& surface);
   bool same_surface(const SurfacePoint& s, const LightVertex& l) const;
   double photon_norm() const;  // 1 / (N pi r^2)
@@ -97,6 +104,7 @@ class EyeWalk {
   Frame meter_frame_;
   Rgb throughput_{1.0f}, start_throughput_{1.0f};
   Edge edge_;
+  bool light_is_prepared_ = false;
   bool only_delta_ = true;  // no continuous scattering so far
   uint32_t medium_;
 };

@@ -139,7 +139,7 @@ class LightWalk {
     if (!in_.settings.photon_mapping && !in_.settings.light_tracing) {
       const mis::LightState s = arrive(p, cos_in, crossing.t);
       const double reverse = cos_in * inv_pi;
-      w = cell ? mis::weight_land(s, e.counts, set.cell_area(), reverse) : mis::weight_merge(s, e.counts, reverse, 0.0);
+      w = cell ? mis::weight_land(s, e.counts, set.cell_area(), reverse) : mis::weight_merge_at_sensor(s, e.counts, e.eta, reverse);
     }
     const double value = unweighted * w;
     if (!std::isfinite(value)) {
@@ -162,7 +162,7 @@ class LightWalk {
       absorb(Rgb(0.0f));
       return false;
     }
-    const bool merge = merge_gate(in_.plan, bsdf) && (a > 1 || in_.plan.gates.merge_at_first);
+    const bool merge = merge_gate(bsdf) && (a > 1 || in_.plan.gates.merge_at_first);
     if (bsdf.has_continuous()) {
       if (in_.store_vertices) store(a, wo, state, merge);
       if (in_.settings.has(UPS_TECHNIQUE_SENSOR_CONNECT))
@@ -203,7 +203,8 @@ class LightWalk {
     if (!pixel) return;
     const Vec3 local = surface_.shading.to_local(d);
     if (!consistent_side(surface_, d, local)) return;
-    const Rgb f = bsdf.eval(local_wo, local, TransportMode::importance) * shading_correction(surface_, -direction_, d);
+    const Scattering scattering = bsdf.evaluate(local_wo, local, TransportMode::importance);
+    const Rgb f = scattering.value * shading_correction(surface_, -direction_, d);
     if (is_black(f)) return;
     const float pdf_w = camera.pdf_w(-d), cos_out = std::abs(dot(d, surface_.ng));
     double w = 1;
@@ -211,7 +212,7 @@ class LightWalk {
       const float r = in_.plan.pixel_radius.empty() ? 0.0f : in_.plan.pixel_radius[c][*pixel];
       const mis::Counts n = camera_counts(in_.plan, in_.settings, in_.plan.radius2(r, in_.camera_radius_factor));
       w = mis::weight_sensor_connect(state, n, n.sensor_connect, {}, merge, double(pdf_w) * cos_out / d2,
-                                     bsdf.pdf(local, local_wo), 0.0);
+                                     scattering.pdf_reverse, 0.0);
     }
     const uint32_t medium = medium_beyond(scene_, surface_, medium_, d);
     const Rgb value = flux_ * f * attenuation(scene_, medium, std::sqrt(d2)) *

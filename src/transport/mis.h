@@ -94,13 +94,12 @@ struct EyeState {
 };
 
 // At the sensor's own point z_1 = x_k, before any edge: techniques that end there, for U1 of the weights below.
+// eta_sensor: N pi r^2 with the radius there; 0 where photons are not merged.
 struct SensorEnd {
-  double merge = 0;  // eta where photons are merged at z_1 (points), else 0
+  double merge = 0;  // eta_sensor
   double land = 0;   // (N/Ke) / pb_k for cells, else 0
 };
-inline SensorEnd sensor_end(const Counts& n, bool merges_at_sensor, double area) {
-  return {merges_at_sensor ? n.eta : 0.0, n.land * area};
-}
+inline SensorEnd sensor_end(const Counts& n, double eta_sensor, double area) { return {eta_sensor, n.land * area}; }
 
 // z_2 from the sensor. cos_out: at z_1 (1 for a pinhole, where U1 is 0). camera: dE counts t = 1 splats, else c.
 inline EyeState eye_first(const Counts& n, bool camera, const SensorEnd& u, double pdf_w, double cos_out, double cos_in,
@@ -178,6 +177,11 @@ inline double weight_sensor_connect(const LightState& l, const Counts& n, double
 // A merge at an eye vertex x_m; `eye` is eye_total there.
 inline double weight_merge(const LightState& l, const Counts& n, double pdf_reverse_light, double eye) {
   return n.eta / (n.eta + light_total(l, n, pdf_reverse_light) + eye);
+}
+
+// A merge at a meter's own point, whose radius may be another than that of its eye path's vertices: eta_sensor.
+inline double weight_merge_at_sensor(const LightState& l, const Counts& n, double eta_sensor, double pdf_reverse_light) {
+  return eta_sensor / (eta_sensor + light_total(l, n, pdf_reverse_light));
 }
 
 // A photon that crosses a cell of the given area (t = 0). Its own density is N pf_0..pf_k.

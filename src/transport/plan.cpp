@@ -54,7 +54,6 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   }
   plan.min_radius = 32 * 0x1p-24f * scene.radius;
   if (settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) plan.gates = {false, false};
-  plan.gate_glossy_merges = scene.effects.path_tracing_complete && !settings.photon_mapping;
   return plan;
 }
 
@@ -65,11 +64,15 @@ mis::Counts common_counts(const Plan& plan, const TransportSettings& s, double r
   n.hit = s.has(UPS_TECHNIQUE_EMITTER_HIT);
   n.light_sample = s.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
   n.connect = s.has(UPS_TECHNIQUE_CONNECT);
-  if (s.has(UPS_TECHNIQUE_MERGE)) n.eta = double(plan.light_paths) * 3.14159265358979323846 * radius2;
+  n.eta = eta_of(plan, s, radius2);
   return n;
 }
 
 }  // namespace
+
+double eta_of(const Plan& plan, const TransportSettings& s, double radius2) {
+  return s.has(UPS_TECHNIQUE_MERGE) ? double(plan.light_paths) * 3.14159265358979323846 * radius2 : 0.0;
+}
 
 mis::Counts camera_counts(const Plan& plan, const TransportSettings& s, double radius2) {
   mis::Counts n = common_counts(plan, s, radius2);

@@ -32,7 +32,6 @@ struct Plan {
   uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave
   uint32_t meter_samples = 1;   // Ke, a power of two
   mis::Gates gates;
-  bool gate_glossy_merges = false;  // no merging at vertices sharper than alpha 0.05: path tracing is complete there
   std::vector<std::vector<float>> pixel_radius, meter_radius;  // r_1 of each pixel, each meter; empty without merging
 
   float min_radius = 0;  // below some ulps of the coordinates a radius means nothing
@@ -54,8 +53,14 @@ struct Plan {
 
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings);
 
-// Counts of every technique for one eye path of a sensor; radius2 is that of this iteration.
+// A meter's own disc catches photons for all its eye paths at once and is wide; their vertices merge within this share of
+// its radius, where a few photons are enough.
+inline constexpr float walk_radius_share = 1.0f / 3.0f;
+
+// Counts of every technique for one eye path of a sensor; radius2 is that of its vertices in this iteration.
 mis::Counts camera_counts(const Plan& plan, const TransportSettings& settings, double radius2);
 mis::Counts meter_counts(const Plan& plan, const TransportSettings& settings, bool cell, double radius2);
+// N pi r^2.
+double eta_of(const Plan& plan, const TransportSettings& settings, double radius2);
 
 }  // namespace ups

@@ -59,10 +59,9 @@ inline bool segment_free(const Snapshot& scene, const Vec3& a, const Vec3& b, Wo
   return !scene.raytracer->occluded(a, d / l, l);
 }
 
-// Photons may be merged at a point of this material: a function of the point alone, so that both walks know it.
-inline bool merge_gate(const Plan& plan, const Bsdf& bsdf) {
-  return bsdf.has_continuous() && !(plan.gate_glossy_merges && bsdf.min_alpha_continuous() < 0.05f);
-}
+// Photons may be merged at a point: a function of the point alone, so that both walks know it. Sharp lobes are in: light
+// that comes to them by way of mirrors and lenses from a small emitter is found by nothing else in reasonable time.
+inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous(); }
 
 // The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe. Its
 // distance along the chain; 0: none.

@@ -62,7 +62,7 @@ class FastWeights {
   void walk_from_sensor() {
     eye_.resize(p_.k);
     const int k = p_.k;
-    end_ = p_.camera() ? mis::SensorEnd{} : mis::sensor_end(n_, p_.sensor == SensorType::point_meter, p_.cell_area);
+    end_ = p_.camera() ? mis::SensorEnd{} : mis::sensor_end(n_, p_.sensor == SensorType::point_meter ? n_.eta : 0.0, p_.cell_area);
     const double cos_sensor = p_.camera() ? 1 : p_.cos_far[k - 1];
     eye_[k - 1] =
         mis::eye_first(n_, p_.camera(), end_, p_.pdf_to_emitter[k], cos_sensor, p_.cos_near[k - 1], d2(k - 1));
