@@ -80,6 +80,7 @@ Leaks walk_in_room(const Raytracer& tracer, const Vec3& start, size_t count, uin
       const Vec3 n = dot(arrived, point.ng) > 0 ? -point.ng : point.ng;
       Vec3 local = square_to_cosine_hemisphere({uniform(rng), uniform(rng)});
       if (bounce % 5 == 0) local = normalize(Vec3(local.x, local.y, local.z * 1e-3f));  // grazing
+      if (local.z < 1e-6f) continue;  // walks reject such edges: they have no side
       const Vec3 d = Frame(n).to_world(local);
       if (!tracer.intersect(point.ray_origin(d), d, infinity, hit)) {
         ++leaks.escaped;
