@@ -39,7 +39,7 @@ bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, Iteratio
                                camera_factor, merges || connects, stop},
                               sensors, pool_, tally);
     const float camera_radius = largest_radius(plan_.pixel_radius, camera_factor);
-    const float meter_radius = walk_radius_share * largest_radius(plan_.meter_radius, meter_factor);
+    const float meter_radius = float(std::sqrt(plan_.radius2(plan_.walk_radius, meter_factor)));
     if (merges && camera_radius > 0) camera_photons = PhotonIndex(light.vertices, camera_radius);
     if (merges && meter_radius > 0) meter_photons = PhotonIndex(light.vertices, meter_radius);
   }

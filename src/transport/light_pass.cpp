@@ -317,14 +317,16 @@ LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensor
   return paths;
 }
 
-std::vector<std::vector<float>> pilot_crossings(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool) {
-  std::vector<std::vector<float>> distances;
-  for (const Block& b : run_blocks(in, sensors, pool))
+PilotPaths trace_pilot_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool) {
+  PilotPaths paths;
+  for (const Block& b : run_blocks(in, sensors, pool)) {
     for (const Block::Landing& l : b.landings) {
-      if (distances.size() <= l.disc) distances.resize(l.disc + 1);
-      distances[l.disc].push_back(l.distance2);
+      if (paths.crossings.size() <= l.disc) paths.crossings.resize(l.disc + 1);
+      paths.crossings[l.disc].push_back(l.distance2);
     }
-  return distances;
+    paths.vertices.insert(paths.vertices.end(), b.vertices.begin(), b.vertices.end());
+  }
+  return paths;
 }
 
 }  // namespace ups

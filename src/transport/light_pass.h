@@ -25,7 +25,11 @@ struct LightPassInput {
 // Adds to tally.splats, tally.meters, tally.work; the same bits for any number of threads.
 LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally);
 
-// Distances at which pilot light paths cross the discs of a sensor index, for choosing radii: squared, unsorted, by disc.
-std::vector<std::vector<float>> pilot_crossings(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool);
+// What is thrown away after radii are chosen from it.
+struct PilotPaths {
+  std::vector<std::vector<float>> crossings;  // squared distances at which discs of the sensor index are crossed, by disc
+  std::vector<LightVertex> vertices;
+};
+PilotPaths trace_pilot_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool);
 
 }  // namespace ups

@@ -32,7 +32,10 @@ struct Plan {
   uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave
   uint32_t meter_samples = 1;   // Ke, a power of two
   mis::Gates gates;
-  std::vector<std::vector<float>> pixel_radius, meter_radius;  // r_1 of each pixel, each meter; empty without merging
+  // r_1 of each pixel, and of each meter's own disc; empty without merging. A disc catches photons for all of a meter's
+  // eye paths at once and is wide; the vertices of those paths merge within walk_radius.
+  std::vector<std::vector<float>> pixel_radius, meter_radius;
+  float walk_radius = 0;
 
   float min_radius = 0;  // below some ulps of the coordinates a radius means nothing
 
@@ -52,10 +55,6 @@ struct Plan {
 };
 
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings);
-
-// A meter's own disc catches photons for all its eye paths at once and is wide; their vertices merge within this share of
-// its radius, where a few photons are enough.
-inline constexpr float walk_radius_share = 1.0f / 3.0f;
 
 // Counts of every technique for one eye path of a sensor; radius2 is that of its vertices in this iteration.
 mis::Counts camera_counts(const Plan& plan, const TransportSettings& settings, double radius2);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "transport/light_pass.h"
+#include "transport/photon_index.h"
 #include "transport/walk.h"
 
 namespace ups {
@@ -10,7 +11,7 @@ namespace ups {
 namespace {
 
 constexpr uint32_t pilot_iteration = 0xffffffffu;  // its random numbers are nobody else's
-constexpr size_t pilot_photons = 32;
+constexpr size_t disc_photons = 32, walk_photons = 4;
 
 // r_1 = 1.5 sqrt(A / pi), A the pixel's footprint at the first diffuse point.
 std::vector<float> pixel_radii(const Snapshot& scene, const Camera& camera, ThreadPool& pool) {
@@ -64,14 +65,41 @@ float distance_in_plane(const Snapshot& scene, const Meter& meter, float radius)
   return std::max(0.99f * free, radius / 16);
 }
 
+// A disc that catches 32 pilot photons is large enough where light is dense.
+void shrink_to_pilot(const SensorIndex& sensors, std::vector<std::vector<float>> distances, Plan& plan) {
+  for (uint32_t disc = 0; disc < distances.size(); ++disc) {
+    const SensorIndex::Entry& e = sensors.entry(disc);
+    std::vector<float>& d2 = distances[disc];
+    if (e.radius2 <= 0 || d2.size() < disc_photons) continue;
+    std::nth_element(d2.begin(), d2.begin() + (disc_photons - 1), d2.end());
+    float& r = plan.meter_radius[e.set][e.meter];
+    r = std::min(r, std::sqrt(d2[disc_photons - 1]));
+  }
+}
+
+// Median distance of a photon to its fourth neighbour: a query then finds a few.
+float typical_spacing(const std::vector<LightVertex>& photons, float largest) {
+  const PhotonIndex index(photons, largest);
+  std::vector<float> spacings, d2;
+  const size_t step = std::max<size_t>(1, photons.size() / 256);
+  for (size_t i = 0; i < photons.size(); i += step) {
+    d2.clear();
+    index.query(photons[i].p, largest, [&](uint32_t, float distance2) { d2.push_back(distance2); });
+    std::sort(d2.begin(), d2.end());
+    spacings.push_back(d2.size() > walk_photons ? std::sqrt(d2[walk_photons]) : largest);
+  }
+  if (spacings.empty()) return largest;
+  std::nth_element(spacings.begin(), spacings.begin() + ptrdiff_t(spacings.size() / 2), spacings.end());
+  return spacings[spacings.size() / 2];
+}
+
 }  // namespace
 
 void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE)) return;
   for (const Camera& camera : scene.cameras) plan.pixel_radius.push_back(pixel_radii(scene, camera, pool));
   for (const MeterSet& set : scene.meter_sets) {
-    const float r = set.is_cell() ? 0.5f * std::min(set.cell_width, set.cell_height) : half_spacing(set, scene.radius);
-    std::vector<float> radii(set.meters.size(), r);
+    std::vector<float> radii(set.meters.size(), set.is_cell() ? 0.0f : half_spacing(set, scene.radius));
     if (!set.is_cell())
       pool.for_blocks(radii.size(), 64, [&](size_t, size_t begin, size_t end) {
         for (size_t m = begin; m < end; ++m) radii[m] = distance_in_plane(scene, set.meters[m], radii[m]);
@@ -80,25 +108,21 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
   }
   if (settings.merge_radius > 0) {
     for (auto& radii : plan.pixel_radius) std::fill(radii.begin(), radii.end(), settings.merge_radius);
-    for (auto& radii : plan.meter_radius) std::fill(radii.begin(), radii.end(), settings.merge_radius);
+    for (size_t s = 0; s < scene.meter_sets.size(); ++s)
+      if (!scene.meter_sets[s].is_cell()) std::fill(plan.meter_radius[s].begin(), plan.meter_radius[s].end(), settings.merge_radius);
+    plan.walk_radius = settings.merge_radius;
     return;
   }
-  // Where light is dense, a disc that catches 32 pilot photons is large enough. The pilot is thrown away.
+  if (scene.meter_sets.empty()) return;
+  // The pilot's light paths say how dense light is, and are thrown away.
   static const std::atomic<bool> never{false};
   const SensorIndex sensors(scene, plan, settings, 0, pool.thread_count());
-  if (sensors.empty()) return;
   TransportSettings pilot = settings;
   pilot.photon_mapping = true;  // no weights are needed
-  const LightPassInput in{scene, plan, pilot, pilot_iteration, pilot_iteration, 0, 1.0, false, never};
-  std::vector<std::vector<float>> distances = pilot_crossings(in, sensors, pool);
-  for (uint32_t disc = 0; disc < distances.size(); ++disc) {
-    const SensorIndex::Entry& e = sensors.entry(disc);
-    std::vector<float>& d2 = distances[disc];
-    if (e.radius2 <= 0 || d2.size() < pilot_photons) continue;
-    std::nth_element(d2.begin(), d2.begin() + (pilot_photons - 1), d2.end());
-    float& r = plan.meter_radius[e.set][e.meter];
-    r = std::min(r, std::sqrt(d2[pilot_photons - 1]));
-  }
+  const LightPassInput in{scene, plan, pilot, pilot_iteration, pilot_iteration, 0, 1.0, true, never};
+  PilotPaths paths = trace_pilot_paths(in, sensors, pool);
+  shrink_to_pilot(sensors, std::move(paths.crossings), plan);
+  plan.walk_radius = typical_spacing(paths.vertices, 0.05f * scene.radius);
 }
 
 }  // namespace ups

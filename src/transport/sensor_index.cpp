@@ -7,7 +7,7 @@ namespace ups {
 SensorIndex::SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t visits,
                          int threads) {
   std::vector<DiscIndex::Disc> discs;
-  const double factor = Plan::radius2_factor(visits);
+  const double factor = Plan::radius2_factor(visits), walk_radius2 = plan.radius2(plan.walk_radius, factor);
   for (uint32_t s = 0; s < scene.meter_sets.size(); ++s) {
     const MeterSet& set = scene.meter_sets[s];
     const bool cell = set.is_cell();
@@ -18,7 +18,6 @@ SensorIndex::SensorIndex(const Snapshot& scene, const Plan& plan, const Transpor
       const double r = plan.meter_radius.empty() ? 0.0 : plan.meter_radius[s][m];
       const double radius2 = plan.radius2(r, factor);
       if (!cell && !(radius2 > 0)) continue;
-      const double walk_radius2 = radius2 * (walk_radius_share * walk_radius_share);
       entries_.push_back({s, m, cell ? 0.0 : radius2, cell ? 0.0 : eta_of(plan, settings, radius2),
                           meter_counts(plan, settings, cell, walk_radius2)});
       const float radius = cell ? half_diagonal * 1.0001f : float(std::sqrt(radius2));
