@@ -62,7 +62,8 @@ class FastWeights {
   void walk_from_sensor() {
     eye_.resize(p_.k);
     const int k = p_.k;
-    end_ = p_.camera() ? mis::SensorEnd{} : mis::sensor_end(n_, p_.sensor == SensorType::point_meter ? n_.eta : 0.0, p_.cell_area);
+    eta_sensor_ = p_.sensor == SensorType::point_meter ? n_.eta * p_.sensor_merge_share : 0;
+    end_ = p_.camera() ? mis::SensorEnd{} : mis::sensor_end(n_, eta_sensor_, p_.cell_area);
     const double cos_sensor = p_.camera() ? 1 : p_.cos_far[k - 1];
     eye_[k - 1] =
         mis::eye_first(n_, p_.camera(), end_, p_.pdf_to_emitter[k], cos_sensor, p_.cos_near[k - 1], d2(k - 1));
@@ -97,8 +98,8 @@ class FastWeights {
     return mis::weight_sensor_connect(light_[a], n_, count, end_, light_gate(a), pb_a, p_.pdf_to_emitter[a], pf_a);
   }
   double merge(int m) const {
-    const double eye =
-        m == p_.k ? end_.land : mis::eye_total(eye_[m], gates_, p_.camera(), m == 1, p_.pdf_to_sensor[m]);
+    if (m == p_.k) return mis::weight_merge_at_sensor(light_[m], n_, eta_sensor_, p_.pdf_to_emitter[m]);
+    const double eye = mis::eye_total(eye_[m], gates_, p_.camera(), m == 1, p_.pdf_to_sensor[m]);
     return mis::weight_merge(light_[m], n_, p_.pdf_to_emitter[m], eye);
   }
 
@@ -108,6 +109,7 @@ class FastWeights {
   std::vector<mis::LightState> light_;  // [a]: at x_a
   std::vector<mis::EyeState> eye_;      // [a]: at x_a
   mis::SensorEnd end_;
+  double eta_sensor_ = 0;
 };
 
 }  // namespace ups::test

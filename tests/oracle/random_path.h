@@ -28,6 +28,7 @@ struct Path {
   double nee_a = 1;              // pn_0, likewise
   double disc_area = 1;          // directional: where its light starts
   double cell_area = 1;
+  double sensor_merge_share = 1;  // eta at a point meter's own point over eta at the vertices of its eye paths
 
   bool hittable() const { return emitter == EmitterType::area; }
   bool camera() const { return sensor == SensorType::camera; }
@@ -74,6 +75,7 @@ inline Path random_path(Random& random, const PathRanges& range) {
   path.nee_a = random.log_uniform(range.position_min, range.position_max);
   path.disc_area = 1 / random.log_uniform(range.position_min, range.position_max);
   path.cell_area = 1 / random.log_uniform(range.position_min, range.position_max);
+  path.sensor_merge_share = random.log_uniform(1e-3, 30);
   return path;
 }
 

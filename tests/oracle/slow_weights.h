@@ -72,7 +72,8 @@ inline std::vector<Term> slow_weights(const Path& p, const mis::Counts& n, const
   if (p.sensor == SensorType::cell) add(Technique::land, k + 1, n.land, pf[0], k + 1, k + 1);
   for (int m = 1; m <= k; ++m) {
     const bool own = m == k ? p.sensor == SensorType::point_meter : p.merges[m] && !p.delta[m];
-    if (own && (m > 1 || gates.merge_at_first)) add(Technique::merge, m, n.eta, pf[0], m + 1, m);
+    if (own && (m > 1 || gates.merge_at_first))
+      add(Technique::merge, m, n.eta * (m == k ? p.sensor_merge_share : 1), pf[0], m + 1, m);
   }
 
   double largest = -INFINITY, sum = 0;
