@@ -1,7 +1,7 @@
 // What emits light. One interface for surfaces, points and luminous openings; a kind is a class in a file of its own.
 //
 // Densities: *_a per area (m^-2), *_w per solid angle. A source without extent has no area density: its position densities
-// are 1 in both emission and next-event estimation, so that their ratio is right (algorithms.md 1.2, first-hit table).
+// are 1 in both emission and next-event estimation, so that their ratio is right.
 // Densities here do not include the probability of choosing the emitter; EmitterSet knows that.
 #pragma once
 #include <cstdint>

@@ -93,27 +93,30 @@ float typical_spacing(const std::vector<LightVertex>& photons, float largest) {
   return spacings[spacings.size() / 2];
 }
 
+std::vector<float> disc_radii(const Snapshot& scene, const MeterSet& set, ThreadPool& pool) {
+  if (set.is_cell()) return std::vector<float>(set.meters.size());  // photons are counted there, not merged
+  std::vector<float> radii(set.meters.size(), half_spacing(set, scene.radius));
+  pool.for_blocks(radii.size(), 64, [&](size_t, size_t begin, size_t end) {
+    for (size_t m = begin; m < end; ++m) radii[m] = distance_in_plane(scene, set.meters[m], radii[m]);
+  });
+  return radii;
+}
+
+void fix_radii(float radius, Plan& plan) {
+  for (auto& radii : plan.pixel_radius) std::fill(radii.begin(), radii.end(), radius);
+  for (auto& radii : plan.meter_radius)
+    for (float& r : radii)
+      if (r > 0) r = radius;
+  plan.walk_radius = radius;
+}
+
 }  // namespace
 
 void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE)) return;
   for (const Camera& camera : scene.cameras) plan.pixel_radius.push_back(pixel_radii(scene, camera, pool));
-  for (const MeterSet& set : scene.meter_sets) {
-    std::vector<float> radii(set.meters.size(), set.is_cell() ? 0.0f : half_spacing(set, scene.radius));
-    if (!set.is_cell())
-      pool.for_blocks(radii.size(), 64, [&](size_t, size_t begin, size_t end) {
-        for (size_t m = begin; m < end; ++m) radii[m] = distance_in_plane(scene, set.meters[m], radii[m]);
-      });
-    plan.meter_radius.push_back(std::move(radii));
-  }
-  if (settings.merge_radius > 0) {
-    for (auto& radii : plan.pixel_radius) std::fill(radii.begin(), radii.end(), settings.merge_radius);
-    for (size_t s = 0; s < scene.meter_sets.size(); ++s)
-      if (!scene.meter_sets[s].is_cell()) std::fill(plan.meter_radius[s].begin(), plan.meter_radius[s].end(), settings.merge_radius);
-    plan.walk_radius = settings.merge_radius;
-    return;
-  }
-  if (scene.meter_sets.empty()) return;
+  for (const MeterSet& set : scene.meter_sets) plan.meter_radius.push_back(disc_radii(scene, set, pool));
+  if (settings.merge_radius > 0) return fix_radii(settings.merge_radius, plan);
   // The pilot's light paths say how dense light is, and are thrown away.
   static const std::atomic<bool> never{false};
   const SensorIndex sensors(scene, plan, settings, 0, pool.thread_count());
@@ -123,6 +126,9 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
   PilotPaths paths = trace_pilot_paths(in, sensors, pool);
   shrink_to_pilot(sensors, std::move(paths.crossings), plan);
   plan.walk_radius = typical_spacing(paths.vertices, 0.05f * scene.radius);
+  // A coarse image's pixels are wider than the light's detail that photons can show.
+  for (auto& radii : plan.pixel_radius)
+    for (float& r : radii) r = std::min(r, 2 * plan.walk_radius);
 }
 
 }  // namespace ups
