@@ -1,6 +1,6 @@
 /* The smallest whole program: an empty room, one downlight, 8 x 6 illuminance meters; the light on each, in lux.
  *
- *   room_c [iterations]        more iterations, smaller errors
+ *   room_c [iterations]        more iterations, smaller errors; with very few the error is not known: -1
  */
 #include <stdio.h>
 #include <stdlib.h>
