@@ -49,7 +49,8 @@ TEST(Cie171, DiffuseReflectionOverAHorizontalReflector) {
   const Sensor wall_meters = scene.add_meters(on_wall, {0, 1, 0}),
                ceiling_meters = scene.add_meters(on_ceiling, {0, 0, -1});
   for (ups_method method : eye_methods) {
-    const Result result = scene.render({.method = method, .iterations = 256});
+    const uint32_t iterations = method == UPS_METHOD_PATH_TRACING ? 256 : 512;
+    const Result result = scene.render({.method = method, .iterations = iterations});
     const auto w = result.readings(wall_meters), c = result.readings(ceiling_meters);
     for (int i = 0; i < 5; ++i)
       expect_lx(w[i], wall[i] / 100 * horizontal * rho, 0.01,
