@@ -169,7 +169,7 @@ def add_sensors(scene):
     scene.meters("workplane", Frame.upright((1.975, 1.05, 0.75)), width_m=2.25, height_m=2.0, columns=16, rows=12)
     scene.meters("face", Frame.facing((VANITY_X, 1.85, 1.55), (0, 1, 0)), width_m=0.36, height_m=0.48,
                  columns=6, rows=8)
-    scene.camera("view", (3.02, 0.14, 1.56), (1.16, 1.86, 1.02), 62, 640, 480)
+    scene.camera("view", (3.02, 0.14, 1.56), (1.16, 1.86, 0.86), 62, 640, 480)
 
 
 def main():

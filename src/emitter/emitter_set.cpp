@@ -5,7 +5,8 @@
 namespace ups {
 namespace {
 
-constexpr float flux_share = 0.1f;  // of choose_direct: no emitter's probability vanishes far away
+constexpr float flux_share = 0.1f;    // of choose_direct: no emitter's probability vanishes far away
+constexpr float least_exposed = 0.01f;  // nor behind glass, which the probe may have missed a way around
 
 }  // namespace
 
@@ -15,7 +16,8 @@ struct EmitterSet::Nearness {
   double total = 0;
 };
 
-EmitterSet::EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters) : emitters_(std::move(emitters)) {
+EmitterSet::EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std::vector<float>& exposed)
+    : emitters_(std::move(emitters)) {
   std::vector<double> flux;
   for (const auto& e : emitters_) flux.push_back(std::max(0.0, e->flux_lm()));
   by_flux_ = DiscreteDistribution(flux);
@@ -28,7 +30,8 @@ EmitterSet::EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters) : emitter
   for (size_t i = 0; i < emitters_.size(); ++i) {
     const Emitter& e = *emitters_[i];
     const float least = std::max(e.radius(), 1e-6f * extent);
-    bounds_.push_back({e.center(), float(flux[i] / flux_lm_), least * least, e.is_directional()});
+    const double share = exposed.empty() ? 1.0 : std::max(exposed[i], least_exposed);
+    bounds_.push_back({e.center(), float(share * flux[i] / flux_lm_), least * least, e.is_directional()});
   }
 }
 

@@ -11,7 +11,9 @@ namespace ups {
 class EmitterSet {
  public:
   EmitterSet() = default;
-  explicit EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters);
+  // exposed: of each emitter, the share of its flux that reaches a surface where next-event estimation can pick it, in
+  // [0, 1]; empty: all. A lamp behind a lens has none, and choosing it there is wasted. Only choose_direct uses it.
+  explicit EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std::vector<float>& exposed = {});
 
   size_t size() const { return emitters_.size(); }
   const Emitter& operator[](size_t i) const { return *emitters_[i]; }

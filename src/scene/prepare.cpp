@@ -52,7 +52,9 @@ class Builder {
     add_geometry();
     add_emissive_instances();
     add_sources();
-    out_->emitters = EmitterSet(std::move(emitters_));
+    std::vector<float> exposed;
+    for (const auto& e : emitters_) exposed.push_back(exposed_share(*out_, *e));
+    out_->emitters = EmitterSet(std::move(emitters_), exposed);
     if (!openings_.empty()) out_->openings = std::make_unique<DiscIndex>(std::move(openings_), threads_);
     add_sensors();
     find_media();

@@ -1,6 +1,10 @@
 // See probe.h.
 #include "scene/probe.h"
 
+#include <limits>
+
+#include "base/rng.h"
+
 namespace ups {
 
 float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n) {
@@ -35,6 +39,27 @@ uint32_t medium_at(const Snapshot& scene, Vec3 p) {
     p = s.ray_origin(d);
   }
   return none;
+}
+
+float exposed_share(const Snapshot& scene, const Emitter& emitter) {
+  constexpr uint32_t rays = 1024;
+  double total = 0, exposed = 0;
+  for (uint32_t i = 0; i < rays; ++i) {
+    const auto a = philox({i, 0, 0, 0}, {0, 0}), b = philox({i, 1, 0, 0}, {0, 0});
+    EmissionSample s;
+    if (!emitter.sample_emission({to_unit_float(a[0]), to_unit_float(a[1])}, {to_unit_float(b[0]), to_unit_float(b[1])}, s))
+      continue;
+    const double flux = luminance(s.flux);
+    total += flux;
+    Hit hit;
+    if (!scene.raytracer->intersect(s.p + s.n * (2 * s.error), s.direction, std::numeric_limits<float>::infinity(), hit)) {
+      exposed += flux;  // a meter in the air may stand in its way
+      continue;
+    }
+    const SurfacePoint surface = scene.raytracer->surface_at(hit);
+    if (Bsdf(scene.materials[surface.material], surface.uv).has_continuous()) exposed += flux;
+  }
+  return total > 0 ? float(exposed / total) : 1.0f;
 }
 
 }  // namespace ups

@@ -112,7 +112,7 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       const double walk_radius2 = in.plan.radius2(in.plan.walk_radius, in.meter_radius_factor);
       sensor.radius = float(std::sqrt(walk_radius2));
       sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), walk_radius2);
-      sensor.end = mis::sensor_end(sensor.counts, set.is_cell() ? 0 : eta_of(in.plan, in.settings, radius2), set.cell_area());
+      sensor.end = mis::sensor_end(sensor.counts, set.is_cell() ? 0 : eta_of(in.plan, in.settings, radius2) / samples, set.cell_area());
       sensor.photons = &in.meter_photons;
       sensor.medium = in.scene.medium_of_meter[s][m];
       MeterTally sum;

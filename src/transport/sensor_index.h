@@ -17,7 +17,7 @@ class SensorIndex {
   struct Entry {
     uint32_t set, meter;
     double radius2 = 0;  // of a point; 0: a cell
-    double eta = 0;      // N pi radius2
+    double eta = 0;      // N pi radius2 / Ke: a disc merges once for all eye paths of its meter
     mis::Counts counts;
   };
   bool empty() const { return entries_.empty(); }

@@ -74,7 +74,7 @@ inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, SurfacePoint& 
     distance += hit.t;
     direction = d;
     const Bsdf bsdf(scene.materials[s.material], s.uv);
-    if (bsdf.has_continuous()) return distance;
+    if (bsdf.has_continuous() || !bsdf.has_delta()) return distance;  // a black one is diffuse too
     BsdfSample next;
     if (!bsdf.sample(s.shading.to_local(-d), 0.5f, {0.5f, 0.5f}, TransportMode::radiance, next)) return 0;
     d = s.shading.to_world(next.wi);
