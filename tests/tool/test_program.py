@@ -88,7 +88,7 @@ class ProgramTest(unittest.TestCase):
         scene = self.write("room.gltf", scene or room())
         return json.loads(self.run_program("render", scene, "--json", "--seed", 7, *arguments).stdout)
 
-    def fail(self, *arguments, words):
+    def expect_failure(self, *arguments, words):
         done = self.run_program(*arguments, code=1)
         self.assertEqual(done.stdout, "")
         for word in words:
@@ -123,20 +123,20 @@ class BrokenFiles(ProgramTest):
     def broken(self, change, words, command="render"):
         scene = room()
         change(scene)
-        self.fail(command, self.write("broken.gltf", scene), words=["broken.gltf"] + words)
+        self.expect_failure(command, self.write("broken.gltf", scene), words=["broken.gltf"] + words)
 
     def test_files_that_are_not_there(self):
-        self.fail("render", "none.gltf", words=["none.gltf"])
-        self.fail("info", "none.gltf", words=["none.gltf"])
-        self.fail("info", "none.ies", words=["none.ies"])
-        self.fail("compare", "a.exr", "b.exr", words=["a.exr"])
+        self.expect_failure("render", "none.gltf", words=["none.gltf"])
+        self.expect_failure("info", "none.gltf", words=["none.gltf"])
+        self.expect_failure("info", "none.ies", words=["none.ies"])
+        self.expect_failure("compare", "a.exr", "b.exr", words=["a.exr"])
 
     def test_bad_content(self):
-        self.fail("render", self.write("bad.gltf", "{"), words=["bad.gltf", "JSON"])
-        self.fail("render", self.write("bad.glb", b"glTF\2\0\0\0"), words=["bad.glb", "truncated"])
-        self.fail("info", self.write("bad.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 2"), words=["bad.ies"])
-        self.fail("info", self.write("bad.txt", ""), words=["bad.txt", ".gltf"])
-        self.fail("compare", self.write("a.exr", "no image"), self.path("a.exr"), words=["a.exr"])
+        self.expect_failure("render", self.write("bad.gltf", "{"), words=["bad.gltf", "JSON"])
+        self.expect_failure("render", self.write("bad.glb", b"glTF\2\0\0\0"), words=["bad.glb", "truncated"])
+        self.expect_failure("info", self.write("bad.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 2"), words=["bad.ies"])
+        self.expect_failure("info", self.write("bad.txt", ""), words=["bad.txt", ".gltf"])
+        self.expect_failure("compare", self.write("a.exr", "no image"), self.path("a.exr"), words=["a.exr"])
 
     def test_scenes_that_name_what_is_wrong(self):
         def material(scene): scene["materials"][0]["extras"]["ups"]["reflectence"] = 1
@@ -159,22 +159,24 @@ class BrokenFiles(ProgramTest):
     def test_methods_that_are_not_built(self):
         scene = self.write("room.gltf", room())
         for method in ("sppm", "bpm"):
-            self.fail("render", scene, "--method", method, "--iterations", 1, words=["ups: error"])
+            self.expect_failure("render", scene, "--method", method, "--iterations", 1, words=["ups: error"])
 
     def test_out_that_is_a_file(self):
-        self.fail("render", self.write("room.gltf", room()), "--out", self.path("room.gltf"), words=["room.gltf"])
+        self.expect_failure("render", self.write("room.gltf", room()), "--out", self.path("room.gltf"), words=["room.gltf"])
 
 
 class Render(ProgramTest):
     def test_json(self):
         result = self.render("--iterations", 32, "--threads", 1)
         self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
-                                       "seed", "flux", "dropped_samples", "meters", "cameras", "convergence",
+                                       "seed", "flux", "dropped_samples", "work", "meters", "cameras", "convergence",
                                        "warnings"})
         self.assertEqual(result["scene"], self.path("room.gltf"))
         self.assertEqual(result["iterations"], 32)
         self.assertEqual(result["seed"], 7)
         self.assertEqual(result["threads"], 1)
+        self.assertEqual(set(result["work"]), {"rays", "eye_paths", "light_paths", "connections", "merges"})
+        self.assertGreater(result["work"]["eye_paths"], 0)
         self.assertEqual(set(result["flux"]), {"emitted_lm", "absorbed_lm", "escaped_lm"})
         self.assertAlmostEqual(result["flux"]["emitted_lm"], 400 * 3.14159265, delta=0.01 * 1257)
         self.assertEqual(list(result["meters"]), ["work_plane", "spot"])
@@ -287,7 +289,7 @@ class InfoAndCompare(ProgramTest):
         self.assertIn("worst pixel", self.run_program("compare", a, b).stdout)
         grid = self.path("a/work_plane.exr")
         self.assertGreater(json.loads(self.run_program("compare", grid, grid, "--json").stdout)["mean_a"], 0)
-        self.fail("compare", a, grid, words=["24 x 16", "4 x 2"])
+        self.expect_failure("compare", a, grid, words=["24 x 16", "4 x 2"])
 
 
 if __name__ == "__main__":
