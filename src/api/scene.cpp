@@ -1,6 +1,7 @@
 // ups_scene.h: defaults of the descs, what is added to a scene, commit, and what can be asked afterwards.
 #include "api/desc.h"
 #include "api/handles.h"
+#include "base/text.h"
 #include "scene/check.h"
 #include "scene/prepare.h"
 
@@ -57,12 +58,6 @@ ups_scene_info info_of(const Snapshot& s, const MethodChoice& method) {
   const Vec3d low = Vec3d(s.raytracer->bounds_min()) + s.origin, high = Vec3d(s.raytracer->bounds_max()) + s.origin;
   for (int i = 0; i < 3; ++i) info.bounds_min_m[i] = low[i], info.bounds_max_m[i] = high[i];
   return info;
-}
-
-std::string lines(const std::vector<std::string>& list) {
-  std::string text;
-  for (const std::string& line : list) text += line + "\n";
-  return text;
 }
 
 }  // namespace

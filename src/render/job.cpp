@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "transport/light_pass.h"
 
 namespace ups {
@@ -13,18 +14,13 @@ namespace {
 constexpr uint32_t flux_paths = 65536;  // of the separate pass that books flux for methods without light paths
 constexpr uint32_t flux_iteration = 0xfffffffeu;
 
-std::string number(double v) {
-  std::string s = std::to_string(v);
-  return s;
-}
-
 void check(const ups_render_desc& d) {
   if (!(d.time_limit_s >= 0) || !std::isfinite(d.time_limit_s))
-    fail_argument("time_limit_s: " + number(d.time_limit_s) + " is not a finite number of seconds >= 0");
+    fail_argument("time_limit_s: " + std::to_string(d.time_limit_s) + " is not a finite number of seconds >= 0");
   if (!(d.target_relative_error >= 0) || !std::isfinite(d.target_relative_error))
-    fail_argument("target_relative_error: " + number(d.target_relative_error) + " is not a finite fraction >= 0");
+    fail_argument("target_relative_error: " + std::to_string(d.target_relative_error) + " is not a finite fraction >= 0");
   if (!(d.merge_radius_m >= 0) || !std::isfinite(d.merge_radius_m))
-    fail_argument("merge_radius_m: " + number(d.merge_radius_m) + " is not a finite length >= 0");
+    fail_argument("merge_radius_m: " + std::to_string(d.merge_radius_m) + " is not a finite length >= 0");
   if (d.light_paths_per_iteration > (1u << 24)) fail_argument("light_paths_per_iteration: at most 16777216");
   if (d.techniques >= 64) fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
   if (d.time_limit_s == 0 && d.target_relative_error == 0 && d.iteration_count == 0)
@@ -41,12 +37,6 @@ TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
   s.light_paths = d.light_paths_per_iteration;
   s.merge_radius = d.merge_radius_m;
   return s;
-}
-
-std::string lines(const std::vector<std::string>& v) {
-  std::string text;
-  for (const std::string& s : v) text += s + "\n";
-  return text;
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 namespace ups {
 
 struct Snapshot;
-struct TransportSettings;
 
 struct MethodChoice {
   int32_t method;                     // UPS_METHOD_*, never AUTO
