@@ -166,15 +166,33 @@ struct BufferFiles {
   std::map<std::string, Bytes> contents;  // by the path that tinygltf will ask for
 };
 
-bool file_exists(const std::string& path, void* user) { return static_cast<BufferFiles*>(user)->contents.count(path); }
-std::string expand_path(const std::string& path, void*) { return path; }
-
-bool read_whole_file(Bytes* out, std::string*, const std::string& path, void* user) {
-  const BufferFiles& files = *static_cast<BufferFiles*>(user);
-  const auto found = files.contents.find(path);
-  if (found == files.contents.end()) return false;
-  *out = found->second;
-  return true;
+// Set by name, and all of them: later versions of tinygltf also ask for the size, and refuse a set with a gap.
+template <class Callbacks>
+Callbacks callbacks_of(BufferFiles& files) {
+  Callbacks calls{};
+  calls.FileExists = [](const std::string& path, void* user) {
+    return static_cast<BufferFiles*>(user)->contents.count(path) != 0;
+  };
+  calls.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  calls.ReadWholeFile = [](Bytes* out, std::string*, const std::string& path, void* user) {
+    const BufferFiles& known = *static_cast<BufferFiles*>(user);
+    const auto found = known.contents.find(path);
+    if (found == known.contents.end()) return false;
+    *out = found->second;
+    return true;
+  };
+  calls.WriteWholeFile = [](std::string*, const std::string&, const Bytes&, void*) { return false; };
+  if constexpr (requires { calls.GetFileSizeInBytes; }) {
+    calls.GetFileSizeInBytes = [](size_t* size, std::string*, const std::string& path, void* user) {
+      const BufferFiles& known = *static_cast<BufferFiles*>(user);
+      const auto found = known.contents.find(path);
+      if (found == known.contents.end()) return false;
+      *size = found->second.size();
+      return true;
+    };
+  }
+  calls.user_data = &files;
+  return calls;
 }
 
 // Keeps the encoded bytes of an image; those in a buffer view stay there (tinygltf has not checked the view's range).
@@ -229,7 +247,7 @@ void load_model(Document& document, const Bytes& file, bool binary, std::vector<
   BufferFiles files = read_buffer_files(JsonReader(document.json, "the file"), document, base, binary);
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(keep_encoded, nullptr);
-  loader.SetFsCallbacks({file_exists, expand_path, read_whole_file, nullptr, &files});
+  loader.SetFsCallbacks(callbacks_of<tinygltf::FsCallbacks>(files));
   std::string error, warning;  // warnings: images in files only
   const auto size = static_cast<unsigned int>(file.size());
   const bool good = binary ? loader.LoadBinaryFromMemory(&document.model, &error, &warning, file.data(), size, base)
