@@ -287,7 +287,7 @@ Bytes read_file(const std::filesystem::path& path, const std::string& where) {
 }
 
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where) {
-  if (!is_data_uri(uri)) return read_file(document.folder / std::filesystem::u8path(percent_decoded(uri)), where);
+  if (!is_data_uri(uri)) return read_file(document.folder / utf8_path(percent_decoded(uri)), where);
   const size_t comma = uri.find(',');
   const std::string marker = ";base64";
   if (comma == std::string::npos || comma < marker.size() ||
@@ -302,7 +302,7 @@ Bytes read_uri(const Document& document, const std::string& uri, const std::stri
 }
 
 Document load_document(const std::string& path, std::vector<std::string>& warnings) {
-  const std::filesystem::path file_path = std::filesystem::u8path(path);
+  const std::filesystem::path file_path = utf8_path(path);
   const Bytes file = read_file(file_path, "glTF");
   if (file.size() > std::numeric_limits<uint32_t>::max()) throw Error(UPS_ERROR_UNSUPPORTED, "larger than 4 GiB");
   const bool binary = is_binary(file);

@@ -29,6 +29,8 @@ Document load_document(const std::string& path, std::vector<std::string>& warnin
 
 bool is_known_extension(const std::string& name);
 
+inline std::filesystem::path utf8_path(const std::string& text) { return std::u8string(text.begin(), text.end()); }
+
 // A file beside the scene, or what a data URI holds. where: who asks, for messages.
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where);
 Bytes read_file(const std::filesystem::path& path, const std::string& where);

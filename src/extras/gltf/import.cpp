@@ -16,8 +16,8 @@ void Importer::warn(const std::string& text) {
 }
 
 void Importer::warn_about_extensions(const JsonReader& reader, std::initializer_list<std::string_view> known) {
-  const Json& object = reader.object_or_empty("extensions").json();
-  for (const auto& [name, value] : object.members) {
+  const JsonReader extensions = reader.object_or_empty("extensions");
+  for (const auto& [name, value] : extensions.json().members) {
     (void)value;
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     warn(reader.where() + ": its extension '" + name + "' is skipped");

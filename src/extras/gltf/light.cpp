@@ -143,7 +143,7 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   const std::string where = luminaire.where() + ", file '" + file + "'";
   ups_luminaire_desc desc;
   ups_luminaire_desc_init(&desc, sizeof desc);
-  desc.profile = profile(file, read_file(document_.folder / std::filesystem::u8path(file), luminaire.where()), where);
+  desc.profile = profile(file, read_file(document_.folder / utf8_path(file), luminaire.where()), where);
   desc.use_opening = luminaire.boolean("opening", true);
   desc.dimming = float(luminaire.number("dimming", 1, 0, unlimited));
   if (luminaire.has("flux_lm")) desc.flux_lm = float(luminaire.number("flux_lm", 0, 0, unlimited));
