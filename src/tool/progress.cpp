@@ -51,7 +51,9 @@ void Progress::update(const ups_progress& progress) {
     return;
   }
   const int full = std::clamp(int(std::lround(progress.fraction * bar_width)), 0, bar_width);
-  std::string line = "[" + std::string(size_t(full), '#') + std::string(size_t(bar_width - full), ' ') + "] ";
+  std::string line = "[";
+  line.append(size_t(full), '#').append(size_t(bar_width - full), ' ');
+  line += "] ";
   line += progress_text(progress);
   const size_t length = line.size();
   if (length < last_length_) line += std::string(last_length_ - length, ' ');  // over the longer line before
