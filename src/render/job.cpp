@@ -131,7 +131,7 @@ void RenderJob::count_flux() {
     static const std::atomic<bool> never{false};
     IterationTally tally;
     const SensorIndex no_sensors(*scene_, plan, s, 0, 1);
-    trace_light_paths({*scene_, plan, s, flux_iteration, flux_iteration, 0, 1.0, false, never}, no_sensors, *pool_, tally);
+    trace_light_paths({*scene_, plan, s, flux_iteration, flux_iteration, 0, 1.0, 0.0, false, never}, no_sensors, *pool_, tally);
     work = tally.work;
   }
   const double n = double(std::max<uint64_t>(1, work.light_paths));

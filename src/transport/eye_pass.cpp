@@ -52,10 +52,10 @@ float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3
   Vec3 direction;
   if (first_diffuse(in.scene, camera.position(), d, surface, direction) <= 0) return 0;
   sensor.camera = false;
-  const double radius2 = double(sensor.radius) * sensor.radius;
-  sensor.counts = meter_counts(in.plan, in.settings, false, radius2);
+  const double eta = sensor.counts.eta_first;
+  sensor.counts = meter_counts(in.plan, in.settings, false, in.walk_radius2);
   const bool merges = merge_gate(Bsdf(in.scene.materials[surface.material], surface.uv));
-  sensor.end = mis::sensor_end(sensor.counts, merges ? sensor.counts.eta : 0, 0);
+  sensor.end = mis::sensor_end(sensor.counts, merges ? eta : 0, 0);
   const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
   ++work.eye_paths;
   return luminance(EyeWalk(in, sensor, rng, work).from_surface(surface, frame).value);
@@ -76,9 +76,9 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
       sensor.camera = true;
       const double r1 = in.plan.pixel_radius.empty() ? 0.0 : in.plan.pixel_radius[c][pixel];
       const double radius2 = in.plan.radius2(r1, in.camera_radius_factor);
-      sensor.counts = camera_counts(in.plan, in.settings, radius2);
-      sensor.radius = float(std::sqrt(radius2));
-      sensor.photons = &in.camera_photons;
+      sensor.counts = camera_counts(in.plan, in.settings, radius2, in.walk_radius2);
+      sensor.first = {float(std::sqrt(radius2)), &in.pixel_photons};
+      sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
       sensor.medium = in.scene.medium_of_camera[c];
       pairing.assign(first_path + uint32_t(i), sensor);
       const uint64_t key = hash_combine(in.camera_batch, pixel);
@@ -108,12 +108,10 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       EyeWalk::Sensor sensor;
       sensor.cell = set.is_cell();
       const double r1 = in.plan.meter_radius.empty() ? 0.0 : in.plan.meter_radius[s][m];
-      const double radius2 = in.plan.radius2(r1, in.meter_radius_factor);
-      const double walk_radius2 = in.plan.radius2(in.plan.walk_radius, in.meter_radius_factor);
-      sensor.radius = float(std::sqrt(walk_radius2));
-      sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), walk_radius2);
-      sensor.end = mis::sensor_end(sensor.counts, set.is_cell() ? 0 : eta_of(in.plan, in.settings, radius2) / samples, set.cell_area());
-      sensor.photons = &in.meter_photons;
+      const double eta = eta_of(in.plan, in.settings, in.plan.radius2(r1, in.meter_radius_factor));
+      sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), in.walk_radius2);
+      sensor.end = mis::sensor_end(sensor.counts, set.is_cell() ? 0 : eta / samples, set.cell_area());
+      sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
       sensor.medium = in.scene.medium_of_meter[s][m];
       MeterTally sum;
       for (uint32_t k = 0; k < samples; ++k) {

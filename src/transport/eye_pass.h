@@ -16,12 +16,12 @@ struct EyePassInput {
   const Plan& plan;
   const TransportSettings& settings;
   const LightPaths& light;
-  const PhotonIndex& camera_photons;  // may be empty
-  const PhotonIndex& meter_photons;
+  const PhotonIndex& pixel_photons;  // for the radii of pixels; may be empty
+  const PhotonIndex& walk_photons;   // for walk_radius2
   uint32_t iteration;
   uint32_t camera_batch, camera_batch_visit;
   uint32_t meter_batch, meter_batch_visit;
-  double camera_radius_factor, meter_radius_factor;
+  double camera_radius_factor, meter_radius_factor, walk_radius2;
   const std::atomic<bool>& stop;  // when set, what is found is incomplete and to be thrown away
 };
 

@@ -21,7 +21,7 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
 
 EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) {
   meter_frame_ = frame;
-  if (sensor_.end.merge > 0 && sensor_.photons) meter_merge(surface);
+  if (sensor_.end.merge > 0) meter_merge(surface);
   return from_meter(surface.ray_origin(frame.n), frame);
 }
 
@@ -73,7 +73,7 @@ void EyeWalk::walk() {
       if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) sample_light(v);
       if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
         connect_one(edges, [&](const PreparedLight& l) { return connect(v, l); });
-      if (v.merge && sensor_.radius > 0 && sensor_.photons) merge(v);
+      if (v.merge) merge(v);
     }
     if (!scatter(v)) return;
   }
@@ -157,11 +157,11 @@ void EyeWalk::sample_light(const Vertex& v) {
   const double cos_1 = std::abs(dot(s.wi, v.surface.ng)), d2 = double(s.distance) * s.distance;
   const DirectDensities p = direct_densities(scene_, choice, s, cos_1);
   const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * s.cos_0 / d2;
-  const double total = (v.merge && in_.plan.gates.merge_at_first ? sensor_.counts.eta : 0.0) +
+  const double total = (v.merge && in_.plan.gates.merge_at_first ? mis::eta_at(sensor_.counts, v.state) : 0.0) +
                        mis::eye_total(v.state, in_.plan.gates, sensor_.camera, true, f.pdf_reverse);
   const double w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1, total);
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, s.wi);
-  const Rgb value = throughput_ * f.value * s.weight * attenuation(scene_, medium, s.distance) * float(w / choice.probability);
+  const Rgb value = throughput_ * f.value * s.weight * attenuation(scene_, medium, s.distance) * float(w / choice.probability) * terminator(v.surface, s.wi);
   if (is_black(value)) return;
   if (is_finite(value) && !segment_free(scene_, v.surface.ray_origin(s.wi), lifted(s.p, s.n, s.error), work_)) return;
   add(value, edges, Drop::light_sample);
@@ -228,29 +228,30 @@ EyeWalk::Connection EyeWalk::connect(const Vertex& v, const PreparedLight& light
   const double w = mis::weight_connect(l.mis, v.state, sensor_.counts, l.merge, v.merge, f_eye.pdf * cos_light / d2,
                                        f_light.pdf_reverse, f_light.pdf * cos_eye / d2, f_eye.pdf_reverse);
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
-  const float scale = float(w / d2) * shading_correction(light.surface, l.wo, -d);
+  const float scale = float(w / d2) * terminator(v.surface, d) * terminator(light.surface, l.wo) *
+                      shading_correction(light.surface, l.wo, -d);
   const Rgb value = throughput_ * f_eye.value * l.flux * f_light.value * attenuation(scene_, medium, distance) * scale;
   return {value, v.surface.ray_origin(d), light.surface.ray_origin(-d), edges};
 }
 
-double EyeWalk::photon_norm() const {
-  return 1.0 / (double(in_.plan.light_paths) * 3.14159265358979323846 * sensor_.radius * sensor_.radius);
+double EyeWalk::photon_norm(double radius) const {
+  return 1.0 / (double(in_.plan.light_paths) * 3.14159265358979323846 * radius * radius);
 }
 
 // Against leaks through thin walls and around edges: same orientation, same side, in the tangent plane.
-bool EyeWalk::same_surface(const SurfacePoint& s, const LightVertex& l) const {
+bool EyeWalk::same_surface(const SurfacePoint& s, const LightVertex& l, float radius) {
   const float cos_light = dot(l.wo, s.ng);
   return dot(l.ng, s.ng) >= 0.7f && cos_light * dot(l.wo, l.ng) > 0 && std::abs(cos_light) >= min_cosine &&
-         std::abs(dot(s.ng, l.p - s.p)) <= 0.1f * sensor_.radius;
+         std::abs(dot(s.ng, l.p - s.p)) <= 0.1f * radius;
 }
 
 // Density estimation of illuminance itself, where the meter's point lies on a surface that photons are stored on.
 void EyeWalk::meter_merge(const SurfacePoint& surface) {
-  const double norm = photon_norm();
-  sensor_.photons->query(surface.p, sensor_.radius, [&](uint32_t index, float) {
+  const double norm = photon_norm(sensor_.first.radius);
+  sensor_.first.photons->query(surface.p, sensor_.first.radius, [&](uint32_t index, float) {
     const LightVertex& l = in_.light.vertices[index];
     const float cos_light = dot(l.wo, meter_frame_.n);
-    if (longer_than_allowed(l.depth) || cos_light < min_cosine || !same_surface(surface, l)) return;
+    if (longer_than_allowed(l.depth) || cos_light < min_cosine || !same_surface(surface, l, sensor_.first.radius)) return;
     const double w = in_.settings.photon_mapping ? 1.0 : mis::weight_merge_at_sensor(l.mis, sensor_.counts, sensor_.end.merge, cos_light * double(inv_pi));
     ++work_.merges;
     add(l.flux * float(w * norm), l.depth, Drop::merge);
@@ -259,11 +260,13 @@ void EyeWalk::meter_merge(const SurfacePoint& surface) {
 
 // Density estimation at an eye vertex: photons on the same side of the same surface within the radius.
 void EyeWalk::merge(const Vertex& v) {
-  const float r2 = sensor_.radius * sensor_.radius;
-  const double norm = photon_norm();
-  sensor_.photons->query(v.surface.p, sensor_.radius, [&](uint32_t index, float d2) {
+  const Disc& disc = v.state.first ? sensor_.first : sensor_.later;
+  if (!(disc.radius > 0)) return;
+  const float r2 = disc.radius * disc.radius;
+  const double norm = photon_norm(disc.radius), eta = mis::eta_at(sensor_.counts, v.state);
+  disc.photons->query(v.surface.p, disc.radius, [&](uint32_t index, float d2) {
     const LightVertex& l = in_.light.vertices[index];
-    if (longer_than_allowed(v.edges + l.depth) || !same_surface(v.surface, l)) return;
+    if (longer_than_allowed(v.edges + l.depth) || !same_surface(v.surface, l, disc.radius)) return;
     const float cos_light = dot(l.wo, v.surface.ng);
     const Vec3 local = v.surface.shading.to_local(l.wo);
     if (!consistent_side(v.surface, l.wo, local)) return;
@@ -273,10 +276,10 @@ void EyeWalk::merge(const Vertex& v) {
     double w = 1;
     if (!in_.settings.photon_mapping) {
       const double eye = mis::eye_total(v.state, in_.plan.gates, sensor_.camera, l.depth == 1, f.pdf_reverse);
-      w = mis::weight_merge(l.mis, sensor_.counts, f.pdf, eye);
+      w = mis::weight_merge(l.mis, sensor_.counts, eta, f.pdf, eye);
     }
     ++work_.merges;
-    const Rgb value = throughput_ * f.value * l.flux * float(w * norm / std::abs(cos_light));
+    const Rgb value = throughput_ * f.value * l.flux * (float(w * norm / std::abs(cos_light)) * terminator(v.surface, l.wo));
     if (add(value, v.edges + l.depth, Drop::merge))
       tally_.bias += 2 * luminance(value) * (2 * d2 < r2 ? -1.0f : 1.0f);
   });
@@ -288,7 +291,7 @@ bool EyeWalk::scatter(const Vertex& v) {
   if (in_.settings.photon_mapping && !s.delta) return false;  // its continuous part was merged
   const Vec3 wi = v.surface.shading.to_world(s.wi);
   if (!consistent_side(v.surface, wi, s.wi)) return false;
-  throughput_ *= s.weight;
+  throughput_ *= s.delta ? s.weight : s.weight * terminator(v.surface, wi);
   const bool lossless = s.delta && max_component(s.weight) > 0.9f;
   const float q = survival(throughput_, start_throughput_, v.edges, lossless);
   if (is_black(throughput_) || !is_finite(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
@@ -348,9 +351,9 @@ EyeWalk::Connection EyeWalk::meter_connect(const PreparedLight& light) const {
   const double cos_light = std::abs(dot(d, l.ng));
   double w = 1;
   if (!in_.settings.light_tracing)
-    w = mis::weight_sensor_connect(l.mis, sensor_.counts, sensor_.counts.connect, sensor_.end, l.merge,
+    w = mis::weight_sensor_connect(l.mis, sensor_.counts, false, sensor_.end, l.merge,
                                    cos_meter * double(inv_pi) * cos_light / d2, f.pdf_reverse, f.pdf * cos_meter / d2);
-  const float scale = float(w * cos_meter / d2) * shading_correction(light.surface, l.wo, -d);
+  const float scale = float(w * cos_meter / d2) * terminator(light.surface, l.wo) * shading_correction(light.surface, l.wo, -d);
   return {l.flux * f.value * attenuation(scene_, medium_, distance) * scale, origin_, light.surface.ray_origin(-d), edges};
 }
 

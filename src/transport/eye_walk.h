@@ -15,12 +15,15 @@ struct EyeTally {
 
 class EyeWalk {
  public:
+  struct Disc {
+    float radius = 0;  // 0: no merging
+    const PhotonIndex* photons = nullptr;
+  };
   struct Sensor {
     bool camera = false, cell = false;
     mis::Counts counts;
     mis::SensorEnd end;
-    float radius = 0;                   // of merges; 0: none
-    const PhotonIndex* photons = nullptr;
+    Disc first, later;  // of merges at the first vertex that scatters, or at the meter's point; elsewhere
     uint32_t first_light_vertex = 0, end_light_vertex = 0;  // of the light path that it connects to
     uint32_t medium = none;
   };
@@ -76,8 +79,8 @@ class EyeWalk {
   void meter_sample_light();
   Connection meter_connect(const PreparedLight& light) const;
   void meter_merge(const SurfacePoint& surface);
-  bool same_surface(const SurfacePoint& s, const LightVertex& l) const;
-  double photon_norm() const;  // 1 / (N pi r^2)
+  static bool same_surface(const SurfacePoint& s, const LightVertex& l, float radius);
+  double photon_norm(double radius) const;  // 1 / (N pi r^2)
 
   bool longer_than_allowed(uint32_t edges) const {
     return in_.settings.max_path_length && edges > in_.settings.max_path_length;

@@ -30,23 +30,23 @@ bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, Iteratio
   const uint32_t pass = plan_.pass(iteration);
   const double camera_factor = Plan::radius2_factor(pass), meter_factor = Plan::radius2_factor(iteration);
   LightPaths light;
-  PhotonIndex camera_photons, meter_photons;
+  PhotonIndex pixel_photons, walk_photons;
+  const double walk_radius2 = plan_.radius2(plan_.walk_radius, meter_factor);
   if (settings_.traces_light()) {
     const SensorIndex sensors(*scene_, plan_, settings_, iteration, pool_.thread_count());
     const bool merges = settings_.has(UPS_TECHNIQUE_MERGE);
     const bool connects = settings_.has(UPS_TECHNIQUE_CONNECT) || settings_.light_tracing;
     light = trace_light_paths({*scene_, plan_, settings_, iteration, iteration % batch_count, iteration / batch_count,
-                               camera_factor, merges || connects, stop},
+                               camera_factor, walk_radius2, merges || connects, stop},
                               sensors, pool_, tally);
-    const float camera_radius = largest_radius(plan_.pixel_radius, camera_factor);
-    const float meter_radius = float(std::sqrt(plan_.radius2(plan_.walk_radius, meter_factor)));
-    if (merges && camera_radius > 0) camera_photons = PhotonIndex(light.vertices, camera_radius);
-    if (merges && meter_radius > 0) meter_photons = PhotonIndex(light.vertices, meter_radius);
+    const float pixel_radius = largest_radius(plan_.pixel_radius, camera_factor);
+    if (merges && pixel_radius > 0) pixel_photons = PhotonIndex(light.vertices, pixel_radius);
+    if (merges && walk_radius2 > 0) walk_photons = PhotonIndex(light.vertices, float(std::sqrt(walk_radius2)));
   }
 
-  const EyePassInput eye{*scene_, plan_, settings_, light, camera_photons, meter_photons, iteration,
+  const EyePassInput eye{*scene_, plan_, settings_, light, pixel_photons, walk_photons, iteration,
                          pass % batch_count, pass / batch_count, iteration % batch_count, iteration / batch_count,
-                         camera_factor, meter_factor, stop};
+                         camera_factor, meter_factor, walk_radius2, stop};
   uint32_t path = 0;
   for (uint32_t c = 0; c < scene_->cameras.size(); ++c) path = trace_camera_paths(eye, c, path, pool_, tally);
   for (uint32_t s = 0; s < scene_->meter_sets.size(); ++s) path = trace_meter_paths(eye, s, path, pool_, tally);

@@ -204,14 +204,14 @@ class LightWalk {
     const Vec3 local = surface_.shading.to_local(d);
     if (!consistent_side(surface_, d, local)) return;
     const Scattering scattering = bsdf.evaluate(local_wo, local, TransportMode::importance);
-    const Rgb f = scattering.value * shading_correction(surface_, -direction_, d);
+    const Rgb f = scattering.value * (terminator(surface_, -direction_) * shading_correction(surface_, -direction_, d));
     if (is_black(f)) return;
     const float pdf_w = camera.pdf_w(-d), cos_out = std::abs(dot(d, surface_.ng));
     double w = 1;
     if (!in_.settings.light_tracing) {
       const float r = in_.plan.pixel_radius.empty() ? 0.0f : in_.plan.pixel_radius[c][*pixel];
-      const mis::Counts n = camera_counts(in_.plan, in_.settings, in_.plan.radius2(r, in_.camera_radius_factor));
-      w = mis::weight_sensor_connect(state, n, n.sensor_connect, {}, merge, double(pdf_w) * cos_out / d2,
+      const mis::Counts n = camera_counts(in_.plan, in_.settings, in_.plan.radius2(r, in_.camera_radius_factor), in_.walk_radius2);
+      w = mis::weight_sensor_connect(state, n, true, {}, merge, double(pdf_w) * cos_out / d2,
                                      scattering.pdf_reverse, 0.0);
     }
     const uint32_t medium = medium_beyond(scene_, surface_, medium_, d);
@@ -236,7 +236,7 @@ class LightWalk {
       absorb(Rgb(0.0f));
       return false;
     }
-    absorb(flux_ * s.weight * shading_correction(surface_, wo, wi));
+    absorb(flux_ * s.weight * (shading_correction(surface_, wo, wi) * (s.delta ? 1.0f : terminator(surface_, wo))));
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
     const float q = survival(flux_, start_flux_, a, lossless);
     if (is_black(flux_) || !is_finite(flux_) || rng_.get(a, Slot::roulette) >= q) return false;

@@ -18,6 +18,7 @@ struct LightPassInput {
   uint32_t batch;         // which scrambling of the stratified numbers
   uint32_t batch_visit;   // how many earlier iterations of this batch
   double camera_radius_factor;  // Plan::radius2_factor of the cameras' pass
+  double walk_radius2;          // of merges beyond the first vertex
   bool store_vertices;
   const std::atomic<bool>& stop;  // when set, what is found is incomplete and to be thrown away
 };

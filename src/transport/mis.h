@@ -22,7 +22,11 @@ struct Counts {
   double connect = 0;         // c: connections a split, also those from a meter's own point
   double sensor_connect = 0;  // N/Ke for a camera (t = 1); unused for meters
   double land = 0;            // N/Ke for a cell (t = 0), else 0
-  double eta = 0;             // N pi r^2 at this sensor
+  // N pi r^2. Radii may differ by vertex if both walks know them: here the first vertex that scatters a camera's path by
+  // a continuous lobe has its own (a pixel's), all others share one. A light vertex that is joined to an eye path is
+  // beyond that first vertex, or is it.
+  double eta_first = 0;
+  double eta = 0;
 };
 
 // Gates that both walks know: no merging of photons straight from an emitter, and no t = 1 for k = 2, where next-event
@@ -91,7 +95,11 @@ struct EyeState {
   double M = 0;   // merge at the vertex just left
   double Q = 0;   // t = 1 at the vertex just left
   bool second = true;  // this vertex is z_2, the first that the eye walk found
+  bool first = false;  // no continuous lobe yet: merges here count eta_first
 };
+
+// What a merge at this vertex counts.
+inline double eta_at(const Counts& n, const EyeState& e) { return e.first ? n.eta_first : n.eta; }
 
 // At the sensor's own point z_1 = x_k, before any edge: techniques that end there, for U1 of the weights below.
 // eta_sensor: N pi r^2 with the radius there; 0 where photons are not merged.
@@ -109,6 +117,7 @@ inline EyeState eye_first(const Counts& n, bool camera, const SensorEnd& u, doub
   e.dE = (camera ? n.sensor_connect : n.connect) * d2 * inv;
   e.X = cos_out * inv * u.land;
   e.M = cos_out * inv * u.merge;
+  e.first = camera;  // a meter's own point counts as the first
   return e;
 }
 
@@ -118,7 +127,7 @@ inline EyeState eye_step(const EyeState& e, const Counts& n, bool camera, bool m
   const double inv = 1.0 / (pdf * cos_in), rho = cos_out * inv;
   const bool t1 = camera && e.second;
   r.X = rho * ((t1 ? 0.0 : e.dE) + pdf_reverse * (e.X + e.M + e.Q));
-  r.M = merge ? rho * n.eta : 0.0;
+  r.M = merge ? rho * eta_at(n, e) : 0.0;
   r.Q = t1 ? rho * e.dE : 0.0;
   r.dE = n.connect * d2 * inv;
   r.second = false;
@@ -126,7 +135,7 @@ inline EyeState eye_step(const EyeState& e, const Counts& n, bool camera, bool m
 }
 
 inline EyeState eye_step_delta(const EyeState& e, double chi, double cos_out, double cos_in) {
-  return {0.0, cos_out / cos_in * chi * (e.X + e.M + e.Q), 0.0, 0.0, false};
+  return {0.0, cos_out / cos_in * chi * (e.X + e.M + e.Q), 0.0, 0.0, false, e.first};
 }
 
 // Sum of all techniques that use a shorter eye path than one that ends at this vertex, relative to it.
@@ -163,20 +172,21 @@ inline double sensor_total_direct(const SensorEnd& u, const Gates& g) { return (
 inline double weight_connect(const LightState& l, const EyeState& e, const Counts& n, bool g_light, bool g_eye, double pb_light_a,
                              double pdf_reverse_light, double pf_eye_a, double pdf_reverse_eye) {
   const double light = pb_light_a * ((g_light ? n.eta : 0.0) + light_total(l, n, pdf_reverse_light));
-  const double eye = pf_eye_a * ((g_eye ? n.eta : 0.0) + e.dE + pdf_reverse_eye * (e.X + e.M + e.Q));
+  const double eye = pf_eye_a * ((g_eye ? eta_at(n, e) : 0.0) + e.dE + pdf_reverse_eye * (e.X + e.M + e.Q));
   return 1.0 / (1.0 + (light + eye) / n.connect);
 }
 
 // An edge between light vertex x_{k-1} and the sensor's own point: a camera's splat (count N/Ke, u empty) or a meter (c).
-inline double weight_sensor_connect(const LightState& l, const Counts& n, double count, const SensorEnd& u, bool g_light,
+inline double weight_sensor_connect(const LightState& l, const Counts& n, bool camera, const SensorEnd& u, bool g_light,
                                     double pb_light_a, double pdf_reverse_light, double pf_sensor_a) {
-  const double light = pb_light_a * ((g_light ? n.eta : 0.0) + light_total(l, n, pdf_reverse_light));
+  const double count = camera ? n.sensor_connect : n.connect, eta = camera ? n.eta_first : n.eta;
+  const double light = pb_light_a * ((g_light ? eta : 0.0) + light_total(l, n, pdf_reverse_light));
   return 1.0 / (1.0 + (light + pf_sensor_a * (u.merge + u.land)) / count);
 }
 
-// A merge at an eye vertex x_m; `eye` is eye_total there.
-inline double weight_merge(const LightState& l, const Counts& n, double pdf_reverse_light, double eye) {
-  return n.eta / (n.eta + light_total(l, n, pdf_reverse_light) + eye);
+// A merge at an eye vertex x_m; eta is eta_at() and `eye` eye_total() there.
+inline double weight_merge(const LightState& l, const Counts& n, double eta, double pdf_reverse_light, double eye) {
+  return eta / (eta + light_total(l, n, pdf_reverse_light) + eye);
 }
 
 // A merge at a meter's own point, whose radius may be another than that of its eye path's vertices: eta_sensor.

@@ -74,8 +74,9 @@ double eta_of(const Plan& plan, const TransportSettings& s, double radius2) {
   return s.has(UPS_TECHNIQUE_MERGE) ? double(plan.light_paths) * 3.14159265358979323846 * radius2 : 0.0;
 }
 
-mis::Counts camera_counts(const Plan& plan, const TransportSettings& s, double radius2) {
+mis::Counts camera_counts(const Plan& plan, const TransportSettings& s, double first_radius2, double radius2) {
   mis::Counts n = common_counts(plan, s, radius2);
+  n.eta_first = eta_of(plan, s, first_radius2);
   if (s.has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = double(plan.light_paths) * plan.camera_subsets;
   return n;
 }

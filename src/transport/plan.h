@@ -32,8 +32,9 @@ struct Plan {
   uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave
   uint32_t meter_samples = 1;   // Ke, a power of two
   mis::Gates gates;
-  // r_1 of each pixel, and of each meter's own disc; empty without merging. A disc catches photons for all of a meter's
-  // eye paths at once and is wide; the vertices of those paths merge within walk_radius.
+  // r_1 of each pixel, for the first vertex of its eye paths that scatters, and of each meter's own disc, which catches
+  // photons for all of a meter's eye paths at once; empty without merging. All other vertices merge within walk_radius:
+  // a hemisphere away from the sensor blur is not seen, but few photons are.
   std::vector<std::vector<float>> pixel_radius, meter_radius;
   float walk_radius = 0;
 
@@ -56,8 +57,9 @@ struct Plan {
 
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings);
 
-// Counts of every technique for one eye path of a sensor; radius2 is that of its vertices in this iteration.
-mis::Counts camera_counts(const Plan& plan, const TransportSettings& settings, double radius2);
+// Counts of every technique for one eye path of a sensor; radius2: of merges at its vertices in this iteration,
+// first_radius2: at the first that scatters.
+mis::Counts camera_counts(const Plan& plan, const TransportSettings& settings, double first_radius2, double radius2);
 mis::Counts meter_counts(const Plan& plan, const TransportSettings& settings, bool cell, double radius2);
 // N pi r^2.
 double eta_of(const Plan& plan, const TransportSettings& settings, double radius2);

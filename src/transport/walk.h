@@ -26,6 +26,16 @@ inline bool consistent_side(const SurfacePoint& s, const Vec3& w, const Vec3& lo
   return std::abs(g) > min_cosine && g * local.z > 0;
 }
 
+// Fades light out that grazes a surface whose shading normal leans towards it (Chiang, Li, Burley 2019, Taming the shadow
+// terminator); a part of every continuous lobe, wi towards the light. Without it the flux that arrives by n_g and the
+// light that is scattered by n_s have an unbounded ratio, and one photon can outshine a picture.
+inline float terminator(const SurfacePoint& s, const Vec3& wi) {
+  const float lean = std::abs(dot(wi, s.shading.n) * dot(s.ng, s.shading.n)), cos_g = std::abs(dot(wi, s.ng));
+  if (cos_g >= lean) return 1;
+  const float g = cos_g / lean;
+  return g * (1 + g * (1 - g));
+}
+
 // Non-symmetry of shading normals in the light walk (Veach 1997, Eq. 5.19): wi towards the light, wo onwards; multiplies
 // f |cos(wo, n_s)|.
 inline float shading_correction(const SurfacePoint& s, const Vec3& wi, const Vec3& wo) {

@@ -83,7 +83,7 @@ class FastWeights {
   }
   double light_sample() const {
     const double total = p_.k == 1 ? mis::sensor_total_direct(end_, gates_)
-                                   : (light_gate(1) ? n_.eta : 0) +
+                                   : (light_gate(1) ? mis::eta_at(n_, eye_[1]) : 0) +
                                          mis::eye_total(eye_[1], gates_, p_.camera(), true, p_.pdf_to_sensor[1]);
     return mis::weight_light_sample(n_, p_.hittable() ? pb(0) : 0, p_.nee_a, p_.emission_a, pf(0), total);
   }
@@ -94,13 +94,12 @@ class FastWeights {
   double sensor_connect() const {
     const int a = p_.k - 1;
     const double pb_a = pb(a), pf_a = p_.camera() ? 0 : pf(a);
-    const double count = p_.camera() ? n_.sensor_connect : n_.connect;
-    return mis::weight_sensor_connect(light_[a], n_, count, end_, light_gate(a), pb_a, p_.pdf_to_emitter[a], pf_a);
+    return mis::weight_sensor_connect(light_[a], n_, p_.camera(), end_, light_gate(a), pb_a, p_.pdf_to_emitter[a], pf_a);
   }
   double merge(int m) const {
     if (m == p_.k) return mis::weight_merge_at_sensor(light_[m], n_, eta_sensor_, p_.pdf_to_emitter[m]);
     const double eye = mis::eye_total(eye_[m], gates_, p_.camera(), m == 1, p_.pdf_to_sensor[m]);
-    return mis::weight_merge(light_[m], n_, p_.pdf_to_emitter[m], eye);
+    return mis::weight_merge(light_[m], n_, mis::eta_at(n_, eye_[m]), p_.pdf_to_emitter[m], eye);
   }
 
   const Path& p_;

@@ -99,7 +99,10 @@ inline mis::Counts random_counts(Random& random, const Path& path, int subset, d
   if (subset & use_connect) n.connect = connections;
   if ((subset & use_sensor_connect) && path.camera()) n.sensor_connect = light_paths / eye_paths;
   if ((subset & use_land) && path.sensor == SensorType::cell) n.land = light_paths / eye_paths;
-  if (subset & use_merge) n.eta = light_paths * 3.14159265358979323846 * radius * radius;
+  if (subset & use_merge) {
+    n.eta = light_paths * 3.14159265358979323846 * radius * radius;
+    if (path.camera()) n.eta_first = n.eta * random.log_uniform(1e-3, 30);
+  }
   return n;
 }
 
@@ -116,6 +119,7 @@ inline Path scaled(Path path, double scale) {
 }
 inline mis::Counts scaled(mis::Counts n, double scale) {
   n.eta *= scale * scale;
+  n.eta_first *= scale * scale;
   return n;
 }
 

@@ -70,10 +70,14 @@ inline std::vector<Term> slow_weights(const Path& p, const mis::Counts& n, const
     add(Technique::sensor_connect, k, count, pf[0], k, k);
   }
   if (p.sensor == SensorType::cell) add(Technique::land, k + 1, n.land, pf[0], k + 1, k + 1);
+  // Of a camera's vertices the one nearest to it that scatters by a continuous lobe has a radius of its own.
+  int first = k - 1;
+  while (first > 0 && p.delta[first]) --first;
   for (int m = 1; m <= k; ++m) {
     const bool own = m == k ? p.sensor == SensorType::point_meter : p.merges[m] && !p.delta[m];
     if (own && (m > 1 || gates.merge_at_first))
-      add(Technique::merge, m, n.eta * (m == k ? p.sensor_merge_share : 1), pf[0], m + 1, m);
+      add(Technique::merge, m, m == k ? n.eta * p.sensor_merge_share : p.camera() && m == first ? n.eta_first : n.eta,
+          pf[0], m + 1, m);
   }
 
   double largest = -INFINITY, sum = 0;

@@ -182,6 +182,9 @@ class Scene {
     mesh.material = material_id;
     mesh.positions_m = positions.data();
     mesh.indices = shape.triangles.data()->data();
+    std::vector<float> normals;
+    for (const P3& n : shape.normals) normals.insert(normals.end(), {float(n.x), float(n.y), float(n.z)});
+    if (!normals.empty()) mesh.normals = normals.data();
     auto instance = make_desc<ups_instance_desc>(ups_instance_desc_init);
     check(ups_scene_add_mesh(scene_.get(), &mesh, &instance.mesh), "ups_scene_add_mesh");
     instance.to_world[3] = offset.x;

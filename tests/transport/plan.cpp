@@ -36,13 +36,14 @@ TEST(Plan, CountsFollowTheTechniques) {
   plan.meter_samples = 16;
   TransportSettings s;
   s.techniques = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_SENSOR_HIT;
-  const mis::Counts c = camera_counts(plan, s, 0.25);
+  const mis::Counts c = camera_counts(plan, s, 0.25, 0.5);
   EXPECT_EQ(c.hit, 1);
   EXPECT_EQ(c.light_sample, 0);
   EXPECT_EQ(c.connect, 0);
   EXPECT_EQ(c.sensor_connect, 4096);  // light paths for each visit of a pixel
   EXPECT_EQ(c.land, 0);
-  EXPECT_NEAR(c.eta, 1024 * 3.14159265358979 * 0.25, 1e-9);
+  EXPECT_NEAR(c.eta_first, 1024 * 3.14159265358979 * 0.25, 1e-9);
+  EXPECT_NEAR(c.eta, 1024 * 3.14159265358979 * 0.5, 1e-9);
   EXPECT_EQ(meter_counts(plan, s, true, 0).land, 64);
   EXPECT_EQ(meter_counts(plan, s, false, 0).land, 0);
 }
