@@ -14,7 +14,7 @@ FOCAL_LENGTH = 0.010
 RIM_RADIUS = 0.040      # of the reflector and of the tube under it
 REFLECTOR_DEPTH = RIM_RADIUS ** 2 / (4 * FOCAL_LENGTH)
 REFLECTOR_RIM_Z = 0.022
-EMITTER_RADIUS = 0.0035
+EMITTER_RADIUS = 0.0025
 LENS_TOP_Z, LENS_BOTTOM_Z = 0.009, 0.004
 LENS_RING_WIDTH, LENS_SLOPE = 0.0100, 0.75
 LENS_RADIUS = 0.0406    # reaches into the wall of the tube, so that no light passes beside it
@@ -25,7 +25,7 @@ CEILING_HOLE_RADIUS = 0.046
 OPENING_DIAMETER = 0.110
 HOOP_RADIUS, HOOP_THICKNESS = 0.0585, 0.003  # of its circle, of its bar
 WALL_LAMP_REACH = 0.105  # of its axis from the wall
-WALL_LAMP_FLUX = 600.0
+WALL_LAMP_FLUX = 300.0
 
 
 def downlight_reflector():
@@ -81,7 +81,7 @@ def write_wall_lamp_ies(path):
     flux = (2 * np.pi * -np.diff(cosine) * (shape[1:] + shape[:-1]) / 2).sum()
     candela = shape * WALL_LAMP_FLUX / flux
     lines = ["IESNA:LM-63-2002", "[TEST] computed by make_bathroom.py", "[TESTLAB] none", "[ISSUEDATE] 2026-01-01",
-             "[MANUFAC] UPS samples", "[LUMINAIRE] wall lamp, up and down, 600 lm", "TILT=NONE",
+             "[MANUFAC] UPS samples", f"[LUMINAIRE] wall lamp, up and down, {WALL_LAMP_FLUX:.0f} lm", "TILT=NONE",
              f"1 -1 1 {len(gamma)} 1 1 2 {-OPENING_DIAMETER} {-OPENING_DIAMETER} 0", "1 1 8"]
     for values, form in ((gamma, "{:.1f}"), (np.zeros(1), "{:.1f}"), (candela, "{:.3f}")):
         words = [form.format(v) for v in values]
