@@ -163,11 +163,9 @@ class LightWalk {
       return false;
     }
     const bool merge = merge_gate(bsdf) && (a > 1 || in_.plan.gates.merge_at_first);
-    if (bsdf.has_continuous()) {
-      if (in_.store_vertices) store(a, wo, state, merge);
-      if (in_.settings.has(UPS_TECHNIQUE_SENSOR_CONNECT))
-        for (uint32_t c = 0; c < scene_.cameras.size(); ++c) splat(c, a, bsdf, local, state, merge);
-    }
+    if (in_.store_vertices && (merge || bsdf.has_continuous())) store(a, wo, state, merge);
+    if (bsdf.has_continuous() && in_.settings.has(UPS_TECHNIQUE_SENSOR_CONNECT))
+      for (uint32_t c = 0; c < scene_.cameras.size(); ++c) splat(c, a, bsdf, local, state, merge);
     return continue_walk(a, bsdf, wo, local, state, merge);
   }
 

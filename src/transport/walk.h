@@ -70,8 +70,9 @@ inline bool segment_free(const Snapshot& scene, const Vec3& a, const Vec3& b, Wo
 }
 
 // Photons may be merged at a point: a function of the point alone, so that both walks know it. Sharp lobes are in: light
-// that comes to them by way of mirrors and lenses from a small emitter is found by nothing else in reasonable time.
-inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous(); }
+// that comes to them by way of mirrors and lenses from a small emitter is found by nothing else in reasonable time. So
+// are black surfaces: what lights them can be measured.
+inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous() || !bsdf.has_delta(); }
 
 // The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe. Its
 // distance along the chain; 0: none.
@@ -84,7 +85,7 @@ inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, SurfacePoint& 
     distance += hit.t;
     direction = d;
     const Bsdf bsdf(scene.materials[s.material], s.uv);
-    if (bsdf.has_continuous() || !bsdf.has_delta()) return distance;  // a black one is diffuse too
+    if (merge_gate(bsdf)) return distance;
     BsdfSample next;
     if (!bsdf.sample(s.shading.to_local(-d), 0.5f, {0.5f, 0.5f}, TransportMode::radiance, next)) return 0;
     d = s.shading.to_world(next.wi);

@@ -65,12 +65,14 @@ inline ups_material_desc emitter(double luminance_cd_m2, double reflectance = 0)
 struct Image {
   uint32_t width = 0, height = 0;
   std::vector<float> luminance, standard_error;  // rgb
+  std::vector<float> illuminance;                // lx; empty unless the camera has it
 };
 
 struct Sensor {
   ups_sensor_id id{0};
   uint32_t count = 0;              // meters
   uint32_t width = 0, height = 0;  // camera
+  bool illuminance = false;
 };
 
 class Result {
@@ -108,9 +110,9 @@ class Result {
     return s;
   }
   Image image(const Sensor& camera) const {
-    Image out{camera.width, camera.height, read(camera, UPS_CHANNEL_LUMINANCE_RGB),
-              read(camera, UPS_CHANNEL_STANDARD_ERROR_RGB)};
-    return out;
+    return {camera.width, camera.height, read(camera, UPS_CHANNEL_LUMINANCE_RGB, 3),
+            read(camera, UPS_CHANNEL_STANDARD_ERROR_RGB, 3),
+            camera.illuminance ? read(camera, UPS_CHANNEL_ILLUMINANCE, 1) : std::vector<float>{}};
   }
   std::string text(ups_result_text topic) const {
     size_t needed = 0;
@@ -126,8 +128,8 @@ class Result {
     for (double v : values)
       if (!std::isfinite(v)) throw std::runtime_error(std::string("not finite: ") + what);
   }
-  std::vector<float> read(const Sensor& camera, ups_channel channel) const {
-    std::vector<float> out(size_t(3) * camera.width * camera.height);
+  std::vector<float> read(const Sensor& camera, ups_channel channel, size_t components) const {
+    std::vector<float> out(components * camera.width * camera.height);
     check(ups_result_read_image(result_.get(), camera.id, channel, out.data(), 0, out.size() * sizeof(float)),
           "ups_result_read_image");
     for (float v : out) require_finite({v}, "image");
@@ -225,14 +227,16 @@ class Scene {
                    double width, double height) {
     return add_meter_set(centers, normals, tangents, width, height);
   }
-  Sensor add_camera(const P3& position, const P3& direction, uint32_t width, uint32_t height, double vertical_fov_rad) {
+  Sensor add_camera(const P3& position, const P3& direction, uint32_t width, uint32_t height, double vertical_fov_rad,
+                    bool illuminance = false) {
     auto d = make_desc<ups_camera_desc>(ups_camera_desc_init);
     d.width = width;
     d.height = height;
     d.vertical_fov_rad = float(vertical_fov_rad);
     const auto m = facing(position, direction);
     std::copy(m.begin(), m.end(), d.to_world);
-    Sensor s{{0}, 0, width, height};
+    d.illuminance = illuminance;
+    Sensor s{{0}, 0, width, height, illuminance};
     check(ups_scene_add_camera(scene_.get(), &d, &s.id), "ups_scene_add_camera");
     sensors_.push_back(s);
     return s;

@@ -1,0 +1,109 @@
+// Images of scenes whose luminance and illuminance have a closed form, pixel by pixel.
+#include <vector>
+
+#include "../support/expect_lx.h"
+
+namespace ups::test {
+namespace {
+
+constexpr uint32_t side = 16;
+constexpr double camera_z = 2, half_extent = 0.5;  // of the square of floor that the camera sees
+const P3 lamp{0.4, -0.2, 1.5};
+constexpr double candela = 300;
+
+Sensor add_camera_above(Scene& scene) {
+  return scene.add_camera({0, 0, camera_z}, {0, 0, -1}, side, side, 2 * std::atan(half_extent / camera_z), true);
+}
+
+double lamp_illuminance(const P3& p) {
+  const P3 d = lamp - p;
+  return candela * d.z / std::pow(length(d), 3);
+}
+
+// Mean of f over the floor that a pixel covers: 4 x 4 points; row 0 is the top, +y.
+template <class F>
+double pixel_mean(uint32_t x, uint32_t y, const F& f) {
+  double sum = 0;
+  for (int i = 0; i < 16; ++i) {
+    const double u = (x + (i % 4 + 0.5) / 4) / side, v = (y + (i / 4 + 0.5) / 4) / side;
+    sum += f(P3{(2 * u - 1) * half_extent, (1 - 2 * v) * half_extent, 0});
+  }
+  return sum / 16;
+}
+
+// Illuminance varies by some per cent within a pixel, and 64 visits are stratified: 1 % is many standard errors.
+template <class F>
+void expect_illuminance(const Image& image, const F& expected, double relative, const std::string& what) {
+  ASSERT_EQ(image.illuminance.size(), side * side);
+  for (uint32_t y = 0; y < side; ++y)
+    for (uint32_t x = 0; x < side; ++x) {
+      const double e = pixel_mean(x, y, expected);
+      EXPECT_NEAR(image.illuminance[y * side + x], e, relative * e) << what << ", pixel " << x << ", " << y;
+    }
+}
+
+constexpr ups_method methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING};
+
+TEST(IlluminanceCamera, MeasuresWhatItSees) {
+  for (double reflectance : {0.5, 0.0}) {  // black reflects nothing and is lit all the same
+    Scene scene;
+    scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(reflectance));
+    scene.add_point_light(lamp, candela);
+    const Sensor camera = add_camera_above(scene);
+    for (ups_method m : methods) {
+      const Image image = scene.render({.method = m, .iterations = 64}).image(camera);
+      expect_illuminance(image, lamp_illuminance, 0.01, method_name(m));
+      for (uint32_t y = 0; y < side; ++y)
+        for (uint32_t x = 0; x < side; ++x) {
+          const double l = reflectance / pi_d * pixel_mean(x, y, lamp_illuminance);
+          EXPECT_NEAR(image.luminance[3 * (y * side + x)], l, 0.01 * l) << method_name(m) << ", pixel " << x << ", " << y;
+        }
+    }
+  }
+}
+
+// In a mirror that lies under the camera it sees the ceiling, upside down and one camera height further away.
+TEST(IlluminanceCamera, MeasuresWhatAMirrorShows) {
+  const double ceiling_z = 3, reach = half_extent * (camera_z + ceiling_z) / camera_z;
+  Scene scene;
+  scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), mirror(0.5));
+  scene.add(quad({-3, -3, ceiling_z}, {0, 6, 0}, {6, 0, 0}), matte(0));
+  scene.add_point_light(lamp, candela);
+  const Sensor camera = add_camera_above(scene);
+  // The lamp itself, and its image in the mirror, which only photons carry to the ceiling.
+  const auto ceiling = [&](const P3& floor) {
+    const P3 p{floor.x / half_extent * reach, floor.y / half_extent * reach, ceiling_z};
+    const P3 direct = p - lamp, mirrored = p - P3{lamp.x, lamp.y, -lamp.z};
+    return candela * (direct.z / std::pow(length(direct), 3) + 0.5 * mirrored.z / std::pow(length(mirrored), 3));
+  };
+  const Image image = scene.render({.iterations = 128, .light_paths = 1u << 16}).image(camera);
+  double total = 0, expected = 0;
+  for (uint32_t y = 0; y < side; ++y)
+    for (uint32_t x = 0; x < side; ++x) {
+      const double e = pixel_mean(x, y, ceiling);
+      EXPECT_NEAR(image.illuminance[y * side + x], e, 0.05 * e) << "pixel " << x << ", " << y;
+      total += image.illuminance[y * side + x];
+      expected += e;
+    }
+  EXPECT_NEAR(total, expected, 0.005 * expected);
+}
+
+// Sunlight by way of a mirror: nothing but light paths finds it, merged at a meter or landed on a cell.
+TEST(DirectionalLight, ReachesAFloorByAMirror) {
+  const double lx = 1000, reflectance = 0.8, expected = reflectance * lx * std::sqrt(0.5);
+  Scene scene;
+  scene.add_directional({1, 0, -1}, lx);
+  scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0));
+  scene.add(quad({-2, -2, 2.5}, {0, 4, 0}, {4, 0, 0}), matte(0));  // a roof; light passes beside it onto the mirror
+  scene.add(quad({5, -3, -1}, {0, 0, 8}, {0, 6, 0}), mirror(reflectance));
+  const std::vector<P3> points{{1.5, 0, 0}, {1.7, 0.5, 0}}, up(2, P3{0, 0, 1}), along(2, P3{1, 0, 0});
+  const Sensor meters = scene.add_meters(points, up), cells = scene.add_cells(points, up, along, 0.3, 0.3);
+  const Result ups = scene.render({.iterations = 96, .light_paths = 1u << 15});
+  for (const auto& r : ups.readings(meters)) expect_inside_bound(r, expected, 0.25, "UPS, meter");
+  for (const auto& r : ups.readings(cells)) expect_lx(r, expected, 0.03, "UPS, cell");
+  const Result lt = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 96, .light_paths = 1u << 15});
+  for (const auto& r : lt.readings(cells)) expect_lx(r, expected, 0.03, "light tracing, cell");
+}
+
+}  // namespace
+}  // namespace ups::test
