@@ -320,7 +320,7 @@ PilotPaths trace_pilot_paths(const LightPassInput& in, const SensorIndex& sensor
   for (const Block& b : run_blocks(in, sensors, pool)) {
     for (const Block::Landing& l : b.landings) {
       if (paths.crossings.size() <= l.disc) paths.crossings.resize(l.disc + 1);
-      paths.crossings[l.disc].push_back(l.distance2);
+      paths.crossings[l.disc].push_back({l.distance2, l.value.value});
     }
     paths.vertices.insert(paths.vertices.end(), b.vertices.begin(), b.vertices.end());
   }

@@ -28,7 +28,11 @@ LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensor
 
 // What is thrown away after radii are chosen from it.
 struct PilotPaths {
-  std::vector<std::vector<float>> crossings;  // squared distances at which discs of the sensor index are crossed, by disc
+  struct Crossing {
+    float distance2;  // to the disc's centre
+    double value;     // what the photon adds to a meter, lx
+  };
+  std::vector<std::vector<Crossing>> crossings;  // by disc of the sensor index
   std::vector<LightVertex> vertices;
 };
 PilotPaths trace_pilot_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool);

@@ -1,0 +1,120 @@
+// The radius at which a meter's disc starts to catch photons: so that noise and bias together are least.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "transport/radii.h"
+#include "transport/walk.h"
+
+namespace ups {
+
+namespace {
+
+// Median distance of a meter of the set to its nearest neighbour; infinite where there is none.
+float typical_spacing(const MeterSet& set) {
+  std::vector<float> nearest;
+  const size_t n = set.meters.size(), step = std::max<size_t>(1, n / 256);
+  for (size_t i = 0; i < n; i += step) {
+    float best = std::numeric_limits<float>::infinity();
+    for (size_t j = 0; j < n; ++j)
+      if (j != i) best = std::min(best, length2(set.meters[j].p - set.meters[i].p));
+    if (std::isfinite(best) && best > 0) nearest.push_back(std::sqrt(best));
+  }
+  if (nearest.empty()) return std::numeric_limits<float>::infinity();
+  std::nth_element(nearest.begin(), nearest.begin() + nearest.size() / 2, nearest.end());
+  return nearest[nearest.size() / 2];
+}
+
+// A disc must not reach through a wall: photons behind it would leak in, and its edge would darken.
+float distance_in_plane(const Snapshot& scene, const Meter& meter, float radius) {
+  const Vec3 o = lifted(meter.p, meter.frame.n, meter.error);
+  float free = radius;
+  for (int i = 0; i < 32; ++i) {
+    const float phi = (float(i) + 0.5f) * (2 * pi / 32);
+    Hit hit;
+    if (scene.raytracer->intersect(o, meter.frame.s * std::cos(phi) + meter.frame.t * std::sin(phi), free, hit)) free = hit.t;
+  }
+  return std::max(0.99f * free, radius / 16);
+}
+
+// What the pilot says of one disc, free of its radius: the variance of one iteration is noise / r^2, its bias curvature * r^2.
+struct DiscMoments {
+  double noise = 0, curvature = 0;
+};
+
+DiscMoments moments(const std::vector<PilotPaths::Crossing>& crossings, double radius2, uint32_t passes) {
+  double squares = 0, difference = 0;
+  for (const PilotPaths::Crossing& c : crossings) {
+    squares += c.value * c.value;
+    difference += 2.0 * c.value * (2.0 * c.distance2 < radius2 ? -1 : 1);  // 2 (M_r - M_{r / sqrt 2})
+  }
+  return {squares / passes * radius2, difference / passes / radius2};
+}
+
+// Means over each meter's neighbourhood: one meter's photons are too few to tell bias from noise.
+std::vector<DiscMoments> pooled(const MeterSet& set, const std::vector<DiscMoments>& own, float reach) {
+  constexpr size_t enough = 32;
+  std::vector<uint32_t> order(own.size());
+  for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto x = [&](uint32_t i) { return set.meters[i].p.x; };
+  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return x(a) != x(b) ? x(a) < x(b) : a < b; });
+  std::vector<DiscMoments> out(own.size());
+  for (size_t at = 0; at < order.size(); ++at) {
+    const Meter& meter = set.meters[order[at]];
+    size_t count = 0;
+    DiscMoments sum;
+    const auto take = [&](uint32_t j) {
+      const Meter& other = set.meters[j];
+      if (length2(other.p - meter.p) > reach * reach || dot(other.frame.n, meter.frame.n) < 0.9f) return;
+      sum.noise += own[j].noise;
+      sum.curvature += own[j].curvature;
+      ++count;
+    };
+    take(order[at]);
+    for (size_t k = at; k-- > 0 && count < enough && meter.p.x - x(order[k]) <= reach;) take(order[k]);
+    for (size_t k = at + 1; k < order.size() && count < 2 * enough && x(order[k]) - meter.p.x <= reach; ++k) take(order[k]);
+    out[order[at]] = {sum.noise / double(count), sum.curvature / double(count)};
+  }
+  return out;
+}
+
+// Least mean square error. After n iterations of Plan::radius2_factor the variance is
+// Gamma(5/3) / (4/3) noise / r_1^2 n^(-2/3) and the bias 1.5 * 1.108 curvature r_1^2 n^(-1/3), so that n drops out of
+// r_1^6 = 0.1226 noise / curvature^2.
+double best_radius2(const DiscMoments& m, double largest2) {
+  if (!(m.noise > 0)) return largest2;
+  const double best = std::cbrt(0.1226 * m.noise / (m.curvature * m.curvature));
+  return std::clamp(best, largest2 / 64, largest2);
+}
+
+}  // namespace
+
+std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set, ThreadPool& pool) {
+  if (set.is_cell()) return std::vector<float>(set.meters.size());  // photons are counted there, not merged
+  // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
+  const float largest = std::min(0.1f * scene.radius, std::sqrt(2.0f) * typical_spacing(set));
+  std::vector<float> radii(set.meters.size(), largest);
+  pool.for_blocks(radii.size(), 64, [&](size_t, size_t begin, size_t end) {
+    for (size_t m = begin; m < end; ++m) radii[m] = distance_in_plane(scene, set.meters[m], radii[m]);
+  });
+  return radii;
+}
+
+void fit_disc_radii(const Snapshot& scene, const SensorIndex& sensors, const std::vector<std::vector<PilotPaths::Crossing>>& crossings,
+                    uint32_t passes, std::vector<std::vector<float>>& radii) {
+  std::vector<std::vector<DiscMoments>> own;
+  for (const auto& set : radii) own.emplace_back(set.size());
+  for (uint32_t disc = 0; disc < crossings.size(); ++disc) {
+    const SensorIndex::Entry& e = sensors.entry(disc);
+    if (e.radius2 > 0) own[e.set][e.meter] = moments(crossings[disc], e.radius2, passes);
+  }
+  for (size_t s = 0; s < radii.size(); ++s) {
+    const MeterSet& set = scene.meter_sets[s];
+    if (set.is_cell()) continue;
+    const std::vector<DiscMoments> m = pooled(set, own[s], 1.5f * typical_spacing(set));
+    for (size_t i = 0; i < radii[s].size(); ++i)
+      radii[s][i] = float(std::sqrt(best_radius2(m[i], double(radii[s][i]) * radii[s][i])));
+  }
+}
+
+}  // namespace ups
