@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The checks of accuracy in samples/evaluation/README.md, one after another, and a summary: about two and a half hours.
-# Not part of tests/run.sh: they compare at equal time, so nothing else may run beside them. Exit code 1 where one fails.
+# Not part of tests/run.sh: they compare at equal time, so nothing else may run beside them. Exit code 1 where one
+# fails.
 #   tests/long.sh                       all
 #   tests/long.sh office spheres        some of: office caustic spheres bathroom
 # UPS_PROGRAM: a program `ups` that is there; without it the one in build/release is built, after what it needs.
@@ -63,7 +64,7 @@ caustic() {
 
 spheres() { "$python" samples/evaluation/check_sphere.py --ups "$ups" --time "$(seconds 10)"; }
 
-# No limit: its table is read.
+# Without a limit: its table is read.
 bathroom() {
   compare samples/bathroom/bathroom.glb --methods ups bpt ppm --time "$(seconds 60)" --seeds 8 --size 320x240 \
     --out "$out/bathroom_methods"
@@ -82,6 +83,7 @@ check() {
   [ "${PIPESTATUS[0]}" = 0 ] || result=FAILED
   set -e
   [ "$result" = passed ] || failed=1
+  if [ "$name $result" = "bathroom passed" ]; then result="ran; without a limit"; fi
   names+=("$name")
   results+=("$result")
 }
