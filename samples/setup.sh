@@ -1,18 +1,21 @@
 #!/usr/bin/env bash
 # Installs what building UPS needs on Debian 12, Debian 13 or Ubuntu 24.04; packages that are there are left alone.
-#   samples/setup.sh run     to build the library, its extras, the program and the samples
-#   samples/setup.sh test    the same and what the tests need
+#   samples/setup.sh run           to build the library, its extras, the program and the samples
+#   samples/setup.sh test          the same and what the tests need
+#   samples/setup.sh benchmarks    the first and what the benchmarks need
 set -euo pipefail
 
 run_packages=(cmake ninja-build g++ pkgconf libembree-dev libtbb-dev libopenexr-dev libimath-dev libopencolorio-dev
   libtinygltf-dev libstb-dev nlohmann-json3-dev libcli11-dev python3-numpy)
-test_packages=(libgtest-dev libbenchmark-dev python3-pytest python3-matplotlib mono-mcs mono-runtime abigail-tools)
+test_packages=(libgtest-dev python3-pytest python3-matplotlib mono-mcs mono-runtime abigail-tools)
+benchmark_packages=(libbenchmark-dev)
 
 case "${1-}" in
   run) wanted=("${run_packages[@]}") ;;
   test) wanted=("${run_packages[@]}" "${test_packages[@]}") ;;
+  benchmarks) wanted=("${run_packages[@]}" "${benchmark_packages[@]}") ;;
   *)
-    echo "usage: $0 run|test" >&2
+    echo "usage: $0 run|test|benchmarks" >&2
     exit 2
     ;;
 esac

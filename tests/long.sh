@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# The checks of accuracy in samples/evaluation/README.md, one after another, and a summary: about two and a half hours.
+# Not part of tests/run.sh: they compare at equal time, so nothing else may run beside them. Exit code 1 where one
+# fails.
+#   tests/long.sh                       all
+#   tests/long.sh office spheres        some of: office caustic spheres bathroom
+# UPS_PROGRAM: a program `ups` that is there; without it the one in build/release is built, after what it needs.
+# UPS_TIME_SCALE: multiplies every time. Below 1 the limits cannot be kept: it shows only that the checks run.
+# shellcheck disable=SC2317  # the checks are called by name
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+scale=${UPS_TIME_SCALE:-1}
+# References of full length are kept where the README's commands keep them, and used again.
+out=out
+[ "$scale" = 1 ] || out=out/scaled
+names=()
+results=()
+failed=0
+
+step() { printf '\n== %s\n' "$*"; }
+
+seconds() { awk -v s="$1" -v f="$scale" 'BEGIN { printf "%g", s * f }'; }
+
+build() {
+  step "Packages (samples/setup.sh run)"
+  bash samples/setup.sh run
+  step "Build the program ups in build/release"
+  if [ -f build/release/CMakeCache.txt ]; then # keeps its options
+    cmake -S . -B build/release
+  else
+    cmake --preset release -DUPS_BUILD_TESTS=OFF
+  fi
+  cmake --build build/release --parallel "$(nproc)" --target ups_program
+}
+
+# The system's python3 has the system's numpy; the one on PATH may not.
+python=python3
+if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then python=/usr/bin/python3; fi
+
+# An unchanged scene keeps its file, and so its reference.
+make_scene() {
+  local scene=samples/evaluation/$1.glb fresh=$out/$1.glb
+  "$python" "samples/evaluation/make_$1.py" --out "$fresh" >/dev/null
+  if cmp -s "$fresh" "$scene"; then rm "$fresh"; else mv "$fresh" "$scene"; fi
+}
+
+compare() { # scene, options of compare_methods.py
+  local scene=$1
+  shift
+  "$python" samples/evaluation/compare_methods.py --ups "$ups" --scene "$scene" "$@"
+}
+
+office() {
+  make_scene office
+  compare samples/evaluation/office.glb --methods auto --time "$(seconds 10)" --reference-method pt \
+    --reference-time "$(seconds 600)" --out "$out/office" --max-error 0.005
+}
+
+caustic() {
+  make_scene caustic
+  compare samples/evaluation/caustic.glb --methods auto --time "$(seconds 20)" --reference-method lt \
+    --reference-time "$(seconds 600)" --out "$out/caustic" --max-error 0.03
+}
+
+spheres() { "$python" samples/evaluation/check_sphere.py --ups "$ups" --time "$(seconds 10)"; }
+
+# Without a limit: its table is read.
+bathroom() {
+  compare samples/bathroom/bathroom.glb --methods ups bpt ppm --time "$(seconds 60)" --seeds 8 --size 320x240 \
+    --out "$out/bathroom_methods"
+}
+
+# Runs one check; the table that it prints is kept for the summary.
+check() {
+  local name=$1 log=$out/long_$1.txt result=passed
+  step "$name"
+  # A shell of its own: `set -e` would not hold within a condition.
+  set +e
+  (
+    set -e
+    "$name"
+  ) | tee "$log"
+  [ "${PIPESTATUS[0]}" = 0 ] || result=FAILED
+  set -e
+  [ "$result" = passed ] || failed=1
+  if [ "$name $result" = "bathroom passed" ]; then result="ran; without a limit"; fi
+  names+=("$name")
+  results+=("$result")
+}
+
+summary() {
+  step "Summary"
+  local i
+  for i in "${!names[@]}"; do
+    printf '%-10s %s\n' "${names[i]}" "${results[i]}"
+    sed 's/^/    /' "$out/long_${names[i]}.txt"
+  done
+  [ "$scale" = 1 ] || echo "All times were multiplied by $scale: what failed above may only have had too little of it."
+}
+
+wanted=("$@")
+[ $# -gt 0 ] || wanted=(office caustic spheres bathroom)
+for name in "${wanted[@]}"; do
+  case "$name" in
+    office | caustic | spheres | bathroom) ;;
+    *)
+      echo "usage: $0 [office] [caustic] [spheres] [bathroom]" >&2
+      exit 2
+      ;;
+  esac
+done
+ups=${UPS_PROGRAM:-build/release/bin/ups}
+if [ -z "${UPS_PROGRAM-}" ]; then build; fi
+mkdir -p "$out"
+for name in "${wanted[@]}"; do check "$name"; done
+summary
+exit "$failed"
