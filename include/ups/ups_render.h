@@ -88,6 +88,7 @@ typedef struct ups_meter_statistics {
   double mean_lx, min_lx, max_lx;
   double uniformity;             /* min / mean; 0 where the mean is 0 */
   double mean_standard_error_lx; /* of the mean */
+  /* -1: not known, as in too short a render, or where the scene emits light and none has reached the set */
   double median_relative_error_bound, p95_relative_error_bound, worst_relative_error_bound;
 } ups_meter_statistics;
 

@@ -63,7 +63,7 @@ ErrorSummary summary_of(std::vector<double> errors, double bias_share) {
 
 }  // namespace
 
-Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan) {
+Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan), emits_(scene.emitters.flux_lm() > 0) {
   for (const MeterSet& set : scene.meter_sets) meters_.emplace_back(set.meters.size());
   for (const Camera& c : scene.cameras) {
     const size_t n = size_t(c.pixel_count()) * 3;
@@ -151,7 +151,7 @@ MeterSetReading Accumulator::read_meters(size_t set) const {
   for (const ups_meter_reading& m : r.meters)
     if (m.error_bound_lx >= 0 && mean.mean > 0)
       errors.push_back(m.error_bound_lx / std::max(double(m.illuminance_lx), share_of_mean * mean.mean));
-  const bool known = mean.standard_error >= 0;  // a dark set has no error
+  const bool known = mean.standard_error >= 0 && !emits_;  // a set that no light has reached has no known error
   const ErrorSummary e = summary_of(std::move(errors), 0);
   s.median_relative_error_bound = e.median >= 0 ? e.median : known ? 0 : -1;
   s.p95_relative_error_bound = e.p95 >= 0 ? e.p95 : known ? 0 : -1;
@@ -166,16 +166,50 @@ ImageReading Accumulator::read_image(size_t c) const {
                  std::vector<float>(image.illuminance.size())};
   const uint32_t passes = iterations_ / plan_.camera_subsets;
   for (size_t p = 0; p < pixels; ++p) {
-    const uint32_t x = uint32_t(p % image.width), y = uint32_t(p / image.width);
-    const uint32_t visits = image.visits[(x + y * plan_.subset_shift()) % plan_.camera_subsets];
-    if (!image.illuminance.empty() && visits) r.illuminance[p] = float(image.illuminance[p] / visits);
+    const uint32_t n = visits(image, p);
+    if (!image.illuminance.empty() && n) r.illuminance[p] = float(image.illuminance[p] / n);
     for (size_t i = p * 3; i < p * 3 + 3; ++i) {
-      r.luminance_rgb[i] = float((visits ? image.eye[i] / visits : 0.0) + (iterations_ ? image.splat[i] / iterations_ : 0.0));
+      r.luminance_rgb[i] = float((n ? image.eye[i] / n : 0.0) + (iterations_ ? image.splat[i] / iterations_ : 0.0));
       if (passes >= min_batches)
         r.standard_error_rgb[i] = float(spread(image.batches.data() + i, passes, pixels * 3).standard_error);
     }
   }
+  if (passes == 0) fill_from_neighbours(image, r);
   return r;
+}
+
+uint32_t Accumulator::visits(const Image& image, size_t pixel) const {
+  const uint32_t x = uint32_t(pixel % image.width), y = uint32_t(pixel / image.width);
+  return image.visits[(x + y * plan_.subset_shift()) % plan_.camera_subsets];
+}
+
+size_t Accumulator::unvisited_pixels(size_t c) const {
+  size_t count = 0;
+  for (size_t p = 0; p < size_t(images_[c].width) * images_[c].height; ++p) count += visits(images_[c], p) == 0;
+  return count;
+}
+
+// A render that ended within its first pass: what eye paths would have found at a pixel is what they found beside it.
+void Accumulator::fill_from_neighbours(const Image& image, ImageReading& r) const {
+  const int w = int(image.width), h = int(image.height), reach = int(plan_.camera_subsets);
+  for (int p = 0; p < w * h; ++p) {
+    if (visits(image, size_t(p))) continue;
+    const int x = p % w, y = p / w;
+    double sum[4] = {}, count = 0;
+    for (int d = 1; d <= reach && count == 0; ++d)
+      for (int v = std::max(0, y - d); v <= std::min(h - 1, y + d); ++v)
+        for (int u = std::max(0, x - d); u <= std::min(w - 1, x + d); ++u) {
+          const size_t q = size_t(v) * w + u;
+          const uint32_t n = visits(image, q);
+          if (n == 0) continue;
+          for (int k = 0; k < 3; ++k) sum[k] += image.eye[q * 3 + k] / n;
+          if (!image.illuminance.empty()) sum[3] += image.illuminance[q] / n;
+          ++count;
+        }
+    if (count == 0) continue;
+    for (int k = 0; k < 3; ++k) r.luminance_rgb[size_t(p) * 3 + k] += float(sum[k] / count);
+    if (!image.illuminance.empty()) r.illuminance[size_t(p)] = float(sum[3] / count);
+  }
 }
 
 ErrorSummary Accumulator::summarize() const {
@@ -185,9 +219,14 @@ ErrorSummary Accumulator::summarize() const {
   for (size_t s = 0; s < meters_.size(); ++s) {
     const MeterSetReading set = read_meters(s);
     if (set.statistics.mean_standard_error_lx < 0) return {};
+    if (!(set.statistics.mean_lx > 0)) {
+      if (!takes_dark_for_dark()) return {};
+      errors.push_back(0);
+      continue;
+    }
     for (const ups_meter_reading& m : set.meters) {
       const double floor = share_of_mean * set.statistics.mean_lx;
-      errors.push_back(floor > 0 ? m.error_bound_lx / std::max(double(m.illuminance_lx), floor) : 0.0);
+      errors.push_back(m.error_bound_lx / std::max(double(m.illuminance_lx), floor));
       bias += std::abs(m.bias_lx);
       bound += m.error_bound_lx;
     }
@@ -205,7 +244,11 @@ ErrorSummary Accumulator::summarize_images() const {
     const auto y = [](const float* p) { return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]; };
     double mean = 0;
     for (size_t p = 0; p < pixels; ++p) mean += y(&image.luminance_rgb[p * 3]) / double(pixels);
-    if (!(mean > 0)) continue;
+    if (!(mean > 0)) {
+      if (!takes_dark_for_dark()) return {};
+      errors.push_back(0);
+      continue;
+    }
     for (size_t p = 0; p < pixels; ++p)
       errors.push_back(t_quantile(passes) * y(&image.standard_error_rgb[p * 3]) /
                        std::max(y(&image.luminance_rgb[p * 3]), share_of_mean * mean));

@@ -36,6 +36,7 @@ class Accumulator {
   MeterSetReading read_meters(size_t set) const;
   ImageReading read_image(size_t camera) const;
   ErrorSummary summarize() const;
+  size_t unvisited_pixels(size_t camera) const;  // by eye paths so far
 
  private:
   // value, direct, bias of each batch of one meter
@@ -52,8 +53,13 @@ class Accumulator {
   };
   void add_image(size_t c, const IterationTally& tally);
   ErrorSummary summarize_images() const;
+  uint32_t visits(const Image& image, size_t pixel) const;
+  void fill_from_neighbours(const Image& image, ImageReading& reading) const;
+  // Light that has not been found by then is taken not to be there.
+  bool takes_dark_for_dark() const { return !emits_ || iterations_ >= 16 * batch_count; }
 
   const Plan& plan_;
+  const bool emits_;
   uint32_t iterations_ = 0;
   std::vector<std::vector<MeterSums>> meters_;
   std::vector<Image> images_;

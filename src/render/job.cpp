@@ -81,7 +81,7 @@ void RenderJob::run() {
 
 void RenderJob::iterate() {
   start_ = std::chrono::steady_clock::now();
-  integrator_ = std::make_unique<Integrator>(scene_, settings_of(desc_, method_), *pool_);
+  integrator_ = std::make_unique<Integrator>(scene_, settings_of(desc_, method_), *pool_, stop_);
   {
     const std::lock_guard lock(mutex_);
     sums_ = std::make_unique<Accumulator>(*scene_, integrator_->plan());
@@ -128,10 +128,10 @@ void RenderJob::count_flux() {
     s.seed = desc_.seed;
     Plan plan;
     plan.light_paths = flux_paths;
-    static const std::atomic<bool> never{false};
     IterationTally tally;
     const SensorIndex no_sensors(*scene_, plan, s, 0, 1);
-    trace_light_paths({*scene_, plan, s, flux_iteration, flux_iteration, 0, 1.0, 0.0, false, never}, no_sensors, *pool_, tally);
+    trace_light_paths({*scene_, plan, s, flux_iteration, flux_iteration, 0, 1.0, 0.0, false, stop_}, no_sensors, *pool_, tally);
+    if (stop_.load()) return;  // incomplete; both stay unknown
     work = tally.work;
   }
   const double n = double(std::max<uint64_t>(1, work.light_paths));
@@ -213,9 +213,24 @@ std::shared_ptr<const RenderResult> RenderJob::result() const {
   for (size_t s = 0; s < scene_->meter_sets.size(); ++s) r->meter_sets.push_back(sums_->read_meters(s));
   r->convergence = convergence_;
   r->warnings = lines(scene_->warnings) + lines(method_.warnings);
+  add_warnings(*r);
   r->effects = scene_->effects.text;
   r->techniques = method_.text;
   return r;
+}
+
+// What the readings themselves cannot say.
+void RenderJob::add_warnings(RenderResult& r) const {
+  for (size_t c = 0; c < r.images.size(); ++c)
+    if (const size_t n = sums_->unvisited_pixels(c))
+      r.warnings += "camera " + std::to_string(r.camera_ids[c]) + ": the render ended before eye paths were traced for " +
+                    std::to_string(n) + " of its " + std::to_string(r.images[c].width * size_t(r.images[c].height)) +
+                    " pixels; they show the mean of their neighbours\n";
+  if (!(scene_->emitters.flux_lm() > 0)) return;
+  for (size_t s = 0; s < r.meter_sets.size(); ++s)
+    if (!(r.meter_sets[s].statistics.mean_lx > 0))
+      r.warnings += "meters " + std::to_string(r.meter_set_ids[s]) +
+                    ": no light has reached them; they are dark, or this method has not found their light\n";
 }
 
 }  // namespace ups

@@ -45,6 +45,7 @@ class RenderJob {
   bool at_end(double elapsed) const;
   void check_error(double elapsed);
   void count_flux();
+  void add_warnings(RenderResult& result) const;
 
   std::shared_ptr<const Snapshot> scene_;
   ups_render_desc desc_;

@@ -190,7 +190,8 @@ void Builder::add_geometry() {
 
 bool Builder::add_emitter(std::unique_ptr<Emitter> emitter, const Vec3& probe) {
   if (!(emitter->flux_lm() > 0)) return false;
-  if (!std::isfinite(emitter->flux_lm())) fail_argument("emits more light than a float can hold");
+  // Beyond it illuminance near by, or its square, would leave the range of a float.
+  if (!(emitter->flux_lm() <= 1e20)) fail_argument("emits more than 1e20 lm");
   emitters_.push_back(std::move(emitter));
   emitter_probes_.push_back(probe);
   return true;

@@ -50,7 +50,7 @@ float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3
                         const PathSampler& rng, WorkCounts& work) {
   SurfacePoint surface;
   Vec3 direction;
-  if (first_diffuse(in.scene, camera.position(), d, surface, direction) <= 0) return 0;
+  if (first_diffuse(in.scene, camera.position(), d, sensor.medium, surface, direction) <= 0) return 0;
   sensor.camera = false;
   const double eta = sensor.counts.eta_first;
   sensor.counts = meter_counts(in.plan, in.settings, false, in.walk_radius2);
@@ -119,12 +119,12 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
         pairing.assign(first_path + path, sensor);
         PathSampler rng(in.settings.seed, first_meter_stream + s, hash_combine(in.meter_batch, m),
                         in.meter_batch_visit * samples + k, in.iteration, path);
-        Vec3 p = lifted(meter.p, meter.frame.n, meter.error);
+        Vec3 p = meter.p;
         if (set.is_cell())
           p += meter.frame.s * ((rng.get(0, Slot::cell_x) - 0.5f) * set.cell_width) +
                meter.frame.t * ((rng.get(0, Slot::cell_y) - 0.5f) * set.cell_height);
         ++work[b].eye_paths;
-        const EyeTally found = EyeWalk(in, sensor, rng, work[b]).from_meter(p, meter.frame);
+        const EyeTally found = EyeWalk(in, sensor, rng, work[b]).from_meter(p, lifted(p, meter.frame.n, meter.error), meter.frame);
         sum.value += luminance(found.value);
         sum.direct += found.direct;
         sum.bias += found.bias;

@@ -22,11 +22,12 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
 EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) {
   meter_frame_ = frame;
   if (sensor_.end.merge > 0) meter_merge(surface);
-  return from_meter(surface.ray_origin(frame.n), frame);
+  return from_meter(surface.p, surface.ray_origin(frame.n), frame);
 }
 
-EyeTally EyeWalk::from_meter(const Vec3& p, const Frame& frame) {
-  origin_ = last_ = p;
+EyeTally EyeWalk::from_meter(const Vec3& p, const Vec3& ray_origin, const Frame& frame) {
+  origin_ = ray_origin;
+  last_ = p;
   meter_frame_ = frame;
   if (in_.settings.photon_mapping) return tally_;                  // photons land on the meter itself
   if (in_.settings.light_tracing && sensor_.cell) return tally_;  // so do light paths
@@ -47,6 +48,7 @@ EyeTally EyeWalk::from_meter(const Vec3& p, const Frame& frame) {
 
 void EyeWalk::walk() {
   for (uint32_t edges = 1; !longer_than_allowed(edges); ++edges) {
+    if (is_stopped(in_.stop, edges)) return;
     Hit hit;
     ++work_.rays;
     const bool found = scene_.raytracer->intersect(origin_, direction_, infinity, hit);

@@ -32,8 +32,9 @@ class EyeWalk {
 
   // pdf_w: density of the direction; throughput: what a unit of radiance along it is worth.
   EyeTally from_camera(const Vec3& p, const Vec3& direction, float pdf_w);
-  // A planar meter's point: next-event estimation, connections, then a cosine-weighted walk.
-  EyeTally from_meter(const Vec3& p, const Frame& frame);
+  // A planar meter's point: next-event estimation, connections, then a cosine-weighted walk. ray_origin: p, off the
+  // surface that it may lie on.
+  EyeTally from_meter(const Vec3& p, const Vec3& ray_origin, const Frame& frame);
   // The same on a surface, on the side of frame.n: photons stored there are merged.
   EyeTally from_surface(const SurfacePoint& surface, const Frame& frame);
 

@@ -13,7 +13,9 @@ inline constexpr uint32_t batch_count = 16;  // interleaved, independently scram
 
 class Integrator {
  public:
-  Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool);
+  // Traces a pilot; once `stop` is set only run() returning false is to be expected of it.
+  Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
+             const std::atomic<bool>& stop);
   const Plan& plan() const { return plan_; }
   const TransportSettings& settings() const { return settings_; }
   const Snapshot& scene() const { return *scene_; }

@@ -48,6 +48,7 @@ class LightWalk {
     if (!emit()) return;
     for (uint32_t a = 1;; ++a) {
       if (in_.settings.max_path_length && a > in_.settings.max_path_length) return;
+      if (is_stopped(in_.stop, a)) return;
       Hit hit;
       ++block_.work.rays;
       const bool found = scene_.raytracer->intersect(origin_, direction_, infinity, hit);

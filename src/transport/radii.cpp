@@ -22,7 +22,8 @@ std::vector<float> pixel_radii(const Snapshot& scene, const Camera& camera, Thre
       const Vec3 d = camera.ray(uint32_t(p) % camera.width(), uint32_t(p) / camera.width(), {0.5f, 0.5f});
       SurfacePoint s;
       Vec3 direction = d;
-      const float distance = first_diffuse(scene, camera.position(), d, s, direction);
+      uint32_t medium = none;
+      const float distance = first_diffuse(scene, camera.position(), d, medium, s, direction);
       const float area = distance * distance / (camera.pdf_w(d) * std::max(std::abs(dot(direction, s.ng)), 0.1f));
       radii[p] = 1.5f * std::sqrt(area * inv_pi);
     }
@@ -65,8 +66,8 @@ void fix_radii(float radius, Plan& plan) {
 
 // The pilot's light paths say how dense light is, and are thrown away. Fits the meters' discs; returns the vertices of
 // its first pass.
-std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, Plan& plan) {
-  static const std::atomic<bool> never{false};
+std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
+                                   const std::atomic<bool>& stop, Plan& plan) {
   const SensorIndex sensors(scene, plan, settings, 0, pool.thread_count());
   TransportSettings pilot = settings;
   pilot.photon_mapping = true;  // no weights are needed
@@ -75,7 +76,7 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
   std::vector<std::vector<PilotPaths::Crossing>> crossings;
   const uint32_t passes = sensors.empty() ? 1 : meter_pilot_passes;
   for (uint32_t k = 0; k < passes; ++k) {
-    const LightPassInput in{scene, plan, pilot, pilot_iteration - k, pilot_iteration, k, 1.0, 0.0, k == 0, never};
+    const LightPassInput in{scene, plan, pilot, pilot_iteration - k, pilot_iteration, k, 1.0, 0.0, k == 0, stop};
     PilotPaths paths = trace_pilot_paths(in, sensors, pool);
     if (k == 0) vertices = std::move(paths.vertices);
     if (crossings.size() < paths.crossings.size()) crossings.resize(paths.crossings.size());
@@ -88,12 +89,13 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
 
 }  // namespace
 
-void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, Plan& plan) {
+void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const std::atomic<bool>& stop,
+                  Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE)) return;
   for (const Camera& camera : scene.cameras) plan.pixel_radius.push_back(pixel_radii(scene, camera, pool));
   for (const MeterSet& set : scene.meter_sets) plan.meter_radius.push_back(largest_disc_radii(scene, set, pool));
   if (settings.merge_radius > 0) return fix_radii(settings.merge_radius, plan);
-  std::vector<LightVertex> vertices = run_pilot(scene, settings, pool, plan);
+  std::vector<LightVertex> vertices = run_pilot(scene, settings, pool, stop, plan);
   plan.walk_radius = typical_spacing(vertices, 0.05f * scene.radius);
   // A coarse image's pixels are wider than the light's detail that photons can show.
   for (auto& radii : plan.pixel_radius)

@@ -6,8 +6,10 @@
 
 namespace ups {
 
-// Fills plan.pixel_radius, plan.meter_radius and plan.walk_radius where the settings merge.
-void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, Plan& plan);
+// Fills plan.pixel_radius, plan.meter_radius and plan.walk_radius where the settings merge; with nothing useful once
+// `stop` is set.
+void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const std::atomic<bool>& stop,
+                  Plan& plan);
 
 // The parts for meters. Largest discs: limited by spacing, walls and the scene's size; 0 for cells.
 std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set, ThreadPool& pool);

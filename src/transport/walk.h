@@ -1,6 +1,7 @@
 // What both walks do alike: roulette, media, visibility, consistent sides, gates. Used by the light pass and the eye pass.
 #pragma once
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "scene/snapshot.h"
@@ -11,13 +12,13 @@ namespace ups {
 
 inline constexpr float min_cosine = 1e-6f;  // below it an edge is rejected by both walks (algorithm's grazing rule)
 
-// Survival probability: none before 4 edges; then the throughput left relative to its start, never below 0.05, so that
+// Survival probability: one before 4 edges; then the throughput left relative to its start, never below 0.05, so that
 // no path ends certainly and none lives long without light. Nearly lossless delta chains (light guides, facing mirrors)
-// are exempt up to 64 edges.
+// are exempt up to 64 edges; beyond, even an enclosure that absorbs nothing ends its paths.
 inline float survival(const Rgb& now, const Rgb& start, uint32_t edges, bool lossless_delta) {
   if (edges < 4 || (lossless_delta && edges < 64)) return 1.0f;
   const float s = max_component(start);
-  return s > 0 ? std::clamp(max_component(now) / s, 0.05f, 1.0f) : 1.0f;
+  return std::clamp(s > 0 ? max_component(now) / s : 1.0f, 0.05f, edges < 64 ? 1.0f : 0.95f);
 }
 
 // Shading and geometric normal agree on which side w lies.
@@ -74,9 +75,14 @@ inline bool segment_free(const Snapshot& scene, const Vec3& a, const Vec3& b, Wo
 // are black surfaces: what lights them can be measured.
 inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous() || !bsdf.has_delta(); }
 
+// Long walks look up now and then whether they are still wanted.
+inline bool is_stopped(const std::atomic<bool>& stop, uint32_t edges) {
+  return edges % 64 == 0 && stop.load(std::memory_order_relaxed);
+}
+
 // The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe. Its
-// distance along the chain; 0: none.
-inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, SurfacePoint& s, Vec3& direction) {
+// distance along the chain; 0: none. `medium`: at the start; becomes the one in front of the point.
+inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, uint32_t& medium, SurfacePoint& s, Vec3& direction) {
   float distance = 0;
   for (int edges = 0; edges < 32; ++edges) {
     Hit hit;
@@ -84,12 +90,14 @@ inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, SurfacePoint& 
     s = scene.raytracer->surface_at(hit);
     distance += hit.t;
     direction = d;
+    medium = medium_of_edge(scene, medium, &s, d);
     const Bsdf bsdf(scene.materials[s.material], s.uv);
     if (merge_gate(bsdf)) return distance;
     BsdfSample next;
     if (!bsdf.sample(s.shading.to_local(-d), 0.5f, {0.5f, 0.5f}, TransportMode::radiance, next)) return 0;
     d = s.shading.to_world(next.wi);
     o = s.ray_origin(d);
+    medium = medium_beyond(scene, s, medium, d);
   }
   return 0;
 }
