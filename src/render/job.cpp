@@ -1,5 +1,7 @@
 #include "render/job.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,6 +29,17 @@ void check(const ups_render_desc& d) {
     fail_argument("nothing would end this render: set time_limit_s, target_relative_error or iteration_count");
 }
 
+// Linux grants more memory than there is and ends the process that takes it.
+void check_memory(const Snapshot& scene) {
+  constexpr double bytes_per_pixel = 320;  // sums, batches and one iteration's tally (accumulator.h, tally.h)
+  double pixels = 0;
+  for (const Camera& c : scene.cameras) pixels += c.pixel_count();
+  const double needed = pixels * bytes_per_pixel, there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  if (needed > there)
+    throw Error(UPS_ERROR_OUT_OF_MEMORY, "the cameras' images need " + std::to_string(int64_t(needed / 1e9)) + " GB while they are rendered, the machine has " +
+                                             std::to_string(int64_t(there / 1e9)));
+}
+
 TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
   TransportSettings s;
   s.techniques = m.techniques;
@@ -45,6 +58,7 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
     : scene_(std::move(scene)), desc_(desc), pool_(std::move(pool)) {
   check(desc_);
   method_ = choose_method(*scene_, desc_.method, desc_.techniques);
+  check_memory(*scene_);
   if (scene_->cameras.empty() && scene_->meter_sets.empty())
     throw Error(UPS_ERROR_INVALID_STATE, "the scene has no sensor: add a camera or meters before ups_scene_commit");
 }

@@ -11,7 +11,7 @@ namespace ups {
 namespace {
 
 // Median distance of a meter of the set to its nearest neighbour; infinite where there is none.
-float typical_spacing(const MeterSet& set) {
+float meter_spacing(const MeterSet& set) {
   std::vector<float> nearest;
   const size_t n = set.meters.size(), step = std::max<size_t>(1, n / 256);
   for (size_t i = 0; i < n; i += step) {
@@ -92,7 +92,7 @@ double best_radius2(const DiscMoments& m, double largest2) {
 std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set, ThreadPool& pool) {
   if (set.is_cell()) return std::vector<float>(set.meters.size());  // photons are counted there, not merged
   // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
-  const float largest = std::min(0.1f * scene.radius, std::sqrt(2.0f) * typical_spacing(set));
+  const float largest = std::min(0.1f * scene.radius, std::sqrt(2.0f) * meter_spacing(set));
   std::vector<float> radii(set.meters.size(), largest);
   pool.for_blocks(radii.size(), 64, [&](size_t, size_t begin, size_t end) {
     for (size_t m = begin; m < end; ++m) radii[m] = distance_in_plane(scene, set.meters[m], radii[m]);
@@ -111,7 +111,7 @@ void fit_disc_radii(const Snapshot& scene, const SensorIndex& sensors, const std
   for (size_t s = 0; s < radii.size(); ++s) {
     const MeterSet& set = scene.meter_sets[s];
     if (set.is_cell()) continue;
-    const std::vector<DiscMoments> m = pooled(set, own[s], 1.5f * typical_spacing(set));
+    const std::vector<DiscMoments> m = pooled(set, own[s], 1.5f * meter_spacing(set));
     for (size_t i = 0; i < radii[s].size(); ++i)
       radii[s][i] = float(std::sqrt(best_radius2(m[i], double(radii[s][i]) * radii[s][i])));
   }

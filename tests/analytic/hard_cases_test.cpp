@@ -75,6 +75,19 @@ TEST(AbsurdFlux, IsRefused) {
   EXPECT_THROW(scene.render({.iterations = 1}), std::runtime_error);
 }
 
+// Terabytes of image are refused, not left to the kernel, which would end the whole process.
+TEST(AbsurdImages, AreRefused) {
+  Scene scene;
+  scene.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), matte(0.5));
+  for (int i = 0; i < 100; ++i) scene.add_camera({0, 0, 1}, {0, 0, -1}, 16384, 16384, 1);
+  try {
+    scene.render({.iterations = 1});
+    FAIL() << "not refused";
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("GB"), std::string::npos) << e.what();
+  }
+}
+
 // The air before a camera in a block of glass is not what lies before the floor that it sees, and the other way round.
 TEST(IlluminanceCamera, MeasuresInTheMediumThatItSees) {
   for (bool camera_inside : {true, false}) {
