@@ -242,7 +242,21 @@ class Render(ProgramTest):
                 self.assertEqual(self.render("--iterations", 16, "--method", method)["method"], method)
 
     def test_time_limit(self):
-        self.assertGreater(self.render("--time", 0.5)["time_s"], 0)
+        result = self.render("--time", 0.5)
+        self.assertGreater(result["time_s"], 0)
+        self.assertLess(result["time_s"], 10)  # generous: machines that test are busy
+
+    def test_target_error(self):
+        scene = room()
+        scene["nodes"].append({"mesh": 0, "translation": [0, 3, 0]})  # a ceiling: light that is reflected has noise
+        scene["scenes"][0]["nodes"].append(5)
+        result = self.render("--target-error", 0.05, "--time", 100, scene=scene)
+        self.assertLess(result["time_s"], 50)
+        self.assertGreaterEqual(result["iterations"], 16)
+        for name, statistics in result["meters"].items():
+            self.assertGreaterEqual(statistics["worst_relative_error_bound"], 0, msg=name)
+            self.assertLessEqual(statistics["worst_relative_error_bound"], 0.05, msg=name)
+        self.assertLessEqual(result["convergence"][-1]["worst_relative_error"], 0.05)
 
     def test_text(self):
         done = self.run_program("render", self.write("room.gltf", room()), "--iterations", 16)
