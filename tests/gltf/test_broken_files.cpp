@@ -211,7 +211,8 @@ TEST_F(BrokenFile, BadNodeTransforms) {
 }
 
 TEST_F(BrokenFile, EmissiveTextureIsNotLeftOut) {
-  SceneBuilder builder = with_material({{"name", "lamp"}, {"emissiveTexture", {{"index", 0}}}});
+  SceneBuilder builder =
+      with_material({{"name", "lamp"}, {"emissiveFactor", {0, 1, 0}}, {"emissiveTexture", {{"index", 0}}}});
   expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"material 0 \"lamp\"", "emissiveTexture"});
 }
 
