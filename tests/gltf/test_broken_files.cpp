@@ -133,6 +133,13 @@ TEST_F(BrokenFile, AccessorPastItsView) {
   expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "byteOffset"});
 }
 
+TEST_F(BrokenFile, NumbersWithoutAnUpperLimitShowNone) {
+  SceneBuilder builder = square();
+  builder.doc["accessors"][0]["count"] = 0;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "\"count\" must be a whole number at least 1"});
+  EXPECT_EQ(error.find("e+18"), std::string::npos) << error;
+}
+
 TEST_F(BrokenFile, ViewPastItsBuffer) {
   SceneBuilder builder = square();
   builder.doc["bufferViews"][0]["byteOffset"] = 50;
