@@ -303,6 +303,31 @@ TEST_F(BrokenFile, MeterKindThatTheCoreRefuses) {
   expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"node 0 \"desk\"", "recorded core"});
 }
 
+TEST_F(BrokenFile, NamesThatNoFileCanBear) {
+  const json one_point = {{"points_m", {{0, 0, 1}}}};
+  const std::string fits(200, 'n'), too_long(201, 'n');
+  SceneBuilder builder;
+  builder.add_node({{"name", fits}, {"extras", {{"ups", {{"meters", one_point}}}}}});
+  import(builder);
+  builder.doc["nodes"][0]["name"] = too_long;
+  expect_failure(builder, UPS_ERROR_PARSE, {"node 0", "201 bytes", "200"});
+
+  json named = one_point;
+  named["name"] = too_long;
+  SceneBuilder meters = with_extras({{"meters", named}});
+  expect_failure(meters, UPS_ERROR_PARSE, {"node 0 \"desk\"", "201 bytes", "200"});
+
+  SceneBuilder camera;
+  camera.doc["cameras"] = json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}});
+  camera.add_node({{"name", too_long}, {"camera", 0}});
+  expect_failure(camera, UPS_ERROR_PARSE, {"node 0", "201 bytes", "200"});
+
+  // The number that makes a name unique counts too.
+  SceneBuilder twice;
+  for (int i = 0; i < 2; ++i) twice.add_node({{"name", fits}, {"extras", {{"ups", {{"meters", one_point}}}}}});
+  expect_failure(twice, UPS_ERROR_PARSE, {"node 1", "202 bytes", "200"});
+}
+
 TEST_F(BrokenFile, MissingOrRefusedPhotometricFile) {
   SceneBuilder builder = with_extras({{"luminaire", {{"file", "lamp.ies"}}}});
   expect_failure(builder, UPS_ERROR_IO, {"node 0 \"desk\"", "lamp.ies"});
