@@ -238,6 +238,49 @@ class Render(ProgramTest):
 
     def test_methods_bear_their_words(self):
         for method in ("ups", "pt", "lt", "bpt", "ppm"):
+    def test_a_file_that_cannot_be_written_does_not_take_the_others(self):
+        out = self.path("out")
+        for name in ("view.exr", "work_plane.csv"):  # folders stand where the files must go
+            os.makedirs(os.path.join(out, name, "in the way"))
+        done = self.run_program("render", self.write("room.gltf", room()), "--iterations", 16, "--json", "--out", out,
+                                code=1)
+        self.assertIn("work_plane", json.loads(done.stdout)["meters"])
+        errors = done.stderr.splitlines()
+        for name in ("view.exr", "work_plane.csv"):
+            self.assertTrue(any("error" in line and name in line for line in errors), msg=done.stderr)
+        self.assertEqual(sorted(os.listdir(out)), ["spot.csv", "view.exr", "view.png", "view_illuminance.png",
+                                                   "work_plane.csv", "work_plane.exr", "work_plane.png"])
+        self.assertEqual([name for name in os.listdir(out) if os.path.isdir(os.path.join(out, name))],
+                         [name for name in os.listdir(out) if name in ("view.exr", "work_plane.csv")])
+
+    def test_a_folder_that_takes_no_file_fails_before_the_render(self):
+        out = self.path("out")
+        if os.geteuid() == 0:
+            if not os.path.isdir("/proc/self"):
+                self.skipTest("root may write everywhere here")
+            out = "/proc/self"
+        else:
+            os.mkdir(out, 0o500)
+        start = time.monotonic()
+        scene = self.write("room.gltf", room())
+        self.expect_failure("render", scene, "--time", 60, "--out", out, words=["--out", out])
+        self.assertLess(time.monotonic() - start, 50)
+
+    def test_a_grid_too_wide_for_a_picture(self):
+        scene, out = room(), self.path("out")
+        for columns, files in ((16385, ["grid.csv", "grid.exr"]), (65537, ["grid.csv"])):
+            with self.subTest(columns=columns):
+                scene["nodes"][2]["extras"]["ups"]["meters"].update(columns=columns, rows=1, name="grid")
+                done = self.run_program("render", self.write("room.gltf", scene), "--iterations", 1, "--method", "pt",
+                                        "--size", "4x4", "--json", "--out", out)
+                warnings = [w for w in json.loads(done.stdout)["warnings"] if "grid.png" in w]
+                self.assertEqual(len(warnings), 1, msg=done.stdout)
+                self.assertIn("16384", warnings[0])
+                self.assertEqual(sorted(name for name in os.listdir(out) if name.startswith("grid")), files)
+                self.assertIn("view.png", os.listdir(out))
+                for name in os.listdir(out):
+                    os.remove(os.path.join(out, name))
+
             with self.subTest(method=method):
                 self.assertEqual(self.render("--iterations", 16, "--method", method)["method"], method)
 
