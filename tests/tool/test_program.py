@@ -103,7 +103,9 @@ class Usage(ProgramTest):
                           ["render", scene, "--time", "nan"], ["render", scene, "--time", "soon"],
                           ["render", scene, "--iterations", "0"], ["render", scene, "--iterations", "-5"],
                           ["render", scene, "--target-error", "0"], ["render", scene, "--seed", "-1"],
-                          ["render", scene, "--seed", "x"], ["render", scene, "--threads", "-1"],
+                          ["render", scene, "--seed", "x"], ["render", scene, "--seed", "18446744073709551616"],
+                          ["render", scene, "--iterations", "4294967296"], ["render", scene, "--threads", "-1"],
+                          ["render", scene, "--threads", "4294967296"],
                           ["render", scene, "--size", "640"], ["render", scene, "--size", "0x9"],
                           ["render", scene, "--size", "640x480x3"], ["render", scene, "--out"], ["info"],
                           ["compare", "a.exr"]):
@@ -113,6 +115,18 @@ class Usage(ProgramTest):
                 self.assertNotEqual(done.stderr, "")
 
     def test_help_and_version_are_0(self):
+    def test_numbers_that_no_render_can_hold_name_their_option(self):
+        scene = self.write("room.gltf", room())
+        for option, value in (("--seed", "18446744073709551616"), ("--target-error", "1e-300"),
+                              ("--target-error", "1e300"), ("--target-error", "inf")):
+            with self.subTest(option=option, value=value):
+                done = self.run_program("render", scene, "--time", 1, option, value, code=2)
+                self.assertIn(option, done.stderr)
+                self.assertIn(value, done.stderr)
+        largest = str(2**64 - 1)
+        done = self.run_program("render", scene, "--iterations", 16, "--seed", largest, "--json")
+        self.assertEqual(json.loads(done.stdout)["seed"], int(largest))
+
         self.assertRegex(self.run_program("--version").stdout, r"^ups \d+\.\d+\.\d+\n$")
         for arguments in (["--help"], ["render", "--help"], ["info", "--help"], ["compare", "--help"]):
             self.assertNotEqual(self.run_program(*arguments).stdout, "")
