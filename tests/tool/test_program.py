@@ -321,6 +321,14 @@ class Render(ProgramTest):
             self.assertIn(word, done.stdout)
 
     def test_interrupt_writes_what_is_there(self):
+    def test_text_of_a_scene_far_down(self):
+        folder = os.path.join(*["long" * 50] * 4)
+        os.makedirs(self.path(folder))
+        scene = self.write(os.path.join(folder, "room.gltf"), room())
+        lines = self.run_program("render", scene, "--iterations", 16, "--seed", 5).stdout.splitlines()
+        self.assertTrue(lines[0].startswith(scene + ": method "), msg=lines[0])
+        self.assertTrue(lines[0].endswith("seed 5"), msg=lines[0])
+
         scene = self.write("room.gltf", room())
         out = self.path("out")
         process = subprocess.Popen([PROGRAM, "render", scene, "--time", "300", "--json", "--out", out],
