@@ -46,8 +46,8 @@ UPS_API void ups_gltf_import_destroy(ups_gltf_import *import_result); /* NULL ok
 UPS_API ups_status ups_gltf_get_sensor_count(const ups_gltf_import *import_result, uint32_t *out);
 UPS_API ups_status ups_gltf_get_sensor(const ups_gltf_import *import_result, uint32_t index,
                                        ups_gltf_sensor_info *info);
-/* Unique in the file and fit for a file name: [A-Za-z0-9._-]. Two calls: text NULL and capacity 0 give *needed (with
- * the final zero), then the text. */
+/* Unique in the file and fit for a file name: [A-Za-z0-9._-], at most 200 bytes. Two calls: text NULL and capacity 0
+ * give *needed (with the final zero), then the text. */
 UPS_API ups_status ups_gltf_get_sensor_name(const ups_gltf_import *import_result, uint32_t index, char *text,
                                             size_t capacity, size_t *needed);
 /* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;

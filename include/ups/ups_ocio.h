@@ -27,7 +27,8 @@ typedef struct ups_ocio_false_color_desc {
   const float *values;         /* columns * rows, columns fastest; < 0 or not finite: not known, shown grey */
   const char *title;           /* ASCII, printed over the picture; NULL: none */
   const char *unit;            /* ASCII, printed at the scale; NULL: "lx" */
-  double scale_min, scale_max; /* of the colour scale; both 0: 0 to the largest value, rounded up */
+  double scale_min, scale_max; /* of the colour scale, its end rounded up; both 0: 0 to the 99th percentile of the known
+                                * values. Values beyond its end get its last colour, and a >= marks the top label. */
 } ups_ocio_false_color_desc;
 
 UPS_API void ups_ocio_false_color_desc_init(ups_ocio_false_color_desc *desc, uint32_t struct_size);

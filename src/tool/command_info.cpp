@@ -146,7 +146,7 @@ int info(const std::string& file) {
     const ups_profile_format format = extension == ".ies" ? UPS_PROFILE_IES_LM63 : UPS_PROFILE_EULUMDAT;
     ups_profile* parsed = nullptr;
     if (ups_profile_parse(context.get(), bytes.data(), bytes.size(), format, &parsed) != UPS_OK) {
-      throw Failure(file + ": " + ups_last_error());
+      throw Failure(file + ": " + without_functions(ups_last_error()));
     }
     print_profile(file, Profile(parsed).get());
   } else if (extension == ".gltf" || extension == ".glb") {

@@ -60,7 +60,7 @@ bool wait_for(ups_job* job) {
 
 int render(const RenderOptions& options) {
   install_interrupt_handler();
-  if (!options.out.empty()) make_folder(options.out);
+  if (!options.out.empty()) prepare_folder(options.out);
   const LoadedScene scene = load_scene(options.scene, options.threads, options.width, options.height);
   if (scene.sensors.empty()) {
     throw Failure(options.scene + ": there is nothing to render; add a camera, or meters in a node's extras.ups");
@@ -80,12 +80,17 @@ int render(const RenderOptions& options) {
   }
   check(status);
   const Result result(taken);
-  const Report report = make_report(options.scene, scene, result.get());
-  if (!options.out.empty()) write_outputs(options.out, scene, result.get());
+  Report report = make_report(options.scene, scene, result.get());
+  Written written;
+  if (!options.out.empty()) written = write_outputs(options.out, scene, result.get());
+  report.warnings.insert(report.warnings.end(), written.warnings.begin(), written.warnings.end());
   std::fputs((options.json ? to_json(report) : to_text(report)).c_str(), stdout);
-  if (complete) return exit_done;
-  std::fprintf(stderr, "ups: interrupted; the results are those of %u iterations\n", report.info.iterations);
-  return exit_interrupted;
+  for (const std::string& error : written.errors) std::fprintf(stderr, "ups: error: %s\n", error.c_str());
+  if (!complete) {
+    std::fprintf(stderr, "ups: interrupted; the results are those of %u iterations\n", report.info.iterations);
+  }
+  if (!written.errors.empty()) return exit_failed;
+  return complete ? exit_done : exit_interrupted;
 }
 
 }  // namespace ups::tool

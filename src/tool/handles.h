@@ -12,6 +12,10 @@
 
 namespace ups::tool {
 
+// The libraries' messages name the C function that failed, where one did: "ups_job_start: method ...". That helps
+// programmers; for the program's users it is taken out.
+std::string without_functions(const std::string& message);
+
 // The work failed: message on standard error, exit code 1.
 class Failure : public std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -33,7 +37,7 @@ using Import = std::unique_ptr<ups_gltf_import, Destroy<ups_gltf_import_destroy>
 using Image = std::unique_ptr<ups_exr_image, Destroy<ups_exr_image_destroy>>;
 
 inline void check(ups_status status, const char* (*last_error)() = ups_last_error) {
-  if (status != UPS_OK) throw Failure(last_error());
+  if (status != UPS_OK) throw Failure(without_functions(last_error()));
 }
 
 // read(text, capacity, needed) is one of the API's two-call functions.

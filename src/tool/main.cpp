@@ -1,9 +1,11 @@
 // The program `ups`: its command line. The only file that includes CLI11.
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <system_error>
 
 #include "tool/commands.h"
 #include "ups/ups.h"
@@ -23,10 +25,21 @@ std::string positive(const std::string& text) {
   return good ? "" : "must be a number greater than 0, not '" + text + "'";
 }
 
-// CLI11 lets "-1" wrap around.
+// ups_render_desc holds the target as a float: beyond these it would be 0, hence off, or infinite.
+std::string target(const std::string& text) {
+  constexpr double smallest = 1e-30, largest = 1e30;
+  double value = 0;
+  const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
+  return good ? "" : "must be a number from 1e-30 to 1e30, such as 0.02 for 2 %, not '" + text + "'";
+}
+
+// CLI11 lets "-1" wrap around, and cuts what is too large.
 std::string whole(const std::string& text) {
-  const bool good = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return good ? "" : "must be a whole number of at least 0, not '" + text + "'";
+  uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  const bool good = parsed.ec == std::errc() && parsed.ptr == end;
+  return good ? "" : "must be a whole number from 0 to 18446744073709551615, not '" + text + "'";
 }
 
 // WxH into the two numbers; the text of what is wrong, or none.
@@ -68,7 +81,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
   command
       ->add_option("--target-error", options.target_error,
                    "Stop when the worst meter's relative error, without meters the mean pixel's, is below: 0.02 is 2 %")
-      ->check(CLI::Validator(positive, ""))
+      ->check(CLI::Validator(target, ""))
       ->type_name("R");
   command->add_option("--seed", options.seed, "Same seed and iterations, same result (1)")
       ->check(CLI::Validator(whole, ""))

@@ -1,7 +1,12 @@
 #include "tool/output.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
 #include "common/atomic_file.h"
@@ -12,6 +17,19 @@ namespace ups::tool {
 namespace {
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+constexpr uint32_t max_picture_side = 16384, max_exr_side = 65536;  // of ups_ocio and ups_exr
+
+// Runs write(path); what it throws becomes an error that names the file.
+template <class Write>
+void attempt(Written& written, const std::string& path, Write&& write) {
+  try {
+    write(path);
+  } catch (const std::exception& e) {
+    const std::string message = e.what();
+    written.errors.push_back(message.find(path) == std::string::npos ? path + ": " + message : message);
+  }
+}
 
 // What an image is of, for whoever opens it years later.
 Attributes common_attributes(const ups_result* result) {
@@ -48,8 +66,8 @@ void write_false_color(const std::string& path, const std::string& title, uint32
   check(ups_ocio_write_false_color_png(path.c_str(), &desc), ups_ocio_last_error);
 }
 
-void write_camera(const std::string& base, const SensorEntry& camera, const ups_result* result, Attributes attributes) {
-  const uint32_t width = camera.info.width, height = camera.info.height;
+void write_camera_exr(const std::string& path, const SensorEntry& camera, const ups_result* result,
+                      Attributes attributes) {
   const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
   const auto error = read_image(result, camera, UPS_CHANNEL_STANDARD_ERROR_RGB);
   constexpr size_t pixel = 3 * sizeof(float);
@@ -66,11 +84,23 @@ void write_camera(const std::string& base, const SensorEntry& camera, const ups_
     illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);
     channels.push_back({"illuminance.Y", illuminance.data(), 0, 0});
     attributes.emplace_back("unit.illuminance.Y", "lx");
-    write_false_color(base + "_illuminance.png", camera.name + " illuminance", width, height, illuminance.data(),
-                      false);
   }
-  write_exr(base + ".exr", width, height, channels, attributes);
-  check(ups_ocio_write_png((base + ".png").c_str(), luminance.data(), width, height, 0), ups_ocio_last_error);
+  write_exr(path, camera.info.width, camera.info.height, channels, attributes);
+}
+
+void write_camera(Written& written, const std::string& base, const SensorEntry& camera, const ups_result* result,
+                  const Attributes& attributes) {
+  const uint32_t width = camera.info.width, height = camera.info.height;
+  attempt(written, base + ".exr", [&](const std::string& path) { write_camera_exr(path, camera, result, attributes); });
+  attempt(written, base + ".png", [&](const std::string& path) {
+    const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
+    check(ups_ocio_write_png(path.c_str(), luminance.data(), width, height, 0), ups_ocio_last_error);
+  });
+  if (!camera.info.illuminance) return;
+  attempt(written, base + "_illuminance.png", [&](const std::string& path) {
+    const auto illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);
+    write_false_color(path, camera.name + " illuminance", width, height, illuminance.data(), false);
+  });
 }
 
 struct MeterTable {
@@ -108,9 +138,10 @@ void write_csv(const std::string& path, const MeterTable& table) {
 }
 
 // An image's top line is the grid's last row: row 0 stands at the bottom.
-void write_grid(const std::string& base, const SensorEntry& grid, const MeterTable& table, Attributes attributes) {
+void write_grid(Written& written, const std::string& base, const SensorEntry& grid, const MeterTable& table,
+                Attributes attributes) {
   const uint32_t columns = grid.info.columns, rows = grid.info.rows;
-  std::vector<float> illuminance, error, by_row;
+  std::vector<float> illuminance, error;
   for (uint32_t row = rows; row-- > 0;) {
     for (uint32_t column = 0; column < columns; ++column) {
       const ups_meter_reading& reading = table.readings[size_t(row) * columns + column];
@@ -120,13 +151,23 @@ void write_grid(const std::string& base, const SensorEntry& grid, const MeterTab
   }
   attributes.emplace_back("unit.Y", "lx");
   attributes.emplace_back("unit.standard_error.Y", "lx");
-  write_exr(base + ".exr", columns, rows, {{"Y", illuminance.data(), 0, 0}, {"standard_error.Y", error.data(), 0, 0}},
-            attributes);
-  write_false_color(base + ".png", grid.name, columns, rows, illuminance.data(), false);
+  const auto attempt_up_to = [&](const std::string& path, uint32_t max_side, auto&& write) {
+    if (std::max(columns, rows) <= max_side) return attempt(written, path, write);
+    written.warnings.push_back(path + " is not written: a grid of " + std::to_string(columns) + " x " +
+                               std::to_string(rows) + " exceeds the " + std::to_string(max_side) +
+                               " pixels a side that it can have; the table has all values");
+  };
+  attempt_up_to(base + ".exr", max_exr_side, [&](const std::string& path) {
+    write_exr(path, columns, rows, {{"Y", illuminance.data(), 0, 0}, {"standard_error.Y", error.data(), 0, 0}},
+              attributes);
+  });
+  attempt_up_to(base + ".png", max_picture_side, [&](const std::string& path) {
+    write_false_color(path, grid.name, columns, rows, illuminance.data(), false);
+  });
 }
 
-void write_meters(const std::string& base, uint32_t index, const SensorEntry& meters, const LoadedScene& scene,
-                  const ups_result* result, const Attributes& attributes) {
+void write_meters(Written& written, const std::string& base, uint32_t index, const SensorEntry& meters,
+                  const LoadedScene& scene, const ups_result* result, const Attributes& attributes) {
   const size_t count = meters.info.meter_count;
   MeterTable table;
   table.positions.resize(3 * count);
@@ -135,8 +176,8 @@ void write_meters(const std::string& base, uint32_t index, const SensorEntry& me
   check(ups_gltf_read_meters(scene.import_result.get(), index, table.positions.data(), table.normals.data(), count),
         ups_gltf_last_error);
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
-  write_csv(base + ".csv", table);
-  if (meters.info.columns > 0) write_grid(base, meters, table, attributes);
+  attempt(written, base + ".csv", [&](const std::string& path) { write_csv(path, table); });
+  if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
 }
 
 }  // namespace
@@ -148,25 +189,34 @@ std::vector<float> read_image(const ups_result* result, const SensorEntry& camer
   return pixels;
 }
 
-void make_folder(const std::string& folder) {
+void prepare_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder)) {
     throw Failure("--out: cannot make the folder '" + folder + "'" + (error ? ": " + error.message() : ""));
   }
+  const auto probe = std::filesystem::path(folder) / ("ups-probe." + std::to_string(::getpid()) + ".tmp");
+  std::FILE* file = std::fopen(probe.c_str(), "wb");
+  const int open_errno = errno;
+  if (!file) throw Failure("--out: cannot write into the folder '" + folder + "': " + std::strerror(open_errno));
+  std::fclose(file);
+  std::filesystem::remove(probe, error);
 }
 
-void write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result) {
+Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result) {
+  Written written;
   const Attributes attributes = common_attributes(result);
   for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
     const SensorEntry& sensor = scene.sensors[i];
-    const std::string base = (std::filesystem::path(folder) / sensor.name).string();
-    if (sensor.info.kind == UPS_GLTF_CAMERA) {
-      write_camera(base, sensor, result, attributes);
-    } else {
-      write_meters(base, i, sensor, scene, result, attributes);
-    }
+    attempt(written, (std::filesystem::path(folder) / sensor.name).string(), [&](const std::string& base) {
+      if (sensor.info.kind == UPS_GLTF_CAMERA) {
+        write_camera(written, base, sensor, result, attributes);
+      } else {
+        write_meters(written, base, i, sensor, scene, result, attributes);
+      }
+    });
   }
+  return written;
 }
 
 }  // namespace ups::tool

@@ -50,10 +50,11 @@ double mean_luminance(const std::vector<float>& rgb) {
   return rgb.empty() ? 0 : 3 * sum / double(rgb.size());
 }
 
+// printf into a string, however long the names in it are.
 template <class... Values>
 std::string format(const char* pattern, Values... values) {
-  char text[512];
-  std::snprintf(text, sizeof text, pattern, values...);
+  std::string text(size_t(std::max(0, std::snprintf(nullptr, 0, pattern, values...))), '\0');
+  std::snprintf(text.data(), text.size() + 1, pattern, values...);
   return text;
 }
 

@@ -1,9 +1,28 @@
 // How the commands load a scene file: context, import, commit, sensors and warnings.
 #include <algorithm>
+#include <string_view>
 
 #include "tool/handles.h"
 
 namespace ups::tool {
+
+std::string without_functions(const std::string& message) {
+  constexpr std::string_view prefix = "ups_", end = ": ";
+  std::string result;
+  for (size_t i = 0; i < message.size();) {
+    const bool first = i == 0 || (i >= end.size() && message.compare(i - end.size(), end.size(), end) == 0);
+    if (first && message.compare(i, prefix.size(), prefix) == 0) {
+      const size_t after =
+          std::min(message.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_", i), message.size());
+      if (message.compare(after, end.size(), end) == 0) {
+        i = after + end.size();
+        continue;
+      }
+    }
+    result += message[i++];
+  }
+  return result;
+}
 
 Context make_context(int threads) {
   ups_context_desc desc;
@@ -52,7 +71,7 @@ LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_wid
     return ups_gltf_get_warnings(imported, to, capacity, needed);
   }));
   const ups_status committed = ups_scene_commit(scene);
-  if (committed != UPS_OK) throw Failure(path + ": " + ups_last_error());
+  if (committed != UPS_OK) throw Failure(path + ": " + without_functions(ups_last_error()));
   for (const std::string& line : lines_of(read_text([&](char*to, size_t capacity, size_t*needed) {
          return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);
        }))) {

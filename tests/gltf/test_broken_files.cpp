@@ -133,6 +133,13 @@ TEST_F(BrokenFile, AccessorPastItsView) {
   expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "byteOffset"});
 }
 
+TEST_F(BrokenFile, NumbersWithoutAnUpperLimitShowNone) {
+  SceneBuilder builder = square();
+  builder.doc["accessors"][0]["count"] = 0;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "\"count\" must be a whole number at least 1"});
+  EXPECT_EQ(error.find("e+18"), std::string::npos) << error;
+}
+
 TEST_F(BrokenFile, ViewPastItsBuffer) {
   SceneBuilder builder = square();
   builder.doc["bufferViews"][0]["byteOffset"] = 50;
@@ -211,7 +218,8 @@ TEST_F(BrokenFile, BadNodeTransforms) {
 }
 
 TEST_F(BrokenFile, EmissiveTextureIsNotLeftOut) {
-  SceneBuilder builder = with_material({{"name", "lamp"}, {"emissiveTexture", {{"index", 0}}}});
+  SceneBuilder builder =
+      with_material({{"name", "lamp"}, {"emissiveFactor", {0, 1, 0}}, {"emissiveTexture", {{"index", 0}}}});
   expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"material 0 \"lamp\"", "emissiveTexture"});
 }
 
@@ -293,6 +301,31 @@ TEST_F(BrokenFile, MeterKindThatTheCoreRefuses) {
   SceneBuilder builder = with_extras(
       {{"meters", {{"width_m", 4}, {"height_m", 3}, {"columns", 2}, {"rows", 2}, {"kind", "cylindrical"}}}});
   expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"node 0 \"desk\"", "recorded core"});
+}
+
+TEST_F(BrokenFile, NamesThatNoFileCanBear) {
+  const json one_point = {{"points_m", {{0, 0, 1}}}};
+  const std::string fits(200, 'n'), too_long(201, 'n');
+  SceneBuilder builder;
+  builder.add_node({{"name", fits}, {"extras", {{"ups", {{"meters", one_point}}}}}});
+  import(builder);
+  builder.doc["nodes"][0]["name"] = too_long;
+  expect_failure(builder, UPS_ERROR_PARSE, {"node 0", "201 bytes", "200"});
+
+  json named = one_point;
+  named["name"] = too_long;
+  SceneBuilder meters = with_extras({{"meters", named}});
+  expect_failure(meters, UPS_ERROR_PARSE, {"node 0 \"desk\"", "201 bytes", "200"});
+
+  SceneBuilder camera;
+  camera.doc["cameras"] = json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}});
+  camera.add_node({{"name", too_long}, {"camera", 0}});
+  expect_failure(camera, UPS_ERROR_PARSE, {"node 0", "201 bytes", "200"});
+
+  // The number that makes a name unique counts too.
+  SceneBuilder twice;
+  for (int i = 0; i < 2; ++i) twice.add_node({{"name", fits}, {"extras", {{"ups", {{"meters", one_point}}}}}});
+  expect_failure(twice, UPS_ERROR_PARSE, {"node 1", "202 bytes", "200"});
 }
 
 TEST_F(BrokenFile, MissingOrRefusedPhotometricFile) {

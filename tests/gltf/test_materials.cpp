@@ -199,4 +199,18 @@ TEST_F(MaterialTest, Textures) {
   EXPECT_TRUE(warned("no TEXCOORD_0")) << warnings();
 }
 
+TEST_F(MaterialTest, EmissiveTextureOfNothingEmitsNothing) {
+  const json texture = {{"index", 0}};
+  const json strong = {{"KHR_materials_emissive_strength", {{"emissiveStrength", 9}}}};
+  const json off = {{"KHR_materials_emissive_strength", {{"emissiveStrength", 0}}}};
+  for (const json& material :
+       {json{{"emissiveTexture", texture}},
+        json{{"emissiveTexture", texture}, {"emissiveFactor", {0, 0, 0}}, {"extensions", strong}},
+        json{{"emissiveTexture", texture}, {"emissiveFactor", {1, 1, 1}}, {"extensions", off}}}) {
+    const auto d = import_material(material);
+    expect_rgb(d.luminance_cd_m2, 0, 0, 0);
+    EXPECT_EQ(warnings(), "");
+  }
+}
+
 }  // namespace

@@ -374,4 +374,27 @@ TEST_F(GoodFile, WhatIsSkippedIsNamed) {
   EXPECT_FALSE(warned("KHR_materials_ior"));
 }
 
+TEST_F(GoodFile, MeshesThatVanishAreNamed) {
+  SceneBuilder builder;
+  builder.add_square();
+  json& meshes = builder.doc["meshes"];
+  meshes.push_back({{"name", "empty"}, {"primitives", json::array()}});
+  json strip = meshes[0];
+  strip["name"] = "edge";
+  strip["primitives"][0]["indices"] = builder.add_accessor<uint16_t>({0, 1}, 5123, "SCALAR", 1);
+  strip["primitives"][0]["mode"] = 5;
+  meshes.push_back(strip);
+  json flat = meshes[0];
+  flat["name"] = "flat";
+  flat["primitives"][0]["attributes"]["POSITION"] = builder.add_floats({0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3}, "VEC3", 3);
+  meshes.push_back(flat);
+  for (int mesh = 0; mesh < 4; ++mesh) builder.add_node({{"mesh", mesh}});
+  import(builder);
+  EXPECT_EQ(scene.instances.size(), 1u);
+  EXPECT_TRUE(warned("mesh 1 \"empty\": skipped, it has no primitives")) << warnings();
+  EXPECT_TRUE(warned("mesh 2 \"edge\", primitive 0: skipped, it has no triangle")) << warnings();
+  EXPECT_TRUE(warned("mesh 3 \"flat\", primitive 0: skipped, none of its 2 triangles has an area")) << warnings();
+  EXPECT_FALSE(warned("mesh 0")) << warnings();
+}
+
 }  // namespace

@@ -187,6 +187,32 @@ TEST_F(Images, FalseColorShowsRowZeroAtTheBottom) {
   EXPECT_EQ(corners(0), (std::vector<std::vector<int>>{low, high, none, middle}));
 }
 
+// Where values lie beyond the scale's end, its top label says so: a sign before the number.
+TEST_F(Images, FalseColorSaysThatValuesExceedItsScale) {
+  std::vector<float> values(400, 10.f);
+  ups_ocio_false_color_desc desc;
+  ups_ocio_false_color_desc_init(&desc, sizeof desc);
+  desc.columns = desc.rows = 20;
+  desc.values = values.data();
+  const auto ink_of_top_label = [&] {
+    EXPECT_EQ(ups_ocio_write_false_color_png(path("f.png").c_str(), &desc), UPS_OK) << ups_ocio_last_error();
+    const Png png = read_png(path("f.png"));
+    int ink = 0;
+    for (int y = 61; y < 77; ++y) {  // at the top of the 480 pixels of values, right of the colour bar
+      for (int x = 578; x < png.width; ++x) ink += png.at(x, y) == std::vector<int>{30, 30, 30};
+    }
+    return ink;
+  };
+  const int within = ink_of_top_label();
+  EXPECT_GT(within, 0);
+  values[5] = 1000;  // one of 400: above the 99th percentile, so the scale still ends at 10
+  EXPECT_GT(ink_of_top_label(), within + 20);
+  desc.scale_max = 1000;
+  const int wide = ink_of_top_label();
+  values[5] = 10;
+  EXPECT_EQ(ink_of_top_label(), wide);
+}
+
 TEST_F(Images, FalseColorOfNothing) {
   const float zero = 0, unknown = -1;
   ups_ocio_false_color_desc desc;

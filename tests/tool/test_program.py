@@ -93,6 +93,7 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(done.stdout, "")
         for word in words:
             self.assertIn(word, done.stderr)
+        self.assertNotRegex(done.stderr, r"\bups_\w+: ")  # names of C functions say nothing to people
 
 
 class Usage(ProgramTest):
@@ -103,7 +104,9 @@ class Usage(ProgramTest):
                           ["render", scene, "--time", "nan"], ["render", scene, "--time", "soon"],
                           ["render", scene, "--iterations", "0"], ["render", scene, "--iterations", "-5"],
                           ["render", scene, "--target-error", "0"], ["render", scene, "--seed", "-1"],
-                          ["render", scene, "--seed", "x"], ["render", scene, "--threads", "-1"],
+                          ["render", scene, "--seed", "x"], ["render", scene, "--seed", "18446744073709551616"],
+                          ["render", scene, "--iterations", "4294967296"], ["render", scene, "--threads", "-1"],
+                          ["render", scene, "--threads", "4294967296"],
                           ["render", scene, "--size", "640"], ["render", scene, "--size", "0x9"],
                           ["render", scene, "--size", "640x480x3"], ["render", scene, "--out"], ["info"],
                           ["compare", "a.exr"]):
@@ -111,6 +114,18 @@ class Usage(ProgramTest):
                 done = self.run_program(*arguments, code=2)
                 self.assertEqual(done.stdout, "")
                 self.assertNotEqual(done.stderr, "")
+
+    def test_numbers_that_no_render_can_hold_name_their_option(self):
+        scene = self.write("room.gltf", room())
+        for option, value in (("--seed", "18446744073709551616"), ("--target-error", "1e-300"),
+                              ("--target-error", "1e300"), ("--target-error", "inf")):
+            with self.subTest(option=option, value=value):
+                done = self.run_program("render", scene, "--time", 1, option, value, code=2)
+                self.assertIn(option, done.stderr)
+                self.assertIn(value, done.stderr)
+        largest = str(2**64 - 1)
+        done = self.run_program("render", scene, "--iterations", 16, "--seed", largest, "--json")
+        self.assertEqual(json.loads(done.stdout)["seed"], int(largest))
 
     def test_help_and_version_are_0(self):
         self.assertRegex(self.run_program("--version").stdout, r"^ups \d+\.\d+\.\d+\n$")
@@ -223,6 +238,49 @@ class Render(ProgramTest):
         mean = sum(r["illuminance_lx"] for r in rows) / 8
         self.assertAlmostEqual(result["meters"]["work_plane"]["mean_lx"], mean, delta=1e-3 * mean)
 
+    def test_a_file_that_cannot_be_written_does_not_take_the_others(self):
+        out = self.path("out")
+        for name in ("view.exr", "work_plane.csv"):  # folders stand where the files must go
+            os.makedirs(os.path.join(out, name, "in the way"))
+        done = self.run_program("render", self.write("room.gltf", room()), "--iterations", 16, "--json", "--out", out,
+                                code=1)
+        self.assertIn("work_plane", json.loads(done.stdout)["meters"])
+        errors = done.stderr.splitlines()
+        for name in ("view.exr", "work_plane.csv"):
+            self.assertTrue(any("error" in line and name in line for line in errors), msg=done.stderr)
+        self.assertEqual(sorted(os.listdir(out)), ["spot.csv", "view.exr", "view.png", "view_illuminance.png",
+                                                   "work_plane.csv", "work_plane.exr", "work_plane.png"])
+        self.assertEqual([name for name in os.listdir(out) if os.path.isdir(os.path.join(out, name))],
+                         [name for name in os.listdir(out) if name in ("view.exr", "work_plane.csv")])
+
+    def test_a_folder_that_takes_no_file_fails_before_the_render(self):
+        out = self.path("out")
+        if os.geteuid() == 0:
+            if not os.path.isdir("/proc/self"):
+                self.skipTest("root may write everywhere here")
+            out = "/proc/self"
+        else:
+            os.mkdir(out, 0o500)
+        start = time.monotonic()
+        scene = self.write("room.gltf", room())
+        self.expect_failure("render", scene, "--time", 60, "--out", out, words=["--out", out])
+        self.assertLess(time.monotonic() - start, 50)
+
+    def test_a_grid_too_wide_for_a_picture(self):
+        scene, out = room(), self.path("out")
+        for columns, files in ((16385, ["grid.csv", "grid.exr"]), (65537, ["grid.csv"])):
+            with self.subTest(columns=columns):
+                scene["nodes"][2]["extras"]["ups"]["meters"].update(columns=columns, rows=1, name="grid")
+                done = self.run_program("render", self.write("room.gltf", scene), "--iterations", 1, "--method", "pt",
+                                        "--size", "4x4", "--json", "--out", out)
+                warnings = [w for w in json.loads(done.stdout)["warnings"] if "grid.png" in w]
+                self.assertEqual(len(warnings), 1, msg=done.stdout)
+                self.assertIn("16384", warnings[0])
+                self.assertEqual(sorted(name for name in os.listdir(out) if name.startswith("grid")), files)
+                self.assertIn("view.png", os.listdir(out))
+                for name in os.listdir(out):
+                    os.remove(os.path.join(out, name))
+
     def test_same_bits_whatever_the_threads(self):
         tables = []
         for threads in (1, 2):
@@ -242,12 +300,34 @@ class Render(ProgramTest):
                 self.assertEqual(self.render("--iterations", 16, "--method", method)["method"], method)
 
     def test_time_limit(self):
-        self.assertGreater(self.render("--time", 0.5)["time_s"], 0)
+        result = self.render("--time", 0.5)
+        self.assertGreater(result["time_s"], 0)
+        self.assertLess(result["time_s"], 10)  # generous: machines that test are busy
+
+    def test_target_error(self):
+        scene = room()
+        scene["nodes"].append({"mesh": 0, "translation": [0, 3, 0]})  # a ceiling: light that is reflected has noise
+        scene["scenes"][0]["nodes"].append(5)
+        result = self.render("--target-error", 0.05, "--time", 100, scene=scene)
+        self.assertLess(result["time_s"], 50)
+        self.assertGreaterEqual(result["iterations"], 16)
+        for name, statistics in result["meters"].items():
+            self.assertGreaterEqual(statistics["worst_relative_error_bound"], 0, msg=name)
+            self.assertLessEqual(statistics["worst_relative_error_bound"], 0.05, msg=name)
+        self.assertLessEqual(result["convergence"][-1]["worst_relative_error"], 0.05)
 
     def test_text(self):
         done = self.run_program("render", self.write("room.gltf", room()), "--iterations", 16)
         for word in ("work_plane", "spot", "view", "lx", "cd/m^2"):
             self.assertIn(word, done.stdout)
+
+    def test_text_of_a_scene_far_down(self):
+        folder = os.path.join(*["long" * 50] * 4)
+        os.makedirs(self.path(folder))
+        scene = self.write(os.path.join(folder, "room.gltf"), room())
+        lines = self.run_program("render", scene, "--iterations", 16, "--seed", 5).stdout.splitlines()
+        self.assertTrue(lines[0].startswith(scene + ": method "), msg=lines[0])
+        self.assertTrue(lines[0].endswith("seed 5"), msg=lines[0])
 
     def test_interrupt_writes_what_is_there(self):
         scene = self.write("room.gltf", room())

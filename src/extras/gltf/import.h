@@ -81,7 +81,7 @@ class Importer {
   const ups_profile* profile(const std::string& key, const Bytes& bytes, const std::string& where);
   // meters.cpp
   void add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame);
-  std::string unique_name(const std::string& name, bool illuminance);
+  std::string unique_name(const std::string& name, bool illuminance, const std::string& where);
 
   ups_context* context_;
   ups_scene* scene_;

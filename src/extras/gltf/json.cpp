@@ -52,8 +52,11 @@ std::string number_text(double value) {
   return out.str();
 }
 
+// Beyond 2^53 a double does not hold every integer; no number in a scene file is that large.
+constexpr double largest_integer = 9007199254740992.0;
+
 std::string range_text(double low, double high) {
-  if (std::isinf(high)) return "at least " + number_text(low);
+  if (high >= largest_integer) return "at least " + number_text(low);
   return "from " + number_text(low) + " to " + number_text(high);
 }
 
@@ -164,8 +167,7 @@ double JsonReader::number(std::string_view key, double fallback, double low, dou
 int64_t JsonReader::integer(std::string_view key, int64_t fallback, int64_t low, int64_t high) const {
   const Json* value = object_->find(key);
   if (!value) return fallback;
-  // Beyond 2^53 a double does not hold every integer; no number in a scene file is that large.
-  const double limit = std::min(double(high), 9007199254740992.0);
+  const double limit = std::min(double(high), largest_integer);
   if (value->kind != Json::Kind::number || !within(value->number, double(low), limit) ||
       value->number != std::floor(value->number)) {
     fail(key, "must be a whole number " + range_text(double(low), double(high)));

@@ -113,17 +113,21 @@ void Importer::read_transmission(const JsonReader& material, ups_material_desc& 
 }
 
 void Importer::read_emission(const JsonReader& material, ups_material_desc& desc) {
-  if (material.has("emissiveTexture")) {
+  const auto strength = material.extension("KHR_materials_emissive_strength");
+  const double luminance = strength ? strength->number("emissiveStrength", 1, 0, unlimited) : 1;
+  const Rgb factor = material.rgb("emissiveFactor", {0, 0, 0}, 0, unlimited, false);
+  bool emits = false;
+  for (size_t i = 0; i < 3; ++i) {
+    desc.luminance_cd_m2[i] = float(factor[i] * luminance);
+    emits = emits || factor[i] * luminance > 0;
+  }
+  desc.emits_both_sides = material.boolean("doubleSided", false);
+  if (emits && material.has("emissiveTexture")) {
     throw extras::Error(UPS_ERROR_UNSUPPORTED,
                         material.where() +
                             ": emissiveTexture is not built yet, and leaving it out would change the "
                             "flux; use emissiveFactor alone");
   }
-  const auto strength = material.extension("KHR_materials_emissive_strength");
-  const double luminance = strength ? strength->number("emissiveStrength", 1, 0, unlimited) : 1;
-  const Rgb factor = material.rgb("emissiveFactor", {0, 0, 0}, 0, unlimited, false);
-  for (size_t i = 0; i < 3; ++i) desc.luminance_cd_m2[i] = float(factor[i] * luminance);
-  desc.emits_both_sides = material.boolean("doubleSided", false);
 }
 
 void Importer::read_alpha(const JsonReader& material, ups_material_desc& desc) {

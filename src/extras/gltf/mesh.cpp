@@ -63,6 +63,22 @@ std::vector<float> optional_floats(const Document& document, const tinygltf::Pri
   return values;
 }
 
+// Whether any triangle has an area. Coordinates are floats: in doubles no product vanishes that should not.
+bool has_area(const std::vector<float>& positions, const std::vector<uint32_t>& indices) {
+  for (size_t i = 0; i + 2 < indices.size(); i += 3) {
+    double edges[2][3];
+    for (size_t e = 0; e < 2; ++e) {
+      for (size_t c = 0; c < 3; ++c) {
+        edges[e][c] = double(positions[3 * size_t(indices[i + 1 + e]) + c]) - positions[3 * size_t(indices[i]) + c];
+      }
+    }
+    for (size_t a = 0, b = 1; a < 3; ++a, b = (b + 1) % 3) {
+      if (edges[0][a] * edges[1][b] != edges[0][b] * edges[1][a]) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<ups_mesh_id> Importer::add_primitive(const tinygltf::Primitive& primitive, const std::string& where) {
@@ -86,6 +102,10 @@ std::optional<ups_mesh_id> Importer::add_primitive(const tinygltf::Primitive& pr
   const std::vector<uint32_t> indices = triangle_indices(document_, primitive, vertex_count, where);
   if (indices.empty()) {
     warn(where + ": skipped, it has no triangle");
+    return std::nullopt;
+  }
+  if (!has_area(positions, indices)) {
+    warn(where + ": skipped, none of its " + std::to_string(indices.size() / 3) + " triangles has an area");
     return std::nullopt;
   }
   const Material& material = primitive.material >= 0 ? materials_.at(size_t(primitive.material)) : default_material();
@@ -115,8 +135,10 @@ const std::vector<ups_mesh_id>& Importer::mesh(int index) {
   if (ids) return *ids;
   ids.emplace();
   const tinygltf::Mesh& source = document_.model.meshes[size_t(index)];
+  const std::string mesh_where = place("mesh", size_t(index), source.name);
+  if (source.primitives.empty()) warn(mesh_where + ": skipped, it has no primitives");
   for (size_t i = 0; i < source.primitives.size(); ++i) {
-    const std::string where = place("mesh", size_t(index), source.name) + ", primitive " + std::to_string(i);
+    const std::string where = mesh_where + ", primitive " + std::to_string(i);
     if (const auto id = add_primitive(source.primitives[i], where)) ids->push_back(*id);
   }
   return *ids;

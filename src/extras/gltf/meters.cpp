@@ -10,6 +10,8 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int64_t max_meters = 16777216;  // ups_meter_desc
+// File systems take 255; some are left for what follows: "_illuminance.png", a temporary file's suffix.
+constexpr size_t max_name_bytes = 200;
 
 ups_meter_kind kind_of(const JsonReader& meters) {
   const std::string kind = meters.text("kind", "planar");
@@ -129,17 +131,21 @@ void Importer::add_meters(const JsonReader& meters, const std::string& node_name
   sensor.normals = std::move(data.normals);
   std::string name = meters.text("name", "");
   if (name.empty()) name = node_name;
-  sensor.name = unique_name(name.empty() ? "meters" : name, false);
+  sensor.name = unique_name(name.empty() ? "meters" : name, false, meters.where());
   sensors.push_back(std::move(sensor));
 }
 
 // NAME, NAME_2, NAME_3, ...: unique over cameras and meters, as both write NAME.exr. An illuminance camera also writes
 // NAME_illuminance.png.
-std::string Importer::unique_name(const std::string& name, bool illuminance) {
+std::string Importer::unique_name(const std::string& name, bool illuminance, const std::string& where) {
   const std::string base = fit_for_files(name), second = "_illuminance";
   std::string result = base;
   for (int i = 2; names_.count(result) || (illuminance && names_.count(result + second)); ++i) {
     result = base + "_" + std::to_string(i);
+  }
+  if (result.size() > max_name_bytes) {
+    throw extras::Error(UPS_ERROR_PARSE, where + ": the name of its output files has " + std::to_string(result.size()) +
+                                             " bytes; at most " + std::to_string(max_name_bytes) + " fit");
   }
   names_.insert(result);
   if (illuminance) names_.insert(result + second);

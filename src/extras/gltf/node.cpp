@@ -157,7 +157,7 @@ void Importer::add_camera(const JsonReader& node, int index, const Affine& frame
   sensor.info.height = desc.height;
   sensor.info.illuminance = desc.illuminance;
   const std::string node_name = node.text("name", "");
-  sensor.name = unique_name(node_name.empty() ? "camera" : node_name, desc.illuminance != 0);
+  sensor.name = unique_name(node_name.empty() ? "camera" : node_name, desc.illuminance != 0, where);
   sensors.push_back(std::move(sensor));
 }
 

@@ -70,8 +70,9 @@ void draw_values(Picture& picture, const ups_ocio_false_color_desc& desc, const 
   }
 }
 
-void draw_scale(Picture& picture, const Scale& scale, const std::string& unit, uint32_t x, uint32_t y, uint32_t width,
-                uint32_t height, uint32_t size) {
+// largest: of the values; where it lies beyond the scale's end, the label there says "at least".
+void draw_scale(Picture& picture, const Scale& scale, double largest, const std::string& unit, uint32_t x, uint32_t y,
+                uint32_t width, uint32_t height, uint32_t size) {
   for (uint32_t i = 0; i < height; ++i) {
     picture.fill(x, y + i, width, 1, false_color(height > 1 ? 1 - double(i) / (height - 1) : 0));
   }
@@ -82,8 +83,9 @@ void draw_scale(Picture& picture, const Scale& scale, const std::string& unit, u
     const auto line = uint32_t(std::lround((1 - fraction) * (height - 1)));
     picture.fill(x + width, y + line, 3 * size, 1, ink);
     const uint32_t half = glyph_height * size / 2;
-    draw_text(picture, tick_label(value, scale.step), x + width + 5 * size, y + line > half ? y + line - half : 0, size,
-              ink);
+    std::string label = tick_label(value, scale.step);
+    if (line == 0 && largest > scale.max) label.insert(label.begin(), at_least_sign);
+    draw_text(picture, label, x + width + 5 * size, y + line > half ? y + line - half : 0, size, ink);
   }
   draw_text(picture, unit, x, y - (glyph_height + 4) * size, size, ink);
 }
@@ -136,13 +138,13 @@ Picture false_color_picture(const ups_ocio_false_color_desc& desc) {
   const uint32_t margin = 10 * size, line = (glyph_height + 5) * size, bar = 14 * size;
   const uint32_t top = margin + 2 * line;
   const uint32_t scale_height = std::max(height, 12 * line);
-  const uint32_t label_space = 5 * size + 9 * glyph_width * size;
+  const uint32_t label_space = 5 * size + 10 * glyph_width * size;
   const uint32_t content =
       std::max(width + 2 * margin + bar + label_space, std::max(text_width(title, size), text_width(footer, size)));
   Picture picture(2 * margin + content, top + scale_height + line + 2 * margin, background);
   draw_text(picture, title, margin, margin, size, ink);
   draw_values(picture, desc, scale, margin, top, zoom);
-  draw_scale(picture, scale, unit, 3 * margin + width, top, bar, scale_height, size);
+  draw_scale(picture, scale, statistics.max, unit, 3 * margin + width, top, bar, scale_height, size);
   draw_text(picture, footer, margin, top + scale_height + margin, size, ink);
   return picture;
 }

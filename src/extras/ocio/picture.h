@@ -18,6 +18,7 @@ struct Picture {
 };
 
 // Letters of a 5x7 font, each dot a square of `size` pixels; characters that it lacks are blanks. x, y: top left.
+inline constexpr char at_least_sign = '\1';                   // the sign >= in one letter, which ASCII lacks
 inline constexpr uint32_t glyph_width = 6, glyph_height = 7;  // with the gap between letters
 uint32_t text_width(const std::string& text, uint32_t size);
 void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y, uint32_t size, const Color& color);
