@@ -102,7 +102,7 @@ ups_status ups_profile_parse(ups_context* context, const void* bytes, size_t siz
   return guard(__func__, [&] {
     require(context, "context");
     require(out, "out");
-    check::pointer(bytes, "bytes");
+    if (size > 0) check::pointer(bytes, "bytes");  // an empty file's message is the parser's
     check::enumeration(format, UPS_PROFILE_EULUMDAT, "format", "UPS_PROFILE_*");
     if (format == UPS_PROFILE_EULUMDAT)
       throw Error(UPS_ERROR_UNSUPPORTED, "format: EULUMDAT is not read by this version; an IES LM-63 file is");

@@ -6,20 +6,46 @@
 
 #include <algorithm>
 #include <cstddef>
+#ifdef __SANITIZE_THREAD__
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+#endif
 
 namespace ups {
 
-// oneTBB is built without the thread sanitizer, which so cannot see that blocks begin after the call that starts them and
-// end before it returns: these say it. Blocks are not ordered among themselves, so races between them still show.
 #ifdef __SANITIZE_THREAD__
-extern "C" void __tsan_acquire(void* token);
-extern "C" void __tsan_release(void* token);
-inline char begin_token, end_token;
-inline void happens_before(char& token) { __tsan_release(&token); }
-inline void happens_after(char& token) { __tsan_acquire(&token); }
-#define UPS_TSAN(statement) statement
+// oneTBB is built without the thread sanitizer, which so cannot see that tasks begin after the call that starts them and
+// end before it returns. Threads of our own, which it can follow, stand in for it. Items are not ordered among
+// themselves, so races between them show.
+template <class Body, class... Partitioner>
+void parallel_for(int threads, size_t count, const Body& body, const Partitioner&...) {
+  std::atomic<size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto work = [&] {
+    try {
+      for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) body(i);
+    } catch (...) {
+      next.store(count, std::memory_order_relaxed);
+      const std::lock_guard lock(mutex);
+      if (!error) error = std::current_exception();
+    }
+  };
+  std::vector<std::thread> others;
+  for (size_t t = 1; t < std::min(count, size_t(threads)); ++t) others.emplace_back(work);
+  work();
+  for (std::thread& t : others) t.join();
+  if (error) std::rethrow_exception(error);
+}
 #else
-#define UPS_TSAN(statement)
+// body(i) for every i below count, in any order, on the threads of the arena this is called in.
+template <class Body, class... Partitioner>
+void parallel_for(int, size_t count, const Body& body, const Partitioner&... partitioner) {
+  tbb::parallel_for(size_t(0), count, body, partitioner...);
+}
 #endif
 
 class ThreadPool {
@@ -31,14 +57,12 @@ class ThreadPool {
   template <class Body>
   void for_blocks(size_t count, size_t grain, const Body& body) {
     const size_t blocks = (count + grain - 1) / grain;
-    const auto run = [&](size_t b) {
-      UPS_TSAN(happens_after(begin_token);)
-      body(b, b * grain, std::min(count, (b + 1) * grain));
-      UPS_TSAN(happens_before(end_token);)
-    };
-    UPS_TSAN(happens_before(begin_token);)
-    arena_.execute([&] { tbb::parallel_for(size_t(0), blocks, run, tbb::simple_partitioner{}); });
-    UPS_TSAN(happens_after(end_token);)
+    const auto run = [&](size_t b) { body(b, b * grain, std::min(count, (b + 1) * grain)); };
+#ifdef __SANITIZE_THREAD__
+    parallel_for(count_, blocks, run);
+#else
+    arena_.execute([&] { parallel_for(count_, blocks, run, tbb::simple_partitioner{}); });
+#endif
   }
 
  private:

@@ -1,10 +1,9 @@
 // See prepare.h. The steps in order: place, materials, geometry, emitters, sensors, media, effects and warnings.
 #include "scene/prepare.h"
 
-#include <tbb/parallel_for.h>
-
 #include <map>
 
+#include "base/parallel.h"
 #include "emitter/area.h"
 #include "emitter/point.h"
 #include "emitter/profile.h"
@@ -297,7 +296,7 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
   MeterSet set;
   set.cell_width = in.cell_width, set.cell_height = in.cell_height;
   set.meters.resize(in.positions.size());
-  tbb::parallel_for(size_t(0), in.positions.size(), [&](size_t i) {
+  parallel_for(threads_, in.positions.size(), [&](size_t i) {
     Meter& meter = set.meters[i];
     const Vec3d n = normalize(Vec3d(in.normals[i]));
     meter.p = to_scene(in.positions[i]);
@@ -338,7 +337,7 @@ void Builder::find_media() {
   for (const MeterSet& set : out_->meter_sets) {
     std::vector<uint32_t>& media = out_->medium_of_meter.emplace_back(set.meters.size(), none);
     if (!absorbs) continue;
-    tbb::parallel_for(size_t(0), set.meters.size(), [&](size_t i) {
+    parallel_for(threads_, set.meters.size(), [&](size_t i) {
       const Meter& meter = set.meters[i];
       media[i] = find(meter.p + meter.frame.n * (2 * meter.error));
     });

@@ -216,7 +216,8 @@ TEST_F(Api, ProfileParseErrors) {
   expect_error(ups_profile_parse(context, text, sizeof text - 1, 9, &out), UPS_ERROR_INVALID_ARGUMENT, {"format is 9"});
   expect_error(ups_profile_parse(context, nullptr, 5, UPS_PROFILE_AUTO, &out), UPS_ERROR_INVALID_ARGUMENT,
                {"bytes is NULL"});
-  EXPECT_EQ(ups_profile_parse(context, "", 0, UPS_PROFILE_AUTO, &out), UPS_ERROR_PARSE);
+  for (const char* nothing : {"", static_cast<const char*>(nullptr)})
+    expect_error(ups_profile_parse(context, nothing, 0, UPS_PROFILE_AUTO, &out), UPS_ERROR_PARSE, {"file ends"});
   EXPECT_EQ(out, nullptr);
 }
 
