@@ -4,14 +4,17 @@
   compare_methods.py --ups build/release/bin/ups --scene bathroom.glb --methods ups bpt ppm --time 60 --seeds 8
 
 The reference is rendered with another seed: by default the method `ups` for 100 times the time. Meters:
-error = sum |E - E_reference| / sum E_reference over all meters. Cameras: `ups compare` of the EXR images. With
---max-error the exit code is 1 when a method's mean error of the meters is larger.
+error = sum |E - E_reference| / sum E_reference over all meters. Cameras: `ups compare` of the EXR images; the median over
+the seeds beside the mean, as one firefly can make a mean. With --max-error the exit code is 1 when a method's mean error
+of the meters is larger, with --min-rmse-ratio when mean or median RMSE of another method is not so many times that of
+the first.
 """
 import argparse
 import csv
 import json
 import math
 import os
+import statistics
 import subprocess
 import sys
 
@@ -122,6 +125,8 @@ def parse():
     parser.add_argument("--reference-iterations", type=int, help="instead of a time")
     parser.add_argument("--reference-dir", help="where the reference is kept; default: OUT/reference")
     parser.add_argument("--meters", nargs="+", help="names of the meter sets that count; default: all")
+    parser.add_argument("--min-rmse-ratio", type=float, help="fail where another method's RMSE is less than this many times "
+                        "the first method's")
     parser.add_argument("--max-error", type=float, help="fail above this error of the meters, e.g. 0.005")
     return parser.parse_args()
 
@@ -143,18 +148,23 @@ def main():
     if names and total > 0:
         print(f"reference: mean standard error {100 * noise / total:.3f} % of the mean")
 
-    print(f"{'method':>8} {'iterations':>10} {'time_s':>7} {'meters: error':>14} {'camera: RMSE':>13} "
+    print(f"{'method':>8} {'iterations':>10} {'time_s':>7} {'meters: error':>14} {'camera: RMSE':>13} {'median':>8} "
           f"{'relative MSE':>13}")
-    failed = False
+    failed, first = False, None
     for method in arguments.methods:
         line = judge(arguments, method, reference_dir, reference, names)
         error = mean(line["meters"])
         print(f"{method:>8} {mean(line['iterations']):10.0f} {mean(line['time']):7.1f} "
-              f"{cell(line['meters'], 14, 100, ' %')} {cell(line['rmse'], 13)} {cell(line['relative_mse'], 13)}",
-              flush=True)
+              f"{cell(line['meters'], 14, 100, ' %')} {cell(line['rmse'], 13)} "
+              f"{cell([statistics.median(line['rmse'])] if line['rmse'] else [], 8)} {cell(line['relative_mse'], 13)}", flush=True)
         if arguments.max_error is not None and not error <= arguments.max_error:
             print(f"  over the limit of {100 * arguments.max_error:g} %")
             failed = True
+        first = first or line
+        if arguments.min_rmse_ratio is not None and line is not first:
+            ratios = [of(line["rmse"]) / of(first["rmse"]) for of in (mean, statistics.median)]
+            print(f"  RMSE over that of {first['method']}: mean {ratios[0]:.2f}, median {ratios[1]:.2f}")
+            failed = failed or not min(ratios) >= arguments.min_rmse_ratio
     sys.exit(1 if failed else 0)
 
 
