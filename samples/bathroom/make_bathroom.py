@@ -12,6 +12,7 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "scenes_common"))
+import need_numpy  # noqa: E402,F401
 import furnishings as things  # noqa: E402
 import lamps  # noqa: E402
 import sanitary  # noqa: E402

@@ -10,6 +10,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes_common"))
+import need_numpy  # noqa: E402,F401
 from gltf_builder import Frame, GltfBuilder  # noqa: E402
 from shapes import merged, quad  # noqa: E402
 

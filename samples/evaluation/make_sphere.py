@@ -9,9 +9,9 @@ import math
 import os
 import sys
 
-import numpy as np
-
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes_common"))
+import need_numpy  # noqa: E402,F401
+import numpy as np  # noqa: E402
 from gltf_builder import Frame, GltfBuilder  # noqa: E402
 from shapes import Mesh, icosphere  # noqa: E402
 
