@@ -168,7 +168,7 @@ def add_furnishings(scene, m):
 def add_check_sensors(scene):
     """Few enough for path tracing, which hardly ever finds the downlights' emitters."""
     for name, z in (("floor", 0.002), ("workplane", 0.75)):
-        scene.meters(name, Frame.upright((1.975, 1.05, z)), width_m=2.0, height_m=1.8, columns=4, rows=4)
+        scene.meters(name, Frame.upright((2.30, 1.05, z)), width_m=1.5, height_m=1.8, columns=4, rows=4)
 
 
 def add_sensors(scene):
