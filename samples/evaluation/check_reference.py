@@ -11,21 +11,18 @@ and 0.5 %.
 """
 import argparse
 import csv
-import json
 import math
 import os
-import subprocess
 import sys
+
+from compare_methods import run
 
 
 def render(arguments, method, seed, seconds):
     out = os.path.join(arguments.out, method)
     command = [arguments.ups, "render", arguments.scene, "--method", method, "--seed", str(seed), "--out", out,
                "--json", "--time", str(seconds)]
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stderr.strip()}")
-    rows, summary = [], json.loads(done.stdout)
+    rows, summary = [], run(command)
     for name in summary["meters"]:
         with open(os.path.join(out, name + ".csv"), newline="", encoding="utf-8") as file:
             rows += [(name, float(r["illuminance_lx"]), float(r["standard_error_lx"])) for r in csv.DictReader(file)]

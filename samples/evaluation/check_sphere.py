@@ -6,11 +6,12 @@
 Writes each scene with make_sphere.py, renders it, compares the mean of its meters. Exit code 1 above the tolerance.
 """
 import argparse
-import json
 import os
 import subprocess
 import sys
 import tempfile
+
+from compare_methods import run
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -33,10 +34,7 @@ def main():
             expected = float(made.split("expected mean ")[1].split()[0])
             for method in arguments.methods:
                 command = [arguments.ups, "render", scene, "--method", method, "--time", str(arguments.time), "--json"]
-                done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-                if done.returncode != 0:
-                    sys.exit(f"ups render --method {method} ended with {done.returncode}: {done.stderr.strip()}")
-                wall = json.loads(done.stdout)["meters"]["wall"]
+                wall = run(command)["meters"]["wall"]
                 difference = wall["mean_lx"] / expected - 1
                 failed |= not abs(difference) <= arguments.tolerance
                 error = wall["mean_standard_error_lx"]  # negative: too few iterations to know

@@ -15,6 +15,9 @@ class EmitterSet {
   // [0, 1]; empty: all. A lamp behind a lens has none, and choosing it there is wasted. Only choose_direct uses it.
   explicit EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std::vector<float>& exposed = {});
 
+  // Whether `exposed` makes a difference for so many emitters.
+  static bool uses_exposed(size_t count) { return count > 1 && count <= max_by_distance; }
+
   size_t size() const { return emitters_.size(); }
   const Emitter& operator[](size_t i) const { return *emitters_[i]; }
   double flux_lm() const { return flux_lm_; }

@@ -184,6 +184,7 @@ uint32_t Accumulator::visits(const Image& image, size_t pixel) const {
 }
 
 size_t Accumulator::unvisited_pixels(size_t c) const {
+  if (iterations_ >= plan_.camera_subsets) return 0;
   size_t count = 0;
   for (size_t p = 0; p < size_t(images_[c].width) * images_[c].height; ++p) count += visits(images_[c], p) == 0;
   return count;

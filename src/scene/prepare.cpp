@@ -52,7 +52,8 @@ class Builder {
     add_emissive_instances();
     add_sources();
     std::vector<float> exposed;
-    for (const auto& e : emitters_) exposed.push_back(exposed_share(*out_, *e));
+    if (EmitterSet::uses_exposed(emitters_.size()))
+      for (const auto& e : emitters_) exposed.push_back(exposed_share(*out_, *e));
     out_->emitters = EmitterSet(std::move(emitters_), exposed);
     if (!openings_.empty()) out_->openings = std::make_unique<DiscIndex>(std::move(openings_), threads_);
     add_sensors();

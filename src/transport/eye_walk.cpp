@@ -230,8 +230,7 @@ EyeWalk::Connection EyeWalk::connect(const Vertex& v, const PreparedLight& light
   const double w = mis::weight_connect(l.mis, v.state, sensor_.counts, l.merge, v.merge, f_eye.pdf * cos_light / d2,
                                        f_light.pdf_reverse, f_light.pdf * cos_eye / d2, f_eye.pdf_reverse);
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
-  const float scale = float(w / d2) * terminator(v.surface, d) * terminator(light.surface, l.wo) *
-                      shading_correction(light.surface, l.wo, -d);
+  const float scale = float(w / d2) * terminator(v.surface, d) * light_correction(light.surface, l.wo, -d);
   const Rgb value = throughput_ * f_eye.value * l.flux * f_light.value * attenuation(scene_, medium, distance) * scale;
   return {value, v.surface.ray_origin(d), light.surface.ray_origin(-d), edges};
 }
@@ -355,7 +354,7 @@ EyeWalk::Connection EyeWalk::meter_connect(const PreparedLight& light) const {
   if (!in_.settings.light_tracing)
     w = mis::weight_sensor_connect(l.mis, sensor_.counts, false, sensor_.end, l.merge,
                                    cos_meter * double(inv_pi) * cos_light / d2, f.pdf_reverse, f.pdf * cos_meter / d2);
-  const float scale = float(w * cos_meter / d2) * terminator(light.surface, l.wo) * shading_correction(light.surface, l.wo, -d);
+  const float scale = float(w * cos_meter / d2) * light_correction(light.surface, l.wo, -d);
   return {l.flux * f.value * attenuation(scene_, medium_, distance) * scale, origin_, light.surface.ray_origin(-d), edges};
 }
 

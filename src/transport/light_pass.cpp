@@ -203,7 +203,7 @@ class LightWalk {
     const Vec3 local = surface_.shading.to_local(d);
     if (!consistent_side(surface_, d, local)) return;
     const Scattering scattering = bsdf.evaluate(local_wo, local, TransportMode::importance);
-    const Rgb f = scattering.value * (terminator(surface_, -direction_) * shading_correction(surface_, -direction_, d));
+    const Rgb f = scattering.value * light_correction(surface_, -direction_, d);
     if (is_black(f)) return;
     const float pdf_w = camera.pdf_w(-d), cos_out = std::abs(dot(d, surface_.ng));
     double w = 1;
@@ -235,7 +235,7 @@ class LightWalk {
       absorb(Rgb(0.0f));
       return false;
     }
-    absorb(flux_ * s.weight * (shading_correction(surface_, wo, wi) * (s.delta ? 1.0f : terminator(surface_, wo))));
+    absorb(flux_ * s.weight * (s.delta ? shading_correction(surface_, wo, wi) : light_correction(surface_, wo, wi)));
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
     const float q = survival(flux_, start_flux_, a, lossless);
     if (is_black(flux_) || !is_finite(flux_) || rng_.get(a, Slot::roulette) >= q) return false;

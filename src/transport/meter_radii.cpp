@@ -10,21 +10,6 @@ namespace ups {
 
 namespace {
 
-// Median distance of a meter of the set to its nearest neighbour; infinite where there is none.
-float meter_spacing(const MeterSet& set) {
-  std::vector<float> nearest;
-  const size_t n = set.meters.size(), step = std::max<size_t>(1, n / 256);
-  for (size_t i = 0; i < n; i += step) {
-    float best = std::numeric_limits<float>::infinity();
-    for (size_t j = 0; j < n; ++j)
-      if (j != i) best = std::min(best, length2(set.meters[j].p - set.meters[i].p));
-    if (std::isfinite(best) && best > 0) nearest.push_back(std::sqrt(best));
-  }
-  if (nearest.empty()) return std::numeric_limits<float>::infinity();
-  std::nth_element(nearest.begin(), nearest.begin() + nearest.size() / 2, nearest.end());
-  return nearest[nearest.size() / 2];
-}
-
 // A disc must not reach through a wall: photons behind it would leak in, and its edge would darken.
 float distance_in_plane(const Snapshot& scene, const Meter& meter, float radius) {
   const Vec3 o = lifted(meter.p, meter.frame.n, meter.error);
@@ -89,10 +74,24 @@ double best_radius2(const DiscMoments& m, double largest2) {
 
 }  // namespace
 
-std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set, ThreadPool& pool) {
-  if (set.is_cell()) return std::vector<float>(set.meters.size());  // photons are counted there, not merged
+float meter_spacing(const MeterSet& set) {
+  if (set.is_cell()) return 0;
+  std::vector<float> nearest;
+  const size_t n = set.meters.size(), step = std::max<size_t>(1, n / 256);
+  for (size_t i = 0; i < n; i += step) {
+    float best = std::numeric_limits<float>::infinity();
+    for (size_t j = 0; j < n; ++j)
+      if (j != i) best = std::min(best, length2(set.meters[j].p - set.meters[i].p));
+    if (std::isfinite(best) && best > 0) nearest.push_back(std::sqrt(best));
+  }
+  if (nearest.empty()) return std::numeric_limits<float>::infinity();
+  return median(nearest);
+}
+
+std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set, float spacing, ThreadPool& pool) {
+  if (set.is_cell()) return std::vector<float>(set.meters.size());
   // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
-  const float largest = std::min(0.1f * scene.radius, std::sqrt(2.0f) * meter_spacing(set));
+  const float largest = std::min(0.1f * scene.radius, std::sqrt(2.0f) * spacing);
   std::vector<float> radii(set.meters.size(), largest);
   pool.for_blocks(radii.size(), 64, [&](size_t, size_t begin, size_t end) {
     for (size_t m = begin; m < end; ++m) radii[m] = distance_in_plane(scene, set.meters[m], radii[m]);
@@ -101,7 +100,7 @@ std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set
 }
 
 void fit_disc_radii(const Snapshot& scene, const SensorIndex& sensors, const std::vector<std::vector<PilotPaths::Crossing>>& crossings,
-                    uint32_t passes, std::vector<std::vector<float>>& radii) {
+                    uint32_t passes, const std::vector<float>& spacings, std::vector<std::vector<float>>& radii) {
   std::vector<std::vector<DiscMoments>> own;
   for (const auto& set : radii) own.emplace_back(set.size());
   for (uint32_t disc = 0; disc < crossings.size(); ++disc) {
@@ -111,7 +110,7 @@ void fit_disc_radii(const Snapshot& scene, const SensorIndex& sensors, const std
   for (size_t s = 0; s < radii.size(); ++s) {
     const MeterSet& set = scene.meter_sets[s];
     if (set.is_cell()) continue;
-    const std::vector<DiscMoments> m = pooled(set, own[s], 1.5f * meter_spacing(set));
+    const std::vector<DiscMoments> m = pooled(set, own[s], 1.5f * spacings[s]);
     for (size_t i = 0; i < radii[s].size(); ++i)
       radii[s][i] = float(std::sqrt(best_radius2(m[i], double(radii[s][i]) * radii[s][i])));
   }

@@ -33,9 +33,8 @@ std::vector<float> pixel_radii(const Snapshot& scene, const Camera& camera, Thre
   for (float r : radii)
     if (r > 0) seen.push_back(r);
   if (seen.empty()) return radii;
-  std::nth_element(seen.begin(), seen.begin() + seen.size() / 2, seen.end());
-  const float median = seen[seen.size() / 2];
-  for (float& r : radii) r = r > 0 ? std::clamp(r, median / 4, median * 4) : median;
+  const float typical = median(seen);
+  for (float& r : radii) r = r > 0 ? std::clamp(r, typical / 4, typical * 4) : typical;
   return radii;
 }
 
@@ -52,8 +51,7 @@ float typical_spacing(const std::vector<LightVertex>& photons, float largest) {
     spacings.push_back(d2.size() > walk_photons ? std::sqrt(d2[walk_photons]) : largest);
   }
   if (spacings.empty()) return largest;
-  std::nth_element(spacings.begin(), spacings.begin() + ptrdiff_t(spacings.size() / 2), spacings.end());
-  return spacings[spacings.size() / 2];
+  return median(spacings);
 }
 
 void fix_radii(float radius, Plan& plan) {
@@ -67,7 +65,7 @@ void fix_radii(float radius, Plan& plan) {
 // The pilot's light paths say how dense light is, and are thrown away. Fits the meters' discs; returns the vertices of
 // its first pass.
 std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
-                                   const std::atomic<bool>& stop, Plan& plan) {
+                                   const std::vector<float>& spacings, const std::atomic<bool>& stop, Plan& plan) {
   const SensorIndex sensors(scene, plan, settings, 0, pool.thread_count());
   TransportSettings pilot = settings;
   pilot.photon_mapping = true;  // no weights are needed
@@ -83,7 +81,7 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
     for (size_t d = 0; d < paths.crossings.size(); ++d)
       crossings[d].insert(crossings[d].end(), paths.crossings[d].begin(), paths.crossings[d].end());
   }
-  fit_disc_radii(scene, sensors, crossings, passes, plan.meter_radius);
+  fit_disc_radii(scene, sensors, crossings, passes, spacings, plan.meter_radius);
   return vertices;
 }
 
@@ -93,9 +91,13 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
                   Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE)) return;
   for (const Camera& camera : scene.cameras) plan.pixel_radius.push_back(pixel_radii(scene, camera, pool));
-  for (const MeterSet& set : scene.meter_sets) plan.meter_radius.push_back(largest_disc_radii(scene, set, pool));
+  std::vector<float> spacings;
+  for (const MeterSet& set : scene.meter_sets) {
+    spacings.push_back(meter_spacing(set));
+    plan.meter_radius.push_back(largest_disc_radii(scene, set, spacings.back(), pool));
+  }
   if (settings.merge_radius > 0) return fix_radii(settings.merge_radius, plan);
-  std::vector<LightVertex> vertices = run_pilot(scene, settings, pool, stop, plan);
+  std::vector<LightVertex> vertices = run_pilot(scene, settings, pool, spacings, stop, plan);
   plan.walk_radius = typical_spacing(vertices, 0.05f * scene.radius);
   // A coarse image's pixels are wider than the light's detail that photons can show.
   for (auto& radii : plan.pixel_radius)

@@ -45,6 +45,11 @@ inline float shading_correction(const SurfacePoint& s, const Vec3& wi, const Vec
   return std::abs(dot(wi, s.shading.n) * dot(wo, s.ng)) / denominator;
 }
 
+// Both, for a continuous lobe at a vertex of the light walk.
+inline float light_correction(const SurfacePoint& s, const Vec3& wi, const Vec3& wo) {
+  return terminator(s, wi) * shading_correction(s, wi, wo);
+}
+
 // The solid dielectric that an edge runs in. The surface at its end knows best: its back is inside. `walk` is what the
 // walk believes.
 inline uint32_t medium_of_edge(const Snapshot& scene, uint32_t walk, const SurfacePoint* end, const Vec3& d) {

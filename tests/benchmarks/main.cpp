@@ -121,7 +121,7 @@ void compare(const std::string& numerator, const std::string& denominator, const
 
 }  // namespace ups::benchmarks
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace ups::benchmarks;
   std::vector<std::string> words = arguments(argc, argv);
   std::vector<char*> pointers;
@@ -139,4 +139,7 @@ int main(int argc, char** argv) {
   Reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();
+} catch (const std::exception& e) {
+  std::fprintf(stderr, "ups_benchmarks: %s\n", e.what());
+  return 1;
 }

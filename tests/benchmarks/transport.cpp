@@ -1,15 +1,11 @@
-// How many paths a second? The sample bathroom through the public C API alone: a fixed number of iterations of each
+// How many paths a second? The sample bathroom through the public C API alone, loaded as the program loads it: a fixed number of iterations of each
 // method with 1 and 2 threads. A pair is a light path and an eye path, so a method has as many as it has of the rarer.
 // The time is that of the result: rendering, with the choice of the merge radii, without loading the scene.
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
-#include <memory>
 
 #include "benchmarks.h"
-#include "ups/ups.h"
-#include "ups/ups_gltf.h"
+#include "tool/handles.h"
 
 namespace ups::benchmarks {
 
@@ -28,54 +24,12 @@ constexpr Method methods[] = {{"ups", UPS_METHOD_UPS},
                               {"pt", UPS_METHOD_PATH_TRACING},
                               {"ppm", UPS_METHOD_PPM}};
 
-void check(ups_status status, const char* (*last_error)() = ups_last_error) {
-  if (status == UPS_OK) return;
-  std::fprintf(stderr, "ups_benchmarks: %s: %s: %s\n", UPS_BENCHMARK_SCENE, ups_status_name(status), last_error());
-  std::exit(1);
-}
-
-template <auto destroy>
-struct Destroy {
-  template <class T>
-  void operator()(T* handle) const {
-    destroy(handle);
-  }
-};
-using Context = std::unique_ptr<ups_context, Destroy<ups_context_destroy>>;
-using Scene = std::unique_ptr<ups_scene, Destroy<ups_scene_destroy>>;
-using Import = std::unique_ptr<ups_gltf_import, Destroy<ups_gltf_import_destroy>>;
-using Result = std::unique_ptr<ups_result, Destroy<ups_result_destroy>>;
-
-Context make_context(int threads) {
-  ups_context_desc desc;
-  ups_context_desc_init(&desc, sizeof desc);
-  desc.thread_count = threads;
-  ups_context* context = nullptr;
-  check(ups_context_create(&desc, &context));
-  return Context(context);
-}
-
-Scene load_bathroom(ups_context* context) {
-  ups_scene* scene = nullptr;
-  check(ups_scene_create(context, &scene));
-  Scene owner(scene);
-  ups_gltf_import_desc desc;
-  ups_gltf_import_desc_init(&desc, sizeof desc);
-  desc.camera_width = width;
-  desc.camera_height = height;
-  ups_gltf_import* imported = nullptr;
-  check(ups_gltf_import_file(context, UPS_BENCHMARK_SCENE, &desc, scene, &imported), ups_gltf_last_error);
-  const Import import_owner(imported);
-  check(ups_scene_commit(scene));
-  return owner;
-}
-
 // The number of threads belongs to the scene's context; each is loaded once.
 const ups_scene* bathroom_of(int threads) {
-  static std::map<int, Scene> scenes;
-  Scene& scene = scenes[threads];
-  if (!scene) scene = load_bathroom(make_context(threads).get());
-  return scene.get();
+  static std::map<int, tool::LoadedScene> scenes;
+  tool::LoadedScene& loaded = scenes[threads];
+  if (!loaded.scene) loaded = tool::load_scene(UPS_BENCHMARK_SCENE, threads, width, height);
+  return loaded.scene.get();
 }
 
 ups_result_info render(int threads, ups_method method, uint64_t seed) {
@@ -85,11 +39,11 @@ ups_result_info render(int threads, ups_method method, uint64_t seed) {
   desc.seed = seed;
   desc.iteration_count = iteration_count;
   ups_result* result = nullptr;
-  check(ups_render(bathroom_of(threads), &desc, &result));
-  const Result owner(result);
+  tool::check(ups_render(bathroom_of(threads), &desc, &result));
+  const tool::Result owner(result);
   ups_result_info info{};
   info.struct_size = sizeof info;
-  check(ups_result_get_info(result, &info));
+  tool::check(ups_result_get_info(result, &info));
   return info;
 }
 
