@@ -16,7 +16,7 @@ from scene_script import make_scene  # noqa: E402
 from shapes import arc, check_closed, curve, icosphere, lathe, merged, quad, sheet, tube, unit  # noqa: E402
 
 BLUE, YELLOW = (0.06, 0.22, 1.0), (1.0, 0.68, 0.06)  # R, G, B of the emitters
-BLUE_RADIUS, BLUE_LUMINANCE = 0.012, 2.4e6           # m; cd/m2 of the strongest channel
+BLUE_RADIUS, BLUE_LUMINANCE = 0.012, 1.0e6           # m; cd/m2 of the strongest channel
 YELLOW_RADIUS, YELLOW_LUMINANCE = 0.006, 2.4e7
 TUBE_RADIUS, TUBE_LENGTH, EMITTER_FROM_LENS = 0.034, 0.09, 0.07
 LENS_EDGE, LENS_BULGE = 0.004, 0.0085
@@ -99,7 +99,7 @@ def add_lamps(scene):
     cable = scene.material("cable", {"model": "matte", "reflectance": 0.05})
     emitters = [scene.material(name, {"model": "matte", "reflectance": 0.0}, luminance=luminance * np.array(colour))
                 for name, luminance, colour in (("blue", BLUE_LUMINANCE, BLUE), ("yellow", YELLOW_LUMINANCE, YELLOW))]
-    blue_at, yellow_at, target = (-0.47, -0.18, 1.40), (0.50, -0.26, 1.44), (0.02, -0.02, 0.84)
+    blue_at, yellow_at, target = (-0.47, -0.18, 1.40), (0.43, -0.20, 1.43), (0.02, -0.02, 0.84)
     scene.shape("blue lamp", icosphere(BLUE_RADIUS, 3).moved(*blue_at), emitters[0])
     body, lens, bulb = (aimed(part, yellow_at, target) for part in spotlight())
     scene.shape("spotlight tube", body, tin)
