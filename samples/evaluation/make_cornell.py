@@ -13,7 +13,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes_common"))
 import need_numpy  # noqa: E402,F401
 from scene_script import make_scene  # noqa: E402
-from shapes import check_closed, quad, rounded_box  # noqa: E402
+from shapes import box, check_closed, quad  # noqa: E402
 
 SIDE, LAMP_SIDE, LAMP_FLUX = 1.0, 0.04, 1000.0
 METAL_ROUGHNESS = 0.1  # GGX alpha 0.01
@@ -35,11 +35,14 @@ def build(scene):
     scene.shape("left", quad((0, 0, 0), (0, SIDE, 0), (0, 0, SIDE)), red)
     scene.shape("right", quad((SIDE, SIDE, 0), (0, -SIDE, 0), (0, 0, SIDE)), green)
     scene.shape("lamp", lamp, emitter)
-    tall = rounded_box((-0.145, -0.145, 0), (0.145, 0.145, 0.58), 0.006, 4).turned("z", 30).moved(0.32, 0.66, 0)
+    # A shade hides the lamp from the camera: the edges of so bright a thing would decide the errors of all methods.
+    shade = box((SIDE / 2 - 0.04, SIDE / 2 - 0.032, SIDE - 0.03), (SIDE / 2 + 0.04, SIDE / 2 - 0.030, SIDE))
+    scene.shape("shade", shade, white)
+    tall = box((-0.145, -0.145, 0), (0.145, 0.145, 0.58)).turned("z", 30).moved(0.32, 0.66, 0)
     scene.shape("metal box", tall, metal)  # turned so that it shows the walls, not the open front
-    low = check_closed(rounded_box((-0.145, -0.145, 0), (0.145, 0.145, 0.29), 0.008, 6), "glass box")
-    # Glass does not touch what it stands on.
-    scene.shape("glass box", low.turned("z", -17).moved(0.67, 0.32, 0.001), glass)
+    # Set into the floor, so that the floor beneath is seen from the side: across a gap of air it would never be.
+    low = check_closed(box((-0.145, -0.145, -0.002), (0.145, 0.145, 0.29)), "glass box")
+    scene.shape("glass box", low.turned("z", -17).moved(0.67, 0.32, 0), glass)
     scene.camera("view", (SIDE / 2, -1.38, SIDE / 2), (SIDE / 2, 0, SIDE / 2), 39.5, 256, 256)
 
 

@@ -128,7 +128,8 @@ def build(scene):
     scene.shape("lotus", lotus().moved(0, 0, PEDESTAL_Z), bronze)
     scene.shape("figure", figure().moved(0, 0.02, SEAT_Z), bronze)
     add_lamps(scene)
-    scene.camera("view", (0.08, -1.45, 1.08), (0.0, 0, 0.96), 51, 256, 256)
+    # The lamps are just out of sight: the edges of so bright things would decide the errors of all methods.
+    scene.camera("view", (0.08, -1.45, 1.06), (0.0, 0, 0.87), 39, 256, 256)
 
 
 if __name__ == "__main__":
