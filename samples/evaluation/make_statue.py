@@ -17,8 +17,8 @@ from shapes import arc, check_closed, curve, icosphere, lathe, merged, quad, she
 
 BLUE, YELLOW = (0.06, 0.22, 1.0), (1.0, 0.68, 0.06)  # R, G, B of the emitters
 BLUE_RADIUS, BLUE_LUMINANCE = 0.012, 1.0e6           # m; cd/m2 of the strongest channel
-YELLOW_RADIUS, YELLOW_LUMINANCE = 0.006, 2.4e7
-TUBE_RADIUS, TUBE_LENGTH, EMITTER_FROM_LENS = 0.034, 0.09, 0.07
+YELLOW_RADIUS, YELLOW_LUMINANCE = 0.006, 1.5e7
+TUBE_RADIUS, TUBE_LENGTH, EMITTER_FROM_LENS = 0.034, 0.06, 0.036
 LENS_EDGE, LENS_BULGE = 0.004, 0.0085
 PEDESTAL_Z, SEAT_Z = 0.46, 0.56
 
@@ -113,7 +113,7 @@ def build(scene):
     wall = scene.material("wall", {"model": "matte", "reflectance": 0.62})
     floor = scene.material("floor", {"model": "matte", "reflectance": 0.5})
     stone = scene.material("stone", {"model": "matte", "reflectance": [0.45, 0.43, 0.40]})
-    bronze = scene.material("bronze", {"model": "metal", "reflectance": [0.80, 0.68, 0.56], "roughness": 0.22})
+    bronze = scene.material("bronze", {"model": "metal", "reflectance": [0.80, 0.68, 0.56], "roughness": 0.3})
     width, depth, height = 2.4, 2.2, 2.4
     x0, x1, y0, y1 = -width / 2, width / 2, -1.5, depth - 1.5
     scene.shape("floor", quad((x0, y0, 0), (width, 0, 0), (0, depth, 0)), floor)

@@ -12,7 +12,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import need_numpy  # noqa: E402,F401
 import numpy as np  # noqa: E402
 from scene_script import make_scene  # noqa: E402
-from shapes import check_closed, curve, lathe, merged, quad, rounded_box, sheet, sphere, tube  # noqa: E402
+from shapes import box, check_closed, curve, lathe, merged, quad, sheet, sphere, tube  # noqa: E402
 
 PLATE, PLATE_Z, PLATE_SIDE = 0.006, 0.150, 0.62  # of the large plate: thickness, underside, side
 LAMP_AT, LAMP_RADIUS, LAMP_FLUX = (-0.25, 0.06, 0.75), 0.008, 800.0
@@ -97,7 +97,7 @@ def plates():
     glass, posts = [], []
     for (x0, x1), (y0, y1), z, post in (((-PLATE_SIDE / 2, PLATE_SIDE / 2), (-PLATE_SIDE / 2, PLATE_SIDE / 2), PLATE_Z, 0.004),
                                         ((-0.125, 0.125), (-0.165, -0.068), 0.022, 0.002)):
-        glass.append(check_closed(rounded_box((x0, y0, z), (x1, y1, z + PLATE), 0.0012, 2), "plate"))
+        glass.append(check_closed(box((x0, y0, z), (x1, y1, z + PLATE)), "plate"))
         # Glass does not touch what it stands on.
         posts += [tube([(x, y, 0), (x, y, z - 0.0005)], post, 16) for x in (x0 + 0.008, x1 - 0.008)
                   for y in (y0 + 0.008, y1 - 0.008)]
@@ -110,7 +110,7 @@ def build(scene):
     cushion = scene.material("cushion", {"model": "matte", "reflectance": [0.16, 0.07, 0.28]})
     wall = scene.material("wall", {"model": "matte", "reflectance": [0.62, 0.60, 0.55]})
     glass = scene.material("glass", {"model": "glass", "ior": 1.52})
-    ruby = scene.material("ruby", {"model": "glass", "ior": 1.76, "absorption_per_m": [8, 420, 330]})
+    ruby = scene.material("ruby", {"model": "plastic", "reflectance": [0.45, 0.01, 0.03], "roughness": 0.2, "ior": 1.76})
     metals = {name: scene.material(name, {"model": "metal", "reflectance": f0, "roughness": roughness})
               for name, (f0, roughness) in METALS.items()}
     glass_plates, posts = plates()
