@@ -1,6 +1,7 @@
-"""Reads the colour of the OpenEXR images that `ups render` writes: one part, scan lines, floats, ZIP or no compression.
+"""Reads the colour of the OpenEXR images that `ups render` writes: one part, scan lines, floats, ZIP or uncompressed.
 
-Called by paper_report.py, which shows several images at one exposure. The format: openexr.com/en/latest/OpenEXRFileLayout.html.
+Called by paper_report.py, which shows several images at one exposure. The format:
+https://openexr.com/en/latest/OpenEXRFileLayout.html
 """
 import struct
 import zlib
