@@ -24,6 +24,14 @@ void check(const ups_render_desc& d) {
   if (!(d.merge_radius_m >= 0) || !std::isfinite(d.merge_radius_m))
     fail_argument("merge_radius_m: " + std::to_string(d.merge_radius_m) + " is not a finite length >= 0");
   if (d.light_paths_per_iteration > (1u << 24)) fail_argument("light_paths_per_iteration: at most 16777216");
+  if (!(d.radius_alpha >= 0) || d.radius_alpha >= 1)
+    fail_argument("radius_alpha: " + std::to_string(d.radius_alpha) + " is not between 0 and 1 (0: 2/3)");
+  if (!(d.glossy_alpha >= 0) || d.glossy_alpha > 1)
+    fail_argument("glossy_alpha: " + std::to_string(d.glossy_alpha) + " is not a GGX alpha between 0 and 1 (0: 0.2)");
+  if (d.perturbation != UPS_PERTURBATION_VIRTUAL && d.perturbation != UPS_PERTURBATION_ACTUAL)
+    fail_argument("perturbation: " + std::to_string(d.perturbation) + " is not a UPS_PERTURBATION_* value");
+  if (d.technique_images > max_technique_edges)
+    fail_argument("technique_images: " + std::to_string(d.technique_images) + " edges; at most " + std::to_string(max_technique_edges));
   if (d.techniques >= 64) fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
   if (d.time_limit_s == 0 && d.target_relative_error == 0 && d.iteration_count == 0)
     fail_argument("nothing would end this render: set time_limit_s, target_relative_error or iteration_count");
@@ -43,7 +51,10 @@ void check_memory(const Snapshot& scene) {
 TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
   TransportSettings s;
   s.techniques = m.techniques;
-  s.photon_mapping = m.method == UPS_METHOD_PPM;
+  s.photon_mapping = m.method == UPS_METHOD_PPM || m.method == UPS_METHOD_SPPM;
+  s.hits_after_specular = s.photon_mapping || m.method == UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING;
+  if (m.method == UPS_METHOD_SPPM) s.glossy_alpha = d.glossy_alpha > 0 ? d.glossy_alpha : default_glossy_alpha;
+  if (d.radius_alpha > 0) s.radius_alpha = d.radius_alpha;
   s.light_tracing = m.method == UPS_METHOD_LIGHT_TRACING;
   s.seed = d.seed;
   s.max_path_length = d.max_path_length;

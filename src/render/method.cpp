@@ -18,10 +18,9 @@ uint32_t techniques_of(int32_t method) {
     case UPS_METHOD_PATH_TRACING: return hit | light_sample;
     case UPS_METHOD_LIGHT_TRACING: return sensor_connect | sensor_hit;
     case UPS_METHOD_BIDIRECTIONAL: return hit | light_sample | connect | sensor_connect;
-    case UPS_METHOD_PPM: return hit | merge | sensor_hit;
-    case UPS_METHOD_SPPM: throw Error(UPS_ERROR_UNSUPPORTED, "method sppm is not built in this version; use ppm or ups");
-    case UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING:
-      throw Error(UPS_ERROR_UNSUPPORTED, "method bidirectional photon mapping is not built in this version; use ups");
+    case UPS_METHOD_PPM:
+    case UPS_METHOD_SPPM:
+    case UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING: return hit | merge | sensor_hit;
     default: throw Error(UPS_ERROR_INVALID_ARGUMENT, "method: " + std::to_string(method) + " is not a UPS_METHOD_* value");
   }
 }
