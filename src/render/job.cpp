@@ -48,27 +48,12 @@ void check_memory(const Snapshot& scene) {
                                              std::to_string(int64_t(there / 1e9)));
 }
 
-TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
-  TransportSettings s;
-  s.techniques = m.techniques;
-  s.photon_mapping = m.method == UPS_METHOD_PPM || m.method == UPS_METHOD_SPPM;
-  s.hits_after_specular = s.photon_mapping || m.method == UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING;
-  if (m.method == UPS_METHOD_SPPM) s.glossy_alpha = d.glossy_alpha > 0 ? d.glossy_alpha : default_glossy_alpha;
-  if (d.radius_alpha > 0) s.radius_alpha = d.radius_alpha;
-  s.light_tracing = m.method == UPS_METHOD_LIGHT_TRACING;
-  s.seed = d.seed;
-  s.max_path_length = d.max_path_length;
-  s.light_paths = d.light_paths_per_iteration;
-  s.merge_radius = d.merge_radius_m;
-  return s;
-}
-
 }  // namespace
 
 RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_desc& desc, std::shared_ptr<ThreadPool> pool)
     : scene_(std::move(scene)), desc_(desc), pool_(std::move(pool)) {
   check(desc_);
-  method_ = choose_method(*scene_, desc_.method, desc_.techniques);
+  method_ = choose_method(*scene_, desc_);
   check_memory(*scene_);
   if (scene_->cameras.empty() && scene_->meter_sets.empty())
     throw Error(UPS_ERROR_INVALID_STATE, "the scene has no sensor: add a camera or meters before ups_scene_commit");

@@ -20,6 +20,7 @@ struct TransportSettings {
   bool hits_after_specular = false;  // photon mapping: eye paths see emitters directly or through mirrors and glass alone
   float glossy_alpha = 0;        // SPPM: eye paths pass sharper surfaces without merging (Hachisuka, Jensen 2009); 0: none
   double radius_alpha = 2.0 / 3;     // of the radius schedule
+  bool actual_perturbation = false;  // UPS_PERTURBATION_ACTUAL
   uint64_t seed = 0;
   uint32_t max_path_length = 0;  // edges; 0: none
   uint32_t light_paths = 0;      // a power of two; 0: chosen here
