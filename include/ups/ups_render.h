@@ -31,8 +31,8 @@ typedef int32_t ups_perturbation;
 enum {
   UPS_PERTURBATION_VIRTUAL = 0, /* the perturbed vertex is the eye path's own: counted in the weights alone */
   UPS_PERTURBATION_ACTUAL = 1   /* it is drawn from the kernel around the eye path's vertex: as biased as merging is; to
-                                 * test the former by. Next-event estimation and connections; needs UPS_TECHNIQUE_MERGE's
-                                 * radii, and draws them where the method does not merge too */
+                                 * test the former by; that bias is in no error. Next-event estimation and connections
+                                 * alone. Where the method does not merge, merge_radius_m must be set */
 };
 
 typedef struct ups_render_desc {
