@@ -1,7 +1,6 @@
-"""Reads the colour of the OpenEXR images that `ups render` writes: one part, scan lines, floats, ZIP or uncompressed.
+"""Reads the OpenEXR images that `ups render` writes: one part, scan lines, floats, ZIP or no compression.
 
-Called by paper_report.py, which shows several images at one exposure. The format:
-https://openexr.com/en/latest/OpenEXRFileLayout.html
+Called by scripts that show several images at one exposure. Format: openexr.com/en/latest/OpenEXRFileLayout.html.
 """
 import struct
 import zlib
@@ -51,8 +50,8 @@ def _unzipped(packed, size):
     return mixed.tobytes()
 
 
-def read_rgb(path):
-    """(height, width, 3) floats."""
+def read_channels(path):
+    """(height, channels, width) floats, and the channels' names."""
     with open(path, "rb") as file:
         data = file.read()
     attributes, at = _header(data)
@@ -69,4 +68,21 @@ def read_rgb(path):
         packed = data[offset + 8:offset + 8 + length]
         values = np.frombuffer(packed if compression == NO_COMPRESSION else _unzipped(packed, size), "<f4")
         image[y - y0:y - y0 + rows] = values.reshape(rows, len(names), width)
-    return image[:, [names.index(c) for c in "RGB"]].transpose(0, 2, 1)
+    return image, names
+
+
+def read_rgb(path):
+    """(height, width, 3) floats."""
+    return read_layers(path)[""]
+
+
+def read_layers(path):
+    """(height, width, 3) floats of each layer that has R, G, B, by its name; "" is the image itself."""
+    image, names = read_channels(path)
+    layers = [name[:-1].removesuffix(".") for name in names if name.rpartition(".")[2] == "R"]
+
+    def colour(layer):
+        prefix = layer + "." if layer else ""
+        return image[:, [names.index(prefix + c) for c in "RGB"]].transpose(0, 2, 1)
+
+    return {layer: colour(layer) for layer in layers}
