@@ -102,7 +102,8 @@ def pooled(lines):
 def evaluate(arguments, name):
     scene, out = SCENES[name], os.path.join(arguments.out, name)
     os.makedirs(out, exist_ok=True)
-    renderer = Renderer(arguments.ups, make_scene(scene, out), arguments.threads)
+    more = ("--merge-radius", f"{arguments.merge_radius:g}") if arguments.merge_radius else ()
+    renderer = Renderer(arguments.ups, make_scene(scene, out), arguments.threads, more=more)
     reference_dir = os.path.join(out, "reference")
     limit = ["--time", f"{arguments.reference_time or 12 * arguments.time:g}"]
     reference = renderer.reference(arguments.reference_method or scene.reference_method, arguments.reference_seed, limit,
@@ -157,6 +158,7 @@ def parse():
     parser.add_argument("--halvings", type=int, default=4, help="further points of the curve: T/2, T/4 ... (4)")
     parser.add_argument("--seeds", type=int, default=3, help="renders of each method and time (3)")
     parser.add_argument("--threads", type=int, help="default: all")
+    parser.add_argument("--merge-radius", type=float, help="first radius of all pixels, m; default: the library's own")
     parser.add_argument("--reference-method", help="default: ups; in the conference room bpt")
     parser.add_argument("--reference-time", type=float, help="seconds; default: 12 T")
     parser.add_argument("--reference-seed", type=int, default=1001)
