@@ -1,4 +1,4 @@
-"""Furniture and small things of the bathroom: vanity, door, towels, glassware, plant, duck.
+"""Furniture and small things of the bathroom: vanity, door, towels, glassware, duck.
 
 Called by make_bathroom.py. Each function returns a mesh in its own frame, metres, +Z up.
 """
@@ -121,34 +121,6 @@ def soap_dish():
 
 def soap():
     return rounded_box((-0.036, -0.024, 0.010), (0.036, 0.024, 0.034), 0.0115, 6)
-
-
-def plant_pot():
-    return lathe([[(0, 0), (0.095, 0)], [(0.095, 0), (0.115, 0.20)], arc((0.111, 0.20), 0.004, 0, 180, 6),
-                  [(0.107, 0.20), (0.105, 0.17)]], 64)
-
-
-def plant_soil():
-    return lathe([[(0.1055, 0.172), (0, 0.176)]], 32)
-
-
-def plant_leaves(count=26):
-    """Long arching blades out of the pot."""
-    rng = np.random.default_rng(21)
-    blades = []
-    for k in range(count):
-        azimuth = k * 2.39996 + rng.uniform(-0.25, 0.25)
-        length, lean = rng.uniform(0.38, 0.72), rng.uniform(0.25, 0.95)
-        t = np.linspace(0, 1, 15)[:, None]
-        out = 0.02 + length * (lean * t ** 1.7) * 0.75
-        up = 0.165 + length * (t - lean * 0.55 * t ** 2.6)
-        half = 0.019 * np.sin(np.pi * np.clip(t * 0.94 + 0.06, 0, 1)) ** 0.7 + 0.0005
-        across = np.array([-1.0, 0.0, 1.0])[None, :]
-        crease = 0.25 * half * np.abs(across)
-        c, s = np.cos(azimuth), np.sin(azimuth)
-        grid = np.stack([out * c - half * across * s, out * s + half * across * c, up + crease], -1)
-        blades.append(sheet(grid))
-    return merged(blades)
 
 
 def duck():

@@ -15,6 +15,7 @@ sys.path.insert(0, os.path.join(HERE, "..", "scenes_common"))
 import need_numpy  # noqa: E402,F401
 import furnishings as things  # noqa: E402
 import lamps  # noqa: E402
+import plant  # noqa: E402
 import sanitary  # noqa: E402
 import tiles  # noqa: E402
 from gltf_builder import Frame, GltfBuilder  # noqa: E402
@@ -161,7 +162,7 @@ def add_furnishings(scene, m):
     scene.shape("stool", things.stool(tiles.OAK_PERIOD_M).moved(*stool_at), m["oak"])
     for k, (towel, name) in enumerate(zip(things.folded_towels(), ("teal towel", "white towel", "coral towel")), 1):
         scene.shape(f"folded towel {k}", towel.turned("z", 6 * k - 10).moved(0.92, 0.55, 0.42), m[name])
-    for name, part in (("clay", things.plant_pot()), ("soil", things.plant_soil()), ("leaf", things.plant_leaves())):
+    for name, part in (("clay", plant.pot()), ("soil", plant.soil()), ("leaf", plant.leaves())):
         scene.shape(f"plant {name}", part.moved(2.80, 2.30, 0), m[name])
 
 

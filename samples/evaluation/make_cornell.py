@@ -25,7 +25,8 @@ def build(scene):
                                                    ("green", [0.12, 0.45, 0.09])))
     metal = scene.material("metal", {"model": "metal", "reflectance": [0.92, 0.91, 0.88], "roughness": METAL_ROUGHNESS})
     glass = scene.material("glass", {"model": "glass", "ior": 1.5})
-    lamp = quad((SIDE / 2 - LAMP_SIDE / 2, SIDE / 2 + LAMP_SIDE / 2, SIDE - 0.004), (LAMP_SIDE, 0, 0), (0, -LAMP_SIDE, 0))
+    middle, half = SIDE / 2, LAMP_SIDE / 2
+    lamp = quad((middle - half, middle + half, SIDE - 0.004), (LAMP_SIDE, 0, 0), (0, -LAMP_SIDE, 0))
     emitter = scene.material("lamp", {"model": "matte", "reflectance": 0.0},
                              luminance=LAMP_FLUX / (math.pi * lamp.area()))
     # The front, at y = 0, is open.
@@ -36,14 +37,14 @@ def build(scene):
     scene.shape("right", quad((SIDE, SIDE, 0), (0, -SIDE, 0), (0, 0, SIDE)), green)
     scene.shape("lamp", lamp, emitter)
     # A shade hides the lamp from the camera: the edges of so bright a thing would decide the errors of all methods.
-    shade = box((SIDE / 2 - 0.04, SIDE / 2 - 0.032, SIDE - 0.03), (SIDE / 2 + 0.04, SIDE / 2 - 0.030, SIDE))
+    shade = box((middle - 0.04, middle - 0.032, SIDE - 0.03), (middle + 0.04, middle - 0.030, SIDE))
     scene.shape("shade", shade, white)
     tall = box((-0.145, -0.145, 0), (0.145, 0.145, 0.58)).turned("z", 30).moved(0.32, 0.66, 0)
     scene.shape("metal box", tall, metal)  # turned so that it shows the walls, not the open front
     # Set into the floor, so that the floor beneath is seen from the side: across a gap of air it would never be.
     low = check_closed(box((-0.145, -0.145, -0.002), (0.145, 0.145, 0.29)), "glass box")
     scene.shape("glass box", low.turned("z", -17).moved(0.67, 0.32, 0), glass)
-    scene.camera("view", (SIDE / 2, -1.38, SIDE / 2), (SIDE / 2, 0, SIDE / 2), 39.5, 256, 256)
+    scene.camera("view", (middle, -1.38, middle), (middle, 0, middle), 39.5, 256, 256)
 
 
 if __name__ == "__main__":

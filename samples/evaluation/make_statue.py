@@ -21,16 +21,14 @@ YELLOW_RADIUS, YELLOW_LUMINANCE = 0.006, 1.5e7
 TUBE_RADIUS, TUBE_LENGTH, EMITTER_FROM_LENS = 0.034, 0.06, 0.036
 LENS_EDGE, LENS_BULGE = 0.004, 0.0085
 PEDESTAL_Z, SEAT_Z = 0.46, 0.56
-
-
-def mirrored(x, y, z):
-    return (x, y, z), (-x, y, z)
+ROOM = (2.4, 2.2, 2.4)  # x, y, z
 
 
 def figure():
     """Sits cross-legged with its hands in its lap, 0.72 m high, and looks towards -y."""
     parts = [ellipsoid((0, 0.01, 0.13), (0.165, 0.12, 0.12)), ellipsoid((0, 0.01, 0.27), (0.125, 0.09, 0.17)),
-             ellipsoid((0, 0.0, 0.37), (0.145, 0.09, 0.085)), capsule((-0.125, 0.01, 0.425), (0.125, 0.01, 0.425), 0.05)]
+             ellipsoid((0, 0.0, 0.37), (0.145, 0.09, 0.085)),
+             capsule((-0.125, 0.01, 0.425), (0.125, 0.01, 0.425), 0.05)]
     for side in (1, -1):
         knee, shoulder, elbow = (side * 0.255, -0.10, 0.062), (side * 0.155, 0.01, 0.415), (side * 0.20, 0.02, 0.225)
         parts += [capsule((side * 0.09, 0.02, 0.09), knee, 0.085, 0.06),
@@ -38,26 +36,27 @@ def figure():
                   capsule(shoulder, elbow, 0.047, 0.04), capsule(elbow, (side * 0.045, -0.155, 0.125), 0.039, 0.027)]
     body = blended(parts, 0.028)
     hands = [ellipsoid((side * 0.03, -0.175, 0.127 + side * 0.006), (0.058, 0.036, 0.017)) for side in (1, -1)]
-    neck = [capsule((0, 0.01, 0.43), (0, 0.0, 0.53), 0.047, 0.042), ellipsoid((0, -0.005, 0.575), (0.064, 0.072, 0.086)),
-            ellipsoid((0, -0.012, 0.545), (0.052, 0.058, 0.055)), ellipsoid((0, 0.012, 0.650), (0.042, 0.044, 0.036)),
-            ellipsoid((0, 0.012, 0.690), (0.016, 0.016, 0.022))]
-    face = [capsule((0, -0.074, 0.592), (0, -0.084, 0.567), 0.006, 0.010), ellipsoid((0, -0.066, 0.541), (0.018, 0.010, 0.006)),
-            *(capsule((x, -0.066, 0.601), (0.006 if x > 0 else -0.006, -0.074, 0.598), 0.005) for x in (0.036, -0.036)),
-            *(ellipsoid((x, -0.061, 0.585), (0.015, 0.008, 0.006)) for x in (0.026, -0.026)),
-            *(capsule((x, 0.002, 0.60), (0.97 * x, 0.004, 0.525), 0.013, 0.011) for x in (0.066, -0.066))]
+    head = [capsule((0, 0.01, 0.43), (0, 0.0, 0.53), 0.047, 0.042),
+            ellipsoid((0, -0.005, 0.575), (0.064, 0.072, 0.086)), ellipsoid((0, -0.012, 0.545), (0.052, 0.058, 0.055)),
+            ellipsoid((0, 0.012, 0.650), (0.042, 0.044, 0.036)), ellipsoid((0, 0.012, 0.690), (0.016, 0.016, 0.022))]
+    face = [capsule((0, -0.074, 0.592), (0, -0.084, 0.567), 0.006, 0.010),  # nose, mouth
+            ellipsoid((0, -0.066, 0.541), (0.018, 0.010, 0.006))]
+    for side in (1, -1):  # brow, eye, ear
+        face += [capsule((side * 0.036, -0.066, 0.601), (side * 0.006, -0.074, 0.598), 0.005),
+                 ellipsoid((side * 0.026, -0.061, 0.585), (0.015, 0.008, 0.006)),
+                 capsule((side * 0.066, 0.002, 0.60), (side * 0.064, 0.004, 0.525), 0.013, 0.011)]
     # The hem of the robe, from the left shoulder across the chest and under the right arm.
     hem = curve([(0.10, -0.055, 0.465), (0.045, -0.100, 0.40), (-0.04, -0.112, 0.31), (-0.125, -0.07, 0.235)], 4)
     robe = [capsule(a, b, 0.011) for a, b in zip(hem, hem[1:])]
-    whole = blended([body, blended(hands, 0.01), blended(neck, 0.02)], 0.022)
+    whole = blended([body, blended(hands, 0.01), blended(head, 0.02)], 0.022)
     bronze = blended([whole, blended(robe, 0.004), *face], 0.010)
     return surface(bronze, (-0.34, -0.29, -0.02), (0.34, 0.17, 0.74), 0.0055)
 
 
 def lotus():
     """The seat, 0.10 m high: two rings of petals around a waist."""
-    heights = [(0.0, 0.262), (0.008, 0.290), (0.024, 0.302), (0.040, 0.285), (0.050, 0.262), (0.060, 0.285), (0.076, 0.305),
-               (0.092, 0.297), (0.100, 0.275)]
-    profile = curve([(z, r) for z, r in heights], 4)
+    profile = curve([(0.0, 0.262), (0.008, 0.290), (0.024, 0.302), (0.040, 0.285), (0.050, 0.262), (0.060, 0.285),
+                     (0.076, 0.305), (0.092, 0.297), (0.100, 0.275)], 4)  # height, radius
     angle = np.arange(288) * 2 * np.pi / 288
     rings = []
     for z, r in profile:
@@ -97,16 +96,18 @@ def add_lamps(scene):
     tin = scene.material("tube", {"model": "metal", "reflectance": 0.6, "roughness": 0.3})
     lens_glass = scene.material("lens", {"model": "glass", "ior": 1.52})
     cable = scene.material("cable", {"model": "matte", "reflectance": 0.05})
+    colours = (("blue", BLUE_LUMINANCE, BLUE), ("yellow", YELLOW_LUMINANCE, YELLOW))
     emitters = [scene.material(name, {"model": "matte", "reflectance": 0.0}, luminance=luminance * np.array(colour))
-                for name, luminance, colour in (("blue", BLUE_LUMINANCE, BLUE), ("yellow", YELLOW_LUMINANCE, YELLOW))]
+                for name, luminance, colour in colours]
     blue_at, yellow_at, target = (-0.47, -0.18, 1.40), (0.43, -0.20, 1.43), (0.02, -0.02, 0.84)
     scene.shape("blue lamp", icosphere(BLUE_RADIUS, 3).moved(*blue_at), emitters[0])
     body, lens, bulb = (aimed(part, yellow_at, target) for part in spotlight())
     scene.shape("spotlight tube", body, tin)
     scene.shape("spotlight lens", lens, lens_glass)
     scene.shape("spotlight emitter", bulb, emitters[1])
-    for name, (x, y, z) in (("blue", blue_at), ("yellow", yellow_at + unit(np.subtract(yellow_at, target)) * TUBE_LENGTH)):
-        scene.shape(f"{name} cable", tube([(x, y, z + (0.012 if name == "blue" else 0)), (x, y, 2.4)], 0.003, 8), cable)
+    tube_end = yellow_at + unit(np.subtract(yellow_at, target)) * TUBE_LENGTH
+    for name, (x, y, z) in (("blue", np.add(blue_at, (0, 0, BLUE_RADIUS))), ("yellow", tube_end)):
+        scene.shape(f"{name} cable", tube([(x, y, z), (x, y, ROOM[2])], 0.003, 8), cable)
 
 
 def build(scene):
@@ -114,17 +115,16 @@ def build(scene):
     floor = scene.material("floor", {"model": "matte", "reflectance": 0.5})
     stone = scene.material("stone", {"model": "matte", "reflectance": [0.45, 0.43, 0.40]})
     bronze = scene.material("bronze", {"model": "metal", "reflectance": [0.80, 0.68, 0.56], "roughness": 0.3})
-    width, depth, height = 2.4, 2.2, 2.4
-    x0, x1, y0, y1 = -width / 2, width / 2, -1.5, depth - 1.5
+    width, depth, height = ROOM
+    x0, x1, y0, y1, up = -width / 2, width / 2, -1.5, depth - 1.5, (0, 0, height)
     scene.shape("floor", quad((x0, y0, 0), (width, 0, 0), (0, depth, 0)), floor)
-    scene.shape("walls", merged([quad((x0, y1, 0), (width, 0, 0), (0, 0, height)), quad((x0, y0, 0), (0, depth, 0), (0, 0, height)),
-                                 quad((x1, y1, 0), (0, -depth, 0), (0, 0, height)),
-                                 quad((x1, y0, 0), (-width, 0, 0), (0, 0, height)),
-                                 quad((x0, y1, height), (width, 0, 0), (0, -depth, 0))]), wall)
-    pedestal = lathe([[(0.36, 0), (0.36, 0.05)], [(0.36, 0.05), (0.32, 0.07)], [(0.32, 0.07), (0.30, PEDESTAL_Z - 0.05)],
-                      [(0.30, PEDESTAL_Z - 0.05), (0.34, PEDESTAL_Z - 0.03)], [(0.34, PEDESTAL_Z - 0.03), (0.34, PEDESTAL_Z)],
-                      [(0.34, PEDESTAL_Z), (0, PEDESTAL_Z)]], 96)
-    scene.shape("pedestal", pedestal, stone)
+    walls = [quad((x0, y1, 0), (width, 0, 0), up), quad((x0, y0, 0), (0, depth, 0), up),
+             quad((x1, y1, 0), (0, -depth, 0), up), quad((x1, y0, 0), (-width, 0, 0), up),
+             quad((x0, y1, height), (width, 0, 0), (0, -depth, 0))]
+    scene.shape("walls", merged(walls), wall)
+    profile = [(0.36, 0), (0.36, 0.05), (0.32, 0.07), (0.30, PEDESTAL_Z - 0.05), (0.34, PEDESTAL_Z - 0.03),
+               (0.34, PEDESTAL_Z), (0, PEDESTAL_Z)]
+    scene.shape("pedestal", lathe([list(pair) for pair in zip(profile, profile[1:])], 96), stone)
     scene.shape("lotus", lotus().moved(0, 0, PEDESTAL_Z), bronze)
     scene.shape("figure", figure().moved(0, 0.02, SEAT_Z), bronze)
     add_lamps(scene)

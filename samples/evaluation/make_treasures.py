@@ -18,7 +18,8 @@ PLATE, PLATE_Z, PLATE_SIDE = 0.006, 0.150, 0.62  # of the large plate: thickness
 LAMP_AT, LAMP_RADIUS, LAMP_FLUX = (-0.25, 0.06, 0.75), 0.008, 800.0
 CROWN_RADIUS, CROWN_AT, CUSHION_Z = 0.066, (-0.025, 0.03), 0.034
 HEAP_AT, HEAP_RADIUS, HEAP_HEIGHT = (0.105, 0.015), 0.088, 0.036
-METALS = {"gold": ([1.00, 0.77, 0.34], 0.18), "silver": ([0.95, 0.93, 0.88], 0.22), "copper": ([0.95, 0.64, 0.54], 0.25)}
+METALS = {"gold": ([1.00, 0.77, 0.34], 0.18), "silver": ([0.95, 0.93, 0.88], 0.22),
+          "copper": ([0.95, 0.64, 0.54], 0.25)}  # F0, roughness
 
 
 def coin(radius, thickness):
@@ -33,7 +34,7 @@ def coin(radius, thickness):
 
 
 def scattered_coins():
-    """{metal: mesh}: a heap beside the crown, stacks, and single coins on the cloth, some of them below a small plate."""
+    """{metal: mesh}: a heap beside the crown, stacks, single coins on the cloth, most of these below a small plate."""
     rng = np.random.default_rng(17)
     sizes = {"gold": coin(0.0150, 0.0022), "silver": coin(0.0125, 0.0019), "copper": coin(0.0110, 0.0018)}
     placed = {metal: [] for metal in sizes}
@@ -45,16 +46,17 @@ def scattered_coins():
         azimuth, out = rng.uniform(0, 2 * math.pi), math.sqrt(rng.uniform())
         height = HEAP_HEIGHT * (1 - out) * rng.uniform(0.4, 1)
         metal = ("gold", "gold", "silver", "copper")[rng.integers(4)]
-        put(metal, HEAP_AT[0] + HEAP_RADIUS * out * math.cos(azimuth), HEAP_AT[1] + HEAP_RADIUS * out * math.sin(azimuth),
-            0.002 + height, rng.uniform(4, 28) if height > 0.003 else 0)
+        x, y = HEAP_RADIUS * out * math.cos(azimuth), HEAP_RADIUS * out * math.sin(azimuth)
+        put(metal, HEAP_AT[0] + x, HEAP_AT[1] + y, 0.002 + height, rng.uniform(4, 28) if height > 0.003 else 0)
     for x, y, count, metal in ((-0.135, -0.03, 9, "gold"), (-0.142, 0.012, 5, "silver"), (0.02, 0.15, 12, "gold"),
                                (0.058, 0.155, 7, "copper"), (-0.145, 0.085, 12, "silver")):
         thickness = {"gold": 0.0022, "silver": 0.0019, "copper": 0.0018}[metal] + 0.0004
         for k in range(count):
             put(metal, x + rng.uniform(-0.0008, 0.0008), y + rng.uniform(-0.0008, 0.0008), 0.0016 + k * thickness, 0)
-    for x, y, metal in ((-0.06, -0.105, "gold"), (-0.025, -0.125, "silver"), (0.015, -0.10, "gold"), (0.06, -0.13, "copper"),
-                        (0.04, -0.105, "silver"), (-0.10, -0.13, "gold"), (-0.115, -0.09, "copper"), (0.10, -0.11, "gold"),
-                        (0.0, -0.15, "gold"), (0.135, -0.125, "silver"), (-0.155, -0.075, "gold")):
+    for x, y, metal in ((-0.06, -0.105, "gold"), (-0.025, -0.125, "silver"), (0.015, -0.10, "gold"),
+                        (0.06, -0.13, "copper"), (0.04, -0.105, "silver"), (-0.10, -0.13, "gold"),
+                        (-0.115, -0.09, "copper"), (0.10, -0.11, "gold"), (0.0, -0.15, "gold"),
+                        (0.135, -0.125, "silver"), (-0.155, -0.075, "gold")):
         put(metal, x, y, 0.0016, 0)
     return {metal: merged(coins) for metal, coins in placed.items()}
 
@@ -76,7 +78,8 @@ def crown():
     wall = sheet([*outer, *inner], wrap=True)
     band = lathe([curve([(CROWN_RADIUS - 0.003, 0.0), (CROWN_RADIUS + 0.003, 0.001), (CROWN_RADIUS + 0.004, 0.004),
                          (CROWN_RADIUS + 0.0015, 0.008), (CROWN_RADIUS + 0.0015, 0.022), (CROWN_RADIUS + 0.004, 0.026),
-                         (CROWN_RADIUS + 0.003, 0.029), (CROWN_RADIUS - 0.003, 0.030), (CROWN_RADIUS - 0.003, 0.0)], 4)], 128)
+                         (CROWN_RADIUS + 0.003, 0.029), (CROWN_RADIUS - 0.003, 0.030),
+                         (CROWN_RADIUS - 0.003, 0.0)], 4)], 128)
     parts, gems = [wall, band], []
     for k in range(8):
         a = math.radians(45 * k)
@@ -95,8 +98,9 @@ def crown():
 def plates():
     """(glass, posts): a large plate over everything, a small one over the coins in front."""
     glass, posts = [], []
-    for (x0, x1), (y0, y1), z, post in (((-PLATE_SIDE / 2, PLATE_SIDE / 2), (-PLATE_SIDE / 2, PLATE_SIDE / 2), PLATE_Z, 0.004),
-                                        ((-0.125, 0.125), (-0.165, -0.068), 0.022, 0.002)):
+    half = PLATE_SIDE / 2
+    for x0, x1, y0, y1, z, post in ((-half, half, -half, half, PLATE_Z, 0.004),
+                                    (-0.125, 0.125, -0.165, -0.068, 0.022, 0.002)):
         glass.append(check_closed(box((x0, y0, z), (x1, y1, z + PLATE)), "plate"))
         # Glass does not touch what it stands on.
         posts += [tube([(x, y, 0), (x, y, z - 0.0005)], post, 16) for x in (x0 + 0.008, x1 - 0.008)
@@ -110,7 +114,8 @@ def build(scene):
     cushion = scene.material("cushion", {"model": "matte", "reflectance": [0.16, 0.07, 0.28]})
     wall = scene.material("wall", {"model": "matte", "reflectance": [0.62, 0.60, 0.55]})
     glass = scene.material("glass", {"model": "glass", "ior": 1.52})
-    ruby = scene.material("ruby", {"model": "plastic", "reflectance": [0.45, 0.01, 0.03], "roughness": 0.2, "ior": 1.76})
+    ruby = scene.material("ruby", {"model": "plastic", "reflectance": [0.45, 0.01, 0.03], "roughness": 0.2,
+                                   "ior": 1.76})
     metals = {name: scene.material(name, {"model": "metal", "reflectance": f0, "roughness": roughness})
               for name, (f0, roughness) in METALS.items()}
     glass_plates, posts = plates()
@@ -130,7 +135,8 @@ def build(scene):
     scene.shape("walls", merged([quad(a, np.subtract(b, a), up) for a, b in zip(corners, corners[1:] + corners[:1])]
                                 + [quad((-side, side, high), (2 * side, 0, 0), (0, -2 * side, 0))]), wall)
     lamp = lathe([[(0, 0), (LAMP_RADIUS, 0)]], 32)  # faces down
-    emitter = scene.material("lamp", {"model": "matte", "reflectance": 0.0}, luminance=LAMP_FLUX / (math.pi * lamp.area()))
+    emitter = scene.material("lamp", {"model": "matte", "reflectance": 0.0},
+                             luminance=LAMP_FLUX / (math.pi * lamp.area()))
     scene.shape("lamp", lamp.moved(*LAMP_AT), emitter)
     scene.camera("view", (0.03, -0.50, 0.45), (0.01, 0.0, 0.035), 31, 256, 256)
 

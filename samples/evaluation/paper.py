@@ -70,8 +70,8 @@ def calibrate(renderer, methods, seconds):
 
 
 def measured(renderer, method, seed, iterations, out, reference_dir):
-    """One line of results.csv. `excess`: the mean squared errors behind it, of which the reference's noise is subtracted
-    so that some of them can be negative."""
+    """One line of results.csv. `excess`: the mean squared errors behind it. The reference's noise is subtracted, so that
+    they can be negative."""
     summary = renderer.render(method, seed, ["--iterations", str(iterations)], out)
     c = renderer.compare(CAMERA, out, reference_dir)["channels"]
     camera = summary["cameras"][CAMERA]
@@ -81,8 +81,8 @@ def measured(renderer, method, seed, iterations, out, reference_dir):
     return {"method": method, "seed": seed, "time_s": summary["time_s"], "iterations": summary["iterations"],
             "samples_per_pixel": summary["work"]["eye_paths"] / (camera["width"] * camera["height"]),
             "rmse": math.sqrt(max(excess["rmse"], 0)), "trimmed_rmse": math.sqrt(max(excess["trimmed_rmse"], 0)),
-            "relative_mse": max(excess["relative_mse"], 0), "excess": excess, "reference_share": noise["noise_b"] / c["mse"],
-            "out": out}
+            "relative_mse": max(excess["relative_mse"], 0), "excess": excess, "out": out,
+            "reference_share": noise["noise_b"] / c["mse"] if c["mse"] > 0 else 0}
 
 
 def pooled(lines):
@@ -95,23 +95,27 @@ def pooled(lines):
             "median_rmse": statistics.median(line["rmse"] for line in lines),
             "relative_mse": statistics.fmean(line["excess"]["relative_mse"] for line in lines),
             "reference_share": max(line["reference_share"] for line in lines),
-            **{name: statistics.fmean(line[name] for line in lines) for name in ("time_s", "iterations", "samples_per_pixel")}}
+            **{name: statistics.fmean(line[name] for line in lines)
+               for name in ("time_s", "iterations", "samples_per_pixel")}}
 
 
 def evaluate(arguments, name):
     scene, out = SCENES[name], os.path.join(arguments.out, name)
     os.makedirs(out, exist_ok=True)
-    renderer = Renderer(arguments.ups, make_scene(scene, out), arguments.threads)
+    more = ("--merge-radius", f"{arguments.merge_radius:g}") if arguments.merge_radius else ()
+    renderer = Renderer(arguments.ups, make_scene(scene, out), arguments.threads, more=more)
     reference_dir = os.path.join(out, "reference")
-    reference = renderer.reference(arguments.reference_method or scene.reference_method, arguments.reference_seed,
-                                   ["--time", f"{arguments.reference_time or 12 * arguments.time:g}"], reference_dir)
+    limit = ["--time", f"{arguments.reference_time or 12 * arguments.time:g}"]
+    reference = renderer.reference(arguments.reference_method or scene.reference_method, arguments.reference_seed, limit,
+                                   reference_dir)
     rates = calibrate(renderer, arguments.methods, max(arguments.time / 4, 0.5))
-    print(f"{name}: reference {reference['method']}, {reference['iterations']} iterations in {reference['time_s']:.1f} s; "
-          "iterations a second: " + ", ".join(f"{method} {rate:.3g}" for method, rate in rates.items()), flush=True)
+    print(f"{name}: reference {reference['method']}, {reference['iterations']} iterations in "
+          f"{reference['time_s']:.1f} s; iterations a second: "
+          + ", ".join(f"{method} {rate:.3g}" for method, rate in rates.items()), flush=True)
     times = [arguments.time / 2 ** k for k in range(arguments.halvings, -1, -1)]
     left_out = [time for time in times[:-1] if min(rates.values()) * time < MIN_ITERATIONS]
     if left_out:
-        print(f"{name}: left out, as too short for {MIN_ITERATIONS} iterations: " + ", ".join(f"{t:g} s" for t in left_out))
+        print(f"{name}: too short for {MIN_ITERATIONS} iterations, left out: " + ", ".join(f"{t:g} s" for t in left_out))
     times = times[len(left_out):]
     lines = {(method, time): [] for method in arguments.methods for time in times}
     for seed in range(1, arguments.seeds + 1):
@@ -146,13 +150,15 @@ def write_csv(path, name, lines):
 
 def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scenes", nargs="+", choices=[*SCENES, "all"], metavar="SCENE", help=", ".join([*SCENES, "all"]))
+    parser.add_argument("scenes", nargs="+", choices=[*SCENES, "all"], metavar="SCENE",
+                        help=", ".join([*SCENES, "all"]))
     parser.add_argument("--ups", default="build/release/bin/ups", help="the program")
     parser.add_argument("--methods", nargs="+", default=["bpt", "ppm", "sppm", "ups"])
     parser.add_argument("--time", type=float, default=10, help="T: seconds of the longest renders (10)")
     parser.add_argument("--halvings", type=int, default=4, help="further points of the curve: T/2, T/4 ... (4)")
     parser.add_argument("--seeds", type=int, default=3, help="renders of each method and time (3)")
     parser.add_argument("--threads", type=int, help="default: all")
+    parser.add_argument("--merge-radius", type=float, help="first radius of all pixels, m; default: the library's own")
     parser.add_argument("--reference-method", help="default: ups; in the conference room bpt")
     parser.add_argument("--reference-time", type=float, help="seconds; default: 12 T")
     parser.add_argument("--reference-seed", type=int, default=1001)

@@ -37,24 +37,24 @@ def ratios(name, scene, methods, times, points):
         rows = [["time", *(f"{m.upper()}/UPS" for m in others)]]
         for time in times:
             base = points[BASE, time]
-            rows.append([f"{time:.3g} s", *(f"{_number(_over(points[m, time], base, 'rmse'))} "
-                                           f"({_number(_over(points[m, time], base, 'trimmed_rmse'))})" for m in others)])
+            pairs = [[_number(_over(points[m, time], base, e)) for e in ("rmse", "trimmed_rmse")] for m in others]
+            rows.append([f"{time:.3g} s", *(f"{whole} ({trimmed})" for whole, trimmed in pairs)])
         if scene.rmse:
             rows.append([f"the paper, {scene.minutes:g} min",
                          *(_number(scene.rmse[m] / scene.rmse[BASE]) if m in scene.rmse else "-" for m in others)])
         text += "RMSE over that of UPS at equal time (in brackets: without the worst 0.1 % of the pixels):\n\n"
         text += _markdown(rows) + "\n"
-    rows = [["method", "time", "iterations", "samples/pixel", "to UPS", "paper's", "RMSE", "median", "trimmed", "relative MSE",
-             "reference's share"]]
+    rows = [["method", "time", "iterations", "samples/pixel", "to UPS", "paper's", "RMSE", "median", "trimmed",
+             "relative MSE", "reference's share"]]
     for m in methods:
         p = points[m, times[-1]]
         to_base = _over(p, points[BASE, times[-1]], "samples_per_pixel") if BASE in methods else None
-        rows.append([m, f"{p['time_s']:.2f} s", f"{p['iterations']:.0f}", f"{p['samples_per_pixel']:.1f}", _number(to_base),
-                     _number(scene.samples[m] / scene.samples[BASE] if m in scene.samples else None), _number(p["rmse"]),
-                     _number(p["median_rmse"]), _number(p["trimmed_rmse"]), _number(p["relative_mse"]),
+        rows.append([m, f"{p['time_s']:.2f} s", f"{p['iterations']:.0f}", f"{p['samples_per_pixel']:.1f}",
+                     _number(to_base), _number(scene.samples[m] / scene.samples[BASE] if m in scene.samples else None),
+                     *(_number(p[error]) for error in ("rmse", "median_rmse", "trimmed_rmse", "relative_mse")),
                      f"{100 * p['reference_share']:.1f} %"])
-    text += (f"At {times[-1]:g} s; samples per pixel over those of UPS beside the paper's (table 2); RMSE in cd/m²; the "
-             "reference's share of the squared difference, which is subtracted:\n\n")
+    text += (f"At {times[-1]:g} s; samples per pixel over those of UPS beside the paper's (table 2); RMSE in cd/m²;\n"
+             "the reference's share of the squared difference, which is subtracted:\n\n")
     return text + _markdown(rows)
 
 
@@ -66,7 +66,8 @@ def plot(path, name, methods, times, points, lines):
             of = [points[method, time] for time in times]
             axis.loglog([p[quantity] for p in of], [p["rmse"] for p in of], "o-", color=colour, label=method.upper())
             seeds = [line for time in times for line in lines[method, time] if line["rmse"] > 0]
-            axis.loglog([s[quantity] for s in seeds], [s["rmse"] for s in seeds], ".", color=colour, alpha=0.4, markersize=4)
+            axis.loglog([s[quantity] for s in seeds], [s["rmse"] for s in seeds], ".", color=colour, alpha=0.4,
+                        markersize=4)
         axis.set_xlabel(label)
         axis.grid(True, which="both", alpha=0.25)
     axes[0].set_ylabel("RMSE [cd/m²]")

@@ -22,10 +22,12 @@ class Renderer:
     scene: str
     threads: Optional[int] = None
     size: Optional[str] = None  # WxH of the cameras
+    more: tuple = ()            # further words of `ups render`
 
     def render(self, method, seed, limit, out=None):
         """limit: words of the program, as ["--time", "10"]; out: folder for the images, the tables and render.json."""
-        command = [self.ups, "render", self.scene, "--method", method, "--seed", str(seed), "--json", *limit]
+        command = [self.ups, "render", self.scene, "--method", method, "--seed", str(seed), "--json", *limit,
+                   *self.more]
         for option, value in (("--threads", self.threads), ("--size", self.size), ("--out", out)):
             if value:
                 command += [option, str(value)]
@@ -39,7 +41,7 @@ class Renderer:
         """The summary of the reference in `out`; an earlier one is used again only where the same words made it of the
         same scene."""
         with open(self.scene, "rb") as file:
-            recipe = [hashlib.sha256(file.read()).hexdigest(), method, seed, limit, self.size]
+            recipe = [hashlib.sha256(file.read()).hexdigest(), method, seed, limit, self.size, list(self.more)]
         note = os.path.join(out, "recipe.json")
         if os.path.exists(note):
             with open(note, encoding="utf-8") as file:

@@ -1,6 +1,6 @@
 """Reads the OpenEXR images that `ups render` writes: one part, scan lines, floats, ZIP or no compression.
 
-Called by scripts that show several images at one exposure. The format: openexr.com/en/latest/OpenEXRFileLayout.html.
+Called by scripts that show several images at one exposure. Format: openexr.com/en/latest/OpenEXRFileLayout.html.
 """
 import struct
 import zlib

@@ -15,7 +15,8 @@ def capsule(start, end, start_radius, end_radius=None):
     def field(points):
         along = end - start
         t = np.clip((points - start) @ along / (along @ along), 0, 1)
-        return np.linalg.norm(points - start - t[:, None] * along, axis=1) - (start_radius + t * (end_radius - start_radius))
+        radius = start_radius + t * (end_radius - start_radius)
+        return np.linalg.norm(points - start - t[:, None] * along, axis=1) - radius
     return field
 
 

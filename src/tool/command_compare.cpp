@@ -36,7 +36,8 @@ bool has_channel(const ups_exr_image* image, const std::string& name) {
   return false;
 }
 
-std::vector<float> read_channel(const ups_exr_image* image, const std::string& path, const std::string& name, size_t pixels) {
+std::vector<float> read_channel(const ups_exr_image* image, const std::string& path, const std::string& name,
+                                size_t pixels) {
   std::vector<float> values(pixels);
   if (ups_exr_read_channel(image, name.c_str(), values.data(), pixels) != UPS_OK) {
     throw Failure(path + ": " + ups_exr_last_error() + "; R, G and B are compared, or Y");
