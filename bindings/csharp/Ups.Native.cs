@@ -139,6 +139,12 @@ namespace Ups
         SensorHit = 32,
     }
 
+    public enum Perturbation : int
+    {
+        Virtual = 0,
+        Actual = 1,
+    }
+
     public enum JobState : int
     {
         Running = 0,
@@ -538,6 +544,10 @@ namespace Ups
         public uint MaxPathLength;
         public uint LightPathsPerIteration;
         public uint Techniques;
+        public float RadiusAlpha;
+        public float GlossyAlpha;
+        public Perturbation Perturbation;
+        public uint TechniqueImages;
         /// <summary>With the library's defaults.</summary>
         public static RenderDesc Create()
         {

@@ -12,9 +12,9 @@ enum {
   UPS_METHOD_PATH_TRACING = 2,
   UPS_METHOD_LIGHT_TRACING = 3,
   UPS_METHOD_BIDIRECTIONAL = 4,
-  UPS_METHOD_PPM = 5,
-  UPS_METHOD_SPPM = 6,                          /* UPS_ERROR_UNSUPPORTED in this version */
-  UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING = 7   /* UPS_ERROR_UNSUPPORTED in this version */
+  UPS_METHOD_PPM = 5,  /* progressive photon mapping (Hachisuka et al. 2008): merges at the first diffuse or glossy point */
+  UPS_METHOD_SPPM = 6, /* stochastic PPM (Hachisuka, Jensen 2009): glossy points are passed, merges at the first other one */
+  UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING = 7 /* Vorba 2011: merges at every point of an eye path, weighted */
 };
 
 enum {
@@ -24,6 +24,15 @@ enum {
   UPS_TECHNIQUE_SENSOR_CONNECT = 8, /* an edge from a light path to a camera */
   UPS_TECHNIQUE_MERGE = 16,         /* photon density estimation at eye vertices and meters */
   UPS_TECHNIQUE_SENSOR_HIT = 32     /* a light path lands on a meter's cell */
+};
+
+/* Path integration in the extended path space of the paper (Hachisuka, Pantaleoni, Jensen 2012, section 3). */
+typedef int32_t ups_perturbation;
+enum {
+  UPS_PERTURBATION_VIRTUAL = 0, /* the perturbed vertex is the eye path's own: counted in the weights alone */
+  UPS_PERTURBATION_ACTUAL = 1   /* it is drawn from the kernel around the eye path's vertex: as biased as merging is; to
+                                 * test the former by. Next-event estimation and connections; needs UPS_TECHNIQUE_MERGE's
+                                 * radii, and draws them where the method does not merge too */
 };
 
 typedef struct ups_render_desc {
@@ -38,6 +47,11 @@ typedef struct ups_render_desc {
   uint32_t max_path_length;           /* edges; 0: none, roulette ends paths without bias */
   uint32_t light_paths_per_iteration; /* 0: chosen by the library */
   uint32_t techniques;                /* UPS_TECHNIQUE_* to allow; 0: those of the method */
+  float radius_alpha;                 /* (0, 1): r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1); 0: 2/3, where UPS falls fastest */
+  float glossy_alpha;                 /* SPPM passes metal and rough glass of a GGX alpha below; 0: 0.2 */
+  ups_perturbation perturbation;
+  uint32_t technique_images;          /* cameras: an image of each technique for paths of up to so many edges, at most 16;
+                                       * 0: none. See ups_result_get_technique_count */
 } ups_render_desc; /* at least one of time limit, target, iteration count must be set */
 
 typedef int32_t ups_job_state;

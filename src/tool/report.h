@@ -29,6 +29,7 @@ struct Report {
 
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);
 std::string method_word(ups_method method);  // as in --method
+uint32_t technique_bit(const std::string& name);  // UPS_TECHNIQUE_* of "merge" and the like; 0: there is none
 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);

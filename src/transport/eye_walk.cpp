@@ -15,6 +15,7 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
   origin_ = last_ = p;
   direction_ = direction;
   edge_.pdf = pdf_w;
+  specular_ = true;
   walk();
   return tally_;
 }
@@ -67,10 +68,11 @@ void EyeWalk::walk() {
     if (emitter != none) hit_emitter(emitter, surface.primitive, surface.p, cos_in, distance, edges, Rgb(1.0f));
     if (in_.settings.light_tracing) return;  // an emitter seen directly was all that it can add
 
-    Vertex v{surface, Bsdf(scene_.materials[surface.material], surface.uv), -direction_, {}, arrive(cos_in, distance), false, edges};
+    Vertex v{surface, Bsdf(scene_.materials[surface.material], surface.uv), -direction_, {}, arrive(cos_in, distance), false, false, edges};
     v.local_wo = surface.shading.to_local(v.wo);
     if (!consistent_side(surface, v.wo, v.local_wo)) return;
-    v.merge = merge_gate(v.bsdf);
+    v.passes = v.bsdf.is_glossy(in_.settings.glossy_alpha);
+    v.merge = merge_gate(v.bsdf) && !v.passes;
     if (v.bsdf.has_continuous()) {
       if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) sample_light(v);
       if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
@@ -109,14 +111,13 @@ void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
 
 void EyeWalk::hit_emitter(uint32_t index, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
                           const Rgb& transmittance) {
-  const bool alone = in_.settings.photon_mapping || in_.settings.light_tracing;
   if (!in_.settings.has(UPS_TECHNIQUE_EMITTER_HIT) && !in_.settings.light_tracing) return;
-  if (in_.settings.photon_mapping && !only_delta_) return;
+  if (in_.settings.hits_after_specular && !specular_) return;
   const Emitter& emitter = scene_.emitters[index];
   EmitterHit hit;
   if (!emitter.eval_hit(last_, p, primitive, -direction_, hit)) return;
   double w = 1;
-  if (!alone) {
+  if (!in_.settings.weightless()) {
     const double pb_0 = edge_.pdf * cos_in / (double(distance) * distance);
     const double pn_0 = double(scene_.emitters.direct_probability(last_, index)) * hit.pdf_nee_a;
     const double pf_0 = double(scene_.emitters.emission_probability(index)) * hit.pdf_position_a;
@@ -253,7 +254,7 @@ void EyeWalk::meter_merge(const SurfacePoint& surface) {
     const LightVertex& l = in_.light.vertices[index];
     const float cos_light = dot(l.wo, meter_frame_.n);
     if (longer_than_allowed(l.depth) || cos_light < min_cosine || !same_surface(surface, l, sensor_.first.radius)) return;
-    const double w = in_.settings.photon_mapping ? 1.0 : mis::weight_merge_at_sensor(l.mis, sensor_.counts, sensor_.end.merge, cos_light * double(inv_pi));
+    const double w = in_.settings.weightless() ? 1.0 : mis::weight_merge_at_sensor(l.mis, sensor_.counts, sensor_.end.merge, cos_light * double(inv_pi));
     ++work_.merges;
     add(l.flux * float(w * norm), l.depth, Drop::merge);
   });
@@ -275,7 +276,7 @@ void EyeWalk::merge(const Vertex& v) {
     const Scattering f = v.bsdf.evaluate(v.local_wo, local, TransportMode::radiance);
     if (is_black(f.value)) return;
     double w = 1;
-    if (!in_.settings.photon_mapping) {
+    if (!in_.settings.weightless()) {
       const double eye = mis::eye_total(v.state, in_.plan.gates, sensor_.camera, l.depth == 1, f.pdf_reverse);
       w = mis::weight_merge(l.mis, sensor_.counts, eta, f.pdf, eye);
     }
@@ -289,7 +290,7 @@ void EyeWalk::merge(const Vertex& v) {
 bool EyeWalk::scatter(const Vertex& v) {
   BsdfSample s;
   if (!v.bsdf.sample(v.local_wo, rng_.get(v.edges, Slot::lobe), rng_.direction(v.edges), TransportMode::radiance, s)) return false;
-  if (in_.settings.photon_mapping && !s.delta) return false;  // its continuous part was merged
+  if (in_.settings.photon_mapping && !s.delta && !v.passes) return false;  // its continuous part was merged
   const Vec3 wi = v.surface.shading.to_world(s.wi);
   if (!consistent_side(v.surface, wi, s.wi)) return false;
   throughput_ *= s.delta ? s.weight : s.weight * terminator(v.surface, wi);
@@ -297,7 +298,7 @@ bool EyeWalk::scatter(const Vertex& v) {
   const float q = survival(throughput_, start_throughput_, v.edges, lossless);
   if (is_black(throughput_) || !is_finite(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
   throughput_ *= 1 / q;
-  only_delta_ = only_delta_ && s.delta;
+  specular_ = specular_ && (s.delta || v.passes);
   edge_.kind = s.delta ? Edge::delta : Edge::continuous;
   edge_.state = v.state;
   edge_.merge = v.merge;

@@ -52,6 +52,7 @@ class EyeWalk {
     Vec3 wo, local_wo;
     mis::EyeState state;
     bool merge;
+    bool passes;     // SPPM: sampled further instead of merged at
     uint32_t edges;  // from the sensor
   };
 
@@ -109,7 +110,7 @@ class EyeWalk {
   Rgb throughput_{1.0f}, start_throughput_{1.0f};
   Edge edge_;
   bool light_is_prepared_ = false;
-  bool only_delta_ = true;  // no continuous scattering so far
+  bool specular_ = false;  // a camera's path that scattered by delta lobes alone so far, in SPPM by glossy surfaces too
   uint32_t medium_;
 };
 

@@ -28,7 +28,8 @@ bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, Iteratio
   for (const MeterSet& s : scene_->meter_sets) tally.meters.emplace_back(s.meters.size());
 
   const uint32_t pass = plan_.pass(iteration);
-  const double camera_factor = Plan::radius2_factor(pass), meter_factor = Plan::radius2_factor(iteration);
+  const double camera_factor = Plan::radius2_factor(pass, settings_.radius_alpha),
+               meter_factor = Plan::radius2_factor(iteration, settings_.radius_alpha);
   LightPaths light;
   PhotonIndex pixel_photons, walk_photons;
   const double walk_radius2 = plan_.radius2(plan_.walk_radius, meter_factor);

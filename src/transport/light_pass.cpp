@@ -137,7 +137,7 @@ class LightWalk {
     const double unweighted = luminance(flux_ * attenuation(scene_, medium, crossing.t)) /
                               (double(in_.plan.light_paths) * (cell ? double(set.cell_area()) : 3.14159265358979323846 * e.radius2));
     double w = 1;
-    if (!in_.settings.photon_mapping && !in_.settings.light_tracing) {
+    if (!in_.settings.weightless()) {
       const mis::LightState s = arrive(p, cos_in, crossing.t);
       const double reverse = cos_in * inv_pi;
       w = cell ? mis::weight_land(s, e.counts, set.cell_area(), reverse) : mis::weight_merge_at_sensor(s, e.counts, e.eta, reverse);

@@ -171,11 +171,6 @@ class BrokenFiles(ProgramTest):
         self.broken(index, ["mesh 0", "index 3"])
         self.broken(extension, ["XYZ_fancy"], command="info")
 
-    def test_methods_that_are_not_built(self):
-        scene = self.write("room.gltf", room())
-        for method in ("sppm", "bpm"):
-            self.expect_failure("render", scene, "--method", method, "--iterations", 1, words=["ups: error"])
-
     def test_out_that_is_a_file(self):
         self.expect_failure("render", self.write("room.gltf", room()), "--out", self.path("room.gltf"), words=["room.gltf"])
 

@@ -124,6 +124,11 @@ class Technique(enum.IntFlag):
     SENSOR_HIT = 32
 
 
+class Perturbation(enum.IntEnum):
+    VIRTUAL = 0
+    ACTUAL = 1
+
+
 class JobState(enum.IntEnum):
     RUNNING = 0
     FINISHED = 1
@@ -361,6 +366,10 @@ class RenderDesc(Structure):
         ("max_path_length", c_uint32),
         ("light_paths_per_iteration", c_uint32),
         ("techniques", c_uint32),
+        ("radius_alpha", c_float),
+        ("glossy_alpha", c_float),
+        ("perturbation", c_int32),
+        ("technique_images", c_uint32),
     ]
 
 
