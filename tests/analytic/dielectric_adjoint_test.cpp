@@ -66,8 +66,8 @@ struct Square {
     expected_points = mean(points_across);
     expected_cells = mean(24);
   }
-  void judge(Scene& scene, const std::vector<Run>& runs) {
-    expect_same(scene, runs, points, cells, expected_points, expected_cells, false);
+  void judge(Scene& scene, const std::vector<Trial>& trials) {
+    expect_same(scene, trials, points, cells, expected_points, expected_cells);
   }
 };
 
@@ -75,14 +75,14 @@ constexpr double luminance = 1000, lamp_radius = 0.5;
 Shape lamp(double z, double facing) { return disc({0, 0, z}, {0, 0, facing}, lamp_radius, 512); }
 
 // Without a rough surface bidirectional path tracing has nothing to join and is path tracing, and merging alone is PPM.
-std::vector<Run> smooth_runs(double merge_radius) {
-  return {run(UPS_METHOD_PATH_TRACING, 32), run(UPS_METHOD_LIGHT_TRACING, 32, 1u << 15),
-          run(UPS_METHOD_UPS, 32, 1u << 14, merge_radius), run(UPS_METHOD_PPM, 32, 1u << 15, merge_radius)};
+std::vector<Trial> smooth_trials(double merge_radius, uint32_t iterations = 32) {
+  return {trial(UPS_METHOD_PATH_TRACING, iterations), trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 15),
+          trial(UPS_METHOD_UPS, iterations, 1u << 13, merge_radius), trial(UPS_METHOD_PPM, 32, 1u << 15, merge_radius)};
 }
-std::vector<Run> rough_runs() {
-  return {run(UPS_METHOD_PATH_TRACING, 48), run(UPS_METHOD_LIGHT_TRACING, 32, 1u << 15),
-          run(UPS_METHOD_BIDIRECTIONAL, 48), run(UPS_METHOD_UPS, 48, 1u << 12, 0.03),
-          run(UPS_METHOD_PPM, 32, 1u << 15, 0.03), merge_only(96, 1u << 13, 0.03)};
+std::vector<Trial> rough_trials() {
+  return {trial(UPS_METHOD_PATH_TRACING, 48), trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 15),
+          trial(UPS_METHOD_BIDIRECTIONAL, 32), trial(UPS_METHOD_UPS, 32, 1u << 12, 0.03),
+          trial(UPS_METHOD_PPM, 40, 1u << 15, 0.03), merge_only(48, 1u << 13, 0.04)};
 }
 
 // A meter d below a water surface, a lamp h above it: L in the water is n^2 T L.
@@ -99,7 +99,7 @@ TEST(DielectricAdjoint, MetersUnderWater) {
       return {1 - fresnel(std::cos(a), 1 / n), d * std::tan(a) + h * std::tan(out)};
     });
   });
-  square.judge(scene, smooth_runs(0.04));
+  square.judge(scene, smooth_trials(0.04));
 }
 
 // The lamp in the water, the meter in the air: L in the air is T L / n^2.
@@ -114,7 +114,7 @@ TEST(DielectricAdjoint, LampUnderWater) {
       return {1 - fresnel(std::cos(a), n), h * std::tan(a) + d * std::tan(refracted(a, n))};
     });
   });
-  square.judge(scene, smooth_runs(0.04));
+  square.judge(scene, smooth_trials(0.04));
 }
 
 // An absorbing slab of glass between lamp and meter, reflections between its faces included.
@@ -133,7 +133,7 @@ TEST(DielectricAdjoint, SlabBetween) {
               (d + h) * std::tan(a) + way * std::tan(inside)};
     });
   });
-  square.judge(scene, smooth_runs(0.04));
+  square.judge(scene, smooth_trials(0.04));
 }
 
 // A solid cube under a sky of luminance L on all sides: inside, every direction that can leave has the radiance n^2 L,
@@ -154,7 +154,7 @@ TEST(DielectricAdjoint, MetersInACubeUnderASky) {
       seen += std::max({r * std::abs(std::cos(phi)), r * std::abs(std::sin(phi)), std::sqrt(1 - r * r)}) > limit;
     }
   square.expect([&](double) { return pi_d * n * n * luminance * seen / steps / steps; });
-  square.judge(scene, smooth_runs(0.06));
+  square.judge(scene, smooth_trials(0.06, 16));
 }
 
 // The same water, ground: no closed form, but the two walks must agree on what a rough interface lets through.
@@ -162,7 +162,7 @@ TEST(DielectricAdjoint, MetersUnderRoughWater) {
   Scene scene;
   scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), glass(1.33, 0.4));
   scene.add(lamp(0.1, -1), emitter(luminance));
-  Square(scene, -0.15, 1).judge(scene, rough_runs());
+  Square(scene, -0.15, 1).judge(scene, rough_trials());
 }
 TEST(DielectricAdjoint, RoughAbsorbingSlabBetween) {
   Scene scene;
@@ -170,7 +170,7 @@ TEST(DielectricAdjoint, RoughAbsorbingSlabBetween) {
   for (float& a : block.absorption_per_m_rgb) a = 5;
   scene.add(box({-5, -5, 0}, {5, 5, 0.1}), block);
   scene.add(lamp(0.15, -1), emitter(luminance));
-  Square(scene, -0.1, 1).judge(scene, rough_runs());
+  Square(scene, -0.1, 1).judge(scene, rough_trials());
 }
 
 }  // namespace

@@ -22,7 +22,9 @@ inline const char* method_name(ups_method m) {
          : m == UPS_METHOD_PATH_TRACING  ? "PT"
          : m == UPS_METHOD_LIGHT_TRACING ? "LT"
          : m == UPS_METHOD_PPM           ? "PPM"
-                                         : "other";
+         : m == UPS_METHOD_SPPM          ? "SPPM"
+         : m == UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING ? "BPM"
+                                                        : "other";
 }
 inline constexpr ups_method eye_methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING};
 inline constexpr ups_method cell_methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING,

@@ -38,18 +38,18 @@ inline void expect_same(const std::vector<Estimate>& all, double expected, const
   }
 }
 
-struct Run {
+struct Trial {
   std::string name;
   RenderOptions options;
 };
 
-inline Run run(ups_method method, uint32_t iterations, uint32_t light_paths = 0, double merge_radius_m = 0) {
+inline Trial trial(ups_method method, uint32_t iterations, uint32_t light_paths = 0, double merge_radius_m = 0) {
   return {method_name(method), {.method = method, .iterations = iterations, .merge_radius_m = merge_radius_m,
                                 .light_paths = light_paths}};
 }
 // Every photon that reaches a point does so by density estimation.
-inline Run merge_only(uint32_t iterations, uint32_t light_paths, double merge_radius_m) {
-  Run r = run(UPS_METHOD_UPS, iterations, light_paths, merge_radius_m);
+inline Trial merge_only(uint32_t iterations, uint32_t light_paths, double merge_radius_m) {
+  Trial r = trial(UPS_METHOD_UPS, iterations, light_paths, merge_radius_m);
   r.name = "merging alone";
   r.options.techniques = UPS_TECHNIQUE_MERGE;
   return r;
@@ -62,13 +62,13 @@ inline Estimate estimate(const std::string& name, const Result& result, const Se
 
 // The runs' means over points and over cells; a closed form of each, or 0. Light tracing has no density estimate, and
 // merging none over cells: they are left out of the other's.
-inline void expect_same(Scene& scene, const std::vector<Run>& runs, const Sensor& points, const Sensor& cells,
-                        double expected_points, double expected_cells, bool light_tracing_reaches_points) {
+inline void expect_same(Scene& scene, const std::vector<Trial>& runs, const Sensor& points, const Sensor& cells,
+                        double expected_points, double expected_cells) {
   std::vector<Estimate> at_points, over_cells;
-  for (const Run& r : runs) {
+  for (const Trial& r : runs) {
     const Result result = scene.render(r.options);
     if (std::getenv("SHOW")) printf("%s %.2f s\n", r.name.c_str(), result.info().elapsed_s);
-    if (r.options.method != UPS_METHOD_LIGHT_TRACING || light_tracing_reaches_points)
+    if (r.options.method != UPS_METHOD_LIGHT_TRACING)
       at_points.push_back(estimate(r.name, result, points));
     if (r.options.techniques != UPS_TECHNIQUE_MERGE) over_cells.push_back(estimate(r.name, result, cells));
   }

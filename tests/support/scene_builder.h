@@ -147,6 +147,7 @@ struct RenderOptions {
   double merge_radius_m = 0;
   uint32_t light_paths = 0;
   uint32_t techniques = 0;
+  double radius_alpha = 0;
 };
 
 // Local -Z along `direction`, at `position`; row-major 3x4.
@@ -264,6 +265,7 @@ class Scene {
     d.merge_radius_m = float(options.merge_radius_m);
     d.light_paths_per_iteration = options.light_paths;
     d.techniques = options.techniques;
+    d.radius_alpha = float(options.radius_alpha);
     ups_result* result = nullptr;
     check(ups_render(scene_.get(), &d, &result), "ups_render");
     return Result(result, sensors_);
