@@ -1,14 +1,12 @@
 // Do estimators that walk from the light and from the sensor measure the same? Means over a set of meters, judged in
 // pairs and against a closed form where there is one.
 //
-// Each standard error is at most 0.15 % of the value, two values differ by at most 0.5 % of it, or by 3 standard errors
-// of the difference where that is more (it never is: 3 * 0.15 % * sqrt 2 = 0.64 % only where both are at their limit).
-// False alarms: with both errors at the limit the half percent is 2.4 standard errors of a difference, P = 2 %, with the
-// 3 standard errors 0.5 % a pair (t_30); at half the limit, where most of the values are, below 1e-4. Errors come from 16
-// batches. Seeds are fixed: a test that passes once passes always.
+// Each standard error is at most 0.15 % of the value; two values differ by at most 0.5 % of it, or by 3 standard errors
+// of the difference where that is more, which is only where both are near their limit (3 * 0.15 % * sqrt 2 = 0.64 %).
+// False alarms: P(|t_30| > 3) = 0.5 % for a pair at the limit; where both errors are 0.1 %, as most are, the half percent
+// is 3.5 standard errors of the difference, 0.15 %; at 0.075 %, 4e-5. Errors come from 16 batches. Seeds are fixed: a
+// test that passes once passes always.
 #pragma once
-#include <functional>
-
 #include "expect_lx.h"
 
 namespace ups::test {
@@ -60,21 +58,16 @@ inline Estimate estimate(const std::string& name, const Result& result, const Se
   return {name, s.mean_lx, s.mean_standard_error_lx};
 }
 
-// The runs' means over points and over cells; a closed form of each, or 0. Light tracing has no density estimate, and
-// merging none over cells: they are left out of the other's.
+// The means over points and over cells; a closed form of each, or 0. Cells count photons where points merge them: light
+// tracing is left out of the points, merging alone out of the cells.
 inline void expect_same(Scene& scene, const std::vector<Trial>& runs, const Sensor& points, const Sensor& cells,
                         double expected_points, double expected_cells) {
   std::vector<Estimate> at_points, over_cells;
   for (const Trial& r : runs) {
     const Result result = scene.render(r.options);
-    if (std::getenv("SHOW")) printf("%s %.2f s\n", r.name.c_str(), result.info().elapsed_s);
     if (r.options.method != UPS_METHOD_LIGHT_TRACING)
       at_points.push_back(estimate(r.name, result, points));
     if (r.options.techniques != UPS_TECHNIQUE_MERGE) over_cells.push_back(estimate(r.name, result, cells));
-  }
-  if (std::getenv("SHOW")) {
-    for (auto* v : {&at_points, &over_cells})
-      for (auto& e : *v) printf("%-14s %12.6g  se %.4f %%  dev %.3f %%\n", e.name.c_str(), e.mean, 100*e.standard_error/e.mean, 100*(e.mean/(v==&at_points? (expected_points>0?expected_points:(*v)[0].mean):(expected_cells>0?expected_cells:(*v)[0].mean))-1));
   }
   expect_same(at_points, expected_points, "points");
   expect_same(over_cells, expected_cells, "cells");
