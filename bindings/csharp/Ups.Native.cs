@@ -158,6 +158,14 @@ namespace Ups
         LuminanceRgb = 0,
         StandardErrorRgb = 1,
         Illuminance = 2,
+        PathIntegrationRgb = 3,
+        DensityEstimationRgb = 4,
+    }
+
+    public enum Contribution : int
+    {
+        Weighted = 0,
+        Unweighted = 1,
     }
 
     public enum ResultText : int
@@ -642,6 +650,20 @@ namespace Ups
         }
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TechniqueInfo
+    {
+        public uint StructSize;
+        public uint Technique;
+        public uint LightVertices;
+        public uint EyeVertices;
+        public uint Edges;
+        internal static TechniqueInfo Sized()
+        {
+            return new TechniqueInfo { StructSize = (uint)sizeof(TechniqueInfo) };
+        }
+    }
+
     public sealed class ContextHandle : NativeHandle
     {
         protected override bool ReleaseHandle() { Native.ups_context_destroy(handle); return true; }
@@ -790,6 +812,14 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_image(ResultHandle result, SensorId camera, Channel channel,
             float* @out, UIntPtr row_stride_bytes, UIntPtr size_bytes);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_technique_count(ResultHandle result, SensorId camera, uint* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_technique(ResultHandle result, SensorId camera, uint index,
+            TechniqueInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_technique(ResultHandle result, SensorId camera, uint index,
+            Contribution contribution, float* @out, UIntPtr row_stride_bytes, UIntPtr size_bytes);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_convergence(ResultHandle result, ConvergencePoint* points, UIntPtr
             capacity, UIntPtr* needed);

@@ -38,8 +38,9 @@ void check(const ups_render_desc& d) {
 }
 
 // Linux grants more memory than there is and ends the process that takes it.
-void check_memory(const Snapshot& scene) {
-  constexpr double bytes_per_pixel = 320;  // sums, batches and one iteration's tally (accumulator.h, tally.h)
+void check_memory(const Snapshot& scene, uint32_t technique_edges) {
+  // Sums, batches and one iteration's tally (accumulator.h, tally.h); of a technique those and what is read out.
+  const double bytes_per_pixel = 320 + 96.0 * (technique_edges ? technique_count(technique_edges) + 1 : 0);
   double pixels = 0;
   for (const Camera& c : scene.cameras) pixels += c.pixel_count();
   const double needed = pixels * bytes_per_pixel, there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
@@ -54,7 +55,9 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
     : scene_(std::move(scene)), desc_(desc), pool_(std::move(pool)) {
   check(desc_);
   method_ = choose_method(*scene_, desc_);
-  check_memory(*scene_);
+  if (desc_.perturbation == UPS_PERTURBATION_ACTUAL && !(method_.techniques & UPS_TECHNIQUE_MERGE) && !(desc_.merge_radius_m > 0))
+    fail_argument("perturbation: UPS_PERTURBATION_ACTUAL needs the radius of merging: set merge_radius_m, or take a method that merges");
+  check_memory(*scene_, desc_.technique_images);
   if (scene_->cameras.empty() && scene_->meter_sets.empty())
     throw Error(UPS_ERROR_INVALID_STATE, "the scene has no sensor: add a camera or meters before ups_scene_commit");
 }

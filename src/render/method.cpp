@@ -71,6 +71,7 @@ TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
   if (m.method == UPS_METHOD_SPPM) s.glossy_alpha = d.glossy_alpha > 0 ? d.glossy_alpha : default_glossy_alpha;
   s.light_tracing = m.method == UPS_METHOD_LIGHT_TRACING;
   s.actual_perturbation = d.perturbation == UPS_PERTURBATION_ACTUAL;
+  s.technique_edges = d.technique_images;
   if (d.radius_alpha > 0) s.radius_alpha = d.radius_alpha;
   s.seed = d.seed;
   s.max_path_length = d.max_path_length;

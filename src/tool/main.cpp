@@ -183,7 +183,11 @@ int run(int argc, char** argv) {
   compare->add_flag("--json", json, "Print one JSON object on standard output");
   compare->footer(
       "Over luminance Y of R, G, B, or the channel Y. With B as R:\n"
-      "relative_mse = mean[(A - R)^2 / (R^2 + 0.01 mean(R)^2)]; -1: unknown, as B is black.");
+      "relative_mse = mean[(A - R)^2 / (R^2 + 0.01 mean(R)^2)]; -1: unknown, as B is black.\n"
+      "channels: means over all pixels and channels; mse and relative_mse (with R still the luminance in the\n"
+      "denominator) of the differences, noise_a, noise_b and relative_noise_b of the squared standard errors of A and B\n"
+      "(-1: not in the file); trimmed_...: without the 0.1 % of the pixels that differ most. mse - noise_b is the mean\n"
+      "squared error of A without the noise of the reference.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -11,8 +11,6 @@
 
 namespace ups {
 
-inline constexpr uint32_t max_technique_edges = 16;  // of technique images
-
 struct TransportSettings {
   uint32_t techniques = 0;       // UPS_TECHNIQUE_*
   bool photon_mapping = false;   // PPM, SPPM: merge at the first vertex that can, weight 1 (Hachisuka et al. 2008)
@@ -21,6 +19,7 @@ struct TransportSettings {
   float glossy_alpha = 0;        // SPPM: eye paths pass sharper surfaces without merging (Hachisuka, Jensen 2009); 0: none
   double radius_alpha = 2.0 / 3;     // of the radius schedule
   bool actual_perturbation = false;  // UPS_PERTURBATION_ACTUAL
+  uint32_t technique_edges = 0;      // images of each technique for paths of up to so many edges; 0: none
   uint64_t seed = 0;
   uint32_t max_path_length = 0;  // edges; 0: none
   uint32_t light_paths = 0;      // a power of two; 0: chosen here

@@ -24,7 +24,7 @@ inline const char* method_name(ups_method m) {
          : m == UPS_METHOD_PPM           ? "PPM"
          : m == UPS_METHOD_SPPM          ? "SPPM"
          : m == UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING ? "BPM"
-                                                        : "other";
+                                         : "other";
 }
 inline constexpr ups_method eye_methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING};
 inline constexpr ups_method cell_methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING,

@@ -355,7 +355,7 @@ class InfoAndCompare(ProgramTest):
                              "pt", "--out", self.path(name))
         a, b = self.path("a/view.exr"), self.path("b/view.exr")
         same = json.loads(self.run_program("compare", a, a, "--json").stdout)
-        self.assertEqual(set(same), {"rmse", "relative_mse", "mean_a", "mean_b", "worst_pixel"})
+        self.assertEqual(set(same), {"rmse", "relative_mse", "mean_a", "mean_b", "worst_pixel", "channels"})
         self.assertEqual((same["rmse"], same["relative_mse"]), (0, 0))
         other = json.loads(self.run_program("compare", a, b, "--json").stdout)
         self.assertEqual(other["mean_a"], same["mean_a"])
