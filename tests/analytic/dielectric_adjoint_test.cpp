@@ -82,8 +82,8 @@ std::vector<Trial> smooth_trials(double merge_radius, uint32_t iterations = 32) 
           trial(UPS_METHOD_UPS, iterations, 1u << 13, merge_radius), trial(UPS_METHOD_PPM, 24, 1u << 15, merge_radius)};
 }
 std::vector<Trial> rough_trials() {
-  return {trial(UPS_METHOD_PATH_TRACING, 48), trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 15),
-          trial(UPS_METHOD_BIDIRECTIONAL, 32), trial(UPS_METHOD_UPS, 32, 1u << 12, 0.03),
+  return {trial(UPS_METHOD_PATH_TRACING, 48),        trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 15),
+          trial(UPS_METHOD_BIDIRECTIONAL, 32),       trial(UPS_METHOD_UPS, 32, 1u << 12, 0.03),
           trial(UPS_METHOD_PPM, 32, 1u << 15, 0.03), merge_only(56, 1u << 13, 0.04)};
 }
 

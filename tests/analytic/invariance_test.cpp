@@ -81,7 +81,8 @@ void expect_scaled(const Room& room, const Result& result, const Room& original,
   EXPECT_EQ(a.light_paths, b.light_paths) << what;
   EXPECT_EQ(a.eye_paths, b.eye_paths) << what;
   EXPECT_EQ(a.dropped_samples, b.dropped_samples) << what;
-  for (const auto& [sensor, reference] : {std::pair(room.points, original.points), std::pair(room.cells, original.cells)}) {
+  for (const auto& [sensor, reference] :
+       {std::pair(room.points, original.points), std::pair(room.cells, original.cells)}) {
     const auto x = result.readings(sensor), y = expected.readings(reference);
     for (size_t i = 0; i < x.size(); ++i) {
       const std::string meter = what + ", meter " + std::to_string(i);
@@ -100,14 +101,15 @@ void expect_scaled(const Room& room, const Result& result, const Room& original,
 }
 
 // Powers of two are exact, so that every decision is the same and floats are rounded alike. Area emitters give the same
-// lx, candela sources when their intensity grows with the square of the lengths, or else lx over that square. Where this
-// was written all of it was the same to the last bit.
+// lx, candela sources when their intensity grows with the square of the lengths, or else lx over that square. Where
+// this was written all of it was the same to the last bit.
 TEST_P(Invariance, UnitsOfLengthDoNotMatter) {
   const RenderOptions options{.method = GetParam(), .iterations = 6};
   for (const Lights lights : {Lights::mixed, Lights::area, Lights::candela}) {
     Room original(0, 1, {}, true, lights);
     const Result expected = original.scene.render(options);
-    EXPECT_EQ(expected.info().merges > 0, (expected.info().techniques & (UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_HIT)) != 0);
+    EXPECT_EQ(expected.info().merges > 0,
+              (expected.info().techniques & (UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_HIT)) != 0);
     for (const int power : {-10, 17}) {
       Room room(0, std::ldexp(1, power), {}, true, lights);
       const Result result = room.scene.render(options);

@@ -1,8 +1,8 @@
 // Does the alpha that a user asks for set how fast merging shrinks? Under a sun that stands straight above floating
 // meters every photon falls on a disc of radius r with the same probability, so that merges count r^2:
 //   E[merges in n iterations] = N sum_i r_i^2 / R^2 for each meter,   r^2_{i+1} = r^2_i (i + alpha) / (i + 1),
-// R the radius of the disc that the sun's light starts on, around the whole scene. Some 1e5 merges: Poisson noise is 0.33 %,
-// 1 % is beyond 3 standard errors (P < 0.3 % each); another of the alphas is off by 15 % or more.
+// R the radius of the disc that the sun's light starts on, around the whole scene. Some 1e5 merges: Poisson noise is
+// 0.33 %, 1 % is beyond 3 standard errors (P < 0.3 % each); another of the alphas is off by 15 % or more.
 #include "../support/expect_lx.h"
 
 namespace ups::test {

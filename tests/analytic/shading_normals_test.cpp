@@ -125,8 +125,8 @@ TEST_P(BumpyFloor, SeenByACamera) {
   scene.add(quad({-0.8, -0.8, 0.6}, {0, 1.6, 0}, {1.6, 0, 0}), emitter(1000));
   const Sensor camera = scene.add_camera({0, 0, 0.5}, {0, 0, -1}, 48, 36, 1.2);
   std::vector<Estimate> means;
-  for (Trial t : {pt(32), trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 14),
-                  trial(UPS_METHOD_PPM, 16, 1u << 14, 0.5 * merge_radius)})
+  for (Trial t :
+       {pt(32), trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 14), trial(UPS_METHOD_PPM, 16, 1u << 14, 0.5 * merge_radius)})
     means.push_back(image_mean(scene, camera, t));
   expect_same(means, 0, "image");
 }

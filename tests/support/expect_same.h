@@ -3,9 +3,9 @@
 //
 // Each standard error is at most 0.15 % of the value; two values differ by at most 0.5 % of it, or by 3 standard errors
 // of the difference where that is more, which is only where both are near their limit (3 * 0.15 % * sqrt 2 = 0.64 %).
-// False alarms: P(|t_30| > 3) = 0.5 % for a pair at the limit; where both errors are 0.1 %, as most are, the half percent
-// is 3.5 standard errors of the difference, 0.15 %; at 0.075 %, 4e-5. Errors come from 16 batches. Seeds are fixed: a
-// test that passes once passes always.
+// False alarms: P(|t_30| > 3) = 0.5 % for a pair at the limit; where both errors are 0.1 %, as most are, the half
+// percent is 3.5 standard errors of the difference, 0.15 %; at 0.075 %, 4e-5. Errors come from 16 batches. Seeds are
+// fixed: a test that passes once passes always.
 #pragma once
 #include "expect_lx.h"
 
@@ -42,8 +42,8 @@ struct Trial {
 };
 
 inline Trial trial(ups_method method, uint32_t iterations, uint32_t light_paths = 0, double merge_radius_m = 0) {
-  return {method_name(method), {.method = method, .iterations = iterations, .merge_radius_m = merge_radius_m,
-                                .light_paths = light_paths}};
+  return {method_name(method),
+          {.method = method, .iterations = iterations, .merge_radius_m = merge_radius_m, .light_paths = light_paths}};
 }
 // Every photon that reaches a point does so by density estimation.
 inline Trial merge_only(uint32_t iterations, uint32_t light_paths, double merge_radius_m) {
@@ -65,8 +65,7 @@ inline void expect_same(Scene& scene, const std::vector<Trial>& runs, const Sens
   std::vector<Estimate> at_points, over_cells;
   for (const Trial& r : runs) {
     const Result result = scene.render(r.options);
-    if (r.options.method != UPS_METHOD_LIGHT_TRACING)
-      at_points.push_back(estimate(r.name, result, points));
+    if (r.options.method != UPS_METHOD_LIGHT_TRACING) at_points.push_back(estimate(r.name, result, points));
     if (r.options.techniques != UPS_TECHNIQUE_MERGE) over_cells.push_back(estimate(r.name, result, cells));
   }
   expect_same(at_points, expected_points, "points");
