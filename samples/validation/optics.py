@@ -1,4 +1,4 @@
-"""References for light at interfaces, through lenses and from polygons; used by the modules of cases.
+"""References for light at interfaces and through lenses, beside references.py; used by the modules of fixtures.
 
 Interfaces are smooth and without absorption. Light that crosses several is followed in two ways: with each polarisation
 on its own, as nature has it, or unpolarised before every interface, as a renderer without polarisation has it.
@@ -38,31 +38,21 @@ def through_hole(luminance, sine_squared, transmittance=lambda cos_i: np.ones_li
     return math.pi * luminance * integral(lambda u: transmittance(np.sqrt(1 - u)), 0, sine_squared, 200)
 
 
-def clipped(polygon, point, normal):
-    """The part of a polygon above the horizon of `point` (Sutherland and Hodgman 1974)."""
-    height = [(np.asarray(q, float) - point) @ normal for q in polygon]
-    kept = []
-    for i, (a, b) in enumerate(zip(polygon, [*polygon[1:], polygon[0]])):
-        a, b, ha, hb = np.asarray(a, float), np.asarray(b, float), height[i], height[(i + 1) % len(polygon)]
-        if ha >= 0:
-            kept.append(a)
-        if (ha > 0 > hb) or (ha < 0 < hb):
-            kept.append(a + (b - a) * ha / (ha - hb))
-    return kept
-
-
-def polygon_illuminance(luminance, polygon, point, normal):
-    """Lambert's formula, E = L / 2 |sum over the edges of (angle that it spans) (normal of its plane with the point) . n|
-    (Lambert 1760), of the part above the horizon."""
-    point, normal = np.asarray(point, float), np.asarray(normal, float) / np.linalg.norm(normal)
-    corners = [q - point for q in clipped(polygon, point, normal)]
+def through_hole_mean(luminance, radius, height, side, transmittance):
+    """The same as mean over a square below the hole: E = L integral of T cos^2 / d^2 over the hole."""
+    t, w = np.polynomial.legendre.leggauss(24)
+    r, weight = radius * (t + 1) / 2, w * radius / 2
+    angle = (np.arange(64) + 0.5) * 2 * math.pi / 64
+    hole_x, hole_y = np.outer(r, np.cos(angle)), np.outer(r, np.sin(angle))
+    area = np.outer(weight * r, np.full(64, 2 * math.pi / 64))
+    t, w = np.polynomial.legendre.leggauss(6)
     total = 0.0
-    for a, b in zip(corners, [*corners[1:], *corners[:1]]):
-        across = np.cross(a, b)
-        length = np.linalg.norm(across)
-        if length > 0:
-            total += math.atan2(length, a @ b) * (across @ normal) / length
-    return luminance / 2 * abs(total)
+    for x, wx in zip(t * side / 2, w / 2):
+        for y, wy in zip(t * side / 2, w / 2):
+            d2 = (hole_x - x) ** 2 + (hole_y - y) ** 2 + height ** 2
+            cosine = height / np.sqrt(d2)
+            total += wx * wy * float(np.sum(area * transmittance(cosine) * cosine ** 2 / d2))
+    return luminance * total
 
 
 @dataclass
@@ -91,7 +81,8 @@ class Rays:
     share: np.ndarray
 
     def at(self, height):
-        return self.x + self.u / self.w * (height - self.z)
+        with np.errstate(divide="ignore", invalid="ignore"):  # level rays have no share
+            return self.x + self.u / self.w * (height - self.z)
 
 
 @dataclass

@@ -8,6 +8,7 @@ import math
 
 import need_numpy  # noqa: F401
 import numpy as np
+import references as ref
 from gltf_builder import Frame, GltfBuilder
 from harness import Case, Check
 from optics import integral
@@ -57,9 +58,8 @@ def reflected_flux(source, limit, distance, separation):
 
 
 def square_share(half_side, distance):
-    """Of all directions: a centred square, seen from `distance`. A sphere that is wholly visible sends there as much."""
-    s, d = half_side, distance
-    return 4 * math.asin(s * s / (s * s + d * d)) / (4 * math.pi)
+    """Of all directions: a centred square. A sphere that is wholly visible sends there as much as its centre would."""
+    return ref.rectangle_solid_angle(2 * half_side, 2 * half_side, distance) / (4 * math.pi)
 
 
 def add_square(scene, name, half_side, z, columns=4):
