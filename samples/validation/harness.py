@@ -36,6 +36,7 @@ class Check:
     index: Optional[int] = None
     label: str = ""  # for tables; without it the set's name and the index
     note: str = ""  # beside the reference in tables, e.g. the published value
+    unjudged: tuple = ()  # methods by which the reading is shown but not judged; the note says why
 
     def __post_init__(self):
         if not self.label:
@@ -53,6 +54,10 @@ class Case:
     options: tuple = ()  # more words for `ups render`
     iterations: object = 64  # to begin with; a number, or {method: number}
     cannot: tuple = ()  # ((method, why it cannot sample this case), ...); not in `methods`
+    group: str = ""  # cases of one group share a line of the summary; without it each has its own
+
+    def __post_init__(self):
+        self.group = self.group or self.name
 
     def first_iterations(self, method):
         return self.iterations.get(method, 64) if isinstance(self.iterations, dict) else self.iterations
@@ -69,18 +74,24 @@ class Row:
     E_ref: float  # lx
     deviation: Optional[float]  # %; None where E_ref is 0
     tolerance: float  # lx
-    passed: bool
+    passed: Optional[bool]  # None: not judged
     note: str
     iterations: int
     time_s: float
+
+
+def quiet(error, reference):
+    """Is the noise small enough? An unknown standard error is negative; more iterations darken no meter."""
+    return error >= 0 and (reference == 0 or error <= LARGEST_NOISE * reference)
 
 
 def judge(case, method, check, reading, iterations, time_s):
     value, error, bias = reading
     reference = check.reference
     tolerance = max(RELATIVE_TOLERANCE * reference, SIGMAS * error) if reference else 0.0
-    # An unknown standard error is negative.
-    passed = abs(value - reference) <= tolerance and 0 <= error <= LARGEST_NOISE * reference
+    passed = bool(abs(value - reference) <= tolerance and quiet(error, reference))
+    if method in check.unjudged:
+        passed = None
     deviation = 100 * (value / reference - 1) if reference else None
     return Row(case.name, check.label, method, value, error, bias, reference, deviation, tolerance, passed, check.note,
                iterations, time_s)
@@ -119,7 +130,7 @@ def run_case(ups, case, method, scene, out, threads, cap):
             mean, readings = sets[check.meters]
             reading = mean if check.index is None else readings[check.index]
             rows.append(judge(case, method, check, reading, summary["iterations"], seconds))
-        if all(0 <= r.standard_error <= LARGEST_NOISE * r.E_ref for r in rows) or 4 * iterations > cap:
+        if all(r.passed is None or quiet(r.standard_error, r.E_ref) for r in rows) or 4 * iterations > cap:
             return rows
         iterations *= 4
 
@@ -136,7 +147,7 @@ def run(ups, cases, methods, out, threads=0, cap=65536, report=print):
         for method in (m for m in methods if m in case.methods):
             done = run_case(ups, case, method, scene, os.path.join(folder, method), threads, cap)
             rows += done
-            failed = sum(not r.passed for r in done)
+            failed = sum(r.passed is False for r in done)
             report(f"{case.name:>16} {method:>4} {len(done):3} checks, worst {worst(done):>8}, noise {noise(done):>7}, "
                    f"{done[0].iterations:6} iterations {done[0].time_s:6.1f} s" + (f", {failed} FAILED" if failed else ""))
     return rows
@@ -145,7 +156,7 @@ def run(ups, cases, methods, out, threads=0, cap=65536, report=print):
 def worst(rows):
     """The largest deviation, with its sign; of dark meters, whether they are."""
     lit = [r.deviation for r in rows if r.deviation is not None]
-    return f"{max(lit, key=abs):+.3f} %" if lit else "dark" if all(r.passed for r in rows) else "not dark"
+    return f"{max(lit, key=abs):+.3f} %" if lit else "dark" if all(r.E == 0 for r in rows) else "not dark"
 
 
 def noise(rows):
@@ -171,7 +182,7 @@ def summary_table(cases, rows, methods):
         for method in methods:
             mine = [r for r in rows if r.case == case.name and r.method == method]
             if mine:
-                cells.append(worst(mine) + ("" if all(r.passed for r in mine) else " FAILED"))
+                cells.append(worst(mine) + (" FAILED" if any(r.passed is False for r in mine) else ""))
             else:
                 cells.append("cannot sample" if method in dict(case.cannot) else "-")
         lines.append([case.name, case.title, len(case.checks), *cells])
@@ -196,7 +207,7 @@ def check_tables(cases, rows, methods):
                 r = by_key[check.label, method]
                 line += [f"{r.E:.6g}", f"{100 * r.standard_error / r.E_ref:.3f} %" if r.E_ref else f"{r.standard_error:g} lx",
                          "-" if r.deviation is None else f"{r.deviation:+.3f} %", "-" if r.bias is None else f"{r.bias:.2g}",
-                         "yes" if r.passed else "NO"]
+                         {True: "yes", False: "NO", None: "not judged"}[r.passed]]
             lines.append(line)
         reasons = [f"{method.upper()} cannot sample this case: {why}.\n" for method, why in case.cannot if method in methods]
         parts.append("\n".join([f"## {case.name}: {case.title}\n", *reasons, text_table(head, lines), ""]))

@@ -48,7 +48,7 @@ def main():
     if arguments.plot:
         import plot
         plot.write(os.path.join(arguments.out, "validation.png"), cases, rows, arguments.methods)
-    failed = [r for r in rows if not r.passed]
+    failed = [r for r in rows if r.passed is False]
     for r in failed:
         print(f"FAILED {r.case} {r.method} {r.check}: {r.E:.6g} +- {r.standard_error:.2g} lx, expected {r.E_ref:.6g}",
               file=sys.stderr)
