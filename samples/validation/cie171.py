@@ -182,7 +182,8 @@ def cases_5_5():
                           glass_note(tau(degrees, True), reference, ref.tregenza(degrees)))
             cases.append(Case(f"cie_5_5_{kind}_{degrees:02}", f"5.5 parallel light, {KINDS[solid]}, {degrees} degrees",
                               lambda path, solid=solid, degrees=degrees: build_5_5(path, solid, degrees), [check],
-                              methods=("ups",), cannot=(("bpt", why), ("pt", why)), group=f"cie_5_5_{kind}"))
+                              methods=("ups",), cannot=(("bpt", why), ("pt", why)), group=f"cie_5_5_{kind}",
+                              iterations={70: 256, 80: 512, 85: 2048}.get(degrees, 64)))
     return cases
 
 
@@ -218,7 +219,8 @@ def cases_5_5_diffuse():
         check = Check("below", judged, 0, "below", glass_note(through[0], judged, through[2]))
         kind = "slab" if solid else "pane"
         cases.append(Case(f"cie_5_5_{kind}_disc", f"5.5 glass under a luminous disc, {KINDS[solid]}",
-                          lambda path, solid=solid: build_5_5_diffuse(path, solid), [check], group="cie_5_5_disc"))
+                          lambda path, solid=solid: build_5_5_diffuse(path, solid), [check], group="cie_5_5_disc",
+                          iterations=256))
     return cases
 
 
@@ -248,7 +250,8 @@ def cases_5_6():
     published = {4: dict(B=35.901, C=27.992, D=21.639, E=16.716, F=12.967, G=26.80, H=30.94, I=33.98, J=35.57,
                          K=35.57, L=33.98, M=30.94, N=26.80)}
     cases = []
-    for scenario, side in ((1, 0.5), (2, 4), (3, 500)):
+    for scenario, side, iterations in ((1, 0.5, {"ups": 512, "bpt": 512, "pt": 4096}),
+                                       (2, 4, {"ups": 1024, "bpt": 1024, "pt": 256}), (3, 500, 128)):
         reflector = ref.horizontal(2 - side / 2, 2 + side / 2, 2 - side / 2, 2 + side / 2, 0)
         checks = []
         for name, letters, normal, place in (("wall", WALL_5_6, (0, 1, 0), lambda z: (2, 0, z)),
@@ -257,7 +260,7 @@ def cases_5_6():
             percent = {letter: f"{v} % of the exitance" for letter, v in published.get(side, {}).items()}
             checks += point_checks(name, letters, lx, percent)
         cases.append(Case(f"cie_5_6_{scenario}", f"5.6 reflector of {side:g} m x {side:g} m",
-                          lambda path, side=side: build_5_6(path, side), checks))
+                          lambda path, side=side: build_5_6(path, side), checks, iterations=iterations))
     return cases
 
 
@@ -292,7 +295,8 @@ def case_5_7():
     checks = point_checks("wall", WALL, wall, percent) + point_checks("floor", "GHIJK", floor, percent)
     edge = checks[9]
     edge.unjudged, edge.note = ("ups",), edge.note + "; J lies on the very edge of the light, into which merging reaches"
-    return Case("cie_5_7", "5.7 reflector behind a box", build_5_7, checks)
+    return Case("cie_5_7", "5.7 reflector behind a box", build_5_7, checks,
+                iterations={"ups": 4096, "bpt": 4096, "pt": 1024})
 
 
 def cases():

@@ -10,7 +10,7 @@ often a right engine would fail with another seed: noise decides only where 3 st
 with probability P(|t| > 3) for Student's t with the 15 degrees of freedom of 16 batches, 0.9 % a check. With a standard
 error of 0.1 % the 0.5 % are five standard errors: 0.02 %.
 
-Called by validate.py; the cases are in modules of their own, e.g. cie171.py.
+Called by validate.py; the cases are in modules of their own, e.g. cie171.py, and tables.py writes the rows.
 """
 import contextlib
 import csv
@@ -19,8 +19,10 @@ import json
 import os
 import subprocess
 import sys
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Callable, Optional
+
+import tables
 
 RELATIVE_TOLERANCE = 0.005
 SIGMAS = 3
@@ -147,83 +149,5 @@ def run(ups, cases, methods, out, threads=0, cap=65536, report=print):
         for method in (m for m in methods if m in case.methods):
             done = run_case(ups, case, method, scene, os.path.join(folder, method), threads, cap)
             rows += done
-            failed = sum(r.passed is False for r in done)
-            report(f"{case.name:>16} {method:>4} {len(done):3} checks, worst {worst(done):>8}, noise {noise(done):>7}, "
-                   f"{done[0].iterations:6} iterations {done[0].time_s:6.1f} s" + (f", {failed} FAILED" if failed else ""))
+            report(tables.progress_line(case, method, done))
     return rows
-
-
-def worst(rows):
-    """The largest deviation, with its sign; of dark meters, whether they are."""
-    lit = [r.deviation for r in rows if r.deviation is not None]
-    return f"{max(lit, key=abs):+.3f} %" if lit else "dark" if all(r.E == 0 for r in rows) else "not dark"
-
-
-def noise(rows):
-    """The largest standard error."""
-    lit = [100 * r.standard_error / r.E_ref for r in rows if r.E_ref]
-    return f"{max(lit):.3f} %" if lit else "-"
-
-
-def text_table(head, rows):
-    """Columns aligned, for Markdown as for a terminal."""
-    rows = [head, *rows]
-    widths = [max(len(str(row[i])) for row in rows) for i in range(len(head))]
-    lines = ["| " + " | ".join(str(c).ljust(w) for c, w in zip(row, widths)) + " |" for row in rows]
-    lines.insert(1, "|" + "|".join("-" * (w + 2) for w in widths) + "|")
-    return "\n".join(lines)
-
-
-def summary_table(cases, rows, methods):
-    """Cases times methods: the worst deviation, FAILED where a check did, or `cannot sample`."""
-    lines = []
-    for case in cases:
-        cells = []
-        for method in methods:
-            mine = [r for r in rows if r.case == case.name and r.method == method]
-            if mine:
-                cells.append(worst(mine) + (" FAILED" if any(r.passed is False for r in mine) else ""))
-            else:
-                cells.append("cannot sample" if method in dict(case.cannot) else "-")
-        lines.append([case.name, case.title, len(case.checks), *cells])
-    return text_table(["case", "what", "checks", *(m.upper() for m in methods)], lines)
-
-
-def check_tables(cases, rows, methods):
-    """For each case a table with one line a check."""
-    parts = []
-    for case in cases:
-        mine = [r for r in rows if r.case == case.name]
-        used = [m for m in methods if any(r.method == m for r in mine)]
-        by_key = {(r.check, r.method): r for r in mine}
-        noted = any(c.note for c in case.checks)
-        head = ["check", "E_ref, lx", *(["note"] if noted else [])]
-        for method in used:
-            head += [f"{method.upper()}, lx", "standard error", "deviation", "bias, lx", "passed"]
-        lines = []
-        for check in case.checks:
-            line = [check.label, f"{check.reference:.6g}", *([check.note] if noted else [])]
-            for method in used:
-                r = by_key[check.label, method]
-                line += [f"{r.E:.6g}", f"{100 * r.standard_error / r.E_ref:.3f} %" if r.E_ref else f"{r.standard_error:g} lx",
-                         "-" if r.deviation is None else f"{r.deviation:+.3f} %", "-" if r.bias is None else f"{r.bias:.2g}",
-                         {True: "yes", False: "NO", None: "not judged"}[r.passed]]
-            lines.append(line)
-        reasons = [f"{method.upper()} cannot sample this case: {why}.\n" for method, why in case.cannot if method in methods]
-        parts.append("\n".join([f"## {case.name}: {case.title}\n", *reasons, text_table(head, lines), ""]))
-    return "\n".join(parts)
-
-
-def write_markdown(path, cases, rows, methods):
-    with open(path, "w", encoding="utf-8") as file:
-        file.write("# Validation\n\nThe worst deviation of each case:\n\n" + summary_table(cases, rows, methods) + "\n\n"
-                   + check_tables(cases, rows, methods))
-
-
-def write_json(path, cases, rows, methods):
-    document = {"rule": {"relative_tolerance": RELATIVE_TOLERANCE, "sigmas": SIGMAS, "largest_noise": LARGEST_NOISE},
-                "methods": list(methods),
-                "cases": [{"name": c.name, "title": c.title, "cannot": dict(c.cannot)} for c in cases],
-                "rows": [asdict(r) for r in rows]}
-    with open(path, "w", encoding="utf-8") as file:
-        json.dump(document, file, indent=1)
