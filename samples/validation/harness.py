@@ -10,7 +10,7 @@ often a right engine would fail with another seed: noise decides only where 3 st
 with probability P(|t| > 3) for Student's t with the 15 degrees of freedom of 16 batches, 0.9 % a check. With a standard
 error of 0.1 % the 0.5 % are five standard errors: 0.02 %.
 
-Called by validate.py; the cases are in modules of their own, e.g. cie171.py.
+Called by validate.py; the cases are in modules of their own, e.g. cie171.py, and tables.py writes the rows.
 """
 import contextlib
 import csv
@@ -19,8 +19,10 @@ import json
 import os
 import subprocess
 import sys
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Callable, Optional
+
+import tables
 
 RELATIVE_TOLERANCE = 0.005
 SIGMAS = 3
@@ -36,6 +38,7 @@ class Check:
     index: Optional[int] = None
     label: str = ""  # for tables; without it the set's name and the index
     note: str = ""  # beside the reference in tables, e.g. the published value
+    unjudged: tuple = ()  # methods by which the reading is shown but not judged; the note says why
 
     def __post_init__(self):
         if not self.label:
@@ -53,6 +56,10 @@ class Case:
     options: tuple = ()  # more words for `ups render`
     iterations: object = 64  # to begin with; a number, or {method: number}
     cannot: tuple = ()  # ((method, why it cannot sample this case), ...); not in `methods`
+    group: str = ""  # cases of one group share a line of the summary; without it each has its own
+
+    def __post_init__(self):
+        self.group = self.group or self.name
 
     def first_iterations(self, method):
         return self.iterations.get(method, 64) if isinstance(self.iterations, dict) else self.iterations
@@ -69,18 +76,24 @@ class Row:
     E_ref: float  # lx
     deviation: Optional[float]  # %; None where E_ref is 0
     tolerance: float  # lx
-    passed: bool
+    passed: Optional[bool]  # None: not judged
     note: str
     iterations: int
     time_s: float
+
+
+def quiet(error, reference):
+    """Is the noise small enough? An unknown standard error is negative; more iterations darken no meter."""
+    return error >= 0 and (reference == 0 or error <= LARGEST_NOISE * reference)
 
 
 def judge(case, method, check, reading, iterations, time_s):
     value, error, bias = reading
     reference = check.reference
     tolerance = max(RELATIVE_TOLERANCE * reference, SIGMAS * error) if reference else 0.0
-    # An unknown standard error is negative.
-    passed = abs(value - reference) <= tolerance and 0 <= error <= LARGEST_NOISE * reference
+    passed = bool(abs(value - reference) <= tolerance and quiet(error, reference))
+    if method in check.unjudged:
+        passed = None
     deviation = 100 * (value / reference - 1) if reference else None
     return Row(case.name, check.label, method, value, error, bias, reference, deviation, tolerance, passed, check.note,
                iterations, time_s)
@@ -119,7 +132,7 @@ def run_case(ups, case, method, scene, out, threads, cap):
             mean, readings = sets[check.meters]
             reading = mean if check.index is None else readings[check.index]
             rows.append(judge(case, method, check, reading, summary["iterations"], seconds))
-        if all(0 <= r.standard_error <= LARGEST_NOISE * r.E_ref for r in rows) or 4 * iterations > cap:
+        if all(r.passed is None or quiet(r.standard_error, r.E_ref) for r in rows) or 4 * iterations > cap:
             return rows
         iterations *= 4
 
@@ -136,83 +149,5 @@ def run(ups, cases, methods, out, threads=0, cap=65536, report=print):
         for method in (m for m in methods if m in case.methods):
             done = run_case(ups, case, method, scene, os.path.join(folder, method), threads, cap)
             rows += done
-            failed = sum(not r.passed for r in done)
-            report(f"{case.name:>16} {method:>4} {len(done):3} checks, worst {worst(done):>8}, noise {noise(done):>7}, "
-                   f"{done[0].iterations:6} iterations {done[0].time_s:6.1f} s" + (f", {failed} FAILED" if failed else ""))
+            report(tables.progress_line(case, method, done))
     return rows
-
-
-def worst(rows):
-    """The largest deviation, with its sign; of dark meters, whether they are."""
-    lit = [r.deviation for r in rows if r.deviation is not None]
-    return f"{max(lit, key=abs):+.3f} %" if lit else "dark" if all(r.passed for r in rows) else "not dark"
-
-
-def noise(rows):
-    """The largest standard error."""
-    lit = [100 * r.standard_error / r.E_ref for r in rows if r.E_ref]
-    return f"{max(lit):.3f} %" if lit else "-"
-
-
-def text_table(head, rows):
-    """Columns aligned, for Markdown as for a terminal."""
-    rows = [head, *rows]
-    widths = [max(len(str(row[i])) for row in rows) for i in range(len(head))]
-    lines = ["| " + " | ".join(str(c).ljust(w) for c, w in zip(row, widths)) + " |" for row in rows]
-    lines.insert(1, "|" + "|".join("-" * (w + 2) for w in widths) + "|")
-    return "\n".join(lines)
-
-
-def summary_table(cases, rows, methods):
-    """Cases times methods: the worst deviation, FAILED where a check did, or `cannot sample`."""
-    lines = []
-    for case in cases:
-        cells = []
-        for method in methods:
-            mine = [r for r in rows if r.case == case.name and r.method == method]
-            if mine:
-                cells.append(worst(mine) + ("" if all(r.passed for r in mine) else " FAILED"))
-            else:
-                cells.append("cannot sample" if method in dict(case.cannot) else "-")
-        lines.append([case.name, case.title, len(case.checks), *cells])
-    return text_table(["case", "what", "checks", *(m.upper() for m in methods)], lines)
-
-
-def check_tables(cases, rows, methods):
-    """For each case a table with one line a check."""
-    parts = []
-    for case in cases:
-        mine = [r for r in rows if r.case == case.name]
-        used = [m for m in methods if any(r.method == m for r in mine)]
-        by_key = {(r.check, r.method): r for r in mine}
-        noted = any(c.note for c in case.checks)
-        head = ["check", "E_ref, lx", *(["note"] if noted else [])]
-        for method in used:
-            head += [f"{method.upper()}, lx", "standard error", "deviation", "bias, lx", "passed"]
-        lines = []
-        for check in case.checks:
-            line = [check.label, f"{check.reference:.6g}", *([check.note] if noted else [])]
-            for method in used:
-                r = by_key[check.label, method]
-                line += [f"{r.E:.6g}", f"{100 * r.standard_error / r.E_ref:.3f} %" if r.E_ref else f"{r.standard_error:g} lx",
-                         "-" if r.deviation is None else f"{r.deviation:+.3f} %", "-" if r.bias is None else f"{r.bias:.2g}",
-                         "yes" if r.passed else "NO"]
-            lines.append(line)
-        reasons = [f"{method.upper()} cannot sample this case: {why}.\n" for method, why in case.cannot if method in methods]
-        parts.append("\n".join([f"## {case.name}: {case.title}\n", *reasons, text_table(head, lines), ""]))
-    return "\n".join(parts)
-
-
-def write_markdown(path, cases, rows, methods):
-    with open(path, "w", encoding="utf-8") as file:
-        file.write("# Validation\n\nThe worst deviation of each case:\n\n" + summary_table(cases, rows, methods) + "\n\n"
-                   + check_tables(cases, rows, methods))
-
-
-def write_json(path, cases, rows, methods):
-    document = {"rule": {"relative_tolerance": RELATIVE_TOLERANCE, "sigmas": SIGMAS, "largest_noise": LARGEST_NOISE},
-                "methods": list(methods),
-                "cases": [{"name": c.name, "title": c.title, "cannot": dict(c.cannot)} for c in cases],
-                "rows": [asdict(r) for r in rows]}
-    with open(path, "w", encoding="utf-8") as file:
-        json.dump(document, file, indent=1)
