@@ -144,7 +144,8 @@ def case_etendue():
     share = lux / (math.pi * LUMINANCE * limit ** 2)
     return Case("etendue", "etendue: luminous surface through a lens, sin a 0.43",
                 lambda path: build_etendue(path, lens, hole, height),
-                [Check("focus", lux, label="focus", note=f"T {share:.4f}, pi L sin^2 a {math.pi * LUMINANCE * limit ** 2:.1f}")])
+                [Check("focus", lux, label="focus", note=f"T {share:.4f}, pi L sin^2 a {math.pi * LUMINANCE * limit ** 2:.1f}")],
+                iterations={"ups": 256})
 
 
 # Inside glass, n^2 more: the centre of a ball sees the furnace in all directions, E = n^2 pi L; so does every point nearer
@@ -197,7 +198,7 @@ def case_plates():
     checks = [Check(f"plates_{k}", LUX * float(plates_transmittance(1.0, N, k)),
                     note=f"T {float(plates_transmittance(1.0, N, k)):.4f}") for k in PLATES]
     return Case("plates", "stacks of 1 to 4 plates in parallel light: T = (1 - R) / (1 + (2k - 1) R)", build_plates, checks,
-                ("ups",), cannot=(("bpt", PARALLEL), ("pt", PARALLEL)))
+                ("ups",), iterations=512, cannot=(("bpt", PARALLEL), ("pt", PARALLEL)))
 
 
 HOLE, BELOW, CELL = 0.06, 0.08, 0.02  # radius of the screen's hole, its height over the cells, side of their square
@@ -230,7 +231,7 @@ def case_plates_cone():
                          for p in (True, False))
         checks.append(Check(f"plates_{k}", judged, note=f"with polarisation {100 * (exact / judged - 1):+.2f} %"))
     return Case("plates_cone", "stacks of 1 to 4 plates under a luminous surface, within 43 degrees", build_plates_cone,
-                checks)
+                checks, iterations=128)
 
 
 # Diffuse light through one plate: a luminous box over it, the meter close below, a screen with a hole that ends what is

@@ -254,7 +254,7 @@ GUESTS = {"white": {"model": "matte", "reflectance": 1}, "mirror": {"model": "mi
 
 # Where, and what they face. Cells, not points: photons merged around a point would bring the curvature of caustics with
 # them.
-WHITE_CELLS = [((0, 0, 0), (1, 0, 0)), ((0.2, 0.3, -0.2), (1, 1, 0)), ((0, 0, 0.5), (0.1, 0, -1)), ((-0.2, 0.1, 0.1), (-1, 0, 0)),
+WHITE_CELLS = [((0, 0, 0), (1, 0, 0)), ((0.3, 0.2, -0.2), (1, 1, 0)), ((0, 0, 0.5), (0.1, 0, -1)), ((-0.2, 0.1, 0.1), (-1, 0, 0)),
                ((-0.4, -0.75, 0.1), (0, 1, 0))]
 
 
@@ -270,7 +270,8 @@ def build_white_furnace(path):
 def case_white_furnace():
     """In front of a uniform luminance nothing that only scatters can be seen: E = pi L."""
     checks = [Check(f"cell_{k}", math.pi * LUMINANCE) for k in range(len(WHITE_CELLS))]
-    return Case("furnace_white", "white furnace: things of reflectance 1 in a luminous room", build_white_furnace, checks)
+    return Case("furnace_white", "white furnace: things of reflectance 1 in a luminous room", build_white_furnace, checks,
+                iterations={"ups": 512, "bpt": 128, "pt": 128})
 
 
 FURNACE_RHO, FURNACE_L = 0.8, 100.0
@@ -296,7 +297,7 @@ def case_furnace():
 # A closed room loses no light: with walls, things and a lamp of reflectance 1 all of it ends in the floor,
 # (1 - rho) E A = Phi.
 
-FLOOR_RHO, LAMP_RADIUS = 0.2, 0.15
+FLOOR_RHO, LAMP_RADIUS = 0.2, 0.3
 
 
 def build_balance(path):
@@ -314,7 +315,7 @@ def build_balance(path):
 
 def case_balance():
     return Case("flux_balance", "flux conservation: closed room, glass, mirror and metal without loss; the floor takes all",
-                build_balance, [Check("floor", FLUX / (4 * (1 - FLOOR_RHO)))])
+                build_balance, [Check("floor", FLUX / (4 * (1 - FLOOR_RHO)))], iterations={"ups": 64, "bpt": 64, "pt": 256})
 
 
 def cases():
