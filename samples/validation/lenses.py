@@ -8,6 +8,7 @@ import math
 
 import need_numpy  # noqa: F401
 import numpy as np
+from fixture_parts import BLACK, SEGMENTS, add_square, equal_area, inside, ring
 from gltf_builder import Frame, GltfBuilder
 from harness import Case, Check
 from optics import Conic, Lens, Rays, focused_illuminance, integral, plates_transmittance, through_hole, through_hole_mean
@@ -17,9 +18,8 @@ LUX = 1000.0  # of collimated light, across it
 LUMINANCE = 1000.0  # cd/m2
 N = 1.5
 GLASS = {"model": "glass", "ior": N}
-BLACK = {"model": "matte", "reflectance": 0}
 PARALLEL = "parallel light reaches a meter through glass by light paths alone"
-SEGMENTS, RINGS = 256, 256
+RINGS = 256
 
 
 def lens_mesh(lens, segments, rings):
@@ -29,21 +29,6 @@ def lens_mesh(lens, segments, rings):
     top = np.stack([r, lens.top.z(r), -lens.top.slope(r), one], 1)[::-1]
     edge = [] if lens.edge_height() < 1e-6 else [np.stack([bottom[-1, :2], top[0, :2]])]
     return check_closed(lathe([bottom, *edge, top], segments), "lens")
-
-
-def equal_area(radius, segments):
-    """Radius of the corners of a polygon that is as large as the circle."""
-    return radius * math.sqrt(2 * math.pi / segments / math.sin(2 * math.pi / segments))
-
-
-def ring(inner, outer, z, segments=SEGMENTS):
-    """Flat, from one circle to another; from 0: a disc."""
-    return lathe([np.array([[equal_area(inner, segments), z], [equal_area(outer, segments), z]])], segments)
-
-
-def add_cell(scene, name, half_side, z, columns=1):
-    scene.meters(name, Frame.upright((0, 0, z)), width_m=2 * half_side, height_m=2 * half_side, columns=columns,
-                 rows=columns, area=True)
 
 
 def add_points(scene, name, at, count=4):
@@ -88,7 +73,7 @@ def focus_case(name, title, lens, zone, cells, fine=1, **more):
             scene.shape("stop", ring(0, inner, above, segments), black)
         scene.directional_light("light", (0, 0, -1), LUX)
         for cell, (z, half_side) in cells.items():
-            add_cell(scene, cell, half_side, z)
+            add_square(scene, cell, half_side, (0, 0, z), columns=1)
         scene.write(path)
 
     checks = [Check(cell, focused_illuminance(lens, LUX, inner, outer, z, half_side),
@@ -153,10 +138,7 @@ def case_etendue():
 
 def build_immersed(path):
     scene = GltfBuilder("UPS lenses.py")
-    room = box((-1, -1, -1), (1, 1, 1))
-    room.triangles = room.triangles[:, ::-1]
-    room.normals = -room.normals
-    scene.shape("room", room, scene.material("emitter", BLACK, luminance=LUMINANCE))
+    scene.shape("room", inside(box((-1, -1, -1), (1, 1, 1))), scene.material("emitter", BLACK, luminance=LUMINANCE))
     scene.shape("ball", check_closed(icosphere(0.3, 5), "ball"), scene.material("glass", GLASS))
     for name, x in (("centre", 0.0), ("aside", 0.15)):
         add_points(scene, name, (x, 0, 0))
@@ -189,8 +171,7 @@ def build_plates(path):
     add_stacks(scene, 0)
     scene.directional_light("light", (0, 0, -1), LUX)
     for k in PLATES:
-        scene.meters(f"plates_{k}", Frame.upright((k * PITCH, 0, -0.01)), width_m=0.18, height_m=0.18, columns=1, rows=1,
-                     area=True)
+        add_square(scene, f"plates_{k}", 0.09, (k * PITCH, 0, -0.01), columns=1)
     scene.write(path)
 
 
@@ -213,7 +194,7 @@ def build_plates_cone(path):
         x = k * PITCH
         scene.shape(f"screen {k}", square_with_hole(0.0999, HOLE, BELOW).moved(x, 0, 0), black)
         scene.shape(f"wall {k}", quad((x + PITCH / 2, -0.1, 0), (0, 0.2, 0), (0, 0, BELOW + 0.06)), black)
-        scene.meters(f"plates_{k}", Frame.upright((x, 0, 0)), width_m=CELL, height_m=CELL, columns=4, rows=4, area=True)
+        add_square(scene, f"plates_{k}", CELL / 2, (x, 0, 0))
     scene.shape("emitter", quad((0.1, -0.1, BELOW + 0.07), (0, 0.2, 0), (0.8, 0, 0)),
                 scene.material("emitter", BLACK, luminance=LUMINANCE))
     scene.write(path)
@@ -246,8 +227,8 @@ def build_diffuse(path, solid):
     else:
         scene.shape("plate", quad((-1.5, -1.5, 0.051), (3, 0, 0), (0, 3, 0)),
                     scene.material("glazing", {"model": "glazing", "ior": N}))
-    dome = box((-1.6, -1.6, 0.05), (1.6, 1.6, 1.0))
-    dome.triangles, dome.normals = dome.triangles[:-4, ::-1], -dome.normals  # all but top and bottom, the last two
+    dome = inside(box((-1.6, -1.6, 0.05), (1.6, 1.6, 1.0)))
+    dome.triangles = dome.triangles[:-4]  # without top and bottom
     emitter = scene.material("emitter", BLACK, luminance=LUMINANCE)
     scene.shape("sides", dome, emitter)
     scene.shape("top", quad((-1.6, -1.6, 1.0), (0, 3.2, 0), (3.2, 0, 0)), emitter)

@@ -6,13 +6,13 @@ import os
 import need_numpy  # noqa: F401
 import numpy as np
 import references as ref
+from fixture_parts import BLACK, inside, ring
 from gltf_builder import Frame, GltfBuilder
 from harness import Case, Check
 from ies import write_axial
-from shapes import Mesh, box, check_closed, icosphere, lathe, quad
+from shapes import Mesh, box, check_closed, icosphere, quad
 
 LUMINANCE = 1000.0  # cd/m2
-BLACK = {"model": "matte", "reflectance": 0}
 WORLD = Frame.upright((0, 0, 0))  # with this frame a node's local axes are the world's
 
 
@@ -22,17 +22,6 @@ def start():
 
 def emitter(scene, luminance=LUMINANCE, reflectance=0.0):
     return scene.material("emitter", {"model": "matte", "reflectance": reflectance}, luminance=luminance)
-
-
-def inside(mesh):
-    """Turned inside out: a room."""
-    return Mesh(mesh.positions, mesh.triangles[:, ::-1], None if mesh.normals is None else -mesh.normals)
-
-
-def disc(radius, segments=512):
-    """At z = 0, faces down; a polygon as large as the circle."""
-    corners = radius * math.sqrt(2 * math.pi / segments / math.sin(2 * math.pi / segments))
-    return lathe([np.array([[0.0, 0.0], [corners, 0.0]])], segments)
 
 
 def face_down(x0, x1, y0, y1, z=0.0):
@@ -76,7 +65,7 @@ def case_disc():
               for i, d in enumerate(distances)]
     points = [(0, 0, -d) for d in distances]
     return Case("source_disc", "luminous disc of 0.6 m, on its axis",
-                lambda path: build_flat(path, disc(radius), points, [(0, 0, 1)] * len(points)), checks)
+                lambda path: build_flat(path, ring(0, radius, segments=512), points, [(0, 0, 1)] * len(points)), checks)
 
 
 # An irregular heptagon in a tilted plane: star-shaped about its first corner, so a fan of triangles.
@@ -123,7 +112,7 @@ CANDELA = 10.0  # of each, at the photometric zero: so that none drowns the othe
 def build_five_times(path):
     scene = start()
     side, width = SIZE / math.sqrt(2), SIZE / 200
-    shapes = {"disc": disc(SIZE / 2), "square": face_down(-side / 2, side / 2, -side / 2, side / 2),
+    shapes = {"disc": ring(0, SIZE / 2, segments=512), "square": face_down(-side / 2, side / 2, -side / 2, side / 2),
               "line": face_down(-SIZE / 2, SIZE / 2, -width / 2, width / 2)}
     black = scene.material("black", BLACK)
     file = os.path.splitext(path)[0] + ".ies"

@@ -14,12 +14,13 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes_common"))
 import need_numpy  # noqa: E402,F401
 import cie171  # noqa: E402
+import fixtures  # noqa: E402
 import harness  # noqa: E402
 import tables  # noqa: E402
 
 
 def all_cases():
-    return [*cie171.cases()]
+    return [*cie171.cases(), *fixtures.cases()]
 
 
 def parse(cases):
