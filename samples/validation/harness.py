@@ -38,7 +38,7 @@ class Check:
     index: Optional[int] = None
     label: str = ""  # for tables; without it the set's name and the index
     note: str = ""  # beside the reference in tables, e.g. the published value
-    unjudged: tuple = ()  # methods by which the reading is shown but not judged; the note says why
+    judged: bool = True  # False: the reading is shown alone; the note says why
 
     def __post_init__(self):
         if not self.label:
@@ -91,9 +91,7 @@ def judge(case, method, check, reading, iterations, time_s):
     value, error, bias = reading
     reference = check.reference
     tolerance = max(RELATIVE_TOLERANCE * reference, SIGMAS * error) if reference else 0.0
-    passed = bool(abs(value - reference) <= tolerance and quiet(error, reference))
-    if method in check.unjudged:
-        passed = None
+    passed = bool(abs(value - reference) <= tolerance and quiet(error, reference)) if check.judged else None
     deviation = 100 * (value / reference - 1) if reference else None
     return Row(case.name, check.label, method, value, error, bias, reference, deviation, tolerance, passed, check.note,
                iterations, time_s)
