@@ -1,4 +1,4 @@
-"""All cases beyond CIE 171: reflectors, lenses and plates, simple sources, spheres and furnaces. Called by validate.py."""
+"""The cases beyond CIE 171: simple sources, spheres, furnaces, reflectors, lenses, plates. Called by validate.py."""
 import lenses
 import reflectors
 import sources_and_furnaces

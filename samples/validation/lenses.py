@@ -11,7 +11,8 @@ import numpy as np
 from fixture_parts import BLACK, SEGMENTS, add_square, equal_area, inside, ring
 from gltf_builder import Frame, GltfBuilder
 from harness import Case, Check
-from optics import Conic, Lens, Rays, focused_illuminance, integral, plates_transmittance, through_hole, through_hole_mean
+from optics import (Conic, Lens, Rays, focused_illuminance, integral, plates_transmittance, through_hole,
+                    through_hole_mean)
 from shapes import box, check_closed, icosphere, lathe, plate_with_holes, quad
 
 LUX = 1000.0  # of collimated light, across it
@@ -46,8 +47,8 @@ def plano_convex(convex_first):
 
 
 def stigmatic():
-    """A plane and a hyperboloid of conic constant -n^2 and vertex radius f (n - 1): all light that is parallel to the axis
-    crosses it f = 100 mm below the vertex, which lies at z = 0."""
+    """A plane and a hyperboloid of conic constant -n^2 and vertex radius f (n - 1): all light that is parallel to the
+    axis crosses it f = 100 mm below the vertex, which lies at z = 0."""
     return Lens(Conic(0.030), Conic(0.0, 1 / (0.1 * (N - 1)), -N * N), 0.062, N)
 
 
@@ -82,21 +83,22 @@ def focus_case(name, title, lens, zone, cells, fine=1, **more):
     return Case(name, title, build, checks, ("ups",), cannot=(("bpt", PARALLEL), ("pt", PARALLEL)), **more)
 
 
-def plano_convex_case(convex_first, half_side, **more):
+def plano_convex_case(convex_first, half_side, suffix="", **more):
     """How much crosses the axis where does spherical aberration tell: cells where rays of three heights do so."""
     lens, side = plano_convex(convex_first), "convex" if convex_first else "plane"
     cells = {f"h_{h}_mm": (crossing(lens, h / 1000), half_side) for h in (1, 10, 20)}
-    return focus_case(f"lens_{side}_first", f"plano-convex lens, {side} side first", lens, (0, 0.020), cells, **more)
+    return focus_case(f"lens_{side}_first{suffix}", f"plano-convex lens, {side} side first", lens, (0, 0.020), cells,
+                      **more)
 
 
 def zone_case(convex_first, **more):
-    """Light of one zone alone, where it crosses the axis, and where light near the axis would."""
+    """Light of one zone alone, where it crosses the axis: in a cell as wide as it is there."""
     lens, side, zone = plano_convex(convex_first), "convex" if convex_first else "plane", (0.019, 0.020)
     ends = [crossing(lens, h) for h in zone]
     half_side = abs(ends[1] - ends[0]) * zone[1] / abs(ends[1])
     cells = {"crossing": (sum(ends) / 2, half_side)}
-    return focus_case(f"lens_{side}_first_zone", f"plano-convex lens, {side} side first, zone of 19 to 20 mm", lens, zone,
-                      cells, **more)
+    return focus_case(f"lens_{side}_first_zone", f"plano-convex lens, {side} side first, zone of 19 to 20 mm", lens,
+                      zone, cells, **more)
 
 
 # A lens before a large luminous surface: E = pi L T sin^2 of the half-angle at which it is seen, for any lens.
@@ -114,8 +116,8 @@ def build_etendue(path, lens, hole, height):
 
 
 def case_etendue():
-    """A meter in the focus of the stigmatic lens. Rays from it leave the lens parallel, so the hole in the screen lets in
-    those that meet the lens within the same radius."""
+    """A meter in the focus of the stigmatic lens. Rays from it leave the lens parallel, so the hole in the screen lets
+    in those that meet the lens within the same radius."""
     lens, hole, height = stigmatic(), 0.060, -0.1
     limit = hole / math.hypot(hole, float(lens.bottom.z(np.array(hole))) - height)  # sin of the half-angle
 
@@ -129,12 +131,12 @@ def case_etendue():
     share = lux / (math.pi * LUMINANCE * limit ** 2)
     return Case("etendue", "etendue: luminous surface through a lens, sin a 0.43",
                 lambda path: build_etendue(path, lens, hole, height),
-                [Check("focus", lux, label="focus", note=f"T {share:.4f}, pi L sin^2 a {math.pi * LUMINANCE * limit ** 2:.1f}")],
+                [Check("focus", lux, note=f"T {share:.4f}, pi L sin^2 a {math.pi * LUMINANCE * limit ** 2:.1f}")],
                 iterations={"ups": 256})
 
 
-# Inside glass, n^2 more: the centre of a ball sees the furnace in all directions, E = n^2 pi L; so does every point nearer
-# to it than R / n, from where nothing is totally reflected.
+# Inside glass, n^2 more: the centre of a ball sees the furnace in all directions, E = n^2 pi L; so does every point
+# nearer to it than R / n, from where nothing is totally reflected.
 
 def build_immersed(path):
     scene = GltfBuilder("UPS lenses.py")
@@ -178,8 +180,8 @@ def build_plates(path):
 def case_plates():
     checks = [Check(f"plates_{k}", LUX * float(plates_transmittance(1.0, N, k)),
                     note=f"T {float(plates_transmittance(1.0, N, k)):.4f}") for k in PLATES]
-    return Case("plates", "stacks of 1 to 4 plates in parallel light: T = (1 - R) / (1 + (2k - 1) R)", build_plates, checks,
-                ("ups",), iterations=512, cannot=(("bpt", PARALLEL), ("pt", PARALLEL)))
+    return Case("plates", "stacks of 1 to 4 plates in parallel light: T = (1 - R) / (1 + (2k - 1) R)", build_plates,
+                checks, ("ups",), iterations=512, cannot=(("bpt", PARALLEL), ("pt", PARALLEL)))
 
 
 HOLE, BELOW, CELL = 0.06, 0.08, 0.02  # radius of the screen's hole, its height over the cells, side of their square
@@ -208,8 +210,8 @@ def square_with_hole(half_side, radius, z, segments=SEGMENTS):
 def case_plates_cone():
     checks = []
     for k in PLATES:
-        exact, judged = (through_hole_mean(LUMINANCE, HOLE, BELOW, CELL, lambda c, p=p, k=k: plates_transmittance(c, N, k, p))
-                         for p in (True, False))
+        exact, judged = (through_hole_mean(LUMINANCE, HOLE, BELOW, CELL,
+                                           lambda c, p=p, k=k: plates_transmittance(c, N, k, p)) for p in (True, False))
         checks.append(Check(f"plates_{k}", judged, note=f"with polarisation {100 * (exact / judged - 1):+.2f} %"))
     return Case("plates_cone", "stacks of 1 to 4 plates under a luminous surface, within 43 degrees", build_plates_cone,
                 checks, iterations=128)
@@ -223,7 +225,8 @@ def build_diffuse(path, solid):
     black = scene.material("black", BLACK)
     scene.shape("screen", square_with_hole(1.6, 1.0, 0.05), black)
     if solid:
-        scene.shape("plate", check_closed(box((-1.5, -1.5, 0.051), (1.5, 1.5, 0.055)), "plate"), scene.material("glass", GLASS))
+        plate = check_closed(box((-1.5, -1.5, 0.051), (1.5, 1.5, 0.055)), "plate")
+        scene.shape("plate", plate, scene.material("glass", GLASS))
     else:
         scene.shape("plate", quad((-1.5, -1.5, 0.051), (3, 0, 0), (0, 3, 0)),
                     scene.material("glazing", {"model": "glazing", "ior": N}))
@@ -241,17 +244,22 @@ def case_diffuse(solid):
     exact, judged = (through_hole(LUMINANCE, limit, lambda c, p=p: plates_transmittance(c, N, 1, p))
                      for p in (True, not solid))
     hemispherical = through_hole(1 / math.pi, 1, lambda c: plates_transmittance(c, N))
-    note = f"with polarisation {100 * (exact / judged - 1):+.2f} %" if solid else f"T of the hemisphere {hemispherical:.4f}"
-    return Case("plate_diffuse_solid" if solid else "plate_diffuse", f"diffuse light through a {'plate of solid glass' if solid else 'thin pane'}",
+    if solid:
+        name, what, note = "plate_diffuse_solid", "solid glass", f"with polarisation {100 * (exact / judged - 1):+.2f} %"
+    else:
+        name, what, note = "plate_diffuse", "a thin pane", f"T of the hemisphere {hemispherical:.4f}"
+    return Case(name, f"diffuse light through {what}",
                 lambda path: build_diffuse(path, solid), [Check("below", judged, note=note)])
 
 
 def cases():
-    stigma = stigmatic()
     return [
-        focus_case("lens_stigmatic", "stigmatic lens, all light to one point", stigma, (0, 0.060), {"focus": (-0.1, 0.0005)}),
+        focus_case("lens_stigmatic", "stigmatic lens, all light to one point", stigmatic(), (0, 0.060),
+                   {"focus": (-0.1, 0.0005)}),
         plano_convex_case(True, 0.0004),
         plano_convex_case(False, 0.001),
+        # Twice as fine: what the facets cost.
+        plano_convex_case(True, 0.0004, "_fine", fine=2, fast=False),
         zone_case(True, fast=False),
         zone_case(False, fast=False),
         case_etendue(),

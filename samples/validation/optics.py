@@ -57,7 +57,7 @@ def through_hole_mean(luminance, radius, height, side, transmittance):
 
 @dataclass
 class Conic:
-    """z = height + sag(r), sag = c r^2 / (1 + sqrt(1 - (1 + K) c^2 r^2)); c: curvature at the vertex, K: conic constant."""
+    """z = height + c r^2 / (1 + sqrt(1 - (1 + K) c^2 r^2)); c: curvature at the vertex, K: conic constant."""
     height: float
     curvature: float = 0.0
     conic: float = 0.0
@@ -141,12 +141,13 @@ def _reach(surface):
 def share_inside_square(radius, half_side):
     """Of a thin ring around the centre of a square."""
     angle = np.arccos(np.clip(half_side / np.maximum(radius, 1e-30), -1, 1))
-    return np.where(radius <= half_side, 1.0, np.where(radius >= half_side * math.sqrt(2), 0.0, 1 - 4 / math.pi * angle))
+    cut = np.where(radius >= half_side * math.sqrt(2), 0.0, 1 - 4 / math.pi * angle)
+    return np.where(radius <= half_side, 1.0, cut)
 
 
 def focused_illuminance(lens, lux, inner, outer, height, half_side, rings=40000):
-    """Mean over a square cell on the axis at `height` below the lens, of a collimated beam `lux` from above that a screen
-    lets in between two radii."""
+    """Mean over a square cell on the axis at `height`, behind the lens: of a parallel beam `lux` from above that a
+    screen lets in between two radii."""
     h = inner + (np.arange(rings) + 0.5) * (outer - inner) / rings
     zero = np.zeros_like(h)
     flux = lux * 2 * math.pi * h * (outer - inner) / rings

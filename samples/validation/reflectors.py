@@ -1,8 +1,8 @@
 """Cases of mirror optics around a small source: parabolic and elliptical reflectors.
 
 All light that matters comes by way of a mirror. A spherical source of radius r and luminance L sends to a point of the
-mirror at the distance r_1 the same flux as a point source of pi L r^2 in its centre, in a cone of half-angle asin(r / r_1).
-The luminance of the polyhedron that stands for the sphere is L; its flux, pi L times its own area.
+mirror at the distance r_1 the same flux as a point source of pi L r^2 in its centre, in a cone of half-angle
+asin(r / r_1). The luminance of the polyhedron that stands for the sphere is L; its flux, pi L times its own area.
 """
 import math
 
@@ -70,9 +70,9 @@ def square_mean(function, half_side):
 
 
 def bright_aperture(source, rim, below_rim, below_source, half_side):
-    """Mean over a cell from which all of the mirror, out to its rim, shows the source: pi L (rho (F_mirror - F_source) +
-    F_source), as the source hides the middle of the mirror. F: configuration factors of a disc, for a parallel element
-    off its axis (Hamilton and Morgan 1952), and of a sphere."""
+    """Mean over a cell from which all of the mirror, out to its rim, shows the source: pi L (rho (F_mirror - F_source)
+    + F_source), as the source hides the middle of the mirror. F: configuration factors of a disc, for a parallel
+    element off its axis (Hamilton and Morgan 1952), and of a sphere."""
     def lux(x):
         r2, d2 = rim ** 2, below_rim ** 2
         mirror = (1 - (x ** 2 + d2 - r2) / np.sqrt((x ** 2 + d2 + r2) ** 2 - 4 * x ** 2 * r2)) / 2
@@ -90,8 +90,8 @@ class Parabola:
         self.focus = self.depth - focal_length
         self.rim_angle = 2 * math.atan(rim / (2 * focal_length))
         r = np.linspace(0, rim, rings + 1)
-        self.mesh = lathe([np.stack([r, self.depth - r ** 2 / (4 * focal_length), -r, np.full_like(r, -2 * focal_length)],
-                                    1)], segments)
+        z, down = self.depth - r ** 2 / (4 * focal_length), np.full_like(r, -2 * focal_length)
+        self.mesh = lathe([np.stack([r, z, -r, down], 1)], segments)
 
     def distance(self, angle):
         """From the focus, at this angle from the vertex."""
@@ -140,14 +140,15 @@ def parabola_case(name, rim, radius, below, half_side, on_axis=None, fine=1, **m
     share = (1 - math.cos(mirror.rim_angle)) / 2
     checks = [Check("beam", mirror.beam(source, half_side, below), note=f"mirror catches {100 * share:.1f} %")]
     if on_axis:
-        checks.append(Check("axis", mirror.axis(source, AXIS_CELL, on_axis), note=f"{1000 * on_axis:g} mm below the aperture"))
-    return Case(name, f"parabolic reflector, f 20 mm, rim {1000 * rim:g} mm, source {1000 * radius:g} mm", build, checks,
-                **more)
+        checks.append(Check("axis", mirror.axis(source, AXIS_CELL, on_axis),
+                            note=f"{1000 * on_axis:g} mm below the aperture"))
+    return Case(name, f"parabolic reflector, f 20 mm, rim {1000 * rim:g} mm, source {1000 * radius:g} mm", build,
+                checks, **more)
 
 
 def collimated_case():
-    """A point source of I in the focus: its light leaves parallel, E = rho I / r_1^2 with r_1 = f + h^2 / 4f at the height
-    h over the axis, at any distance; straight light comes on top."""
+    """A point source of I in the focus: its light leaves parallel, E = rho I / r_1^2 with r_1 = f + h^2 / 4f at the
+    height h over the axis, at any distance; straight light comes on top."""
     mirror, candela = Parabola(0.020, 0.060), 1000.0
     cells = {"middle": (0.0, 0.0, 0.020), "side": (0.035, 0.0, 0.030)}  # centre and side
     planes = {"near": 0.05, "far": 1.0}
@@ -158,8 +159,9 @@ def collimated_case():
                 + candela * d / (x * x + y * y + d * d) ** 1.5)
 
     def mean(x, y, side, below):
-        return integral(lambda u: np.array([integral(lambda v: lux(a, v, below), y - side / 2, y + side / 2) for a in u]),
-                        x - side / 2, x + side / 2) / side ** 2
+        def column(at):
+            return integral(lambda v: lux(at, v, below), y - side / 2, y + side / 2)
+        return integral(lambda u: np.array([column(at) for at in u]), x - side / 2, x + side / 2) / side ** 2
 
     def build(path):
         scene = GltfBuilder("UPS reflectors.py")
@@ -236,5 +238,8 @@ def cases():
         ellipse_case("ellipse", 0.05, 0.005, iterations={"bpt": 128, "pt": 128}),
         parabola_case("parabola_40", 0.040, 0.001, 0.3, 0.06, fast=False, **small),
         parabola_case("parabola_100", 0.100, 0.001, 0.3, 0.105, fast=False, **small),
+        # Twice as fine: what the facets cost.
+        parabola_case("parabola_fine", 0.040, 0.008, 0.05, 0.055, on_axis=0.26, fine=2, fast=False, iterations=256),
+        ellipse_case("ellipse_fine", 0.05, 0.005, fine=2, fast=False, iterations={"bpt": 128, "pt": 128}),
         ellipse_case("ellipse_9", 0.08, 0.002, fast=False, iterations={"bpt": 1024, "pt": 1024}),
     ]

@@ -89,7 +89,8 @@ def cases_polygons():
         ("source_wall", "luminous square of 1 m, across the meters' plane", wall, quad((0, 0, 0), (0, 0, 1), (1, 0, 0)),
          [((0, 1, 0), up, "1 m from a corner"), ((0.5, 0.1, 0.4), up, "half below the horizon")]),
         ("source_polygon", "luminous heptagon, tilted", heptagon, fan,
-         [((0.5, 0.2, 0), up, "below"), ((1.0, -0.5, 0.4), slant, "slanting"), ((1.5, 1.5, 1.2), (0, -1, 0), "cut by the horizon")]),
+         [((0.5, 0.2, 0), up, "below"), ((1.0, -0.5, 0.4), slant, "slanting"),
+          ((1.5, 1.5, 1.2), (0, -1, 0), "cut by the horizon")]),
     ]
     cases = []
     for name, title, corners, shape, meters in settings:
@@ -117,8 +118,8 @@ def build_five_times(path):
     black = scene.material("black", BLACK)
     file = os.path.splitext(path)[0] + ".ies"
     gamma = list(range(91))
-    write_axial(file, gamma, [CANDELA * math.cos(math.radians(g)) for g in gamma], [("TEST", "a luminous disc of 100 mm")],
-                opening_diameter=SIZE, digits=6)
+    write_axial(file, gamma, [CANDELA * math.cos(math.radians(g)) for g in gamma],
+                [("TEST", "a luminous disc of 100 mm")], opening_diameter=SIZE, digits=6)
     for i, name in enumerate(("disc", "square", "line", "opening", "point")):
         x = i * SPACING
         if name in shapes:
@@ -192,7 +193,8 @@ def case_port(rho, port, **more):
     lux = FLUX / (area * (1 - rho * (1 - share)))
     return Case(f"sphere_port_{100 * rho:.0f}", f"integrating sphere, reflectance {rho:g}, port {port:.0%}",
                 lambda path: build_port(path, rho, port),
-                [Check("wall", lux), Check("port", lux, note=f"{100 * lux * share * area / FLUX:.1f} % of the flux leaves")], **more)
+                [Check("wall", lux),
+                 Check("port", lux, note=f"{100 * lux * share * area / FLUX:.1f} % of the flux leaves")], **more)
 
 
 OFFSET, OFF_RHO = 0.5, 0.7
@@ -213,7 +215,7 @@ def off_centre_triangles(wall):
 
 
 def case_off_centre():
-    """Wherever the source stands, what has been reflected is the same everywhere: E = direct + rho Phi / (A (1 - rho))."""
+    """Wherever the source stands, reflected light is the same everywhere: E = direct + rho Phi / (A (1 - rho))."""
     wall = wall_of_sphere()
     meters = on_triangles(wall, off_centre_triangles(wall))
     checks = []
@@ -221,15 +223,17 @@ def case_off_centre():
         to_source = np.array([OFFSET, 0, 0]) - p
         direct = FLUX / (4 * math.pi) * (to_source @ n) / np.linalg.norm(to_source) ** 3
         reflected = OFF_RHO * FLUX / (wall.area() * (1 - OFF_RHO))
-        checks.append(Check("wall", direct + reflected, i, f"x {p[0]:+.2f} m", f"direct {100 * direct / (direct + reflected):.0f} %"))
-    return Case("sphere_off_centre", "integrating sphere, reflectance 0.7, source off the centre", build_off_centre, checks, iterations=256)
+        checks.append(Check("wall", direct + reflected, i, f"x {p[0]:+.2f} m",
+                            f"direct {100 * direct / (direct + reflected):.0f} %"))
+    return Case("sphere_off_centre", "integrating sphere, reflectance 0.7, source off the centre", build_off_centre,
+                checks, iterations=256)
 
 
 # Furnaces.
 
 def add_guests(scene, materials):
-    """Things that stand in the way, one a material. With facets, as eye paths lose light by interpolated normals: grazing
-    directions that a shading normal lets through and the facet does not. Smooth, the balance below loses 0.2 %."""
+    """Things that stand in the way, one a material. With facets: eye paths lose light by interpolated normals, in
+    grazing directions that the normal lets through and the facet does not; smooth, they cost the balance 0.2 %."""
     for k, (name, ups) in enumerate(materials.items()):
         angle = 2 * math.pi * k / len(materials)
         at = (0.55 * math.cos(angle), 0.55 * math.sin(angle), 0.1 * k - 0.2)
@@ -243,8 +247,8 @@ GUESTS = {"white": {"model": "matte", "reflectance": 1}, "mirror": {"model": "mi
 
 # Where, and what they face. Cells, not points: photons merged around a point would bring the curvature of caustics with
 # them.
-WHITE_CELLS = [((0, 0, 0), (1, 0, 0)), ((0.3, 0.2, -0.2), (1, 1, 0)), ((0, 0, 0.5), (0.1, 0, -1)), ((-0.2, 0.1, 0.1), (-1, 0, 0)),
-               ((-0.4, -0.75, 0.1), (0, 1, 0))]
+WHITE_CELLS = [((0, 0, 0), (1, 0, 0)), ((0.3, 0.2, -0.2), (1, 1, 0)), ((0, 0, 0.5), (0.1, 0, -1)),
+               ((-0.2, 0.1, 0.1), (-1, 0, 0)), ((-0.4, -0.75, 0.1), (0, 1, 0))]
 
 
 def build_white_furnace(path):
@@ -259,8 +263,8 @@ def build_white_furnace(path):
 def case_white_furnace():
     """In front of a uniform luminance nothing that only scatters can be seen: E = pi L."""
     checks = [Check(f"cell_{k}", math.pi * LUMINANCE) for k in range(len(WHITE_CELLS))]
-    return Case("furnace_white", "white furnace: things of reflectance 1 in a luminous room", build_white_furnace, checks,
-                iterations={"ups": 512, "bpt": 128, "pt": 128})
+    return Case("furnace_white", "white furnace: things of reflectance 1 in a luminous room", build_white_furnace,
+                checks, iterations={"ups": 512, "bpt": 128, "pt": 128})
 
 
 FURNACE_RHO, FURNACE_L = 0.8, 100.0
@@ -294,7 +298,8 @@ def build_balance(path):
     room = inside(box((-1, -1, -1), (1, 1, 1)))
     floor = room.positions[room.triangles][:, :, 2].max(axis=1) < 0
     for name, keep, rho in (("walls", ~floor, 1.0), ("floor", floor, FLOOR_RHO)):
-        scene.shape(name, Mesh(room.positions, room.triangles[keep]), scene.material(name, {"model": "matte", "reflectance": rho}))
+        scene.shape(name, Mesh(room.positions, room.triangles[keep]),
+                    scene.material(name, {"model": "matte", "reflectance": rho}))
     add_guests(scene, {name: ups for name, ups in GUESTS.items() if name != "white"})
     lamp = icosphere(LAMP_RADIUS, 3)
     scene.shape("lamp", lamp.moved(0, 0, 0.6), emitter(scene, FLUX / (math.pi * lamp.area()), 1.0))
@@ -303,8 +308,8 @@ def build_balance(path):
 
 
 def case_balance():
-    return Case("flux_balance", "flux conservation: closed room, glass, mirror and metal without loss; the floor takes all",
-                build_balance, [Check("floor", FLUX / (4 * (1 - FLOOR_RHO)))], iterations={"ups": 64, "bpt": 64, "pt": 256})
+    return Case("flux_balance", "flux conservation: closed room without loss, the floor takes all", build_balance,
+                [Check("floor", FLUX / (4 * (1 - FLOOR_RHO)))], iterations={"ups": 64, "bpt": 64, "pt": 256})
 
 
 def cases():
