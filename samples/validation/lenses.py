@@ -156,7 +156,7 @@ def case_immersed():
 # Stacks of plates, 1 to 4 side by side.
 
 PLATES = (1, 2, 3, 4)
-PITCH, THICKNESS, GAP = 0.2, 0.004, 0.004
+PITCH, HALF, THICKNESS, GAP = 0.5, 0.24, 0.004, 0.004  # HALF: half a side of the plates
 
 
 def add_stacks(scene, bottom):
@@ -165,7 +165,7 @@ def add_stacks(scene, bottom):
         for i in range(k):
             z = bottom + i * (THICKNESS + GAP)
             x = k * PITCH
-            scene.shape(f"plate {k}.{i}", box((x - 0.098, -0.098, z), (x + 0.098, 0.098, z + THICKNESS)), glass)
+            scene.shape(f"plate {k}.{i}", box((x - HALF, -HALF, z), (x + HALF, HALF, z + THICKNESS)), glass)
 
 
 def build_plates(path):
@@ -173,7 +173,7 @@ def build_plates(path):
     add_stacks(scene, 0)
     scene.directional_light("light", (0, 0, -1), LUX)
     for k in PLATES:
-        add_square(scene, f"plates_{k}", 0.09, (k * PITCH, 0, -0.01), columns=1)
+        add_square(scene, f"plates_{k}", 0.22, (k * PITCH, 0, -0.01), columns=1)
     scene.write(path)
 
 
@@ -194,10 +194,10 @@ def build_plates_cone(path):
     add_stacks(scene, BELOW + 0.005)
     for k in PLATES:
         x = k * PITCH
-        scene.shape(f"screen {k}", square_with_hole(0.0999, HOLE, BELOW).moved(x, 0, 0), black)
-        scene.shape(f"wall {k}", quad((x + PITCH / 2, -0.1, 0), (0, 0.2, 0), (0, 0, BELOW + 0.06)), black)
+        scene.shape(f"screen {k}", square_with_hole(0.2499, HOLE, BELOW).moved(x, 0, 0), black)
+        scene.shape(f"wall {k}", quad((x + PITCH / 2, -HALF, 0), (0, 2 * HALF, 0), (0, 0, BELOW + 0.06)), black)
         add_square(scene, f"plates_{k}", CELL / 2, (x, 0, 0))
-    scene.shape("emitter", quad((0.1, -0.1, BELOW + 0.07), (0, 0.2, 0), (0.8, 0, 0)),
+    scene.shape("emitter", quad((PITCH / 2, -HALF, BELOW + 0.07), (0, 2 * HALF, 0), (4 * PITCH, 0, 0)),
                 scene.material("emitter", BLACK, luminance=LUMINANCE))
     scene.write(path)
 
@@ -214,7 +214,7 @@ def case_plates_cone():
                                            lambda c, p=p, k=k: plates_transmittance(c, N, k, p)) for p in (True, False))
         checks.append(Check(f"plates_{k}", judged, note=f"with polarisation {100 * (exact / judged - 1):+.2f} %"))
     return Case("plates_cone", "stacks of 1 to 4 plates under a luminous surface, within 43 degrees", build_plates_cone,
-                checks, iterations=128)
+                checks, iterations=192)
 
 
 # Diffuse light through one plate: a luminous box over it, the meter close below, a screen with a hole that ends what is
@@ -245,7 +245,8 @@ def case_diffuse(solid):
                      for p in (True, not solid))
     hemispherical = through_hole(1 / math.pi, 1, lambda c: plates_transmittance(c, N))
     if solid:
-        name, what, note = "plate_diffuse_solid", "solid glass", f"with polarisation {100 * (exact / judged - 1):+.2f} %"
+        name, what = "plate_diffuse_solid", "solid glass"
+        note = f"with polarisation {100 * (exact / judged - 1):+.2f} %"
     else:
         name, what, note = "plate_diffuse", "a thin pane", f"T of the hemisphere {hemispherical:.4f}"
     return Case(name, f"diffuse light through {what}",
