@@ -191,7 +191,8 @@ class GltfBuilder:
 
     def directional_light(self, name, direction, lux):
         """Light that travels along `direction`; the illuminance of a surface that faces it."""
-        self._light(name, "directional", lux, rotation=Frame.along(-np.asarray(direction, float)).properties()["rotation"])
+        where = Frame.along(-np.asarray(direction, float))
+        self._light(name, "directional", lux, rotation=where.properties()["rotation"])
 
     def write(self, path):
         while len(self._bytes) % 4:
