@@ -139,6 +139,12 @@ namespace Ups
         SensorHit = 32,
     }
 
+    public enum Perturbation : int
+    {
+        Virtual = 0,
+        Actual = 1,
+    }
+
     public enum JobState : int
     {
         Running = 0,
@@ -152,6 +158,14 @@ namespace Ups
         LuminanceRgb = 0,
         StandardErrorRgb = 1,
         Illuminance = 2,
+        PathIntegrationRgb = 3,
+        DensityEstimationRgb = 4,
+    }
+
+    public enum Contribution : int
+    {
+        Weighted = 0,
+        Unweighted = 1,
     }
 
     public enum ResultText : int
@@ -538,6 +552,10 @@ namespace Ups
         public uint MaxPathLength;
         public uint LightPathsPerIteration;
         public uint Techniques;
+        public float RadiusAlpha;
+        public float GlossyAlpha;
+        public Perturbation Perturbation;
+        public uint TechniqueImages;
         /// <summary>With the library's defaults.</summary>
         public static RenderDesc Create()
         {
@@ -629,6 +647,20 @@ namespace Ups
         internal static MeterStatistics Sized()
         {
             return new MeterStatistics { StructSize = (uint)sizeof(MeterStatistics) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct TechniqueInfo
+    {
+        public uint StructSize;
+        public uint Technique;
+        public uint LightVertices;
+        public uint EyeVertices;
+        public uint Edges;
+        internal static TechniqueInfo Sized()
+        {
+            return new TechniqueInfo { StructSize = (uint)sizeof(TechniqueInfo) };
         }
     }
 
@@ -780,6 +812,14 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_image(ResultHandle result, SensorId camera, Channel channel,
             float* @out, UIntPtr row_stride_bytes, UIntPtr size_bytes);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_technique_count(ResultHandle result, SensorId camera, uint* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_technique(ResultHandle result, SensorId camera, uint index,
+            TechniqueInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_technique(ResultHandle result, SensorId camera, uint index,
+            Contribution contribution, float* @out, UIntPtr row_stride_bytes, UIntPtr size_bytes);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_convergence(ResultHandle result, ConvergencePoint* points, UIntPtr
             capacity, UIntPtr* needed);

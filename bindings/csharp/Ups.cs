@@ -463,6 +463,32 @@ namespace Ups
             return values;
         }
 
+        /// <summary>Each technique that has an image; none unless RenderDesc.TechniqueImages was set.</summary>
+        public TechniqueInfo[] Techniques(SensorId camera)
+        {
+            uint count;
+            Library.Check(Native.ups_result_get_technique_count(Handle, camera, &count));
+            var all = new TechniqueInfo[count];
+            for (uint i = 0; i < count; ++i)
+            {
+                var info = TechniqueInfo.Sized();
+                Library.Check(Native.ups_result_get_technique(Handle, camera, i, &info));
+                all[i] = info;
+            }
+            return all;
+        }
+
+        /// <summary>Of the technique at that place in Techniques(); 3 floats a pixel, as Image().</summary>
+        public float[] TechniqueImage(SensorId camera, uint index, int width, int height,
+                                      Contribution contribution = Contribution.Weighted)
+        {
+            var values = new float[(long)width * height * 3];
+            fixed (float* v = values)
+                Library.Check(Native.ups_result_read_technique(Handle, camera, index, contribution, v, UIntPtr.Zero,
+                                                               (UIntPtr)(sizeof(float) * (ulong)values.Length)));
+            return values;
+        }
+
         public ConvergencePoint[] Convergence()
         {
             UIntPtr needed;

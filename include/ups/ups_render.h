@@ -12,9 +12,9 @@ enum {
   UPS_METHOD_PATH_TRACING = 2,
   UPS_METHOD_LIGHT_TRACING = 3,
   UPS_METHOD_BIDIRECTIONAL = 4,
-  UPS_METHOD_PPM = 5,
-  UPS_METHOD_SPPM = 6,                          /* UPS_ERROR_UNSUPPORTED in this version */
-  UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING = 7   /* UPS_ERROR_UNSUPPORTED in this version */
+  UPS_METHOD_PPM = 5,  /* progressive photon mapping (Hachisuka et al. 2008): merges at the first diffuse or glossy point */
+  UPS_METHOD_SPPM = 6, /* stochastic PPM (Hachisuka, Jensen 2009): glossy points are passed, merges at the first other one */
+  UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING = 7 /* Vorba 2011: merges at every point of an eye path, weighted */
 };
 
 enum {
@@ -24,6 +24,15 @@ enum {
   UPS_TECHNIQUE_SENSOR_CONNECT = 8, /* an edge from a light path to a camera */
   UPS_TECHNIQUE_MERGE = 16,         /* photon density estimation at eye vertices and meters */
   UPS_TECHNIQUE_SENSOR_HIT = 32     /* a light path lands on a meter's cell */
+};
+
+/* Path integration in the extended path space of the paper (Hachisuka, Pantaleoni, Jensen 2012, section 3). */
+typedef int32_t ups_perturbation;
+enum {
+  UPS_PERTURBATION_VIRTUAL = 0, /* the perturbed vertex is the eye path's own: counted in the weights alone */
+  UPS_PERTURBATION_ACTUAL = 1   /* it is drawn from the kernel around the eye path's vertex: as biased as merging is; to
+                                 * test the former by; that bias is in no error. Next-event estimation and connections
+                                 * alone. Where the method does not merge, merge_radius_m must be set */
 };
 
 typedef struct ups_render_desc {
@@ -38,6 +47,11 @@ typedef struct ups_render_desc {
   uint32_t max_path_length;           /* edges; 0: none, roulette ends paths without bias */
   uint32_t light_paths_per_iteration; /* 0: chosen by the library */
   uint32_t techniques;                /* UPS_TECHNIQUE_* to allow; 0: those of the method */
+  float radius_alpha;                 /* (0, 1): r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1); 0: 2/3, where UPS falls fastest */
+  float glossy_alpha;                 /* SPPM passes metal and rough glass of a GGX alpha below; 0: 0.2 */
+  ups_perturbation perturbation;
+  uint32_t technique_images;          /* cameras: an image of each technique for paths of up to so many edges, at most 16;
+                                       * 0: none. See ups_result_get_technique_count */
 } ups_render_desc; /* at least one of time limit, target, iteration count must be set */
 
 typedef int32_t ups_job_state;
@@ -118,11 +132,38 @@ typedef int32_t ups_channel;
 enum {
   UPS_CHANNEL_LUMINANCE_RGB = 0,      /* 3 floats a pixel, cd/m^2 */
   UPS_CHANNEL_STANDARD_ERROR_RGB = 1, /* 3 floats a pixel; -1: not known */
-  UPS_CHANNEL_ILLUMINANCE = 2         /* 1 float a pixel, lx; cameras with `illuminance` */
+  UPS_CHANNEL_ILLUMINANCE = 2,        /* 1 float a pixel, lx; cameras with `illuminance` */
+  /* Parts of LUMINANCE_RGB, whose sum they make: with ups_render_desc.technique_images alone */
+  UPS_CHANNEL_PATH_INTEGRATION_RGB = 3,
+  UPS_CHANNEL_DENSITY_ESTIMATION_RGB = 4
 };
 /* Row 0 is the image's top. row_stride_bytes 0: tight; size_bytes is the size of out. */
 UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel, float *out,
                                          size_t row_stride_bytes, size_t size_bytes);
+/* What each technique found, for paths of up to ups_render_desc.technique_images edges; for people who look into the
+ * estimator. The s vertices of a light path and the t of an eye path make a path of `edges` edges: s + t = edges + 1, of
+ * density estimation, where both have a vertex at the same place, edges + 2. */
+typedef struct ups_technique_info {
+  uint32_t struct_size;
+  uint32_t technique;      /* the UPS_TECHNIQUE_* that it is */
+  uint32_t light_vertices; /* s; 0: an emitter was hit, 1: next-event estimation */
+  uint32_t eye_vertices;   /* t; 1: a light path was joined to the camera */
+  uint32_t edges;
+} ups_technique_info;
+typedef int32_t ups_contribution;
+enum {
+  UPS_CONTRIBUTION_WEIGHTED = 0,  /* by multiple importance sampling: all of them add up to the image */
+  UPS_CONTRIBUTION_UNWEIGHTED = 1 /* as if the technique were the only one: each that can sample a path estimates it alone */
+};
+/* Images of a camera; 0 without technique_images. */
+UPS_API ups_status ups_result_get_technique_count(const ups_result *result, ups_sensor_id camera, uint32_t *out);
+/* index < count; info->struct_size must be set. */
+UPS_API ups_status ups_result_get_technique(const ups_result *result, ups_sensor_id camera, uint32_t index,
+                                            ups_technique_info *info);
+/* 3 floats a pixel, cd/m^2; rows and sizes as in ups_result_read_image. */
+UPS_API ups_status ups_result_read_technique(const ups_result *result, ups_sensor_id camera, uint32_t index,
+                                             ups_contribution contribution, float *out, size_t row_stride_bytes,
+                                             size_t size_bytes);
 /* *needed gets the number of points; BUFFER_TOO_SMALL where capacity is less. points may be NULL with capacity 0. */
 UPS_API ups_status ups_result_read_convergence(const ups_result *result, ups_convergence_point *points, size_t capacity,
                                                size_t *needed);

@@ -4,8 +4,7 @@ Called by make_bathroom.py. Each function returns a mesh in its own frame, metre
 """
 import numpy as np
 
-from sanitary import curve
-from shapes import arc, check_closed, lathe, merged, quad, rounded_box, sheet, sphere, tube
+from shapes import arc, check_closed, curve, lathe, merged, quad, rounded_box, sheet, sphere, tube
 
 
 def textured_box(low, high, period):

@@ -176,19 +176,28 @@ def add_sensors(scene):
     scene.meters("workplane", Frame.upright((1.975, 1.05, 0.75)), width_m=2.25, height_m=2.0, columns=16, rows=12)
     scene.meters("face", Frame.facing((VANITY_X, 1.85, 1.55), (0, 1, 0)), width_m=0.36, height_m=0.48,
                  columns=6, rows=8)
-    scene.camera("view", (3.02, 0.14, 1.56), (1.16, 1.86, 0.86), 62, 640, 480)
+    add_view(scene, 640, 480)
+
+
+def add_view(scene, width, height):
+    scene.camera("view", (3.02, 0.14, 1.56), (1.16, 1.86, 0.86), 62, width, height)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--out", default=os.path.join(HERE, "bathroom.glb"))
-    parser.add_argument("--check", action="store_true", help="32 meters and no camera: for a check by path tracing")
+    sensors = parser.add_mutually_exclusive_group()
+    sensors.add_argument("--check", action="store_true", help="32 meters and no camera: for a check by path tracing")
+    sensors.add_argument("--picture", action="store_true", help="a camera of 320 x 240 and no meters: for comparisons")
     arguments = parser.parse_args()
     scene = GltfBuilder("UPS make_bathroom.py")
     materials = add_materials(scene)
     for add in (add_room, add_lamps, add_bath, add_vanity, add_furnishings):
         add(scene, materials)
-    (add_check_sensors if arguments.check else add_sensors)(scene)
+    if arguments.picture:
+        add_view(scene, 320, 240)
+    else:
+        (add_check_sensors if arguments.check else add_sensors)(scene)
     os.makedirs(os.path.dirname(os.path.abspath(arguments.out)), exist_ok=True)
     scene.write(arguments.out)
     lamps.write_wall_lamp_ies(os.path.join(os.path.dirname(os.path.abspath(arguments.out)), "wall_light.ies"))

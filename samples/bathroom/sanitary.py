@@ -4,7 +4,7 @@ Called by make_bathroom.py. Each function returns a mesh in its own frame, metre
 """
 import numpy as np
 
-from shapes import Mesh, arc, check_closed, lathe, merged, rounded_box, sheet, tube
+from shapes import Mesh, arc, check_closed, curve, lathe, merged, rounded_box, sheet, tube
 
 TUB_LENGTH, TUB_WIDTH, TUB_HEIGHT = 1.70, 0.76, 0.56  # along y, x, z; the origin is the middle of its footprint
 TUB_DEPTH = 0.46
@@ -72,18 +72,6 @@ def water():
     normals = grid.normals[used]
     return Mesh(grid.positions[used], renumbered.reshape(-1, 3),
                 normals / np.linalg.norm(normals, axis=1, keepdims=True))
-
-
-def curve(points, steps=6):
-    """Catmull-Rom curve through (r, z) or (x, y, z) points."""
-    p = np.asarray(points, float)
-    p = np.vstack([2 * p[0] - p[1], p, 2 * p[-1] - p[-2]])
-    out = [p[1]]
-    for a, b, c, d in zip(p, p[1:], p[2:], p[3:]):
-        for t in np.linspace(0, 1, steps + 1)[1:]:
-            out.append(0.5 * (2 * b + (c - a) * t + (2 * a - 5 * b + 4 * c - d) * t ** 2
-                              + (3 * b - 3 * c + d - a) * t ** 3))
-    return np.array(out)
 
 
 def basin():

@@ -15,14 +15,12 @@ import math
 import os
 import sys
 
-from compare_methods import run
+from renders import Renderer
 
 
 def render(arguments, method, seed, seconds):
     out = os.path.join(arguments.out, method)
-    command = [arguments.ups, "render", arguments.scene, "--method", method, "--seed", str(seed), "--out", out,
-               "--json", "--time", str(seconds)]
-    rows, summary = [], run(command)
+    rows, summary = [], Renderer(arguments.ups, arguments.scene).render(method, seed, ["--time", str(seconds)], out)
     for name in summary["meters"]:
         with open(os.path.join(out, name + ".csv"), newline="", encoding="utf-8") as file:
             rows += [(name, float(r["illuminance_lx"]), float(r["standard_error_lx"])) for r in csv.DictReader(file)]

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-from compare_methods import run
+from renders import run
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 

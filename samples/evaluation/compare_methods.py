@@ -11,54 +11,12 @@ the first.
 """
 import argparse
 import csv
-import json
 import math
 import os
 import statistics
-import subprocess
 import sys
 
-
-def run(command):
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stderr.strip()}")
-    return json.loads(done.stdout)
-
-
-def render(arguments, method, seed, out, limit):
-    os.makedirs(out, exist_ok=True)
-    command = [arguments.ups, "render", arguments.scene, "--method", method, "--seed", str(seed), "--out", out,
-               "--json", *limit]
-    if arguments.threads:
-        command += ["--threads", str(arguments.threads)]
-    if arguments.size:
-        command += ["--size", arguments.size]
-    summary = run(command)
-    with open(os.path.join(out, "render.json"), "w", encoding="utf-8") as file:
-        json.dump(summary, file, indent=1)
-    return summary
-
-
-def reference_of(arguments):
-    """The folder with the reference's files; an earlier one is used again only where it was made by the same words."""
-    out = arguments.reference_dir or os.path.join(arguments.out, "reference")
-    limit = (["--iterations", str(arguments.reference_iterations)] if arguments.reference_iterations
-             else ["--time", str(arguments.reference_time or 100 * arguments.time)])
-    recipe = [os.path.abspath(arguments.scene), os.path.getmtime(arguments.scene), arguments.reference_method,
-              arguments.reference_seed, limit, arguments.size]
-    note = os.path.join(out, "recipe.json")
-    if os.path.exists(note):
-        with open(note, encoding="utf-8") as file:
-            if json.load(file) == recipe:
-                with open(os.path.join(out, "render.json"), encoding="utf-8") as summary:
-                    return out, json.load(summary)
-    print(f"reference: {arguments.reference_method}, seed {arguments.reference_seed}, {' '.join(limit)}",
-          file=sys.stderr)
-    summary = render(arguments, arguments.reference_method, arguments.reference_seed, out, limit)
-    with open(note, "w", encoding="utf-8") as file:
-        json.dump(recipe, file)
-    return out, summary
+from renders import Renderer
 
 
 def illuminances(folder, names):
@@ -89,21 +47,20 @@ def cell(values, width, scale=1.0, unit=""):
     return f"{scale * mean(values):.4g}{unit}".rjust(width) if values else "-".rjust(width)
 
 
-def judge(arguments, method, reference_dir, reference, names):
+def judge(arguments, renderer, method, reference_dir, reference, names):
     """Renders one method with every seed; returns its line of the table."""
     line = {"method": method, "iterations": [], "time": [], "meters": [], "rmse": [], "relative_mse": []}
     for seed in range(1, arguments.seeds + 1):
         if seed == arguments.reference_seed:
             sys.exit(f"seed {seed} is the reference's: their errors would be the same")
         out = os.path.join(arguments.out, f"{method}_{seed}")
-        summary = render(arguments, method, seed, out, ["--time", str(arguments.time)])
+        summary = renderer.render(method, seed, ["--time", str(arguments.time)], out)
         line["iterations"].append(summary["iterations"])
         line["time"].append(summary["time_s"])
         if reference:
             line["meters"].append(meter_error(illuminances(out, names), reference))
         for camera in summary["cameras"]:
-            images = [os.path.join(folder, camera + ".exr") for folder in (out, reference_dir)]
-            compared = run([arguments.ups, "compare", *images, "--json"])
+            compared = renderer.compare(camera, out, reference_dir)
             line["rmse"].append(compared["rmse"])
             line["relative_mse"].append(compared["relative_mse"])
     return line
@@ -133,7 +90,11 @@ def parse():
 
 def main():
     arguments = parse()
-    reference_dir, reference_summary = reference_of(arguments)
+    renderer = Renderer(arguments.ups, arguments.scene, arguments.threads, arguments.size)
+    reference_dir = arguments.reference_dir or os.path.join(arguments.out, "reference")
+    limit = (["--iterations", str(arguments.reference_iterations)] if arguments.reference_iterations
+             else ["--time", str(arguments.reference_time or 100 * arguments.time)])
+    reference_summary = renderer.reference(arguments.reference_method, arguments.reference_seed, limit, reference_dir)
     names = arguments.meters or list(reference_summary["meters"])
     unknown = set(names) - set(reference_summary["meters"])
     if unknown:
@@ -152,7 +113,7 @@ def main():
           f"{'relative MSE':>13}")
     failed, first = False, None
     for method in arguments.methods:
-        line = judge(arguments, method, reference_dir, reference, names)
+        line = judge(arguments, renderer, method, reference_dir, reference, names)
         error = mean(line["meters"])
         print(f"{method:>8} {mean(line['iterations']):10.0f} {mean(line['time']):7.1f} "
               f"{cell(line['meters'], 14, 100, ' %')} {cell(line['rmse'], 13)} "

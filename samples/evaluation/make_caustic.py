@@ -5,7 +5,6 @@ A spherical emitter of 5 mm and 1000 lm at the focus of a parabolic mirror (f = 
 0.9) whose aperture is 1 m above a matte table; a ball of radius 0.1 m, n = 1.5, centred 0.25 m above the table. Every
 light path but the direct one ends in a caustic. 32 x 32 cell means over 0.8 m x 0.8 m of the table.
 """
-import argparse
 import math
 import os
 import sys
@@ -13,7 +12,8 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes_common"))
 import need_numpy  # noqa: E402,F401
 import numpy as np  # noqa: E402
-from gltf_builder import Frame, GltfBuilder  # noqa: E402
+from gltf_builder import Frame  # noqa: E402
+from scene_script import make_scene  # noqa: E402
 from shapes import check_closed, icosphere, lathe, quad  # noqa: E402
 
 FLUX, EMITTER_RADIUS = 1000.0, 0.0025
@@ -29,12 +29,7 @@ def parabolic_mirror():
     return lathe([profile], 128), vertex - FOCAL_LENGTH
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--out", default=os.path.join(os.path.dirname(os.path.abspath(__file__)), "caustic.glb"))
-    arguments = parser.parse_args()
-
-    scene = GltfBuilder("UPS make_caustic.py")
+def build(scene):
     table = scene.material("table", {"model": "matte", "reflectance": 0.5})
     mirror = scene.material("mirror", {"model": "mirror", "reflectance": 0.9})
     glass = scene.material("glass", {"model": "glass", "ior": 1.5})
@@ -48,8 +43,7 @@ def main():
     scene.shape("emitter", check_closed(bulb, "emitter").moved(0, 0, focus_height), emitter)
     scene.shape("ball", ball.moved(0, 0, BALL_HEIGHT), glass)
     scene.meters("table", Frame.upright((0, 0, 0)), width_m=0.8, height_m=0.8, columns=32, rows=32, area=True)
-    scene.write(arguments.out)
 
 
 if __name__ == "__main__":
-    main()
+    make_scene(__file__, __doc__, build)

@@ -4,14 +4,14 @@
 The plain case of interior lighting: large Lambertian emitters, matte surfaces, 32 x 24 meters on the work plane.
 Called by hand and by the checks in README.md.
 """
-import argparse
 import math
 import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes_common"))
 import need_numpy  # noqa: E402,F401
-from gltf_builder import Frame, GltfBuilder  # noqa: E402
+from gltf_builder import Frame  # noqa: E402
+from scene_script import make_scene  # noqa: E402
 from shapes import merged, quad  # noqa: E402
 
 LENGTH, WIDTH, HEIGHT = 8.0, 6.0, 3.0
@@ -32,13 +32,8 @@ def ceiling_cells():
     return merged(ceiling), merged(panels)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--out", default=os.path.join(os.path.dirname(os.path.abspath(__file__)), "office.glb"))
-    arguments = parser.parse_args()
-
+def build(scene):
     ceiling, panels = ceiling_cells()
-    scene = GltfBuilder("UPS make_office.py")
     luminance = PANEL_FLUX * len(PANEL_CENTRES) / (math.pi * panels.area())
     panel = scene.material("panel", {"model": "matte", "reflectance": 0.7}, luminance=luminance)
     floor_paint, wall_paint, ceiling_paint = (scene.material(name, {"model": "matte", "reflectance": reflectance})
@@ -53,8 +48,7 @@ def main():
     scene.shape("panels", panels, panel)
     scene.meters("workplane", Frame.upright((LENGTH / 2, WIDTH / 2, 0.75)), width_m=LENGTH, height_m=WIDTH,
                  columns=32, rows=24)
-    scene.write(arguments.out)
 
 
 if __name__ == "__main__":
-    main()
+    make_scene(__file__, __doc__, build)

@@ -106,14 +106,15 @@ class GltfBuilder:
         return self._add("textures", {"sampler": 0, "source": image})
 
     def material(self, name, ups=None, luminance=None, both_sides=False, **gltf):
-        """`ups`: extras.ups, which sets how the surface scatters. `luminance` in cd/m2 makes a Lambertian emitter.
-        Other keywords are glTF's own properties of a material."""
+        """`ups`: extras.ups, which sets how the surface scatters. `luminance` in cd/m2, one number or R, G, B, makes a
+        Lambertian emitter. Other keywords are glTF's own properties of a material."""
         material = {"name": name, **gltf}
         if ups is not None:
             material["extras"] = {"ups": ups}
         if luminance is not None:
-            material["emissiveFactor"] = [1.0, 1.0, 1.0]
-            material["extensions"] = {"KHR_materials_emissive_strength": {"emissiveStrength": float(luminance)}}
+            strength = float(np.max(luminance))
+            material["emissiveFactor"] = _numbers(np.broadcast_to(luminance, 3) / strength)
+            material["extensions"] = {"KHR_materials_emissive_strength": {"emissiveStrength": strength}}
             self._extensions.add("KHR_materials_emissive_strength")
         if both_sides:
             material["doubleSided"] = True
@@ -191,7 +192,8 @@ class GltfBuilder:
 
     def directional_light(self, name, direction, lux):
         """Light that travels along `direction`; the illuminance of a surface that faces it."""
-        self._light(name, "directional", lux, rotation=Frame.along(-np.asarray(direction, float)).properties()["rotation"])
+        where = Frame.along(-np.asarray(direction, float))
+        self._light(name, "directional", lux, rotation=where.properties()["rotation"])
 
     def write(self, path):
         while len(self._bytes) % 4:

@@ -209,6 +209,25 @@ def arc(centre, radius, from_degrees, to_degrees, steps):
     return points
 
 
+def curve(points, steps=6):
+    """Catmull-Rom curve through (r, z) or (x, y, z) points."""
+    p = np.asarray(points, float)
+    p = np.vstack([2 * p[0] - p[1], p, 2 * p[-1] - p[-2]])
+    out = [p[1]]
+    for a, b, c, d in zip(p, p[1:], p[2:], p[3:]):
+        for t in np.linspace(0, 1, steps + 1)[1:]:
+            out.append(0.5 * (2 * b + (c - a) * t + (2 * a - 5 * b + 4 * c - d) * t ** 2
+                              + (3 * b - 3 * c + d - a) * t ** 3))
+    return np.array(out)
+
+
+def torus(radius, tube_radius, segments=96, around=48):
+    """Ring about z; tube_radius is that of its bar."""
+    angle = np.radians(np.arange(around + 1) * 360 / around)
+    normal = np.stack([np.cos(angle), np.sin(angle)], -1)
+    return lathe([np.concatenate([normal * tube_radius + (radius, 0), normal], 1)], segments)
+
+
 def sphere(radius, rings=24, segments=48):
     angle = np.radians(np.linspace(-90, 90, rings + 1))
     normal = np.stack([np.cos(angle), np.sin(angle)], -1)

@@ -33,7 +33,8 @@ def write(path, cases, rows, methods):
     for line, (_, _, members) in enumerate(groups):
         names = [c.name for c in members]
         for k, method in enumerate(methods):
-            deviations = [r.deviation for r in rows if r.case in names and r.method == method and r.deviation is not None]
+            mine = (r.deviation for r in rows if r.case in names and r.method == method)
+            deviations = [deviation for deviation in mine if deviation is not None]
             largest = max([largest, *map(abs, deviations)])
             height = line + (k - (len(methods) - 1) / 2) * 0.8 / len(methods)
             axes.scatter(deviations, np.full(len(deviations), height), s=11, alpha=0.6, linewidths=0, zorder=2,

@@ -1,4 +1,4 @@
-"""Closed forms for the validation cases; no case depends on a table. Lengths in metres, light in lumen, candela, lux."""
+"""Closed forms for the validation cases; no case depends on a table. Metres, lumen, candela, lux."""
 import math
 
 import need_numpy  # noqa: F401

@@ -17,8 +17,9 @@ def largest_noise(rows):
 
 def progress_line(case, method, rows):
     failed = sum(r.passed is False for r in rows)
-    return (f"{case.name:>17} {method:>4} {len(rows):3} checks, worst {worst(rows):>9}, noise {largest_noise(rows):>7}, "
-            f"{rows[0].iterations:6} iterations {rows[0].time_s:6.1f} s" + (f", {failed} FAILED" if failed else ""))
+    return (f"{case.name:>17} {method:>4} {len(rows):3} checks, worst {worst(rows):>9}, noise "
+            f"{largest_noise(rows):>7}, {rows[0].iterations:6} iterations {rows[0].time_s:6.1f} s"
+            + (f", {failed} FAILED" if failed else ""))
 
 
 def text_table(head, lines):
@@ -72,7 +73,8 @@ def check_table(case, rows, methods):
         head += [f"{method.upper()}, lx", "standard error", "deviation", "bias, lx", "passed"]
     lines = [[check.label, f"{check.reference:.6g}", *([check.note] if noted else []),
               *(cell for method in used for cell in check_cells(mine[check.label, method]))] for check in case.checks]
-    reasons = [f"{method.upper()} cannot sample this case: {why}.\n" for method, why in case.cannot if method in methods]
+    reasons = [f"{method.upper()} cannot sample this case: {why}.\n"
+               for method, why in case.cannot if method in methods]
     return "\n".join([f"## {case.name}: {case.title}\n", *reasons, text_table(head, lines), ""])
 
 
@@ -85,7 +87,7 @@ def write_markdown(path, cases, rows, methods):
 
 def write_json(path, cases, rows, methods):
     document = {"methods": list(methods),
-                "cases": [{"name": c.name, "group": c.group, "title": c.title, "cannot": dict(c.cannot)} for c in cases],
+                "cases": [{"name": c.name, "group": c.group, "title": c.title, "cannot": c.cannot} for c in cases],
                 "rows": [asdict(r) for r in rows]}
     with open(path, "w", encoding="utf-8") as file:
         json.dump(document, file, indent=1)

@@ -52,8 +52,51 @@ Plane plane_of(const ImageReading& image, ups_channel channel) {
       if (image.illuminance.empty())
         fail_argument("channel UPS_CHANNEL_ILLUMINANCE: this camera's desc did not set `illuminance`");
       return {image.illuminance, 1};
+    case UPS_CHANNEL_PATH_INTEGRATION_RGB:
+    case UPS_CHANNEL_DENSITY_ESTIMATION_RGB: {
+      const bool edge = channel == UPS_CHANNEL_PATH_INTEGRATION_RGB;
+      const auto& values = image.families[size_t(edge ? Family::path_integration : Family::density_estimation)];
+      if (values.empty())
+        fail_argument("channel: the parts of the image are there only where ups_render_desc.technique_images was set");
+      return {values, 3};
+    }
     default: fail_argument("channel: " + std::to_string(channel) + " is not a UPS_CHANNEL_* value");
   }
+}
+
+void copy_plane(const ImageReading& image, const Plane& plane, float* out, size_t row_stride_bytes, size_t size_bytes) {
+  require(out, "out");
+  const size_t row = size_t(image.width) * plane.channels * sizeof(float);
+  const size_t stride = row_stride_bytes ? row_stride_bytes : row;
+  if (stride < row || stride % sizeof(float))
+    fail_argument("row_stride_bytes is " + std::to_string(stride) + "; a row has " + std::to_string(row) + " bytes");
+  // Divisions, so that no product can wrap around.
+  if (size_bytes < row || (size_bytes - row) / stride < image.height - 1)
+    throw Error(UPS_ERROR_BUFFER_TOO_SMALL, "size_bytes is " + std::to_string(size_bytes) + "; " + std::to_string(image.height) +
+                                                " rows of " + std::to_string(stride) + " bytes do not fit");
+  for (uint32_t y = 0; y < image.height; ++y)
+    std::memcpy(reinterpret_cast<char*>(out) + y * stride, plane.values.data() + size_t(y) * image.width * plane.channels, row);
+}
+
+const ImageReading& image_of(const ups_result* result, ups_sensor_id camera) {
+  const RenderResult& r = data_of(result);
+  return r.images[index_of(r.camera_ids, camera, "camera")];
+}
+
+const TechniqueReading& technique_of(const ImageReading& image, uint32_t index) {
+  if (index >= image.techniques.size())
+    fail_argument("index is " + std::to_string(index) + "; there are " + std::to_string(image.techniques.size()) +
+                  " techniques (ups_render_desc.technique_images)");
+  return image.techniques[index];
+}
+
+ups_technique_info info_of(const Technique& t) {
+  const uint32_t kind = t.family == Family::density_estimation ? UPS_TECHNIQUE_MERGE
+                        : t.s == 0                             ? UPS_TECHNIQUE_EMITTER_HIT
+                        : t.t() == 1                           ? UPS_TECHNIQUE_SENSOR_CONNECT
+                        : t.s == 1                             ? UPS_TECHNIQUE_LIGHT_SAMPLE
+                                                               : UPS_TECHNIQUE_CONNECT;
+  return {uint32_t(sizeof(ups_technique_info)), kind, t.s, t.t(), t.edges};
 }
 
 const std::string& text_of(const RenderResult& r, ups_result_text topic) {
@@ -145,21 +188,27 @@ ups_status ups_result_get_meter_statistics(const ups_result* result, ups_sensor_
 ups_status ups_result_read_image(const ups_result* result, ups_sensor_id camera, ups_channel channel, float* out,
                                  size_t row_stride_bytes, size_t size_bytes) {
   return guard(__func__, [&] {
-    const RenderResult& r = data_of(result);
-    const ImageReading& image = r.images[index_of(r.camera_ids, camera, "camera")];
-    const Plane plane = plane_of(image, channel);
-    require(out, "out");
-    const size_t row = size_t(image.width) * plane.channels * sizeof(float);
-    const size_t stride = row_stride_bytes ? row_stride_bytes : row;
-    if (stride < row || stride % sizeof(float))
-      fail_argument("row_stride_bytes is " + std::to_string(stride) + "; a row has " + std::to_string(row) + " bytes");
-    // Divisions, so that no product can wrap around.
-    if (size_bytes < row || (size_bytes - row) / stride < image.height - 1)
-      throw Error(UPS_ERROR_BUFFER_TOO_SMALL, "size_bytes is " + std::to_string(size_bytes) + "; " +
-                                                  std::to_string(image.height) + " rows of " + std::to_string(stride) +
-                                                  " bytes do not fit");
-    for (uint32_t y = 0; y < image.height; ++y)
-      std::memcpy(reinterpret_cast<char*>(out) + y * stride, plane.values.data() + size_t(y) * image.width * plane.channels, row);
+    const ImageReading& image = image_of(result, camera);
+    copy_plane(image, plane_of(image, channel), out, row_stride_bytes, size_bytes);
+  });
+}
+
+ups_status ups_result_get_technique_count(const ups_result* result, ups_sensor_id camera, uint32_t* out) {
+  return guard(__func__, [&] { require(out, "out") = uint32_t(image_of(result, camera).techniques.size()); });
+}
+
+ups_status ups_result_get_technique(const ups_result* result, ups_sensor_id camera, uint32_t index, ups_technique_info* info) {
+  return guard(__func__, [&] { write_info(info, info_of(technique_of(image_of(result, camera), index).technique), "info"); });
+}
+
+ups_status ups_result_read_technique(const ups_result* result, ups_sensor_id camera, uint32_t index,
+                                     ups_contribution contribution, float* out, size_t row_stride_bytes, size_t size_bytes) {
+  return guard(__func__, [&] {
+    const ImageReading& image = image_of(result, camera);
+    const TechniqueReading& t = technique_of(image, index);
+    if (contribution != UPS_CONTRIBUTION_WEIGHTED && contribution != UPS_CONTRIBUTION_UNWEIGHTED)
+      fail_argument("contribution: " + std::to_string(contribution) + " is not a UPS_CONTRIBUTION_* value");
+    copy_plane(image, {contribution == UPS_CONTRIBUTION_WEIGHTED ? t.weighted : t.unweighted, 3}, out, row_stride_bytes, size_bytes);
   });
 }
 

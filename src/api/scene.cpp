@@ -186,7 +186,7 @@ ups_status ups_scene_commit(ups_scene* scene) {
     std::shared_ptr<const Snapshot> snapshot;
     ThreadPool& pool = *s.context->pool;
     pool.for_blocks(1, 1, [&](size_t, size_t, size_t) { snapshot = prepare(s.description, pool.thread_count()); });
-    MethodChoice method = choose_method(*snapshot, UPS_METHOD_AUTO, 0);
+    MethodChoice method = choose_method(*snapshot, {.method = UPS_METHOD_AUTO});
     for (const std::string& warning : snapshot->warnings) s.context->log(UPS_LOG_WARNING, "scene: " + warning);
     s.snapshot = std::move(snapshot);
     s.method = std::move(method);

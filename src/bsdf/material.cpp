@@ -172,7 +172,7 @@ void add_interface(const Material& m, MaterialTraits& t) {
   t.delta = is_interface_smooth(m, smallest * smallest);
   if (is_interface_smooth(m, largest * largest)) return;
   t.continuous = true;
-  t.glossy = smallest * smallest < 0.2f;
+  t.glossy = smallest * smallest < default_glossy_alpha;
 }
 
 }  // namespace

@@ -23,6 +23,9 @@ struct Material {
 // Below this GGX alpha a lobe is a delta lobe in all walks.
 inline constexpr float min_alpha = 3e-5f;
 
+// Sharper continuous lobes are called glossy.
+inline constexpr float default_glossy_alpha = 0.2f;
+
 // What the models (bsdf/models.h) read: the material at one surface point, with what is the same for all directions.
 struct BsdfParameters {
   const Material* material;
@@ -47,6 +50,12 @@ class Bsdf {
   bool has_continuous() const;  // eval() is not always 0: the point can be connected to and merged at
   bool transmits() const;       // eval() or sample() can cross the surface
   bool is_solid_dielectric() const { return p_.material->model == MaterialModel::glass; }
+  // Scatters by one interface sharper than this GGX alpha and has no diffuse base: what SPPM calls glossy.
+  bool is_glossy(float below_alpha) const {
+    const MaterialModel m = p_.material->model;
+    return p_.alpha > 0 && p_.alpha < below_alpha &&
+           (m == MaterialModel::metal || m == MaterialModel::glass || (m == MaterialModel::plastic && p_.metallic >= 1));
+  }
   // GGX alpha of the sharpest continuous lobe; 1 for Lambertian ones; 0 where there is no continuous lobe.
   float min_alpha_continuous() const;
 
@@ -67,7 +76,7 @@ struct MaterialTraits {
   bool delta;       // has a delta lobe
   bool continuous;  // has a continuous lobe
   bool transmits;
-  bool glossy;  // a continuous lobe with alpha < 0.2
+  bool glossy;  // a continuous lobe with alpha < default_glossy_alpha
   bool coloured;
   bool interreflects;  // any reflectance or transmittance above 0
 };

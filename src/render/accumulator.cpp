@@ -68,7 +68,7 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan),
   for (const Camera& c : scene.cameras) {
     const size_t n = size_t(c.pixel_count()) * 3;
     images_.push_back({c.width(), c.height(), std::vector<double>(c.illuminance() ? n / 3 : 0), std::vector<double>(n), std::vector<double>(n), std::vector<float>(n),
-                       std::vector<float>(n * batch_count), std::vector<uint32_t>(plan.camera_subsets)});
+                       std::vector<float>(n * batch_count), std::vector<uint32_t>(plan.camera_subsets), {}, {}, {}});
   }
 }
 
@@ -87,8 +87,28 @@ void Accumulator::add(const IterationTally& tally) {
   ++iterations_;
 }
 
+namespace {
+
+void add_rgb(std::vector<double>& sums, const std::vector<Rgb>& values) {
+  sums.resize(values.size() * 3);
+  for (size_t i = 0; i < values.size(); ++i) {
+    sums[i * 3] += values[i].r;
+    sums[i * 3 + 1] += values[i].g;
+    sums[i * 3 + 2] += values[i].b;
+  }
+}
+
+}  // namespace
+
+void Accumulator::add_techniques(Image& image, const TechniqueTally& tally) {
+  add_rgb(image.weighted, tally.weighted);
+  add_rgb(image.unweighted, tally.unweighted);
+  for (size_t f = 0; f < 2; ++f) add_rgb(image.families[f], tally.families[f]);
+}
+
 void Accumulator::add_image(size_t c, const IterationTally& tally) {
   Image& image = images_[c];
+  if (!tally.techniques.empty()) add_techniques(image, tally.techniques[c]);
   const uint32_t pixels = image.width * image.height, subsets = plan_.camera_subsets;
   ++image.visits[iterations_ % subsets];
   for (uint32_t p = 0; p < pixels; ++p) {
@@ -163,7 +183,7 @@ ImageReading Accumulator::read_image(size_t c) const {
   const Image& image = images_[c];
   const size_t pixels = size_t(image.width) * image.height;
   ImageReading r{image.width, image.height, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f),
-                 std::vector<float>(image.illuminance.size())};
+                 std::vector<float>(image.illuminance.size()), {}, {}};
   const uint32_t passes = iterations_ / plan_.camera_subsets;
   for (size_t p = 0; p < pixels; ++p) {
     const uint32_t n = visits(image, p);
@@ -175,7 +195,31 @@ ImageReading Accumulator::read_image(size_t c) const {
     }
   }
   if (passes == 0) fill_from_neighbours(image, r);
+  read_techniques(image, r);
   return r;
+}
+
+// Splats count for each iteration, eye paths for each visit of their pixel.
+void Accumulator::read_techniques(const Image& image, ImageReading& r) const {
+  if (image.weighted.empty()) return;
+  const size_t pixels = size_t(image.width) * image.height, values = pixels * 3;
+  std::vector<double> per_visit(pixels);
+  for (size_t p = 0; p < pixels; ++p) per_visit[p] = visits(image, p) ? 1.0 / visits(image, p) : 0.0;
+  for (size_t f = 0; f < 2; ++f) {
+    r.families[f].resize(values);
+    const bool splats = Family(f) == Family::path_integration;
+    for (size_t i = 0; i < values; ++i)
+      r.families[f][i] = float(image.families[f][i] * per_visit[i / 3] + (splats ? image.splat[i] / iterations_ : 0.0));
+  }
+  for (uint32_t t = 0; t < image.weighted.size() / values; ++t) {
+    TechniqueReading out{technique_at(t), std::vector<float>(values), std::vector<float>(values)};
+    for (size_t i = 0; i < values; ++i) {
+      const double scale = out.technique.t() == 1 ? 1.0 / iterations_ : per_visit[i / 3];
+      out.weighted[i] = float(image.weighted[t * values + i] * scale);
+      out.unweighted[i] = float(image.unweighted[t * values + i] * scale);
+    }
+    r.techniques.push_back(std::move(out));
+  }
 }
 
 uint32_t Accumulator::visits(const Image& image, size_t pixel) const {

@@ -10,10 +10,18 @@
 
 namespace ups {
 
+// 3 floats a pixel each.
+struct TechniqueReading {
+  Technique technique;
+  std::vector<float> weighted, unweighted;
+};
+
 struct ImageReading {
   uint32_t width = 0, height = 0;
   std::vector<float> luminance_rgb, standard_error_rgb;  // 3 a pixel; standard error -1: not known
   std::vector<float> illuminance;                        // 1 a pixel; empty where not asked for
+  std::array<std::vector<float>, 2> families;            // luminance_rgb apart by Family; empty where not asked for
+  std::vector<TechniqueReading> techniques;
 };
 
 struct MeterSetReading {
@@ -50,7 +58,12 @@ class Accumulator {
     std::vector<float> pending;          // eye + splat of the pass under way
     std::vector<float> batches;          // 3 a pixel, batch by batch, of whole passes
     std::vector<uint32_t> visits;        // by subset
+    // Of all iterations, 3 a pixel, technique by technique; empty where not asked for.
+    std::vector<double> weighted, unweighted;
+    std::array<std::vector<double>, 2> families;  // of eye paths
   };
+  void add_techniques(Image& image, const TechniqueTally& tally);
+  void read_techniques(const Image& image, ImageReading& reading) const;
   void add_image(size_t c, const IterationTally& tally);
   ErrorSummary summarize_images() const;
   uint32_t visits(const Image& image, size_t pixel) const;

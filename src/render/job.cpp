@@ -24,14 +24,23 @@ void check(const ups_render_desc& d) {
   if (!(d.merge_radius_m >= 0) || !std::isfinite(d.merge_radius_m))
     fail_argument("merge_radius_m: " + std::to_string(d.merge_radius_m) + " is not a finite length >= 0");
   if (d.light_paths_per_iteration > (1u << 24)) fail_argument("light_paths_per_iteration: at most 16777216");
+  if (!(d.radius_alpha >= 0) || d.radius_alpha >= 1)
+    fail_argument("radius_alpha: " + std::to_string(d.radius_alpha) + " is not between 0 and 1 (0: 2/3)");
+  if (!(d.glossy_alpha >= 0) || d.glossy_alpha > 1)
+    fail_argument("glossy_alpha: " + std::to_string(d.glossy_alpha) + " is not a GGX alpha between 0 and 1 (0: 0.2)");
+  if (d.perturbation != UPS_PERTURBATION_VIRTUAL && d.perturbation != UPS_PERTURBATION_ACTUAL)
+    fail_argument("perturbation: " + std::to_string(d.perturbation) + " is not a UPS_PERTURBATION_* value");
+  if (d.technique_images > max_technique_edges)
+    fail_argument("technique_images: " + std::to_string(d.technique_images) + " edges; at most " + std::to_string(max_technique_edges));
   if (d.techniques >= 64) fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
   if (d.time_limit_s == 0 && d.target_relative_error == 0 && d.iteration_count == 0)
     fail_argument("nothing would end this render: set time_limit_s, target_relative_error or iteration_count");
 }
 
 // Linux grants more memory than there is and ends the process that takes it.
-void check_memory(const Snapshot& scene) {
-  constexpr double bytes_per_pixel = 320;  // sums, batches and one iteration's tally (accumulator.h, tally.h)
+void check_memory(const Snapshot& scene, uint32_t technique_edges) {
+  // Sums, batches and one iteration's tally (accumulator.h, tally.h); of a technique those and what is read out.
+  const double bytes_per_pixel = 320 + 96.0 * (technique_edges ? technique_count(technique_edges) + 1 : 0);
   double pixels = 0;
   for (const Camera& c : scene.cameras) pixels += c.pixel_count();
   const double needed = pixels * bytes_per_pixel, there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
@@ -40,25 +49,15 @@ void check_memory(const Snapshot& scene) {
                                              std::to_string(int64_t(there / 1e9)));
 }
 
-TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
-  TransportSettings s;
-  s.techniques = m.techniques;
-  s.photon_mapping = m.method == UPS_METHOD_PPM;
-  s.light_tracing = m.method == UPS_METHOD_LIGHT_TRACING;
-  s.seed = d.seed;
-  s.max_path_length = d.max_path_length;
-  s.light_paths = d.light_paths_per_iteration;
-  s.merge_radius = d.merge_radius_m;
-  return s;
-}
-
 }  // namespace
 
 RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_desc& desc, std::shared_ptr<ThreadPool> pool)
     : scene_(std::move(scene)), desc_(desc), pool_(std::move(pool)) {
   check(desc_);
-  method_ = choose_method(*scene_, desc_.method, desc_.techniques);
-  check_memory(*scene_);
+  method_ = choose_method(*scene_, desc_);
+  if (desc_.perturbation == UPS_PERTURBATION_ACTUAL && !(method_.techniques & UPS_TECHNIQUE_MERGE) && !(desc_.merge_radius_m > 0))
+    fail_argument("perturbation: UPS_PERTURBATION_ACTUAL needs the radius of merging: set merge_radius_m, or take a method that merges");
+  check_memory(*scene_, desc_.technique_images);
   if (scene_->cameras.empty() && scene_->meter_sets.empty())
     throw Error(UPS_ERROR_INVALID_STATE, "the scene has no sensor: add a camera or meters before ups_scene_commit");
 }

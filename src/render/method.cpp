@@ -1,8 +1,8 @@
 #include "render/method.h"
 
 #include "base/error.h"
+#include "render/coverage.h"
 #include "scene/snapshot.h"
-#include "ups/ups_render.h"
 #include "ups/ups_scene.h"
 
 namespace ups {
@@ -18,10 +18,9 @@ uint32_t techniques_of(int32_t method) {
     case UPS_METHOD_PATH_TRACING: return hit | light_sample;
     case UPS_METHOD_LIGHT_TRACING: return sensor_connect | sensor_hit;
     case UPS_METHOD_BIDIRECTIONAL: return hit | light_sample | connect | sensor_connect;
-    case UPS_METHOD_PPM: return hit | merge | sensor_hit;
-    case UPS_METHOD_SPPM: throw Error(UPS_ERROR_UNSUPPORTED, "method sppm is not built in this version; use ppm or ups");
-    case UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING:
-      throw Error(UPS_ERROR_UNSUPPORTED, "method bidirectional photon mapping is not built in this version; use ups");
+    case UPS_METHOD_PPM:
+    case UPS_METHOD_SPPM:
+    case UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING: return hit | merge | sensor_hit;
     default: throw Error(UPS_ERROR_INVALID_ARGUMENT, "method: " + std::to_string(method) + " is not a UPS_METHOD_* value");
   }
 }
@@ -62,35 +61,39 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
   return text;
 }
 
-std::vector<std::string> unsampled(const Snapshot& scene, int32_t method, uint32_t t, const Sensors& s) {
-  std::vector<std::string> w;
-  if (!(t & merge) && !scene.effects.path_tracing_complete && (t & (hit | light_sample)))
-    w.push_back("light of sources without extent that reaches a meter or a diffuse surface only through mirrors or glass is missing: "
-                "this set of techniques cannot sample it; method ups can");
-  if (method == UPS_METHOD_LIGHT_TRACING && s.cameras)
-    w.push_back("light tracing cannot reach the camera by way of mirrors and glass: surfaces seen through them are black");
-  if (method == UPS_METHOD_LIGHT_TRACING && s.points && scene.effects.sharp_caster)
-    w.push_back("light tracing connects diffuse surfaces to point meters: light that comes to them straight from mirrors or glass is "
-                "missing; measure cells instead (area meters)");
-  return w;
-}
-
 }  // namespace
 
-MethodChoice choose_method(const Snapshot& scene, int32_t requested, uint32_t allowed) {
+TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
+  TransportSettings s;
+  s.techniques = m.techniques;
+  s.photon_mapping = m.method == UPS_METHOD_PPM || m.method == UPS_METHOD_SPPM;
+  s.hits_after_specular = s.photon_mapping || m.method == UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING;
+  if (m.method == UPS_METHOD_SPPM) s.glossy_alpha = d.glossy_alpha > 0 ? d.glossy_alpha : default_glossy_alpha;
+  s.light_tracing = m.method == UPS_METHOD_LIGHT_TRACING;
+  s.actual_perturbation = d.perturbation == UPS_PERTURBATION_ACTUAL;
+  s.technique_edges = d.technique_images;
+  if (d.radius_alpha > 0) s.radius_alpha = d.radius_alpha;
+  s.seed = d.seed;
+  s.max_path_length = d.max_path_length;
+  s.light_paths = d.light_paths_per_iteration;
+  s.merge_radius = d.merge_radius_m;
+  return s;
+}
+
+MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
   MethodChoice choice;
-  const bool is_automatic = requested == UPS_METHOD_AUTO;
-  choice.method = is_automatic ? automatic(scene) : requested;
+  const bool is_automatic = desc.method == UPS_METHOD_AUTO;
+  choice.method = is_automatic ? automatic(scene) : desc.method;
   choice.techniques = techniques_of(choice.method);
   const Sensors s = sensors_of(scene);
   if (!s.cameras) choice.techniques &= ~sensor_connect;
   if (!s.cells) choice.techniques &= ~sensor_hit;
   if (choice.method == UPS_METHOD_LIGHT_TRACING && s.points) choice.techniques |= connect;  // t = 1 of a point meter
-  if (allowed) choice.techniques &= allowed;
+  if (desc.techniques) choice.techniques &= desc.techniques;
   if (choice.techniques == 0 && (s.cameras || s.points || s.cells))
     throw Error(UPS_ERROR_INVALID_ARGUMENT, "techniques: none of the method's techniques is allowed; 0 allows them all");
   choice.text = words(scene, choice.techniques, s, is_automatic);
-  choice.warnings = unsampled(scene, choice.method, choice.techniques, s);
+  choice.warnings = missing_light(scene, settings_of(desc, choice));
   return choice;
 }
 

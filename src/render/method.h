@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "ups/ups_render.h"
+
 namespace ups {
 
 struct Snapshot;
+struct TransportSettings;
 
 struct MethodChoice {
   int32_t method;                     // UPS_METHOD_*, never AUTO
@@ -15,8 +18,8 @@ struct MethodChoice {
   std::vector<std::string> warnings;  // light of the scene that the set cannot sample
 };
 
-// allowed: UPS_TECHNIQUE_* mask; 0: all. Throws Error: UNSUPPORTED for methods that are not built, INVALID_ARGUMENT where
-// nothing is left.
-MethodChoice choose_method(const Snapshot& scene, int32_t requested, uint32_t allowed);
+// Throws Error INVALID_ARGUMENT where no technique is left.
+MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc);
+TransportSettings settings_of(const ups_render_desc& desc, const MethodChoice& method);
 
 }  // namespace ups

@@ -1,8 +1,6 @@
 // See effects.h.
 #include "scene/effects.h"
 
-#include <functional>
-
 #include "ups/ups_scene.h"
 
 namespace ups {
@@ -35,22 +33,12 @@ bool is_coloured(const Rgb& c) {
 
 class Analysis {
  public:
-  Analysis(const Snapshot& scene, const std::vector<bool>& used) : scene_(scene), used_(used) {
+  explicit Analysis(const Snapshot& scene) : scene_(scene) {
     for (const Material& m : scene.materials) traits_.push_back(traits_of(m));
   }
 
-  // "material 3 (mirror) and 2 more", or nothing.
   std::string materials(const std::function<bool(size_t)>& has) const {
-    std::string text;
-    size_t more = 0;
-    for (size_t i = 0; i < traits_.size(); ++i) {
-      if (!used_[i] || !has(i)) continue;
-      if (text.empty())
-        text = "material " + std::to_string(i + 1) + " (" + name_of(scene_.materials[i].model) + ")";
-      else
-        ++more;
-    }
-    return more ? text + " and " + std::to_string(more) + " more" : text;
+    return materials_of(scene_, [&](const Material& m) { return has(size_t(&m - scene_.materials.data())); });
   }
   std::string materials(bool MaterialTraits::*trait) const {
     return materials([&](size_t i) { return traits_[i].*trait; });
@@ -76,7 +64,6 @@ class Analysis {
   }
 
   const Snapshot& scene_;
-  const std::vector<bool>& used_;
   std::vector<MaterialTraits> traits_;
 };
 
@@ -117,6 +104,19 @@ SceneEffects Analysis::find() const {
 
 }  // namespace
 
-SceneEffects find_effects(const Snapshot& scene, const std::vector<bool>& used) { return Analysis(scene, used).find(); }
+SceneEffects find_effects(const Snapshot& scene) { return Analysis(scene).find(); }
+
+std::string materials_of(const Snapshot& scene, const std::function<bool(const Material&)>& holds) {
+  std::string text;
+  size_t more = 0;
+  for (size_t i = 0; i < scene.materials.size(); ++i) {
+    if (!scene.material_used[i] || !holds(scene.materials[i])) continue;
+    if (text.empty())
+      text = "material " + std::to_string(i + 1) + " (" + name_of(scene.materials[i].model) + ")";
+    else
+      ++more;
+  }
+  return more ? text + " and " + std::to_string(more) + " more" : text;
+}
 
 }  // namespace ups

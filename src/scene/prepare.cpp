@@ -58,7 +58,7 @@ class Builder {
     if (!openings_.empty()) out_->openings = std::make_unique<DiscIndex>(std::move(openings_), threads_);
     add_sensors();
     find_media();
-    out_->effects = find_effects(*out_, used_materials_);
+    out_->effects = find_effects(*out_);
     add_warnings();
     return out_;
   }
@@ -69,9 +69,9 @@ class Builder {
   void add_geometry();
   void add_emissive_instances();
   void add_sources();
-  void add_light(const LightDescription& light, float dimming);
-  void add_luminaire(uint32_t id, const LuminaireDescription& luminaire, float dimming);
-  bool add_emitter(std::unique_ptr<Emitter> emitter, const Vec3& probe);
+  void add_light(const std::string& name, const LightDescription& light, float dimming);
+  void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming);
+  bool add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe);
   void add_sensors();
   MeterSet make_meters(const MetersDescription& meters) const;
   void find_media();
@@ -89,7 +89,6 @@ class Builder {
   std::shared_ptr<Snapshot> out_;
   std::vector<Raytracer::Instance> instances_;
   std::vector<uint32_t> instance_ids_;
-  std::vector<bool> used_materials_;
   std::vector<std::unique_ptr<Emitter>> emitters_;
   std::vector<Vec3> emitter_probes_;  // a point of each, off any surface
   std::vector<DiscIndex::Disc> openings_;
@@ -173,7 +172,7 @@ void Builder::add_materials() {
     }
     out_->texturing.push_back(t);
   });
-  used_materials_.resize(out_->materials.size());
+  out_->material_used.resize(out_->materials.size());
 }
 
 void Builder::add_geometry() {
@@ -181,19 +180,20 @@ void Builder::add_geometry() {
   in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
     instances_.push_back({i.mesh - 1, to_scene(i.to_world)});
     instance_ids_.push_back(id);
-    used_materials_[out_->meshes[i.mesh - 1]->material] = true;
+    out_->material_used[out_->meshes[i.mesh - 1]->material] = true;
   });
   out_->raytracer = std::make_unique<Raytracer>(out_->meshes, instances_, out_->texturing, threads_);
 }
 
 // ---- emitters ----
 
-bool Builder::add_emitter(std::unique_ptr<Emitter> emitter, const Vec3& probe) {
+bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe) {
   if (!(emitter->flux_lm() > 0)) return false;
   // Beyond it illuminance near by, or its square, would leave the range of a float.
   if (!(emitter->flux_lm() <= 1e20)) fail_argument("emits more than 1e20 lm");
   emitters_.push_back(std::move(emitter));
   emitter_probes_.push_back(probe);
+  out_->emitter_names.push_back(name);
   return true;
 }
 
@@ -219,7 +219,7 @@ void Builder::add_emissive_instances() {
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;
     in_context(name, [&] {
-      if (!add_emitter(std::make_unique<AreaEmitter>(std::move(triangles), radiance, both_sides, i),
+      if (!add_emitter(name, std::make_unique<AreaEmitter>(std::move(triangles), radiance, both_sides, i),
                        s.ray_origin(s.ng)))
         return warn(name + " has a luminance but no area: it emits nothing");
       out_->emitter_of_instance[i] = index;
@@ -230,39 +230,39 @@ void Builder::add_emissive_instances() {
 
 void Builder::add_sources() {
   in_.sources().each([&](uint32_t id, const SourceDescription& source) {
-    in_context("luminaire " + std::to_string(id), [&] {
+    const std::string name = "luminaire " + std::to_string(id);
+    in_context(name, [&] {
       if (const auto* light = std::get_if<LightDescription>(&source.kind))
-        add_light(*light, source.dimming);
+        add_light(name, *light, source.dimming);
       else
-        add_luminaire(id, std::get<LuminaireDescription>(source.kind), source.dimming);
+        add_luminaire(name, std::get<LuminaireDescription>(source.kind), source.dimming);
     });
   });
 }
 
-void Builder::add_light(const LightDescription& light, float dimming) {
+void Builder::add_light(const std::string& name, const LightDescription& light, float dimming) {
   ++out_->light_count;
   const Rgb intensity = light.intensity * dimming;
   if (is_black(intensity)) return;
   const Vec3 axis = -Axes(light.to_world).frame().n;
   const Vec3 p = off_surface(*out_, to_scene(light.to_world.column(3)), axis);
   if (light.kind == UPS_LIGHT_POINT)
-    add_emitter(std::make_unique<PointEmitter>(p, intensity, free_error(p)), p);
+    add_emitter(name, std::make_unique<PointEmitter>(p, intensity, free_error(p)), p);
   else if (light.kind == UPS_LIGHT_SPOT)
     add_emitter(
-        std::make_unique<SpotEmitter>(p, axis, intensity, light.inner_cone_rad, light.outer_cone_rad, free_error(p)),
+        name, std::make_unique<SpotEmitter>(p, axis, intensity, light.inner_cone_rad, light.outer_cone_rad, free_error(p)),
         p);
   else
-    add_emitter(std::make_unique<DirectionalEmitter>(axis, intensity, out_->radius > 0 ? out_->radius : 1.0f),
+    add_emitter(name, std::make_unique<DirectionalEmitter>(axis, intensity, out_->radius > 0 ? out_->radius : 1.0f),
                 axis * -out_->radius);
 }
 
-void Builder::add_luminaire(uint32_t id, const LuminaireDescription& luminaire, float dimming) {
+void Builder::add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming) {
   ++out_->luminaire_count;
-  const std::string name = "luminaire " + std::to_string(id) + ": ";
-  for (const std::string& text : luminaire.profile->warnings) warn(name + text);
+  for (const std::string& text : luminaire.profile->warnings) warn(name + ": " + text);
   const photometry::Opening& opening = luminaire.profile->opening;
   const double band_flux = luminaire.profile->distribution.band_flux_lm();
-  if (!(band_flux > 0)) return warn(name + "its profile has no flux: it emits nothing");
+  if (!(band_flux > 0)) return warn(name + ": its profile has no flux: it emits nothing");
   const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / band_flux : 1;
   const Rgb scale = luminaire.color * float(double(dimming) * double(luminaire.intensity_scale) * to_flux);
   if (is_black(scale)) return;
@@ -273,20 +273,20 @@ void Builder::add_luminaire(uint32_t id, const LuminaireDescription& luminaire, 
   const bool has_area = ProfileOpeningEmitter::has_area(opening);
   if (!luminaire.use_opening || !has_area) {
     if (luminaire.use_opening && opening.shape != photometry::OpeningShape::point)
-      warn(name + "its opening has no horizontal extent: it emits from a point");
+      warn(name + ": its opening has no horizontal extent: it emits from a point");
     const Vec3 q = off_surface(*out_, p, nadir);
-    add_emitter(std::make_unique<ProfilePointEmitter>(distribution, frame, q, scale, free_error(q)), q);
+    add_emitter(name, std::make_unique<ProfilePointEmitter>(distribution, frame, q, scale, free_error(q)), q);
     return;
   }
   if (!ProfileOpeningEmitter::is_exact(opening))
-    warn(name + "its opening is not flat: it emits from the opening's horizontal extent");
+    warn(name + ": its opening is not flat: it emits from the opening's horizontal extent");
   const float error =
       error_at(*out_, p, nadir, frame.s * (0.5f * opening.size_m[0]), frame.t * (0.5f * opening.size_m[1]));
   auto emitter = std::make_unique<ProfileOpeningEmitter>(distribution, frame, p, opening, scale, error);
   const Vec3 front = p + nadir * (2 * error);  // where its rays start, and where walks run into it
   const DiscIndex::Disc disc{front, emitter->normal(), emitter->circumscribed_radius()};
   const auto index = uint32_t(emitters_.size());
-  if (!add_emitter(std::move(emitter), front)) return;
+  if (!add_emitter(name, std::move(emitter), front)) return;
   openings_.push_back(disc);
   out_->emitter_of_opening.push_back(index);
 }
@@ -330,7 +330,7 @@ void Builder::add_sensors() {
 void Builder::find_media() {
   bool absorbs = false;
   for (size_t i = 0; i < out_->materials.size(); ++i)
-    absorbs |= used_materials_[i] && out_->materials[i].model == MaterialModel::glass &&
+    absorbs |= out_->material_used[i] && out_->materials[i].model == MaterialModel::glass &&
                !is_black(out_->materials[i].absorption_per_m);
   const auto find = [&](const Vec3& p) { return absorbs ? medium_at(*out_, p) : none; };
   for (const Camera& camera : out_->cameras) out_->medium_of_camera.push_back(find(camera.position()));

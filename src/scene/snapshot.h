@@ -31,10 +31,12 @@ struct Snapshot {
   std::vector<std::shared_ptr<const Texture>> textures;
   std::vector<Material> materials;              // by SurfacePoint::material
   std::vector<SurfaceTexturing> texturing;      // by the same index
+  std::vector<bool> material_used;              // by the same index: some instance bears it
   std::vector<std::shared_ptr<const Mesh>> meshes;
   std::unique_ptr<Raytracer> raytracer;         // never null; may hold no triangle
 
   EmitterSet emitters;
+  std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": ids of the API
   std::vector<uint32_t> emitter_of_instance;    // none: does not emit
   std::unique_ptr<DiscIndex> openings;          // null without luminous openings
   std::vector<uint32_t> emitter_of_opening;     // by DiscIndex::Crossing::disc (circumscribed discs)

@@ -1,6 +1,9 @@
-// ups compare: how far an image is from a reference, over luminance (R, G, B) or the channel Y.
+// ups compare: how far an image is from a reference, over luminance (R, G, B) or the channel Y, and channel by channel
+// beside the noise that the files themselves report.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include "tool/commands.h"
 #include "tool/handles.h"
@@ -12,10 +15,13 @@ namespace {
 
 // Keeps dark pixels from deciding the relative error: a share of the reference's squared mean.
 constexpr double dark_share = 1e-2;
+constexpr double trimmed_share = 1e-3;  // fireflies: the pixels that trimmed errors leave out
 
 struct Plane {
   uint32_t width = 0, height = 0;
   std::vector<double> y;
+  std::vector<std::vector<float>> channels;  // R, G, B, or Y
+  std::vector<double> variance;              // of each pixel, mean over its channels; empty: not known
 };
 
 bool has_channel(const ups_exr_image* image, const std::string& name) {
@@ -30,28 +36,46 @@ bool has_channel(const ups_exr_image* image, const std::string& name) {
   return false;
 }
 
+std::vector<float> read_channel(const ups_exr_image* image, const std::string& path, const std::string& name, size_t pixels) {
+  std::vector<float> values(pixels);
+  if (ups_exr_read_channel(image, name.c_str(), values.data(), pixels) != UPS_OK) {
+    throw Failure(path + ": " + ups_exr_last_error() + "; R, G and B are compared, or Y");
+  }
+  return values;
+}
+
+// Left empty where a channel's standard error is missing, or not known at some pixel.
+std::vector<double> read_variance(const ups_exr_image* image, const std::string& path, const std::vector<std::string>& names,
+                                  size_t pixels) {
+  std::vector<double> variance(pixels, 0);
+  for (const std::string& name : names) {
+    if (!has_channel(image, "standard_error." + name)) return {};
+    const std::vector<float> error = read_channel(image, path, "standard_error." + name, pixels);
+    for (size_t i = 0; i < pixels; ++i) {
+      if (!(error[i] >= 0)) return {};
+      variance[i] += double(error[i]) * error[i] / double(names.size());
+    }
+  }
+  return variance;
+}
+
 Plane read_plane(const std::string& path) {
   ups_exr_image* read = nullptr;
   check(ups_exr_read(path.c_str(), &read), ups_exr_last_error);
   const Image image(read);
   Plane plane;
   check(ups_exr_get_size(read, &plane.width, &plane.height), ups_exr_last_error);
-  plane.y.assign(size_t(plane.width) * plane.height, 0);
-  std::vector<float> values(plane.y.size());
-  const auto add = [&](const char* channel, double weight) {
-    if (ups_exr_read_channel(read, channel, values.data(), values.size()) != UPS_OK) {
-      throw Failure(path + ": " + ups_exr_last_error() + "; R, G and B are compared, or Y");
-    }
-    for (size_t i = 0; i < values.size(); ++i) plane.y[i] += weight * values[i];
-  };
-  if (has_channel(read, "R")) {
-    add("R", 0.2126);
-    add("G", 0.7152);
-    add("B", 0.0722);
-  } else {
-    add("Y", 1);
+  const size_t pixels = size_t(plane.width) * plane.height;
+  const bool rgb = has_channel(read, "R");
+  const std::vector<std::string> names = rgb ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
+  const std::vector<double> weights = rgb ? std::vector<double>{0.2126, 0.7152, 0.0722} : std::vector<double>{1};
+  plane.y.assign(pixels, 0);
+  for (size_t c = 0; c < names.size(); ++c) {
+    plane.channels.push_back(read_channel(read, path, names[c], pixels));
+    for (size_t i = 0; i < pixels; ++i) plane.y[i] += weights[c] * plane.channels[c][i];
   }
-  for (size_t i = 0; i < plane.y.size(); ++i) {
+  plane.variance = read_variance(read, path, names, pixels);
+  for (size_t i = 0; i < pixels; ++i) {
     if (!std::isfinite(plane.y[i])) {
       throw Failure(path + ": pixel (" + std::to_string(i % plane.width) + ", " + std::to_string(i / plane.width) +
                     ") is not a finite number");
@@ -66,15 +90,56 @@ double mean_of(const std::vector<double>& values) {
   return sum / double(values.size());
 }
 
+// Over all but the last `left_out` of the pixels in `order`, each divided by its denominator where there are some;
+// -1: not known.
+double mean_over(const std::vector<double>& values, const std::vector<uint32_t>& order, size_t left_out,
+                 const std::vector<double>& denominators = {}) {
+  if (values.empty() || left_out >= order.size()) return -1;
+  double sum = 0;
+  for (size_t k = 0; k + left_out < order.size(); ++k) {
+    const double value = values[order[k]];
+    if (value > 0) sum += denominators.empty() ? value : value / denominators[order[k]];
+  }
+  return std::isfinite(sum) ? sum / double(order.size() - left_out) : -1;
+}
+
+ChannelErrors compare_channels(const Plane& a, const Plane& reference, const std::vector<double>& denominators) {
+  const size_t pixels = a.y.size(), channels = reference.channels.size();
+  if (a.channels.size() != channels) return {-1, -1, -1, -1, -1, -1, -1};  // colour against Y
+  std::vector<double> squared(pixels, 0);
+  for (size_t c = 0; c < channels; ++c) {
+    for (size_t i = 0; i < pixels; ++i) {
+      const double difference = double(a.channels[c][i]) - reference.channels[c][i];
+      squared[i] += difference * difference / double(channels);
+    }
+  }
+  std::vector<uint32_t> order(pixels);
+  std::iota(order.begin(), order.end(), 0u);
+  const size_t left_out = size_t(std::ceil(trimmed_share * double(pixels)));
+  std::nth_element(order.begin(), order.end() - ptrdiff_t(left_out), order.end(), [&](uint32_t i, uint32_t k) {
+    return squared[i] != squared[k] ? squared[i] < squared[k] : i < k;
+  });
+  ChannelErrors e{};
+  e.mse = mean_over(squared, order, 0);
+  e.relative_mse = mean_over(squared, order, 0, denominators);
+  e.trimmed_mse = mean_over(squared, order, left_out);
+  e.noise_a = mean_over(a.variance, order, 0);
+  e.noise_b = mean_over(reference.variance, order, 0);
+  e.relative_noise_b = mean_over(reference.variance, order, 0, denominators);
+  e.trimmed_noise_b = mean_over(reference.variance, order, left_out);
+  return e;
+}
+
 Comparison compare_planes(const Plane& a, const Plane& reference) {
   Comparison result{};
   result.mean_a = mean_of(a.y);
   result.mean_b = mean_of(reference.y);
   const double floor = dark_share * result.mean_b * result.mean_b;
   double sum = 0, relative_sum = 0, worst = -1;
+  std::vector<double> denominators(a.y.size());
   for (size_t i = 0; i < a.y.size(); ++i) {
     const double difference = a.y[i] - reference.y[i], squared = difference * difference;
-    const double denominator = reference.y[i] * reference.y[i] + floor;
+    const double denominator = denominators[i] = reference.y[i] * reference.y[i] + floor;
     sum += squared;
     if (squared > 0) relative_sum += squared / denominator;  // infinite, hence unknown, against a black reference
     if (squared > worst) {
@@ -85,6 +150,7 @@ Comparison compare_planes(const Plane& a, const Plane& reference) {
   }
   result.rmse = std::sqrt(sum / double(a.y.size()));
   result.relative_mse = std::isfinite(relative_sum) ? relative_sum / double(a.y.size()) : -1;
+  result.channels = compare_channels(a, reference, denominators);
   return result;
 }
 

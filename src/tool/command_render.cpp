@@ -15,15 +15,8 @@ namespace {
 constexpr uint32_t poll_interval_ms = 100;
 constexpr double default_target_error = 0.02, default_time_s = 60;
 
-ups_render_desc make_desc(const RenderOptions& options) {
-  ups_render_desc desc;
-  ups_render_desc_init(&desc, sizeof desc);
-  desc.method = options.method;
-  desc.seed = options.seed;
-  desc.time_limit_s = options.time_s;
-  desc.iteration_count = options.iterations;
-  desc.target_relative_error = float(options.target_error);
-  if (options.time_s == 0 && options.iterations == 0 && options.target_error == 0) {
+ups_render_desc with_limits(ups_render_desc desc) {
+  if (desc.time_limit_s == 0 && desc.iteration_count == 0 && desc.target_relative_error == 0) {
     desc.target_relative_error = float(default_target_error);
     desc.time_limit_s = default_time_s;
   }
@@ -65,7 +58,7 @@ int render(const RenderOptions& options) {
   if (scene.sensors.empty()) {
     throw Failure(options.scene + ": there is nothing to render; add a camera, or meters in a node's extras.ups");
   }
-  const ups_render_desc desc = make_desc(options);
+  const ups_render_desc desc = with_limits(options.desc);
   begin_interruptible_work();
   ups_job* started = nullptr;
   check(ups_job_start(scene.scene.get(), &desc, &started));

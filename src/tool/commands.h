@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "ups/ups_base.h"
+#include "ups/ups_render.h"
 
 namespace ups::tool {
 
@@ -11,14 +11,12 @@ inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2, exit_interr
 
 struct RenderOptions {
   std::string scene, out;
-  int32_t method = 0;  // UPS_METHOD_*
-  double time_s = 0;   // 0: not given, as for the next two
-  uint32_t iterations = 0;
-  double target_error = 0;
-  uint64_t seed = 1;
+  ups_render_desc desc;  // limits: 0 where not given
   int threads = 0;
   uint32_t width = 0, height = 0;  // 0: as the file says
   bool json = false;
+
+  RenderOptions() { ups_render_desc_init(&desc, sizeof desc); }
 };
 
 int render(const RenderOptions& options);

@@ -69,11 +69,20 @@ std::string to_json(const Report& report) {
 }
 
 std::string to_json(const Comparison& comparison) {
+  const ChannelErrors& c = comparison.channels;
   return dump({{"rmse", number(comparison.rmse)},
                {"relative_mse", number(comparison.relative_mse)},
                {"mean_a", number(comparison.mean_a)},
                {"mean_b", number(comparison.mean_b)},
-               {"worst_pixel", {comparison.worst_x, comparison.worst_y}}});
+               {"worst_pixel", {comparison.worst_x, comparison.worst_y}},
+               {"channels",
+                {{"mse", number(c.mse)},
+                 {"relative_mse", number(c.relative_mse)},
+                 {"trimmed_mse", number(c.trimmed_mse)},
+                 {"noise_a", number(c.noise_a)},
+                 {"noise_b", number(c.noise_b)},
+                 {"relative_noise_b", number(c.relative_noise_b)},
+                 {"trimmed_noise_b", number(c.trimmed_noise_b)}}}});
 }
 
 }  // namespace ups::tool

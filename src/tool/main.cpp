@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "tool/commands.h"
+#include "tool/report.h"
 #include "ups/ups.h"
 
 namespace {
@@ -25,12 +26,12 @@ std::string positive(const std::string& text) {
   return good ? "" : "must be a number greater than 0, not '" + text + "'";
 }
 
-// ups_render_desc holds the target as a float: beyond these it would be 0, hence off, or infinite.
+// ups_render_desc holds it as a float: beyond these it would be 0, hence off, or infinite.
 std::string target(const std::string& text) {
   constexpr double smallest = 1e-30, largest = 1e30;
   double value = 0;
   const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
-  return good ? "" : "must be a number from 1e-30 to 1e30, such as 0.02 for 2 %, not '" + text + "'";
+  return good ? "" : "must be a number from 1e-30 to 1e30, such as 0.02, not '" + text + "'";
 }
 
 // CLI11 lets "-1" wrap around, and cuts what is too large.
@@ -58,6 +59,62 @@ std::string parse_size(const std::string& text, uint32_t& width, uint32_t& heigh
   return "must be WIDTHxHEIGHT, each from 1 to 16384, such as 640x480, not '" + text + "'";
 }
 
+// Within the method: for comparisons and for those who know what they look for.
+void add_method_options(CLI::App& command, ups_render_desc& desc) {
+  static const std::string group = "Method in detail";
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--techniques",
+          [&desc](const std::vector<std::string>& words) {
+            for (const std::string& word : words) desc.techniques |= ups::tool::technique_bit(word);
+          },
+          "Only these of the method's: emitter_hit,light_sample,connect,sensor_connect,merge,sensor_hit")
+      ->delimiter(',')
+      ->check(CLI::Validator(
+          [](const std::string& word) {
+            return ups::tool::technique_bit(word) ? std::string() : "'" + word + "' is no technique";
+          },
+          ""))
+      ->type_name("LIST")
+      ->group(group);
+  command.add_option("--max-path-length", desc.max_path_length, "Edges of the longest path; without it there is no limit")
+      ->check(CLI::Range(uint32_t(1), UINT32_MAX))
+      ->type_name("N")
+      ->group(group);
+  command.add_option("--light-paths", desc.light_paths_per_iteration, "Of an iteration; rounded up to a power of two")
+      ->check(CLI::Range(uint32_t(1), uint32_t(1) << 24))
+      ->type_name("N")
+      ->group(group);
+  command.add_option("--merge-radius", desc.merge_radius_m, "First radius of merging, m; without it the scene decides")
+      ->check(CLI::Validator(target, ""))
+      ->type_name("M")
+      ->group(group);
+  command.add_option("--alpha", desc.radius_alpha, "How slowly the radius falls, between 0 and 1 (2/3)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("A")
+      ->group(group);
+  command.add_option("--glossy-alpha", desc.glossy_alpha, "sppm passes metal and rough glass sharper than this GGX alpha (0.2)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("A")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--perturbation",
+          [&desc](const std::string& word) {
+            desc.perturbation = word == "actual" ? UPS_PERTURBATION_ACTUAL : UPS_PERTURBATION_VIRTUAL;
+          },
+          "virtual, or actual: connect to points drawn within the merging radius, as biased as merging is")
+      ->check(CLI::IsMember({"virtual", "actual"}))
+      ->type_name("WORD")
+      ->group(group);
+  command
+      .add_option("--technique-images", desc.technique_images,
+                  "With --out: NAME_techniques.exr, what each technique brings for paths of up to so many edges (at most 16)")
+      ->check(CLI::Range(1, 16))
+      ->type_name("N")
+      ->group(group);
+}
+
 void add_render(CLI::App& app, RenderOptions& options) {
   static const std::map<std::string, int32_t> methods = {
       {"auto", UPS_METHOD_AUTO},         {"ups", UPS_METHOD_UPS},
@@ -68,22 +125,22 @@ void add_render(CLI::App& app, RenderOptions& options) {
   command->add_option("SCENE", options.scene, "A .gltf or .glb file")->required();
   command
       ->add_option_function<std::string>(
-          "--method", [&options](const std::string& word) { options.method = methods.at(word); },
+          "--method", [&options](const std::string& word) { options.desc.method = methods.at(word); },
           "auto (the scene decides), ups, pt, lt, bpt, ppm, sppm, bpm")
       ->check(CLI::IsMember({"auto", "ups", "pt", "lt", "bpt", "ppm", "sppm", "bpm"}))
       ->type_name("METHOD");
-  command->add_option("--time", options.time_s, "Stop after this many seconds")
+  command->add_option("--time", options.desc.time_limit_s, "Stop after this many seconds")
       ->check(CLI::Validator(positive, ""))
       ->type_name("S");
-  command->add_option("--iterations", options.iterations, "Stop after this many iterations")
+  command->add_option("--iterations", options.desc.iteration_count, "Stop after this many iterations")
       ->check(CLI::Range(uint32_t(1), UINT32_MAX))
       ->type_name("N");
   command
-      ->add_option("--target-error", options.target_error,
+      ->add_option("--target-error", options.desc.target_relative_error,
                    "Stop when the worst meter's relative error, without meters the mean pixel's, is below: 0.02 is 2 %")
       ->check(CLI::Validator(target, ""))
       ->type_name("R");
-  command->add_option("--seed", options.seed, "Same seed and iterations, same result (1)")
+  command->add_option("--seed", options.desc.seed, "Same seed and iterations, same result (1)")
       ->check(CLI::Validator(whole, ""))
       ->type_name("N");
   command->add_option("--threads", options.threads, "0: all hardware threads")
@@ -102,6 +159,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->type_name("WxH");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
       ->type_name("DIR");
+  add_method_options(*command, options.desc);
   command->add_flag("--json", options.json, "Print one JSON object on standard output");
   command->footer(
       "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"
@@ -125,7 +183,11 @@ int run(int argc, char** argv) {
   compare->add_flag("--json", json, "Print one JSON object on standard output");
   compare->footer(
       "Over luminance Y of R, G, B, or the channel Y. With B as R:\n"
-      "relative_mse = mean[(A - R)^2 / (R^2 + 0.01 mean(R)^2)]; -1: unknown, as B is black.");
+      "relative_mse = mean[(A - R)^2 / (R^2 + 0.01 mean(R)^2)]; -1: unknown, as B is black.\n"
+      "channels: means over all pixels and channels; mse and relative_mse (with R still the luminance in the\n"
+      "denominator) of the differences, noise_a, noise_b and relative_noise_b of the squared standard errors of A and B\n"
+      "(-1: not in the file); trimmed_...: without the 0.1 % of the pixels that differ most. mse - noise_b is the mean\n"
+      "squared error of A without the noise of the reference.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -88,6 +88,40 @@ void write_camera_exr(const std::string& path, const SensorEntry& camera, const 
   write_exr(path, camera.info.width, camera.info.height, channels, attributes);
 }
 
+// Layers: the sums of both families, then each technique with its weight and without.
+void write_techniques(Written& written, const std::string& base, const SensorEntry& camera, const ups_result* result,
+                      const Attributes& attributes) {
+  uint32_t count = 0;
+  check(ups_result_get_technique_count(result, camera.info.sensor, &count));
+  if (count == 0) return;
+  std::vector<std::pair<std::string, std::vector<float>>> layers;
+  layers.emplace_back("path_integration", read_image(result, camera, UPS_CHANNEL_PATH_INTEGRATION_RGB));
+  layers.emplace_back("density_estimation", read_image(result, camera, UPS_CHANNEL_DENSITY_ESTIMATION_RGB));
+  for (uint32_t i = 0; i < count; ++i) {
+    ups_technique_info info{};
+    info.struct_size = sizeof info;
+    check(ups_result_get_technique(result, camera.info.sensor, i, &info));
+    const std::string name = (info.technique == UPS_TECHNIQUE_MERGE ? "merge_s" : "connect_s") +
+                             std::to_string(info.light_vertices) + "_t" + std::to_string(info.eye_vertices);
+    for (bool weighted : {true, false}) {
+      std::vector<float> pixels(layers[0].second.size());
+      check(ups_result_read_technique(result, camera.info.sensor, i,
+                                      weighted ? UPS_CONTRIBUTION_WEIGHTED : UPS_CONTRIBUTION_UNWEIGHTED, pixels.data(), 0,
+                                      pixels.size() * sizeof(float)));
+      layers.emplace_back(name + (weighted ? ".weighted" : ".unweighted"), std::move(pixels));
+    }
+  }
+  std::vector<std::string> names;
+  for (const auto& layer : layers)
+    for (const char* channel : {".R", ".G", ".B"}) names.push_back(layer.first + channel);
+  std::vector<ups_exr_channel> channels;
+  for (size_t i = 0; i < names.size(); ++i)
+    channels.push_back({names[i].c_str(), &layers[i / 3].second[i % 3], 3 * sizeof(float), 0});
+  attempt(written, base + "_techniques.exr", [&](const std::string& path) {
+    write_exr(path, camera.info.width, camera.info.height, channels, attributes);
+  });
+}
+
 void write_camera(Written& written, const std::string& base, const SensorEntry& camera, const ups_result* result,
                   const Attributes& attributes) {
   const uint32_t width = camera.info.width, height = camera.info.height;
@@ -96,6 +130,7 @@ void write_camera(Written& written, const std::string& base, const SensorEntry& 
     const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
     check(ups_ocio_write_png(path.c_str(), luminance.data(), width, height, 0), ups_ocio_last_error);
   });
+  write_techniques(written, base, camera, result, attributes);
   if (!camera.info.illuminance) return;
   attempt(written, base + "_illuminance.png", [&](const std::string& path) {
     const auto illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);

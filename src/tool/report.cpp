@@ -38,6 +38,16 @@ std::vector<std::string> names_of(uint32_t bits, const Bit (&names)[N]) {
   return result;
 }
 
+}  // namespace
+
+uint32_t technique_bit(const std::string& name) {
+  for (const Bit& technique : technique_names)
+    if (name == technique.name) return technique.bit;
+  return 0;
+}
+
+namespace {
+
 void append_once(std::vector<std::string>& to, const std::vector<std::string>& from) {
   for (const std::string& line : from) {
     if (std::find(to.begin(), to.end(), line) == to.end()) to.push_back(line);

@@ -29,13 +29,22 @@ struct Report {
 
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);
 std::string method_word(ups_method method);  // as in --method
+uint32_t technique_bit(const std::string& name);  // UPS_TECHNIQUE_* of "merge" and the like; 0: there is none
 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);
 
+// Means over all pixels and channels of squared differences and of squared standard errors; -1: not known. trimmed: of the
+// pixels without the thousandth that differs most. relative: each pixel divided as for relative_mse.
+struct ChannelErrors {
+  double mse, relative_mse, trimmed_mse;
+  double noise_a, noise_b, relative_noise_b, trimmed_noise_b;
+};
+
 struct Comparison {
   double rmse, relative_mse, mean_a, mean_b;
   uint32_t worst_x, worst_y;
+  ChannelErrors channels;
 };
 std::string to_json(const Comparison& comparison);
 

@@ -52,6 +52,7 @@ float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3
   Vec3 direction;
   if (first_diffuse(in.scene, camera.position(), d, sensor.medium, surface, direction) <= 0) return 0;
   sensor.camera = false;
+  sensor.techniques = nullptr;
   const double eta = sensor.counts.eta_first;
   sensor.counts = meter_counts(in.plan, in.settings, false, in.walk_radius2);
   const bool merges = merge_gate(Bsdf(in.scene.materials[surface.material], surface.uv));
@@ -80,6 +81,8 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
       sensor.first = {float(std::sqrt(radius2)), &in.pixel_photons};
       sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
       sensor.medium = in.scene.medium_of_camera[c];
+      sensor.techniques = tally.techniques.empty() ? nullptr : &tally.techniques[c];
+      sensor.pixel = pixel;
       pairing.assign(first_path + uint32_t(i), sensor);
       const uint64_t key = hash_combine(in.camera_batch, pixel);
       PathSampler rng(in.settings.seed, first_camera_stream + c, key, in.camera_batch_visit, in.iteration, pixel);
@@ -108,7 +111,8 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       EyeWalk::Sensor sensor;
       sensor.cell = set.is_cell();
       const double r1 = in.plan.meter_radius.empty() ? 0.0 : in.plan.meter_radius[s][m];
-      const double eta = eta_of(in.plan, in.settings, in.plan.radius2(r1, in.meter_radius_factor));
+      const double radius2 = in.plan.radius2(r1, in.meter_radius_factor), eta = eta_of(in.plan, in.settings, radius2);
+      sensor.first.radius = float(std::sqrt(radius2));
       sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), in.walk_radius2);
       sensor.end = mis::sensor_end(sensor.counts, set.is_cell() ? 0 : eta / samples, set.cell_area());
       sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};

@@ -15,6 +15,7 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
   origin_ = last_ = p;
   direction_ = direction;
   edge_.pdf = pdf_w;
+  specular_ = true;
   walk();
   return tally_;
 }
@@ -29,8 +30,11 @@ EyeTally EyeWalk::from_meter(const Vec3& p, const Vec3& ray_origin, const Frame&
   origin_ = ray_origin;
   last_ = p;
   meter_frame_ = frame;
+  meter_p_ = p;
+  meter_origin_ = ray_origin;
   if (in_.settings.photon_mapping) return tally_;                  // photons land on the meter itself
   if (in_.settings.light_tracing && sensor_.cell) return tally_;  // so do light paths
+  if (in_.settings.actual_perturbation) perturb_meter();
   if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE) || in_.settings.light_tracing) meter_sample_light();
   if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
     connect_one(0, [&](const PreparedLight& l) { return meter_connect(l); });
@@ -67,14 +71,18 @@ void EyeWalk::walk() {
     if (emitter != none) hit_emitter(emitter, surface.primitive, surface.p, cos_in, distance, edges, Rgb(1.0f));
     if (in_.settings.light_tracing) return;  // an emitter seen directly was all that it can add
 
-    Vertex v{surface, Bsdf(scene_.materials[surface.material], surface.uv), -direction_, {}, arrive(cos_in, distance), false, edges};
+    Vertex v{surface, Bsdf(scene_.materials[surface.material], surface.uv), -direction_, {}, arrive(cos_in, distance), false, false, edges};
     v.local_wo = surface.shading.to_local(v.wo);
     if (!consistent_side(surface, v.wo, v.local_wo)) return;
-    v.merge = merge_gate(v.bsdf);
+    v.passes = v.bsdf.is_glossy(in_.settings.glossy_alpha);
+    v.merge = merge_gate(v.bsdf) && !v.passes;
     if (v.bsdf.has_continuous()) {
-      if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) sample_light(v);
-      if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
-        connect_one(edges, [&](const PreparedLight& l) { return connect(v, l); });
+      Arrival a{surface};
+      if (!in_.settings.actual_perturbation || perturb(v, a)) {
+        if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) sample_light(v, a);
+        if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
+          connect_one(edges, [&](const PreparedLight& l) { return connect(v, a, l); });
+      }
       if (v.merge) merge(v);
     }
     if (!scatter(v)) return;
@@ -109,21 +117,20 @@ void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
 
 void EyeWalk::hit_emitter(uint32_t index, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
                           const Rgb& transmittance) {
-  const bool alone = in_.settings.photon_mapping || in_.settings.light_tracing;
   if (!in_.settings.has(UPS_TECHNIQUE_EMITTER_HIT) && !in_.settings.light_tracing) return;
-  if (in_.settings.photon_mapping && !only_delta_) return;
+  if (in_.settings.hits_after_specular && !specular_) return;
   const Emitter& emitter = scene_.emitters[index];
   EmitterHit hit;
   if (!emitter.eval_hit(last_, p, primitive, -direction_, hit)) return;
   double w = 1;
-  if (!alone) {
+  if (!in_.settings.weightless()) {
     const double pb_0 = edge_.pdf * cos_in / (double(distance) * distance);
     const double pn_0 = double(scene_.emitters.direct_probability(last_, index)) * hit.pdf_nee_a;
     const double pf_0 = double(scene_.emitters.emission_probability(index)) * hit.pdf_position_a;
     const bool connectable = edge_.kind == Edge::continuous || (edge_.kind == Edge::sensor && !sensor_.camera);
     w = mis::weight_hit(arrive(cos_in, distance), sensor_.counts, in_.plan.gates, pn_0, pf_0, hit.pdf_direction_w, pb_0, connectable);
   }
-  add(throughput_ * transmittance * hit.radiance * float(w), edges, Drop::emitter_hit);
+  add({Family::path_integration, 0, edges}, throughput_ * transmittance * hit.radiance, float(w), Drop::emitter_hit);
 }
 
 namespace {
@@ -143,30 +150,66 @@ DirectDensities direct_densities(const Snapshot& scene, const EmitterSet::Choice
 
 }  // namespace
 
+// The actual perturbation of the paper's section 3: y_{s+1} is drawn from the merging kernel on the surface around z_t, and
+// takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the normal onto the surface, by the
+// same rules by which a photon there would be merged; false where that finds none: the kernel reaches beyond the surface.
+bool EyeWalk::perturb(const Vertex& v, Arrival& out) {
+  const float radius = (v.state.first ? sensor_.first : sensor_.later).radius;
+  const Vec2 disc = square_to_disc({rng_.get(v.edges, Slot::perturb_x), rng_.get(v.edges, Slot::perturb_y)});
+  const Frame frame(v.surface.ng);
+  const float reach = 0.1f * radius;
+  const Vec3 start = v.surface.p + (frame.s * disc.x + frame.t * disc.y) * radius + v.surface.ng * reach;
+  Hit hit;
+  ++work_.rays;
+  if (!scene_.raytracer->intersect(start, -v.surface.ng, 2 * reach, hit)) return false;
+  out.surface = scene_.raytracer->surface_at(hit);
+  out.perturbed = true;
+  const float cosine = dot(out.surface.ng, v.surface.ng);
+  if (cosine < 0.7f || length2(out.surface.p - v.surface.p) > radius * radius) return false;
+  out.ratio = 1 / cosine;
+  return true;
+}
+
+// Flux arrives at the drawn point by its own cosine, and is scattered at the vertex: as a photon is that lies there.
+float EyeWalk::perturbed_cosine(const Vertex& v, const Arrival& a, const Vec3& wi) {
+  if (!a.perturbed) return 1;
+  const float here = dot(wi, a.surface.ng), there = dot(wi, v.surface.ng);
+  return here * there > 0 ? a.ratio * here / there : 0;
+}
+
+// A point meter's kernel is its disc.
+void EyeWalk::perturb_meter() {
+  const Vec2 disc = square_to_disc({rng_.get(0, Slot::perturb_x), rng_.get(0, Slot::perturb_y)});
+  const Vec3 shift = (meter_frame_.s * disc.x + meter_frame_.t * disc.y) * sensor_.first.radius;
+  meter_p_ += shift;
+  meter_origin_ += shift;
+}
+
 // s = 1: next-event estimation at x_1.
-void EyeWalk::sample_light(const Vertex& v) {
+void EyeWalk::sample_light(const Vertex& v, const Arrival& a) {
   const uint32_t edges = v.edges + 1;
   if (longer_than_allowed(edges)) return;
-  const EmitterSet::Choice choice = scene_.emitters.choose_direct(v.surface.p, rng_.get(v.edges, Slot::choice));
+  const EmitterSet::Choice choice = scene_.emitters.choose_direct(a.surface.p, rng_.get(v.edges, Slot::choice));
   if (!(choice.probability > 0)) return;
   DirectSample s;
   const Emitter& emitter = scene_.emitters[choice.index];
-  if (!emitter.sample_direct(v.surface.p, rng_.position(v.edges), s)) return;
+  if (!emitter.sample_direct(a.surface.p, rng_.position(v.edges), s)) return;
   const Vec3 local = v.surface.shading.to_local(s.wi);
   if (!consistent_side(v.surface, s.wi, local)) return;
   const Scattering f = v.bsdf.evaluate(v.local_wo, local, TransportMode::radiance);
   if (is_black(f.value)) return;
-  const double cos_1 = std::abs(dot(s.wi, v.surface.ng)), d2 = double(s.distance) * s.distance;
+  const double cos_1 = std::abs(dot(s.wi, a.surface.ng)), d2 = double(s.distance) * s.distance;
   const DirectDensities p = direct_densities(scene_, choice, s, cos_1);
   const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * s.cos_0 / d2;
   const double total = (v.merge && in_.plan.gates.merge_at_first ? mis::eta_at(sensor_.counts, v.state) : 0.0) +
                        mis::eye_total(v.state, in_.plan.gates, sensor_.camera, true, f.pdf_reverse);
   const double w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1, total);
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, s.wi);
-  const Rgb value = throughput_ * f.value * s.weight * attenuation(scene_, medium, s.distance) * float(w / choice.probability) * terminator(v.surface, s.wi);
+  const float scale = terminator(v.surface, s.wi) * perturbed_cosine(v, a, s.wi) / choice.probability;
+  const Rgb value = throughput_ * f.value * s.weight * attenuation(scene_, medium, s.distance) * scale;
   if (is_black(value)) return;
-  if (is_finite(value) && !segment_free(scene_, v.surface.ray_origin(s.wi), lifted(s.p, s.n, s.error), work_)) return;
-  add(value, edges, Drop::light_sample);
+  if (is_finite(value) && !segment_free(scene_, a.surface.ray_origin(s.wi), lifted(s.p, s.n, s.error), work_)) return;
+  add({Family::path_integration, 1, edges}, value, float(w), Drop::light_sample);
 }
 
 // The light path's vertices as connections read them, made at the first that needs them.
@@ -205,15 +248,17 @@ void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
   while (chosen + 1 < all.size() && (target -= luminance(all[chosen].value)) >= 0) ++chosen;
   const Connection& c = all[chosen];
   ++work_.connections;
-  if (segment_free(scene_, c.from, c.to, work_)) add(c.value * float(sum / luminance(c.value)), c.edges, Drop::connect);
+  if (!segment_free(scene_, c.from, c.to, work_)) return;
+  const float all_for_one = float(sum / luminance(c.value));
+  add({Family::path_integration, c.s, c.edges}, c.value * (all_for_one / c.weight), c.weight, Drop::connect);
 }
 
 // 2 <= s < k: an edge to a vertex of the light path.
-EyeWalk::Connection EyeWalk::connect(const Vertex& v, const PreparedLight& light) const {
+EyeWalk::Connection EyeWalk::connect(const Vertex& v, const Arrival& a, const PreparedLight& light) const {
   const LightVertex& l = *light.vertex;
   const uint32_t edges = v.edges + 1 + l.depth;
   if (longer_than_allowed(edges)) return {};
-  const Vec3 to = l.p - v.surface.p;
+  const Vec3 to = l.p - a.surface.p;
   const float d2 = length2(to);
   if (!(d2 > 0)) return {};
   const float distance = std::sqrt(d2);
@@ -226,13 +271,13 @@ EyeWalk::Connection EyeWalk::connect(const Vertex& v, const PreparedLight& light
   if (is_black(f_eye.value)) return {};
   const Scattering f_light = light.bsdf.evaluate(light.local_wo, light_local, TransportMode::importance);
   if (is_black(f_light.value)) return {};
-  const double cos_eye = std::abs(dot(d, v.surface.ng)), cos_light = std::abs(dot(d, l.ng));
+  const double cos_eye = std::abs(dot(d, a.surface.ng)), cos_light = std::abs(dot(d, l.ng));
   const double w = mis::weight_connect(l.mis, v.state, sensor_.counts, l.merge, v.merge, f_eye.pdf * cos_light / d2,
                                        f_light.pdf_reverse, f_light.pdf * cos_eye / d2, f_eye.pdf_reverse);
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
-  const float scale = float(w / d2) * terminator(v.surface, d) * light_correction(light.surface, l.wo, -d);
+  const float scale = float(w / d2) * terminator(v.surface, d) * perturbed_cosine(v, a, d) * light_correction(light.surface, l.wo, -d);
   const Rgb value = throughput_ * f_eye.value * l.flux * f_light.value * attenuation(scene_, medium, distance) * scale;
-  return {value, v.surface.ray_origin(d), light.surface.ray_origin(-d), edges};
+  return {value, float(w), a.surface.ray_origin(d), light.surface.ray_origin(-d), l.depth + 1u, edges};
 }
 
 double EyeWalk::photon_norm(double radius) const {
@@ -253,9 +298,9 @@ void EyeWalk::meter_merge(const SurfacePoint& surface) {
     const LightVertex& l = in_.light.vertices[index];
     const float cos_light = dot(l.wo, meter_frame_.n);
     if (longer_than_allowed(l.depth) || cos_light < min_cosine || !same_surface(surface, l, sensor_.first.radius)) return;
-    const double w = in_.settings.photon_mapping ? 1.0 : mis::weight_merge_at_sensor(l.mis, sensor_.counts, sensor_.end.merge, cos_light * double(inv_pi));
+    const double w = in_.settings.weightless() ? 1.0 : mis::weight_merge_at_sensor(l.mis, sensor_.counts, sensor_.end.merge, cos_light * double(inv_pi));
     ++work_.merges;
-    add(l.flux * float(w * norm), l.depth, Drop::merge);
+    add({Family::density_estimation, l.depth + 1u, l.depth}, l.flux * float(norm), float(w), Drop::merge);
   });
 }
 
@@ -275,21 +320,21 @@ void EyeWalk::merge(const Vertex& v) {
     const Scattering f = v.bsdf.evaluate(v.local_wo, local, TransportMode::radiance);
     if (is_black(f.value)) return;
     double w = 1;
-    if (!in_.settings.photon_mapping) {
+    if (!in_.settings.weightless()) {
       const double eye = mis::eye_total(v.state, in_.plan.gates, sensor_.camera, l.depth == 1, f.pdf_reverse);
       w = mis::weight_merge(l.mis, sensor_.counts, eta, f.pdf, eye);
     }
     ++work_.merges;
-    const Rgb value = throughput_ * f.value * l.flux * (float(w * norm / std::abs(cos_light)) * terminator(v.surface, l.wo));
-    if (add(value, v.edges + l.depth, Drop::merge))
-      tally_.bias += 2 * luminance(value) * (2 * d2 < r2 ? -1.0f : 1.0f);
+    const Rgb value = throughput_ * f.value * l.flux * (float(norm / std::abs(cos_light)) * terminator(v.surface, l.wo));
+    if (add({Family::density_estimation, l.depth + 1u, v.edges + l.depth}, value, float(w), Drop::merge))
+      tally_.bias += 2 * luminance(value) * float(w) * (2 * d2 < r2 ? -1.0f : 1.0f);
   });
 }
 
 bool EyeWalk::scatter(const Vertex& v) {
   BsdfSample s;
   if (!v.bsdf.sample(v.local_wo, rng_.get(v.edges, Slot::lobe), rng_.direction(v.edges), TransportMode::radiance, s)) return false;
-  if (in_.settings.photon_mapping && !s.delta) return false;  // its continuous part was merged
+  if (in_.settings.photon_mapping && !s.delta && !v.passes) return false;  // its continuous part was merged
   const Vec3 wi = v.surface.shading.to_world(s.wi);
   if (!consistent_side(v.surface, wi, s.wi)) return false;
   throughput_ *= s.delta ? s.weight : s.weight * terminator(v.surface, wi);
@@ -297,7 +342,7 @@ bool EyeWalk::scatter(const Vertex& v) {
   const float q = survival(throughput_, start_throughput_, v.edges, lossless);
   if (is_black(throughput_) || !is_finite(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
   throughput_ *= 1 / q;
-  only_delta_ = only_delta_ && s.delta;
+  specular_ = specular_ && (s.delta || v.passes);
   edge_.kind = s.delta ? Edge::delta : Edge::continuous;
   edge_.state = v.state;
   edge_.merge = v.merge;
@@ -314,11 +359,11 @@ bool EyeWalk::scatter(const Vertex& v) {
 
 // k = 1 at the meter's own point.
 void EyeWalk::meter_sample_light() {
-  const EmitterSet::Choice choice = scene_.emitters.choose_direct(last_, rng_.get(0, Slot::choice));
+  const EmitterSet::Choice choice = scene_.emitters.choose_direct(meter_p_, rng_.get(0, Slot::choice));
   if (!(choice.probability > 0)) return;
   DirectSample s;
   const Emitter& emitter = scene_.emitters[choice.index];
-  if (!emitter.sample_direct(last_, rng_.position(0), s)) return;
+  if (!emitter.sample_direct(meter_p_, rng_.position(0), s)) return;
   const double cos_1 = dot(s.wi, meter_frame_.n), d2 = double(s.distance) * s.distance;
   if (cos_1 < min_cosine) return;
   double w = 1;
@@ -327,10 +372,10 @@ void EyeWalk::meter_sample_light() {
     const double pb_0 = emitter.is_delta() ? 0.0 : cos_1 * double(inv_pi) * s.cos_0 / d2;
     w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1, mis::sensor_total_direct(sensor_.end, in_.plan.gates));
   }
-  const Rgb value = s.weight * attenuation(scene_, medium_, s.distance) * float(cos_1 * w / choice.probability);
+  const Rgb value = s.weight * attenuation(scene_, medium_, s.distance) * float(cos_1 / choice.probability);
   if (is_black(value)) return;
-  if (is_finite(value) && !segment_free(scene_, origin_, lifted(s.p, s.n, s.error), work_)) return;
-  add(value, 1, Drop::light_sample);
+  if (is_finite(value) && !segment_free(scene_, meter_origin_, lifted(s.p, s.n, s.error), work_)) return;
+  add({Family::path_integration, 1, 1}, value, float(w), Drop::light_sample);
 }
 
 // s = k: an edge from the meter's own point to a vertex of the light path.
@@ -338,7 +383,7 @@ EyeWalk::Connection EyeWalk::meter_connect(const PreparedLight& light) const {
   const LightVertex& l = *light.vertex;
   const uint32_t edges = 1 + l.depth;
   if (longer_than_allowed(edges)) return {};
-  const Vec3 to = l.p - last_;
+  const Vec3 to = l.p - meter_p_;
   const float d2 = length2(to);
   if (!(d2 > 0)) return {};
   const float distance = std::sqrt(d2);
@@ -355,7 +400,8 @@ EyeWalk::Connection EyeWalk::meter_connect(const PreparedLight& light) const {
     w = mis::weight_sensor_connect(l.mis, sensor_.counts, false, sensor_.end, l.merge,
                                    cos_meter * double(inv_pi) * cos_light / d2, f.pdf_reverse, f.pdf * cos_meter / d2);
   const float scale = float(w * cos_meter / d2) * light_correction(light.surface, l.wo, -d);
-  return {l.flux * f.value * attenuation(scene_, medium_, distance) * scale, origin_, light.surface.ray_origin(-d), edges};
+  return {l.flux * f.value * attenuation(scene_, medium_, distance) * scale, float(w), meter_origin_, light.surface.ray_origin(-d),
+          l.depth + 1u, edges};
 }
 
 }  // namespace ups

@@ -26,6 +26,8 @@ class EyeWalk {
     Disc first, later;  // of merges at the first vertex that scatters, or at the meter's point; elsewhere
     uint32_t first_light_vertex = 0, end_light_vertex = 0;  // of the light path that it connects to
     uint32_t medium = none;
+    TechniqueTally* techniques = nullptr;  // of the camera, where asked for
+    uint32_t pixel = 0;
   };
   EyeWalk(const EyePassInput& in, const Sensor& sensor, const PathSampler& rng, WorkCounts& work)
       : in_(in), scene_(in.scene), sensor_(sensor), rng_(rng), work_(work), medium_(sensor.medium) {}
@@ -52,6 +54,7 @@ class EyeWalk {
     Vec3 wo, local_wo;
     mis::EyeState state;
     bool merge;
+    bool passes;     // SPPM: sampled further instead of merged at
     uint32_t edges;  // from the sensor
   };
 
@@ -59,11 +62,21 @@ class EyeWalk {
   mis::EyeState arrive(float cos_in, float distance) const;
   void hit_openings(uint32_t edges, float distance, uint32_t medium);
   void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges, const Rgb& transmittance);
-  void sample_light(const Vertex& v);
+  // Where path integration arrives at a vertex: there, or beside it (UPS_PERTURBATION_ACTUAL).
+  struct Arrival {
+    SurfacePoint surface;
+    bool perturbed = false;
+    float ratio = 1;  // kernel over the density that the point was drawn with
+  };
+  bool perturb(const Vertex& v, Arrival& out);
+  static float perturbed_cosine(const Vertex& v, const Arrival& a, const Vec3& wi);
+  void perturb_meter();
+  void sample_light(const Vertex& v, const Arrival& a);
   struct Connection {  // before its shadow ray
-    Rgb value;
+    Rgb value;  // weighted
+    float weight = 0;
     Vec3 from, to;
-    uint32_t edges = 0;
+    uint32_t s = 0, edges = 0;
   };
   struct PreparedLight {
     const LightVertex* vertex;
@@ -72,7 +85,7 @@ class EyeWalk {
     Vec3 local_wo;
   };
   const std::vector<PreparedLight>& prepared_light();
-  Connection connect(const Vertex& v, const PreparedLight& light) const;
+  Connection connect(const Vertex& v, const Arrival& a, const PreparedLight& light) const;
   template <class Weigh>
   void connect_one(uint32_t vertex, const Weigh& weigh);
   void merge(const Vertex& v);
@@ -86,13 +99,15 @@ class EyeWalk {
   bool longer_than_allowed(uint32_t edges) const {
     return in_.settings.max_path_length && edges > in_.settings.max_path_length;
   }
-  bool add(const Rgb& value, uint32_t edges, Drop technique) {
+  bool add(const Technique& technique, const Rgb& unweighted, float weight, Drop drop) {
+    const Rgb value = unweighted * weight;
     if (!is_finite(value)) {
-      ++work_.dropped[size_t(technique)];
+      ++work_.dropped[size_t(drop)];
       return false;
     }
     tally_.value += value;
-    if (edges == 1) tally_.direct += luminance(value);
+    if (technique.edges == 1) tally_.direct += luminance(value);
+    if (sensor_.techniques) sensor_.techniques->add(technique, sensor_.pixel, value, unweighted);
     return true;
   }
 
@@ -105,11 +120,12 @@ class EyeWalk {
 
   Vec3 origin_, direction_;
   Vec3 last_;  // the vertex that the current edge leaves
+  Vec3 meter_p_, meter_origin_;  // where path integration arrives at a meter, and its rays' origin
   Frame meter_frame_;
   Rgb throughput_{1.0f}, start_throughput_{1.0f};
   Edge edge_;
   bool light_is_prepared_ = false;
-  bool only_delta_ = true;  // no continuous scattering so far
+  bool specular_ = false;  // a camera's path that scattered by delta lobes alone so far, in SPPM by glossy surfaces too
   uint32_t medium_;
 };
 

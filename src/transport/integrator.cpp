@@ -19,7 +19,14 @@ float Integrator::largest_radius(const std::vector<std::vector<float>>& radii, d
 }
 
 bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, IterationTally& tally) const {
+  std::vector<TechniqueTally> techniques = std::move(tally.techniques);  // large: kept from one iteration to the next
   tally = {};
+  if (settings_.technique_edges) {
+    techniques.resize(scene_->cameras.size());
+    for (size_t c = 0; c < techniques.size(); ++c)
+      techniques[c].reset(settings_.technique_edges, uint32_t(scene_->cameras[c].pixel_count()));
+    tally.techniques = std::move(techniques);
+  }
   for (const Camera& c : scene_->cameras) {
     tally.pixels.emplace_back(c.pixel_count());
     tally.illuminance.emplace_back(c.illuminance() ? c.pixel_count() : 0);
@@ -28,7 +35,8 @@ bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, Iteratio
   for (const MeterSet& s : scene_->meter_sets) tally.meters.emplace_back(s.meters.size());
 
   const uint32_t pass = plan_.pass(iteration);
-  const double camera_factor = Plan::radius2_factor(pass), meter_factor = Plan::radius2_factor(iteration);
+  const double camera_factor = Plan::radius2_factor(pass, settings_.radius_alpha),
+               meter_factor = Plan::radius2_factor(iteration, settings_.radius_alpha);
   LightPaths light;
   PhotonIndex pixel_photons, walk_photons;
   const double walk_radius2 = plan_.radius2(plan_.walk_radius, meter_factor);

@@ -17,7 +17,8 @@ struct Block {
   std::vector<uint32_t> counts;  // vertices a path
   struct Splat {
     uint32_t camera, pixel;
-    Rgb value;
+    Rgb value, unweighted;
+    uint32_t edges;
   };
   std::vector<Splat> splats;
   struct Landing {
@@ -137,7 +138,7 @@ class LightWalk {
     const double unweighted = luminance(flux_ * attenuation(scene_, medium, crossing.t)) /
                               (double(in_.plan.light_paths) * (cell ? double(set.cell_area()) : 3.14159265358979323846 * e.radius2));
     double w = 1;
-    if (!in_.settings.photon_mapping && !in_.settings.light_tracing) {
+    if (!in_.settings.weightless()) {
       const mis::LightState s = arrive(p, cos_in, crossing.t);
       const double reverse = cos_in * inv_pi;
       w = cell ? mis::weight_land(s, e.counts, set.cell_area(), reverse) : mis::weight_merge_at_sensor(s, e.counts, e.eta, reverse);
@@ -214,14 +215,14 @@ class LightWalk {
                                      scattering.pdf_reverse, 0.0);
     }
     const uint32_t medium = medium_beyond(scene_, surface_, medium_, d);
-    const Rgb value = flux_ * f * attenuation(scene_, medium, std::sqrt(d2)) *
-                      float(w * pdf_w / (double(d2) * in_.plan.light_paths));
+    const Rgb unweighted = flux_ * f * attenuation(scene_, medium, std::sqrt(d2)) * float(pdf_w / (double(d2) * in_.plan.light_paths));
+    const Rgb value = unweighted * float(w);
     if (!is_finite(value)) {
       ++block_.work.dropped[size_t(Drop::sensor_connect)];
       return;
     }
     if (is_black(value) || !segment_free(scene_, surface_.ray_origin(d), camera.position(), block_.work)) return;
-    block_.splats.push_back({c, *pixel, value});
+    block_.splats.push_back({c, *pixel, value, unweighted, a + 1});
   }
 
   bool continue_walk(uint32_t a, const Bsdf& bsdf, const Vec3& wo, const Vec3& local_wo, const mis::LightState& state, bool merge) {
@@ -301,7 +302,11 @@ LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensor
       at += n;
     }
     paths.vertices.insert(paths.vertices.end(), b.vertices.begin(), b.vertices.end());
-    for (const Block::Splat& s : b.splats) tally.splats[s.camera][s.pixel] += s.value;
+    for (const Block::Splat& s : b.splats) {
+      tally.splats[s.camera][s.pixel] += s.value;
+      if (!tally.techniques.empty())
+        tally.techniques[s.camera].add({Family::path_integration, s.edges, s.edges}, s.pixel, s.value, s.unweighted);
+    }
     for (const Block::Landing& l : b.landings) {
       const SensorIndex::Entry& e = sensors.entry(l.disc);
       MeterTally& m = tally.meters[e.set][e.meter];

@@ -29,8 +29,7 @@ uint64_t count_meters(const Snapshot& scene) {
 
 }  // namespace
 
-double Plan::radius2_factor(uint32_t visits) {
-  constexpr double alpha = 2.0 / 3.0;
+double Plan::radius2_factor(uint32_t visits, double alpha) {
   // The product of the recurrence from i = 1: Gamma(i + alpha) / (Gamma(1 + alpha) Gamma(i + 1)), i = visits + 1.
   const double i = double(visits) + 1;
   int sign;  // lgamma() itself writes a global
@@ -61,7 +60,7 @@ namespace {
 
 mis::Counts common_counts(const Plan& plan, const TransportSettings& s, double radius2) {
   mis::Counts n;
-  n.hit = s.has(UPS_TECHNIQUE_EMITTER_HIT);
+  n.hit = s.has(UPS_TECHNIQUE_EMITTER_HIT) && !s.hits_after_specular;
   n.light_sample = s.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
   n.connect = s.has(UPS_TECHNIQUE_CONNECT);
   n.eta = eta_of(plan, s, radius2);

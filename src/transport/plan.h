@@ -13,13 +13,20 @@ namespace ups {
 
 struct TransportSettings {
   uint32_t techniques = 0;       // UPS_TECHNIQUE_*
-  bool photon_mapping = false;   // PPM: merge at the first vertex that can, weight 1 (Hachisuka et al. 2008)
+  bool photon_mapping = false;   // PPM, SPPM: merge at the first vertex that can, weight 1 (Hachisuka et al. 2008)
   bool light_tracing = false;    // LT: nothing but t = 1 and t = 0, weight 1
+  bool hits_after_specular = false;  // photon mapping: eye paths see emitters directly or through mirrors and glass alone
+  float glossy_alpha = 0;        // SPPM: eye paths pass sharper surfaces without merging (Hachisuka, Jensen 2009); 0: none
+  double radius_alpha = 2.0 / 3;     // of the radius schedule
+  bool actual_perturbation = false;  // UPS_PERTURBATION_ACTUAL
+  uint32_t technique_edges = 0;      // images of each technique for paths of up to so many edges; 0: none
   uint64_t seed = 0;
   uint32_t max_path_length = 0;  // edges; 0: none
   uint32_t light_paths = 0;      // a power of two; 0: chosen here
   float merge_radius = 0;        // 0: from the scene
 
+  // Each path has one technique, which needs no weight.
+  bool weightless() const { return photon_mapping || light_tracing; }
   bool has(uint32_t technique) const { return (techniques & technique) != 0; }
   bool traces_light() const {
     return has(UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_HIT);
@@ -40,9 +47,9 @@ struct Plan {
 
   float min_radius = 0;  // below some ulps of the coordinates a radius means nothing
 
-  // r_i^2 / r_1^2 after `visits` earlier iterations: r^2_{i+1} = r^2_i (i + alpha) / (i + 1), alpha = 2/3
-  // (Knaus, Zwicker 2011, Eq. 16).
-  static double radius2_factor(uint32_t visits);
+  // r_i^2 / r_1^2 after `visits` earlier iterations: r^2_{i+1} = r^2_i (i + alpha) / (i + 1) (Knaus, Zwicker 2011,
+  // Eq. 16).
+  static double radius2_factor(uint32_t visits, double alpha);
   // Squared radius of this iteration; 0 where radius_1 is 0: no merging.
   double radius2(double radius_1, double factor) const {
     return radius_1 > 0 ? std::max(radius_1 * radius_1 * factor, double(min_radius) * min_radius) : 0.0;

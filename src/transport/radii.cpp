@@ -89,7 +89,7 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
 
 void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const std::atomic<bool>& stop,
                   Plan& plan) {
-  if (!settings.has(UPS_TECHNIQUE_MERGE)) return;
+  if (!settings.has(UPS_TECHNIQUE_MERGE) && !settings.actual_perturbation) return;
   for (const Camera& camera : scene.cameras) plan.pixel_radius.push_back(pixel_radii(scene, camera, pool));
   std::vector<float> spacings;
   for (const MeterSet& set : scene.meter_sets) {

@@ -12,6 +12,7 @@ enum class Slot {
   direction_x, direction_y, lobe, roulette,
   cell_x, cell_y,  // a point in a meter's cell
   connection,      // which of a vertex's connections gets its shadow ray
+  perturb_x, perturb_y,  // where path integration arrives beside the vertex
   count
 };
 
@@ -46,9 +47,9 @@ class PathSampler {
  private:
   // The best dimensions go where most of the variance is: the first two directions, then emitters, lobes, later ones.
   static int sobol_dimension(uint32_t vertex, Slot slot) {
-    static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, 0, 1, -1, -1, 18, 19, -1},
-                                                      {9, 10, 11, 2, 3, 8, -1, -1, -1, -1},
-                                                      {15, 16, 17, 12, 13, 14, -1, -1, -1, -1}};
+    static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, 0, 1, -1, -1, 18, 19, -1, -1, -1},
+                                                      {9, 10, 11, 2, 3, 8, -1, -1, -1, -1, -1, -1},
+                                                      {15, 16, 17, 12, 13, 14, -1, -1, -1, -1, -1, -1}};
     return vertex < 3 ? table[vertex][int(slot)] : -1;
   }
 

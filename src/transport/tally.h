@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/rgb.h"
+#include "transport/technique.h"
 
 namespace ups {
 
@@ -41,6 +41,7 @@ struct IterationTally {
   std::vector<std::vector<Rgb>> pixels;   // a camera: eye paths; only visited pixels are meaningful
   std::vector<std::vector<float>> illuminance;  // a camera: lx on the first diffuse surface; empty where not asked for
   std::vector<std::vector<Rgb>> splats;   // a camera: light paths, already divided by N; empty without t = 1
+  std::vector<TechniqueTally> techniques;  // a camera; empty where not asked for
   std::vector<std::vector<MeterTally>> meters;
   WorkCounts work;
 };

@@ -135,6 +135,7 @@ def test_image_of_a_lit_floor(context):
     assert np.allclose(illuminance, 64, rtol=0.01)
     assert np.allclose(image, 0.5 * 64 / math.pi, rtol=0.01)
     assert result.image(camera, ups.Channel.STANDARD_ERROR_RGB).shape == (4, 6, 3)
+    assert result.techniques(camera) == []
 
 
 def test_job_and_render_give_the_same_bits(context):

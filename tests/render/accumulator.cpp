@@ -52,7 +52,7 @@ TEST(Accumulator, BoundCoversBias) {
   std::mt19937_64 random(8);
   std::normal_distribution<double> normal;
   for (uint32_t i = 0; i < 64; ++i) {
-    const double bias = 8 * Plan::radius2_factor(i);
+    const double bias = 8 * Plan::radius2_factor(i, 2.0 / 3);
     for (MeterTally& m : rig.tally.meters[0]) {
       const double noise = 6 * normal(random), other = 12 * normal(random);
       m = {100 + bias + noise, 0, bias + other};

@@ -22,6 +22,8 @@ inline const char* method_name(ups_method m) {
          : m == UPS_METHOD_PATH_TRACING  ? "PT"
          : m == UPS_METHOD_LIGHT_TRACING ? "LT"
          : m == UPS_METHOD_PPM           ? "PPM"
+         : m == UPS_METHOD_SPPM          ? "SPPM"
+         : m == UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING ? "BPM"
                                          : "other";
 }
 inline constexpr ups_method eye_methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING};

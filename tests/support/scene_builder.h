@@ -114,6 +114,35 @@ class Result {
             read(camera, UPS_CHANNEL_STANDARD_ERROR_RGB, 3),
             camera.illuminance ? read(camera, UPS_CHANNEL_ILLUMINANCE, 1) : std::vector<float>{}};
   }
+  // Mean over all pixels and channels; index: of the technique.
+  double technique_mean(const Sensor& camera, uint32_t index, ups_contribution contribution) const {
+    std::vector<float> out(3 * size_t(camera.width) * camera.height);
+    check(ups_result_read_technique(result_.get(), camera.id, index, contribution, out.data(), 0, out.size() * sizeof(float)),
+          "ups_result_read_technique");
+    double sum = 0;
+    for (float v : out) {
+      require_finite({v}, "technique image");
+      sum += v;
+    }
+    return sum / double(out.size());
+  }
+  std::vector<ups_technique_info> techniques(const Sensor& camera) const {
+    uint32_t count = 0;
+    check(ups_result_get_technique_count(result_.get(), camera.id, &count), "ups_result_get_technique_count");
+    std::vector<ups_technique_info> all(count);
+    for (uint32_t i = 0; i < count; ++i) {
+      all[i].struct_size = sizeof all[i];
+      check(ups_result_get_technique(result_.get(), camera.id, i, &all[i]), "ups_result_get_technique");
+    }
+    return all;
+  }
+  std::vector<float> read(const Sensor& camera, ups_channel channel, size_t components) const {
+    std::vector<float> out(components * camera.width * camera.height);
+    check(ups_result_read_image(result_.get(), camera.id, channel, out.data(), 0, out.size() * sizeof(float)),
+          "ups_result_read_image");
+    for (float v : out) require_finite({v}, "image");
+    return out;
+  }
   std::string text(ups_result_text topic) const {
     size_t needed = 0;
     ups_result_get_text(result_.get(), topic, nullptr, 0, &needed);
@@ -128,13 +157,6 @@ class Result {
     for (double v : values)
       if (!std::isfinite(v)) throw std::runtime_error(std::string("not finite: ") + what);
   }
-  std::vector<float> read(const Sensor& camera, ups_channel channel, size_t components) const {
-    std::vector<float> out(components * camera.width * camera.height);
-    check(ups_result_read_image(result_.get(), camera.id, channel, out.data(), 0, out.size() * sizeof(float)),
-          "ups_result_read_image");
-    for (float v : out) require_finite({v}, "image");
-    return out;
-  }
   std::unique_ptr<ups_result, decltype(&ups_result_destroy)> result_;
 };
 
@@ -147,6 +169,9 @@ struct RenderOptions {
   double merge_radius_m = 0;
   uint32_t light_paths = 0;
   uint32_t techniques = 0;
+  uint32_t max_path_length = 0;
+  ups_perturbation perturbation = UPS_PERTURBATION_VIRTUAL;
+  uint32_t technique_images = 0;
 };
 
 // Local -Z along `direction`, at `position`; row-major 3x4.
@@ -251,6 +276,9 @@ class Scene {
     d.merge_radius_m = float(options.merge_radius_m);
     d.light_paths_per_iteration = options.light_paths;
     d.techniques = options.techniques;
+    d.max_path_length = options.max_path_length;
+    d.perturbation = options.perturbation;
+    d.technique_images = options.technique_images;
     ups_result* result = nullptr;
     check(ups_render(scene_.get(), &d, &result), "ups_render");
     return Result(result, sensors_);

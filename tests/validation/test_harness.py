@@ -42,7 +42,8 @@ class ClosedForms(unittest.TestCase):
         corner = math.atan(math.sqrt(0.5)) / (math.pi * math.sqrt(2))
         self.assertAlmostEqual(ref.polygon_factor((0, 0, 0), (0, 0, 1), ref.horizontal(0, 1, 0, 1, 1)), corner, 12)
         # Four squares side by side, and turned upside down.
-        self.assertAlmostEqual(ref.polygon_factor((0, 0, 1), (0, 0, -1), ref.horizontal(-1, 1, -1, 1, 0)), 4 * corner, 12)
+        floor = ref.horizontal(-1, 1, -1, 1, 0)
+        self.assertAlmostEqual(ref.polygon_factor((0, 0, 1), (0, 0, -1), floor), 4 * corner, 12)
 
     def test_horizon_hides_half_of_an_endless_wall(self):
         wall = ref.vertical(-1e4, 1e4, 1, -1e4, 1e4)

@@ -19,11 +19,12 @@ from ctypes import byref
 import numpy as np
 
 from . import _ffi, _library
-from ._ffi import (AlphaMode, Channel, Effect, JobState, LightKind, LogLevel, MaterialModel, MeterKind, Method,
-                   OpeningShape, ProfileFormat, ProfileSymmetry, Projection, ResultText, SceneText, Status, Technique)
+from ._ffi import (AlphaMode, Channel, Contribution, Effect, JobState, LightKind, LogLevel, MaterialModel, MeterKind, Method,
+                   OpeningShape, Perturbation, ProfileFormat, ProfileSymmetry, Projection, ResultText, SceneText, Status,
+                   Technique)
 
-__all__ = ["AlphaMode", "Channel", "Context", "Effect", "Error", "Job", "JobState", "LightKind", "LogLevel",
-           "MaterialModel", "MeterKind", "Method", "OpeningShape", "Profile", "ProfileFormat", "ProfileSymmetry",
+__all__ = ["AlphaMode", "Channel", "Context", "Contribution", "Effect", "Error", "Job", "JobState", "LightKind", "LogLevel",
+           "MaterialModel", "MeterKind", "Method", "OpeningShape", "Perturbation", "Profile", "ProfileFormat", "ProfileSymmetry",
            "Projection", "Result", "ResultText", "Scene", "SceneText", "Status", "Technique", "translation", "version"]
 
 _lib = _library.load()
@@ -389,6 +390,25 @@ class Result(_Handle):
         shape = self._shape(camera, 2, "a camera")
         out = np.empty(shape if channel == Channel.ILLUMINANCE else shape + (3,), dtype=np.float32)
         _check(_lib.ups_result_read_image(self, camera, channel, _pointer(out, ctypes.c_float), 0, out.nbytes))
+        return out
+
+    def techniques(self, camera):
+        """A ups_technique_info of each technique that has an image; empty without technique_images in the render's
+        description. The position in the list is the index for technique_image()."""
+        count = ctypes.c_uint32()
+        _check(_lib.ups_result_get_technique_count(self, camera, byref(count)))
+        found = []
+        for index in range(count.value):
+            info = _ffi.TechniqueInfo(struct_size=ctypes.sizeof(_ffi.TechniqueInfo))
+            _check(_lib.ups_result_get_technique(self, camera, index, byref(info)))
+            found.append(info)
+        return found
+
+    def technique_image(self, camera, index, contribution=Contribution.WEIGHTED):
+        """(height, width, 3) of the technique with that index in techniques()."""
+        out = np.empty(self._shape(camera, 2, "a camera") + (3,), dtype=np.float32)
+        _check(_lib.ups_result_read_technique(self, camera, index, contribution, _pointer(out, ctypes.c_float), 0,
+                                              out.nbytes))
         return out
 
     def convergence(self):

@@ -124,6 +124,11 @@ class Technique(enum.IntFlag):
     SENSOR_HIT = 32
 
 
+class Perturbation(enum.IntEnum):
+    VIRTUAL = 0
+    ACTUAL = 1
+
+
 class JobState(enum.IntEnum):
     RUNNING = 0
     FINISHED = 1
@@ -135,6 +140,13 @@ class Channel(enum.IntEnum):
     LUMINANCE_RGB = 0
     STANDARD_ERROR_RGB = 1
     ILLUMINANCE = 2
+    PATH_INTEGRATION_RGB = 3
+    DENSITY_ESTIMATION_RGB = 4
+
+
+class Contribution(enum.IntEnum):
+    WEIGHTED = 0
+    UNWEIGHTED = 1
 
 
 class ResultText(enum.IntEnum):
@@ -361,6 +373,10 @@ class RenderDesc(Structure):
         ("max_path_length", c_uint32),
         ("light_paths_per_iteration", c_uint32),
         ("techniques", c_uint32),
+        ("radius_alpha", c_float),
+        ("glossy_alpha", c_float),
+        ("perturbation", c_int32),
+        ("technique_images", c_uint32),
     ]
 
 
@@ -437,6 +453,16 @@ class MeterStatistics(Structure):
     ]
 
 
+class TechniqueInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("technique", c_uint32),
+        ("light_vertices", c_uint32),
+        ("eye_vertices", c_uint32),
+        ("edges", c_uint32),
+    ]
+
+
 # Result and parameters of each function.
 PROTOTYPES = {
     "ups_version": (c_uint32, []),
@@ -493,6 +519,10 @@ PROTOTYPES = {
     "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t]),
     "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)]),
     "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t]),
+    "ups_result_get_technique_count": (c_int32, [c_void_p, SensorId, POINTER(c_uint32)]),
+    "ups_result_get_technique": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(TechniqueInfo)]),
+    "ups_result_read_technique": (c_int32, [c_void_p, SensorId, c_uint32, c_int32, POINTER(c_float), c_size_t,
+        c_size_t]),
     "ups_result_read_convergence": (c_int32, [c_void_p, POINTER(ConvergencePoint), c_size_t, POINTER(c_size_t)]),
     "ups_result_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_result_destroy": (None, [c_void_p]),

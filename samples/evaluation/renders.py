@@ -1,0 +1,58 @@
+"""Runs `ups render` and `ups compare` for the scripts beside it, and keeps references."""
+import hashlib
+import json
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from typing import Optional
+
+
+def run(command):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stderr.strip()}")
+    return json.loads(done.stdout)
+
+
+@dataclass
+class Renderer:
+    """One scene, rendered by one program."""
+    ups: str
+    scene: str
+    threads: Optional[int] = None
+    size: Optional[str] = None  # WxH of the cameras
+
+    def render(self, method, seed, limit, out=None):
+        """limit: words of the program, as ["--time", "10"]; out: folder for the images, the tables and render.json."""
+        command = [self.ups, "render", self.scene, "--method", method, "--seed", str(seed), "--json", *limit]
+        for option, value in (("--threads", self.threads), ("--size", self.size), ("--out", out)):
+            if value:
+                command += [option, str(value)]
+        summary = run(command)
+        if out:
+            with open(os.path.join(out, "render.json"), "w", encoding="utf-8") as file:
+                json.dump(summary, file, indent=1)
+        return summary
+
+    def reference(self, method, seed, limit, out):
+        """The summary of the reference in `out`; an earlier one is used again only where the same words made it of the
+        same scene."""
+        with open(self.scene, "rb") as file:
+            recipe = [hashlib.sha256(file.read()).hexdigest(), method, seed, limit, self.size]
+        note = os.path.join(out, "recipe.json")
+        if os.path.exists(note):
+            with open(note, encoding="utf-8") as file:
+                if json.load(file) == recipe:
+                    with open(os.path.join(out, "render.json"), encoding="utf-8") as summary:
+                        return json.load(summary)
+        print(f"reference: {method}, seed {seed}, {' '.join(limit)}", file=sys.stderr)
+        summary = self.render(method, seed, limit, out)
+        with open(note, "w", encoding="utf-8") as file:
+            json.dump(recipe, file)
+        return summary
+
+    def compare(self, camera, out, reference_dir):
+        """`ups compare` of a camera's image with the reference's."""
+        return run([self.ups, "compare", *(os.path.join(folder, camera + ".exr") for folder in (out, reference_dir)),
+                    "--json"])

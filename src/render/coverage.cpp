@@ -1,0 +1,146 @@
+#include "render/coverage.h"
+
+#include <algorithm>
+
+#include "scene/effects.h"
+#include "ups/ups_render.h"
+
+namespace ups {
+
+namespace {
+
+constexpr size_t longest = 3;       // vertices: longer patterns bring no new kind of missing light
+constexpr size_t most_patterns = 3;  // of a warning for one kind of emitter and sensor
+
+bool is_specular(char v) { return v == 'S'; }
+bool is_continuous(char v) { return v != 'S'; }
+
+bool can_hit(std::string_view v, SensorKind sensor, const TransportSettings& s) {
+  if (s.light_tracing) return sensor == SensorKind::camera && v.empty();
+  if (!s.has(UPS_TECHNIQUE_EMITTER_HIT)) return false;
+  if (!s.hits_after_specular) return true;
+  return sensor == SensorKind::camera && v.find('D') == std::string_view::npos &&
+         (s.glossy_alpha > 0 || v.find('G') == std::string_view::npos);
+}
+
+bool can_light_sample(std::string_view v, SensorKind sensor, const TransportSettings& s) {
+  if (s.light_tracing) return sensor == SensorKind::point_meter && v.empty();
+  if (!s.has(UPS_TECHNIQUE_LIGHT_SAMPLE) || s.photon_mapping) return false;
+  return v.empty() ? sensor != SensorKind::camera : is_continuous(v.front());
+}
+
+bool can_connect(std::string_view v, SensorKind sensor, const TransportSettings& s) {
+  if (!s.has(UPS_TECHNIQUE_CONNECT) || s.photon_mapping || v.empty()) return false;
+  const bool to_meter = sensor != SensorKind::camera && is_continuous(v.back());
+  if (s.light_tracing) return to_meter && sensor == SensorKind::point_meter;
+  const auto both = [](char a, char b) { return is_continuous(a) && is_continuous(b); };
+  return to_meter || std::adjacent_find(v.begin(), v.end(), both) != v.end();
+}
+
+bool can_splat(std::string_view v, SensorKind sensor, const TransportSettings& s) {
+  if (sensor != SensorKind::camera || !s.has(UPS_TECHNIQUE_SENSOR_CONNECT) || v.empty()) return false;
+  const bool gated = v.size() == 1 && s.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
+  return is_continuous(v.back()) && !gated;
+}
+
+bool can_merge(std::string_view v, SensorKind sensor, const TransportSettings& s) {
+  if (!s.has(UPS_TECHNIQUE_MERGE)) return false;
+  const bool gated = s.has(UPS_TECHNIQUE_LIGHT_SAMPLE);  // no photons straight from an emitter
+  if (sensor == SensorKind::point_meter && (!v.empty() || !gated)) return true;
+  if (s.photon_mapping) return sensor == SensorKind::camera && v.find_first_of(s.glossy_alpha > 0 ? "D" : "DG") != std::string_view::npos;
+  return std::any_of(v.begin() + (gated && !v.empty()), v.end(), is_continuous);
+}
+
+}  // namespace
+
+bool can_sample(std::string_view v, bool hittable, SensorKind sensor, const TransportSettings& s) {
+  return (hittable && can_hit(v, sensor, s)) || can_light_sample(v, sensor, s) || can_connect(v, sensor, s) ||
+         can_splat(v, sensor, s) || can_merge(v, sensor, s) ||
+         (sensor == SensorKind::cell && s.has(UPS_TECHNIQUE_SENSOR_HIT));
+}
+
+bool is_measurable(std::string_view v, bool hittable, SensorKind sensor) {
+  return hittable || sensor != SensorKind::camera || !std::all_of(v.begin(), v.end(), is_specular);
+}
+
+namespace {
+
+// In order of length.
+std::vector<std::string> patterns(const std::string& letters) {
+  std::vector<std::string> all = {""};
+  for (size_t i = 0; i < all.size(); ++i)
+    if (all[i].size() < longest)
+      for (char letter : letters) all.push_back(all[i] + letter);
+  return all;
+}
+
+bool contains(const std::string& longer, const std::string& part) {
+  size_t at = 0;
+  for (char c : longer) at += at < part.size() && c == part[at];
+  return at == part.size();
+}
+
+// The shortest: what goes on from them by more bounces is missing with them.
+std::vector<std::string> missing_patterns(const std::string& letters, bool hittable, SensorKind sensor, const TransportSettings& s) {
+  std::vector<std::string> missing;
+  for (const std::string& v : patterns(letters)) {
+    if (!is_measurable(v, hittable, sensor) || can_sample(v, hittable, sensor, s)) continue;
+    const bool known = std::any_of(missing.begin(), missing.end(), [&](const std::string& m) { return contains(v, m); });
+    if (!known && missing.size() < most_patterns) missing.push_back(v);
+  }
+  return missing;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (size_t i = 0; i < std::min<size_t>(names.size(), 3); ++i) text += (i ? ", " : "") + names[i];
+  return names.size() > 3 ? text + " and " + std::to_string(names.size() - 3) + " more" : text;
+}
+
+// Which surfaces stand behind a letter.
+struct Letters {
+  std::string available;
+  std::string specular, glossy, diffuse;
+
+  Letters(const Snapshot& scene, const TransportSettings& settings) {
+    const auto passed = [&](const Material& m) { return Bsdf(m, {}).is_glossy(settings.glossy_alpha); };
+    specular = materials_of(scene, [](const Material& m) { return traits_of(m).delta; });
+    glossy = materials_of(scene, passed);
+    diffuse = materials_of(scene, [&](const Material& m) { return traits_of(m).continuous && !passed(m); });
+    if (!specular.empty()) available += 'S';
+    if (!glossy.empty()) available += 'G';
+    if (!diffuse.empty()) available += 'D';
+  }
+  std::string words(const std::string& vertices) const {
+    std::string text = "emitter";
+    for (char v : vertices)
+      text += v == 'S' ? " - specular (" + specular + ")" : v == 'G' ? " - glossy (" + glossy + ")" : " - diffuse (" + diffuse + ")";
+    return text;
+  }
+};
+
+}  // namespace
+
+std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& settings) {
+  std::vector<std::pair<SensorKind, const char*>> sensors;
+  if (!scene.cameras.empty()) sensors.emplace_back(SensorKind::camera, "camera");
+  for (bool cell : {false, true})
+    if (std::any_of(scene.meter_sets.begin(), scene.meter_sets.end(), [&](const MeterSet& m) { return m.is_cell() == cell; }))
+      sensors.emplace_back(cell ? SensorKind::cell : SensorKind::point_meter, cell ? "area meter" : "point meter");
+  const Letters letters(scene, settings);
+  std::vector<std::string> lines;
+  for (bool hittable : {true, false}) {
+    std::vector<std::string> emitters;
+    for (size_t i = 0; i < scene.emitters.size(); ++i)
+      if (scene.emitters[i].is_delta() != hittable) emitters.push_back(scene.emitter_names[i]);
+    if (emitters.empty()) continue;
+    for (const auto& [kind, name] : sensors)
+      for (const std::string& v : missing_patterns(letters.available, hittable, kind, settings))
+        lines.push_back("light of " + listed(emitters) + (hittable ? "" : " (without extent)") + " on paths " + letters.words(v) +
+                        " - " + name + " is missing, and what goes on from such paths: no technique of this set samples it; " +
+                        "method ups has one");
+  }
+  return lines;
+}
+
+}  // namespace ups

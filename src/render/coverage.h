@@ -1,0 +1,24 @@
+// Which light can a set of techniques not sample? By patterns of paths, as in Heckbert's notation: what is between the
+// emitter and the sensor, each vertex specular (S), glossy (G) or diffuse (D). Asked by render/method.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/snapshot.h"
+#include "transport/plan.h"
+
+namespace ups {
+
+enum class SensorKind { camera, point_meter, cell };
+
+// vertices: "SD" is emitter - specular - diffuse - sensor. hittable: eye paths can run into the emitter. G is a surface that
+// TransportSettings::glossy_alpha passes, D any other continuous one.
+bool can_sample(std::string_view vertices, bool hittable, SensorKind sensor, const TransportSettings& settings);
+// Such a path carries light at all: a pinhole sees no source without extent, not even in a mirror.
+bool is_measurable(std::string_view vertices, bool hittable, SensorKind sensor);
+
+// A line for each kind of light of the scene that the set cannot sample: which emitters, by way of which surfaces.
+std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& settings);
+
+}  // namespace ups

@@ -1,0 +1,148 @@
+// The extended path space itself: with actual perturbation, path integration draws a vertex from the merging kernel around
+// the eye path's vertex and so estimates what density estimation estimates, for any radius, not only as it shrinks
+// (Hachisuka, Pantaleoni, Jensen 2012, Eq. 16 and 17; Eq. 18 leaves the vertex out). Radii are large here, so that
+// the virtual perturbation of every render measures something else by many standard errors; as the radius shrinks the
+// two come together as its square.
+//
+// Tolerances are those of expect_lx.h: P(|t_15| > 4) = 0.12 % a comparison where noise decides; 9 comparisons.
+#include <numeric>
+
+#include "../support/expect_lx.h"
+
+namespace ups::test {
+namespace {
+
+constexpr double height = 1, intensity = 1000;
+
+// Illuminance of a plane at distance rho from the foot of a point source.
+double illuminance(double rho) { return intensity * height / std::pow(height * height + rho * rho, 1.5); }
+
+// Mean over a disc at `x` by the midpoint rule in equal areas.
+double disc_mean(double x, double radius) {
+  constexpr int rings = 64, sectors = 64;
+  double sum = 0;
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < sectors; ++j) {
+      const double r = radius * std::sqrt((i + 0.5) / rings), phi = 2 * pi_d * (j + 0.5) / sectors;
+      sum += illuminance(std::hypot(x + r * std::cos(phi), r * std::sin(phi)));
+    }
+  return sum / (rings * sectors);
+}
+
+// Over the radii of a render: r_{i+1}^2 = r_i^2 (i + alpha) / (i + 1).
+double mean_over_schedule(double x, double radius, uint32_t iterations) {
+  double sum = 0, r2 = radius * radius;
+  for (uint32_t i = 1; i <= iterations; ++i) {
+    sum += disc_mean(x, std::sqrt(r2));
+    r2 *= (i + 2.0 / 3) / (i + 1);
+  }
+  return sum / iterations;
+}
+
+struct Plane {
+  Scene scene;
+  Sensor meter;
+  Plane() {
+    scene.add(quad({-4, -4, 0}, {8, 0, 0}, {0, 8, 0}), matte(0));
+    // A cone that is wider than every disc, so that its photons are not wasted.
+    scene.add_spot({0, 0, height}, {0, 0, -1}, intensity, 1.0, 1.1);
+    meter = scene.add_meters({{0.3, 0, 0}}, {0, 0, 1});
+  }
+  ups_meter_reading read(RenderOptions options) { return scene.render(options).readings(meter)[0]; }
+};
+
+TEST(ActualPerturbation, OfNextEventEstimationAtAMeterMeasuresWhatMergingMeasures) {
+  constexpr double radius = 0.4;
+  constexpr uint32_t iterations = 64;
+  Plane plane;
+  const double expected = mean_over_schedule(0.3, radius, iterations), at_point = illuminance(0.3);
+  ASSERT_GT(std::abs(expected / at_point - 1), 0.02);
+  RenderOptions options{.method = UPS_METHOD_PATH_TRACING, .iterations = iterations, .merge_radius_m = radius};
+  expect_lx(plane.read(options), at_point, 0.003, "virtual");
+  options.perturbation = UPS_PERTURBATION_ACTUAL;
+  expect_lx(plane.read(options), expected, 0.003, "actual");
+  options.method = UPS_METHOD_PPM;
+  options.light_paths = 1u << 15;
+  expect_lx(plane.read(options), expected, 0.004, "merging");
+}
+
+// The difference to virtual perturbation is the bias of merging, r^2 / 8 times the Laplacian of illuminance.
+TEST(ActualPerturbation, ComesToVirtualAsTheSquareOfTheRadius) {
+  constexpr uint32_t iterations = 64;
+  Plane plane;
+  const double x = 0.3, s = height * height + x * x;
+  const double laplacian = intensity * height * (15 * x * x / std::pow(s, 3.5) - 6 / std::pow(s, 2.5));
+  double mean_factor = 0, r2 = 1;
+  for (uint32_t i = 1; i <= iterations; ++i) {
+    mean_factor += r2 / iterations;
+    r2 *= (i + 2.0 / 3) / (i + 1);
+  }
+  const double virtual_lx = illuminance(x);
+  double last = 0;
+  for (double radius : {0.4, 0.2, 0.1, 0.05}) {
+    const auto r = plane.read({.method = UPS_METHOD_PATH_TRACING, .iterations = iterations, .merge_radius_m = radius,
+                               .perturbation = UPS_PERTURBATION_ACTUAL});
+    const double difference = r.illuminance_lx - virtual_lx, predicted = radius * radius / 8 * mean_factor * laplacian;
+    // The next term of the series is of order r^2 relative to this one.
+    EXPECT_NEAR(difference, predicted, 1.2 * radius * radius * std::abs(predicted) + sigmas * r.standard_error_lx) << radius;
+    if (last != 0) {
+      EXPECT_NEAR(last / difference, 4, 0.5) << radius;
+    }
+    last = difference;
+  }
+  EXPECT_LT(std::abs(last), 0.001 * virtual_lx);
+}
+
+struct Pixels {
+  double mean, standard_error;
+};
+Pixels mean_of(Scene& scene, const Sensor& camera, RenderOptions options) {
+  constexpr int seeds = 8;
+  double sum = 0, squares = 0;
+  for (options.seed = 1; options.seed <= seeds; ++options.seed) {
+    const Image image = scene.render(options).image(camera);
+    const double m = std::accumulate(image.luminance.begin(), image.luminance.end(), 0.0) / double(image.luminance.size());
+    sum += m, squares += m * m;
+  }
+  const double mean = sum / seeds;
+  return {mean, std::sqrt(std::max(0.0, squares / seeds - mean * mean) / (seeds - 1))};
+}
+
+// `options` once with actual perturbation against PPM at the same radius; once virtual, which must differ.
+void expect_same_as_merging(Scene& scene, const Sensor& camera, RenderOptions options, double least_difference) {
+  RenderOptions merging = options;
+  merging.method = UPS_METHOD_PPM;
+  merging.techniques = 0;
+  merging.light_paths = 1u << 15;
+  const Pixels b = mean_of(scene, camera, merging), c = mean_of(scene, camera, options);
+  options.perturbation = UPS_PERTURBATION_ACTUAL;
+  const Pixels a = mean_of(scene, camera, options);
+  const double s = std::hypot(a.standard_error, b.standard_error);
+  EXPECT_LE(s, 0.01 * b.mean) << "too noisy to judge";
+  EXPECT_LE(std::abs(a.mean - b.mean), std::max(relative_tolerance * b.mean, sigmas * s)) << a.mean << " " << b.mean;
+  EXPECT_GE(std::abs(c.mean - b.mean), least_difference * b.mean) << "virtual: " << c.mean << " " << b.mean;
+}
+
+// Over a sphere: the kernel is cut by the merging rules, and the drawn point's normal is another than the vertex's.
+TEST(ActualPerturbation, OfNextEventEstimationOnACurvedSurfaceMeasuresWhatMergingMeasures) {
+  Scene scene;
+  scene.add(icosphere({0, 0, 0}, 1, 5), matte(0.5));
+  scene.add_spot({0, 0, 1.5}, {0, 0, -1}, intensity, 1.2, 1.3);
+  const Sensor camera = scene.add_camera({0, 0, 1.4}, {0.3, 0, -1}, 4, 4, 0.2);
+  expect_same_as_merging(scene, camera, {.method = UPS_METHOD_PATH_TRACING, .iterations = 40, .merge_radius_m = 0.4,
+                                         .max_path_length = 2}, 0.05);
+}
+
+// s = 2, t = 2: a lit spot on a wall, the floor beneath it seen by the camera.
+TEST(ActualPerturbation, OfConnectionsMeasuresWhatMergingMeasures) {
+  Scene scene;
+  scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0.5));
+  scene.add(quad({-0.2, 0.2, 0.3}, {0.4, 0, 0}, {0, 0, 0.3}), matte(0.8));
+  scene.add_spot({0, -0.5, 0.45}, {0, 1, 0}, intensity, 0.12, 0.14);
+  const Sensor camera = scene.add_camera({0, -0.1, 1}, {0, 0.1, -1}, 4, 4, 0.1);
+  expect_same_as_merging(scene, camera, {.method = UPS_METHOD_UPS, .iterations = 32, .merge_radius_m = 0.15, .light_paths = 1u << 12,
+                                         .techniques = UPS_TECHNIQUE_CONNECT, .max_path_length = 3}, 0.05);
+}
+
+}  // namespace
+}  // namespace ups::test

@@ -1,0 +1,105 @@
+// Which light can a set of techniques sample? The support table of every method, by patterns of paths.
+#include "render/coverage.h"
+
+#include <gtest/gtest.h>
+
+#include "render/method.h"
+
+namespace {
+
+using namespace ups;
+
+TransportSettings settings(int32_t method, uint32_t techniques) {
+  return settings_of({.method = method}, {method, techniques, {}, {}});
+}
+constexpr uint32_t hit = UPS_TECHNIQUE_EMITTER_HIT, light_sample = UPS_TECHNIQUE_LIGHT_SAMPLE, join = UPS_TECHNIQUE_CONNECT,
+                   splat = UPS_TECHNIQUE_SENSOR_CONNECT, merge = UPS_TECHNIQUE_MERGE, land = UPS_TECHNIQUE_SENSOR_HIT;
+const TransportSettings pt = settings(UPS_METHOD_PATH_TRACING, hit | light_sample),
+                        bpt = settings(UPS_METHOD_BIDIRECTIONAL, hit | light_sample | join | splat),
+                        lt = settings(UPS_METHOD_LIGHT_TRACING, join | splat | land),
+                        ppm = settings(UPS_METHOD_PPM, hit | merge | land), sppm = settings(UPS_METHOD_SPPM, hit | merge | land),
+                        bpm = settings(UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING, hit | merge | land),
+                        all = settings(UPS_METHOD_UPS, hit | light_sample | join | splat | merge | land);
+constexpr SensorKind camera = SensorKind::camera, point = SensorKind::point_meter, cell = SensorKind::cell;
+
+std::vector<std::string> all_patterns() {
+  std::vector<std::string> p = {""};
+  for (size_t i = 0; i < p.size(); ++i)
+    if (p[i].size() < 4)
+      for (char c : {'S', 'G', 'D'}) p.push_back(p[i] + c);
+  return p;
+}
+
+TEST(Coverage, UnifiedPathSamplingHasATechniqueForAllLight) {
+  for (const std::string& v : all_patterns())
+    for (bool hittable : {false, true})
+      for (SensorKind sensor : {camera, point, cell})
+        if (is_measurable(v, hittable, sensor)) {
+          EXPECT_TRUE(can_sample(v, hittable, sensor, all)) << v << " " << hittable << " " << int(sensor);
+        }
+}
+
+// PPM merges at the first vertex that is not specular, and bidirectional photon mapping at all: they need extent only where
+// an emitter is seen directly.
+TEST(Coverage, PhotonMappingHasATechniqueForAllLight) {
+  for (const TransportSettings& s : {ppm, bpm})
+    for (const std::string& v : all_patterns())
+      for (bool hittable : {false, true})
+        for (SensorKind sensor : {camera, point, cell})
+          if (is_measurable(v, hittable, sensor)) {
+            EXPECT_TRUE(can_sample(v, hittable, sensor, s)) << v << " " << hittable << " " << int(sensor);
+          }
+}
+
+TEST(Coverage, PathTracingNeedsExtentOrADiffuseFirstVertex) {
+  for (const std::string& v : all_patterns()) {
+    EXPECT_TRUE(can_sample(v, true, camera, pt)) << v;
+    if (!v.empty()) {
+      EXPECT_EQ(can_sample(v, false, camera, pt), v[0] != 'S') << v;
+      EXPECT_EQ(can_sample(v, false, point, pt), v[0] != 'S') << v;
+    }
+  }
+  EXPECT_TRUE(can_sample("", false, point, pt));
+}
+
+TEST(Coverage, BidirectionalPathTracingCannotSampleSpecularDiffuseSpecular) {
+  EXPECT_FALSE(can_sample("SDS", false, camera, bpt));
+  EXPECT_FALSE(can_sample("SDSDS", false, camera, bpt));
+  EXPECT_FALSE(can_sample("S", false, point, bpt));
+  EXPECT_FALSE(can_sample("S", false, cell, bpt));
+  EXPECT_TRUE(can_sample("SD", false, camera, bpt));    // t = 1
+  EXPECT_TRUE(can_sample("SD", false, point, bpt));     // a connection to the meter
+  EXPECT_TRUE(can_sample("SDDS", false, camera, bpt));  // a connection between the two
+  EXPECT_TRUE(can_sample("DS", false, camera, bpt));    // next-event estimation
+  EXPECT_TRUE(can_sample("SDS", true, camera, bpt));    // an eye path that runs into the emitter
+}
+
+TEST(Coverage, LightTracingNeedsADiffuseLastVertexOrACell) {
+  for (const std::string& v : all_patterns()) {
+    const bool last = !v.empty() && v.back() != 'S';
+    EXPECT_EQ(can_sample(v, true, camera, lt), v.empty() || last) << v;
+    EXPECT_EQ(can_sample(v, false, point, lt), v.empty() || last) << v;
+    EXPECT_TRUE(can_sample(v, false, cell, lt)) << v;
+  }
+}
+
+TEST(Coverage, StochasticPhotonMappingLosesPointSourcesInGlossySurfaces) {
+  EXPECT_FALSE(can_sample("G", false, camera, sppm));
+  EXPECT_FALSE(can_sample("SG", false, camera, sppm));
+  EXPECT_TRUE(can_sample("G", true, camera, sppm));
+  EXPECT_TRUE(can_sample("DG", false, camera, sppm));
+  EXPECT_TRUE(can_sample("GD", false, camera, sppm));
+  EXPECT_TRUE(can_sample("G", false, point, sppm));
+}
+
+TEST(Coverage, MasksTakeTechniquesAway) {
+  const TransportSettings merges = settings(UPS_METHOD_UPS, merge);
+  EXPECT_FALSE(can_sample("", true, camera, merges));
+  EXPECT_FALSE(can_sample("S", true, camera, merges));
+  EXPECT_TRUE(can_sample("D", true, camera, merges));  // without next-event estimation there is no gate
+  const TransportSettings gated = settings(UPS_METHOD_UPS, merge | light_sample);
+  EXPECT_TRUE(can_sample("D", false, camera, gated));
+  EXPECT_FALSE(can_sample("DS", false, camera, settings(UPS_METHOD_UPS, splat | join)));
+}
+
+}  // namespace
