@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# The checks of accuracy in samples/evaluation/README.md, one after another, and a summary: about an hour and a half.
+# The checks of accuracy in samples/evaluation/README.md, one after another, then all cases of samples/validation, and a
+# summary: about an hour and a half.
 # Not part of tests/run.sh: they compare at equal time, so nothing else may run beside them. Exit code 1 where one
 # fails.
 #   tests/long.sh                       all
-#   tests/long.sh office spheres        some of: office caustic spheres agreement bathroom
+#   tests/long.sh office spheres        some of: office caustic spheres agreement bathroom validation
 # UPS_PROGRAM: a program `ups` that is there; without it the one in build/release is built, after what it needs.
 # UPS_TIME_SCALE: multiplies every time. Below 1 the limits cannot be kept: it shows only that the checks run.
 # shellcheck disable=SC2317  # the checks are called by name
@@ -76,6 +77,9 @@ bathroom() {
     --min-rmse-ratio 2 --out "$out/bathroom_methods"
 }
 
+# As many iterations as its noise asks for, whatever the scale of times.
+validation() { "$python" samples/validation/validate.py --ups "$ups" --out "$out/validation"; }
+
 # Runs one check; the table that it prints is kept for the summary.
 check() {
   local name=$1 log=$out/long_$1.txt result=passed
@@ -104,12 +108,12 @@ summary() {
 }
 
 wanted=("$@")
-[ $# -gt 0 ] || wanted=(office caustic spheres agreement bathroom)
+[ $# -gt 0 ] || wanted=(office caustic spheres agreement bathroom validation)
 for name in "${wanted[@]}"; do
   case "$name" in
-    office | caustic | spheres | agreement | bathroom) ;;
+    office | caustic | spheres | agreement | bathroom | validation) ;;
     *)
-      echo "usage: $0 [office] [caustic] [spheres] [agreement] [bathroom]" >&2
+      echo "usage: $0 [office] [caustic] [spheres] [agreement] [bathroom] [validation]" >&2
       exit 2
       ;;
   esac

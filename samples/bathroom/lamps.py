@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from ies import write_axial
 from shapes import check_closed, icosphere, lathe, merged, tube
 
 # Downlight; its z = 0 is the ceiling.
@@ -80,11 +81,6 @@ def write_wall_lamp_ies(path):
     # Flux by the band rule: each band's solid angle times the mean of its two intensities.
     flux = (2 * np.pi * -np.diff(cosine) * (shape[1:] + shape[:-1]) / 2).sum()
     candela = shape * WALL_LAMP_FLUX / flux
-    lines = ["IESNA:LM-63-2002", "[TEST] computed by make_bathroom.py", "[TESTLAB] none", "[ISSUEDATE] 2026-01-01",
-             "[MANUFAC] UPS samples", f"[LUMINAIRE] wall lamp, up and down, {WALL_LAMP_FLUX:.0f} lm", "TILT=NONE",
-             f"1 -1 1 {len(gamma)} 1 1 2 {-OPENING_DIAMETER} {-OPENING_DIAMETER} 0", "1 1 8"]
-    for values, form in ((gamma, "{:.1f}"), (np.zeros(1), "{:.1f}"), (candela, "{:.3f}")):
-        words = [form.format(v) for v in values]
-        lines += [" ".join(words[k:k + 12]) for k in range(0, len(words), 12)]
-    with open(path, "w", newline="\r\n") as file:
-        file.write("\n".join(lines) + "\n")
+    comments = [("TEST", "computed by make_bathroom.py"), ("TESTLAB", "none"), ("ISSUEDATE", "2026-01-01"),
+                ("MANUFAC", "UPS samples"), ("LUMINAIRE", f"wall lamp, up and down, {WALL_LAMP_FLUX:.0f} lm")]
+    write_axial(path, gamma, candela, comments, OPENING_DIAMETER, watts=8)

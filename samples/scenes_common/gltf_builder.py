@@ -38,6 +38,13 @@ class Frame:
         return Frame(origin, x, np.cross(z, x))
 
     @staticmethod
+    def along(z):
+        """Local z along any direction; the others as they come."""
+        z = unit(np.asarray(z, float))
+        x = unit(np.cross(np.eye(3)[np.argmin(np.abs(z))], z))
+        return Frame((0, 0, 0), x, np.cross(z, x))
+
+    @staticmethod
     def camera(eye, target):
         """A camera looks along its local -z."""
         return Frame.facing(eye, np.asarray(eye, float) - np.asarray(target, float))
@@ -168,12 +175,25 @@ class GltfBuilder:
     def luminaire(self, name, frame, **luminaire):
         self.node(name, **frame.properties(), extras={"ups": {"luminaire": luminaire}})
 
-    def point_light(self, name, at, candela):
+    def _light(self, name, kind, intensity, cone=None, **where):
         lights = self._json.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
-        lights.append({"name": name, "type": "point", "intensity": float(candela)})
+        lights.append({"name": name, "type": kind, "intensity": float(intensity), **({"spot": cone} if cone else {})})
         self._extensions.add("KHR_lights_punctual")
-        self.node(name, translation=_numbers(TO_GLTF @ np.asarray(at, float)),
-                  extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
+        self.node(name, **where, extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
+
+    def point_light(self, name, at, candela):
+        self._light(name, "point", candela, translation=_numbers(TO_GLTF @ np.asarray(at, float)))
+
+    def spot_light(self, name, at, direction, candela, inner_radians, outer_radians):
+        """Full intensity up to the inner angle from the axis, none beyond the outer one."""
+        where = Frame.along(-np.asarray(direction, float))
+        self._light(name, "spot", candela, {"innerConeAngle": inner_radians, "outerConeAngle": outer_radians},
+                    translation=_numbers(TO_GLTF @ np.asarray(at, float)), rotation=where.properties()["rotation"])
+
+    def directional_light(self, name, direction, lux):
+        """Light that travels along `direction`; the illuminance of a surface that faces it."""
+        where = Frame.along(-np.asarray(direction, float))
+        self._light(name, "directional", lux, rotation=where.properties()["rotation"])
 
     def write(self, path):
         while len(self._bytes) % 4:

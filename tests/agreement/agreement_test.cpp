@@ -87,7 +87,7 @@ class AreaLitRoom : public ::testing::Test {
   void SetUp() override {
     add_room(scene);
     scene.add(quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), rough(UPS_MATERIAL_PLASTIC, 0.4, 0.3));
-    scene.add(box({2.6, 1.8, 0}, {3.4, 2.6, 0.7}), rough(UPS_MATERIAL_METAL, 0.8, 0.45));
+    scene.add(box({2.6, 1.8, 0}, {3.4, 2.6, 0.7}), rough(UPS_MATERIAL_METAL, 0.8, 0.4));
     scene.add(icosphere({1.2, 1.3, 0.45}, 0.4, 2), glass(1.5));
     scene.add(quad({1.4, 0.9, 2.4}, {0, 1.2, 0}, {1.2, 0, 0}), emitter(1000, 0.5));
   }

@@ -31,6 +31,25 @@ TEST_P(IntegratingSphere, ReachesTheEnergyBalance) {
 INSTANTIATE_TEST_SUITE_P(Reflectances, IntegratingSphere, ::testing::Values(0.5, 0.9, 0.95, 0.98),
                          [](const auto& i) { return "rho_0" + std::to_string(int(std::lround(100 * i.param))); });
 
+// By energy balance the mean over a closed cube is Phi / (S (1 - rho)), for each face where the source is at its centre
+// (case 5.8 of CIE 171:2006, which samples/validation has by the other methods). Here by light tracing, whose paths land
+// on cells, and with the reading's two parts.
+TEST(Energy, FacesOfACubeByLightTracing) {
+  const double rho = 0.5, side = 4, expected = flux_lm / (6 * side * side * (1 - rho));
+  Scene scene;
+  scene.add(box({0, 0, 0}, {side, side, side}).flipped(), matte(rho));
+  scene.add_point_light({2, 2, 2}, flux_lm / (4 * pi_d));
+  const Sensor faces = scene.add_cells({{2, 2, 0}, {2, 2, side}, {0, 2, 2}, {side, 2, 2}, {2, 0, 2}, {2, side, 2}},
+                                       {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}},
+                                       {{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}}, side, side);
+  const Result result = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 64});
+  for (const auto& r : result.readings(faces)) {
+    expect_lx(r, expected, 0.003, "face");
+    EXPECT_NEAR(r.direct_lx, expected * (1 - rho), 0.005 * expected);
+    EXPECT_NEAR(r.direct_lx + r.indirect_lx, r.illuminance_lx, 1e-4 * r.illuminance_lx);
+  }
+}
+
 // A concentric black emitter of area a takes its share a / A of the reflected light:
 // E = Phi / (A (1 - rho (1 - a / A))). Both emitter and wall can be hit, so every technique carries light.
 TEST(Energy, IntegratingSphereAroundASphereEmitter) {

@@ -172,6 +172,7 @@ struct RenderOptions {
   uint32_t max_path_length = 0;
   ups_perturbation perturbation = UPS_PERTURBATION_VIRTUAL;
   uint32_t technique_images = 0;
+  double radius_alpha = 0;
 };
 
 // Local -Z along `direction`, at `position`; row-major 3x4.
@@ -212,6 +213,7 @@ class Scene {
     std::vector<float> normals;
     for (const P3& n : shape.normals) normals.insert(normals.end(), {float(n.x), float(n.y), float(n.z)});
     if (!normals.empty()) mesh.normals = normals.data();
+    if (!shape.uvs.empty()) mesh.uvs = shape.uvs.data()->data();
     auto instance = make_desc<ups_instance_desc>(ups_instance_desc_init);
     check(ups_scene_add_mesh(scene_.get(), &mesh, &instance.mesh), "ups_scene_add_mesh");
     instance.to_world[3] = offset.x;
@@ -219,6 +221,18 @@ class Scene {
     instance.to_world[11] = offset.z;
     ups_instance_id id;
     check(ups_scene_add_instance(scene_.get(), &instance, &id), "ups_scene_add_instance");
+  }
+
+  // 3 channels, row 0 first.
+  ups_texture_id add_texture(uint32_t width, uint32_t height, const std::vector<float>& texels) {
+    auto d = make_desc<ups_texture_desc>(ups_texture_desc_init);
+    d.width = width;
+    d.height = height;
+    d.channel_count = 3;
+    d.texels = texels.data();
+    ups_texture_id id;
+    check(ups_scene_add_texture(scene_.get(), &d, &id), "ups_scene_add_texture");
+    return id;
   }
 
   void add_point_light(const P3& position, double intensity_cd) {
@@ -279,6 +293,7 @@ class Scene {
     d.max_path_length = options.max_path_length;
     d.perturbation = options.perturbation;
     d.technique_images = options.technique_images;
+    d.radius_alpha = float(options.radius_alpha);
     ups_result* result = nullptr;
     check(ups_render(scene_.get(), &d, &result), "ups_render");
     return Result(result, sensors_);

@@ -31,7 +31,8 @@ inline P3 normalize(const P3& a) { return a * (1 / length(a)); }
 struct Shape {
   std::vector<P3> vertices;
   std::vector<std::array<uint32_t, 3>> triangles;
-  std::vector<P3> normals{};  // of vertices; empty: flat
+  std::vector<P3> normals{};                // of vertices; empty: flat
+  std::vector<std::array<float, 2>> uvs{};  // of vertices; empty: none
 
   P3 corner(size_t triangle, int i) const { return vertices[triangles[triangle][i]]; }
   P3 area_normal(size_t t) const { return cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)) * 0.5; }

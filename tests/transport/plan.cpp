@@ -8,12 +8,15 @@ namespace {
 using namespace ups;
 
 TEST(Plan, RadiusFollowsTheRecurrence) {
-  double r2 = 1;  // r^2_{i+1} = r^2_i (i + 2/3) / (i + 1), i from 1
-  for (uint32_t i = 1; i < 5000; ++i) {
-    ASSERT_NEAR(Plan::radius2_factor(i - 1, 2.0 / 3) / r2, 1.0, 1e-10) << i;
-    r2 *= (i + 2.0 / 3.0) / (i + 1);
+  for (const double alpha : {0.1, 0.5, 2.0 / 3, 0.8, 0.99}) {
+    double r2 = 1;  // r^2_{i+1} = r^2_i (i + alpha) / (i + 1), i from 1
+    for (uint32_t i = 1; i < 5000; ++i) {
+      ASSERT_NEAR(Plan::radius2_factor(i - 1, alpha) / r2, 1.0, 1e-10) << i << ", alpha " << alpha;
+      r2 *= (i + alpha) / (i + 1);
+    }
+    const double limit = std::pow(1e6, alpha - 1) / std::tgamma(1 + alpha);
+    EXPECT_NEAR(Plan::radius2_factor(1000000, alpha) / limit, 1.0, 1e-4) << alpha;
   }
-  EXPECT_NEAR(Plan::radius2_factor(1000000, 2.0 / 3) / (1.1077321 * std::pow(1e6, -1.0 / 3.0)), 1.0, 1e-4);  // 1/Gamma(5/3)
 }
 
 TEST(Plan, EveryPixelIsVisitedOncePerPass) {

@@ -1,0 +1,151 @@
+"""Cases with known illuminances: renders each by each method until the noise is small enough, and judges.
+
+A `Case` writes a scene; its `Check`s say what the scene's meters must read. `run` gives one `Row` a check and method.
+A row passes where
+
+    |E - E_ref| <= max(0.5 % of E_ref, 3 standard errors)   and   standard error <= 0.3 % of E_ref;
+
+where E_ref is 0, E must be exactly 0. Seeds are fixed: a case that passes once passes always on the same machine. How
+often a right engine would fail with another seed: noise decides only where 3 standard errors exceed 0.5 %, and then
+with probability P(|t| > 3) for Student's t with the 15 degrees of freedom of 16 batches, 0.9 % a check. With a standard
+error of 0.1 % the 0.5 % are five standard errors: 0.02 %.
+
+Called by validate.py; the cases are in modules of their own, e.g. cie171.py, and tables.py writes the rows.
+"""
+import contextlib
+import csv
+import io
+import json
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from typing import Callable, Optional
+
+import tables
+
+RELATIVE_TOLERANCE = 0.005
+SIGMAS = 3
+LARGEST_NOISE = 0.003
+
+
+@dataclass
+class Check:
+    """What a meter must read: the one of this index in the set `meters`, or, without index, the mean of the set (its
+    standard error is then the set's own: meters of a set share light paths)."""
+    meters: str
+    reference: float  # lx; 0: exactly dark
+    index: Optional[int] = None
+    label: str = ""  # for tables; without it the set's name and the index
+    note: str = ""  # beside the reference in tables, e.g. the published value
+    judged: bool = True  # False: the reading is shown alone; the note says why
+
+    def __post_init__(self):
+        if not self.label:
+            self.label = self.meters if self.index is None else f"{self.meters} {self.index}"
+
+
+@dataclass
+class Case:
+    name: str  # of files and on the command line
+    title: str
+    build: Callable[[str], object]  # writes the .glb (and files it refers to beside it)
+    checks: list
+    methods: tuple = ("ups", "bpt", "pt")
+    fast: bool = True  # part of the set that the tests run
+    options: tuple = ()  # more words for `ups render`
+    iterations: object = 64  # to begin with; a number, or {method: number}
+    cannot: tuple = ()  # ((method, why it cannot sample this case), ...); not in `methods`
+    group: str = ""  # cases of one group share a line of the summary; without it each has its own
+
+    def __post_init__(self):
+        self.group = self.group or self.name
+
+    def first_iterations(self, method):
+        return self.iterations.get(method, 64) if isinstance(self.iterations, dict) else self.iterations
+
+
+@dataclass
+class Row:
+    case: str
+    check: str
+    method: str
+    E: float  # lx
+    standard_error: float  # lx
+    bias: Optional[float]  # lx, as the program estimates it; None for means of sets
+    E_ref: float  # lx
+    deviation: Optional[float]  # %; None where E_ref is 0
+    tolerance: float  # lx
+    passed: Optional[bool]  # None: not judged
+    note: str
+    iterations: int
+    time_s: float
+
+
+def quiet(error, reference):
+    """Is the noise small enough? An unknown standard error is negative; more iterations darken no meter."""
+    return error >= 0 and (reference == 0 or error <= LARGEST_NOISE * reference)
+
+
+def judge(case, method, check, reading, iterations, time_s):
+    value, error, bias = reading
+    reference = check.reference
+    tolerance = max(RELATIVE_TOLERANCE * reference, SIGMAS * error) if reference else 0.0
+    passed = bool(abs(value - reference) <= tolerance and quiet(error, reference)) if check.judged else None
+    deviation = 100 * (value / reference - 1) if reference else None
+    return Row(case.name, check.label, method, value, error, bias, reference, deviation, tolerance, passed, check.note,
+               iterations, time_s)
+
+
+def read_meters(folder, summary):
+    """{set: ((mean, its standard error, None), [(E, standard error, bias), ...])}"""
+    sets = {}
+    for name, meters in summary["meters"].items():
+        with open(os.path.join(folder, name + ".csv"), newline="", encoding="utf-8") as file:
+            readings = [tuple(float(row[column]) for column in ("illuminance_lx", "standard_error_lx", "bias_lx"))
+                        for row in csv.DictReader(file)]
+        sets[name] = ((meters["mean_lx"], meters["mean_standard_error_lx"], None), readings)
+    return sets
+
+
+def render(ups, scene, method, iterations, out, threads, options):
+    """One render: the program's summary and its meters."""
+    command = [ups, "render", scene, "--method", method, "--iterations", str(iterations), "--seed", "1", "--threads",
+               str(threads), "--out", out, "--json", *options]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stderr.strip()}")
+    summary = json.loads(done.stdout)
+    return summary, read_meters(out, summary)
+
+
+def run_case(ups, case, method, scene, out, threads, cap):
+    """Renders with four times as many iterations until no check is too noisy; the rows of the last render."""
+    iterations, seconds = case.first_iterations(method), 0.0
+    while True:
+        summary, sets = render(ups, scene, method, iterations, out, threads, case.options)
+        seconds += summary["time_s"]
+        rows = []
+        for check in case.checks:
+            mean, readings = sets[check.meters]
+            reading = mean if check.index is None else readings[check.index]
+            rows.append(judge(case, method, check, reading, summary["iterations"], seconds))
+        if all(r.passed is None or quiet(r.standard_error, r.E_ref) for r in rows) or 4 * iterations > cap:
+            return rows
+        iterations *= 4
+
+
+def run(ups, cases, methods, out, threads=0, cap=65536, report=print):
+    """The rows of all cases by the methods that can sample them. `report` gets a line of text a case and method."""
+    rows = []
+    for case in cases:
+        folder = os.path.join(out, case.name)
+        os.makedirs(folder, exist_ok=True)
+        scene = os.path.join(folder, case.name + ".glb")
+        with contextlib.redirect_stdout(io.StringIO()):  # the builder says what it has written
+            case.build(scene)
+        for method in (m for m in methods if m in case.methods):
+            done = run_case(ups, case, method, scene, os.path.join(folder, method), threads, cap)
+            rows += done
+            report(tables.progress_line(case, method, done))
+    return rows

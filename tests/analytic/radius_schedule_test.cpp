@@ -1,0 +1,49 @@
+// Does the alpha that a user asks for set how fast merging shrinks? Under a sun that stands straight above floating
+// meters every photon falls on a disc of radius r with the same probability, so that merges count r^2:
+//   E[merges in n iterations] = N sum_i r_i^2 / R^2 for each meter,   r^2_{i+1} = r^2_i (i + alpha) / (i + 1),
+// R the radius of the disc that the sun's light starts on, around the whole scene. Some 1e5 merges: Poisson noise is
+// 0.33 %, 1 % is beyond 3 standard errors (P < 0.3 % each); another of the alphas is off by 15 % or more.
+#include "../support/expect_lx.h"
+
+namespace ups::test {
+namespace {
+
+constexpr uint32_t iterations = 32;
+
+double sum_of_factors(double alpha) {
+  double r2 = 1, sum = 0;
+  for (uint32_t i = 1; i <= iterations; ++i) {
+    sum += r2;
+    r2 *= (i + alpha) / (i + 1);
+  }
+  return sum;
+}
+
+class RadiusSchedule : public ::testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Alphas, RadiusSchedule, ::testing::Values(0, 0.5, 0.8),
+                         [](const auto& i) { return std::to_string(int(100 * i.param)); });
+
+TEST_P(RadiusSchedule, FollowsTheAlphaAskedFor) {
+  constexpr double radius = 0.2;
+  constexpr uint32_t light_paths = 1u << 15;
+  Scene scene;
+  std::vector<P3> positions;
+  for (int i = 0; i < 16; ++i) positions.push_back({i % 4 * 0.5 - 0.75, i / 4 * 0.5 - 0.75, 0});
+  const Sensor meters = scene.add_meters(positions, {0, 0, 1});
+  scene.add(quad({-1.2, -1.2, -0.1}, {2.4, 0, 0}, {0, 2.4, 0}), matte(0));  // makes room for discs at the rim
+  scene.add_directional({0, 0, -1}, 1000);
+  const Result result = scene.render({.method = UPS_METHOD_PPM,
+                                      .iterations = iterations,
+                                      .merge_radius_m = radius,
+                                      .light_paths = light_paths,
+                                      .radius_alpha = GetParam()});
+  const double sun2 = (2 * 2.4 * 2.4 + 0.1 * 0.1) / 4;  // R is half the diagonal of what has a place
+  const double alpha = GetParam() > 0 ? GetParam() : 2.0 / 3;
+  const double expected = 16 * light_paths * radius * radius / sun2 * sum_of_factors(alpha);
+  EXPECT_GT(expected, 9e4);
+  EXPECT_NEAR(double(result.info().merges) / expected, 1, 0.01);
+  EXPECT_NEAR(result.statistics(meters).mean_lx, 1000, 10);
+}
+
+}  // namespace
+}  // namespace ups::test
