@@ -32,7 +32,8 @@ enum {
   UPS_PERTURBATION_VIRTUAL = 0, /* the perturbed vertex is the eye path's own: counted in the weights alone */
   UPS_PERTURBATION_ACTUAL = 1   /* it is drawn from the kernel around the eye path's vertex: as biased as merging is; to
                                  * test the former by; that bias is in no error. Next-event estimation and connections
-                                 * alone. Where the method does not merge, merge_radius_m must be set */
+                                 * alone; a camera's illuminance stays virtual. Where the method does not merge,
+                                 * merge_radius_m must be set */
 };
 
 typedef struct ups_render_desc {
@@ -133,7 +134,7 @@ enum {
   UPS_CHANNEL_LUMINANCE_RGB = 0,      /* 3 floats a pixel, cd/m^2 */
   UPS_CHANNEL_STANDARD_ERROR_RGB = 1, /* 3 floats a pixel; -1: not known */
   UPS_CHANNEL_ILLUMINANCE = 2,        /* 1 float a pixel, lx; cameras with `illuminance` */
-  /* Parts of LUMINANCE_RGB, whose sum they make: with ups_render_desc.technique_images alone */
+  /* Parts of LUMINANCE_RGB, which add up to it once every pixel was visited; with ups_render_desc.technique_images alone */
   UPS_CHANNEL_PATH_INTEGRATION_RGB = 3,
   UPS_CHANNEL_DENSITY_ESTIMATION_RGB = 4
 };

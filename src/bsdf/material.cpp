@@ -222,4 +222,14 @@ MaterialTraits traits_of(const Material& m) {
   return t;
 }
 
+GlossyParts glossy_parts(const Material& m, float below_alpha) {
+  const bool continuous = traits_of(m).continuous;
+  const bool plastic = m.model == MaterialModel::plastic && unit(m.metallic) >= 1;
+  if (m.model != MaterialModel::metal && m.model != MaterialModel::glass && !plastic) return {false, continuous};
+  const float largest = unit(m.roughness);
+  const float smallest = m.roughness_texture ? largest * unit(m.roughness_texture->min_first()) : largest;
+  const bool glossy = continuous && std::max(smallest * smallest, min_alpha) < below_alpha;
+  return {glossy, continuous && (!glossy || largest * largest >= below_alpha || (plastic && m.metallic_texture))};
+}
+
 }  // namespace ups

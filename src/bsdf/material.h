@@ -82,4 +82,10 @@ struct MaterialTraits {
 };
 MaterialTraits traits_of(const Material& material);
 
+// Over all texture values: is it glossy somewhere (Bsdf::is_glossy), does it have another continuous lobe somewhere?
+struct GlossyParts {
+  bool glossy, other;
+};
+GlossyParts glossy_parts(const Material& material, float below_alpha);
+
 }  // namespace ups

@@ -195,7 +195,12 @@ ImageReading Accumulator::read_image(size_t c) const {
     }
   }
   if (passes == 0) fill_from_neighbours(image, r);
-  read_techniques(image, r);
+  return r;
+}
+
+ImageReading Accumulator::read_image_and_techniques(size_t c) const {
+  ImageReading r = read_image(c);
+  read_techniques(images_[c], r);
   return r;
 }
 

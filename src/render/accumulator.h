@@ -42,7 +42,8 @@ class Accumulator {
   const WorkCounts& work() const { return work_; }
 
   MeterSetReading read_meters(size_t set) const;
-  ImageReading read_image(size_t camera) const;
+  ImageReading read_image(size_t camera) const;  // without its techniques
+  ImageReading read_image_and_techniques(size_t camera) const;
   ErrorSummary summarize() const;
   size_t unvisited_pixels(size_t camera) const;  // by eye paths so far
 

@@ -80,12 +80,13 @@ bool contains(const std::string& longer, const std::string& part) {
   return at == part.size();
 }
 
-// The shortest: what goes on from them by more bounces is missing with them.
+// The shortest; others that contain one of them are not listed.
 std::vector<std::string> missing_patterns(const std::string& letters, bool hittable, SensorKind sensor, const TransportSettings& s) {
   std::vector<std::string> missing;
   for (const std::string& v : patterns(letters)) {
+    if (s.max_path_length && v.size() + 1 > s.max_path_length) continue;  // not asked for
     if (!is_measurable(v, hittable, sensor) || can_sample(v, hittable, sensor, s)) continue;
-    const bool known = std::any_of(missing.begin(), missing.end(), [&](const std::string& m) { return contains(v, m); });
+    const bool known = std::any_of(missing.begin(), missing.end(), [&](const std::string& m) { return !m.empty() && contains(v, m); });
     if (!known && missing.size() < most_patterns) missing.push_back(v);
   }
   return missing;
@@ -103,10 +104,9 @@ struct Letters {
   std::string specular, glossy, diffuse;
 
   Letters(const Snapshot& scene, const TransportSettings& settings) {
-    const auto passed = [&](const Material& m) { return Bsdf(m, {}).is_glossy(settings.glossy_alpha); };
     specular = materials_of(scene, [](const Material& m) { return traits_of(m).delta; });
-    glossy = materials_of(scene, passed);
-    diffuse = materials_of(scene, [&](const Material& m) { return traits_of(m).continuous && !passed(m); });
+    glossy = materials_of(scene, [&](const Material& m) { return glossy_parts(m, settings.glossy_alpha).glossy; });
+    diffuse = materials_of(scene, [&](const Material& m) { return glossy_parts(m, settings.glossy_alpha).other; });
     if (!specular.empty()) available += 'S';
     if (!glossy.empty()) available += 'G';
     if (!diffuse.empty()) available += 'D';
@@ -124,6 +124,8 @@ struct Letters {
 std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& settings) {
   std::vector<std::pair<SensorKind, const char*>> sensors;
   if (!scene.cameras.empty()) sensors.emplace_back(SensorKind::camera, "camera");
+  if (std::any_of(scene.cameras.begin(), scene.cameras.end(), [](const Camera& c) { return c.illuminance(); }))
+    sensors.emplace_back(SensorKind::point_meter, "illuminance camera");
   for (bool cell : {false, true})
     if (std::any_of(scene.meter_sets.begin(), scene.meter_sets.end(), [&](const MeterSet& m) { return m.is_cell() == cell; }))
       sensors.emplace_back(cell ? SensorKind::cell : SensorKind::point_meter, cell ? "area meter" : "point meter");
@@ -137,8 +139,7 @@ std::vector<std::string> missing_light(const Snapshot& scene, const TransportSet
     for (const auto& [kind, name] : sensors)
       for (const std::string& v : missing_patterns(letters.available, hittable, kind, settings))
         lines.push_back("light of " + listed(emitters) + (hittable ? "" : " (without extent)") + " on paths " + letters.words(v) +
-                        " - " + name + " is missing, and what goes on from such paths: no technique of this set samples it; " +
-                        "method ups has one");
+                        " - " + name + " is missing: no technique of this set samples it; method ups with all of its has one");
   }
   return lines;
 }

@@ -18,7 +18,8 @@ bool can_sample(std::string_view vertices, bool hittable, SensorKind sensor, con
 // Such a path carries light at all: a pinhole sees no source without extent, not even in a mirror.
 bool is_measurable(std::string_view vertices, bool hittable, SensorKind sensor);
 
-// A line for each kind of light of the scene that the set cannot sample: which emitters, by way of which surfaces.
+// A line for each kind of light of the scene that the set cannot sample, the shortest paths of it: which emitters, by way of
+// which surfaces.
 std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& settings);
 
 }  // namespace ups

@@ -222,7 +222,7 @@ std::shared_ptr<const RenderResult> RenderJob::result() const {
   i.threads = pool_->thread_count();
   r->camera_ids = scene_->camera_ids;
   r->meter_set_ids = scene_->meter_set_ids;
-  for (size_t c = 0; c < scene_->cameras.size(); ++c) r->images.push_back(sums_->read_image(c));
+  for (size_t c = 0; c < scene_->cameras.size(); ++c) r->images.push_back(sums_->read_image_and_techniques(c));
   for (size_t s = 0; s < scene_->meter_sets.size(); ++s) r->meter_sets.push_back(sums_->read_meters(s));
   r->convergence = convergence_;
   r->warnings = lines(scene_->warnings) + lines(method_.warnings);

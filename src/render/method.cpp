@@ -31,6 +31,7 @@ struct Sensors {
 Sensors sensors_of(const Snapshot& scene) {
   Sensors s{!scene.cameras.empty(), false, false};
   for (const MeterSet& m : scene.meter_sets) (m.is_cell() ? s.cells : s.points) = true;
+  for (const Camera& c : scene.cameras) s.points |= c.illuminance();  // measured like points
   return s;
 }
 

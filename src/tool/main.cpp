@@ -34,6 +34,13 @@ std::string target(const std::string& text) {
   return good ? "" : "must be a number from 1e-30 to 1e30, such as 0.02, not '" + text + "'";
 }
 
+std::string fraction(const std::string& text) {
+  constexpr double smallest = 1e-6, largest = 0.999999;  // a float must not make 0 or 1 of it
+  double value = 0;
+  const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
+  return good ? "" : "must be a number between 0 and 1, not '" + text + "'";
+}
+
 // CLI11 lets "-1" wrap around, and cuts what is too large.
 std::string whole(const std::string& text) {
   uint64_t value = 0;
@@ -70,6 +77,7 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
           },
           "Only these of the method's: emitter_hit,light_sample,connect,sensor_connect,merge,sensor_hit")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::Validator(
           [](const std::string& word) {
             return ups::tool::technique_bit(word) ? std::string() : "'" + word + "' is no technique";
@@ -90,11 +98,11 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
       ->type_name("M")
       ->group(group);
   command.add_option("--alpha", desc.radius_alpha, "How slowly the radius falls, between 0 and 1 (2/3)")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(CLI::Validator(fraction, ""))
       ->type_name("A")
       ->group(group);
   command.add_option("--glossy-alpha", desc.glossy_alpha, "sppm passes metal and rough glass sharper than this GGX alpha (0.2)")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(CLI::Validator(fraction, ""))
       ->type_name("A")
       ->group(group);
   command

@@ -88,13 +88,14 @@ void write_camera_exr(const std::string& path, const SensorEntry& camera, const 
   write_exr(path, camera.info.width, camera.info.height, channels, attributes);
 }
 
-// Layers: the sums of both families, then each technique with its weight and without.
-void write_techniques(Written& written, const std::string& base, const SensorEntry& camera, const ups_result* result,
-                      const Attributes& attributes) {
+using Layers = std::vector<std::pair<std::string, std::vector<float>>>;
+
+// The sums of both families, then each technique with its weight and without; none where no techniques were asked for.
+Layers technique_layers(const SensorEntry& camera, const ups_result* result) {
   uint32_t count = 0;
   check(ups_result_get_technique_count(result, camera.info.sensor, &count));
-  if (count == 0) return;
-  std::vector<std::pair<std::string, std::vector<float>>> layers;
+  Layers layers;
+  if (count == 0) return layers;
   layers.emplace_back("path_integration", read_image(result, camera, UPS_CHANNEL_PATH_INTEGRATION_RGB));
   layers.emplace_back("density_estimation", read_image(result, camera, UPS_CHANNEL_DENSITY_ESTIMATION_RGB));
   for (uint32_t i = 0; i < count; ++i) {
@@ -111,15 +112,20 @@ void write_techniques(Written& written, const std::string& base, const SensorEnt
       layers.emplace_back(name + (weighted ? ".weighted" : ".unweighted"), std::move(pixels));
     }
   }
+  return layers;
+}
+
+void write_techniques(const std::string& path, const SensorEntry& camera, const ups_result* result, Attributes attributes) {
+  const Layers layers = technique_layers(camera, result);
+  if (layers.empty()) return;
   std::vector<std::string> names;
   for (const auto& layer : layers)
     for (const char* channel : {".R", ".G", ".B"}) names.push_back(layer.first + channel);
   std::vector<ups_exr_channel> channels;
   for (size_t i = 0; i < names.size(); ++i)
     channels.push_back({names[i].c_str(), &layers[i / 3].second[i % 3], 3 * sizeof(float), 0});
-  attempt(written, base + "_techniques.exr", [&](const std::string& path) {
-    write_exr(path, camera.info.width, camera.info.height, channels, attributes);
-  });
+  attributes.emplace_back("unit", "cd/m^2");
+  write_exr(path, camera.info.width, camera.info.height, channels, attributes);
 }
 
 void write_camera(Written& written, const std::string& base, const SensorEntry& camera, const ups_result* result,
@@ -130,7 +136,8 @@ void write_camera(Written& written, const std::string& base, const SensorEntry& 
     const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
     check(ups_ocio_write_png(path.c_str(), luminance.data(), width, height, 0), ups_ocio_last_error);
   });
-  write_techniques(written, base, camera, result, attributes);
+  attempt(written, base + "_techniques.exr",
+          [&](const std::string& path) { write_techniques(path, camera, result, attributes); });
   if (!camera.info.illuminance) return;
   attempt(written, base + "_illuminance.png", [&](const std::string& path) {
     const auto illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);

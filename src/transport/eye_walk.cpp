@@ -22,19 +22,23 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
 
 EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) {
   meter_frame_ = frame;
+  last_ = meter_p_ = surface.p;
+  origin_ = meter_origin_ = surface.ray_origin(frame.n);
   if (sensor_.end.merge > 0) meter_merge(surface);
-  return from_meter(surface.p, surface.ray_origin(frame.n), frame);
+  return gather_at_meter();
 }
 
 EyeTally EyeWalk::from_meter(const Vec3& p, const Vec3& ray_origin, const Frame& frame) {
-  origin_ = ray_origin;
-  last_ = p;
+  last_ = meter_p_ = p;
+  origin_ = meter_origin_ = ray_origin;
   meter_frame_ = frame;
-  meter_p_ = p;
-  meter_origin_ = ray_origin;
+  if (in_.settings.actual_perturbation) perturb_meter();
+  return gather_at_meter();
+}
+
+EyeTally EyeWalk::gather_at_meter() {
   if (in_.settings.photon_mapping) return tally_;                  // photons land on the meter itself
   if (in_.settings.light_tracing && sensor_.cell) return tally_;  // so do light paths
-  if (in_.settings.actual_perturbation) perturb_meter();
   if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE) || in_.settings.light_tracing) meter_sample_light();
   if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
     connect_one(0, [&](const PreparedLight& l) { return meter_connect(l); });
@@ -42,7 +46,7 @@ EyeTally EyeWalk::from_meter(const Vec3& p, const Vec3& ray_origin, const Frame&
 
   const Vec3 local = square_to_cosine_hemisphere(rng_.direction(0));
   if (local.z < min_cosine) return tally_;
-  direction_ = frame.to_world(local);
+  direction_ = meter_frame_.to_world(local);
   throughput_ = start_throughput_ = Rgb(pi);
   edge_.pdf = edge_.cos_out = local.z;
   edge_.pdf *= inv_pi;
@@ -78,7 +82,7 @@ void EyeWalk::walk() {
     v.merge = merge_gate(v.bsdf) && !v.passes;
     if (v.bsdf.has_continuous()) {
       Arrival a{surface};
-      if (!in_.settings.actual_perturbation || perturb(v, a)) {
+      if (!in_.settings.actual_perturbation || !in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT) || perturb(v, a)) {
         if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) sample_light(v, a);
         if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
           connect_one(edges, [&](const PreparedLight& l) { return connect(v, a, l); });
@@ -151,28 +155,36 @@ DirectDensities direct_densities(const Snapshot& scene, const EmitterSet::Choice
 }  // namespace
 
 // The actual perturbation of the paper's section 3: y_{s+1} is drawn from the merging kernel on the surface around z_t, and
-// takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the normal onto the surface, by the
-// same rules by which a photon there would be merged; false where that finds none: the kernel reaches beyond the surface.
+// takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the normal onto a surface where a
+// photon would be stored and merged; false where there is none: the kernel reaches beyond the surface. Of two such surfaces
+// within a tenth of the radius it takes the upper one, where merging counts both.
 bool EyeWalk::perturb(const Vertex& v, Arrival& out) {
   const float radius = (v.state.first ? sensor_.first : sensor_.later).radius;
+  if (!(radius > 0)) return true;  // no merging here either
   const Vec2 disc = square_to_disc({rng_.get(v.edges, Slot::perturb_x), rng_.get(v.edges, Slot::perturb_y)});
   const Frame frame(v.surface.ng);
-  const float reach = 0.1f * radius;
-  const Vec3 start = v.surface.p + (frame.s * disc.x + frame.t * disc.y) * radius + v.surface.ng * reach;
-  Hit hit;
-  ++work_.rays;
-  if (!scene_.raytracer->intersect(start, -v.surface.ng, 2 * reach, hit)) return false;
-  out.surface = scene_.raytracer->surface_at(hit);
-  out.perturbed = true;
-  const float cosine = dot(out.surface.ng, v.surface.ng);
-  if (cosine < 0.7f || length2(out.surface.p - v.surface.p) > radius * radius) return false;
-  out.ratio = 1 / cosine;
-  return true;
+  float reach = 0.2f * radius;
+  Vec3 start = v.surface.p + (frame.s * disc.x + frame.t * disc.y) * radius + v.surface.ng * (0.5f * reach);
+  for (Hit hit; reach > 0 && scene_.raytracer->intersect(start, -v.surface.ng, reach, hit);) {
+    ++work_.rays;
+    out.surface = scene_.raytracer->surface_at(hit);
+    const float cosine = dot(out.surface.ng, v.surface.ng);
+    const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
+    if (merge_gate(bsdf) && cosine >= 0.7f && length2(out.surface.p - v.surface.p) <= radius * radius) {
+      out.perturbed = true;
+      out.ratio = 1 / cosine;
+      return true;
+    }
+    start = out.surface.ray_origin(-v.surface.ng);
+    reach -= hit.t + 2 * out.surface.error;
+  }
+  return false;
 }
 
 // Flux arrives at the drawn point by its own cosine, and is scattered at the vertex: as a photon is that lies there.
 float EyeWalk::perturbed_cosine(const Vertex& v, const Arrival& a, const Vec3& wi) {
   if (!a.perturbed) return 1;
+  if (!consistent_side(a.surface, wi, a.surface.shading.to_local(wi))) return 0;
   const float here = dot(wi, a.surface.ng), there = dot(wi, v.surface.ng);
   return here * there > 0 ? a.ratio * here / there : 0;
 }
@@ -250,7 +262,7 @@ void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
   ++work_.connections;
   if (!segment_free(scene_, c.from, c.to, work_)) return;
   const float all_for_one = float(sum / luminance(c.value));
-  add({Family::path_integration, c.s, c.edges}, c.value * (all_for_one / c.weight), c.weight, Drop::connect);
+  add({Family::path_integration, c.s, c.edges}, c.value * all_for_one, c.unweighted * all_for_one, Drop::connect);
 }
 
 // 2 <= s < k: an edge to a vertex of the light path.
@@ -275,9 +287,9 @@ EyeWalk::Connection EyeWalk::connect(const Vertex& v, const Arrival& a, const Pr
   const double w = mis::weight_connect(l.mis, v.state, sensor_.counts, l.merge, v.merge, f_eye.pdf * cos_light / d2,
                                        f_light.pdf_reverse, f_light.pdf * cos_eye / d2, f_eye.pdf_reverse);
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
-  const float scale = float(w / d2) * terminator(v.surface, d) * perturbed_cosine(v, a, d) * light_correction(light.surface, l.wo, -d);
+  const float scale = terminator(v.surface, d) * perturbed_cosine(v, a, d) * light_correction(light.surface, l.wo, -d) / d2;
   const Rgb value = throughput_ * f_eye.value * l.flux * f_light.value * attenuation(scene_, medium, distance) * scale;
-  return {value, float(w), a.surface.ray_origin(d), light.surface.ray_origin(-d), l.depth + 1u, edges};
+  return {value * float(w), value, a.surface.ray_origin(d), light.surface.ray_origin(-d), l.depth + 1u, edges};
 }
 
 double EyeWalk::photon_norm(double radius) const {
@@ -399,9 +411,9 @@ EyeWalk::Connection EyeWalk::meter_connect(const PreparedLight& light) const {
   if (!in_.settings.light_tracing)
     w = mis::weight_sensor_connect(l.mis, sensor_.counts, false, sensor_.end, l.merge,
                                    cos_meter * double(inv_pi) * cos_light / d2, f.pdf_reverse, f.pdf * cos_meter / d2);
-  const float scale = float(w * cos_meter / d2) * light_correction(light.surface, l.wo, -d);
-  return {l.flux * f.value * attenuation(scene_, medium_, distance) * scale, float(w), meter_origin_, light.surface.ray_origin(-d),
-          l.depth + 1u, edges};
+  const float scale = float(cos_meter / d2) * light_correction(light.surface, l.wo, -d);
+  const Rgb value = l.flux * f.value * attenuation(scene_, medium_, distance) * scale;
+  return {value * float(w), value, meter_origin_, light.surface.ray_origin(-d), l.depth + 1u, edges};
 }
 
 }  // namespace ups

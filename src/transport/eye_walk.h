@@ -71,10 +71,10 @@ class EyeWalk {
   bool perturb(const Vertex& v, Arrival& out);
   static float perturbed_cosine(const Vertex& v, const Arrival& a, const Vec3& wi);
   void perturb_meter();
+  EyeTally gather_at_meter();
   void sample_light(const Vertex& v, const Arrival& a);
   struct Connection {  // before its shadow ray
-    Rgb value;  // weighted
-    float weight = 0;
+    Rgb value, unweighted;
     Vec3 from, to;
     uint32_t s = 0, edges = 0;
   };
@@ -100,7 +100,9 @@ class EyeWalk {
     return in_.settings.max_path_length && edges > in_.settings.max_path_length;
   }
   bool add(const Technique& technique, const Rgb& unweighted, float weight, Drop drop) {
-    const Rgb value = unweighted * weight;
+    return add(technique, unweighted * weight, unweighted, drop);
+  }
+  bool add(const Technique& technique, const Rgb& value, const Rgb& unweighted, Drop drop) {
     if (!is_finite(value)) {
       ++work_.dropped[size_t(drop)];
       return false;
