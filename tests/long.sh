@@ -5,6 +5,7 @@
 # fails.
 #   tests/long.sh                       all
 #   tests/long.sh office spheres        some of: office caustic spheres agreement bathroom validation
+#                                       asymptotics
 # UPS_PROGRAM: a program `ups` that is there; without it the one in build/release is built, after what it needs.
 # UPS_TIME_SCALE: multiplies every time. Below 1 the limits cannot be kept: it shows only that the checks run.
 # shellcheck disable=SC2317  # the checks are called by name
@@ -23,8 +24,8 @@ step() { printf '\n== %s\n' "$*"; }
 seconds() { awk -v s="$1" -v f="$scale" 'BEGIN { printf "%g", s * f }'; }
 
 build() {
-  step "Packages (samples/setup.sh run)"
-  bash samples/setup.sh run
+  step "Packages (samples/setup.sh test)"
+  bash samples/setup.sh test # matplotlib for the asymptotics
   step "Build the program ups in build/release"
   if [ -f build/release/CMakeCache.txt ]; then # keeps its options
     cmake -S . -B build/release
@@ -80,6 +81,11 @@ bathroom() {
 # As many iterations as its noise asks for, whatever the scale of times.
 validation() { "$python" samples/validation/validate.py --ups "$ups" --out "$out/validation"; }
 
+# Not at equal time, but against theory. UPS_LIBRARY: the folder of a libups.so that is there.
+asymptotics() {
+  UPS_LIBRARY=${UPS_LIBRARY:-build/release/src/api} "$python" samples/evaluation/asymptotics.py --out "$out/asymptotics"
+}
+
 # Runs one check; the table that it prints is kept for the summary.
 check() {
   local name=$1 log=$out/long_$1.txt result=passed
@@ -101,19 +107,19 @@ summary() {
   step "Summary"
   local i
   for i in "${!names[@]}"; do
-    printf '%-10s %s\n' "${names[i]}" "${results[i]}"
+    printf '%-11s %s\n' "${names[i]}" "${results[i]}"
     sed 's/^/    /' "$out/long_${names[i]}.txt"
   done
   [ "$scale" = 1 ] || echo "All times were multiplied by $scale: what failed above may only have had too little of it."
 }
 
 wanted=("$@")
-[ $# -gt 0 ] || wanted=(office caustic spheres agreement bathroom validation)
+[ $# -gt 0 ] || wanted=(office caustic spheres agreement bathroom validation asymptotics)
 for name in "${wanted[@]}"; do
   case "$name" in
-    office | caustic | spheres | agreement | bathroom | validation) ;;
+    office | caustic | spheres | agreement | bathroom | validation | asymptotics) ;;
     *)
-      echo "usage: $0 [office] [caustic] [spheres] [agreement] [bathroom] [validation]" >&2
+      echo "usage: $0 [office] [caustic] [spheres] [agreement] [bathroom] [validation] [asymptotics]" >&2
       exit 2
       ;;
   esac
