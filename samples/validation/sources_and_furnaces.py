@@ -301,7 +301,7 @@ def build_balance(path, guests):
         scene.shape(name, Mesh(room.positions, room.triangles[keep]),
                     scene.material(name, {"model": "matte", "reflectance": rho}))
     add_guests(scene, {name: GUESTS[name] for name in guests})
-    lamp = icosphere(LAMP_RADIUS, 3)
+    lamp = icosphere(LAMP_RADIUS, 3, smooth=False)
     scene.shape("lamp", lamp.moved(0, 0, 0.6), emitter(scene, FLUX / (math.pi * lamp.area()), 1.0))
     scene.meters("floor", Frame.upright((0, 0, -1)), width_m=2, height_m=2, columns=4, rows=4, area=True)
     scene.write(path)
