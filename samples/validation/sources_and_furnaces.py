@@ -293,28 +293,31 @@ def case_furnace():
 FLOOR_RHO, LAMP_RADIUS = 0.2, 0.3
 
 
-def build_balance(path):
+def build_balance(path, guests):
     scene = start()
     room = inside(box((-1, -1, -1), (1, 1, 1)))
     floor = room.positions[room.triangles][:, :, 2].max(axis=1) < 0
     for name, keep, rho in (("walls", ~floor, 1.0), ("floor", floor, FLOOR_RHO)):
         scene.shape(name, Mesh(room.positions, room.triangles[keep]),
                     scene.material(name, {"model": "matte", "reflectance": rho}))
-    add_guests(scene, {name: ups for name, ups in GUESTS.items() if name != "white"})
-    lamp = icosphere(LAMP_RADIUS, 3)
+    add_guests(scene, {name: GUESTS[name] for name in guests})
+    lamp = icosphere(LAMP_RADIUS, 3, smooth=False)
     scene.shape("lamp", lamp.moved(0, 0, 0.6), emitter(scene, FLUX / (math.pi * lamp.area()), 1.0))
     scene.meters("floor", Frame.upright((0, 0, -1)), width_m=2, height_m=2, columns=4, rows=4, area=True)
     scene.write(path)
 
 
-def case_balance():
-    return Case("flux_balance", "flux conservation: closed room without loss, the floor takes all", build_balance,
-                [Check("floor", FLUX / (4 * (1 - FLOOR_RHO)))], iterations={"ups": 64, "bpt": 64, "pt": 256})
+def case_balance(name, guests, **more):
+    return Case(name, f"flux conservation: closed room, {', '.join(guests)}; the floor takes all",
+                lambda path: build_balance(path, guests), [Check("floor", FLUX / (4 * (1 - FLOOR_RHO)))],
+                iterations={"ups": 64, "bpt": 64, "pt": 256}, **more)
 
 
 def cases():
     return [
         case_disc(), case_sphere(), *cases_polygons(), case_five_times(),
         case_port(0.9, 0.05), case_port(0.95, 0.02, fast=False), case_port(0.98, 0.05, fast=False), case_off_centre(),
-        case_white_furnace(), case_furnace(), case_balance(),
+        case_white_furnace(), case_furnace(),
+        case_balance("flux_balance", ("glass", "mirror", "white")),
+        case_balance("flux_balance_rough", ("rough glass", "rough metal"), fast=False),
     ]

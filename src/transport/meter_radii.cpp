@@ -63,7 +63,7 @@ std::vector<DiscMoments> pooled(const MeterSet& set, const std::vector<DiscMomen
   return out;
 }
 
-// Least mean square error. After n iterations of Plan::radius2_factor the variance is
+// Least mean square error at alpha = 2/3, which others take over. After n iterations of Plan::radius2_factor the variance is
 // Gamma(5/3) / (4/3) noise / r_1^2 n^(-2/3) and the bias 1.5 * 1.108 curvature r_1^2 n^(-1/3), so that n drops out of
 // r_1^6 = 0.1226 noise / curvature^2.
 double best_radius2(const DiscMoments& m, double largest2) {

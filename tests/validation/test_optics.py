@@ -51,7 +51,8 @@ class Lenses(unittest.TestCase):
         np.testing.assert_allclose(total, 1, atol=1e-5)
 
     def test_ring_in_a_square(self):
-        share = optics.share_inside_square(np.array([0.0, 1.0, math.sqrt(2), math.hypot(1, math.tan(math.pi / 8))]), 1.0)
+        half_inside = math.hypot(1, math.tan(math.pi / 8))
+        share = optics.share_inside_square(np.array([0.0, 1.0, math.sqrt(2), half_inside]), 1.0)
         np.testing.assert_allclose(share, [1, 1, 0, 0.5], atol=1e-12)
 
 
