@@ -144,5 +144,18 @@ TEST(ActualPerturbation, OfConnectionsMeasuresWhatMergingMeasures) {
                                          .techniques = UPS_TECHNIQUE_CONNECT, .max_path_length = 3}, 0.05);
 }
 
+// A pane just above the floor: no photon is stored on it, and a vertex that is drawn there would see past it.
+TEST(ActualPerturbation, DrawsNoVertexOnAPaneAboveTheSurface) {
+  Scene scene;
+  scene.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), matte(0.5));
+  scene.add(quad({-1, -1, 0.005}, {2, 0, 0}, {0, 2, 0}), mirror(0.9));
+  scene.add_spot({0, 0, 1}, {0, 0, -1}, intensity, 0.3, 0.4);
+  const Sensor camera = scene.add_camera({0, 0, 0.004}, {0, 0.1, -1}, 4, 4, 0.5);
+  for (ups_perturbation perturbation : {UPS_PERTURBATION_VIRTUAL, UPS_PERTURBATION_ACTUAL})
+    for (float v : scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16, .merge_radius_m = 0.1, .perturbation = perturbation})
+                       .image(camera).luminance)
+      EXPECT_EQ(v, 0);
+}
+
 }  // namespace
 }  // namespace ups::test

@@ -132,7 +132,7 @@ TEST(TechniqueImages, ThreadsDoNotChangeABit) {
   const Result a = one.scene.render(options), b = two.scene.render(options);
   for (uint32_t i = 0; i < a.techniques(one.camera).size(); ++i)
     for (ups_contribution c : {UPS_CONTRIBUTION_WEIGHTED, UPS_CONTRIBUTION_UNWEIGHTED})
-      EXPECT_EQ(a.technique_mean(one.camera, i, c), b.technique_mean(two.camera, i, c));
+      EXPECT_EQ(a.technique(one.camera, i, c), b.technique(two.camera, i, c));
 }
 
 TEST(TechniqueImages, AreThereOnlyWhereAskedFor) {

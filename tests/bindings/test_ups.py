@@ -136,6 +136,14 @@ def test_image_of_a_lit_floor(context):
     assert np.allclose(image, 0.5 * 64 / math.pi, rtol=0.01)
     assert result.image(camera, ups.Channel.STANDARD_ERROR_RGB).shape == (4, 6, 3)
     assert result.techniques(camera) == []
+    apart = scene.render(method=ups.Method.UPS, iteration_count=16, technique_images=2)
+    techniques = apart.techniques(camera)
+    assert [(t.light_vertices, t.eye_vertices) for t in techniques] == [(0, 2), (1, 1), (0, 3), (1, 2), (2, 1), (2, 2)]
+    # A floor under a point: next-event estimation is the picture.
+    direct = apart.technique_image(camera, 3)
+    assert np.allclose(direct, apart.image(camera), rtol=1e-5) and direct.min() > 0
+    assert np.allclose(apart.technique_image(camera, 3, ups.Contribution.UNWEIGHTED), direct, rtol=1e-5)
+    assert np.allclose(apart.image(camera, ups.Channel.PATH_INTEGRATION_RGB), direct, rtol=1e-5)
 
 
 def test_job_and_render_give_the_same_bits(context):

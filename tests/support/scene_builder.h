@@ -114,17 +114,18 @@ class Result {
             read(camera, UPS_CHANNEL_STANDARD_ERROR_RGB, 3),
             camera.illuminance ? read(camera, UPS_CHANNEL_ILLUMINANCE, 1) : std::vector<float>{}};
   }
-  // Mean over all pixels and channels; index: of the technique.
-  double technique_mean(const Sensor& camera, uint32_t index, ups_contribution contribution) const {
+  std::vector<float> technique(const Sensor& camera, uint32_t index, ups_contribution contribution) const {
     std::vector<float> out(3 * size_t(camera.width) * camera.height);
     check(ups_result_read_technique(result_.get(), camera.id, index, contribution, out.data(), 0, out.size() * sizeof(float)),
           "ups_result_read_technique");
+    for (float v : out) require_finite({v}, "technique image");
+    return out;
+  }
+  // Over all pixels and channels.
+  double technique_mean(const Sensor& camera, uint32_t index, ups_contribution contribution) const {
     double sum = 0;
-    for (float v : out) {
-      require_finite({v}, "technique image");
-      sum += v;
-    }
-    return sum / double(out.size());
+    for (float v : technique(camera, index, contribution)) sum += v;
+    return sum / (3.0 * camera.width * camera.height);
   }
   std::vector<ups_technique_info> techniques(const Sensor& camera) const {
     uint32_t count = 0;
@@ -173,6 +174,7 @@ struct RenderOptions {
   ups_perturbation perturbation = UPS_PERTURBATION_VIRTUAL;
   uint32_t technique_images = 0;
   double radius_alpha = 0;
+  double glossy_alpha = 0;
 };
 
 // Local -Z along `direction`, at `position`; row-major 3x4.
@@ -294,6 +296,7 @@ class Scene {
     d.perturbation = options.perturbation;
     d.technique_images = options.technique_images;
     d.radius_alpha = float(options.radius_alpha);
+    d.glossy_alpha = float(options.glossy_alpha);
     ups_result* result = nullptr;
     check(ups_render(scene_.get(), &d, &result), "ups_render");
     return Result(result, sensors_);

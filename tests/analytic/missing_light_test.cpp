@@ -1,0 +1,83 @@
+// What the warnings say of light that a method cannot sample, held against renders: a sensor is dark exactly where its light
+// is said to be missing. Each scene has one kind of light alone.
+#include <numeric>
+
+#include "../support/expect_lx.h"
+
+namespace ups::test {
+namespace {
+
+constexpr ups_method all_methods[] = {UPS_METHOD_UPS,  UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING,
+                                      UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PPM, UPS_METHOD_SPPM,
+                                      UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING};
+
+double mean(const std::vector<float>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+void expect_dark_where_said(bool dark, const Result& result, ups_method method, const std::string& sensor) {
+  const std::string warnings = result.text(UPS_TEXT_WARNINGS);
+  const bool said = warnings.find(" - " + sensor + " is missing") != std::string::npos;
+  EXPECT_EQ(dark, said) << method_name(method) << ", " << sensor << ": " << warnings;
+}
+
+// A spot that shines up at a mirror, which lights the floor; the floor is seen in the mirror alone.
+struct MirrorRoom {
+  Scene scene;
+  explicit MirrorRoom(double floor_reflectance) {
+    scene.add(quad({-1, -1, 2}, {0, 2, 0}, {2, 0, 0}), mirror(0.9));
+    if (floor_reflectance > 0) scene.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), matte(floor_reflectance));
+    scene.add_spot({0, 0, 1}, {0, 0, 1}, 1000, 0.15, 0.2);
+  }
+};
+
+TEST(MissingLight, OfAPointMeterLitByAMirror) {
+  MirrorRoom room(0);
+  const Sensor meter = room.scene.add_meters({{0.1, 0, 0.5}}, {0, 0, 1});
+  for (ups_method m : all_methods) {
+    const Result result = room.scene.render({.method = m, .iterations = 16});
+    expect_dark_where_said(result.readings(meter)[0].illuminance_lx == 0, result, m, "point meter");
+  }
+}
+
+TEST(MissingLight, OfACellLitByAMirror) {
+  MirrorRoom room(0);
+  const Sensor cell = room.scene.add_cells({{0, 0, 0.5}}, {{0, 0, 1}}, {{1, 0, 0}}, 0.5, 0.5);
+  for (ups_method m : all_methods) {
+    const Result result = room.scene.render({.method = m, .iterations = 16});
+    expect_dark_where_said(result.readings(cell)[0].illuminance_lx == 0, result, m, "area meter");
+  }
+}
+
+// Specular, diffuse, specular; also what an illuminance camera measures there.
+TEST(MissingLight, OfACameraThatSeesACausticInAMirror) {
+  MirrorRoom room(0.5);
+  const Sensor camera = room.scene.add_camera({0.3, 0, 1.2}, {-0.05, 0, 1}, 8, 8, 0.2, true);
+  for (ups_method m : all_methods) {
+    const Result result = room.scene.render({.method = m, .iterations = 16, .max_path_length = 4});
+    const Image image = result.image(camera);
+    expect_dark_where_said(mean(image.luminance) == 0, result, m, "camera");
+    expect_dark_where_said(mean(image.illuminance) == 0, result, m, "illuminance camera");
+  }
+}
+
+// SPPM passes the metal, so that nothing finds a source without extent in it; PPM merges there.
+TEST(MissingLight, OfAPointSourceInGlossyMetal) {
+  Scene scene;
+  scene.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), rough(UPS_MATERIAL_METAL, 0.8, 0.4));
+  scene.add_point_light({0, 0.5, 1}, 100);
+  const Sensor camera = scene.add_camera({0, -0.5, 1}, {0, 0.5, -1}, 8, 8, 0.4);
+  for (ups_method m : all_methods) {
+    const Result result = scene.render({.method = m, .iterations = 16});
+    expect_dark_where_said(mean(result.image(camera).luminance) == 0, result, m, "camera");
+  }
+  EXPECT_EQ(mean(scene.render({.method = UPS_METHOD_SPPM, .iterations = 16}).image(camera).luminance), 0);
+  RenderOptions sharp{.method = UPS_METHOD_SPPM, .iterations = 16, .glossy_alpha = 0.1};  // the metal's is 0.16
+  const double merged = mean(scene.render(sharp).image(camera).luminance);
+  sharp.method = UPS_METHOD_PPM;
+  EXPECT_EQ(merged, mean(scene.render(sharp).image(camera).luminance));
+  EXPECT_GT(merged, 0);
+}
+
+}  // namespace
+}  // namespace ups::test
