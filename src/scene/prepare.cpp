@@ -252,9 +252,11 @@ void Builder::add_light(const std::string& name, const LightDescription& light, 
     add_emitter(
         name, std::make_unique<SpotEmitter>(p, axis, intensity, light.inner_cone_rad, light.outer_cone_rad, free_error(p)),
         p);
-  else
-    add_emitter(name, std::make_unique<DirectionalEmitter>(axis, intensity, out_->radius > 0 ? out_->radius : 1.0f),
-                axis * -out_->radius);
+  else {
+    // Light paths start on a disc that covers the scene, and those of meters' discs that reach beyond it.
+    const float radius = out_->radius > 0 ? out_->radius * (1 + largest_meter_disc) : 1.0f;
+    add_emitter(name, std::make_unique<DirectionalEmitter>(axis, intensity, radius), axis * -out_->radius);
+  }
 }
 
 void Builder::add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming) {

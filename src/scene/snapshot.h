@@ -14,6 +14,7 @@
 namespace ups {
 
 inline constexpr uint32_t none = 0xffffffffu;
+inline constexpr float largest_meter_disc = 0.1f;  // radius within which a point meter merges photons, of the scene's
 
 struct SceneEffects {
   uint32_t effects = 0;       // UPS_EFFECT_*

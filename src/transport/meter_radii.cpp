@@ -91,7 +91,7 @@ float meter_spacing(const MeterSet& set) {
 std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set, float spacing, ThreadPool& pool) {
   if (set.is_cell()) return std::vector<float>(set.meters.size());
   // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
-  const float largest = std::min(0.1f * scene.radius, std::sqrt(2.0f) * spacing);
+  const float largest = std::min(largest_meter_disc * scene.radius, std::sqrt(2.0f) * spacing);
   std::vector<float> radii(set.meters.size(), largest);
   pool.for_blocks(radii.size(), 64, [&](size_t, size_t begin, size_t end) {
     for (size_t m = begin; m < end; ++m) radii[m] = distance_in_plane(scene, set.meters[m], radii[m]);

@@ -114,5 +114,18 @@ TEST(IlluminanceCamera, MeasuresInTheMediumThatItSees) {
   }
 }
 
+// Meters at the rim of a scene that they alone make: photons of the sun land on all of their discs.
+TEST(HardCases, SunOnMetersThatAreTheWholeScene) {
+  Scene scene;
+  std::vector<P3> grid;
+  for (int i = 0; i < 16; ++i) grid.push_back({double(i % 4), double(i / 4), 0});
+  scene.add_directional({0, 0.5, -1}, 1000);
+  const Sensor meters = scene.add_meters(grid, {0, 0, 1});
+  const double expected = 1000 / std::sqrt(1.25);
+  for (ups_method m : {UPS_METHOD_UPS, UPS_METHOD_PPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING})
+    for (const auto& r : scene.render({.method = m, .iterations = 512}).readings(meters))
+      expect_lx(r, expected, 0.01, method_name(m));
+}
+
 }  // namespace
 }  // namespace ups::test
