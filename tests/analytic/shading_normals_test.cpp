@@ -117,7 +117,7 @@ TEST_P(BumpyFloor, UnderASourceWithoutExtent) {
 }
 TEST_P(BumpyFloor, UnderTheSun) {
   scene.add_directional({1, 0, -1.5}, 1000);
-  judge({pt(32), bpt(24), unified(32), ppm(64)});
+  judge({pt(32), bpt(24), unified(32), ppm(128)});
 }
 
 // Photons merged at what a camera sees, against splats and path tracing: image means over 8 seeds.
