@@ -60,14 +60,15 @@ def ratios(name, scene, methods, times, points):
 
 def plot(path, name, methods, times, points, lines):
     figure, axes = plt.subplots(1, 2, figsize=(10, 4.2), sharey=True)
-    for axis, quantity, label in zip(axes, ("time_s", "samples_per_pixel"), ("time [s]", "samples per pixel")):
+    # The time that the iterations were meant for: that which was measured shows what else the machine did.
+    abscissae = {"time [s]": lambda time, line: time, "samples per pixel": lambda time, line: line["samples_per_pixel"]}
+    for axis, (label, x) in zip(axes, abscissae.items()):
         for method in methods:
             colour = COLOURS.get(method, "black")
-            of = [points[method, time] for time in times]
-            axis.loglog([p[quantity] for p in of], [p["rmse"] for p in of], "o-", color=colour, label=method.upper())
-            seeds = [line for time in times for line in lines[method, time] if line["rmse"] > 0]
-            axis.loglog([s[quantity] for s in seeds], [s["rmse"] for s in seeds], ".", color=colour, alpha=0.4,
-                        markersize=4)
+            of = [(time, points[method, time]) for time in times]
+            axis.loglog([x(*p) for p in of], [p["rmse"] for _, p in of], "o-", color=colour, label=method.upper())
+            seeds = [(time, line) for time in times for line in lines[method, time] if line["rmse"] > 0]
+            axis.loglog([x(*s) for s in seeds], [s["rmse"] for _, s in seeds], ".", color=colour, alpha=0.4, markersize=4)
         axis.set_xlabel(label)
         axis.grid(True, which="both", alpha=0.25)
     axes[0].set_ylabel("RMSE [cd/m²]")

@@ -48,8 +48,10 @@ bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, Iteratio
                                camera_factor, walk_radius2, merges || connects, stop},
                               sensors, pool_, tally);
     const float pixel_radius = largest_radius(plan_.pixel_radius, camera_factor);
-    if (merges && pixel_radius > 0) pixel_photons = PhotonIndex(light.vertices, pixel_radius);
-    if (merges && walk_radius2 > 0) walk_photons = PhotonIndex(light.vertices, float(std::sqrt(walk_radius2)));
+    pool_.for_blocks(merges ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
+      const float radius = which == 0 ? pixel_radius : float(std::sqrt(walk_radius2));
+      if (radius > 0) (which == 0 ? pixel_photons : walk_photons) = PhotonIndex(light.vertices, radius);
+    });
   }
 
   const EyePassInput eye{*scene_, plan_, settings_, light, pixel_photons, walk_photons, iteration,
