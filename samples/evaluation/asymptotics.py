@@ -20,7 +20,7 @@ b sum f_i / n, b that of the first disc, and the variance sum 1 / f_i / (M n^2),
 Zwicker 2011). For large n these fall as n^(alpha - 1) and n^-alpha, the MSE of merging alone as
 n^-min(alpha, 2 - 2 alpha): best at alpha = 2/3, by n^-2/3. Unbiased techniques: 1/n; UPS the same where they carry the
 light, as merging gets a weight that falls with r^2. PPM is listed by diffuse light, where its disc sees no curvature
-and has no bias; in `sds` its samples are those of UPS, and so are those of SPPM.
+and has no bias, and so is SPPM, which does the same there; in `sds` all of them merge at the meter as UPS does.
 
 Constants. Variance and bias of the first disc are balanced so that the term that theory says wins does so from the
 first iterations on: for alpha = 1/2 the variance (small disc: b^2 M = 0.01), for alpha = 0.8 the bias (wide disc:
@@ -30,7 +30,7 @@ The time is iterations times the measured seconds of one, so that other programs
 Every point is made of renders of its own: no two share a photon. Short renders are cheap: they get up to 8 times the
 seeds. The slope is a weighted least squares fit; its interval is the 95 % bootstrap over seeds, each point's resampled
 independently. `at these n` is the slope that a fit to the sums above has, without their limit of large n; `inside`: it
-lies in the interval. The exit code is 1 where one lies outside the 99.5 % interval: by chance 4 % of all choices of
+lies in the interval. The exit code is 1 where one lies outside the 99.5 % interval: by chance 5 % of all choices of
 seeds.
 """
 import argparse
@@ -62,12 +62,15 @@ CASES = [
     ("sds", "UPS", 1 / 2, 0.25 * BEAM_RADIUS, 512, merging_slope(1 / 2)),
     ("sds", "UPS", 2 / 3, 0.45 * BEAM_RADIUS, 512, merging_slope(2 / 3)),
     ("sds", "UPS", 0.8, 0.8 * BEAM_RADIUS, 512, merging_slope(0.8)),
+    ("sds", "BIDIRECTIONAL_PHOTON_MAPPING", 2 / 3, 0.45 * BEAM_RADIUS, 512, merging_slope(2 / 3)),
     ("diffuse", "PPM", 2 / 3, 0.05, 256, merging_slope(2 / 3)),
+    ("diffuse", "SPPM", 2 / 3, 0.05, 256, merging_slope(2 / 3)),
     ("diffuse", "PATH_TRACING", 0, 0, 0, -1.0),
+    ("diffuse", "LIGHT_TRACING", 0, 0, 256, -1.0),
     ("diffuse", "BIDIRECTIONAL", 0, 0, 256, -1.0),
     ("diffuse", "UPS", 2 / 3, 0, 256, -1.0),
 ]
-SHORT = {"PATH_TRACING": "PT", "BIDIRECTIONAL": "BPT"}
+SHORT = {"PATH_TRACING": "PT", "BIDIRECTIONAL": "BPT", "LIGHT_TRACING": "LT", "BIDIRECTIONAL_PHOTON_MAPPING": "BPM"}
 
 
 def slope_at(case):
@@ -191,13 +194,17 @@ def main():
     parser.add_argument("--out", default="out/asymptotics")
     parser.add_argument("--seeds", type=int, default=16, help="of the longest renders")
     parser.add_argument("--processes", type=int, default=os.cpu_count())
+    names = sorted({SHORT.get(method, method) for _, method, *_ in CASES})
+    parser.add_argument("--methods", nargs="+", choices=names, default=names)
     arguments = parser.parse_args()
     if arguments.seeds < 8:
         parser.error("--seeds: an interval needs at least 8")
     os.makedirs(arguments.out, exist_ok=True)
     start = time.monotonic()
     jobs = []
-    for case, (region, *_) in enumerate(CASES):
+    cases = [i for i, (_, method, *_) in enumerate(CASES) if SHORT.get(method, method) in arguments.methods]
+    for case in cases:
+        region = CASES[case][0]
         for k, n in enumerate(ITERATIONS[region]):
             more = min(8, max(1, ITERATIONS[region][-1] // (8 * n)))
             jobs += [(case, n, 1000 * k + seed) for seed in range(1, more * arguments.seeds + 1)]
@@ -211,7 +218,8 @@ def main():
     rows, failed = [], False
     print(f"{'region':8} {'method':6} {'alpha':>5} {'slope':>7} {'95 % interval':>17} {'theory':>7} {'at these n':>10} "
           f"{'inside':>6} {'ms/iteration':>12}")
-    for case, (region, method, alpha, radius, light_paths, theory) in enumerate(CASES):
+    for case in cases:
+        region, method, alpha, radius, light_paths, theory = CASES[case]
         squares = [np.array(errors[case, n]) ** 2 for n in ITERATIONS[region]]
         slope, offset, (low, high, lowest, highest) = fit(ITERATIONS[region], squares)
         expected = slope_at(case)
@@ -234,7 +242,7 @@ def main():
         table = csv.writer(file)
         table.writerow(["region", "method", "alpha", "iterations", "time_s", "relative_mse", "mean_relative_error",
                         "renders"])
-        for case, row in enumerate(rows):
+        for case, row in zip(cases, rows):
             for n in ITERATIONS[row["region"]]:
                 e = np.array(errors[case, n])
                 table.writerow([row["region"], row["method"], row["alpha"], n, n * row["seconds"], (e ** 2).mean(),
