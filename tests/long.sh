@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The checks of accuracy in samples/evaluation/README.md, one after another, then all cases of samples/validation, and a
-# summary: about an hour and a half.
+# summary: about two hours.
 # Not part of tests/run.sh: they compare at equal time, so nothing else may run beside them. Exit code 1 where one
 # fails.
 #   tests/long.sh                       all
