@@ -7,6 +7,7 @@ import need_numpy  # noqa: E402,F401
 import matplotlib  # noqa: E402
 import numpy as np  # noqa: E402
 from exr import read_rgb  # noqa: E402
+from png import srgb  # noqa: E402
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -88,8 +89,7 @@ def _exposure(rgb):
 
 def _shown(rgb, exposure):
     """Rolls off bright light, then sRGB."""
-    value = 1 - np.exp(-np.clip(rgb * exposure, 0, None))
-    return np.where(value <= 0.0031308, 12.92 * value, 1.055 * value ** (1 / 2.4) - 0.055)
+    return srgb(1 - np.exp(-np.clip(rgb * exposure, 0, None)))
 
 
 def panel(path, name, scene, methods, time, points, lines, reference_dir, camera):

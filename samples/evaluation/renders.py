@@ -1,4 +1,4 @@
-"""Runs `ups render` and `ups compare` for the scripts beside it, and keeps references."""
+"""Runs `ups render` and `ups compare` for the scripts beside it and for the validation, and keeps references."""
 import hashlib
 import json
 import os

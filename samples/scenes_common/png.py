@@ -1,6 +1,6 @@
-"""PNG bytes of an 8-bit RGB image, for the textures that the sample scenes carry inside their .glb files.
+"""PNG bytes of an 8-bit RGB image, for the textures that the sample scenes carry inside their .glb files; sRGB.
 
-Called by the scene generators. Only zlib is needed, and the bytes are the same on every machine with the same zlib.
+Called by the scene generators, and by scripts that show images. Only zlib is needed, and the bytes are the same on every machine with the same zlib.
 """
 import struct
 import zlib
@@ -43,11 +43,14 @@ def encode(image):
             + _chunk(b"IDAT", zlib.compress(_filtered(image), 9)) + _chunk(b"IEND", b""))
 
 
-def srgb_bytes(linear):
-    """Linear values in [0, 1] as sRGB bytes (IEC 61966-2-1)."""
+def srgb(linear):
+    """Linear values, cut to [0, 1], as sRGB values there (IEC 61966-2-1)."""
     linear = np.clip(linear, 0.0, 1.0)
-    curve = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.power(linear, 1 / 2.4) - 0.055)
-    return np.floor(curve * 255 + 0.5).astype(np.uint8)
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.power(linear, 1 / 2.4) - 0.055)
+
+
+def srgb_bytes(linear):
+    return linear_bytes(srgb(linear))
 
 
 def linear_bytes(values):

@@ -23,6 +23,7 @@ import need_numpy  # noqa: E402,F401
 import matplotlib  # noqa: E402
 import numpy as np  # noqa: E402
 from exr import read_layers, read_rgb  # noqa: E402
+from png import srgb  # noqa: E402
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -56,8 +57,7 @@ def render(arguments):
 
 def exposed(image, white):
     """sRGB of luminances; `white` cd/m2 is the brightest."""
-    x = np.clip(image / white, 0, 1)
-    return np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
+    return srgb(image / white)
 
 
 def show(axes, image, title, **options):

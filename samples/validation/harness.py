@@ -15,14 +15,15 @@ Called by validate.py; the cases are in modules of their own, e.g. cie171.py, an
 import contextlib
 import csv
 import io
-import json
 import os
-import subprocess
 import sys
 from dataclasses import dataclass
 from typing import Callable, Optional
 
 import tables
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "evaluation"))
+from renders import Renderer  # noqa: E402
 
 RELATIVE_TOLERANCE = 0.005
 SIGMAS = 3
@@ -108,22 +109,12 @@ def read_meters(folder, summary):
     return sets
 
 
-def render(ups, scene, method, iterations, out, threads, options):
-    """One render: the program's summary and its meters."""
-    command = [ups, "render", scene, "--method", method, "--iterations", str(iterations), "--seed", "1", "--threads",
-               str(threads), "--out", out, "--json", *options]
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stderr.strip()}")
-    summary = json.loads(done.stdout)
-    return summary, read_meters(out, summary)
-
-
-def run_case(ups, case, method, scene, out, threads, cap):
+def run_case(renderer, case, method, out, cap):
     """Renders with four times as many iterations until no check is too noisy; the rows of the last render."""
     iterations, seconds = case.first_iterations(method), 0.0
     while True:
-        summary, sets = render(ups, scene, method, iterations, out, threads, case.options)
+        summary = renderer.render(method, 1, ["--iterations", str(iterations)], out)
+        sets = read_meters(out, summary)
         seconds += summary["time_s"]
         rows = []
         for check in case.checks:
@@ -144,8 +135,9 @@ def run(ups, cases, methods, out, threads=0, cap=65536, report=print):
         scene = os.path.join(folder, case.name + ".glb")
         with contextlib.redirect_stdout(io.StringIO()):  # the builder says what it has written
             case.build(scene)
+        renderer = Renderer(ups, scene, threads, more=case.options)
         for method in (m for m in methods if m in case.methods):
-            done = run_case(ups, case, method, scene, os.path.join(folder, method), threads, cap)
+            done = run_case(renderer, case, method, os.path.join(folder, method), cap)
             rows += done
             report(tables.progress_line(case, method, done))
     return rows

@@ -165,14 +165,23 @@ namespace {
 
 bool tinted(const Rgb& c) { return c.r != c.g || c.r != c.b; }
 
-// The GGX lobe of a plastic, metal or glass, over all values of the roughness texture.
-void add_interface(const Material& m, MaterialTraits& t) {
+// GGX alpha over all values of the roughness texture.
+struct AlphaRange {
+  float smallest, largest;
+};
+AlphaRange alpha_range(const Material& m) {
   const float largest = unit(m.roughness);
   const float smallest = m.roughness_texture ? largest * unit(m.roughness_texture->min_first()) : largest;
-  t.delta = is_interface_smooth(m, smallest * smallest);
-  if (is_interface_smooth(m, largest * largest)) return;
+  return {smallest * smallest, largest * largest};
+}
+
+// The GGX lobe of a plastic, metal or glass.
+void add_interface(const Material& m, MaterialTraits& t) {
+  const AlphaRange alpha = alpha_range(m);
+  t.delta = is_interface_smooth(m, alpha.smallest);
+  if (is_interface_smooth(m, alpha.largest)) return;
   t.continuous = true;
-  t.glossy = smallest * smallest < default_glossy_alpha;
+  t.glossy = alpha.smallest < default_glossy_alpha;
 }
 
 }  // namespace
@@ -224,12 +233,11 @@ MaterialTraits traits_of(const Material& m) {
 
 GlossyParts glossy_parts(const Material& m, float below_alpha) {
   const bool continuous = traits_of(m).continuous;
-  const bool plastic = m.model == MaterialModel::plastic && unit(m.metallic) >= 1;
-  if (m.model != MaterialModel::metal && m.model != MaterialModel::glass && !plastic) return {false, continuous};
-  const float largest = unit(m.roughness);
-  const float smallest = m.roughness_texture ? largest * unit(m.roughness_texture->min_first()) : largest;
-  const bool glossy = continuous && std::max(smallest * smallest, min_alpha) < below_alpha;
-  return {glossy, continuous && (!glossy || largest * largest >= below_alpha || (plastic && m.metallic_texture))};
+  if (!continuous || !is_interface_alone(m.model, unit(m.metallic))) return {false, continuous};
+  const AlphaRange alpha = alpha_range(m);
+  const bool glossy = std::max(alpha.smallest, min_alpha) < below_alpha;
+  const bool base = m.model == MaterialModel::plastic && m.metallic_texture;  // where it is not metal
+  return {glossy, !glossy || alpha.largest >= below_alpha || base};
 }
 
 }  // namespace ups

@@ -26,6 +26,11 @@ inline constexpr float min_alpha = 3e-5f;
 // Sharper continuous lobes are called glossy.
 inline constexpr float default_glossy_alpha = 0.2f;
 
+// One interface and no diffuse base.
+inline bool is_interface_alone(MaterialModel model, float metallic) {
+  return model == MaterialModel::metal || model == MaterialModel::glass || (model == MaterialModel::plastic && metallic >= 1);
+}
+
 // What the models (bsdf/models.h) read: the material at one surface point, with what is the same for all directions.
 struct BsdfParameters {
   const Material* material;
@@ -52,9 +57,7 @@ class Bsdf {
   bool is_solid_dielectric() const { return p_.material->model == MaterialModel::glass; }
   // Scatters by one interface sharper than this GGX alpha and has no diffuse base: what SPPM calls glossy.
   bool is_glossy(float below_alpha) const {
-    const MaterialModel m = p_.material->model;
-    return p_.alpha > 0 && p_.alpha < below_alpha &&
-           (m == MaterialModel::metal || m == MaterialModel::glass || (m == MaterialModel::plastic && p_.metallic >= 1));
+    return p_.alpha > 0 && p_.alpha < below_alpha && is_interface_alone(p_.material->model, p_.metallic);
   }
   // GGX alpha of the sharpest continuous lobe; 1 for Lambertian ones; 0 where there is no continuous lobe.
   float min_alpha_continuous() const;

@@ -53,6 +53,13 @@ bool can_merge(std::string_view v, SensorKind sensor, const TransportSettings& s
 
 }  // namespace
 
+Sensors sensors_of(const Snapshot& scene) {
+  Sensors s{!scene.cameras.empty(), false, false, false};
+  for (const Camera& c : scene.cameras) s.illuminance_cameras |= c.illuminance();
+  for (const MeterSet& m : scene.meter_sets) (m.is_cell() ? s.cells : s.points) = true;
+  return s;
+}
+
 bool can_sample(std::string_view v, bool hittable, SensorKind sensor, const TransportSettings& s) {
   return (hittable && can_hit(v, sensor, s)) || can_light_sample(v, sensor, s) || can_connect(v, sensor, s) ||
          can_splat(v, sensor, s) || can_merge(v, sensor, s) ||
@@ -122,13 +129,12 @@ struct Letters {
 }  // namespace
 
 std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& settings) {
+  const Sensors has = sensors_of(scene);
   std::vector<std::pair<SensorKind, const char*>> sensors;
-  if (!scene.cameras.empty()) sensors.emplace_back(SensorKind::camera, "camera");
-  if (std::any_of(scene.cameras.begin(), scene.cameras.end(), [](const Camera& c) { return c.illuminance(); }))
-    sensors.emplace_back(SensorKind::point_meter, "illuminance camera");
-  for (bool cell : {false, true})
-    if (std::any_of(scene.meter_sets.begin(), scene.meter_sets.end(), [&](const MeterSet& m) { return m.is_cell() == cell; }))
-      sensors.emplace_back(cell ? SensorKind::cell : SensorKind::point_meter, cell ? "area meter" : "point meter");
+  if (has.cameras) sensors.emplace_back(SensorKind::camera, "camera");
+  if (has.illuminance_cameras) sensors.emplace_back(SensorKind::point_meter, "illuminance camera");
+  if (has.points) sensors.emplace_back(SensorKind::point_meter, "point meter");
+  if (has.cells) sensors.emplace_back(SensorKind::cell, "area meter");
   const Letters letters(scene, settings);
   std::vector<std::string> lines;
   for (bool hittable : {true, false}) {

@@ -12,6 +12,12 @@ namespace ups {
 
 enum class SensorKind { camera, point_meter, cell };
 
+// Which kinds a scene has.
+struct Sensors {
+  bool cameras, illuminance_cameras, points, cells;
+};
+Sensors sensors_of(const Snapshot& scene);
+
 // vertices: "SD" is emitter - specular - diffuse - sensor. hittable: eye paths can run into the emitter. G is a surface that
 // TransportSettings::glossy_alpha passes, D any other continuous one.
 bool can_sample(std::string_view vertices, bool hittable, SensorKind sensor, const TransportSettings& settings);

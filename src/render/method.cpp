@@ -25,16 +25,6 @@ uint32_t techniques_of(int32_t method) {
   }
 }
 
-struct Sensors {
-  bool cameras, points, cells;
-};
-Sensors sensors_of(const Snapshot& scene) {
-  Sensors s{!scene.cameras.empty(), false, false};
-  for (const MeterSet& m : scene.meter_sets) (m.is_cell() ? s.cells : s.points) = true;
-  for (const Camera& c : scene.cameras) s.points |= c.illuminance();  // measured like points
-  return s;
-}
-
 // Without a caster that is sharp, and where eye paths reach all light, photons add nothing that eye paths lack.
 int32_t automatic(const Snapshot& scene) {
   return scene.effects.path_tracing_complete && !scene.effects.sharp_caster ? UPS_METHOD_PATH_TRACING : UPS_METHOD_UPS;
@@ -89,7 +79,7 @@ MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
   const Sensors s = sensors_of(scene);
   if (!s.cameras) choice.techniques &= ~sensor_connect;
   if (!s.cells) choice.techniques &= ~sensor_hit;
-  if (choice.method == UPS_METHOD_LIGHT_TRACING && s.points) choice.techniques |= connect;  // t = 1 of a point meter
+  if (choice.method == UPS_METHOD_LIGHT_TRACING && (s.points || s.illuminance_cameras)) choice.techniques |= connect;  // t = 1 of a point
   if (desc.techniques) choice.techniques &= desc.techniques;
   if (choice.techniques == 0 && (s.cameras || s.points || s.cells))
     throw Error(UPS_ERROR_INVALID_ARGUMENT, "techniques: none of the method's techniques is allowed; 0 allows them all");

@@ -26,20 +26,15 @@ std::string positive(const std::string& text) {
   return good ? "" : "must be a number greater than 0, not '" + text + "'";
 }
 
-// ups_render_desc holds it as a float: beyond these it would be 0, hence off, or infinite.
-std::string target(const std::string& text) {
-  constexpr double smallest = 1e-30, largest = 1e30;
+std::string between(const std::string& text, double smallest, double largest, const std::string& words) {
   double value = 0;
   const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
-  return good ? "" : "must be a number from 1e-30 to 1e30, such as 0.02, not '" + text + "'";
+  return good ? "" : "must be a number " + words + ", not '" + text + "'";
 }
 
-std::string fraction(const std::string& text) {
-  constexpr double smallest = 1e-6, largest = 0.999999;  // a float must not make 0 or 1 of it
-  double value = 0;
-  const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
-  return good ? "" : "must be a number between 0 and 1, not '" + text + "'";
-}
+// ups_render_desc holds both as floats: beyond these they would be 0, hence off, or infinite, or 1.
+std::string target(const std::string& text) { return between(text, 1e-30, 1e30, "from 1e-30 to 1e30, such as 0.02"); }
+std::string fraction(const std::string& text) { return between(text, 1e-6, 0.999999, "between 0 and 1"); }
 
 // CLI11 lets "-1" wrap around, and cuts what is too large.
 std::string whole(const std::string& text) {

@@ -256,8 +256,8 @@ double EyeWalk::photon_norm(double radius) const {
 // Against leaks through thin walls and around edges: same orientation, same side, in the tangent plane.
 bool EyeWalk::same_surface(const SurfacePoint& s, const LightVertex& l, float radius) {
   const float cos_light = dot(l.wo, s.ng);
-  return dot(l.ng, s.ng) >= 0.7f && cos_light * dot(l.wo, l.ng) > 0 && std::abs(cos_light) >= min_cosine &&
-         std::abs(dot(s.ng, l.p - s.p)) <= 0.1f * radius;
+  return dot(l.ng, s.ng) >= min_merge_cosine && cos_light * dot(l.wo, l.ng) > 0 && std::abs(cos_light) >= min_cosine &&
+         std::abs(dot(s.ng, l.p - s.p)) <= max_merge_height * radius;
 }
 
 // Density estimation of illuminance itself, where the meter's point lies on a surface that photons are stored on.

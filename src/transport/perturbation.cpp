@@ -5,23 +5,23 @@
 
 namespace ups {
 
-// The actual perturbation of the paper's section 3: y_{s+1} is drawn from the merging kernel on the surface around z_t, and
+// y_{s+1} is drawn from the merging kernel on the surface around z_t, and
 // takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the normal onto a surface where a
 // photon would be stored and merged; false where there is none: the kernel reaches beyond the surface. Of two such surfaces
-// within a tenth of the radius it takes the upper one, where merging counts both.
+// that close to each other it takes the upper one, where merging counts both.
 bool EyeWalk::perturb(const Vertex& v, Arrival& out) {
   const float radius = (v.state.first ? sensor_.first : sensor_.later).radius;
   if (!(radius > 0)) return true;  // no merging here either
   const Vec2 disc = square_to_disc({rng_.get(v.edges, Slot::perturb_x), rng_.get(v.edges, Slot::perturb_y)});
   const Frame frame(v.surface.ng);
-  float reach = 0.2f * radius;
+  float reach = 2 * max_merge_height * radius;
   Vec3 start = v.surface.p + (frame.s * disc.x + frame.t * disc.y) * radius + v.surface.ng * (0.5f * reach);
   for (Hit hit; reach > 0 && scene_.raytracer->intersect(start, -v.surface.ng, reach, hit);) {
     ++work_.rays;
     out.surface = scene_.raytracer->surface_at(hit);
     const float cosine = dot(out.surface.ng, v.surface.ng);
     const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
-    if (merge_gate(bsdf) && cosine >= 0.7f && length2(out.surface.p - v.surface.p) <= radius * radius) {
+    if (merge_gate(bsdf) && cosine >= min_merge_cosine && length2(out.surface.p - v.surface.p) <= radius * radius) {
       out.perturbed = true;
       out.ratio = 1 / cosine;
       return true;

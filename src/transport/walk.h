@@ -80,6 +80,9 @@ inline bool segment_free(const Snapshot& scene, const Vec3& a, const Vec3& b, Wo
 // are black surfaces: what lights them can be measured.
 inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous() || !bsdf.has_delta(); }
 
+// Photons are merged, and vertices perturbed, within one surface: normals that agree so far, and so flat within the radius.
+inline constexpr float min_merge_cosine = 0.7f, max_merge_height = 0.1f;
+
 // Long walks look up now and then whether they are still wanted.
 inline bool is_stopped(const std::atomic<bool>& stop, uint32_t edges) {
   return edges % 64 == 0 && stop.load(std::memory_order_relaxed);

@@ -7,9 +7,8 @@
 // batches each; for the difference of two readings P(|t_30| > 4) = 4e-4. 16 to 96 comparisons: a right engine fails
 // with probability below 4 %. Image means are over 8 seeds: P(|t_14| > 4) = 1.3e-3, 3 to 6 pairs: below 1 %.
 // Seeds are fixed: a test that passes once passes always.
-#include <numeric>
-
 #include "../support/expect_lx.h"
+#include "../support/image_mean.h"
 
 namespace ups::test {
 namespace {
@@ -37,29 +36,10 @@ void expect_agreement(const std::vector<std::pair<ups_method, Readings>>& all, d
 // Images do not report the bias of merging; with a small radius there is nothing to report.
 constexpr double image_merge_radius = 0.02;
 
-struct Mean {
-  double value = 0, standard_error = 0;
-};
-
-Mean image_mean(Scene& scene, const Sensor& camera, ups_method method, uint32_t iterations) {
-  std::vector<double> means;
-  for (uint64_t seed = 1; seed <= 8; ++seed) {
-    const RenderOptions options{
-        .method = method, .iterations = iterations, .seed = seed, .merge_radius_m = image_merge_radius};
-    const Image image = scene.render(options).image(camera);
-    means.push_back(std::accumulate(image.luminance.begin(), image.luminance.end(), 0.0) /
-                    double(image.luminance.size()));
-  }
-  const double n = double(means.size()), mean = std::accumulate(means.begin(), means.end(), 0.0) / n;
-  double squares = 0;
-  for (double m : means) squares += (m - mean) * (m - mean);
-  return {mean, std::sqrt(squares / (n - 1) / n)};
-}
-
 void expect_same_image_mean(Scene& scene, const Sensor& camera, const std::vector<ups_method>& methods,
                             uint32_t iterations, double largest_relative_error = 0.01) {
   std::vector<Mean> means;
-  for (ups_method m : methods) means.push_back(image_mean(scene, camera, m, iterations));
+  for (ups_method m : methods) means.push_back(image_mean(scene, camera, {.method = m, .iterations = iterations, .merge_radius_m = image_merge_radius}));
   for (size_t i = 0; i < means.size(); ++i)
     for (size_t j = 0; j < i; ++j) {
       const double s = std::hypot(means[i].standard_error, means[j].standard_error);

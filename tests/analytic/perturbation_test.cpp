@@ -5,9 +5,8 @@
 // two come together as its square.
 //
 // Tolerances are those of expect_lx.h: P(|t_15| > 4) = 0.12 % a comparison where noise decides; 9 comparisons.
-#include <numeric>
-
 #include "../support/expect_lx.h"
+#include "../support/image_mean.h"
 
 namespace ups::test {
 namespace {
@@ -93,34 +92,19 @@ TEST(ActualPerturbation, ComesToVirtualAsTheSquareOfTheRadius) {
   EXPECT_LT(std::abs(last), 0.001 * virtual_lx);
 }
 
-struct Pixels {
-  double mean, standard_error;
-};
-Pixels mean_of(Scene& scene, const Sensor& camera, RenderOptions options) {
-  constexpr int seeds = 8;
-  double sum = 0, squares = 0;
-  for (options.seed = 1; options.seed <= seeds; ++options.seed) {
-    const Image image = scene.render(options).image(camera);
-    const double m = std::accumulate(image.luminance.begin(), image.luminance.end(), 0.0) / double(image.luminance.size());
-    sum += m, squares += m * m;
-  }
-  const double mean = sum / seeds;
-  return {mean, std::sqrt(std::max(0.0, squares / seeds - mean * mean) / (seeds - 1))};
-}
-
 // `options` once with actual perturbation against PPM at the same radius; once virtual, which must differ.
 void expect_same_as_merging(Scene& scene, const Sensor& camera, RenderOptions options, double least_difference) {
   RenderOptions merging = options;
   merging.method = UPS_METHOD_PPM;
   merging.techniques = 0;
   merging.light_paths = 1u << 15;
-  const Pixels b = mean_of(scene, camera, merging), c = mean_of(scene, camera, options);
+  const Mean b = image_mean(scene, camera, merging), c = image_mean(scene, camera, options);
   options.perturbation = UPS_PERTURBATION_ACTUAL;
-  const Pixels a = mean_of(scene, camera, options);
+  const Mean a = image_mean(scene, camera, options);
   const double s = std::hypot(a.standard_error, b.standard_error);
-  EXPECT_LE(s, 0.01 * b.mean) << "too noisy to judge";
-  EXPECT_LE(std::abs(a.mean - b.mean), std::max(relative_tolerance * b.mean, sigmas * s)) << a.mean << " " << b.mean;
-  EXPECT_GE(std::abs(c.mean - b.mean), least_difference * b.mean) << "virtual: " << c.mean << " " << b.mean;
+  EXPECT_LE(s, 0.01 * b.value) << "too noisy to judge";
+  EXPECT_LE(std::abs(a.value - b.value), std::max(relative_tolerance * b.value, sigmas * s)) << a.value << " " << b.value;
+  EXPECT_GE(std::abs(c.value - b.value), least_difference * b.value) << "virtual: " << c.value << " " << b.value;
 }
 
 // Over a sphere: the kernel is cut by the merging rules, and the drawn point's normal is another than the vertex's.

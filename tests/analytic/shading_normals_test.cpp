@@ -2,7 +2,6 @@
 //   |wi ns| |wo ng| / (|wi ng| |wo ns|)     (Veach 1997, Eq. 5.19)
 // so that path tracing, light tracing, bidirectional path tracing and photon merging measure the same at meters that a
 // bumpy object or floor lights. No closed form is known; the estimators share only the scattering functions.
-#include <numeric>
 #include <random>
 
 #include "../support/expect_same.h"
@@ -27,19 +26,6 @@ struct Target {
 
 // PPM counts what lands on cells as light tracing does, bit for bit (dielectric_adjoint_test), and merges at points.
 constexpr double merge_radius = 0.04;
-Estimate image_mean(Scene& scene, const Sensor& camera, Trial t) {
-  constexpr int seeds = 8;
-  double sum = 0, squares = 0;
-  for (t.options.seed = 1; t.options.seed <= seeds; ++t.options.seed) {
-    const std::vector<float> pixels = scene.render(t.options).image(camera).luminance;
-    const double mean = std::accumulate(pixels.begin(), pixels.end(), 0.0) / double(pixels.size());
-    sum += mean;
-    squares += mean * mean;
-  }
-  const double mean = sum / seeds;
-  return {t.name, mean, std::sqrt(std::max(0.0, squares / seeds - mean * mean) / (seeds - 1))};
-}
-
 Trial pt(uint32_t iterations) { return trial(UPS_METHOD_PATH_TRACING, iterations); }
 Trial bpt(uint32_t iterations) { return trial(UPS_METHOD_BIDIRECTIONAL, iterations, 1u << 13); }
 Trial unified(uint32_t iterations) { return trial(UPS_METHOD_UPS, iterations, 1u << 13, merge_radius); }
@@ -127,7 +113,7 @@ TEST_P(BumpyFloor, SeenByACamera) {
   std::vector<Estimate> means;
   for (Trial t :
        {pt(32), trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 14), trial(UPS_METHOD_PPM, 16, 1u << 14, 0.5 * merge_radius)})
-    means.push_back(image_mean(scene, camera, t));
+    means.push_back(estimate(t.name, image_mean(scene, camera, t.options)));
   expect_same(means, 0, "image");
 }
 

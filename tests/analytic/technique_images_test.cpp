@@ -1,9 +1,9 @@
 // The images of single techniques: with their weights they make the picture, without them each is the picture.
 #include <functional>
 #include <map>
-#include <numeric>
 
 #include "../support/expect_lx.h"
+#include "../support/image_mean.h"
 
 namespace ups::test {
 namespace {
@@ -49,17 +49,6 @@ TEST(TechniqueImages, TheFamiliesAddUpToThePictureWhateverTheLength) {
   for (size_t i = 0; i < sum.size(); ++i) EXPECT_NEAR(sum[i], image.luminance[i], 1e-5 * image.luminance[i] + 1e-6);
   const auto merged = result.read(room.camera, UPS_CHANNEL_DENSITY_ESTIMATION_RGB, 3);
   EXPECT_GT(std::accumulate(merged.begin(), merged.end(), 0.0), 0);
-}
-
-struct Mean {
-  double value = 0, standard_error = 0;
-};
-Mean mean_of(const std::vector<double>& values) {
-  Mean m;
-  for (double v : values) m.value += v / double(values.size());
-  for (double v : values) m.standard_error += (v - m.value) * (v - m.value);
-  m.standard_error = std::sqrt(m.standard_error / double(values.size() * (values.size() - 1)));
-  return m;
 }
 
 // By path length: what all techniques bring with their weights. By technique: what it brings without.

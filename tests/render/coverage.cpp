@@ -30,25 +30,22 @@ std::vector<std::string> all_patterns() {
   return p;
 }
 
-TEST(Coverage, UnifiedPathSamplingHasATechniqueForAllLight) {
+void expect_all_light(const TransportSettings& s) {
   for (const std::string& v : all_patterns())
     for (bool hittable : {false, true})
       for (SensorKind sensor : {camera, point, cell})
         if (is_measurable(v, hittable, sensor)) {
-          EXPECT_TRUE(can_sample(v, hittable, sensor, all)) << v << " " << hittable << " " << int(sensor);
+          EXPECT_TRUE(can_sample(v, hittable, sensor, s)) << v << " " << hittable << " " << int(sensor);
         }
 }
+
+TEST(Coverage, UnifiedPathSamplingHasATechniqueForAllLight) { expect_all_light(all); }
 
 // PPM merges at the first vertex that is not specular, and bidirectional photon mapping at all: they need extent only where
 // an emitter is seen directly.
 TEST(Coverage, PhotonMappingHasATechniqueForAllLight) {
-  for (const TransportSettings& s : {ppm, bpm})
-    for (const std::string& v : all_patterns())
-      for (bool hittable : {false, true})
-        for (SensorKind sensor : {camera, point, cell})
-          if (is_measurable(v, hittable, sensor)) {
-            EXPECT_TRUE(can_sample(v, hittable, sensor, s)) << v << " " << hittable << " " << int(sensor);
-          }
+  expect_all_light(ppm);
+  expect_all_light(bpm);
 }
 
 TEST(Coverage, PathTracingNeedsExtentOrADiffuseFirstVertex) {

@@ -8,6 +8,7 @@
 // fixed: a test that passes once passes always.
 #pragma once
 #include "expect_lx.h"
+#include "image_mean.h"
 
 namespace ups::test {
 
@@ -57,6 +58,8 @@ inline Estimate estimate(const std::string& name, const Result& result, const Se
   const auto s = result.statistics(meters);
   return {name, s.mean_lx, s.mean_standard_error_lx};
 }
+
+inline Estimate estimate(const std::string& name, const Mean& mean) { return {name, mean.value, mean.standard_error}; }
 
 // The means over points and over cells; a closed form of each, or 0. Cells count photons where points merge them: light
 // tracing is left out of the points, merging alone out of the cells.
