@@ -13,24 +13,6 @@
 
 namespace photometry {
 
-class ParseError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-class UnsupportedError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-enum class Symmetry { none, axial, c0_c180, c90_c270, quadrants };
-enum class OpeningShape { point, rectangle, disc, box, cylinder, sphere };
-
-struct Opening {
-  OpeningShape shape = OpeningShape::point;
-  float size_m[3] = {0, 0, 0};  // along local x (C0-C180), y (C90-C270), z
-  int axis = 2;                 // of a cylinder: 0 x, 1 y, 2 z
-};
-
 class Distribution {
  public:
   static constexpr size_t max_values = 4'000'000;
@@ -84,33 +66,5 @@ class Distribution {
   std::vector<double> c_cumulative_;
   std::vector<double> band_cumulative_;  // flux below each gamma row, lm
 };
-
-struct Keyword {
-  std::string name, value;
-};
-
-// Factors on all intensities by the tilt of a luminaire with HID lamps. Read, never applied.
-struct Tilt {
-  int lamp_geometry = 0;  // 1 vertical, 2 horizontal and stays so, 3 horizontal and tilts along; 0: no table
-  std::vector<double> angle_deg, factor;
-};
-
-// A photometric file as read.
-struct Photometry {
-  Distribution distribution;
-  Opening opening;
-  Symmetry symmetry = Symmetry::none;
-  double rated_flux_lm = -1;  // lamps x lumens; < 0: absolute
-  double input_power_w = -1;
-  std::string format;             // "IES LM-63-2002"
-  std::vector<Keyword> keywords;  // in the file's order; free label lines under the name LABEL
-  Tilt tilt;
-  std::vector<std::string> warnings;  // each with its line
-};
-
-// bytes: an IES LM-63 file of any edition, type C. Throws ParseError ("line 12: ...") or UnsupportedError (type A, B).
-Photometry read_ies(const void* bytes, size_t size);
-// Recognises the format; EULUMDAT is refused with UnsupportedError in this version.
-Photometry read(const void* bytes, size_t size);
 
 }  // namespace photometry

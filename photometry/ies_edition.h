@@ -1,7 +1,7 @@
 // The editions of IES LM-63; factors, opening codes and angle ranges depend on them. Used by the parts of the IES
 // reader.
 #pragma once
-#include "photometry/distribution.h"
+#include "photometry/photometry.h"
 
 namespace photometry {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "photometry/distribution.h"
+#include "photometry/photometry.h"
 
 namespace photometry {
 

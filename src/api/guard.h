@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "base/error.h"
-#include "photometry/distribution.h"
+#include "photometry/photometry.h"
 
 namespace ups::api {
 

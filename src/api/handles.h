@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/parallel.h"
-#include "photometry/distribution.h"
+#include "photometry/photometry.h"
 #include "render/method.h"
 #include "scene/description.h"
 #include "scene/snapshot.h"

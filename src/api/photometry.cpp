@@ -1,5 +1,5 @@
 // ups_photometry.h: profiles from tables and from files.
-#include "photometry/distribution.h"
+#include "photometry/photometry.h"
 
 #include <cmath>
 

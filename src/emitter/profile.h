@@ -5,7 +5,7 @@
 
 #include "emitter/emitter.h"
 #include "emitter/point.h"
-#include "photometry/distribution.h"
+#include "photometry/photometry.h"
 
 namespace ups {
 

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "geometry/raytracer.h"
-#include "photometry/distribution.h"
+#include "photometry/photometry.h"
 #include "ups/ups_scene.h"
 #include "ups/ups_sensor.h"
 

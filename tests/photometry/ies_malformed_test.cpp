@@ -5,7 +5,7 @@
 #include <iterator>
 #include <random>
 
-#include "photometry/distribution.h"
+#include "photometry/photometry.h"
 
 namespace photometry {
 namespace {

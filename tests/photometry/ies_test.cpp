@@ -6,7 +6,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "photometry/distribution.h"
+#include "photometry/photometry.h"
 
 namespace photometry {
 namespace {
