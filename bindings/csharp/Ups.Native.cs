@@ -145,12 +145,26 @@ namespace Ups
         Actual = 1,
     }
 
+    public enum Separation : int
+    {
+        Nothing = 0,
+        Luminaires = 1,
+        Groups = 2,
+    }
+
     public enum JobState : int
     {
         Running = 0,
         Finished = 1,
         Cancelled = 2,
         Failed = 3,
+    }
+
+    public enum SourceKind : int
+    {
+        Luminaire = 0,
+        Instance = 1,
+        Group = 2,
     }
 
     public enum Channel : int
@@ -385,6 +399,8 @@ namespace Ups
         public uint StructSize;
         public MeshId Mesh;
         private fixed double toWorld_[12];
+        public uint Group;
+        public uint Reserved;
         public double[] ToWorld
         {
             get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
@@ -408,7 +424,7 @@ namespace Ups
         private fixed float intensityRgb_[3];
         public float InnerConeRad;
         public float OuterConeRad;
-        public float Reserved;
+        public uint Group;
         public double[] ToWorld
         {
             get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
@@ -439,6 +455,8 @@ namespace Ups
         public float FluxLm;
         public float Dimming;
         public float IntensityScale;
+        public uint Group;
+        public uint Reserved;
         public double[] ToWorld
         {
             get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
@@ -540,6 +558,37 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct GoniometerDesc
+    {
+        public uint StructSize;
+        public ProfileSymmetry Symmetry;
+        internal float* CDeg;
+        internal float* GammaDeg;
+        public uint CCount;
+        public uint GammaCount;
+        private fixed double toWorld_[12];
+        public OpeningShape OpeningShape;
+        private fixed float openingM_[3];
+        public double[] ToWorld
+        {
+            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "GoniometerDesc.ToWorld"); }
+        }
+        public float[] OpeningM
+        {
+            get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "GoniometerDesc.OpeningM"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static GoniometerDesc Create()
+        {
+            var d = new GoniometerDesc();
+            Native.ups_goniometer_desc_init(&d, (uint)sizeof(GoniometerDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct RenderDesc
     {
         public uint StructSize;
@@ -556,6 +605,8 @@ namespace Ups
         public float GlossyAlpha;
         public Perturbation Perturbation;
         public uint TechniqueImages;
+        public Separation Separation;
+        public uint Reserved;
         /// <summary>With the library's defaults.</summary>
         public static RenderDesc Create()
         {
@@ -648,6 +699,51 @@ namespace Ups
         {
             return new MeterStatistics { StructSize = (uint)sizeof(MeterStatistics) };
         }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct SourceInfo
+    {
+        public uint StructSize;
+        public SourceKind Kind;
+        public uint Id;
+        public uint Reserved;
+        public double FluxLm;
+        internal static SourceInfo Sized()
+        {
+            return new SourceInfo { StructSize = (uint)sizeof(SourceInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct GoniometerInfo
+    {
+        public uint StructSize;
+        public uint CCount;
+        public uint GammaCount;
+        public uint Reserved;
+        public double FluxLm;
+        public double FluxStandardErrorLm;
+        public double OutsideFluxLm;
+        public double EmittedFluxLm;
+        public double AbsorbedFluxLm;
+        public double LightOutputRatio;
+        public double LightOutputRatioStandardError;
+        public double WorstRelativeErrorBound;
+        public double MedianRelativeErrorBound;
+        internal static GoniometerInfo Sized()
+        {
+            return new GoniometerInfo { StructSize = (uint)sizeof(GoniometerInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct IntensityReading
+    {
+        public float IntensityCd;
+        public float StandardErrorCd;
+        public float BiasCd;
+        public float ErrorBoundCd;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -786,6 +882,10 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_add_meters(SceneHandle scene, MeterDesc* desc, SensorId* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_goniometer_desc_init(GoniometerDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_goniometer(SceneHandle scene, GoniometerDesc* desc, SensorId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_render_desc_init(RenderDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_render(SceneHandle scene, RenderDesc* desc, out ResultHandle @out);
@@ -809,6 +909,22 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_meter_statistics(ResultHandle result, SensorId sensor,
             MeterStatistics* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_source_count(ResultHandle result, uint* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_source(ResultHandle result, uint index, SourceInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_source_meters(ResultHandle result, uint source, SensorId sensor,
+            MeterReading* @out, UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_goniometer_info(ResultHandle result, SensorId sensor,
+            GoniometerInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_goniometer(ResultHandle result, SensorId sensor, IntensityReading*
+            @out, UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_goniometer_profile(ResultHandle result, SensorId sensor, out
+            ProfileHandle @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_image(ResultHandle result, SensorId camera, Channel channel,
             float* @out, UIntPtr row_stride_bytes, UIntPtr size_bytes);

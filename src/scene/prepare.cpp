@@ -127,6 +127,7 @@ void Builder::place() {
   });
   in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
     if (const auto* camera = std::get_if<CameraDescription>(&s)) return grow(camera->to_world.column(3), "sensor", id);
+    if (std::holds_alternative<GoniometerDescription>(s)) return;  // at infinity
     const auto& meters = std::get<MetersDescription>(s);
     const double reach = 0.5 * std::hypot(double(meters.cell_width), double(meters.cell_height));
     for (const Vec3d& p : meters.positions) {
@@ -187,6 +188,7 @@ void Builder::add_geometry() {
 
 // ---- emitters ----
 
+// Of the source that was begun last.
 bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe) {
   if (!(emitter->flux_lm() > 0)) return false;
   // Beyond it illuminance near by, or its square, would leave the range of a float.
@@ -194,6 +196,7 @@ bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emit
   emitters_.push_back(std::move(emitter));
   emitter_probes_.push_back(probe);
   out_->emitter_names.push_back(name);
+  out_->source_of_emitter.push_back(uint32_t(out_->sources.size() - 1));
   return true;
 }
 
@@ -216,6 +219,7 @@ void Builder::add_emissive_instances() {
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     const std::string name = "instance " + std::to_string(instance_ids_[i]);
+    out_->sources.push_back({UPS_SOURCE_INSTANCE, instance_ids_[i], in_.instances().get(instance_ids_[i], "instance").group});
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;
     in_context(name, [&] {
@@ -231,6 +235,7 @@ void Builder::add_emissive_instances() {
 void Builder::add_sources() {
   in_.sources().each([&](uint32_t id, const SourceDescription& source) {
     const std::string name = "luminaire " + std::to_string(id);
+    out_->sources.push_back({UPS_SOURCE_LUMINAIRE, id, source.group});
     in_context(name, [&] {
       if (const auto* light = std::get_if<LightDescription>(&source.kind))
         add_light(name, *light, source.dimming);
@@ -320,6 +325,10 @@ void Builder::add_sensors() {
     if (const auto* c = std::get_if<CameraDescription>(&s)) {
       out_->cameras.emplace_back(to_scene(c->to_world), c->width, c->height, c->vertical_fov_rad, c->illuminance);
       out_->camera_ids.push_back(id);
+    } else if (const auto* g = std::get_if<GoniometerDescription>(&s)) {
+      out_->goniometers.emplace_back(Axes(g->to_world).frame(), g->c_deg, g->gamma_deg, Goniometer::Symmetry(g->symmetry));
+      out_->goniometer_openings.push_back(g->opening);
+      out_->goniometer_ids.push_back(id);
     } else {
       out_->meter_sets.push_back(make_meters(std::get<MetersDescription>(s)));
       out_->meter_set_ids.push_back(id);
@@ -360,8 +369,12 @@ void Builder::add_warnings() {
          ": rounding decides which of them a ray hits");
   }
   if (out_->emitters.size() == 0) warn("nothing in the scene emits light");
-  if (out_->cameras.empty() && out_->meter_sets.empty())
-    warn("the scene has no camera and no meters: there is nothing to measure");
+  if (out_->cameras.empty() && out_->meter_sets.empty() && out_->goniometers.empty())
+    warn("the scene has no camera, no meters and no goniometer: there is nothing to measure");
+  for (size_t i = 0; !out_->goniometers.empty() && i < out_->emitters.size(); ++i)
+    if (out_->emitters[i].is_directional())
+      warn(out_->emitter_names[i] + " shines in parallel: where that light leaves the scene, a goniometer's intensity " +
+           "depends on its grid, as it would be infinite");
 }
 
 }  // namespace

@@ -129,11 +129,23 @@ class Perturbation(enum.IntEnum):
     ACTUAL = 1
 
 
+class Separation(enum.IntEnum):
+    NOTHING = 0
+    LUMINAIRES = 1
+    GROUPS = 2
+
+
 class JobState(enum.IntEnum):
     RUNNING = 0
     FINISHED = 1
     CANCELLED = 2
     FAILED = 3
+
+
+class SourceKind(enum.IntEnum):
+    LUMINAIRE = 0
+    INSTANCE = 1
+    GROUP = 2
 
 
 class Channel(enum.IntEnum):
@@ -290,6 +302,8 @@ class InstanceDesc(Structure):
         ("struct_size", c_uint32),
         ("mesh", MeshId),
         ("to_world", c_double * 12),
+        ("group", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -301,7 +315,7 @@ class LightDesc(Structure):
         ("intensity_rgb", c_float * 3),
         ("inner_cone_rad", c_float),
         ("outer_cone_rad", c_float),
-        ("reserved", c_float),
+        ("group", c_uint32),
     ]
 
 
@@ -315,6 +329,8 @@ class LuminaireDesc(Structure):
         ("flux_lm", c_float),
         ("dimming", c_float),
         ("intensity_scale", c_float),
+        ("group", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -361,6 +377,20 @@ class MeterDesc(Structure):
     ]
 
 
+class GoniometerDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("symmetry", c_int32),
+        ("c_deg", POINTER(c_float)),
+        ("gamma_deg", POINTER(c_float)),
+        ("c_count", c_uint32),
+        ("gamma_count", c_uint32),
+        ("to_world", c_double * 12),
+        ("opening_shape", c_int32),
+        ("opening_m", c_float * 3),
+    ]
+
+
 class RenderDesc(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -377,6 +407,8 @@ class RenderDesc(Structure):
         ("glossy_alpha", c_float),
         ("perturbation", c_int32),
         ("technique_images", c_uint32),
+        ("separation", c_int32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -453,6 +485,43 @@ class MeterStatistics(Structure):
     ]
 
 
+class SourceInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("id", c_uint32),
+        ("reserved", c_uint32),
+        ("flux_lm", c_double),
+    ]
+
+
+class GoniometerInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("c_count", c_uint32),
+        ("gamma_count", c_uint32),
+        ("reserved", c_uint32),
+        ("flux_lm", c_double),
+        ("flux_standard_error_lm", c_double),
+        ("outside_flux_lm", c_double),
+        ("emitted_flux_lm", c_double),
+        ("absorbed_flux_lm", c_double),
+        ("light_output_ratio", c_double),
+        ("light_output_ratio_standard_error", c_double),
+        ("worst_relative_error_bound", c_double),
+        ("median_relative_error_bound", c_double),
+    ]
+
+
+class IntensityReading(Structure):
+    _fields_ = [
+        ("intensity_cd", c_float),
+        ("standard_error_cd", c_float),
+        ("bias_cd", c_float),
+        ("error_bound_cd", c_float),
+    ]
+
+
 class TechniqueInfo(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -507,6 +576,8 @@ PROTOTYPES = {
     "ups_meter_desc_init": (None, [POINTER(MeterDesc), c_uint32]),
     "ups_scene_add_camera": (c_int32, [c_void_p, POINTER(CameraDesc), POINTER(SensorId)]),
     "ups_scene_add_meters": (c_int32, [c_void_p, POINTER(MeterDesc), POINTER(SensorId)]),
+    "ups_goniometer_desc_init": (None, [POINTER(GoniometerDesc), c_uint32]),
+    "ups_scene_add_goniometer": (c_int32, [c_void_p, POINTER(GoniometerDesc), POINTER(SensorId)]),
     "ups_render_desc_init": (None, [POINTER(RenderDesc), c_uint32]),
     "ups_render": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
     "ups_job_start": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
@@ -518,6 +589,12 @@ PROTOTYPES = {
     "ups_result_get_info": (c_int32, [c_void_p, POINTER(ResultInfo)]),
     "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t]),
     "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)]),
+    "ups_result_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
+    "ups_result_get_source": (c_int32, [c_void_p, c_uint32, POINTER(SourceInfo)]),
+    "ups_result_read_source_meters": (c_int32, [c_void_p, c_uint32, SensorId, POINTER(MeterReading), c_size_t]),
+    "ups_result_get_goniometer_info": (c_int32, [c_void_p, SensorId, POINTER(GoniometerInfo)]),
+    "ups_result_read_goniometer": (c_int32, [c_void_p, SensorId, POINTER(IntensityReading), c_size_t]),
+    "ups_result_get_goniometer_profile": (c_int32, [c_void_p, SensorId, POINTER(c_void_p)]),
     "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t]),
     "ups_result_get_technique_count": (c_int32, [c_void_p, SensorId, POINTER(c_uint32)]),
     "ups_result_get_technique": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(TechniqueInfo)]),
@@ -540,5 +617,6 @@ INIT = {
     LuminaireDesc: "ups_luminaire_desc_init",
     CameraDesc: "ups_camera_desc_init",
     MeterDesc: "ups_meter_desc_init",
+    GoniometerDesc: "ups_goniometer_desc_init",
     RenderDesc: "ups_render_desc_init",
 }
