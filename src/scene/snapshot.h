@@ -40,7 +40,7 @@ struct Snapshot {
   std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": ids of the API
   std::vector<uint32_t> emitter_of_instance;    // none: does not emit
   std::unique_ptr<DiscIndex> openings;          // null without luminous openings
-  std::vector<uint32_t> emitter_of_opening;     // by DiscIndex::Crossing::disc (circumscribed discs)
+  std::vector<uint32_t> emitter_of_opening;     // by DiscIndex::Crossing::disc (what surrounds it)
 
   std::vector<Camera> cameras;
   std::vector<MeterSet> meter_sets;
