@@ -71,6 +71,7 @@ class Builder {
   void add_sources();
   void add_light(const std::string& name, const LightDescription& light, float dimming);
   void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming);
+  float opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const;
   bool add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe);
   void add_sensors();
   MeterSet make_meters(const MetersDescription& meters) const;
@@ -120,7 +121,7 @@ void Builder::place() {
     }
     const auto& luminaire = std::get<LuminaireDescription>(s.kind);
     const float* size = luminaire.profile->opening.size_m;
-    const double reach = luminaire.use_opening ? 0.5 * std::hypot(size[0], size[1]) : 0;
+    const double reach = luminaire.use_opening ? 0.5 * std::hypot(double(size[0]), double(size[1]), double(size[2])) : 0;
     const Vec3d p = luminaire.to_world.column(3), r(reach, reach, reach);
     grow(p - r, "luminaire", id);
     grow(p + r, "luminaire", id);
@@ -277,25 +278,40 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
                                                                      &luminaire.profile->distribution);
   const Frame frame = Axes(luminaire.to_world).frame();
   const Vec3 nadir = -frame.n, p = to_scene(luminaire.to_world.column(3));
-  const bool has_area = ProfileOpeningEmitter::has_area(opening);
+  const bool has_area = LuminousBody::has_area(opening);
   if (!luminaire.use_opening || !has_area) {
     if (luminaire.use_opening && opening.shape != photometry::OpeningShape::point)
-      warn(name + ": its opening has no horizontal extent: it emits from a point");
+      warn(name + ": its opening has a single extent, so no area: it emits from a point");
     const Vec3 q = off_surface(*out_, p, nadir);
     add_emitter(name, std::make_unique<ProfilePointEmitter>(distribution, frame, q, scale, free_error(q)), q);
     return;
   }
-  if (!ProfileOpeningEmitter::is_exact(opening))
-    warn(name + ": its opening is not flat: it emits from the opening's horizontal extent");
-  const float error =
-      error_at(*out_, p, nadir, frame.s * (0.5f * opening.size_m[0]), frame.t * (0.5f * opening.size_m[1]));
+  const float error = opening_error(p, frame, opening);
   auto emitter = std::make_unique<ProfileOpeningEmitter>(distribution, frame, p, opening, scale, error);
-  const Vec3 front = p + nadir * (2 * error);  // where its rays start, and where walks run into it
-  const DiscIndex::Disc disc{front, emitter->normal(), emitter->circumscribed_radius()};
+  // Where its rays start, and where walks run into it. A body is found by the ball around it (a disc without normal).
+  const DiscIndex::Disc disc =
+      emitter->is_flat() ? DiscIndex::Disc{p + emitter->normal() * (2 * error), emitter->normal(), emitter->circumscribed_radius()}
+                         : DiscIndex::Disc{p, Vec3(), emitter->circumscribed_radius() + 4 * error};
+  const Vec3 front = emitter->is_flat() ? disc.center : p + nadir * (0.5f * opening.size_m[2] + 2 * error);
   const auto index = uint32_t(emitters_.size());
   if (!add_emitter(name, std::move(emitter), front)) return;
   openings_.push_back(disc);
   out_->emitter_of_opening.push_back(index);
+}
+
+// Of the opening's surface: a side of its box may lie on a surface of the scene.
+float Builder::opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const {
+  const Vec3 half[3] = {frame.s * (0.5f * opening.size_m[0]), frame.t * (0.5f * opening.size_m[1]),
+                        frame.n * (0.5f * opening.size_m[2])};
+  const Vec3 axes[3] = {frame.s, frame.t, frame.n};
+  float error = 0;
+  for (int k = 0; k < 3; ++k) {
+    const bool no_extent = !(opening.size_m[k] > 0), flat = !(opening.size_m[0] > 0 && opening.size_m[1] > 0 && opening.size_m[2] > 0);
+    if (flat && !no_extent) continue;  // the edges of a sheet emit nothing
+    for (const float side : {-1.0f, 1.0f})
+      error = std::max(error, error_at(*out_, p + half[k] * side, axes[k] * side, half[(k + 1) % 3], half[(k + 2) % 3]));
+  }
+  return error;
 }
 
 // ---- sensors ----

@@ -51,7 +51,7 @@ struct Snapshot {
   std::vector<uint32_t> source_of_emitter;      // index into sources
   std::vector<uint32_t> emitter_of_instance;    // none: does not emit
   std::unique_ptr<DiscIndex> openings;          // null without luminous openings
-  std::vector<uint32_t> emitter_of_opening;     // by DiscIndex::Crossing::disc (circumscribed discs)
+  std::vector<uint32_t> emitter_of_opening;     // by DiscIndex::Crossing::disc (what surrounds it)
 
   std::vector<Camera> cameras;
   std::vector<MeterSet> meter_sets;

@@ -110,12 +110,11 @@ void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
   scene_.openings->intersect_all(origin_, direction_, distance, crossings);
   for (const DiscIndex::Crossing& c : crossings) {
     const uint32_t emitter = scene_.emitter_of_opening[c.disc];
-    if (!(c.t > 0)) continue;
-    const Vec3 p = origin_ + direction_ * c.t;
-    const float cos_in = std::abs(dot(direction_, scene_.openings->disc(c.disc).normal));
-    // The index holds circumscribed discs, of luminous openings alone.
-    if (cos_in < min_cosine || !static_cast<const ProfileOpeningEmitter&>(scene_.emitters[emitter]).contains(p)) continue;
-    hit_emitter(emitter, 0, p, cos_in, c.t, edges, attenuation(scene_, medium, c.t));
+    // The index holds what surrounds luminous openings, and of luminous openings alone.
+    float t, cos_in;
+    if (!static_cast<const ProfileOpeningEmitter&>(scene_.emitters[emitter]).enter(origin_, direction_, t, cos_in)) continue;
+    if (!(t > 0 && t <= distance) || cos_in < min_cosine) continue;
+    hit_emitter(emitter, 0, origin_ + direction_ * t, cos_in, t, edges, attenuation(scene_, medium, t));
   }
 }
 
