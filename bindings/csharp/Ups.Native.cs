@@ -923,6 +923,9 @@ namespace Ups
         internal static extern Status ups_result_read_goniometer(ResultHandle result, SensorId sensor, IntensityReading*
             @out, UIntPtr count);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_goniometer_angles(ResultHandle result, SensorId sensor, float*
+            c_deg, UIntPtr c_count, float* gamma_deg, UIntPtr gamma_count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_goniometer_profile(ResultHandle result, SensorId sensor, out
             ProfileHandle @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

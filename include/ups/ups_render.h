@@ -176,6 +176,9 @@ UPS_API ups_status ups_result_get_goniometer_info(const ups_result *result, ups_
 /* count = c_count * gamma_count, gamma fastest; symmetry expanded. */
 UPS_API ups_status ups_result_read_goniometer(const ups_result *result, ups_sensor_id sensor, ups_intensity_reading *out,
                                               size_t count);
+/* The grid, as it was asked for or in equal steps. */
+UPS_API ups_status ups_result_get_goniometer_angles(const ups_result *result, ups_sensor_id sensor, float *c_deg,
+                                                    size_t c_count, float *gamma_deg, size_t gamma_count);
 /* The distribution as a profile, with the opening of the desc, rated for the emitted flux: for luminaires and for
  * ups_profile_write. The caller owns *out. */
 UPS_API ups_status ups_result_get_goniometer_profile(const ups_result *result, ups_sensor_id sensor, ups_profile **out);

@@ -235,15 +235,33 @@ ups_status ups_result_read_goniometer(const ups_result* result, ups_sensor_id se
   });
 }
 
+ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor_id sensor, float* c_deg, size_t c_count,
+                                            float* gamma_deg, size_t gamma_count) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    const Goniometer& g = r.scene->goniometers[index_of(r.goniometer_ids, sensor, "goniometer")];
+    require(c_deg, "c_deg");
+    require(gamma_deg, "gamma_deg");
+    if (c_count != g.c_deg().size() || gamma_count != g.gamma_deg().size())
+      fail_argument("c_count, gamma_count are " + std::to_string(c_count) + ", " + std::to_string(gamma_count) +
+                    "; the goniometer has " + std::to_string(g.c_deg().size()) + " planes of " +
+                    std::to_string(g.gamma_deg().size()) + " angles");
+    const auto to_float = [](double angle) { return float(angle); };
+    std::transform(g.c_deg().begin(), g.c_deg().end(), c_deg, to_float);
+    std::transform(g.gamma_deg().begin(), g.gamma_deg().end(), gamma_deg, to_float);
+  });
+}
+
 ups_status ups_result_get_goniometer_profile(const ups_result* result, ups_sensor_id sensor, ups_profile** out) {
   return guard(__func__, [&] {
-    const GoniometerReading& reading = goniometer_of(result, sensor);
+    const RenderResult& r = data_of(result);
+    const size_t index = index_of(r.goniometer_ids, sensor, "goniometer");
     require(out, "out");
-    const Snapshot& scene = *data_of(result).scene;
-    const size_t index = index_of(data_of(result).goniometer_ids, sensor, "goniometer");
+    const GoniometerReading& reading = r.goniometers[index];
+    const Snapshot& scene = *r.scene;
     const Goniometer& g = scene.goniometers[index];
     std::vector<double> intensity;
-    for (const ups_intensity_reading& r : reading.nodes) intensity.push_back(double(r.intensity_cd));
+    for (const ups_intensity_reading& node : reading.nodes) intensity.push_back(double(node.intensity_cd));
     photometry::Photometry data{photometry::Distribution(g.c_deg(), g.gamma_deg(), std::move(intensity))};
     data.opening = scene.goniometer_openings[index];
     data.symmetry = photometry::Symmetry(g.symmetry());

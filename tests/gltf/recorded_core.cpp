@@ -39,6 +39,7 @@ void ups_mesh_desc_init(ups_mesh_desc* desc, uint32_t size) { write_defaults(des
 void ups_instance_desc_init(ups_instance_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_light_desc_init(ups_light_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_camera_desc_init(ups_camera_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_goniometer_desc_init(ups_goniometer_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_meter_desc_init(ups_meter_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 
 void ups_material_desc_init(ups_material_desc* desc, uint32_t size) {
@@ -111,6 +112,10 @@ ups_status ups_scene_add_meters(ups_scene* scene, const ups_meter_desc* d, ups_s
                  copied(d->tangents, 3 * count),
                  {d->cell_size_m[0], d->cell_size_m[1]}},
                 out);
+}
+
+ups_status ups_scene_add_goniometer(ups_scene* scene, const ups_goniometer_desc* d, ups_sensor_id* out) {
+  return record(scene->goniometers, {*d, copied(d->c_deg, d->c_count), copied(d->gamma_deg, d->gamma_count)}, out);
 }
 
 ups_status ups_profile_parse(ups_context*, const void* bytes, size_t size, ups_profile_format, ups_profile** out) {

@@ -25,6 +25,11 @@ struct RecordedMeters {
   float cell_size_m[2];
 };
 
+struct RecordedGoniometer {
+  ups_goniometer_desc desc;  // angles: dangling, never read
+  std::vector<float> c_deg, gamma_deg;
+};
+
 struct RecordedLuminaire {
   ups_luminaire_desc desc;  // profile: dangling, never read
   std::string profile_bytes;
@@ -39,6 +44,7 @@ struct ups_scene {  // ids are places in these, from 1
   std::vector<RecordedLuminaire> luminaires;
   std::vector<ups_camera_desc> cameras;
   std::vector<RecordedMeters> meters;
+  std::vector<RecordedGoniometer> goniometers;
 };
 
 // Profiles that were parsed and not yet destroyed.

@@ -594,6 +594,8 @@ PROTOTYPES = {
     "ups_result_read_source_meters": (c_int32, [c_void_p, c_uint32, SensorId, POINTER(MeterReading), c_size_t]),
     "ups_result_get_goniometer_info": (c_int32, [c_void_p, SensorId, POINTER(GoniometerInfo)]),
     "ups_result_read_goniometer": (c_int32, [c_void_p, SensorId, POINTER(IntensityReading), c_size_t]),
+    "ups_result_get_goniometer_angles": (c_int32, [c_void_p, SensorId, POINTER(c_float), c_size_t, POINTER(c_float),
+        c_size_t]),
     "ups_result_get_goniometer_profile": (c_int32, [c_void_p, SensorId, POINTER(c_void_p)]),
     "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t]),
     "ups_result_get_technique_count": (c_int32, [c_void_p, SensorId, POINTER(c_uint32)]),

@@ -1,4 +1,4 @@
-// The state of one import, shared by its parts: materials and textures, meshes, nodes, lights, meters. import.cpp owns
+// The state of one import, shared by its parts: materials and textures, meshes, nodes, lights, meters, goniometers. import.cpp owns
 // the order of work; each part is a file of its own.
 #pragma once
 #include <memory>
@@ -79,6 +79,8 @@ class Importer {
   void add_ies_light(const JsonReader& node, const Affine& frame);
   void add_luminaire(const JsonReader& luminaire, const Affine& frame);
   const ups_profile* profile(const std::string& key, const Bytes& bytes, const std::string& where);
+  // goniometer.cpp
+  void add_goniometer(const JsonReader& words, const std::string& node_name, const Affine& frame);
   // meters.cpp
   void add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame);
   std::string unique_name(const std::string& name, bool illuminance, const std::string& where);
@@ -94,6 +96,7 @@ class Importer {
   std::vector<std::pair<std::string, ups_texture_id>> textures_;
   std::set<std::string> names_, warned_;
   std::vector<char> visited_;  // nodes
+  uint32_t group_ = 0;         // of what the present node emits
 };
 
 }  // namespace ups::gltf

@@ -88,6 +88,7 @@ void Importer::add_punctual_light(const JsonReader& node, const Affine& frame) {
   const Rgb color = light.rgb("color", {1, 1, 1}, 0, unlimited, false);
   store({color[0] * intensity, color[1] * intensity, color[2] * intensity}, desc.intensity_rgb);
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_light(scene_, &desc, &id), where);
 }
@@ -132,6 +133,7 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
   desc.intensity_scale = float(use.number("multiplier", 1, 0, unlimited) * y);
   desc.use_opening = 0;  // the extension: "infinitely small points"
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_luminaire(scene_, &desc, &id), where);
 }
@@ -151,6 +153,7 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
     store(planckian_rgb(luminaire.number("colour_temperature_k", 0, min_temperature, max_temperature)), desc.color_rgb);
   }
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_luminaire(scene_, &desc, &id), where);
 }
