@@ -97,11 +97,12 @@ Profile cone(double inner_radius, double aperture_radius, double depth) {
 
 namespace {
 
-void check_points(const std::vector<Point>& points) {
-  if (points.size() < 2 || points.size() > 100'000) fail("profile_point_count", double(points.size()), "2 to 100000");
+void check_points(const std::vector<Point>& points, const std::string& name) {
+  if (points.size() < 2 || points.size() > 100'000)
+    fail("the number of points of " + name, double(points.size()), "2 to 100000");
   for (size_t i = 0; i < points.size(); ++i) {
     const auto& [r, z] = points[i];
-    const std::string field = "profile_rz_m: point " + std::to_string(i);
+    const std::string field = name + ": point " + std::to_string(i);
     if (!(r >= 0 && std::isfinite(r))) fail(field + "'s r", r, "finite and at least 0");
     if (!std::isfinite(z)) fail(field + "'s z", z, "finite");
     if (i > 0 && !(std::hypot(r - points[i - 1].r, z - points[i - 1].z) > 0))
@@ -144,8 +145,8 @@ Section cubic(const Point& a, const Point& b, const Point& slope_a, const Point&
 
 }  // namespace
 
-Profile polyline(const std::vector<Point>& p, bool smooth) {
-  check_points(p);
+Profile polyline(const std::vector<Point>& p, bool smooth, const std::string& field) {
+  check_points(p, field);
   Profile out;
   const size_t n = p.size();
   smooth = smooth && n > 2;
@@ -160,8 +161,8 @@ Profile polyline(const std::vector<Point>& p, bool smooth) {
     out.sections.push_back(smooth ? cubic(p[i], p[i + 1], slopes[i], slopes[i + 1]) : line(p[i], p[i + 1]));
     for (int k = 0; k <= 64; ++k)
       if (!(out.sections.back().at(k / 64.0).r >= 0))
-        throw std::invalid_argument("profile_rz_m: the smooth curve crosses the axis after point " + std::to_string(i) +
-                                    "; give more points there, or none smooth");
+        throw std::invalid_argument(field + ": the smooth curve crosses the axis after point " + std::to_string(i) +
+                                    "; give more points there, or smooth 0");
   }
   return out;
 }

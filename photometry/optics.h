@@ -66,8 +66,8 @@ Profile ellipsoid(double semi_axis_m, double half_distance_m, double inner_radiu
                   double depth_m);
 // From inner_radius_m at z = 0 to aperture_radius_m at z = -depth_m.
 Profile cone(double inner_radius_m, double aperture_radius_m, double depth_m);
-// Straight pieces, or, smooth, a cubic spline through the points (r, z).
-Profile polyline(const std::vector<Point>& points, bool smooth);
+// Straight pieces, or, smooth, a cubic spline through the points (r, z); `field` is what errors call them.
+Profile polyline(const std::vector<Point>& points, bool smooth, const std::string& field = "profile_rz_m");
 
 // ---- solids ----
 

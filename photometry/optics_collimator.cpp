@@ -49,16 +49,16 @@ std::vector<Section> outer_wall(const Collimator& d, double lens_rim_depth) {
         collimating_wall(d.cavity_radius_m, d.wall_thickness_m, d.ior, std::atan2(d.cavity_radius_m, lens_rim_depth))};
   }
   if (d.wall == Wall::paraboloid) {
-    positive(d.focal_length_m, "focal_length_m");
+    positive(d.focal_length_m, "wall_focal_length_m");
     positive(d.height_m, "height_m");
     return {parabolic_wall(d.focal_length_m, d.height_m)};
   }
-  const Profile free = polyline(d.wall_points, d.smooth);
+  const Profile free = polyline(d.wall_points, d.smooth, "wall_rz_m");
   if (d.wall_points.front().z != 0)
-    fail("profile_rz_m: point 0's z", d.wall_points.front().z, "0, the plane of the mouth");
+    fail("wall_rz_m: point 0's z", d.wall_points.front().z, "0, the plane of the mouth");
   for (size_t i = 1; i < d.wall_points.size(); ++i)
     if (!(d.wall_points[i].z < d.wall_points[i - 1].z))
-      fail("profile_rz_m: point " + std::to_string(i) + "'s z", d.wall_points[i].z, "below that of the point before");
+      fail("wall_rz_m: point " + std::to_string(i) + "'s z", d.wall_points[i].z, "below that of the point before");
   std::vector<Section> up;
   for (auto s = free.sections.rbegin(); s != free.sections.rend(); ++s) up.push_back(reversed(*s));
   return up;
@@ -79,7 +79,7 @@ void check_inside(const std::vector<Section>& wall, double cavity_radius, double
 Profile collimator(const Collimator& d) {
   positive(d.cavity_radius_m, "cavity_radius_m");
   positive(d.cavity_depth_m, "cavity_depth_m");
-  if (!(d.ior > 1 && std::isfinite(d.ior))) fail("ior", d.ior, "finite and above 1");
+  if (!(d.ior > 1 && std::isfinite(d.ior))) fail("finish_ior", d.ior, "finite and above 1");
   if (!(d.height_m >= 0 && std::isfinite(d.height_m))) fail("height_m", d.height_m, "finite and at least 0");
   Face inner = d.lens;
   if (inner.radius_m == 0)

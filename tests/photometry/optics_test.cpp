@@ -408,7 +408,7 @@ TEST(OpticsErrors, NameFieldValueAndRange) {
   expect_refused([] { lens({0.01}, {}, 0.02, 0.1); }, {"entry_radius_m is 0.01", "ends 0.01 m"});
   expect_refused([&] { lens({}, {0.1, nan}, 0.02, 0.1); }, {"exit_conic"});
   expect_refused([&] { lens({}, {0.1, 0, {0, nan}}, 0.02, 0.1); }, {"exit_coefficients[1]"});
-  expect_refused([] { polyline({{0.1, 0}}, true); }, {"profile_point_count"});
+  expect_refused([] { polyline({{0.1, 0}}, true); }, {"number of points of profile_rz_m is 1"});
   expect_refused([] { polyline({{0.1, 0}, {-0.1, 1}}, true); }, {"point 1's r"});
   expect_refused([] { polyline({{0.1, 0}, {0.1, 0}}, true); }, {"point 1", "length"});
   expect_refused([] { polyline({{0.1, 0}, {0, 1}, {0.1, 2}}, true); }, {"point 1's r", "axis"});
