@@ -102,6 +102,45 @@ namespace Ups
         Techniques = 2,
     }
 
+    public enum Finish : int
+    {
+        SpecularAluminium = 0,
+        EnhancedAluminium = 1,
+        SemiSpecularAluminium = 2,
+        MatteWhite = 3,
+        Black = 4,
+        Opal = 5,
+        Pmma = 6,
+        Polycarbonate = 7,
+        Glass = 8,
+        FrostedPmma = 9,
+        Custom = 10,
+    }
+
+    public enum EmitterShape : int
+    {
+        Disc = 0,
+        Rectangle = 1,
+        Sphere = 2,
+        Cylinder = 3,
+    }
+
+    public enum ReflectorProfile : int
+    {
+        Paraboloid = 0,
+        Ellipsoid = 1,
+        Cone = 2,
+        Cylinder = 3,
+        Polyline = 4,
+    }
+
+    public enum CollimatorWall : int
+    {
+        Parallel = 0,
+        Paraboloid = 1,
+        Polyline = 2,
+    }
+
     public enum Projection : int
     {
         Perspective = 0,
@@ -509,6 +548,239 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixturePartId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixtureId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixtureEmitterDesc
+    {
+        public uint StructSize;
+        public EmitterShape Shape;
+        private fixed double toFixture_[12];
+        public double RadiusM;
+        public double WidthM;
+        public double LengthM;
+        public double ChordToleranceM;
+        public float FluxLm;
+        private fixed float colorRgb_[3];
+        public float Reflectance;
+        public float Reserved;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "FixtureEmitterDesc.ToFixture"); }
+        }
+        public float[] ColorRgb
+        {
+            get { fixed (float* p = colorRgb_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = colorRgb_) Elements.Set(p, 3, value, "FixtureEmitterDesc.ColorRgb"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static FixtureEmitterDesc Create()
+        {
+            var d = new FixtureEmitterDesc();
+            Native.ups_fixture_emitter_desc_init(&d, (uint)sizeof(FixtureEmitterDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ReflectorDesc
+    {
+        public uint StructSize;
+        public ReflectorProfile Profile;
+        private fixed double toFixture_[12];
+        public double FocalLengthM;
+        public double SemiAxisM;
+        public double HalfDistanceM;
+        public double InnerRadiusM;
+        public double ApertureRadiusM;
+        public double DepthM;
+        internal double* ProfileRzM;
+        public uint ProfilePointCount;
+        public int Smooth;
+        public uint FacetsAround;
+        public uint FacetsAlong;
+        public double ChordToleranceM;
+        public double NormalToleranceRad;
+        public Finish Finish;
+        public float FinishReflectance;
+        public float FinishTransmittance;
+        public float FinishRoughness;
+        internal MaterialDesc* Material;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "ReflectorDesc.ToFixture"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static ReflectorDesc Create()
+        {
+            var d = new ReflectorDesc();
+            Native.ups_reflector_desc_init(&d, (uint)sizeof(ReflectorDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct LensDesc
+    {
+        public uint StructSize;
+        public Finish Finish;
+        private fixed double toFixture_[12];
+        public double RadiusM;
+        public double ThicknessM;
+        public double EntryRadiusM;
+        public double EntryConic;
+        private fixed double entryCoefficients_[4];
+        public double ExitRadiusM;
+        public double ExitConic;
+        private fixed double exitCoefficients_[4];
+        public double ChordToleranceM;
+        public double NormalToleranceRad;
+        public uint FacetsAround;
+        public float FinishRoughness;
+        public float FinishAbsorptionPerM;
+        public float FinishIor;
+        internal MaterialDesc* Material;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "LensDesc.ToFixture"); }
+        }
+        public double[] EntryCoefficients
+        {
+            get { fixed (double* p = entryCoefficients_) return Elements.Copy(p, 4); }
+            set { fixed (double* p = entryCoefficients_) Elements.Set(p, 4, value, "LensDesc.EntryCoefficients"); }
+        }
+        public double[] ExitCoefficients
+        {
+            get { fixed (double* p = exitCoefficients_) return Elements.Copy(p, 4); }
+            set { fixed (double* p = exitCoefficients_) Elements.Set(p, 4, value, "LensDesc.ExitCoefficients"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static LensDesc Create()
+        {
+            var d = new LensDesc();
+            Native.ups_lens_desc_init(&d, (uint)sizeof(LensDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct CollimatorDesc
+    {
+        public uint StructSize;
+        public Finish Finish;
+        private fixed double toFixture_[12];
+        public double CavityRadiusM;
+        public double CavityDepthM;
+        public double LensRadiusM;
+        public double LensConic;
+        public CollimatorWall Wall;
+        public int Smooth;
+        public double WallThicknessM;
+        public double WallFocalLengthM;
+        public double HeightM;
+        internal double* WallRzM;
+        public uint WallPointCount;
+        public uint FacetsAround;
+        public double ExitRadiusM;
+        public double ExitConic;
+        public double ChordToleranceM;
+        public double NormalToleranceRad;
+        public uint ExitFacetsAlong;
+        public float FinishRoughness;
+        public float FinishAbsorptionPerM;
+        public float FinishIor;
+        internal MaterialDesc* Material;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "CollimatorDesc.ToFixture"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static CollimatorDesc Create()
+        {
+            var d = new CollimatorDesc();
+            Native.ups_collimator_desc_init(&d, (uint)sizeof(CollimatorDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixturePartDesc
+    {
+        public uint StructSize;
+        public Finish Finish;
+        private fixed double toFixture_[12];
+        internal MeshDesc* Mesh;
+        public float FinishReflectance;
+        public float FinishTransmittance;
+        public float FinishRoughness;
+        public float FinishAbsorptionPerM;
+        public float FinishIor;
+        public float Reserved;
+        internal MaterialDesc* Material;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "FixturePartDesc.ToFixture"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static FixturePartDesc Create()
+        {
+            var d = new FixturePartDesc();
+            Native.ups_fixture_part_desc_init(&d, (uint)sizeof(FixturePartDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixtureInfo
+    {
+        public uint StructSize;
+        public uint PartCount;
+        public ulong TriangleCount;
+        public double FluxLm;
+        public double EmitterAreaM2;
+        internal static FixtureInfo Sized()
+        {
+            return new FixtureInfo { StructSize = (uint)sizeof(FixtureInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixtureInstanceDesc
+    {
+        public uint StructSize;
+        public float Dimming;
+        private fixed double toWorld_[12];
+        public float FluxLm;
+        public uint Group;
+        public double[] ToWorld
+        {
+            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "FixtureInstanceDesc.ToWorld"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static FixtureInstanceDesc Create()
+        {
+            var d = new FixtureInstanceDesc();
+            Native.ups_fixture_instance_desc_init(&d, (uint)sizeof(FixtureInstanceDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct CameraDesc
     {
         public uint StructSize;
@@ -785,6 +1057,11 @@ namespace Ups
         protected override bool ReleaseHandle() { Native.ups_result_destroy(handle); return true; }
     }
 
+    public sealed class FixtureHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_fixture_destroy(handle); return true; }
+    }
+
     internal static unsafe class Native
     {
         private const string Library = "ups";
@@ -873,6 +1150,48 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_get_text(SceneHandle scene, SceneText topic, byte* text, UIntPtr
             capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_fixture_emitter_desc_init(FixtureEmitterDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_reflector_desc_init(ReflectorDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_lens_desc_init(LensDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_collimator_desc_init(CollimatorDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_fixture_part_desc_init(FixturePartDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_fixture_instance_desc_init(FixtureInstanceDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_create(ContextHandle context, out FixtureHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_fixture_destroy(IntPtr fixture);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_emitter(FixtureHandle fixture, FixtureEmitterDesc* desc,
+            FixturePartId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_reflector(FixtureHandle fixture, ReflectorDesc* desc,
+            FixturePartId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_lens(FixtureHandle fixture, LensDesc* desc, FixturePartId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_collimator(FixtureHandle fixture, CollimatorDesc* desc,
+            FixturePartId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_part(FixtureHandle fixture, FixturePartDesc* desc, FixturePartId*
+            @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_get_info(FixtureHandle fixture, FixtureInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_fixture(SceneHandle scene, FixtureHandle fixture,
+            FixtureInstanceDesc* desc, FixtureId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_fixture_dimming(SceneHandle scene, FixtureId id, float dimming);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_fixture_transform(SceneHandle scene, FixtureId id, double*
+            to_world);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_remove_fixture(SceneHandle scene, FixtureId id);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_camera_desc_init(CameraDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

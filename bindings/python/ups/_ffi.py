@@ -92,6 +92,41 @@ class SceneText(enum.IntEnum):
     TECHNIQUES = 2
 
 
+class Finish(enum.IntEnum):
+    SPECULAR_ALUMINIUM = 0
+    ENHANCED_ALUMINIUM = 1
+    SEMI_SPECULAR_ALUMINIUM = 2
+    MATTE_WHITE = 3
+    BLACK = 4
+    OPAL = 5
+    PMMA = 6
+    POLYCARBONATE = 7
+    GLASS = 8
+    FROSTED_PMMA = 9
+    CUSTOM = 10
+
+
+class EmitterShape(enum.IntEnum):
+    DISC = 0
+    RECTANGLE = 1
+    SPHERE = 2
+    CYLINDER = 3
+
+
+class ReflectorProfile(enum.IntEnum):
+    PARABOLOID = 0
+    ELLIPSOID = 1
+    CONE = 2
+    CYLINDER = 3
+    POLYLINE = 4
+
+
+class CollimatorWall(enum.IntEnum):
+    PARALLEL = 0
+    PARABOLOID = 1
+    POLYLINE = 2
+
+
 class Projection(enum.IntEnum):
     PERSPECTIVE = 0
 
@@ -352,6 +387,148 @@ class SceneInfo(Structure):
     ]
 
 
+class FixturePartId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class FixtureId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class FixtureEmitterDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("shape", c_int32),
+        ("to_fixture", c_double * 12),
+        ("radius_m", c_double),
+        ("width_m", c_double),
+        ("length_m", c_double),
+        ("chord_tolerance_m", c_double),
+        ("flux_lm", c_float),
+        ("color_rgb", c_float * 3),
+        ("reflectance", c_float),
+        ("reserved", c_float),
+    ]
+
+
+class ReflectorDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("profile", c_int32),
+        ("to_fixture", c_double * 12),
+        ("focal_length_m", c_double),
+        ("semi_axis_m", c_double),
+        ("half_distance_m", c_double),
+        ("inner_radius_m", c_double),
+        ("aperture_radius_m", c_double),
+        ("depth_m", c_double),
+        ("profile_rz_m", POINTER(c_double)),
+        ("profile_point_count", c_uint32),
+        ("smooth", c_int32),
+        ("facets_around", c_uint32),
+        ("facets_along", c_uint32),
+        ("chord_tolerance_m", c_double),
+        ("normal_tolerance_rad", c_double),
+        ("finish", c_int32),
+        ("finish_reflectance", c_float),
+        ("finish_transmittance", c_float),
+        ("finish_roughness", c_float),
+        ("material", POINTER(MaterialDesc)),
+    ]
+
+
+class LensDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("finish", c_int32),
+        ("to_fixture", c_double * 12),
+        ("radius_m", c_double),
+        ("thickness_m", c_double),
+        ("entry_radius_m", c_double),
+        ("entry_conic", c_double),
+        ("entry_coefficients", c_double * 4),
+        ("exit_radius_m", c_double),
+        ("exit_conic", c_double),
+        ("exit_coefficients", c_double * 4),
+        ("chord_tolerance_m", c_double),
+        ("normal_tolerance_rad", c_double),
+        ("facets_around", c_uint32),
+        ("finish_roughness", c_float),
+        ("finish_absorption_per_m", c_float),
+        ("finish_ior", c_float),
+        ("material", POINTER(MaterialDesc)),
+    ]
+
+
+class CollimatorDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("finish", c_int32),
+        ("to_fixture", c_double * 12),
+        ("cavity_radius_m", c_double),
+        ("cavity_depth_m", c_double),
+        ("lens_radius_m", c_double),
+        ("lens_conic", c_double),
+        ("wall", c_int32),
+        ("smooth", c_int32),
+        ("wall_thickness_m", c_double),
+        ("wall_focal_length_m", c_double),
+        ("height_m", c_double),
+        ("wall_rz_m", POINTER(c_double)),
+        ("wall_point_count", c_uint32),
+        ("facets_around", c_uint32),
+        ("exit_radius_m", c_double),
+        ("exit_conic", c_double),
+        ("chord_tolerance_m", c_double),
+        ("normal_tolerance_rad", c_double),
+        ("exit_facets_along", c_uint32),
+        ("finish_roughness", c_float),
+        ("finish_absorption_per_m", c_float),
+        ("finish_ior", c_float),
+        ("material", POINTER(MaterialDesc)),
+    ]
+
+
+class FixturePartDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("finish", c_int32),
+        ("to_fixture", c_double * 12),
+        ("mesh", POINTER(MeshDesc)),
+        ("finish_reflectance", c_float),
+        ("finish_transmittance", c_float),
+        ("finish_roughness", c_float),
+        ("finish_absorption_per_m", c_float),
+        ("finish_ior", c_float),
+        ("reserved", c_float),
+        ("material", POINTER(MaterialDesc)),
+    ]
+
+
+class FixtureInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("part_count", c_uint32),
+        ("triangle_count", c_uint64),
+        ("flux_lm", c_double),
+        ("emitter_area_m2", c_double),
+    ]
+
+
+class FixtureInstanceDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("dimming", c_float),
+        ("to_world", c_double * 12),
+        ("flux_lm", c_float),
+        ("group", c_uint32),
+    ]
+
+
 class CameraDesc(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -572,6 +749,24 @@ PROTOTYPES = {
     "ups_scene_commit": (c_int32, [c_void_p]),
     "ups_scene_get_info": (c_int32, [c_void_p, POINTER(SceneInfo)]),
     "ups_scene_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_fixture_emitter_desc_init": (None, [POINTER(FixtureEmitterDesc), c_uint32]),
+    "ups_reflector_desc_init": (None, [POINTER(ReflectorDesc), c_uint32]),
+    "ups_lens_desc_init": (None, [POINTER(LensDesc), c_uint32]),
+    "ups_collimator_desc_init": (None, [POINTER(CollimatorDesc), c_uint32]),
+    "ups_fixture_part_desc_init": (None, [POINTER(FixturePartDesc), c_uint32]),
+    "ups_fixture_instance_desc_init": (None, [POINTER(FixtureInstanceDesc), c_uint32]),
+    "ups_fixture_create": (c_int32, [c_void_p, POINTER(c_void_p)]),
+    "ups_fixture_destroy": (None, [c_void_p]),
+    "ups_fixture_add_emitter": (c_int32, [c_void_p, POINTER(FixtureEmitterDesc), POINTER(FixturePartId)]),
+    "ups_fixture_add_reflector": (c_int32, [c_void_p, POINTER(ReflectorDesc), POINTER(FixturePartId)]),
+    "ups_fixture_add_lens": (c_int32, [c_void_p, POINTER(LensDesc), POINTER(FixturePartId)]),
+    "ups_fixture_add_collimator": (c_int32, [c_void_p, POINTER(CollimatorDesc), POINTER(FixturePartId)]),
+    "ups_fixture_add_part": (c_int32, [c_void_p, POINTER(FixturePartDesc), POINTER(FixturePartId)]),
+    "ups_fixture_get_info": (c_int32, [c_void_p, POINTER(FixtureInfo)]),
+    "ups_scene_add_fixture": (c_int32, [c_void_p, c_void_p, POINTER(FixtureInstanceDesc), POINTER(FixtureId)]),
+    "ups_scene_set_fixture_dimming": (c_int32, [c_void_p, FixtureId, c_float]),
+    "ups_scene_set_fixture_transform": (c_int32, [c_void_p, FixtureId, POINTER(c_double)]),
+    "ups_scene_remove_fixture": (c_int32, [c_void_p, FixtureId]),
     "ups_camera_desc_init": (None, [POINTER(CameraDesc), c_uint32]),
     "ups_meter_desc_init": (None, [POINTER(MeterDesc), c_uint32]),
     "ups_scene_add_camera": (c_int32, [c_void_p, POINTER(CameraDesc), POINTER(SensorId)]),
@@ -617,6 +812,12 @@ INIT = {
     InstanceDesc: "ups_instance_desc_init",
     LightDesc: "ups_light_desc_init",
     LuminaireDesc: "ups_luminaire_desc_init",
+    FixtureEmitterDesc: "ups_fixture_emitter_desc_init",
+    ReflectorDesc: "ups_reflector_desc_init",
+    LensDesc: "ups_lens_desc_init",
+    CollimatorDesc: "ups_collimator_desc_init",
+    FixturePartDesc: "ups_fixture_part_desc_init",
+    FixtureInstanceDesc: "ups_fixture_instance_desc_init",
     CameraDesc: "ups_camera_desc_init",
     MeterDesc: "ups_meter_desc_init",
     GoniometerDesc: "ups_goniometer_desc_init",
