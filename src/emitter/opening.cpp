@@ -162,13 +162,15 @@ void LuminousBody::face_weights(const Vec3d& reference, double (&weights)[3]) co
 
 double LuminousBody::mantle_seen(const Vec3d& w) const { return 4 * half_.z * std::hypot(half_.y * w.x, half_.x * w.y); }
 
-// How often a cylinder's mantle is chosen over the end that the reference faces, if it sees both.
+// How often a cylinder's mantle is chosen over the end that the reference faces, if it sees both: as it is seen from
+// afar, where that is exact; near by either may be the larger, so neither is left out.
 double LuminousBody::mantle_share(const Vec3d& reference) const {
   const bool end = std::abs(reference.z) > half_.z;
   const bool mantle = std::hypot(reference.x / half_.x, reference.y / half_.y) > 1;
   if (!end || !mantle) return mantle ? 1 : 0;
   const double sides = mantle_seen(reference), ends = face_area(2) * std::abs(reference.z);
-  return std::clamp(sides / (sides + ends), 0.1, 0.9);
+  const double radius = circumscribed_radius(), least = 0.1 / std::max(1.0, length2(reference) / (radius * radius));
+  return std::clamp(sides / (sides + ends), least, 1 - least);
 }
 
 // Area of the mantle per length and angle, at (cos, sin) of its unit circle.

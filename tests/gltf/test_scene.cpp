@@ -331,8 +331,14 @@ TEST_F(GoodFile, Luminaires) {
                     {"dimming", 0.5}};
   builder.add_node({{"translation", {0, 3, 0}}, {"rotation", upward}, {"extras", {{"ups", {{"luminaire", all}}}}}});
   builder.add_node({{"extras", {{"ups", {{"luminaire", {{"file", "spot light.ies"}}}}}}}});
+  const json red = {{"file", "spot light.ies"}, {"color", {0.75, 0.25, 0}}};
+  builder.add_node({{"extras", {{"ups", {{"luminaire", red}}}}}});
   import(builder);
-  ASSERT_EQ(scene.luminaires.size(), 2u);
+  ASSERT_EQ(scene.luminaires.size(), 3u);
+  EXPECT_EQ(scene.luminaires[2].desc.color_rgb[0], 0.75f);
+  EXPECT_EQ(scene.luminaires[2].desc.color_rgb[1], 0.25f);
+  EXPECT_EQ(scene.luminaires[2].desc.color_rgb[2], 0);
+  EXPECT_FLOAT_EQ(scene.luminaires[2].desc.intensity_scale, 1);
   const ups_luminaire_desc& first = scene.luminaires[0].desc;
   EXPECT_EQ(scene.luminaires[0].profile_bytes, "profile");
   EXPECT_FLOAT_EQ(first.flux_lm, 900);

@@ -139,7 +139,7 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
 }
 
 void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
-  luminaire.allow_only({"file", "flux_lm", "dimming", "colour_temperature_k", "opening"});
+  luminaire.allow_only({"file", "flux_lm", "dimming", "colour_temperature_k", "color", "opening"});
   const std::string file = luminaire.text("file", "");
   if (file.empty()) luminaire.fail("file", "is missing: the name of an IES or EULUMDAT file beside the scene");
   const std::string where = luminaire.where() + ", file '" + file + "'";
@@ -149,6 +149,12 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   desc.use_opening = luminaire.boolean("opening", true);
   desc.dimming = float(luminaire.number("dimming", 1, 0, unlimited));
   if (luminaire.has("flux_lm")) desc.flux_lm = float(luminaire.number("flux_lm", 0, 0, unlimited));
+  if (luminaire.has("color")) {
+    if (luminaire.has("colour_temperature_k")) luminaire.fail("color", "and \"colour_temperature_k\" exclude each other");
+    const Rgb color = luminaire.rgb("color", {1, 1, 1}, 0, unlimited, false);
+    if (!(luminance(color) > 0)) luminaire.fail("color", "must have a component above 0: it is a chromaticity alone");
+    store(color, desc.color_rgb);
+  }
   if (luminaire.has("colour_temperature_k")) {
     store(planckian_rgb(luminaire.number("colour_temperature_k", 0, min_temperature, max_temperature)), desc.color_rgb);
   }
