@@ -65,6 +65,11 @@ JsonReader light_of(const Json& document, const JsonReader& use, const char* nam
 
 }  // namespace
 
+void read_colour_temperature(const JsonReader& reader, float (&rgb)[3]) {
+  if (!reader.has("colour_temperature_k")) return;
+  store(planckian_rgb(reader.number("colour_temperature_k", 0, min_temperature, max_temperature)), rgb);
+}
+
 void Importer::add_punctual_light(const JsonReader& node, const Affine& frame) {
   const JsonReader light = light_of(document_.json, *node.extension("KHR_lights_punctual"), "KHR_lights_punctual");
   const std::string where = node.where() + ", " + light.where();
@@ -155,9 +160,7 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
     if (!(luminance(color) > 0)) luminaire.fail("color", "must have a component above 0: it is a chromaticity alone");
     store(color, desc.color_rgb);
   }
-  if (luminaire.has("colour_temperature_k")) {
-    store(planckian_rgb(luminaire.number("colour_temperature_k", 0, min_temperature, max_temperature)), desc.color_rgb);
-  }
+  read_colour_temperature(luminaire, desc.color_rgb);
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
   desc.group = group_;
   ups_luminaire_id id{};

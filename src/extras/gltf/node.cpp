@@ -87,7 +87,8 @@ void Importer::read_node(int index, const Affine& parent) {
   warn_about_extensions(node, {"KHR_lights_punctual", "EXT_lights_ies"});
 
   if (extras) {
-    extras->allow_only({"meters", "goniometer", "luminaire", "group", "width", "height", "illuminance_camera"});
+    extras->allow_only(
+        {"meters", "goniometer", "luminaire", "fixture", "group", "width", "height", "illuminance_camera"});
     for (const char* key : {"width", "height", "illuminance_camera"}) {
       if (extras->has(key) && source.camera < 0) extras->fail(key, "needs a camera on the same node");
     }
@@ -95,18 +96,20 @@ void Importer::read_node(int index, const Affine& parent) {
   const auto meters = extras ? extras->object("meters") : std::nullopt;
   const auto goniometer = extras ? extras->object("goniometer") : std::nullopt;
   const auto luminaire = extras ? extras->object("luminaire") : std::nullopt;
+  const auto fixture = extras ? extras->object("fixture") : std::nullopt;
   const bool has_punctual = node.extension("KHR_lights_punctual").has_value();
   const bool has_ies = node.extension("EXT_lights_ies").has_value();
-  if (source.camera < 0 && !meters && !goniometer && !luminaire && !has_punctual && !has_ies) return;
+  if (source.camera < 0 && !meters && !goniometer && !luminaire && !fixture && !has_punctual && !has_ies) return;
 
   bool scaled = false;
   const Affine frame = without_scale(parent * local.unscaled, scaled, where);
   if (scaled || !is_unit(source.scale))
-    warn(where + ": its scale is ignored for meters, goniometers, luminaires, lights and cameras");
+    warn(where + ": its scale is ignored for meters, goniometers, luminaires, fixtures, lights and cameras");
   if (source.camera >= 0) add_camera(node, source.camera, frame);
   if (has_punctual) add_punctual_light(node, frame);
   if (has_ies) add_ies_light(node, frame);
   if (luminaire) add_luminaire(*luminaire, frame);
+  if (fixture) add_fixture(*fixture, frame);
   if (meters) add_meters(*meters, source.name, frame);
   if (goniometer) add_goniometer(*goniometer, source.name, frame);
 }
