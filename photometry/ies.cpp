@@ -135,7 +135,7 @@ void IesReader::read_opening() {
   // would be a sheet edge-on to the aim; writers mean the face.
   if (table_.type == PhotometricType::a && height != 0) {
     std::swap(opening_.size_m[0], opening_.size_m[2]);
-    if (opening_.axis != 1) opening_.axis = 2 - opening_.axis;
+    if (opening_.shape == OpeningShape::cylinder) opening_.axis = 2 - opening_.axis;  // y stays y
   }
   const std::string written = shown(width) + ", " + shown(length) + ", " + shown(height) + " m";
   if (match == OpeningMatch::other_edition)
