@@ -30,6 +30,10 @@ namespace Ups
         Auto = 0,
         IesLm63 = 1,
         Eulumdat = 2,
+        Tm33Xml = 3,
+        Tm25Rays = 4,
+        ZemaxRays = 5,
+        LighttoolsRays = 6,
     }
 
     public enum OpeningShape : int
@@ -51,11 +55,19 @@ namespace Ups
         Quadrants = 4,
     }
 
+    public enum PhotometricType : int
+    {
+        C = 0,
+        B = 1,
+        A = 2,
+    }
+
     public enum ProfileText : int
     {
         Warnings = 0,
         Keywords = 1,
         Format = 2,
+        TiltFile = 3,
     }
 
     public enum MaterialModel : int
@@ -289,11 +301,40 @@ namespace Ups
         internal float* CDeg;
         internal float* GammaDeg;
         internal float* IntensityCd;
+        public OpeningShape OpeningShape;
+        private fixed float openingM_[3];
+        public int OpeningAxis;
+        public float InputPowerW;
+        public float[] OpeningM
+        {
+            get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "ProfileDesc.OpeningM"); }
+        }
         /// <summary>With the library's defaults.</summary>
         public static ProfileDesc Create()
         {
             var d = new ProfileDesc();
             Native.ups_profile_desc_init(&d, (uint)sizeof(ProfileDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ProfileParseDesc
+    {
+        public uint StructSize;
+        public ProfileFormat Format;
+        internal void* Bytes;
+        public UIntPtr Size;
+        internal void* TiltFile;
+        public UIntPtr TiltFileSize;
+        public float TiltDeg;
+        public uint LampSet;
+        /// <summary>With the library's defaults.</summary>
+        public static ProfileParseDesc Create()
+        {
+            var d = new ProfileParseDesc();
+            Native.ups_profile_parse_desc_init(&d, (uint)sizeof(ProfileParseDesc));
             return d;
         }
     }
@@ -315,10 +356,29 @@ namespace Ups
         public ProfileSymmetry Symmetry;
         public uint CCount;
         public uint GammaCount;
+        public PhotometricType PhotometricType;
+        public uint RayCount;
+        public double UpFluxLm;
+        public double DownFluxLm;
+        public double LightOutputRatio;
+        private fixed float beamAngleDeg_[2];
+        private fixed float fieldAngleDeg_[2];
+        public int OpeningAxis;
+        public uint LampSetCount;
         public float[] OpeningM
         {
             get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
             set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "ProfileInfo.OpeningM"); }
+        }
+        public float[] BeamAngleDeg
+        {
+            get { fixed (float* p = beamAngleDeg_) return Elements.Copy(p, 2); }
+            set { fixed (float* p = beamAngleDeg_) Elements.Set(p, 2, value, "ProfileInfo.BeamAngleDeg"); }
+        }
+        public float[] FieldAngleDeg
+        {
+            get { fixed (float* p = fieldAngleDeg_) return Elements.Copy(p, 2); }
+            set { fixed (float* p = fieldAngleDeg_) Elements.Set(p, 2, value, "ProfileInfo.FieldAngleDeg"); }
         }
         internal static ProfileInfo Sized()
         {
@@ -1093,9 +1153,20 @@ namespace Ups
         internal static extern Status ups_profile_parse(ContextHandle context, void* bytes, UIntPtr size, ProfileFormat
             format, out ProfileHandle @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_profile_parse_desc_init(ProfileParseDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_parse_with(ContextHandle context, ProfileParseDesc* desc, out
+            ProfileHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_write(ProfileHandle profile, ProfileFormat format, byte* bytes,
+            UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_get_info(ProfileHandle profile, ProfileInfo* info);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_get_text(ProfileHandle profile, ProfileText topic, byte* text, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_keyword(ProfileHandle profile, byte* name, byte* text, UIntPtr
             capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_eval(ProfileHandle profile, float* directions_xyz, UIntPtr count,

@@ -29,6 +29,10 @@ class ProfileFormat(enum.IntEnum):
     AUTO = 0
     IES_LM63 = 1
     EULUMDAT = 2
+    TM33_XML = 3
+    TM25_RAYS = 4
+    ZEMAX_RAYS = 5
+    LIGHTTOOLS_RAYS = 6
 
 
 class OpeningShape(enum.IntEnum):
@@ -48,10 +52,17 @@ class ProfileSymmetry(enum.IntEnum):
     QUADRANTS = 4
 
 
+class PhotometricType(enum.IntEnum):
+    C = 0
+    B = 1
+    A = 2
+
+
 class ProfileText(enum.IntEnum):
     WARNINGS = 0
     KEYWORDS = 1
     FORMAT = 2
+    TILT_FILE = 3
 
 
 class MaterialModel(enum.IntEnum):
@@ -255,6 +266,23 @@ class ProfileDesc(Structure):
         ("c_deg", POINTER(c_float)),
         ("gamma_deg", POINTER(c_float)),
         ("intensity_cd", POINTER(c_float)),
+        ("opening_shape", c_int32),
+        ("opening_m", c_float * 3),
+        ("opening_axis", c_int32),
+        ("input_power_w", c_float),
+    ]
+
+
+class ProfileParseDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("format", c_int32),
+        ("bytes", c_void_p),
+        ("size", c_size_t),
+        ("tilt_file", c_void_p),
+        ("tilt_file_size", c_size_t),
+        ("tilt_deg", c_float),
+        ("lamp_set", c_uint32),
     ]
 
 
@@ -274,6 +302,15 @@ class ProfileInfo(Structure):
         ("symmetry", c_int32),
         ("c_count", c_uint32),
         ("gamma_count", c_uint32),
+        ("photometric_type", c_int32),
+        ("ray_count", c_uint32),
+        ("up_flux_lm", c_double),
+        ("down_flux_lm", c_double),
+        ("light_output_ratio", c_double),
+        ("beam_angle_deg", c_float * 2),
+        ("field_angle_deg", c_float * 2),
+        ("opening_axis", c_int32),
+        ("lamp_set_count", c_uint32),
     ]
 
 
@@ -722,8 +759,12 @@ PROTOTYPES = {
     "ups_profile_desc_init": (None, [POINTER(ProfileDesc), c_uint32]),
     "ups_profile_create": (c_int32, [c_void_p, POINTER(ProfileDesc), POINTER(c_void_p)]),
     "ups_profile_parse": (c_int32, [c_void_p, c_void_p, c_size_t, c_int32, POINTER(c_void_p)]),
+    "ups_profile_parse_desc_init": (None, [POINTER(ProfileParseDesc), c_uint32]),
+    "ups_profile_parse_with": (c_int32, [c_void_p, POINTER(ProfileParseDesc), POINTER(c_void_p)]),
+    "ups_profile_write": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_get_info": (c_int32, [c_void_p, POINTER(ProfileInfo)]),
     "ups_profile_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_profile_get_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_eval": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)]),
     "ups_profile_destroy": (None, [c_void_p]),
     "ups_texture_desc_init": (None, [POINTER(TextureDesc), c_uint32]),
@@ -806,6 +847,7 @@ PROTOTYPES = {
 INIT = {
     ContextDesc: "ups_context_desc_init",
     ProfileDesc: "ups_profile_desc_init",
+    ProfileParseDesc: "ups_profile_parse_desc_init",
     TextureDesc: "ups_texture_desc_init",
     MaterialDesc: "ups_material_desc_init",
     MeshDesc: "ups_mesh_desc_init",
