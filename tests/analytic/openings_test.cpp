@@ -239,11 +239,12 @@ TEST(Openings, MethodsAgreeNearThem) {
   }
   const Sensor cells = scene.add_cells({{0.5, 0.5, 1.0}, {0.5, 0.8, 1.2}, {1.4, 1.2, 0.2}, {1.4, 1.3, 0}, {0.6, 1.5, 1.05}, {1, 1, 0}},
                                        {{0, 0, 1}, {0, 0, -1}, {0, 0, -1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
-                                       std::vector<P3>(6, {1, 0, 0}), 0.1, 0.1);
+                                       std::vector<P3>(6, {1, 0, 0}), 0.2, 0.2);
   std::vector<std::vector<ups_meter_reading>> all;
   for (ups_method method : cell_methods) {
-    const uint32_t iterations = method == UPS_METHOD_LIGHT_TRACING ? 200 : method == UPS_METHOD_PATH_TRACING ? 4096 : 512;
-    all.push_back(scene.render({.method = method, .iterations = iterations, .light_paths = 2048}).readings(cells));
+    const bool light = method == UPS_METHOD_LIGHT_TRACING;
+    const uint32_t iterations = light ? 64 : method == UPS_METHOD_PATH_TRACING ? 512 : 96;
+    all.push_back(scene.render({.method = method, .iterations = iterations, .light_paths = light ? 30000u : 1024u}).readings(cells));
   }
   for (size_t i = 0; i < all.size(); ++i)
     for (size_t j = 0; j < i; ++j)

@@ -170,6 +170,29 @@ TEST(Prepare, LuminairesScaleAndPlace) {
   EXPECT_FALSE(s->raytracer->occluded(direct.p, -direct.wi, direct.distance));
 }
 
+// A thousand luminaires of one type: none has tables of its own, whoever holds them.
+TEST(Prepare, LuminairesShareTheirProfile) {
+  constexpr int count = 1000;
+  Things t;
+  t.box(t.material(UPS_MATERIAL_MATTE), {0, 0, 0}, {100, 40, 3});
+  photometry::Photometry data{photometry::Distribution({0}, {0, 90}, {100, 0})};
+  data.opening = {photometry::OpeningShape::box, {1.2f, 0.3f, 0.1f}};
+  const auto profile = std::make_shared<photometry::Photometry>(std::move(data));
+  for (int i = 0; i < count; ++i) {
+    ups_luminaire_desc d{};
+    const double place[12] = {1, 0, 0, 2.0 * (i % 50) + 1, 0, 1, 0, 2.0 * (i / 50) + 1, 0, 0, 1, 2.9};
+    std::copy(std::begin(place), std::end(place), d.to_world);
+    d.use_opening = 1, d.flux_lm = -1, d.dimming = d.intensity_scale = 1;
+    std::fill(std::begin(d.color_rgb), std::end(d.color_rgb), 1.0f);
+    t.description.add_luminaire(d, profile);
+  }
+  EXPECT_EQ(profile.use_count(), 1 + count);
+  const auto s = t.build();
+  EXPECT_EQ(s->emitters.size(), size_t(count));
+  EXPECT_EQ(s->emitter_of_opening.size(), size_t(count));
+  EXPECT_EQ(profile.use_count(), 1 + 2 * count);  // the emitters hold the same one
+}
+
 TEST(Prepare, FindsTheGlassThatThingsLieIn) {
   Things t;
   const uint32_t matte = t.material(UPS_MATERIAL_MATTE), water = t.material(UPS_MATERIAL_GLASS, 0, 0.3f);
