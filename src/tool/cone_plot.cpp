@@ -11,8 +11,8 @@ namespace {
 
 constexpr double radian = 3.14159265358979323846 / 180;
 constexpr int metres = 5;
-constexpr double widest_deg = 85;  // an edge beyond meets the floor too far away to be drawn
-constexpr double ellipse_flattening = 0.16;
+constexpr double widest_deg = 85;                         // an edge beyond meets the floor too far away to be drawn
+constexpr double ellipse_flattening = 0.16, deepest = 9;  // so that the lowest leaves the axis its numbers
 
 struct Cone {
   bool known;
@@ -39,11 +39,13 @@ Cone cone_of(const ups_profile* profile, const ProfileReport& report, int plane)
   return cone;
 }
 
+std::string lux_text(double lux) { return format(lux >= 99.95 ? "%.0f" : lux >= 9.995 ? "%.1f" : "%.2f", lux); }
+
 std::string edges_text(const Cone& cone, double h) {
   if (!cone.known) return "-";
   const double a = cone.e_from / (h * h), b = cone.e_to / (h * h);
   const bool alike = std::abs(a - b) <= 0.01 * std::max(a, b);
-  return alike ? format("%.4g", 0.5 * (a + b)) : format("%.3g / %.3g", a, b);
+  return alike ? lux_text(0.5 * (a + b)) : lux_text(a) + " / " + lux_text(b);
 }
 
 struct Chart {
@@ -64,7 +66,7 @@ void draw_chart(Drawing& drawing, const Chart& chart, const Cone (&cones)[2]) {
     const Point p = chart.at(i * step, metres);
     drawing.parts.push_back(Line{{p, {p.x, p.y + 4}}, grey, 0.8});
     const bool last = (i + 1) * step > half * (1 + 1e-9);
-    drawing.parts.push_back(Label{{p.x, p.y + 17}, format(last ? "%g m" : "%g", i * step), 12, grey, Anchor::middle});
+    drawing.parts.push_back(Label{{p.x, p.y + 20}, format(last ? "%g m" : "%g", i * step), 12, grey, Anchor::middle});
   }
   drawing.parts.push_back(Line{{chart.at(0, 0), chart.at(0, metres)}, grey, 0.8, 4});
   // The spot at each metre, seen at a slant: its width in the plane C0-C180, its depth in C90-C270.
@@ -72,7 +74,7 @@ void draw_chart(Drawing& drawing, const Chart& chart, const Cone (&cones)[2]) {
   for (int h = 1; round && h <= metres; ++h) {
     std::vector<Point> spot;
     const double middle = 0.5 * (cones[0].from + cones[0].to) * h;
-    const double depth = std::min(0.5 * cones[1].width() * h * chart.x_scale * ellipse_flattening, 0.3 * chart.y_scale);
+    const double depth = std::min(0.5 * cones[1].width() * h * chart.x_scale * ellipse_flattening, deepest);
     for (int a = 0; a <= 360; a += 5) {
       const Point p = chart.at(middle + 0.5 * cones[0].width() * h * std::cos(a * radian), h);
       spot.push_back({p.x, p.y + depth * std::sin(a * radian)});
@@ -80,7 +82,7 @@ void draw_chart(Drawing& drawing, const Chart& chart, const Cone (&cones)[2]) {
     drawing.parts.push_back(Area{spot, plane_ink[0], 0.10});
     drawing.parts.push_back(Line{spot, plane_ink[0], 0.7});
   }
-  for (const int plane : {1, 0}) {
+  for (const int plane : {0, 1}) {
     const Cone& cone = cones[plane];
     if (!cone.known) continue;
     const Point apex = chart.at(0, 0), from = chart.at(metres * cone.from, metres),
@@ -99,9 +101,9 @@ void draw_table(Drawing& drawing, const Frame& frame, const Cone (&cones)[2], do
   };
   drawing.parts.push_back(Label{{frame.left + columns[2], frame.top}, "beam width, m", size, grey, Anchor::end});
   drawing.parts.push_back(
-      Label{{frame.left + columns[5], frame.top}, "horizontal illuminance, lx", size, grey, Anchor::end});
+      Label{{frame.left + columns[5], frame.top}, "illuminance, lx: below, at the edges", size, grey, Anchor::end});
   double y = frame.top + row;
-  const char* heads[6] = {"m", "C0-C180", "C90-C270", "below", "edge C0", "edge C90"};
+  const char* heads[6] = {"m", "C0-C180", "C90-C270", "below", "C0-C180", "C90-C270"};
   for (int i = 0; i < 6; ++i)
     cell(i, y, heads[i], i == 1 || i == 4 ? plane_ink[0] : i == 2 || i == 5 ? plane_ink[1] : black, true);
   drawing.parts.push_back(Line{{{frame.left, y + 5}, {frame.left + columns[5], y + 5}}, pale, 1});
@@ -112,7 +114,7 @@ void draw_table(Drawing& drawing, const Frame& frame, const Cone (&cones)[2], do
       cell(1 + plane, y, cones[plane].known ? format("%.2f", cones[plane].width() * h) : "-", black, false);
       cell(4 + plane, y, edges_text(cones[plane], h), black, false);
     }
-    cell(3, y, format("%.4g", nadir_cd / (h * h)), black, false);
+    cell(3, y, lux_text(nadir_cd / (h * h)), black, false);
   }
 }
 

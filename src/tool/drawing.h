@@ -19,7 +19,8 @@ struct Line {
   std::vector<Point> points;
   Ink ink;
   double width;
-  double dash = 0;  // length of dashes and, half as long, of the gaps between them; 0: solid
+  double dash = 0;  // length of dashes; the gaps between them are `gap` of it; 0: solid
+  static constexpr double gap = 0.75;
 };
 
 struct Area {

@@ -2,6 +2,7 @@
 // lies inside. Letters are strokes between neighbouring dots of the 5x7 font.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "common/glyphs.h"
 #include "tool/drawing.h"
@@ -59,7 +60,7 @@ double advance_of(char letter) {
 std::vector<std::vector<Point>> dashes_of(const Line& line) {
   if (line.dash <= 0) return {line.points};
   std::vector<std::vector<Point>> dashes;
-  const double period = 1.5 * line.dash;
+  const double period = (1 + Line::gap) * line.dash;
   double place = 0;  // along the line, within its period
   bool drawing = false;
   for (size_t i = 0; i + 1 < line.points.size(); ++i) {
@@ -118,7 +119,8 @@ class Canvas {
     for (const char letter : letters_of(label.text)) {
       if (const extras::Glyph* glyph = extras::find_glyph(letter)) {
         const int first = columns_of(letter, *glyph).first;
-        cover_glyph(*glyph, {x + (0.5 * gap - first * across) * em, label.at.y - 6 * down * em}, em, stroke);
+        const double sunk = std::strchr(",;gjpqy", letter) ? down * em : 0;  // the font's rows end at the baseline
+        cover_glyph(*glyph, {x + (0.5 * gap - first * across) * em, label.at.y - 6 * down * em + sunk}, em, stroke);
       }
       x += advance_of(letter) * em;
     }

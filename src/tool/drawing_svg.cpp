@@ -73,8 +73,8 @@ std::string element(const Line& line) {
   std::string s =
       "<path fill=\"none\" stroke=\"" + hex(line.ink) + "\" stroke-width=\"" + coordinate(line.width) + "\"";
   if (line.dash > 0) {
-    s +=
-        " stroke-linecap=\"butt\" stroke-dasharray=\"" + coordinate(line.dash) + " " + coordinate(line.dash / 2) + "\"";
+    s += " stroke-linecap=\"butt\" stroke-dasharray=\"" + coordinate(line.dash) + " " +
+         coordinate(line.dash * Line::gap) + "\"";
   }
   return s + " d=\"" + path_of(line.points) + "\"/>\n";
 }

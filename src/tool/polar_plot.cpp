@@ -100,6 +100,7 @@ void draw_ring_labels(Drawing& drawing, const Axes& axes, const std::vector<Samp
   }
   constexpr double size = 11;
   for (int ring = 1; ring <= axes.rings; ++ring) {
+    if (std::abs(least / (ring * axes.step) - 1) < 0.04) continue;  // a curve runs there
     const Point p = axes.at(best, ring * axes.step);
     const std::string text = format("%g", ring * axes.step);
     const double half = 0.5 * width_of(text, size) + 2;
@@ -137,7 +138,7 @@ void draw_polar(Drawing& drawing, const Frame& frame, const ups_profile* profile
 
   draw_grid(drawing, axes);
   draw_ring_labels(drawing, axes, curves);
-  for (const int plane : {1, 0}) {
+  for (const int plane : {0, 1}) {
     std::vector<Point> points;
     const double end = axes.full ? 180 : 90;
     for (const Sample& s : curves[plane])

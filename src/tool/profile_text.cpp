@@ -46,7 +46,8 @@ std::string luminance_text(const ProfileReport& report) {
   for (float gamma : luminance_gamma_deg) text += format("%11g", gamma);
   for (size_t i = 0; i < luminance_c_deg.size(); ++i) {
     text += format("\n  C %-5g", luminance_c_deg[i]);
-    for (float value : report.luminance_cd_m2[i]) text += value < 0 ? format("%11s", "-") : format("%11.5g", value);
+    for (float value : report.luminance_cd_m2[i])
+      text += value < 0 ? format("%11s", "-") : format("%11.5g", value < 0.005f ? 0.f : value);
   }
   return text + "\n";
 }
@@ -149,7 +150,9 @@ std::string table_line(const SceneReport& report, size_t name_width) {
 }
 
 std::string table_error(const std::string& file, const std::string& error, size_t name_width) {
-  return padded(base_name(file), name_width) + "  error: " + error + "\n";
+  const std::string prefix = file + ": ";  // the first column says that
+  return padded(base_name(file), name_width) +
+         "  error: " + (error.compare(0, prefix.size(), prefix) == 0 ? error.substr(prefix.size()) : error) + "\n";
 }
 
 }  // namespace ups::tool
