@@ -22,20 +22,23 @@ double intensity_at(const Distribution& d, double c_deg, double gamma_deg) {
 }
 
 // Whether the table's own angles are C and gamma. Those of types A and B run about another axis.
-bool is_c_gamma(const Photometry& p) { return p.type == PhotometricType::c; }
+bool is_c_gamma(const Photometry& p) { return p.distribution.type() == PhotometricType::c; }
 
-// Gamma angles between which the intensity in any plane is linear, or nearly so for a table of another type, with both
-// sides of the nadir's and of the table's ends.
+// Gamma angles between which the intensity in any plane is linear, with both sides of the nadir's and of the table's
+// ends. Of a table of type A or B it is that in the planes C0-C180 and C90-C270, where gamma runs along the table's
+// angles; in others nearly so.
 std::vector<double> knots_of(const Photometry& p) {
   std::vector<double> knots = {nudge_deg, 180};
-  if (is_c_gamma(p)) {
-    const std::vector<double>& rows = p.distribution.gamma_deg();
-    for (double g : rows) knots.push_back(g);
-    for (double end : {rows.front(), rows.back()}) {
-      knots.push_back(end - nudge_deg);
-      knots.push_back(end + nudge_deg);
+  const auto add = [&](const std::vector<double>& angles) {
+    for (double a : angles) knots.push_back(std::abs(a));
+    for (double end : {angles.front(), angles.back()}) {
+      knots.push_back(std::abs(end) - nudge_deg);
+      knots.push_back(std::abs(end) + nudge_deg);
     }
-  } else {
+  };
+  add(p.distribution.gamma_deg());
+  if (!is_c_gamma(p)) {
+    add(p.distribution.c_deg());
     for (int i = 1; i < 3600; ++i) knots.push_back(0.05 * i);
   }
   knots.erase(std::remove_if(knots.begin(), knots.end(), [](double g) { return g < nudge_deg || g > 180; }),

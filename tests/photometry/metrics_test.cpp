@@ -7,11 +7,15 @@
 #include <cmath>
 #include <functional>
 
+#include "photometry/files.h"
+
 namespace photometry {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-double rad(double deg) { return deg * pi / 180; }
+using test::eval_at;
+using test::rad;
+using test::read_file;
 double deg(double rad) { return rad * 180 / pi; }
 
 std::vector<double> steps(double first, double last, int n) {
@@ -68,12 +72,9 @@ TEST(Beam, IsExactOnTheInterpolatedIntensity) {
   const Photometry q =
       tabulate({0, 70, 200}, {0, 20, 45, 80}, [](double c, double g) { return 100 - g + 0.1 * (c / 200) * g; });
   const Beam b = beam_of(q, 33, 0.5);
-  const auto eval_at = [&](double a) {
-    const double c = rad(a < 0 ? 33 + 180 : 33), g = rad(std::abs(a));
-    return q.distribution.eval(std::sin(g) * std::cos(c), std::sin(g) * std::sin(c), -std::cos(g));
-  };
-  EXPECT_NEAR(eval_at(b.from_deg), 50, 1e-7);
-  EXPECT_NEAR(eval_at(b.to_deg), 50, 1e-7);
+  ASSERT_LT(b.from_deg, 0);
+  EXPECT_NEAR(eval_at(q.distribution, 33 + 180, -b.from_deg), 50, 1e-7);
+  EXPECT_NEAR(eval_at(q.distribution, 33, b.to_deg), 50, 1e-7);
 }
 
 TEST(Beam, OfAnIsotropicSourceHasNoAngle) {
@@ -131,6 +132,42 @@ TEST(Beam, OverTheZenithAndOfTwoEqualLobes) {
   EXPECT_NEAR(lobe.from_deg, 30 * 40 / 90.0, 1e-7);
   EXPECT_NEAR(lobe.to_deg, 45, 1e-7);
   EXPECT_NEAR(beam_of(axial({0, 30, 60}, {60, 100, 0}), 0, 0.5).angle_deg, 90, 1e-7);  // a batwing's shallow dip
+}
+
+// s08 to s10 are the same lamp as tables of type C, B and A: 1000 cos(gamma) (1 + 0.25 up + 0.5 left), up and left of
+// the unit direction.
+TEST(Metrics, OfTypesBAndAAreThoseOfTypeC) {
+  const Metrics c = metrics_of(read_file("s08_typeC_asym.ies"));
+  for (const char* name : {"s09_typeB_asym.ies", "s10_typeA_asym.ies"}) {
+    const Photometry p = read_file(name);
+    ASSERT_NE(p.distribution.type(), PhotometricType::c) << name;
+    const Metrics m = metrics_of(p);
+    for (int i = 0; i < 2; ++i) {
+      // Type C has rows of 5 degrees, as the others: the chords of all three differ from the curve by less than 0.1
+      // deg.
+      EXPECT_NEAR(m.beam[i].from_deg, c.beam[i].from_deg, 0.15) << name;
+      EXPECT_NEAR(m.beam[i].to_deg, c.beam[i].to_deg, 0.15) << name;
+      EXPECT_NEAR(m.beam[i].peak_cd, c.beam[i].peak_cd, 1) << name;
+    }
+    EXPECT_NEAR(m.down_flux_lm + m.up_flux_lm, p.distribution.band_flux_lm(), 1e-9 * m.down_flux_lm);
+    EXPECT_NEAR(m.interpolated_down_flux_lm, p.distribution.interpolated_flux_lm(), 1e-9 * m.down_flux_lm);
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(m.zonal_flux_lm[i] / c.zonal_flux_lm[i], 1, 4e-3) << name << " " << i;
+    EXPECT_NEAR(m.up_flux_lm, 0, 1e-9 * m.down_flux_lm);
+  }
+}
+
+TEST(Beam, OfATypeBTableIsExactInThePrincipalPlanes) {
+  // V (up, C0) falls linearly to both sides by 1 cd a degree above and 2 below; H by 1 to both sides.
+  const std::vector<double> v = {-40, 0, 80}, h = {-60, 0, 60};
+  std::vector<double> table;
+  for (double a : v)
+    for (double b : h) table.push_back(100 - std::abs(a) * (a < 0 ? 2 : 1) - (a == 0 ? std::abs(b) : 0));
+  const Photometry p{Distribution(PhotometricType::b, v, h, table)};
+  const Beam up = beam_of(p, 0, 0.5), across = beam_of(p, 90, 0.5);
+  EXPECT_NEAR(up.from_deg, -25, 1e-7);
+  EXPECT_NEAR(up.to_deg, 50, 1e-7);
+  EXPECT_NEAR(across.angle_deg, 100, 1e-7);
+  EXPECT_NEAR(beam_of(p, 90, 0.1).angle_deg, 120, 1e-7);  // where the table ends
 }
 
 TEST(Flux, ByZonesFollowsEachRule) {
