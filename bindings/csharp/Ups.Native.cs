@@ -387,6 +387,21 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ProfileBeam
+    {
+        public uint StructSize;
+        public float PeakCd;
+        public float PeakDeg;
+        public float FromDeg;
+        public float ToDeg;
+        public float AngleDeg;
+        internal static ProfileBeam Sized()
+        {
+            return new ProfileBeam { StructSize = (uint)sizeof(ProfileBeam) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct TextureDesc
     {
         public uint StructSize;
@@ -1171,6 +1186,15 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_eval(ProfileHandle profile, float* directions_xyz, UIntPtr count,
             float* intensity_cd);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_luminance(ProfileHandle profile, float* directions_xyz, UIntPtr
+            count, float* luminance_cd_m2);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_zonal_flux(ProfileHandle profile, float* gamma_deg, UIntPtr count,
+            double* flux_lm);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_beam(ProfileHandle profile, float c_deg, float fraction,
+            ProfileBeam* beam);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_profile_destroy(IntPtr profile);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

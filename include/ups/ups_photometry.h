@@ -89,6 +89,15 @@ typedef struct ups_profile_info {
   uint32_t lamp_set_count;           /* that the file states; at least 1 for a file that states lamps */
 } ups_profile_info;
 
+/* The lobe around the peak of one plane, which runs full circle: its angles are gamma on the half plane C, -gamma on the
+ * half plane C + 180. */
+typedef struct ups_profile_beam {
+  uint32_t struct_size;
+  float peak_cd, peak_deg;     /* of this plane; of equal peaks the one nearest to the nadir, then on the side of C */
+  float from_deg, to_deg;      /* from_deg <= peak_deg <= to_deg; beyond +-180 where the lobe holds the zenith */
+  float angle_deg;             /* to_deg - from_deg; < 0: nowhere below the level, or no light in this plane */
+} ups_profile_beam;
+
 typedef int32_t ups_profile_text;
 enum {
   UPS_PROFILE_TEXT_WARNINGS = 0,
@@ -123,6 +132,18 @@ UPS_API ups_status ups_profile_get_keyword(const ups_profile *profile, const cha
 /* Interpolated intensity, cd, for count directions in the profile's frame (3 floats each, any length > 0). */
 UPS_API ups_status ups_profile_eval(const ups_profile *profile, const float *directions_xyz, size_t count,
                                     float *intensity_cd);
+/* Mean luminance of the luminous opening seen from count directions, cd/m^2: intensity / area of its silhouette. < 0: the
+ * opening is a point, or flat and seen edge on. Directions as for ups_profile_eval. */
+UPS_API ups_status ups_profile_get_luminance(const ups_profile *profile, const float *directions_xyz, size_t count,
+                                             float *luminance_cd_m2);
+/* Flux by the band rule between count ascending gamma angles, degrees, in [0, 180]: count - 1 values, lm. A band of the
+ * table across an edge is parted by solid angle; tables of type A and B are parted as their interpolated intensity is. */
+UPS_API ups_status ups_profile_get_zonal_flux(const ups_profile *profile, const float *gamma_deg, size_t count,
+                                              double *flux_lm);
+/* Where the interpolated intensity first falls below `fraction` of the plane's peak, on both sides of it; 0 < fraction <=
+ * 1. 0.5 gives the beam angle (ANSI/IES LS-1: 50 % of the maximum; CIE's half-peak divergence), 0.1 the field angle. Plane:
+ * C / C + 180, c_deg finite. beam->struct_size must be set. */
+UPS_API ups_status ups_profile_get_beam(const ups_profile *profile, float c_deg, float fraction, ups_profile_beam *beam);
 UPS_API void ups_profile_destroy(ups_profile *profile); /* NULL ok */
 
 #endif

@@ -6,6 +6,7 @@
 #include "api/desc.h"
 #include "api/handles.h"
 #include "base/text.h"
+#include "photometry/metrics.h"
 #include "scene/check.h"
 
 using namespace ups;
@@ -128,6 +129,22 @@ static_assert(int(photometry::Symmetry::quadrants) == UPS_SYMMETRY_QUADRANTS);
 static_assert(int(photometry::PhotometricType::b) == UPS_PHOTOMETRIC_B);
 static_assert(int(photometry::PhotometricType::a) == UPS_PHOTOMETRIC_A);
 
+// values[i] = function(direction i), the directions checked before the first value is written.
+template <class Function>
+void for_directions(const float* directions_xyz, size_t count, float* values, const char* name, Function&& function) {
+  if (count == 0) return;
+  check::pointer(directions_xyz, "directions_xyz");
+  check::pointer(values, name);
+  const auto direction = [&](size_t i) {
+    return Vec3d(directions_xyz[3 * i], directions_xyz[3 * i + 1], directions_xyz[3 * i + 2]);
+  };
+  for (size_t i = 0; i < count; ++i)
+    if (!(is_finite(direction(i)) && length2(direction(i)) > 0))
+      fail_argument("directions_xyz: element " + std::to_string(i) +
+                    " is not a direction; it must be finite and not 0");
+  for (size_t i = 0; i < count; ++i) values[i] = float(function(direction(i)));
+}
+
 }  // namespace
 
 void ups_profile_desc_init(ups_profile_desc* desc, uint32_t struct_size) {
@@ -210,20 +227,52 @@ ups_status ups_profile_eval(const ups_profile* profile, const float* directions_
                             float* intensity_cd) {
   return guard(__func__, [&] {
     const photometry::Distribution& distribution = require(profile, "profile").data->distribution;
-    if (count == 0) return;
-    check::pointer(directions_xyz, "directions_xyz");
-    check::pointer(intensity_cd, "intensity_cd");
-    const auto direction = [&](size_t i) {
-      return Vec3d(directions_xyz[3 * i], directions_xyz[3 * i + 1], directions_xyz[3 * i + 2]);
-    };
-    for (size_t i = 0; i < count; ++i)
-      if (!(is_finite(direction(i)) && length2(direction(i)) > 0))
-        fail_argument("directions_xyz: element " + std::to_string(i) +
-                      " is not a direction; it must be finite and not 0");
+    for_directions(directions_xyz, count, intensity_cd, "intensity_cd",
+                   [&](const Vec3d& d) { return distribution.eval(d.x, d.y, d.z); });
+  });
+}
+
+ups_status ups_profile_get_luminance(const ups_profile* profile, const float* directions_xyz, size_t count,
+                                     float* luminance_cd_m2) {
+  return guard(__func__, [&] {
+    const photometry::Photometry& data = *require(profile, "profile").data;
+    for_directions(directions_xyz, count, luminance_cd_m2, "luminance_cd_m2",
+                   [&](const Vec3d& d) { return photometry::luminance_cd_m2(data, d.x, d.y, d.z); });
+  });
+}
+
+ups_status ups_profile_get_zonal_flux(const ups_profile* profile, const float* gamma_deg, size_t count,
+                                      double* flux_lm) {
+  return guard(__func__, [&] {
+    const photometry::Photometry& data = *require(profile, "profile").data;
+    check::require(count >= 2, "count is " + std::to_string(count) + "; it must be at least 2, the edges of one zone");
+    check::pointer(gamma_deg, "gamma_deg");
+    check::pointer(flux_lm, "flux_lm");
     for (size_t i = 0; i < count; ++i) {
-      const Vec3d d = direction(i);
-      intensity_cd[i] = float(distribution.eval(d.x, d.y, d.z));
+      const std::string element = "gamma_deg: element " + std::to_string(i);
+      check::require(gamma_deg[i] >= 0 && gamma_deg[i] <= 180,
+                     element + " is " + std::to_string(gamma_deg[i]) + "; it must lie in [0, 180]");
+      check::require(i == 0 || gamma_deg[i] > gamma_deg[i - 1], element + " is not greater than the one before");
     }
+    for (size_t i = 0; i + 1 < count; ++i)
+      flux_lm[i] = photometry::zonal_flux_lm(data, gamma_deg[i], gamma_deg[i + 1], photometry::FluxRule::band);
+  });
+}
+
+ups_status ups_profile_get_beam(const ups_profile* profile, float c_deg, float fraction, ups_profile_beam* beam) {
+  return guard(__func__, [&] {
+    const photometry::Photometry& data = *require(profile, "profile").data;
+    check::require(std::isfinite(c_deg), "c_deg is not finite");
+    check::require(fraction > 0 && fraction <= 1,
+                   "fraction is " + std::to_string(fraction) + "; it must be greater than 0 and at most 1");
+    const photometry::Beam b = photometry::beam_of(data, c_deg, fraction);
+    ups_profile_beam out{};
+    out.peak_cd = float(b.peak_cd);
+    out.peak_deg = float(b.peak_deg);
+    out.from_deg = float(b.from_deg);
+    out.to_deg = float(b.to_deg);
+    out.angle_deg = float(b.angle_deg);
+    write_info(beam, out, "beam");
   });
 }
 

@@ -1,100 +1,21 @@
-// ups info: what a scene file contains and calls for, or what a photometric file says.
+// ups info: what a scene file contains and calls for, what photometric files say: a page for one file, a table for many
+// or for a folder, one JSON object for programs.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "tool/commands.h"
 #include "tool/handles.h"
+#include "tool/info_report.h"
+#include "tool/profile_plot.h"
 
 namespace ups::tool {
 
 namespace {
 
-std::string lower_extension(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  }
-  return extension;
-}
-
-std::string read_bytes(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) throw Failure("cannot open '" + file + "'");
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-std::string opening_text(const ups_profile_info& info) {
-  char text[128];
-  const float* m = info.opening_m;
-  switch (info.opening_shape) {
-    case UPS_OPENING_RECTANGLE:
-      std::snprintf(text, sizeof text, "rectangle %g x %g m", m[0], m[1]);
-      break;
-    case UPS_OPENING_DISC:
-      std::snprintf(text, sizeof text, "disc %g x %g m", m[0], m[1]);
-      break;
-    case UPS_OPENING_BOX:
-      std::snprintf(text, sizeof text, "box %g x %g x %g m", m[0], m[1], m[2]);
-      break;
-    case UPS_OPENING_CYLINDER:
-      std::snprintf(text, sizeof text, "cylinder %g x %g x %g m", m[0], m[1], m[2]);
-      break;
-    case UPS_OPENING_SPHERE:
-      std::snprintf(text, sizeof text, "sphere %g x %g x %g m", m[0], m[1], m[2]);
-      break;
-    default:
-      return "point";
-  }
-  return text;
-}
-
-const char* symmetry_text(ups_profile_symmetry symmetry) {
-  switch (symmetry) {
-    case UPS_SYMMETRY_AXIAL:
-      return "axial";
-    case UPS_SYMMETRY_C0_C180:
-      return "about the plane C0-C180";
-    case UPS_SYMMETRY_C90_C270:
-      return "about the plane C90-C270";
-    case UPS_SYMMETRY_QUADRANTS:
-      return "about both planes, C0-C180 and C90-C270";
-    default:
-      return "none";
-  }
-}
-
-void print_list(const char* title, const std::string& text) {
-  const auto lines = lines_of(text);
+void print_list(const char* title, const std::vector<std::string>& lines) {
   std::printf("%s:%s\n", title, lines.empty() ? " none" : "");
   for (const std::string& line : lines) std::printf("  %s\n", line.c_str());
-}
-
-void print_profile(const std::string& file, const ups_profile* profile) {
-  ups_profile_info info{};
-  info.struct_size = sizeof info;
-  check(ups_profile_get_info(profile, &info));
-  const auto text = [&](ups_profile_text topic) {
-    return read_text([&](char* to, size_t capacity, size_t* needed) {
-      return ups_profile_get_text(profile, topic, to, capacity, needed);
-    });
-  };
-  std::printf("%s\n", file.c_str());
-  std::printf("format: %s\n", text(UPS_PROFILE_TEXT_FORMAT).c_str());
-  std::printf("flux: %.6g lm (as interpolated for rendering: %.6g lm)\n", info.flux_lm, info.interpolated_flux_lm);
-  if (info.rated_flux_lm >= 0) {
-    std::printf("rated lamp flux: %.6g lm\n", info.rated_flux_lm);
-  } else {
-    std::printf("rated lamp flux: none, absolute photometry\n");
-  }
-  if (info.input_power_w >= 0) std::printf("input power: %g W\n", info.input_power_w);
-  std::printf("peak: %.6g cd at C %g deg, gamma %g deg\n", info.peak_cd, info.peak_c_deg, info.peak_gamma_deg);
-  std::printf("symmetry: %s\n", symmetry_text(info.symmetry));
-  std::printf("opening: %s\n", opening_text(info).c_str());
-  std::printf("table: %u C-planes x %u gamma angles\n", info.c_count, info.gamma_count);
-  print_list("keywords", text(UPS_PROFILE_TEXT_KEYWORDS));
-  print_list("warnings", text(UPS_PROFILE_TEXT_WARNINGS));
 }
 
 void print_sensor(const SensorEntry& sensor) {
@@ -111,17 +32,27 @@ void print_sensor(const SensorEntry& sensor) {
   }
 }
 
-void print_scene(const std::string& file, const LoadedScene& scene) {
-  ups_scene_info info{};
-  info.struct_size = sizeof info;
-  check(ups_scene_get_info(scene.scene.get(), &info));
+SceneReport scene_report_of(const std::string& file, const LoadedScene& scene) {
+  SceneReport report{};
+  report.file = file;
+  report.info.struct_size = sizeof report.info;
+  check(ups_scene_get_info(scene.scene.get(), &report.info));
   const auto text = [&](ups_scene_text topic) {
-    return read_text([&](char* to, size_t capacity, size_t* needed) {
+    return lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
       return ups_scene_get_text(scene.scene.get(), topic, to, capacity, needed);
-    });
+    }));
   };
+  report.sensors = scene.sensors;
+  report.effects = text(UPS_SCENE_TEXT_EFFECTS);
+  report.techniques = text(UPS_SCENE_TEXT_TECHNIQUES);
+  report.warnings = scene.warnings;
+  return report;
+}
+
+void print_scene(const SceneReport& scene) {
+  const ups_scene_info& info = scene.info;
   const auto count = [](uint64_t n) { return static_cast<unsigned long long>(n); };
-  std::printf("%s\n", file.c_str());
+  std::printf("%s\n", scene.file.c_str());
   std::printf("triangles: %llu\n", count(info.triangle_count));
   if (info.bounds_min_m[0] <= info.bounds_max_m[0]) {
     std::printf("bounds: (%g, %g, %g) to (%g, %g, %g) m\n", info.bounds_min_m[0], info.bounds_min_m[1],
@@ -132,31 +63,101 @@ void print_scene(const std::string& file, const LoadedScene& scene) {
               info.emitted_flux_lm);
   std::printf("sensors: %llu meters, %llu pixels\n", count(info.meter_count), count(info.pixel_count));
   for (const SensorEntry& sensor : scene.sensors) print_sensor(sensor);
-  print_list("effects", text(UPS_SCENE_TEXT_EFFECTS));
-  print_list("techniques", text(UPS_SCENE_TEXT_TECHNIQUES));
-  std::printf("warnings:%s\n", scene.warnings.empty() ? " none" : "");
-  for (const std::string& warning : scene.warnings) std::printf("  %s\n", warning.c_str());
+  print_list("effects", scene.effects);
+  print_list("techniques", scene.techniques);
+  print_list("warnings", scene.warnings);
+}
+
+// The photometric files of a folder, by name; other files as they are.
+std::vector<std::string> expand(const std::vector<std::string>& arguments) {
+  std::vector<std::string> files;
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(argument, error)) {
+      files.push_back(argument);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (auto entry = std::filesystem::directory_iterator(argument, error);
+         !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+      std::error_code ignored;
+      const std::string file = entry->path().string();
+      if (photometric_format(file) && !entry->is_directory(ignored)) found.push_back(file);
+    }
+    if (error) throw Failure("cannot read the folder '" + argument + "': " + error.message());
+    if (found.empty()) {
+      throw Failure("no photometric file in the folder '" + argument +
+                    "': its name would end in .ies, .ldt, .xml, .tm25ray, .sdf, .dat or .ray");
+    }
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+// One file; what is wrong with it becomes the entry's error.
+InfoEntry read_entry(ups_context* context, const std::string& file, const std::vector<std::string>& plots) {
+  InfoEntry entry;
+  entry.file = file;
+  try {
+    const std::string extension = lower_extension(file);
+    if (photometric_format(file)) {
+      const Profile profile = read_profile(context, file);
+      entry.profile = make_report(file, profile.get());
+      for (const std::string& plot : plots) write_plot(plot, profile.get(), *entry.profile);
+    } else if (extension == ".gltf" || extension == ".glb") {
+      if (!plots.empty()) throw Failure(file + ": --plot draws photometric files, not scenes");
+      entry.scene = scene_report_of(file, load_scene(file, 0, 0, 0));
+    } else {
+      throw Failure(file +
+                    ": not a kind of file that is known here: .gltf, .glb, .ies, .ldt, .xml, .tm25ray, .sdf, "
+                    ".dat or .ray");
+    }
+  } catch (const std::exception& e) {
+    entry.error = e.what();
+  }
+  return entry;
+}
+
+void print_table(const std::vector<InfoEntry>& entries) {
+  constexpr size_t widest = 48;
+  size_t width = 4;
+  for (const InfoEntry& entry : entries)
+    width = std::max(width, std::filesystem::path(entry.file).filename().string().size());
+  width = std::min(width, widest);
+  std::fputs(table_head(width).c_str(), stdout);
+  for (const InfoEntry& entry : entries) {
+    const std::string line = entry.profile ? table_line(*entry.profile, width)
+                             : entry.scene ? table_line(*entry.scene, width)
+                                           : table_error(entry.file, entry.error, width);
+    std::fputs(line.c_str(), stdout);
+  }
 }
 
 }  // namespace
 
-int info(const std::string& file) {
-  const std::string extension = lower_extension(file);
-  if (extension == ".ies" || extension == ".ldt") {
-    const Context context = make_context(1);
-    const std::string bytes = read_bytes(file);
-    const ups_profile_format format = extension == ".ies" ? UPS_PROFILE_IES_LM63 : UPS_PROFILE_EULUMDAT;
-    ups_profile* parsed = nullptr;
-    if (ups_profile_parse(context.get(), bytes.data(), bytes.size(), format, &parsed) != UPS_OK) {
-      throw Failure(file + ": " + without_functions(ups_last_error()));
-    }
-    print_profile(file, Profile(parsed).get());
-  } else if (extension == ".gltf" || extension == ".glb") {
-    print_scene(file, load_scene(file, 0, 0, 0));
-  } else {
-    throw Failure(file + ": not a kind of file that is known here: .gltf, .glb, .ies or .ldt");
+int info(const InfoOptions& options) {
+  const std::vector<std::string> files = expand(options.files);
+  if (!options.plots.empty() && files.size() != 1) throw Failure("--plot draws one photometric file at a time");
+  const Context context = make_context(1);
+  std::vector<InfoEntry> entries;
+  for (const std::string& file : files) entries.push_back(read_entry(context.get(), file, options.plots));
+  const bool single = files.size() == 1 && files == options.files;
+  if (options.json) {
+    std::fputs(to_json(entries).c_str(), stdout);
+  } else if (!single) {
+    print_table(entries);
+  } else if (entries[0].error.empty()) {
+    if (entries[0].scene) print_scene(*entries[0].scene);
+    if (entries[0].profile) std::fputs(to_text(*entries[0].profile).c_str(), stdout);
   }
-  return exit_done;
+  int code = exit_done;
+  for (const InfoEntry& entry : entries) {
+    if (entry.error.empty()) continue;
+    std::fprintf(stderr, "ups: error: %s\n", entry.error.c_str());
+    code = exit_failed;
+  }
+  return code;
 }
 
 }  // namespace ups::tool

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ups/ups_render.h"
 
@@ -19,8 +20,14 @@ struct RenderOptions {
   RenderOptions() { ups_render_desc_init(&desc, sizeof desc); }
 };
 
+struct InfoOptions {
+  std::vector<std::string> files;  // or folders
+  std::vector<std::string> plots;  // .svg, .png
+  bool json = false;
+};
+
 int render(const RenderOptions& options);
-int info(const std::string& file);
+int info(const InfoOptions& options);
 int compare(const std::string& a, const std::string& b, bool json);
 
 }  // namespace ups::tool

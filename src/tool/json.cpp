@@ -1,7 +1,9 @@
 // Reports as JSON, the program's contract with scripts. The only file of the program that includes nlohmann/json.
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tool/info_report.h"
 #include "tool/report.h"
 
 namespace ups::tool {
@@ -12,6 +14,14 @@ using nlohmann::ordered_json;
 
 // JSON has no NaN: a number that is not known is -1.
 double number(double value) { return std::isfinite(value) ? value : -1; }
+
+// A float as the shortest decimal that means it, not as the double beside it.
+double number(float value) {
+  char text[32];
+  double result = value;
+  std::from_chars(text, std::to_chars(text, text + sizeof text, value).ptr, result);
+  return number(result);
+}
 
 std::string dump(const ordered_json& json) {
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
@@ -96,6 +106,107 @@ std::string to_json(const Comparison& comparison) {
                  {"noise_b", number(c.noise_b)},
                  {"relative_noise_b", number(c.relative_noise_b)},
                  {"trimmed_noise_b", number(c.trimmed_noise_b)}}}});
+}
+
+namespace {
+
+ordered_json beam_json(const ups_profile_beam& beam) {
+  return {{"peak_cd", number(beam.peak_cd)},
+          {"peak_deg", number(beam.peak_deg)},
+          {"from_deg", number(beam.from_deg)},
+          {"to_deg", number(beam.to_deg)},
+          {"angle_deg", number(beam.angle_deg)}};
+}
+
+template <class Values>
+ordered_json array_json(const Values& values) {
+  ordered_json array = ordered_json::array();
+  for (const auto value : values) array.push_back(number(value));
+  return array;
+}
+
+ordered_json profile_json(const ProfileReport& report) {
+  const ups_profile_info& info = report.info;
+  ordered_json zones = ordered_json::array(), keywords = ordered_json::array(), luminance = ordered_json::array();
+  for (size_t i = 0; i < zones_deg.size(); ++i) {
+    zones.push_back({{"from_deg", number(zones_deg[i][0])},
+                     {"to_deg", number(zones_deg[i][1])},
+                     {"flux_lm", number(report.zonal_flux_lm[i])}});
+  }
+  for (const auto& [name, value] : report.keywords) keywords.push_back({{"name", name}, {"value", value}});
+  for (size_t i = 0; report.has_luminance() && i < luminance_c_deg.size(); ++i) {
+    luminance.push_back({{"c_deg", number(luminance_c_deg[i])},
+                         {"gamma_deg", array_json(luminance_gamma_deg)},
+                         {"luminance_cd_m2", array_json(report.luminance_cd_m2[i])}});
+  }
+  return {{"file", report.file},
+          {"kind", "photometry"},
+          {"format", report.format},
+          {"flux_lm", number(info.flux_lm)},
+          {"interpolated_flux_lm", number(info.interpolated_flux_lm)},
+          {"down_flux_lm", number(report.down_flux_lm())},
+          {"up_flux_lm", number(report.up_flux_lm())},
+          {"zonal_flux", zones},
+          {"rated_flux_lm", number(info.rated_flux_lm)},
+          {"light_output_ratio", number(report.light_output_ratio())},
+          {"input_power_w", number(info.input_power_w)},
+          {"efficacy_lm_per_w", number(report.efficacy_lm_per_w())},
+          {"peak_cd", number(info.peak_cd)},
+          {"peak_c_deg", number(info.peak_c_deg)},
+          {"peak_gamma_deg", number(info.peak_gamma_deg)},
+          {"beam", {{"c0_c180", beam_json(report.beam[0])}, {"c90_c270", beam_json(report.beam[1])}}},
+          {"field", {{"c0_c180", beam_json(report.field[0])}, {"c90_c270", beam_json(report.field[1])}}},
+          {"symmetry", symmetry_word(info.symmetry)},
+          {"opening", {{"shape", shape_word(info.opening_shape)}, {"size_m", array_json(info.opening_m)}}},
+          {"luminance", luminance},
+          {"c_count", info.c_count},
+          {"gamma_count", info.gamma_count},
+          {"keywords", keywords},
+          {"warnings", report.warnings}};
+}
+
+ordered_json scene_json(const SceneReport& report) {
+  const ups_scene_info& info = report.info;
+  ordered_json sensors = ordered_json::array();
+  for (const SensorEntry& sensor : report.sensors) {
+    const bool camera = sensor.info.kind == UPS_GLTF_CAMERA;
+    sensors.push_back({{"name", sensor.name}, {"kind", camera ? "camera" : "meters"}});
+    if (camera) {
+      sensors.back().update({{"width", sensor.info.width}, {"height", sensor.info.height}});
+    } else {
+      sensors.back().update(
+          {{"count", sensor.info.meter_count}, {"columns", sensor.info.columns}, {"rows", sensor.info.rows}});
+    }
+  }
+  return {{"file", report.file},
+          {"kind", "scene"},
+          {"triangles", info.triangle_count},
+          {"bounds_min_m", array_json(info.bounds_min_m)},
+          {"bounds_max_m", array_json(info.bounds_max_m)},
+          {"luminaires", info.luminaire_count},
+          {"lights", info.light_count},
+          {"emitting_instances", info.emissive_instance_count},
+          {"emitted_lm", number(info.emitted_flux_lm)},
+          {"meters", info.meter_count},
+          {"pixels", info.pixel_count},
+          {"sensors", sensors},
+          {"effects", report.effects},
+          {"techniques", report.techniques},
+          {"warnings", report.warnings}};
+}
+
+}  // namespace
+
+std::string to_json(const std::vector<InfoEntry>& entries) {
+  ordered_json files = ordered_json::array();
+  for (const InfoEntry& entry : entries) {
+    ordered_json file = entry.profile ? profile_json(*entry.profile)
+                        : entry.scene ? scene_json(*entry.scene)
+                                      : ordered_json{{"file", entry.file}};
+    if (!entry.error.empty()) file["error"] = entry.error;
+    files.push_back(file);
+  }
+  return dump({{"files", files}});
 }
 
 }  // namespace ups::tool

@@ -8,11 +8,13 @@
 #include <system_error>
 
 #include "tool/commands.h"
+#include "tool/profile_plot.h"
 #include "tool/report.h"
 #include "ups/ups.h"
 
 namespace {
 
+using ups::tool::InfoOptions;
 using ups::tool::RenderOptions;
 
 std::string version_text() {
@@ -178,15 +180,33 @@ void add_render(CLI::App& app, RenderOptions& options) {
       "Ctrl-C stops it; the results so far are written.");
 }
 
+const CLI::App* add_info(CLI::App& app, InfoOptions& options) {
+  CLI::App* command = app.add_subcommand("info", "What a scene or photometric files contain");
+  command->add_option("FILE", options.files, "Scenes (.gltf, .glb), photometric files or folders of these")->required();
+  command->add_option("--plot", options.plots, "Polar diagram and cone of the one FILE, as OUT.svg or OUT.png")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(
+          [](const std::string& path) {
+            return ups::tool::is_plot_file(path) ? std::string() : "must end in .svg or .png, not '" + path + "'";
+          },
+          ""))
+      ->type_name("OUT");
+  command->add_flag("--json", options.json, "Print one JSON object on standard output");
+  command->footer(
+      "Photometric files: .ies, .ldt, .xml, .tm25ray, .sdf, .dat, .ray. One file: a page; several or a folder: a table,\n"
+      "with files that cannot be read in it; the exit code is then 1.\n"
+      "Flux is by the band rule. Beam angle: 50 % of the plane's peak, field angle: 10 %.");
+  return command;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Illuminance and luminance by Unified Path Sampling", "ups");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   RenderOptions render_options;
   add_render(app, render_options);
-  std::string file;
-  CLI::App* info = app.add_subcommand("info", "What a scene (.gltf, .glb) or a photometric file (.ies, .ldt) contains");
-  info->add_option("FILE", file)->required();
+  InfoOptions info_options;
+  const CLI::App* info = add_info(app, info_options);
   std::string a, b;
   bool json = false;
   CLI::App* compare = app.add_subcommand("compare", "How far the image A is from the reference B");
@@ -205,7 +225,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? ups::tool::exit_done : ups::tool::exit_usage;  // --help and --version are no errors
   }
-  if (info->parsed()) return ups::tool::info(file);
+  if (info->parsed()) return ups::tool::info(info_options);
   if (compare->parsed()) return ups::tool::compare(a, b, json);
   return ups::tool::render(render_options);
 }

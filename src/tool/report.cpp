@@ -1,10 +1,10 @@
 #include "tool/report.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "tool/output.h"
 #include "tool/tables.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
 
@@ -59,14 +59,6 @@ double mean_luminance(const std::vector<float>& rgb) {
   double sum = 0;
   for (size_t i = 0; i + 2 < rgb.size(); i += 3) sum += 0.2126 * rgb[i] + 0.7152 * rgb[i + 1] + 0.0722 * rgb[i + 2];
   return rgb.empty() ? 0 : 3 * sum / double(rgb.size());
-}
-
-// printf into a string, however long the names in it are.
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  std::string text(size_t(std::max(0, std::snprintf(nullptr, 0, pattern, values...))), '\0');
-  std::snprintf(text.data(), text.size() + 1, pattern, values...);
-  return text;
 }
 
 std::string joined(const std::vector<std::string>& words) {

@@ -314,6 +314,17 @@ class ProfileInfo(Structure):
     ]
 
 
+class ProfileBeam(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("peak_cd", c_float),
+        ("peak_deg", c_float),
+        ("from_deg", c_float),
+        ("to_deg", c_float),
+        ("angle_deg", c_float),
+    ]
+
+
 class TextureDesc(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -766,6 +777,9 @@ PROTOTYPES = {
     "ups_profile_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_get_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_eval": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)]),
+    "ups_profile_get_luminance": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)]),
+    "ups_profile_get_zonal_flux": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_double)]),
+    "ups_profile_get_beam": (c_int32, [c_void_p, c_float, c_float, POINTER(ProfileBeam)]),
     "ups_profile_destroy": (None, [c_void_p]),
     "ups_texture_desc_init": (None, [POINTER(TextureDesc), c_uint32]),
     "ups_material_desc_init": (None, [POINTER(MaterialDesc), c_uint32]),

@@ -74,4 +74,15 @@ ups_status ups_ocio_write_false_color_png(const char* path, const ups_ocio_false
   });
 }
 
+ups_status ups_ocio_write_pixels_png(const char* path, const uint8_t* rgb, uint32_t width, uint32_t height) {
+  return guarded([&] {
+    require(path != nullptr, "path is NULL");
+    require(rgb != nullptr, "rgb is NULL");
+    check_size(width, height);
+    ups::ocio::Picture picture(width, height, {0, 0, 0});
+    std::copy(rgb, rgb + picture.rgb.size(), picture.rgb.begin());
+    ups::ocio::write_png(path, picture);
+  });
+}
+
 const char* ups_ocio_last_error(void) { return last_error.c_str(); }

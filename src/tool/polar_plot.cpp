@@ -1,0 +1,156 @@
+// The polar diagram: nadir at the bottom, C0 (C90) on the right, rings of equal intensity, spokes of equal gamma.
+#include <algorithm>
+#include <cmath>
+
+#include "tool/profile_plot.h"
+#include "tool/text_format.h"
+
+namespace ups::tool {
+namespace {
+
+constexpr double radian = 3.14159265358979323846 / 180;
+constexpr double step_deg = 0.1;
+constexpr double faint = 0.005;  // of the peak: less above the horizon does not ask for a full circle
+
+struct Sample {
+  double angle_deg, value;  // gamma, negative on the far half plane
+};
+
+// Of the plane C / C + 180: fine steps, and where a narrow lobe has its peak and edges.
+std::vector<Sample> curve_of(const ups_profile* profile, const ProfileReport& report, int plane) {
+  std::vector<double> angles;
+  for (int i = -1800; i <= 1800; ++i) angles.push_back(step_deg * i);
+  for (const ups_profile_beam* beam : {&report.beam[plane], &report.field[plane]})
+    for (double a : {beam->peak_deg, beam->from_deg, beam->to_deg}) angles.push_back(std::remainder(a, 360));
+  std::sort(angles.begin(), angles.end());
+  std::vector<std::pair<double, double>> places;
+  for (double a : angles) places.emplace_back(90 * plane + (a < 0 ? 180 : 0), std::abs(a));
+  const std::vector<float> values = intensities(profile, places);
+  const double scale = is_per_kilolumen(report) ? 1000 / report.info.rated_flux_lm : 1;
+  std::vector<Sample> curve;
+  for (size_t i = 0; i < angles.size(); ++i) curve.push_back({angles[i], scale * values[i]});
+  return curve;
+}
+
+struct Axes {
+  Point centre;
+  double radius, step;  // of the outermost ring; intensity from ring to ring
+  int rings;
+  bool full;
+
+  Point at(double angle_deg, double value) const {
+    const double r = radius * value / (rings * step);
+    return {centre.x + r * std::sin(angle_deg * radian), centre.y + r * std::cos(angle_deg * radian)};
+  }
+};
+
+// Without the points that a straight line through their neighbours passes closely by.
+std::vector<Point> thinned(const std::vector<Point>& points) {
+  constexpr double closely = 0.02;
+  std::vector<Point> kept;
+  size_t start = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    bool straight = i > 0 && i + 1 < points.size() && i - start < 40;
+    for (size_t k = start + 1; straight && k <= i; ++k) {
+      const Point a = points[start], b = points[i + 1], p = points[k];
+      const double length = std::hypot(b.x - a.x, b.y - a.y);
+      const double off = length > 0 ? std::abs((p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x)) / length
+                                    : std::hypot(p.x - a.x, p.y - a.y);
+      const double along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+      straight = off < closely && along >= 0 && along <= length * length;
+    }
+    if (straight) continue;
+    kept.push_back(points[i]);
+    start = i;
+  }
+  return kept;
+}
+
+void draw_grid(Drawing& drawing, const Axes& axes) {
+  const double end = axes.full ? 180 : 90, outermost = axes.rings * axes.step;
+  for (int ring = 1; ring <= axes.rings; ++ring) {
+    std::vector<Point> points;
+    for (double a = -end; a <= end; a += 2) points.push_back(axes.at(a, ring * axes.step));
+    drawing.parts.push_back(Line{points, pale, ring == axes.rings ? 1.2 : 0.8});
+  }
+  for (double a = -end; a <= end; a += 15) {
+    const bool labelled = std::remainder(a, 30) == 0;
+    if (a == -180) continue;
+    drawing.parts.push_back(Line{{axes.centre, axes.at(a, outermost)}, pale, labelled ? 0.9 : 0.5});
+    if (!labelled) continue;
+    Point p = axes.at(a, outermost * (1 + 15 / axes.radius));
+    p.y += 4.5;
+    const Anchor anchor = std::abs(std::sin(a * radian)) < 0.1 ? Anchor::middle : a > 0 ? Anchor::start : Anchor::end;
+    p.x += anchor == Anchor::start ? -5 : anchor == Anchor::end ? 5 : 0;
+    drawing.parts.push_back(Label{p, format("%g\u00b0", std::abs(a)), 12, grey, anchor});
+  }
+}
+
+// Ring labels stand where the curves leave them most room.
+void draw_ring_labels(Drawing& drawing, const Axes& axes, const std::vector<Sample> (&curves)[2]) {
+  double best = 15, least = INFINITY;
+  for (double a = axes.full ? -165 : -75; a <= 165; a += 15) {
+    if ((!axes.full && a > 75) || std::remainder(a, 30) == 0) continue;
+    double reach = 0;
+    for (const auto& curve : curves) {
+      for (const Sample& s : curve)
+        if (std::abs(s.angle_deg - a) < 12) reach = std::max(reach, s.value);
+    }
+    if (reach < least * 0.98) best = a, least = reach;
+  }
+  constexpr double size = 11;
+  for (int ring = 1; ring <= axes.rings; ++ring) {
+    if (std::abs(least / (ring * axes.step) - 1) < 0.04) continue;  // a curve runs there
+    const Point p = axes.at(best, ring * axes.step);
+    const std::string text = format("%g", ring * axes.step);
+    const double half = 0.5 * width_of(text, size) + 2;
+    drawing.parts.push_back(Area{
+        {{p.x - half, p.y - 7}, {p.x + half, p.y - 7}, {p.x + half, p.y + 6}, {p.x - half, p.y + 6}}, {255, 255, 255}});
+    drawing.parts.push_back(Label{{p.x, p.y + 4}, text, size, grey, Anchor::middle});
+  }
+}
+
+}  // namespace
+
+bool shines_up(const ups_profile* profile, const ProfileReport& report) {
+  std::vector<std::pair<double, double>> places;
+  for (int c = 0; c < 360; c += 90) {
+    for (int gamma = 91; gamma <= 180; ++gamma) places.emplace_back(c, gamma);
+  }
+  const std::vector<float> values = intensities(profile, places);
+  return *std::max_element(values.begin(), values.end()) > faint * report.info.peak_cd;
+}
+
+void draw_polar(Drawing& drawing, const Frame& frame, const ups_profile* profile, const ProfileReport& report) {
+  const std::vector<Sample> curves[2] = {curve_of(profile, report, 0), curve_of(profile, report, 1)};
+  double largest = 0;
+  for (const auto& curve : curves)
+    for (const Sample& s : curve) largest = std::max(largest, s.value);
+
+  constexpr double label_room = 34;
+  Axes axes{};
+  axes.full = shines_up(profile, report);
+  axes.step = round_step(largest / 5);
+  axes.rings = std::max(1, int(std::ceil(largest / axes.step - 1e-9)));
+  axes.radius = 0.5 * frame.width - label_room;
+  if (axes.full) axes.radius = std::min(axes.radius, 0.5 * frame.height - label_room + 6);
+  axes.centre = {frame.left + 0.5 * frame.width, axes.full ? frame.top + 0.5 * frame.height : frame.top + 56};
+
+  draw_grid(drawing, axes);
+  draw_ring_labels(drawing, axes, curves);
+  for (const int plane : {0, 1}) {
+    std::vector<Point> points;
+    const double end = axes.full ? 180 : 90;
+    for (const Sample& s : curves[plane])
+      if (std::abs(s.angle_deg) <= end) points.push_back(axes.at(s.angle_deg, s.value));
+    drawing.parts.push_back(Line{thinned(points), plane_ink[plane], 2.2, plane_dash[plane]});
+  }
+  drawing.parts.push_back(Label{{frame.left, frame.top + 8},
+                                is_per_kilolumen(report) ? "Luminous intensity, cd/klm" : "Luminous intensity, cd",
+                                13,
+                                black,
+                                Anchor::start,
+                                true});
+}
+
+}  // namespace ups::tool

@@ -1,0 +1,53 @@
+// A photometric file as the commands use it: read, with everything that the library can tell of it. Called by the
+// commands info and convert.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tool/handles.h"
+
+namespace ups::tool {
+
+std::string lower_extension(const std::string& file);  // with its dot
+
+// By its name: .ies, .ldt, .xml, .tm25ray, .sdf, .dat, .ray. None: not a photometric file.
+std::optional<ups_profile_format> photometric_format(const std::string& file);
+
+// Throws Failure that names the file.
+Profile read_profile(ups_context* context, const std::string& file);
+
+inline constexpr std::array<float, 4> luminance_c_deg = {0, 90, 180, 270}, luminance_gamma_deg = {45, 65, 75, 85};
+inline constexpr std::array<std::array<float, 2>, 5> zones_deg = {{{0, 30}, {0, 40}, {0, 60}, {0, 90}, {90, 180}}};
+
+struct ProfileReport {
+  std::string file, format;
+  ups_profile_info info;
+  ups_profile_beam beam[2], field[2];                   // of 50 % and 10 % of the peak in C0-C180 and C90-C270
+  std::array<double, 5> zonal_flux_lm;                  // by the band rule; the last two are the flux down and up
+  std::array<std::array<float, 4>, 4> luminance_cd_m2;  // [c][gamma]; < 0: no opening, or seen edge on
+  std::vector<std::pair<std::string, std::string>> keywords;
+  std::vector<std::string> warnings;
+
+  double down_flux_lm() const { return zonal_flux_lm[3]; }
+  double up_flux_lm() const { return zonal_flux_lm[4]; }
+  double light_output_ratio() const { return info.rated_flux_lm > 0 ? info.flux_lm / info.rated_flux_lm : -1; }
+  double efficacy_lm_per_w() const { return info.input_power_w > 0 ? info.flux_lm / info.input_power_w : -1; }
+  bool has_luminance() const { return info.opening_shape != UPS_OPENING_POINT; }
+};
+ProfileReport make_report(const std::string& file, const ups_profile* profile);
+
+// Intensity at (C, gamma) in degrees, cd.
+std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg);
+
+const char* shape_word(ups_opening_shape shape);
+const char* symmetry_word(ups_profile_symmetry symmetry);
+
+std::string to_text(const ProfileReport& report);  // a page for one file
+std::string table_head(size_t name_width);         // and, for many, lines of a table
+std::string table_line(const ProfileReport& report, size_t name_width);
+std::string table_error(const std::string& file, const std::string& error, size_t name_width);
+
+}  // namespace ups::tool

@@ -1,0 +1,100 @@
+// The sheet around the diagrams: title, facts, files.
+#include "tool/profile_plot.h"
+
+#include <cmath>
+
+#include "common/atomic_file.h"
+#include "tool/text_format.h"
+
+namespace ups::tool {
+namespace {
+
+std::string keyword(const ProfileReport& report, const char* name) {
+  for (const auto& [key, value] : report.keywords)
+    if (key == name && !value.empty()) return value;
+  return {};
+}
+
+std::string shortened(std::string text, double size, double width) {
+  if (width_of(text, size) <= width) return text;
+  while (!text.empty() && width_of(text + "...", size) > width) {
+    do {
+      text.pop_back();
+    } while (!text.empty() && (uint8_t(text.back()) & 0xc0) == 0x80);  // not inside a character
+    if (!text.empty() && uint8_t(text.back()) >= 0xc0) text.pop_back();
+  }
+  return text + "...";
+}
+
+std::string angle_text(const ups_profile_beam& beam) {
+  return beam.angle_deg < 0 ? "none" : format("%.1f\u00b0", beam.angle_deg);
+}
+
+std::string facts(const ProfileReport& report) {
+  const ups_profile_info& info = report.info;
+  std::string text = format("flux %.5g lm", info.flux_lm);
+  if (report.light_output_ratio() >= 0)
+    text += format(" (%.1f %% of %.5g lm)", 100 * report.light_output_ratio(), info.rated_flux_lm);
+  text += format("    peak %.5g cd at C %g\u00b0, gamma %g\u00b0", info.peak_cd, info.peak_c_deg, info.peak_gamma_deg);
+  if (report.efficacy_lm_per_w() >= 0)
+    text += format("    %.4g W, %.4g lm/W", info.input_power_w, report.efficacy_lm_per_w());
+  return text;
+}
+
+void draw_legend(Drawing& drawing, double x, double y, const ProfileReport& report) {
+  for (int plane = 0; plane < 2; ++plane) {
+    const double line = y + 20 * plane;
+    drawing.parts.push_back(Line{{{x, line - 4}, {x + 34, line - 4}}, plane_ink[plane], 2.2, plane_dash[plane]});
+    drawing.parts.push_back(Label{{x + 44, line}, plane_name[plane], 13, black, Anchor::start, true});
+    drawing.parts.push_back(Label{{x + 122, line}, "beam " + angle_text(report.beam[plane]), 13, black});
+    drawing.parts.push_back(Label{{x + 222, line}, "field " + angle_text(report.field[plane]), 13, black});
+  }
+}
+
+}  // namespace
+
+double round_step(double smallest) {
+  if (!(smallest > 0)) return 1;
+  const double power = std::pow(10.0, std::floor(std::log10(smallest)));
+  const double factor = smallest / power * (1 - 1e-12);
+  return power * (factor <= 1 ? 1 : factor <= 2 ? 2 : factor <= 5 ? 5 : 10);
+}
+
+bool is_per_kilolumen(const ProfileReport& report) { return report.info.rated_flux_lm > 0; }
+
+Drawing plot_of(const ups_profile* profile, const ProfileReport& report) {
+  constexpr double width = 1000, margin = 30, top = 100;
+  const double height = shines_up(profile, report) ? 640 : 500;
+  Drawing drawing{width, height, {}};
+  const std::string name = report.file.substr(report.file.find_last_of('/') + 1);
+  drawing.parts.push_back(Label{{margin, 40}, shortened(name, 22, 620), 22, black, Anchor::start, true});
+  drawing.parts.push_back(Label{{width - margin, 40}, report.format, 13, grey, Anchor::end});
+  const std::string maker = keyword(report, "MANUFAC"), luminaire = keyword(report, "LUMINAIRE");
+  const std::string what = maker + (maker.empty() || luminaire.empty() ? "" : ", ") + luminaire;
+  drawing.parts.push_back(Label{{margin, 62}, shortened(what, 13, width - 2 * margin), 13, grey});
+  drawing.parts.push_back(Line{{{margin, 74}, {width - margin, 74}}, pale, 1});
+  drawing.parts.push_back(Label{{margin, height - 18}, facts(report), 13, black});
+  drawing.parts.push_back(Line{{{margin, height - 40}, {width - margin, height - 40}}, pale, 1});
+  draw_polar(drawing, {margin, top - 10, 450, height - top - 92}, profile, report);
+  draw_legend(drawing, margin + 60, height - 74, report);
+  draw_cone(drawing, {530, top - 10, width - margin - 530, height - top - 42}, profile, report);
+  return drawing;
+}
+
+bool is_plot_file(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".svg" || extension == ".png";
+}
+
+void write_plot(const std::string& path, const ups_profile* profile, const ProfileReport& report) {
+  const Drawing drawing = plot_of(profile, report);
+  if (lower_extension(path) == ".svg") {
+    const std::string svg = to_svg(drawing, "Luminous intensity of " + report.file);
+    extras::write_file(path, svg.data(), svg.size());
+  } else {
+    const Pixels pixels = to_pixels(drawing, 2);
+    check(ups_ocio_write_pixels_png(path.c_str(), pixels.rgb.data(), pixels.width, pixels.height), ups_ocio_last_error);
+  }
+}
+
+}  // namespace ups::tool

@@ -1,0 +1,35 @@
+// The diagrams of a data sheet: polar curves of the planes C0-C180 and C90-C270, and the cone below the luminaire with
+// its table. Called by the command info.
+#pragma once
+#include "tool/drawing.h"
+#include "tool/profile_file.h"
+
+namespace ups::tool {
+
+Drawing plot_of(const ups_profile* profile, const ProfileReport& report);
+
+// Writes plot_of to a .svg or .png file, whole or not at all. Throws Failure that names the file.
+void write_plot(const std::string& path, const ups_profile* profile, const ProfileReport& report);
+bool is_plot_file(const std::string& path);  // by its extension
+
+// ---- parts, each in a file of its own
+
+struct Frame {
+  double left, top, width, height;
+};
+inline constexpr Ink plane_ink[2] = {{0, 92, 175}, {214, 84, 10}};  // told apart by colour-blind people too
+inline constexpr double plane_dash[2] = {0, 7};
+inline constexpr const char* plane_name[2] = {"C0-C180", "C90-C270"};
+inline constexpr Ink black{25, 25, 25}, grey{105, 105, 105}, pale{205, 205, 205};
+
+// 1, 2 or 5 times a power of ten, at least `smallest`.
+double round_step(double smallest);
+
+// Intensities per 1000 lm of the lamps where their flux is known, as luminaires with lamps are tabulated.
+bool is_per_kilolumen(const ProfileReport& report);
+
+bool shines_up(const ups_profile* profile, const ProfileReport& report);  // then the polar diagram is a full circle
+void draw_polar(Drawing& drawing, const Frame& frame, const ups_profile* profile, const ProfileReport& report);
+void draw_cone(Drawing& drawing, const Frame& frame, const ups_profile* profile, const ProfileReport& report);
+
+}  // namespace ups::tool

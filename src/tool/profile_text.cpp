@@ -1,0 +1,158 @@
+// What `ups info` prints of photometric files for people: a page for one, a table for many.
+#include <algorithm>
+#include <cstdio>
+
+#include "tool/info_report.h"
+#include "tool/text_format.h"
+
+namespace ups::tool {
+namespace {
+
+std::string opening_text(const ups_profile_info& info) {
+  std::string text = shape_word(info.opening_shape);
+  const float* m = info.opening_m;
+  switch (info.opening_shape) {
+    case UPS_OPENING_POINT:
+      return text;
+    case UPS_OPENING_RECTANGLE:
+    case UPS_OPENING_DISC:
+      if (m[2] == 0) return format("%s %g x %g m", text.c_str(), m[0], m[1]);
+      [[fallthrough]];  // upright
+    default:
+      return format("%s %g x %g x %g m", text.c_str(), m[0], m[1], m[2]);
+  }
+}
+
+std::string list_text(const char* title, const std::vector<std::string>& lines) {
+  std::string text = format("%s:%s\n", title, lines.empty() ? " none" : "");
+  for (const std::string& line : lines) text += "  " + line + "\n";
+  return text;
+}
+
+std::string angle_text(const ups_profile_beam& beam) {
+  if (beam.angle_deg < 0) return "none";
+  const bool centred = beam.from_deg == -beam.to_deg;
+  return centred ? format("%.1f deg", beam.angle_deg)
+                 : format("%.1f deg (%.1f to %.1f)", beam.angle_deg, beam.from_deg, beam.to_deg);
+}
+
+std::string planes_text(const char* title, const char* share, const ups_profile_beam (&beam)[2]) {
+  return format("%s (%s of the plane's peak): C0-C180 %s, C90-C270 %s\n", title, share, angle_text(beam[0]).c_str(),
+                angle_text(beam[1]).c_str());
+}
+
+std::string luminance_text(const ProfileReport& report) {
+  std::string text = "mean luminance of the opening, cd/m^2:\n  gamma  ";
+  for (float gamma : luminance_gamma_deg) text += format("%11g", gamma);
+  for (size_t i = 0; i < luminance_c_deg.size(); ++i) {
+    text += format("\n  C %-5g", luminance_c_deg[i]);
+    for (float value : report.luminance_cd_m2[i])
+      text += value < 0 ? format("%11s", "-") : format("%11.5g", value < 0.005f ? 0.f : value);
+  }
+  return text + "\n";
+}
+
+std::string zones_text(const ProfileReport& report) {
+  std::string text = "flux by zones, lm:";
+  for (size_t i = 0; i < zones_deg.size(); ++i) {
+    text += format("%s %g-%g deg %.6g", i == 0 ? "" : ",", zones_deg[i][0], zones_deg[i][1], report.zonal_flux_lm[i]);
+    if (report.info.flux_lm > 0) text += format(" (%.1f %%)", 100 * report.zonal_flux_lm[i] / report.info.flux_lm);
+  }
+  return text + "\n";
+}
+
+const char* symmetry_text(ups_profile_symmetry symmetry) {
+  switch (symmetry) {
+    case UPS_SYMMETRY_AXIAL:
+      return "axial";
+    case UPS_SYMMETRY_C0_C180:
+      return "about the plane C0-C180";
+    case UPS_SYMMETRY_C90_C270:
+      return "about the plane C90-C270";
+    case UPS_SYMMETRY_QUADRANTS:
+      return "about both planes, C0-C180 and C90-C270";
+    default:
+      return "none";
+  }
+}
+
+std::string ratios_text(const ProfileReport& report) {
+  const ups_profile_info& info = report.info;
+  std::string text;
+  if (info.rated_flux_lm >= 0) {
+    text = format("rated lamp flux: %.6g lm\n", info.rated_flux_lm);
+    if (report.light_output_ratio() >= 0)
+      text += format("light output ratio: %.1f %%\n", 100 * report.light_output_ratio());
+  } else {
+    text = "rated lamp flux: none, absolute photometry\n";
+  }
+  if (info.input_power_w >= 0) text += format("input power: %g W\n", info.input_power_w);
+  if (report.efficacy_lm_per_w() >= 0) text += format("luminous efficacy: %.4g lm/W\n", report.efficacy_lm_per_w());
+  return text;
+}
+
+// Names may be longer than their column; the rest of the line then moves to the right.
+std::string padded(const std::string& name, size_t width) {
+  return name + std::string(name.size() < width ? width - name.size() : 0, ' ');
+}
+
+std::string base_name(const std::string& file) { return file.substr(file.find_last_of('/') + 1); }
+
+std::string beam_cell(const ups_profile_beam& beam) {
+  return beam.angle_deg < 0 ? "-" : format("%.1f", beam.angle_deg);
+}
+
+}  // namespace
+
+const char* shape_word(ups_opening_shape shape) {
+  constexpr const char* words[] = {"point", "rectangle", "disc", "box", "cylinder", "sphere"};
+  return shape >= 0 && shape < int(std::size(words)) ? words[shape] : "unknown";
+}
+
+const char* symmetry_word(ups_profile_symmetry symmetry) {
+  constexpr const char* words[] = {"none", "axial", "c0_c180", "c90_c270", "quadrants"};
+  return symmetry >= 0 && symmetry < int(std::size(words)) ? words[symmetry] : "unknown";
+}
+
+std::string to_text(const ProfileReport& report) {
+  const ups_profile_info& info = report.info;
+  std::string text = report.file + "\nformat: " + report.format + "\n";
+  text += format("flux: %.6g lm (as interpolated for rendering: %.6g lm)\n", info.flux_lm, info.interpolated_flux_lm);
+  text += ratios_text(report);
+  text += format("peak: %.6g cd at C %g deg, gamma %g deg\n", info.peak_cd, info.peak_c_deg, info.peak_gamma_deg);
+  text += planes_text("beam angle", "50 %", report.beam) + planes_text("field angle", "10 %", report.field);
+  text += zones_text(report);
+  text += format("symmetry: %s\nopening: %s\n", symmetry_text(info.symmetry), opening_text(info).c_str());
+  if (report.has_luminance()) text += luminance_text(report);
+  text += format("table: %u C-planes x %u gamma angles\n", info.c_count, info.gamma_count);
+  std::vector<std::string> keywords;
+  for (const auto& [name, value] : report.keywords) keywords.push_back(name + "=" + value);
+  return text + list_text("keywords", keywords) + list_text("warnings", report.warnings);
+}
+
+std::string table_head(size_t name_width) {
+  return padded("file", name_width) + format("  %-17s %10s %10s %7s %7s  %-9s  %-26s %s\n", "format", "flux lm",
+                                             "peak cd", "beam C0", "C90 deg", "symmetry", "opening", "warnings");
+}
+
+std::string table_line(const ProfileReport& report, size_t name_width) {
+  const ups_profile_info& info = report.info;
+  return padded(base_name(report.file), name_width) +
+         format("  %-17s %10.6g %10.6g %7s %7s  %-9s  %-26s %zu\n", report.format.c_str(), info.flux_lm, info.peak_cd,
+                beam_cell(report.beam[0]).c_str(), beam_cell(report.beam[1]).c_str(), symmetry_word(info.symmetry),
+                opening_text(info).c_str(), report.warnings.size());
+}
+
+std::string table_line(const SceneReport& report, size_t name_width) {
+  return padded(base_name(report.file), name_width) + format("  %-17s %10.6g %10s %7s %7s  %-9s  %-26s %zu\n",
+                                                             "glTF scene", report.info.emitted_flux_lm, "-", "-", "-",
+                                                             "-", "-", report.warnings.size());
+}
+
+std::string table_error(const std::string& file, const std::string& error, size_t name_width) {
+  const std::string prefix = file + ": ";  // the first column says that
+  return padded(base_name(file), name_width) +
+         "  error: " + (error.compare(0, prefix.size(), prefix) == 0 ? error.substr(prefix.size()) : error) + "\n";
+}
+
+}  // namespace ups::tool
