@@ -12,7 +12,7 @@ struct Named {
   ups_opening_shape shape;
 };
 constexpr Named all_openings[] = {{"rectangle", "0.06 0.1 0", UPS_OPENING_RECTANGLE},
-                                  {"standing rectangle", "0 0.1 0.06", UPS_OPENING_BOX},
+                                  {"standing rectangle", "0 0.1 0.06", UPS_OPENING_RECTANGLE},
                                   {"disc", "-0.1 -0.1 0", UPS_OPENING_DISC},
                                   {"ellipse", "-0.06 -0.1 0", UPS_OPENING_DISC},
                                   {"standing disc", "-0.1 0 -0.1", UPS_OPENING_DISC},
