@@ -28,6 +28,12 @@ void write_defaults(Desc* desc, uint32_t size, Desc defaults) {
   std::memcpy(desc, &defaults, std::min<size_t>(size, sizeof defaults));
 }
 
+// A row-major 3x4 transform that changes nothing.
+inline void set_identity(double (&m)[12]) {
+  std::fill(std::begin(m), std::end(m), 0.0);
+  m[0] = m[5] = m[10] = 1;
+}
+
 // The whole desc: what the caller has, defaults for the rest.
 template <class Desc>
 Desc read_desc(const Desc* desc, void (*init)(Desc*, uint32_t)) {

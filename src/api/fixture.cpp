@@ -8,11 +8,9 @@ using namespace ups::api;
 
 namespace {
 
-constexpr double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-
 template <class Desc>
 void at_origin(Desc& d) {
-  std::copy(std::begin(identity), std::end(identity), d.to_fixture);
+  set_identity(d.to_fixture);
 }
 
 // Adds what `desc` describes; errors say which part it would have been.
@@ -154,7 +152,7 @@ void ups_fixture_part_desc_init(ups_fixture_part_desc* desc, uint32_t struct_siz
 
 void ups_fixture_instance_desc_init(ups_fixture_instance_desc* desc, uint32_t struct_size) {
   ups_fixture_instance_desc d{};
-  std::copy(std::begin(identity), std::end(identity), d.to_world);
+  set_identity(d.to_world);
   d.dimming = 1;
   d.flux_lm = -1;
   write_defaults(desc, struct_size, d);

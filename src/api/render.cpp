@@ -264,7 +264,7 @@ ups_status ups_result_get_goniometer_profile(const ups_result* result, ups_senso
     for (const ups_intensity_reading& node : reading.nodes) intensity.push_back(double(node.intensity_cd));
     photometry::Photometry data{photometry::Distribution(g.c_deg(), g.gamma_deg(), std::move(intensity))};
     data.opening = scene.goniometer_openings[index];
-    data.symmetry = photometry::Symmetry(g.symmetry());
+    data.symmetry = g.symmetry();
     data.rated_flux_lm = reading.info.emitted_flux_lm;
     data.format = "virtual goniophotometer";
     *out = new ups_profile{std::make_shared<const photometry::Photometry>(std::move(data))};

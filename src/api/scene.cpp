@@ -10,12 +10,10 @@ using namespace ups::api;
 
 namespace {
 
-constexpr double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-
 template <class Desc>
 Desc placed() {
   Desc d{};
-  std::copy(std::begin(identity), std::end(identity), d.to_world);
+  set_identity(d.to_world);
   return d;
 }
 

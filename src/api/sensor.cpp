@@ -9,7 +9,7 @@ void ups_camera_desc_init(ups_camera_desc* desc, uint32_t struct_size) {
   ups_camera_desc d{};
   d.projection = UPS_PERSPECTIVE;
   d.width = d.height = 512;
-  d.to_world[0] = d.to_world[5] = d.to_world[10] = 1;
+  set_identity(d.to_world);
   d.vertical_fov_rad = pi / 3;
   write_defaults(desc, struct_size, d);
 }
@@ -22,7 +22,7 @@ void ups_goniometer_desc_init(ups_goniometer_desc* desc, uint32_t struct_size) {
   ups_goniometer_desc d{};
   d.c_count = 24;
   d.gamma_count = 73;
-  d.to_world[0] = d.to_world[5] = d.to_world[10] = 1;
+  set_identity(d.to_world);
   write_defaults(desc, struct_size, d);
 }
 

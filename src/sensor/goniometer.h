@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "photometry/photometry.h"
 
 namespace ups {
 
@@ -20,7 +21,7 @@ struct GoniometerTally {
 
 class Goniometer {
  public:
-  enum class Symmetry { none, axial, c0_c180, c90_c270, quadrants };  // as UPS_SYMMETRY_*
+  using Symmetry = photometry::Symmetry;
 
   // frame: s, t, n are local X (C0), Y (C90), Z (away from nadir). Angles ascending, c_deg in [0, 360) from 0, gamma_deg
   // in [0, 180]. Throws Error where the planes are not as symmetric as asked for.

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "common/atomic_file.h"
+#include "tool/csv.h"
 #include "tool/report.h"
 #include "tool/tables.h"
 
@@ -153,31 +153,16 @@ struct MeterTable {
 };
 
 void write_csv(const std::string& path, const MeterTable& table) {
-  std::string text =
-      "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,"
-      "indirect_lx\n";
+  Csv csv("x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx");
   for (size_t i = 0; i < table.readings.size(); ++i) {
+    for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(table.positions[k]);
+    for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(double(table.normals[k]));
     const ups_meter_reading& r = table.readings[i];
-    const double values[] = {table.positions[3 * i],
-                             table.positions[3 * i + 1],
-                             table.positions[3 * i + 2],
-                             table.normals[3 * i],
-                             table.normals[3 * i + 1],
-                             table.normals[3 * i + 2],
-                             r.illuminance_lx,
-                             r.standard_error_lx,
-                             r.bias_lx,
-                             r.error_bound_lx,
-                             r.direct_lx,
-                             r.indirect_lx};
-    for (size_t c = 0; c < std::size(values); ++c) {
-      char number[40];
-      std::snprintf(number, sizeof number, "%s%.9g", c ? "," : "", values[c] == 0 ? 0.0 : values[c]);  // no "-0"
-      text += number;
-    }
-    text += "\n";
+    for (float value : {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx})
+      csv.add(double(value));
+    csv.end_row();
   }
-  extras::write_file(path, text.data(), text.size());
+  csv.write(path);
 }
 
 // An image's top line is the grid's last row: row 0 stands at the bottom.
