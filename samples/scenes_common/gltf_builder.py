@@ -1,8 +1,9 @@
-"""Writes a scene as one glTF 2.0 binary file (.glb), with `extras.ups` for what glTF has no words for.
+"""Writes a scene as one glTF 2.0 file (.glb or .gltf), with `extras.ups` for what glTF has no words for.
 
 Called by the scene generators. They work in the world of the results, metres and +Z up; this module turns everything
 into glTF's +Y up: (x, y, z) becomes (x, z, -y). The same calls give the same bytes.
 """
+import base64
 import json
 import math
 import struct
@@ -175,6 +176,11 @@ class GltfBuilder:
     def luminaire(self, name, frame, **luminaire):
         self.node(name, **frame.properties(), extras={"ups": {"luminaire": luminaire}})
 
+    def fixture(self, name, frame, parts, **fixture):
+        """A luminaire modelled down to its emitters; `parts` and the rest are the words of extras.ups.fixture. Light
+        goes along local -z."""
+        self.node(name, **frame.properties(), extras={"ups": {"fixture": {"parts": parts, **fixture}}})
+
     def _light(self, name, kind, intensity, cone=None, **where):
         lights = self._json.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
         lights.append({"name": name, "type": kind, "intensity": float(intensity), **({"spot": cone} if cone else {})})
@@ -195,19 +201,38 @@ class GltfBuilder:
         where = Frame.along(-np.asarray(direction, float))
         self._light(name, "directional", lux, rotation=where.properties()["rotation"])
 
+    def _write_text(self, path, document):
+        """For scenes that people read: what is binary is embedded."""
+        if self._bytes:
+            data = base64.b64encode(bytes(self._bytes)).decode()
+            document["buffers"] = [{"byteLength": len(self._bytes),
+                                    "uri": "data:application/octet-stream;base64," + data}]
+        if self._extensions:
+            document["extensionsUsed"] = sorted(self._extensions)
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(document, file, indent=1, allow_nan=False)
+            file.write("\n")
+        print(path)
+
     def write(self, path):
         while len(self._bytes) % 4:
             self._bytes.append(0)
-        document = dict(self._json, buffers=[{"byteLength": len(self._bytes)}])
+        document = dict(self._json)
+        if path.endswith(".gltf"):
+            self._write_text(path, document)
+            return
+        if self._bytes:
+            document["buffers"] = [{"byteLength": len(self._bytes)}]
         if self._extensions:
             document["extensionsUsed"] = sorted(self._extensions)
         text = json.dumps(document, separators=(",", ":"), allow_nan=False).encode()
         text += b" " * (-len(text) % 4)
         with open(path, "wb") as file:
-            file.write(struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(self._bytes)))
-            file.write(struct.pack("<I4s", len(text), b"JSON") + text)
-            file.write(struct.pack("<I4s", len(self._bytes), b"BIN\0") + self._bytes)
+            chunks = struct.pack("<I4s", len(text), b"JSON") + text
+            if self._bytes:
+                chunks += struct.pack("<I4s", len(self._bytes), b"BIN\0") + self._bytes
+            file.write(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
         triangles = {m: sum(document["accessors"][p["indices"]]["count"] // 3 for p in mesh["primitives"])
                      for m, mesh in enumerate(document.get("meshes", []))}
         count = sum(triangles[n["mesh"]] for n in document["nodes"] if "mesh" in n)
-        print(f"{path}: {count} triangles, {20 + len(text) + 8 + len(self._bytes)} bytes")
+        print(f"{path}: {count} triangles, {12 + len(chunks)} bytes")
