@@ -5,19 +5,11 @@
 #include "base/error.h"
 #include "base/warp.h"
 #include "emitter/test_emitters.h"
-#include "support/chi_square.h"
 
 namespace ups::test {
 namespace {
 
-constexpr double false_alarm = 1e-4;
 constexpr int samples = 100000;
-
-void expect_fit(const std::vector<double>& observed, const std::vector<double>& expected) {
-  const ChiSquareResult r = chi_square_test(observed, expected);
-  ASSERT_GT(r.degrees_of_freedom, 4);
-  EXPECT_GT(r.p_value, false_alarm) << r.statistic << " / " << r.degrees_of_freedom;
-}
 
 Vec3d on_sphere(Random& random) { return normalize(Vec3d(square_to_sphere(random.pair()))); }
 
