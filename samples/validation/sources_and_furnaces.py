@@ -101,54 +101,50 @@ def cases_polygons():
     return cases
 
 
-# How far is far? Sources of the largest dimension D = 0.1 m, each in a compartment of its own; on their axes the point
-# formula I / d^2 is high by 25 % at D, by 1 % at five times D (a disc: exactly (D / 2d)^2). The same IES file from
-# its luminous opening and from a point shows the difference.
+# How far is far? Luminaires of the largest dimension D = 0.1 m, each in a compartment of its own, all with the same
+# intensities I0 cos(gamma): on their axes the point formula I / d^2 is high by 25 % at D, by 1 % at five times D (a disc:
+# exactly (D / 2d)^2). The luminous openings of their files make the difference; without one it is the point formula.
 
-SIZE, TIMES = 0.1, (1, 2, 3, 5, 10)
+SIZE, TIMES = 0.1, (1, 2, 3, 5, 7, 10, 15)
 SPACING = 1.0
 CANDELA = 10.0  # of each, at the photometric zero: so that none drowns the others in noise
+SIDE, WIDTH = SIZE / math.sqrt(2), SIZE / 200  # of a square whose diagonal is D; of a line
+FIVE_TIMES = {"disc": (-SIZE, -SIZE, 0), "square": (SIDE, SIDE, 0), "line": (WIDTH, SIZE, 0), "point": (0, 0, 0)}
 
 
 def build_five_times(path):
     scene = start()
-    side, width = SIZE / math.sqrt(2), SIZE / 200
-    shapes = {"disc": ring(0, SIZE / 2, segments=512), "square": face_down(-side / 2, side / 2, -side / 2, side / 2),
-              "line": face_down(-SIZE / 2, SIZE / 2, -width / 2, width / 2)}
     black = scene.material("black", BLACK)
-    file = os.path.splitext(path)[0] + ".ies"
     gamma = list(range(91))
-    write_axial(file, gamma, [CANDELA * math.cos(math.radians(g)) for g in gamma],
-                [("TEST", "a luminous disc of 100 mm")], opening_diameter=SIZE, digits=6)
-    for i, name in enumerate(("disc", "square", "line", "opening", "point")):
+    for i, (name, opening) in enumerate(FIVE_TIMES.items()):
+        file = f"{os.path.splitext(path)[0]}_{name}.ies"
+        write_axial(file, gamma, [CANDELA * math.cos(math.radians(g)) for g in gamma],
+                    [("TEST", f"a luminous {name} of 100 mm")], digits=6, opening=opening)
         x = i * SPACING
-        if name in shapes:
-            scene.shape(name, shapes[name].moved(x, 0, 0), emitter(scene, CANDELA / shapes[name].area()))
-        else:
-            # The photometric zero, local -z, points down.
-            scene.luminaire(name, Frame.upright((x, 0, 0)), file=os.path.basename(file), opening=name == "opening")
-        scene.shape(f"wall {i}", quad((x + SPACING / 2, -1, -1.2), (0, 2, 0), (0, 0, 1.4)), black)
+        # The photometric zero, local -z, points down.
+        scene.luminaire(name, Frame.upright((x, 0, 0)), file=os.path.basename(file))
+        scene.shape(f"wall {i}", quad((x + SPACING / 2, -1, -1.8), (0, 2, 0), (0, 0, 2)), black)
         scene.meters(name, WORLD, points_m=[[x, 0, -k * SIZE] for k in TIMES], normals=[[0, 0, 1]] * len(TIMES))
     scene.write(path)
 
 
+def five_times_lux(name, d):
+    width, length, _ = FIVE_TIMES[name]
+    if name in ("square", "line"):
+        corners = ref.horizontal(-length / 2, length / 2, -width / 2, width / 2, 0.0)
+        return math.pi * CANDELA / (width * length) * ref.polygon_factor((0, 0, -d), (0, 0, 1), corners)
+    return CANDELA / (d ** 2 + (length / 2) ** 2)
+
+
 def case_five_times():
-    side, width = SIZE / math.sqrt(2), SIZE / 200
-    rectangles = {"square": ref.horizontal(-side / 2, side / 2, -side / 2, side / 2, 0.0),
-                  "line": ref.horizontal(-SIZE / 2, SIZE / 2, -width / 2, width / 2, 0.0)}
     checks = []
-    for name in ("disc", "square", "line", "opening", "point"):
+    for name in FIVE_TIMES:
         for i, k in enumerate(TIMES):
-            d = k * SIZE
-            far = CANDELA / d ** 2
-            if name in rectangles:
-                (x0, y0, _), _, (x1, y1, _), _ = rectangles[name]
-                luminance = CANDELA / ((x1 - x0) * (y1 - y0))
-                lux = math.pi * luminance * ref.polygon_factor((0, 0, -d), (0, 0, 1), rectangles[name])
-            else:
-                lux = far if name == "point" else CANDELA / (d ** 2 + (SIZE / 2) ** 2)
-            checks.append(Check(name, lux, i, f"{name}, {k} D", f"I / d^2 is {100 * (far / lux - 1):.2f} % high"))
-    return Case("five_times", "five-times rule: disc, square, line, IES opening and point", build_five_times, checks)
+            lux = five_times_lux(name, k * SIZE)
+            high = 100 * (CANDELA / (k * SIZE) ** 2 / lux - 1)
+            checks.append(Check(name, lux, i, f"{name}, {k} D", f"I / d^2 is {high:.2f} % high"))
+    return Case("five_times", "five-times rule: openings of luminaire files, disc, square, line and point",
+                build_five_times, checks)
 
 
 # Integrating spheres of 1 m radius. The references take the area of the polyhedron.

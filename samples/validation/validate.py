@@ -4,7 +4,7 @@
   python3 samples/validation/validate.py --ups build/release/bin/ups [--methods ups bpt pt] [--cases cie_5_2 ...]
       [--fast] [--threads N] [--plot] --out out/validation
 
-OUT gets results.json, results.md, with --plot validation.png, and for each case its scene and the program's files.
+OUT gets results.json, results.md, with --plot validation.png, and for each case its scene and the program's files. The readings of chosen --cases are printed too.
 Exit code 1 where a check fails. What the cases are: README.md.
 """
 import argparse
@@ -48,6 +48,8 @@ def main():
     tables.write_json(os.path.join(arguments.out, "results.json"), cases, rows, arguments.methods)
     tables.write_markdown(os.path.join(arguments.out, "results.md"), cases, rows, arguments.methods)
     print("\n" + tables.summary_table(cases, rows, arguments.methods))
+    if arguments.cases:
+        print("\n" + "\n".join(tables.check_table(case, rows, arguments.methods) for case in cases))
     if arguments.plot:
         import plot  # the only part that needs matplotlib
         plot.write(os.path.join(arguments.out, "validation.png"), cases, rows, arguments.methods)

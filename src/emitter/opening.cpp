@@ -19,7 +19,9 @@ constexpr double far_away = 100;  // in radii: beyond, faces weigh as if they we
 double at(const Vec3d& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 // The coordinates: `along` on the axis, then those of the next two axes in turn.
 Vec3d by_axis(int axis, double along, double first, double second) {
-  return axis == 0 ? Vec3d(along, first, second) : axis == 1 ? Vec3d(second, along, first) : Vec3d(first, second, along);
+  return axis == 0   ? Vec3d(along, first, second)
+         : axis == 1 ? Vec3d(second, along, first)
+                     : Vec3d(first, second, along);
 }
 Vec3d axis_normal(int axis, double sign) { return by_axis(axis, std::copysign(1.0, sign), 0, 0); }
 
@@ -79,11 +81,14 @@ LuminousBody::Kind LuminousBody::kind_of(const photometry::Opening& opening) {
   const float* m = opening.size_m;
   const bool flat = !(m[0] > 0 && m[1] > 0 && m[2] > 0);
   switch (opening.shape) {
-    case OpeningShape::sphere: return flat ? Kind::ellipse : Kind::ellipsoid;
-    case OpeningShape::disc: return flat ? Kind::ellipse : Kind::cylinder;
+    case OpeningShape::sphere:
+      return flat ? Kind::ellipse : Kind::ellipsoid;
+    case OpeningShape::disc:
+      return flat ? Kind::ellipse : Kind::cylinder;
     case OpeningShape::cylinder:  // without length a disc, without width the rectangle that it is seen as
       return !flat ? Kind::cylinder : axis_of(opening) == opening.axis ? Kind::ellipse : Kind::rectangle;
-    default: return flat ? Kind::rectangle : Kind::box;
+    default:
+      return flat ? Kind::rectangle : Kind::box;
   }
 }
 
@@ -96,10 +101,18 @@ LuminousBody::LuminousBody(const photometry::Opening& opening) : kind_(kind_of(o
   const double perimeter = pi_d * (3 * (a + b) - std::sqrt((3 * a + b) * (a + 3 * b)));
   const auto power = [](double x) { return std::pow(x, 1.6075); };
   switch (kind_) {
-    case Kind::rectangle: area_ = 4 * a * b; break;
-    case Kind::ellipse: area_ = pi_d * a * b; break;
-    case Kind::box: area_ = faces; break;
-    case Kind::cylinder: area_ = 2 * pi_d * a * b + 2 * c * perimeter; break;
+    case Kind::rectangle:
+      area_ = 4 * a * b;
+      break;
+    case Kind::ellipse:
+      area_ = pi_d * a * b;
+      break;
+    case Kind::box:
+      area_ = faces;
+      break;
+    case Kind::cylinder:
+      area_ = 2 * pi_d * a * b + 2 * c * perimeter;
+      break;
     case Kind::ellipsoid:
       area_ = 4 * pi_d * std::pow((power(a * b) + power(b * c) + power(c * a)) / 3, 1 / 1.6075);
       break;
@@ -115,9 +128,12 @@ Frame LuminousBody::turned(const Frame& f) const {
 double LuminousBody::circumscribed_radius() const {
   switch (kind_) {
     case Kind::rectangle:
-    case Kind::box: return length(half_);
-    case Kind::cylinder: return std::hypot(std::max(half_.x, half_.y), half_.z);
-    default: return max_abs(half_);
+    case Kind::box:
+      return length(half_);
+    case Kind::cylinder:
+      return std::hypot(std::max(half_.x, half_.y), half_.z);
+    default:
+      return max_abs(half_);
   }
 }
 
@@ -125,10 +141,14 @@ double LuminousBody::projected_area(const Vec3d& w) const {
   const double a = half_.x, b = half_.y, c = half_.z;
   switch (kind_) {
     case Kind::rectangle:
-    case Kind::ellipse: return area_ * std::abs(w.z);
-    case Kind::box: return 4 * (b * c * std::abs(w.x) + c * a * std::abs(w.y) + a * b * std::abs(w.z));
-    case Kind::cylinder: return mantle_seen(w) + pi_d * a * b * std::abs(w.z);
-    default: return pi_d * length(Vec3d(b * c * w.x, c * a * w.y, a * b * w.z));
+    case Kind::ellipse:
+      return area_ * std::abs(w.z);
+    case Kind::box:
+      return 4 * (b * c * std::abs(w.x) + c * a * std::abs(w.y) + a * b * std::abs(w.z));
+    case Kind::cylinder:
+      return mantle_seen(w) + pi_d * a * b * std::abs(w.z);
+    default:
+      return pi_d * length(Vec3d(b * c * w.x, c * a * w.y, a * b * w.z));
   }
 }
 
@@ -160,7 +180,9 @@ void LuminousBody::face_weights(const Vec3d& reference, double (&weights)[3]) co
   }
 }
 
-double LuminousBody::mantle_seen(const Vec3d& w) const { return 4 * half_.z * std::hypot(half_.y * w.x, half_.x * w.y); }
+double LuminousBody::mantle_seen(const Vec3d& w) const {
+  return 4 * half_.z * std::hypot(half_.y * w.x, half_.x * w.y);
+}
 
 // How often a cylinder's mantle is chosen over the end that the reference faces, if it sees both: as it is seen from
 // afar, where that is exact; near by either may be the larger, so neither is left out.
@@ -232,7 +254,9 @@ bool LuminousBody::sample_seen_along(const Vec3d& w, Vec2 u, Point& out) const {
   const double ends = face_area(2) * std::abs(w.z);
   switch (kind_) {
     case Kind::rectangle:
-    case Kind::ellipse: sample_face(2, w.z, u, out); break;
+    case Kind::ellipse:
+      sample_face(2, w.z, u, out);
+      break;
     case Kind::box: {
       const double weights[3] = {face_area(0) * std::abs(w.x), face_area(1) * std::abs(w.y), ends};
       const int face = choose(weights, u.x);
@@ -260,7 +284,9 @@ bool LuminousBody::sample_seen_along(const Vec3d& w, Vec2 u, Point& out) const {
 bool LuminousBody::sample_seen_from(const Vec3d& reference, Vec2 u, Point& out) const {
   switch (kind_) {
     case Kind::rectangle:
-    case Kind::ellipse: sample_face(2, reference.z, u, out); break;
+    case Kind::ellipse:
+      sample_face(2, reference.z, u, out);
+      break;
     case Kind::box: {
       double weights[3];
       face_weights(reference, weights);
@@ -298,8 +324,10 @@ double LuminousBody::pdf_seen_from(const Vec3d& reference, const Vec3d& p, const
     case Kind::cylinder:
       if (n.z == 0) return mantle_share(reference) * mantle_pdf(reference, p);
       return reference.z * n.z > half_.z ? (1 - mantle_share(reference)) / face_area(2) : 0;
-    case Kind::ellipsoid: return cap_pdf(reference, p);
-    default: return 1 / area_;
+    case Kind::ellipsoid:
+      return cap_pdf(reference, p);
+    default:
+      return 1 / area_;
   }
 }
 

@@ -1,8 +1,8 @@
 // The body that a luminous opening is: where its surface lies, how large it looks, points of it. Used by the emitters
 // with a profile; knows nothing of light.
 //
-// The body's own frame, metres: centred on the origin, a flat opening in the xy-plane, a cylinder along z. turned() makes
-// it from the luminaire's frame. Doubles, so that small bodies far away keep their shape.
+// The body's own frame, metres: centred on the origin, a flat opening in the xy-plane, a cylinder along z. turned()
+// makes it from the luminaire's frame. Doubles, so that small bodies far away keep their shape.
 #pragma once
 #include "base/frame.h"
 #include "photometry/photometry.h"
@@ -20,8 +20,8 @@ class LuminousBody {
   bool is_flat() const { return kind_ == Kind::rectangle || kind_ == Kind::ellipse; }
   const Vec3d& half() const { return half_; }  // extents; z is 0 for a flat opening
   double circumscribed_radius() const;
-  // m^2: all sides of a body, one side of a flat opening. Of ellipses' mantles and ellipsoids to about 1 %: a constant to
-  // state densities by.
+  // m^2: all sides of a body, one side of a flat opening. Of ellipses' mantles and ellipsoids to about 1 %: a constant
+  // to state densities by.
   double area() const { return area_; }
   // m^2, as seen from afar in the direction w (unit, away from the body). 0 for a flat opening edge on.
   double projected_area(const Vec3d& w) const;

@@ -79,8 +79,8 @@ Vec3 ProfileOpeningEmitter::brighter_side() const {
   return balance >= 0 ? frame_.n : -frame_.n;
 }
 
-// Per area and solid angle a direction w has the density pdf_w(w) cos / projected area: exactly the profile's direction,
-// then a point of what is seen from there. It is stated as 1 / area, a constant, times the rest.
+// Per area and solid angle a direction w has the density pdf_w(w) cos / projected area: exactly the profile's
+// direction, then a point of what is seen from there. It is stated as 1 / area, a constant, times the rest.
 bool ProfileOpeningEmitter::emitted(const Vec3& direction, const Vec3d& w, const Vec3d& n, Emitted& out) const {
   out.cosine = dot(n, w);
   out.projected_area = body_.projected_area(w);

@@ -1,5 +1,5 @@
-// Luminaires with a measured intensity distribution, from a point or from a luminous opening. Made by the scene for every
-// luminaire.
+// Luminaires with a measured intensity distribution, from a point or from a luminous opening. Made by the scene for
+// every luminaire.
 #pragma once
 #include <memory>
 
@@ -42,9 +42,9 @@ class ProfilePointEmitter : public PunctualEmitter {
   PlacedProfile profile_;
 };
 
-// A luminous opening centred on p: a convex body, or a sheet with two sides. Its luminance towards a direction is the same
-// all over what is seen from there, I / projected area: from afar it is the distribution's intensity, near by the body's.
-// It emits outwards alone and blocks nothing; a point inside sees nothing of it.
+// A luminous opening centred on p: a convex body, or a sheet with two sides. Its luminance towards a direction is the
+// same all over what is seen from there, I / projected area: from afar it is the distribution's intensity, near by the
+// body's. It emits outwards alone and blocks nothing; a point inside sees nothing of it.
 class ProfileOpeningEmitter : public Emitter {
  public:
   // error: of the body's surface, for ray origins. Throws Error where the opening has no area (LuminousBody::has_area).

@@ -121,7 +121,8 @@ void Builder::place() {
     }
     const auto& luminaire = std::get<LuminaireDescription>(s.kind);
     const float* size = luminaire.profile->opening.size_m;
-    const double reach = luminaire.use_opening ? 0.5 * std::hypot(double(size[0]), double(size[1]), double(size[2])) : 0;
+    const double reach =
+        luminaire.use_opening ? 0.5 * std::hypot(double(size[0]), double(size[1]), double(size[2])) : 0;
     const Vec3d p = luminaire.to_world.column(3), r(reach, reach, reach);
     grow(p - r, "luminaire", id);
     grow(p + r, "luminaire", id);
@@ -290,8 +291,9 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   auto emitter = std::make_unique<ProfileOpeningEmitter>(distribution, frame, p, opening, scale, error);
   // Where its rays start, and where walks run into it. A body is found by the ball around it (a disc without normal).
   const DiscIndex::Disc disc =
-      emitter->is_flat() ? DiscIndex::Disc{p + emitter->normal() * (2 * error), emitter->normal(), emitter->circumscribed_radius()}
-                         : DiscIndex::Disc{p, Vec3(), emitter->circumscribed_radius() + 4 * error};
+      emitter->is_flat()
+          ? DiscIndex::Disc{p + emitter->normal() * (2 * error), emitter->normal(), emitter->circumscribed_radius()}
+          : DiscIndex::Disc{p, Vec3(), emitter->circumscribed_radius() + 4 * error};
   const Vec3 front = emitter->is_flat() ? disc.center : p + nadir * (0.5f * opening.size_m[2] + 2 * error);
   const auto index = uint32_t(emitters_.size());
   if (!add_emitter(name, std::move(emitter), front)) return;
@@ -306,10 +308,12 @@ float Builder::opening_error(const Vec3& p, const Frame& frame, const photometry
   const Vec3 axes[3] = {frame.s, frame.t, frame.n};
   float error = 0;
   for (int k = 0; k < 3; ++k) {
-    const bool no_extent = !(opening.size_m[k] > 0), flat = !(opening.size_m[0] > 0 && opening.size_m[1] > 0 && opening.size_m[2] > 0);
+    const bool no_extent = !(opening.size_m[k] > 0),
+               flat = !(opening.size_m[0] > 0 && opening.size_m[1] > 0 && opening.size_m[2] > 0);
     if (flat && !no_extent) continue;  // the edges of a sheet emit nothing
     for (const float side : {-1.0f, 1.0f})
-      error = std::max(error, error_at(*out_, p + half[k] * side, axes[k] * side, half[(k + 1) % 3], half[(k + 2) % 3]));
+      error =
+          std::max(error, error_at(*out_, p + half[k] * side, axes[k] * side, half[(k + 1) % 3], half[(k + 2) % 3]));
   }
   return error;
 }

@@ -112,7 +112,8 @@ void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
     const uint32_t emitter = scene_.emitter_of_opening[c.disc];
     // The index holds what surrounds luminous openings, and of luminous openings alone.
     float t, cos_in;
-    if (!static_cast<const ProfileOpeningEmitter&>(scene_.emitters[emitter]).enter(origin_, direction_, t, cos_in)) continue;
+    if (!static_cast<const ProfileOpeningEmitter&>(scene_.emitters[emitter]).enter(origin_, direction_, t, cos_in))
+      continue;
     if (!(t > 0 && t <= distance) || cos_in < min_cosine) continue;
     hit_emitter(emitter, 0, origin_ + direction_ * t, cos_in, t, edges, attenuation(scene_, medium, t));
   }

@@ -18,8 +18,8 @@ inline std::string ies_number(double v) {
   return text;
 }
 
-// intensity_cd of C and gamma in radians, at the planes and angles given in degrees. `opening`: width, length and height
-// as the file states them.
+// intensity_cd of C and gamma in radians, at the planes and angles given in degrees. `opening`: width, length and
+// height as the file states them.
 inline std::string ies_text(const std::function<double(double, double)>& intensity_cd, const std::vector<double>& c_deg,
                             const std::vector<double>& gamma_deg, const std::string& opening) {
   std::string out =

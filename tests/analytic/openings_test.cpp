@@ -1,5 +1,5 @@
-// Luminaires of every kind of luminous opening: the file's intensities from afar, wherever the luminaire is turned; near
-// by what a uniform body of that shape gives in closed form; and the same from every method where walls are near.
+// Luminaires of every kind of luminous opening: the file's intensities from afar, wherever the luminaire is turned;
+// near by what a uniform body of that shape gives in closed form; and the same from every method where walls are near.
 #include "../support/expect_lx.h"
 #include "ies_text.h"
 
@@ -50,12 +50,14 @@ P3 direction(double c, double gamma) {
 
 // No symmetry at all: C0, C90, nadir and zenith differ.
 double lopsided(double c, double gamma) {
-  return 1e4 * (1.5 + std::cos(gamma)) * (1 + 0.5 * std::sin(gamma) * std::cos(c) + 0.3 * std::sin(gamma) * std::sin(c));
+  return 1e4 * (1.5 + std::cos(gamma)) *
+         (1 + 0.5 * std::sin(gamma) * std::cos(c) + 0.3 * std::sin(gamma) * std::sin(c));
 }
 
-// Meters 1000 sizes away at nodes of the file's table, so that its numbers are the references. A sheet emits nothing along
-// itself, and what grazes it is left out. The side of a body that faces a meter is nearer than the photometric centre: on
-// the axis of the standing cylinder that makes 0.06 % (0.3 % at 200 sizes), elsewhere less; 0.1 % is allowed, and the noise, which those readings hardly have, must be below 0.02 %: 4 of its 0.1 % are then 5 standard
+// Meters 1000 sizes away at nodes of the file's table, so that its numbers are the references. A sheet emits nothing
+// along itself, and what grazes it is left out. The side of a body that faces a meter is nearer than the photometric
+// centre: on the axis of the standing cylinder that makes 0.06 % (0.3 % at 200 sizes), elsewhere less; 0.1 % is
+// allowed, and the noise, which those readings hardly have, must be below 0.02 %: 4 of its 0.1 % are then 5 standard
 // errors, a false alarm below 2e-4 a reading.
 TEST(Openings, FromAfarEachIsItsFileWhereverItIsTurned) {
   const std::vector<double> c_deg = steps(10, 360), gamma_deg = steps(5, 180);
@@ -95,14 +97,16 @@ TEST(Openings, FromAfarEachIsItsFileWhereverItIsTurned) {
   }
 }
 
-// Intensities of a uniform luminance: times the projected area, tabulated every 2 degrees, whose interpolation is at most
-// (2 deg)^2 / 8 = 1.5e-4 low.
-std::string uniform_body(const std::function<double(const P3&)>& projected_area, double luminance, const char* opening) {
-  return ies_text([&](double c, double gamma) { return luminance * projected_area(direction(c, gamma)); }, steps(2, 360),
-                  steps(2, 180), opening);
+// Intensities of a uniform luminance: times the projected area, tabulated every 2 degrees, whose interpolation is at
+// most (2 deg)^2 / 8 = 1.5e-4 low.
+std::string uniform_body(const std::function<double(const P3&)>& projected_area, double luminance,
+                         const char* opening) {
+  return ies_text([&](double c, double gamma) { return luminance * projected_area(direction(c, gamma)); },
+                  steps(2, 360), steps(2, 180), opening);
 }
 
-// By every method that walks from the meter, at meters that see the shape wholly in front of them. The mesh is the shape.
+// By every method that walks from the meter, at meters that see the shape wholly in front of them. The mesh is the
+// shape.
 void expect_uniform(const std::string& ies, const Shape& shape, double luminance, const std::vector<P3>& from) {
   Scene scene;
   const Profile profile = parse(scene.context(), ies);
@@ -125,7 +129,8 @@ TEST(Openings, NearABoxAreTheFormFactorsOfItsVisibleFaces) {
   const double x = 0.6, y = 0.3, z = 0.1, luminance = 1000;
   const auto seen = [=](const P3& w) { return y * z * std::abs(w.x) + z * x * std::abs(w.y) + x * y * std::abs(w.z); };
   expect_uniform(uniform_body(seen, luminance, "0.3 0.6 0.1"), box({-x / 2, -y / 2, -z / 2}, {x / 2, y / 2, z / 2}),
-                 luminance, {{0, 0, -0.1}, {0.1, 0.05, -0.5}, {0, 0.4, 0}, {0.5, 0.3, -0.2}, {-0.5, 0.3, 0.2}, {1, -2, 3}});
+                 luminance,
+                 {{0, 0, -0.1}, {0.1, 0.05, -0.5}, {0, 0.4, 0}, {0.5, 0.3, -0.2}, {-0.5, 0.3, 0.2}, {1, -2, 3}});
 }
 
 // The mesh of 512 sides has the cylinder's illuminances to 3e-5.
@@ -165,8 +170,8 @@ TEST(Openings, NearAnEllipsoidIsWhatItsSurfaceGives) {
 TEST(Openings, ASphereFollowsTheInverseSquareUpToItsSurface) {
   const double intensity = 100, radius = 0.2;
   Scene scene;
-  const Profile profile = parse(scene.context(), ies_text([=](double, double) { return intensity; }, {0}, steps(15, 180),
-                                                          "-0.4 -0.4 -0.4"));
+  const Profile profile = parse(
+      scene.context(), ies_text([=](double, double) { return intensity; }, {0}, steps(15, 180), "-0.4 -0.4 -0.4"));
   add(scene, profile.get(), turned({1, -1, 2}));
   const std::vector<double> times = {1.01, 1.1, 1.5, 2, 5, 20, 100};
   std::vector<P3> positions, normals;
@@ -183,8 +188,8 @@ TEST(Openings, ASphereFollowsTheInverseSquareUpToItsSurface) {
   }
 }
 
-// Lambertian sheets on their axis. A disc of diameter D gives I / (d^2 + D^2 / 4): the point formula is (D / 2d)^2 high,
-// 25 % at D, 1 % at 5 D. A standing disc lights its two sides alike.
+// Lambertian sheets on their axis. A disc of diameter D gives I / (d^2 + D^2 / 4): the point formula is (D / 2d)^2
+// high, 25 % at D, 1 % at 5 D. A standing disc lights its two sides alike.
 TEST(Openings, LambertianSheetsOnTheirAxis) {
   const double size = 0.2, intensity = 100, side = size / std::sqrt(2);
   const std::vector<double> times = {0.5, 1, 2, 3, 5};
@@ -211,14 +216,16 @@ TEST(Openings, LambertianSheetsOnTheirAxis) {
       const double d = t * size;
       positions.push_back(at.p + at.vector(sheet.axis) * d), normals.push_back(at.vector(sheet.axis) * -1);
       const Shape local = quad({-side / 2, -side / 2, d}, {0, side, 0}, {side, 0, 0});
-      expected.push_back(sheet.round ? intensity / (d * d + size * size / 4)
-                                     : intensity / (side * side) * polygon_irradiance_factor(local.vertices, {}, {0, 0, 1}));
+      expected.push_back(sheet.round
+                             ? intensity / (d * d + size * size / 4)
+                             : intensity / (side * side) * polygon_irradiance_factor(local.vertices, {}, {0, 0, 1}));
     }
     const Sensor meters = scene.add_meters(positions, normals);
     for (ups_method method : eye_methods) {
       const auto readings = scene.render({.method = method, .iterations = 256, .light_paths = 256}).readings(meters);
       for (size_t i = 0; i < times.size(); ++i)
-        expect_lx(readings[i], expected[i], 0.003, std::string(method_name(method)) + ", " + std::to_string(times[i]) + " D");
+        expect_lx(readings[i], expected[i], 0.003,
+                  std::string(method_name(method)) + ", " + std::to_string(times[i]) + " D");
     }
   }
 }
@@ -237,14 +244,15 @@ TEST(Openings, MethodsAgreeNearThem) {
     const Profile profile = parse(scene.context(), ies_text(even, {0}, steps(15, 180), openings[k]));
     add(scene, profile.get(), places[k]);
   }
-  const Sensor cells = scene.add_cells({{0.5, 0.5, 1.0}, {0.5, 0.8, 1.2}, {1.4, 1.2, 0.2}, {1.4, 1.3, 0}, {0.6, 1.5, 1.05}, {1, 1, 0}},
-                                       {{0, 0, 1}, {0, 0, -1}, {0, 0, -1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
-                                       std::vector<P3>(6, {1, 0, 0}), 0.2, 0.2);
+  const Sensor cells = scene.add_cells(
+      {{0.5, 0.5, 1.0}, {0.5, 0.8, 1.2}, {1.4, 1.2, 0.2}, {1.4, 1.3, 0}, {0.6, 1.5, 1.05}, {1, 1, 0}},
+      {{0, 0, 1}, {0, 0, -1}, {0, 0, -1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, std::vector<P3>(6, {1, 0, 0}), 0.2, 0.2);
   std::vector<std::vector<ups_meter_reading>> all;
   for (ups_method method : cell_methods) {
     const bool light = method == UPS_METHOD_LIGHT_TRACING;
     const uint32_t iterations = light ? 64 : method == UPS_METHOD_PATH_TRACING ? 512 : 96;
-    all.push_back(scene.render({.method = method, .iterations = iterations, .light_paths = light ? 30000u : 1024u}).readings(cells));
+    all.push_back(scene.render({.method = method, .iterations = iterations, .light_paths = light ? 30000u : 1024u})
+                      .readings(cells));
   }
   for (size_t i = 0; i < all.size(); ++i)
     for (size_t j = 0; j < i; ++j)

@@ -3,19 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "emitter/test_emitters.h"
-#include "support/chi_square.h"
 
 namespace ups::test {
 namespace {
 
-constexpr double false_alarm = 1e-4;
 constexpr int samples = 200000;
-
-void expect_fit(const std::vector<double>& observed, const std::vector<double>& expected) {
-  const ChiSquareResult r = chi_square_test(observed, expected);
-  ASSERT_GT(r.degrees_of_freedom, 4);
-  EXPECT_GT(r.p_value, false_alarm) << r.statistic << " / " << r.degrees_of_freedom;
-}
 
 // pdf: an independent statement of the density of directions, per solid angle.
 template <class Pdf>

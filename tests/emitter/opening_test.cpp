@@ -1,23 +1,15 @@
-// Are luminous openings the bodies that they claim to be? Samples against what rays find: two ways that share no formula.
-// Chi-square tests have fixed seeds and a false-alarm rate of 1e-4 each.
+// Are luminous openings the bodies that they claim to be? Samples against what rays find: two ways that share no
+// formula. Chi-square tests have fixed seeds and a false-alarm rate of 1e-4 each.
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "base/warp.h"
 #include "emitter/test_emitters.h"
-#include "support/chi_square.h"
 
 namespace ups::test {
 namespace {
 
-constexpr double false_alarm = 1e-4;
 constexpr int samples = 100000;
-
-void expect_fit(const std::vector<double>& observed, const std::vector<double>& expected) {
-  const ChiSquareResult r = chi_square_test(observed, expected);
-  ASSERT_GT(r.degrees_of_freedom, 4);
-  EXPECT_GT(r.p_value, false_alarm) << r.statistic << " / " << r.degrees_of_freedom;
-}
 
 Vec3d on_sphere(Random& random) { return normalize(Vec3d(square_to_sphere(random.pair()))); }
 
@@ -100,7 +92,8 @@ TEST(LuminousBody, LooksAsLargeAsItsSilhouetteAndIsSampledEvenlyInIt) {
 std::vector<Vec3d> references(const LuminousBody& body, Random& random) {
   const Vec3d h = body.half();
   std::vector<Vec3d> out = {{1.5 * h.x, 0.1 * h.y, h.z + 0.1}, {0.2 * h.x, 0.3 * h.y, h.z + 0.1}};
-  for (const double distance : {1.1, 1.7, 10.0, 1000.0}) out.push_back(on_sphere(random) * (distance * body.circumscribed_radius()));
+  for (const double distance : {1.1, 1.7, 10.0, 1000.0})
+    out.push_back(on_sphere(random) * (distance * body.circumscribed_radius()));
   return out;
 }
 
@@ -112,8 +105,8 @@ double seen_density(const LuminousBody& body, const Vec3d& reference, const Vec3
   return body.pdf_seen_from(reference, reference + d * distance, n) * distance * distance / std::abs(dot(n, d));
 }
 
-// A picture of the body from a point: gnomonic coordinates, along the body's longest axis and across it, in the bounds of
-// some samples. Cells that the body fills have the density's integral; what falls elsewhere counts as one cell.
+// A picture of the body from a point: gnomonic coordinates, along the body's longest axis and across it, in the bounds
+// of some samples. Cells that the body fills have the density's integral; what falls elsewhere counts as one cell.
 struct Picture {
   static constexpr int n = 12, fine = 40;
   Vec3d w, s, t;
@@ -132,7 +125,8 @@ struct Picture {
   size_t cell(const Vec3d& d) const {  // n * n: none
     double x, y;
     if (!place(d, x, y)) return size_t(n) * n;
-    const double i = std::floor((x - low[0]) / (high[0] - low[0]) * n), j = std::floor((y - low[1]) / (high[1] - low[1]) * n);
+    const double i = std::floor((x - low[0]) / (high[0] - low[0]) * n),
+                 j = std::floor((y - low[1]) / (high[1] - low[1]) * n);
     return i >= 0 && i < n && j >= 0 && j < n ? size_t(i) * n + size_t(j) : size_t(n) * n;
   }
   // 0 where the body does not fill the cell.

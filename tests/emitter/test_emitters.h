@@ -1,5 +1,7 @@
-// The emitters that the tests of this folder share, and their numbers.
+// The emitters that the tests of this folder share, their numbers, and how samples are judged.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <memory>
 #include <random>
@@ -9,11 +11,20 @@
 #include "emitter/area.h"
 #include "emitter/point.h"
 #include "emitter/profile.h"
+#include "support/chi_square.h"
 
 namespace ups::test {
 
 constexpr float largest_u = 0x1.fffffep-1f;
 constexpr double pi_d = 3.141592653589793238463;
+
+constexpr double false_alarm = 1e-4;
+
+inline void expect_fit(const std::vector<double>& observed, const std::vector<double>& expected) {
+  const ChiSquareResult r = chi_square_test(observed, expected);
+  ASSERT_GT(r.degrees_of_freedom, 4);
+  EXPECT_GT(r.p_value, false_alarm) << r.statistic << " / " << r.degrees_of_freedom;
+}
 
 class Random {
  public:

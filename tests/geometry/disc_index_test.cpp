@@ -21,7 +21,7 @@ Discs random_discs(size_t count, float scale, const Vec3& offset, std::mt19937& 
   for (size_t i = 0; i < count; ++i) {
     Vec3 n = random_direction(rng);
     if (i % 3 == 0) n = {0, 0, 1};  // flat boxes, as a grid of meters has
-    if (i % 4 == 1) n = {};               // a ball
+    if (i % 4 == 1) n = {};         // a ball
     discs.push_back({offset + Vec3(uniform(rng), uniform(rng), uniform(rng)) * scale, n, scale * 0.3f});
   }
   return discs;
@@ -115,8 +115,8 @@ TEST(DiscIndex, BallsAreCrossedWhereTheyAreEntered) {
     index.intersect_all({0, 0, 0.5f}, {0, 0, 1}, 1, found);  // from inside
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[1].t, 0);
-    index.intersect_all({0, 0, -2}, {0, 0, -1}, 9, found);  // behind
-    index.intersect_all({0, 0, -2}, {0, 0, 1}, 0.9f, found);  // ends before it
+    index.intersect_all({0, 0, -2}, {0, 0, -1}, 9, found);      // behind
+    index.intersect_all({0, 0, -2}, {0, 0, 1}, 0.9f, found);    // ends before it
     index.intersect_all({1.01f, 0, -2}, {0, 0, 1}, 90, found);  // beside
     EXPECT_EQ(found.size(), 2u);
   }

@@ -155,7 +155,8 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   desc.dimming = float(luminaire.number("dimming", 1, 0, unlimited));
   if (luminaire.has("flux_lm")) desc.flux_lm = float(luminaire.number("flux_lm", 0, 0, unlimited));
   if (luminaire.has("color")) {
-    if (luminaire.has("colour_temperature_k")) luminaire.fail("color", "and \"colour_temperature_k\" exclude each other");
+    if (luminaire.has("colour_temperature_k"))
+      luminaire.fail("color", "and \"colour_temperature_k\" exclude each other");
     const Rgb color = luminaire.rgb("color", {1, 1, 1}, 0, unlimited, false);
     if (!(luminance(color) > 0)) luminaire.fail("color", "must have a component above 0: it is a chromaticity alone");
     store(color, desc.color_rgb);
