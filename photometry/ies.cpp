@@ -131,10 +131,11 @@ void IesReader::read_opening() {
     warn(in_.line(), "a luminous opening of " + shown(largest) + " m is doubtful; are its units right?");
   const OpeningMatch match = ies_opening(header_.edition, width, length, height, opening_);
   // The direction (0, 0), forward, is vertical in types B and C, but horizontal in type A (LM-63-2002, "photometric zero"
-  // and "photometric horizontal"): there the length lies along forward and the height along up.
-  if (table_.type == PhotometricType::a) {
+  // and "photometric horizontal"): there the length lies along forward and the height along up. Without a height that
+  // would be a sheet edge-on to the aim; writers mean the face.
+  if (table_.type == PhotometricType::a && height != 0) {
     std::swap(opening_.size_m[0], opening_.size_m[2]);
-    if (opening_.axis != 1) opening_.axis = 2 - opening_.axis;
+    if (opening_.shape == OpeningShape::cylinder) opening_.axis = 2 - opening_.axis;  // y stays y
   }
   const std::string written = shown(width) + ", " + shown(length) + ", " + shown(height) + " m";
   if (match == OpeningMatch::other_edition)

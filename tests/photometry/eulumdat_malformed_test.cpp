@@ -54,7 +54,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"sets_beyond_the_end", [](P& p) { p.sets = "99"; }, "line 26: the number of lamp sets is 99, but"},
         Case{"no_flux", [](P& p) { p.lamps = {"1\nLED\n0\n3000\n80\n10"}; }, "line 26: the flux of lamp set 1 is 0"},
         Case{"flux_text", [](P& p) { p.lamps = {"1\nLED\nx\n3000\n80\n10"}; }, "line 29: \"x\" is not a number; the lamps'"},
-        Case{"shifted", [](P& p) { p.sets = "2"; }, "line 3"},  // an angle or intensity in the place of another field
+        Case{"shifted",
+             [](P& p) {
+               p.sets = "2", p.isym = "0", p.c = {0, 90, 180, 270}, p.intensity = {3, 2, 1, 3, 2, 1, 3, 2, 1, 3, 2, 1};
+             },
+             "line 50: C angle 2 is 3 after 90; angles must ascend (is the number of lamp sets in line 26 right?)"},
         Case{"c_start", [](P& p) { p.c = {5}; }, "line 43: the C angles run from 5 to 5"},
         Case{"c_order", [](P& p) { p.isym = "0", p.c = {0, 90, 80}; }, "line 45: C angle 3 is 80 after 90"},
         Case{"c_range", [](P& p) { p.isym = "0", p.c = {0, 400}; }, "line 44: the C angles run from 0 to 400"},

@@ -161,6 +161,10 @@ TEST(Types, OpeningOfTypeAFacesForward) {
   EXPECT_FLOAT_EQ(a.size_m[0], .3f);
   EXPECT_FLOAT_EQ(a.size_m[1], .2f);
   EXPECT_FLOAT_EQ(a.size_m[2], 0);
+  const Opening face = read_file("s10_typeA_asym.ies").opening;  // without height: as in types B and C
+  EXPECT_FLOAT_EQ(face.size_m[0], .3f);
+  EXPECT_FLOAT_EQ(face.size_m[1], .6f);
+  EXPECT_FLOAT_EQ(face.size_m[2], 0);
   const Opening b = read_text(head + "2 2 .2 .3 0" + tail).opening;
   EXPECT_FLOAT_EQ(b.size_m[0], .3f);
   EXPECT_FLOAT_EQ(b.size_m[1], .2f);

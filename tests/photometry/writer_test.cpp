@@ -22,7 +22,7 @@ void expect_round_trip(const Photometry& p, const std::string& name) {
   EXPECT_EQ(ies.input_power_w, p.input_power_w);
   EXPECT_EQ(ies.opening.shape, p.opening.shape);
   for (int k = 0; k < 3; ++k) EXPECT_EQ(ies.opening.size_m[k], p.opening.size_m[k]) << k;
-  if (p.opening.shape == OpeningShape::cylinder) EXPECT_EQ(ies.opening.axis, p.opening.axis);
+  EXPECT_EQ(ies.opening.axis, p.opening.axis);
   EXPECT_EQ(keyword(ies, "LUMCAT"), keyword(p, "LUMCAT"));
   EXPECT_EQ(ies.tilt.factor, p.tilt.factor);
   expect_same(ies.distribution, p.distribution);
@@ -55,9 +55,7 @@ TEST(Writer, OpeningsOfAllCodesReadBack) {
         for (PhotometricType type : {PhotometricType::c, PhotometricType::b, PhotometricType::a}) {
           const bool solid = size[0] > 0 && size[2] > 0, flat = shape == OpeningShape::rectangle || shape == OpeningShape::disc;
           if (solid == flat || (axis != 2 && shape != OpeningShape::cylinder)) continue;
-          // No code has a disc that faces C0 in type A files or lies flat there as types B and C have it.
-          if (shape == OpeningShape::disc && type == PhotometricType::a && size[2] == 0 && size[0] != 0) {
-          }
+          if (type == PhotometricType::a && size[0] == 0) continue;  // a sheet edge-on to the aim has no code
           Photometry p{type == PhotometricType::c ? Distribution({0}, {0, 90}, {1, 1})
                                                   : Distribution(type, {-90, 90}, {-90, 90}, {1, 2, 3, 4})};
           p.type = type;
@@ -69,7 +67,7 @@ TEST(Writer, OpeningsOfAllCodesReadBack) {
           EXPECT_EQ(o.size_m[0], size[0]);
           EXPECT_EQ(o.size_m[1], size[1]);
           EXPECT_EQ(o.size_m[2], size[2]);
-          if (shape == OpeningShape::cylinder) EXPECT_EQ(o.axis, axis);
+          EXPECT_TRUE(o.axis == axis || shape != OpeningShape::cylinder);
         }
 }
 
@@ -164,8 +162,8 @@ TEST(Writer, EulumdatKeepsItsOwnFields) {
     EXPECT_EQ(p.keywords[i].value, q.keywords[i].value) << p.keywords[i].name;
   }
   EulumdatParts parts;
-  parts.name = "\xFCber";  // Latin-1 stays Latin-1
-  EXPECT_NE(write_eulumdat(read_text(parts.text())).find("\r\n\xFC" "ber\r\n"), std::string::npos);
+  parts.name = "\374ber";  // Latin-1 stays Latin-1
+  EXPECT_NE(write_eulumdat(read_text(parts.text())).find("\r\n\374ber\r\n"), std::string::npos);
   Photometry greek{Distribution({0}, {0, 90}, {1, 0})};
   greek.keywords = {{"LUMINAIRE", "\xCE\xBB"}};
   EXPECT_EQ(keyword(again(write_eulumdat(greek)), "LUMINAIRE"), "\xCE\xBB");
