@@ -28,6 +28,7 @@ struct InfoOptions {
 
 int render(const RenderOptions& options);
 int info(const InfoOptions& options);
+int convert(const std::string& in, const std::string& out);
 int compare(const std::string& a, const std::string& b, bool json);
 
 }  // namespace ups::tool

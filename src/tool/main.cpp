@@ -199,6 +199,24 @@ const CLI::App* add_info(CLI::App& app, InfoOptions& options) {
   return command;
 }
 
+const CLI::App* add_convert(CLI::App& app, std::string& in, std::string& out) {
+  CLI::App* command = app.add_subcommand("convert", "Write a photometric file as IES LM-63-2019 or EULUMDAT");
+  command->add_option("IN", in, "A photometric file")->required();
+  command->add_option("OUT", out, "A .ies or .ldt file")
+      ->required()
+      ->check(CLI::Validator(
+          [](const std::string& path) {
+            const std::string extension = ups::tool::lower_extension(path);
+            return extension == ".ies" || extension == ".ldt" ? std::string()
+                                                              : "must end in .ies or .ldt, not '" + path + "'";
+          },
+          ""));
+  command->footer(
+      "The distribution reads back the same; tables of type A and B are resampled for EULUMDAT.\n"
+      "Of several lamp sets the first is written.");
+  return command;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Illuminance and luminance by Unified Path Sampling", "ups");
   app.set_version_flag("--version", version_text());
@@ -207,6 +225,8 @@ int run(int argc, char** argv) {
   add_render(app, render_options);
   InfoOptions info_options;
   const CLI::App* info = add_info(app, info_options);
+  std::string in, out;
+  const CLI::App* convert = add_convert(app, in, out);
   std::string a, b;
   bool json = false;
   CLI::App* compare = app.add_subcommand("compare", "How far the image A is from the reference B");
@@ -226,6 +246,7 @@ int run(int argc, char** argv) {
     return app.exit(e) == 0 ? ups::tool::exit_done : ups::tool::exit_usage;  // --help and --version are no errors
   }
   if (info->parsed()) return ups::tool::info(info_options);
+  if (convert->parsed()) return ups::tool::convert(in, out);
   if (compare->parsed()) return ups::tool::compare(a, b, json);
   return ups::tool::render(render_options);
 }

@@ -15,11 +15,52 @@ std::string read_bytes(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-// The one place where bytes become a profile.
-ups_status parse(ups_context* context, const std::string& file, ups_profile** out) {
+std::string text_of(const ups_profile* profile, ups_profile_text topic) {
+  return read_text([&](char* to, size_t capacity, size_t* needed) {
+    return ups_profile_get_text(profile, topic, to, capacity, needed);
+  });
+}
+
+// The file of that name beside `file`, in any case; empty where there is none. A name with folders is taken without
+// them.
+std::string file_beside(const std::string& file, const std::string& name) {
+  const auto lower = [](std::string text) {
+    for (char& c : text)
+      if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return text;
+  };
+  const std::string wanted = lower(name.substr(name.find_last_of("/\\") + 1));
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::error_code error;
+  for (auto entry = std::filesystem::directory_iterator(folder.empty() ? "." : folder, error);
+       !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    if (!wanted.empty() && lower(entry->path().filename().string()) == wanted && entry->is_regular_file(error))
+      return entry->path().string();
+  }
+  return {};
+}
+
+// The one place where bytes become a profile. A TILT file that an IES file names is looked for beside it.
+ups_status parse(ups_context* context, const std::string& file, Profile& out) {
   const std::string bytes = read_bytes(file);
-  return ups_profile_parse(context, bytes.data(), bytes.size(), photometric_format(file).value_or(UPS_PROFILE_AUTO),
-                           out);
+  ups_profile_parse_desc desc;
+  ups_profile_parse_desc_init(&desc, sizeof desc);
+  desc.format = photometric_format(file).value_or(UPS_PROFILE_AUTO);
+  desc.bytes = bytes.data();
+  desc.size = bytes.size();
+  ups_profile* profile = nullptr;
+  ups_status status = ups_profile_parse_with(context, &desc, &profile);
+  if (status != UPS_OK) return status;
+  out.reset(profile);
+  const std::string tilt_name = text_of(profile, UPS_PROFILE_TEXT_TILT_FILE);
+  const std::string tilt_file = tilt_name.empty() ? "" : file_beside(file, tilt_name);
+  if (tilt_file.empty()) return UPS_OK;
+  const std::string tilt = read_bytes(tilt_file);
+  desc.tilt_file = tilt.data();
+  desc.tilt_file_size = tilt.size();
+  status = ups_profile_parse_with(context, &desc, &profile);
+  if (status == UPS_OK) out.reset(profile);
+  return status;
 }
 
 std::vector<float> directions_of(const std::vector<std::pair<double, double>>& c_gamma_deg) {
@@ -55,15 +96,17 @@ std::optional<ups_profile_format> photometric_format(const std::string& file) {
   const std::string extension = lower_extension(file);
   if (extension == ".ies") return UPS_PROFILE_IES_LM63;
   if (extension == ".ldt") return UPS_PROFILE_EULUMDAT;
-  for (const char* other : {".xml", ".tm25ray", ".sdf", ".dat", ".ray"})
-    if (extension == other) return UPS_PROFILE_AUTO;
+  if (extension == ".xml") return UPS_PROFILE_TM33_XML;
+  if (extension == ".tm25ray") return UPS_PROFILE_TM25_RAYS;
+  if (extension == ".sdf" || extension == ".dat") return UPS_PROFILE_ZEMAX_RAYS;
+  if (extension == ".ray") return UPS_PROFILE_LIGHTTOOLS_RAYS;
   return std::nullopt;
 }
 
 Profile read_profile(ups_context* context, const std::string& file) {
-  ups_profile* profile = nullptr;
-  if (parse(context, file, &profile) != UPS_OK) throw Failure(file + ": " + without_functions(ups_last_error()));
-  return Profile(profile);
+  Profile profile;
+  if (parse(context, file, profile) != UPS_OK) throw Failure(file + ": " + without_functions(ups_last_error()));
+  return profile;
 }
 
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg) {
@@ -77,14 +120,9 @@ ProfileReport make_report(const std::string& file, const ups_profile* profile) {
   report.file = file;
   report.info.struct_size = sizeof report.info;
   check(ups_profile_get_info(profile, &report.info));
-  const auto text = [&](ups_profile_text topic) {
-    return read_text([&](char* to, size_t capacity, size_t* needed) {
-      return ups_profile_get_text(profile, topic, to, capacity, needed);
-    });
-  };
-  report.format = text(UPS_PROFILE_TEXT_FORMAT);
-  report.warnings = lines_of(text(UPS_PROFILE_TEXT_WARNINGS));
-  for (const std::string& line : lines_of(text(UPS_PROFILE_TEXT_KEYWORDS))) {
+  report.format = text_of(profile, UPS_PROFILE_TEXT_FORMAT);
+  report.warnings = lines_of(text_of(profile, UPS_PROFILE_TEXT_WARNINGS));
+  for (const std::string& line : lines_of(text_of(profile, UPS_PROFILE_TEXT_KEYWORDS))) {
     const size_t equals = std::min(line.find('='), line.size());
     report.keywords.emplace_back(line.substr(0, equals), equals < line.size() ? line.substr(equals + 1) : "");
   }

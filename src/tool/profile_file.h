@@ -26,14 +26,11 @@ struct ProfileReport {
   std::string file, format;
   ups_profile_info info;
   ups_profile_beam beam[2], field[2];                   // of 50 % and 10 % of the peak in C0-C180 and C90-C270
-  std::array<double, 5> zonal_flux_lm;                  // by the band rule; the last two are the flux down and up
+  std::array<double, 5> zonal_flux_lm;                  // by the band rule
   std::array<std::array<float, 4>, 4> luminance_cd_m2;  // [c][gamma]; < 0: no opening, or seen edge on
   std::vector<std::pair<std::string, std::string>> keywords;
   std::vector<std::string> warnings;
 
-  double down_flux_lm() const { return zonal_flux_lm[3]; }
-  double up_flux_lm() const { return zonal_flux_lm[4]; }
-  double light_output_ratio() const { return info.rated_flux_lm > 0 ? info.flux_lm / info.rated_flux_lm : -1; }
   double efficacy_lm_per_w() const { return info.input_power_w > 0 ? info.flux_lm / info.input_power_w : -1; }
   bool has_luminance() const { return info.opening_shape != UPS_OPENING_POINT; }
 };

@@ -33,8 +33,8 @@ std::string angle_text(const ups_profile_beam& beam) {
 std::string facts(const ProfileReport& report) {
   const ups_profile_info& info = report.info;
   std::string text = format("flux %.5g lm", info.flux_lm);
-  if (report.light_output_ratio() >= 0)
-    text += format(" (%.1f %% of %.5g lm)", 100 * report.light_output_ratio(), info.rated_flux_lm);
+  if (report.info.light_output_ratio >= 0)
+    text += format(" (%.1f %% of %.5g lm)", 100 * report.info.light_output_ratio, info.rated_flux_lm);
   text += format("    peak %.5g cd at C %g\u00b0, gamma %g\u00b0", info.peak_cd, info.peak_c_deg, info.peak_gamma_deg);
   if (report.efficacy_lm_per_w() >= 0)
     text += format("    %.4g W, %.4g lm/W", info.input_power_w, report.efficacy_lm_per_w());

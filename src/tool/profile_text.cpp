@@ -76,13 +76,23 @@ const char* symmetry_text(ups_profile_symmetry symmetry) {
   }
 }
 
+std::string table_text(const ups_profile_info& info) {
+  const char* pattern = info.photometric_type == UPS_PHOTOMETRIC_A   ? "table: type A, %u planes H x %u angles V\n"
+                        : info.photometric_type == UPS_PHOTOMETRIC_B ? "table: type B, %u planes V x %u angles H\n"
+                                                                     : "table: %u C-planes x %u gamma angles\n";
+  std::string text = format(pattern, info.c_count, info.gamma_count);
+  if (info.ray_count > 0) text += format("rays: %u\n", info.ray_count);
+  if (info.lamp_set_count > 1) text += format("lamp sets: %u, alternatives; this is the first\n", info.lamp_set_count);
+  return text;
+}
+
 std::string ratios_text(const ProfileReport& report) {
   const ups_profile_info& info = report.info;
   std::string text;
   if (info.rated_flux_lm >= 0) {
     text = format("rated lamp flux: %.6g lm\n", info.rated_flux_lm);
-    if (report.light_output_ratio() >= 0)
-      text += format("light output ratio: %.1f %%\n", 100 * report.light_output_ratio());
+    if (report.info.light_output_ratio >= 0)
+      text += format("light output ratio: %.1f %%\n", 100 * report.info.light_output_ratio);
   } else {
     text = "rated lamp flux: none, absolute photometry\n";
   }
@@ -124,7 +134,7 @@ std::string to_text(const ProfileReport& report) {
   text += zones_text(report);
   text += format("symmetry: %s\nopening: %s\n", symmetry_text(info.symmetry), opening_text(info).c_str());
   if (report.has_luminance()) text += luminance_text(report);
-  text += format("table: %u C-planes x %u gamma angles\n", info.c_count, info.gamma_count);
+  text += table_text(info);
   std::vector<std::string> keywords;
   for (const auto& [name, value] : report.keywords) keywords.push_back(name + "=" + value);
   return text + list_text("keywords", keywords) + list_text("warnings", report.warnings);

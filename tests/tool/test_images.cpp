@@ -229,4 +229,18 @@ TEST_F(Images, FalseColorOfNothing) {
   EXPECT_EQ(ups_ocio_write_false_color_png(path("f.png").c_str(), &desc), UPS_ERROR_INVALID_ARGUMENT);
 }
 
+TEST_F(Images, PixelsStayAsTheyAre) {
+  std::vector<uint8_t> rgb(3 * 5 * 2);
+  for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = uint8_t(7 * i);
+  ASSERT_EQ(ups_ocio_write_pixels_png(path("p.png").c_str(), rgb.data(), 5, 2), UPS_OK) << ups_ocio_last_error();
+  const Png png = read_png(path("p.png"));
+  EXPECT_EQ(png.width, 5);
+  EXPECT_EQ(png.height, 2);
+  EXPECT_EQ(png.rgb, rgb);
+  EXPECT_EQ(ups_ocio_write_pixels_png(path("q.png").c_str(), nullptr, 5, 2), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(ups_ocio_write_pixels_png(path("q.png").c_str(), rgb.data(), 0, 2), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(ups_ocio_write_pixels_png(path("no/q.png").c_str(), rgb.data(), 5, 2), UPS_ERROR_IO);
+  EXPECT_FALSE(std::filesystem::exists(path("q.png")));
+}
+
 }  // namespace

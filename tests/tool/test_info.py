@@ -1,0 +1,257 @@
+"""`ups info` of photometric files (page, table, folder, JSON, plots) and `ups convert`. Usage:
+test_info.py PATH_TO_UPS [unittest options]"""
+import json
+import math
+import os
+import struct
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+import test_program
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PROFILES = os.path.join(HERE, "..", "..", "photometry", "data")
+DATA = os.path.join(HERE, "..", "photometry", "data")
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def ies(gammas, candelas, opening="0 0 0", lumens=-1, watts=10, keywords="[MANUFAC] this project"):
+    """An axially symmetric lamp."""
+    return (f"IESNA:LM-63-2002\n[TEST] none\n{keywords}\nTILT=NONE\n1 {lumens} 1 {len(gammas)} 1 1 2 {opening}\n"
+            f"1 1 {watts}\n" + " ".join(map(str, gammas)) + "\n0\n" + " ".join(map(str, candelas)) + "\n")
+
+
+LAMBERTIAN = ies(range(0, 91, 5), [1000 * math.cos(math.radians(g)) for g in range(0, 91, 5)], "-0.2 -0.2 0", 4000)
+
+
+def png_size(data):
+    """Width and height of an 8-bit RGB PNG whose data unpack to that."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
+    assert (depth, kind) == (8, 2)
+    at, packed = 8, b""
+    while at < len(data):
+        size, name = struct.unpack(">I4s", data[at:at + 8])
+        if name == b"IDAT":
+            packed += data[at + 8:at + 8 + size]
+        at += 12 + size
+    raw = zlib.decompress(packed)
+    assert len(raw) == height * (1 + 3 * width)
+    return width, height
+
+
+class Info(test_program.ProgramTest):
+    def info(self, *arguments, code=0):
+        done = self.run_program("info", *arguments, "--json", code=code)
+        return json.loads(done.stdout)["files"]
+
+    def test_numbers_of_a_lambertian_disc(self):
+        (lamp,) = self.info(self.write("lamp.ies", LAMBERTIAN))
+        area = math.pi * 0.01
+        self.assertAlmostEqual(lamp["flux_lm"], 1000 * math.pi, delta=1e-3)
+        self.assertEqual(lamp["down_flux_lm"], lamp["flux_lm"])
+        self.assertEqual(lamp["up_flux_lm"], 0)
+        self.assertEqual(lamp["peak_cd"], 1000)
+        self.assertAlmostEqual(lamp["light_output_ratio"], math.pi / 4, delta=1e-6)
+        self.assertAlmostEqual(lamp["efficacy_lm_per_w"], 100 * math.pi, delta=1e-3)
+        for plane in ("c0_c180", "c90_c270"):
+            self.assertAlmostEqual(lamp["beam"][plane]["angle_deg"], 120, delta=1e-4)
+            self.assertAlmostEqual(lamp["beam"][plane]["to_deg"], 60, delta=1e-4)
+            self.assertEqual(lamp["beam"][plane]["peak_deg"], 0)
+        zones = {(z["from_deg"], z["to_deg"]): z["flux_lm"] for z in lamp["zonal_flux"]}
+        self.assertEqual(set(zones), {(0, 30), (0, 40), (0, 60), (0, 90), (90, 180)})
+        for (start, end), flux in zones.items():  # the band rule is exact for cos(gamma) on even steps
+            if end <= 90:
+                self.assertAlmostEqual(flux, 1000 * math.pi * math.sin(math.radians(end)) ** 2, delta=1e-2)
+        self.assertEqual([row["c_deg"] for row in lamp["luminance"]], [0, 90, 180, 270])
+        for row in lamp["luminance"]:
+            for value in row["luminance_cd_m2"]:
+                self.assertAlmostEqual(value, 1000 / area, delta=1)
+        self.assertEqual(lamp["opening"], {"shape": "disc", "size_m": [0.2, 0.2, 0]})
+        self.assertIn({"name": "MANUFAC", "value": "this project"}, lamp["keywords"])
+        self.assertEqual(lamp["warnings"], [])
+
+    def test_page(self):
+        text = self.run_program("info", self.write("lamp.ies", LAMBERTIAN)).stdout
+        for words in ("flux: 3141.59 lm", "light output ratio: 78.5 %", "luminous efficacy: 314.2 lm/W",
+                      "beam angle (50 % of the plane's peak): C0-C180 120.0 deg, C90-C270 120.0 deg",
+                      "0-30 deg 785.398 (25.0 %)", "90-180 deg 0 (0.0 %)", "mean luminance", "31831"):
+            self.assertIn(words, text)
+        # An absolute point source that is the same everywhere has no ratio, no beam and no luminance.
+        text = self.run_program("info", self.write("all.ies", ies([0, 90, 180], [7, 7, 7]))).stdout
+        self.assertIn("beam angle (50 % of the plane's peak): C0-C180 none, C90-C270 none", text)
+        self.assertIn("absolute photometry", text)
+        for words in ("luminance of the opening", "light output ratio"):
+            self.assertNotIn(words, text)
+
+    def test_folder_is_a_sorted_table_that_survives_broken_files(self):
+        for name, content in (("b.IES", LAMBERTIAN), ("a.ies", ies([0, 90, 180], [7, 7, 7])), ("notes.txt", "no"),
+                              ("c.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 2")):
+            self.write(name, content)
+        os.mkdir(self.path("folder.ies"))
+        done = self.run_program("info", self.folder.name, code=1)
+        lines = done.stdout.splitlines()
+        self.assertEqual([line.split()[0] for line in lines], ["file", "a.ies", "b.IES", "c.ies"])
+        self.assertIn("3141.59", lines[2])
+        self.assertIn("120.0", lines[2])
+        self.assertRegex(lines[3], r"^c\.ies\s+error: line 3: ")
+        self.assertRegex(done.stderr, r"ups: error: .*c\.ies: line 3: ")
+        files = self.info(self.folder.name, code=1)
+        self.assertEqual([os.path.basename(f["file"]) for f in files], ["a.ies", "b.IES", "c.ies"])
+        self.assertIn("line 3", files[2]["error"])
+        self.assertNotIn("error", files[1])
+
+    def test_several_files_may_be_of_any_kind(self):
+        lamp, scene = self.write("lamp.ies", LAMBERTIAN), self.write("room.gltf", test_program.room())
+        lines = self.run_program("info", lamp, scene, self.path("gone.ldt"), code=1).stdout.splitlines()
+        self.assertEqual([line.split()[0] for line in lines], ["file", "lamp.ies", "room.gltf", "gone.ldt"])
+        self.assertIn("glTF scene", lines[2])
+        files = self.info(lamp, scene)
+        self.assertEqual([f["kind"] for f in files], ["photometry", "scene"])
+        self.assertEqual(files[1]["triangles"], 2)
+        self.assertEqual([s["name"] for s in files[1]["sensors"]], ["work_plane", "spot", "view"])
+        (broken,) = self.info(self.path("gone.ies"), code=1)
+        self.assertIn("gone.ies", broken["error"])
+
+    def test_folders_without_photometry(self):
+        os.mkdir(self.path("empty"))
+        self.expect_failure("info", self.path("empty"), words=["empty", ".ies"])
+
+    def test_a_tilt_file_is_found_beside_whatever_its_case(self):
+        lamp = "IESNA:LM-63-1995\n[TEST] none\n[MANUFAC] x\nTILT=Lamp.TLT\n1 -1 1 3 1 1 2 0 0 0\n1 1 10\n0 45 90\n0\n9 9 9\n"
+        path = self.write("lamp.ies", lamp)
+        (without,) = self.info(path)
+        self.write("lamp.tlt", "1\n3\n0 45 90\n1 0.9 0.8\n")
+        (given,) = self.info(path)
+        self.assertNotEqual(without["warnings"], given["warnings"])
+        self.assertEqual(given["flux_lm"], without["flux_lm"])  # the factors hold for a tilted luminaire alone
+        self.write("lamp.tlt", "1\n3\n0 45\n")
+        (broken,) = self.info(path, code=1)
+        self.assertIn("lamp.ies", broken["error"])
+
+    def test_types_that_other_programs_mix_up(self):
+        files = self.info(os.path.join(DATA, "s08_typeC_asym.ies"), os.path.join(DATA, "s09_typeB_asym.ies"),
+                          os.path.join(DATA, "s10_typeA_asym.ies"))
+        self.assertEqual([f["photometric_type"] for f in files], ["C", "B", "A"])
+        for other in files[1:]:
+            for plane in ("c0_c180", "c90_c270"):
+                for key in ("from_deg", "to_deg"):
+                    self.assertAlmostEqual(other["beam"][plane][key], files[0]["beam"][plane][key], delta=0.15)
+
+
+class Plots(test_program.ProgramTest):
+    def plot(self, profile, *names):
+        arguments = [word for name in names for word in ("--plot", self.path(name))]
+        self.run_program("info", profile, *arguments)
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def texts(self, name):
+        return ["".join(t.itertext()) for t in ElementTree.fromstring(self.read(name)).iter(SVG + "text")]
+
+    def test_svg_and_png(self):
+        self.plot(os.path.join(PROFILES, "wall_washer.ies"), "washer.svg", "washer.png")
+        root = ElementTree.fromstring(self.read("washer.svg"))
+        self.assertEqual(root.tag, SVG + "svg")
+        width, height = float(root.get("width")), float(root.get("height"))
+        self.assertEqual(root.get("viewBox").split(), ["0", "0", root.get("width"), root.get("height")])
+        self.assertEqual(png_size(self.read("washer.png")), (2 * width, 2 * height))
+        texts = self.texts("washer.svg")
+        for words in ("wall_washer.ies", "Luminous intensity, cd", "C0-C180", "C90-C270", "180\u00b0", "30\u00b0"):
+            self.assertIn(words, texts)
+        self.assertTrue(any("800 lm" in t for t in texts), msg=texts)
+        self.assertTrue(any("592.94 cd" in t for t in texts), msg=texts)
+
+    def test_a_downlight_has_its_cone_in_numbers(self):
+        self.plot(self.write("lamp.ies", LAMBERTIAN), "lamp.svg")
+        texts = self.texts("lamp.svg")
+        self.assertIn("Luminous intensity, cd/klm", texts)  # its lamps have 4000 lm
+        self.assertIn("250", texts)                         # the ring of its peak
+        self.assertIn("beam 120.0\u00b0", texts)
+        self.assertNotIn("180\u00b0", texts)                # nothing shines up: half a circle
+        self.assertIn(f"{2 * math.tan(math.radians(60)):.2f}", texts)  # as wide 1 m below
+        self.assertIn("1000", texts)                        # lx there
+        self.assertIn("62.5", texts)                        # 4 m below; at the edges 1 m below 500 cos^3(60 deg) too
+
+    def test_what_has_no_cone_says_so(self):
+        self.plot(self.write("all.ies", ies([0, 90, 180], [7, 7, 7])), "all.svg", "all.png")
+        self.assertTrue(any(t.startswith("No cone") for t in self.texts("all.svg")))
+        self.plot(self.write("dark.ies", ies([0, 90, 180], [0, 0, 0])), "dark.svg", "dark.png")
+        self.assertTrue(any(t.startswith("No cone") for t in self.texts("dark.svg")))
+
+    def test_names_with_what_xml_reserves(self):
+        lamp = self.write("a<b>&\"c\" \u00fc.ies", LAMBERTIAN.replace("this project", "R&D <x> \u00e9"))
+        self.plot(lamp, "lamp.svg", "lamp.png")
+        texts = self.texts("lamp.svg")
+        self.assertIn("a<b>&\"c\" \u00fc.ies", texts)
+        self.assertIn("R&D <x> \u00e9", texts)
+
+    def test_a_needle_is_drawn_to_its_peak(self):
+        self.plot(self.write("needle.ies", ies([0, 0.01, 0.02, 90], [900, 900, 0, 0])), "needle.svg")
+        root = ElementTree.fromstring(self.read("needle.svg"))
+
+        def heights(ink, width):  # of the one path of more than two points: not the legend's
+            paths = [p.get("d")[1:].split("L") for p in root.iter(SVG + "path")
+                     if p.get("stroke") == ink and p.get("stroke-width") == width]
+            (points,) = [p for p in paths if len(p) > 2]
+            return [float(point.split()[1]) for point in points]
+
+        lowest = max(heights("#005caf", "2.2"))
+        bottom, top = max(heights("#cdcdcd", "1.2")), min(heights("#cdcdcd", "1.2"))
+        self.assertAlmostEqual((lowest - top) / (bottom - top), 0.9, delta=0.01)  # 900 cd on rings up to 1000
+
+    def test_errors(self):
+        lamp = self.write("lamp.ies", LAMBERTIAN)
+        for name in ("lamp.pdf", "lamp"):
+            self.assertIn(".svg", self.run_program("info", lamp, "--plot", self.path(name), code=2).stderr)
+        self.run_program("info", "--plot", self.path("x.svg"), code=2)
+        self.expect_failure("info", lamp, lamp, "--plot", self.path("x.svg"), words=["--plot"])
+        self.expect_failure("info", self.write("room.gltf", test_program.room()), "--plot", self.path("x.svg"),
+                            words=["--plot", "room.gltf"])
+        before = sorted(os.listdir(self.folder.name))
+        for name in ("x.svg", "x.png"):
+            self.expect_failure("info", lamp, "--plot", self.path("no/" + name), words=[name])
+            os.mkdir(self.path(name))
+            self.expect_failure("info", lamp, "--plot", self.path(name), words=[name])
+            os.rmdir(self.path(name))
+        self.assertEqual(sorted(os.listdir(self.folder.name)), before)
+
+
+class Convert(test_program.ProgramTest):
+    def info(self, path):
+        return json.loads(self.run_program("info", path, "--json").stdout)["files"][0]
+
+    def test_both_ways_keep_the_distribution(self):
+        for name in ("s08_typeC_asym.ies", "s18_90_270.ies", "l04_isym3.ldt", "s17_isotropic_10000lm.ies"):
+            with self.subTest(name=name):
+                first = self.info(os.path.join(DATA, name))
+                self.run_program("convert", os.path.join(DATA, name), self.path("a.ldt"))
+                self.run_program("convert", self.path("a.ldt"), self.path("b.ies"))
+                for path, start in (("a.ldt", "EULUMDAT"), ("b.ies", "IES LM-63-2019")):
+                    second = self.info(self.path(path))
+                    self.assertEqual(second["format"], start)
+                    self.assertAlmostEqual(second["flux_lm"], first["flux_lm"], delta=1e-6 * first["flux_lm"])
+                    for plane in ("c0_c180", "c90_c270"):
+                        self.assertAlmostEqual(second["beam"][plane]["angle_deg"], first["beam"][plane]["angle_deg"],
+                                               delta=1e-4)
+                    self.assertEqual(second["opening"], first["opening"])
+
+    def test_errors(self):
+        lamp = self.write("lamp.ies", LAMBERTIAN)
+        self.assertIn(".ldt", self.run_program("convert", lamp, self.path("lamp.txt"), code=2).stderr)
+        self.run_program("convert", lamp, code=2)
+        self.expect_failure("convert", self.path("gone.ies"), self.path("x.ldt"), words=["gone.ies"])
+        self.expect_failure("convert", self.write("room.gltf", test_program.room()), self.path("x.ldt"),
+                            words=["room.gltf"])
+        self.expect_failure("convert", self.write("bad.ies", "TILT=NONE\n1 2"), self.path("x.ldt"), words=["bad.ies"])
+        self.expect_failure("convert", lamp, self.path("no/x.ldt"), words=["x.ldt"])
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["bad.ies", "lamp.ies", "room.gltf"])
+
+
+if __name__ == "__main__":
+    test_program.PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
