@@ -30,6 +30,10 @@ namespace Ups
         Auto = 0,
         IesLm63 = 1,
         Eulumdat = 2,
+        Tm33Xml = 3,
+        Tm25Rays = 4,
+        ZemaxRays = 5,
+        LighttoolsRays = 6,
     }
 
     public enum OpeningShape : int
@@ -51,11 +55,19 @@ namespace Ups
         Quadrants = 4,
     }
 
+    public enum PhotometricType : int
+    {
+        C = 0,
+        B = 1,
+        A = 2,
+    }
+
     public enum ProfileText : int
     {
         Warnings = 0,
         Keywords = 1,
         Format = 2,
+        TiltFile = 3,
     }
 
     public enum MaterialModel : int
@@ -102,6 +114,45 @@ namespace Ups
         Techniques = 2,
     }
 
+    public enum Finish : int
+    {
+        SpecularAluminium = 0,
+        EnhancedAluminium = 1,
+        SemiSpecularAluminium = 2,
+        MatteWhite = 3,
+        Black = 4,
+        Opal = 5,
+        Pmma = 6,
+        Polycarbonate = 7,
+        Glass = 8,
+        FrostedPmma = 9,
+        Custom = 10,
+    }
+
+    public enum EmitterShape : int
+    {
+        Disc = 0,
+        Rectangle = 1,
+        Sphere = 2,
+        Cylinder = 3,
+    }
+
+    public enum ReflectorProfile : int
+    {
+        Paraboloid = 0,
+        Ellipsoid = 1,
+        Cone = 2,
+        Cylinder = 3,
+        Polyline = 4,
+    }
+
+    public enum CollimatorWall : int
+    {
+        Parallel = 0,
+        Paraboloid = 1,
+        Polyline = 2,
+    }
+
     public enum Projection : int
     {
         Perspective = 0,
@@ -145,12 +196,26 @@ namespace Ups
         Actual = 1,
     }
 
+    public enum Separation : int
+    {
+        Nothing = 0,
+        Luminaires = 1,
+        Groups = 2,
+    }
+
     public enum JobState : int
     {
         Running = 0,
         Finished = 1,
         Cancelled = 2,
         Failed = 3,
+    }
+
+    public enum SourceKind : int
+    {
+        Luminaire = 0,
+        Instance = 1,
+        Group = 2,
     }
 
     public enum Channel : int
@@ -236,11 +301,40 @@ namespace Ups
         internal float* CDeg;
         internal float* GammaDeg;
         internal float* IntensityCd;
+        public OpeningShape OpeningShape;
+        private fixed float openingM_[3];
+        public int OpeningAxis;
+        public float InputPowerW;
+        public float[] OpeningM
+        {
+            get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "ProfileDesc.OpeningM"); }
+        }
         /// <summary>With the library's defaults.</summary>
         public static ProfileDesc Create()
         {
             var d = new ProfileDesc();
             Native.ups_profile_desc_init(&d, (uint)sizeof(ProfileDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ProfileParseDesc
+    {
+        public uint StructSize;
+        public ProfileFormat Format;
+        internal void* Bytes;
+        public UIntPtr Size;
+        internal void* TiltFile;
+        public UIntPtr TiltFileSize;
+        public float TiltDeg;
+        public uint LampSet;
+        /// <summary>With the library's defaults.</summary>
+        public static ProfileParseDesc Create()
+        {
+            var d = new ProfileParseDesc();
+            Native.ups_profile_parse_desc_init(&d, (uint)sizeof(ProfileParseDesc));
             return d;
         }
     }
@@ -262,10 +356,29 @@ namespace Ups
         public ProfileSymmetry Symmetry;
         public uint CCount;
         public uint GammaCount;
+        public PhotometricType PhotometricType;
+        public uint RayCount;
+        public double UpFluxLm;
+        public double DownFluxLm;
+        public double LightOutputRatio;
+        private fixed float beamAngleDeg_[2];
+        private fixed float fieldAngleDeg_[2];
+        public int OpeningAxis;
+        public uint LampSetCount;
         public float[] OpeningM
         {
             get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
             set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "ProfileInfo.OpeningM"); }
+        }
+        public float[] BeamAngleDeg
+        {
+            get { fixed (float* p = beamAngleDeg_) return Elements.Copy(p, 2); }
+            set { fixed (float* p = beamAngleDeg_) Elements.Set(p, 2, value, "ProfileInfo.BeamAngleDeg"); }
+        }
+        public float[] FieldAngleDeg
+        {
+            get { fixed (float* p = fieldAngleDeg_) return Elements.Copy(p, 2); }
+            set { fixed (float* p = fieldAngleDeg_) Elements.Set(p, 2, value, "ProfileInfo.FieldAngleDeg"); }
         }
         internal static ProfileInfo Sized()
         {
@@ -385,6 +498,8 @@ namespace Ups
         public uint StructSize;
         public MeshId Mesh;
         private fixed double toWorld_[12];
+        public uint Group;
+        public uint Reserved;
         public double[] ToWorld
         {
             get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
@@ -408,7 +523,7 @@ namespace Ups
         private fixed float intensityRgb_[3];
         public float InnerConeRad;
         public float OuterConeRad;
-        public float Reserved;
+        public uint Group;
         public double[] ToWorld
         {
             get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
@@ -439,6 +554,8 @@ namespace Ups
         public float FluxLm;
         public float Dimming;
         public float IntensityScale;
+        public uint Group;
+        public uint Reserved;
         public double[] ToWorld
         {
             get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
@@ -487,6 +604,239 @@ namespace Ups
         internal static SceneInfo Sized()
         {
             return new SceneInfo { StructSize = (uint)sizeof(SceneInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixturePartId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixtureId
+    {
+        public uint V;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixtureEmitterDesc
+    {
+        public uint StructSize;
+        public EmitterShape Shape;
+        private fixed double toFixture_[12];
+        public double RadiusM;
+        public double WidthM;
+        public double LengthM;
+        public double ChordToleranceM;
+        public float FluxLm;
+        private fixed float colorRgb_[3];
+        public float Reflectance;
+        public float Reserved;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "FixtureEmitterDesc.ToFixture"); }
+        }
+        public float[] ColorRgb
+        {
+            get { fixed (float* p = colorRgb_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = colorRgb_) Elements.Set(p, 3, value, "FixtureEmitterDesc.ColorRgb"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static FixtureEmitterDesc Create()
+        {
+            var d = new FixtureEmitterDesc();
+            Native.ups_fixture_emitter_desc_init(&d, (uint)sizeof(FixtureEmitterDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ReflectorDesc
+    {
+        public uint StructSize;
+        public ReflectorProfile Profile;
+        private fixed double toFixture_[12];
+        public double FocalLengthM;
+        public double SemiAxisM;
+        public double HalfDistanceM;
+        public double InnerRadiusM;
+        public double ApertureRadiusM;
+        public double DepthM;
+        internal double* ProfileRzM;
+        public uint ProfilePointCount;
+        public int Smooth;
+        public uint FacetsAround;
+        public uint FacetsAlong;
+        public double ChordToleranceM;
+        public double NormalToleranceRad;
+        public Finish Finish;
+        public float FinishReflectance;
+        public float FinishTransmittance;
+        public float FinishRoughness;
+        internal MaterialDesc* Material;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "ReflectorDesc.ToFixture"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static ReflectorDesc Create()
+        {
+            var d = new ReflectorDesc();
+            Native.ups_reflector_desc_init(&d, (uint)sizeof(ReflectorDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct LensDesc
+    {
+        public uint StructSize;
+        public Finish Finish;
+        private fixed double toFixture_[12];
+        public double RadiusM;
+        public double ThicknessM;
+        public double EntryRadiusM;
+        public double EntryConic;
+        private fixed double entryCoefficients_[4];
+        public double ExitRadiusM;
+        public double ExitConic;
+        private fixed double exitCoefficients_[4];
+        public double ChordToleranceM;
+        public double NormalToleranceRad;
+        public uint FacetsAround;
+        public float FinishRoughness;
+        public float FinishAbsorptionPerM;
+        public float FinishIor;
+        internal MaterialDesc* Material;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "LensDesc.ToFixture"); }
+        }
+        public double[] EntryCoefficients
+        {
+            get { fixed (double* p = entryCoefficients_) return Elements.Copy(p, 4); }
+            set { fixed (double* p = entryCoefficients_) Elements.Set(p, 4, value, "LensDesc.EntryCoefficients"); }
+        }
+        public double[] ExitCoefficients
+        {
+            get { fixed (double* p = exitCoefficients_) return Elements.Copy(p, 4); }
+            set { fixed (double* p = exitCoefficients_) Elements.Set(p, 4, value, "LensDesc.ExitCoefficients"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static LensDesc Create()
+        {
+            var d = new LensDesc();
+            Native.ups_lens_desc_init(&d, (uint)sizeof(LensDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct CollimatorDesc
+    {
+        public uint StructSize;
+        public Finish Finish;
+        private fixed double toFixture_[12];
+        public double CavityRadiusM;
+        public double CavityDepthM;
+        public double LensRadiusM;
+        public double LensConic;
+        public CollimatorWall Wall;
+        public int Smooth;
+        public double WallThicknessM;
+        public double WallFocalLengthM;
+        public double HeightM;
+        internal double* WallRzM;
+        public uint WallPointCount;
+        public uint FacetsAround;
+        public double ExitRadiusM;
+        public double ExitConic;
+        public double ChordToleranceM;
+        public double NormalToleranceRad;
+        public uint ExitFacetsAlong;
+        public float FinishRoughness;
+        public float FinishAbsorptionPerM;
+        public float FinishIor;
+        internal MaterialDesc* Material;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "CollimatorDesc.ToFixture"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static CollimatorDesc Create()
+        {
+            var d = new CollimatorDesc();
+            Native.ups_collimator_desc_init(&d, (uint)sizeof(CollimatorDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixturePartDesc
+    {
+        public uint StructSize;
+        public Finish Finish;
+        private fixed double toFixture_[12];
+        internal MeshDesc* Mesh;
+        public float FinishReflectance;
+        public float FinishTransmittance;
+        public float FinishRoughness;
+        public float FinishAbsorptionPerM;
+        public float FinishIor;
+        public float Reserved;
+        internal MaterialDesc* Material;
+        public double[] ToFixture
+        {
+            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "FixturePartDesc.ToFixture"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static FixturePartDesc Create()
+        {
+            var d = new FixturePartDesc();
+            Native.ups_fixture_part_desc_init(&d, (uint)sizeof(FixturePartDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixtureInfo
+    {
+        public uint StructSize;
+        public uint PartCount;
+        public ulong TriangleCount;
+        public double FluxLm;
+        public double EmitterAreaM2;
+        internal static FixtureInfo Sized()
+        {
+            return new FixtureInfo { StructSize = (uint)sizeof(FixtureInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct FixtureInstanceDesc
+    {
+        public uint StructSize;
+        public float Dimming;
+        private fixed double toWorld_[12];
+        public float FluxLm;
+        public uint Group;
+        public double[] ToWorld
+        {
+            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "FixtureInstanceDesc.ToWorld"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static FixtureInstanceDesc Create()
+        {
+            var d = new FixtureInstanceDesc();
+            Native.ups_fixture_instance_desc_init(&d, (uint)sizeof(FixtureInstanceDesc));
+            return d;
         }
     }
 
@@ -540,6 +890,37 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct GoniometerDesc
+    {
+        public uint StructSize;
+        public ProfileSymmetry Symmetry;
+        internal float* CDeg;
+        internal float* GammaDeg;
+        public uint CCount;
+        public uint GammaCount;
+        private fixed double toWorld_[12];
+        public OpeningShape OpeningShape;
+        private fixed float openingM_[3];
+        public double[] ToWorld
+        {
+            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
+            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "GoniometerDesc.ToWorld"); }
+        }
+        public float[] OpeningM
+        {
+            get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
+            set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "GoniometerDesc.OpeningM"); }
+        }
+        /// <summary>With the library's defaults.</summary>
+        public static GoniometerDesc Create()
+        {
+            var d = new GoniometerDesc();
+            Native.ups_goniometer_desc_init(&d, (uint)sizeof(GoniometerDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct RenderDesc
     {
         public uint StructSize;
@@ -556,6 +937,8 @@ namespace Ups
         public float GlossyAlpha;
         public Perturbation Perturbation;
         public uint TechniqueImages;
+        public Separation Separation;
+        public uint Reserved;
         /// <summary>With the library's defaults.</summary>
         public static RenderDesc Create()
         {
@@ -651,6 +1034,51 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct SourceInfo
+    {
+        public uint StructSize;
+        public SourceKind Kind;
+        public uint Id;
+        public uint Reserved;
+        public double FluxLm;
+        internal static SourceInfo Sized()
+        {
+            return new SourceInfo { StructSize = (uint)sizeof(SourceInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct GoniometerInfo
+    {
+        public uint StructSize;
+        public uint CCount;
+        public uint GammaCount;
+        public uint Reserved;
+        public double FluxLm;
+        public double FluxStandardErrorLm;
+        public double OutsideFluxLm;
+        public double EmittedFluxLm;
+        public double AbsorbedFluxLm;
+        public double LightOutputRatio;
+        public double LightOutputRatioStandardError;
+        public double WorstRelativeErrorBound;
+        public double MedianRelativeErrorBound;
+        internal static GoniometerInfo Sized()
+        {
+            return new GoniometerInfo { StructSize = (uint)sizeof(GoniometerInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct IntensityReading
+    {
+        public float IntensityCd;
+        public float StandardErrorCd;
+        public float BiasCd;
+        public float ErrorBoundCd;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct TechniqueInfo
     {
         public uint StructSize;
@@ -689,6 +1117,11 @@ namespace Ups
         protected override bool ReleaseHandle() { Native.ups_result_destroy(handle); return true; }
     }
 
+    public sealed class FixtureHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_fixture_destroy(handle); return true; }
+    }
+
     internal static unsafe class Native
     {
         private const string Library = "ups";
@@ -720,9 +1153,20 @@ namespace Ups
         internal static extern Status ups_profile_parse(ContextHandle context, void* bytes, UIntPtr size, ProfileFormat
             format, out ProfileHandle @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_profile_parse_desc_init(ProfileParseDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_parse_with(ContextHandle context, ProfileParseDesc* desc, out
+            ProfileHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_write(ProfileHandle profile, ProfileFormat format, byte* bytes,
+            UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_get_info(ProfileHandle profile, ProfileInfo* info);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_get_text(ProfileHandle profile, ProfileText topic, byte* text, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_keyword(ProfileHandle profile, byte* name, byte* text, UIntPtr
             capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_eval(ProfileHandle profile, float* directions_xyz, UIntPtr count,
@@ -778,6 +1222,48 @@ namespace Ups
         internal static extern Status ups_scene_get_text(SceneHandle scene, SceneText topic, byte* text, UIntPtr
             capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_fixture_emitter_desc_init(FixtureEmitterDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_reflector_desc_init(ReflectorDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_lens_desc_init(LensDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_collimator_desc_init(CollimatorDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_fixture_part_desc_init(FixturePartDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_fixture_instance_desc_init(FixtureInstanceDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_create(ContextHandle context, out FixtureHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_fixture_destroy(IntPtr fixture);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_emitter(FixtureHandle fixture, FixtureEmitterDesc* desc,
+            FixturePartId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_reflector(FixtureHandle fixture, ReflectorDesc* desc,
+            FixturePartId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_lens(FixtureHandle fixture, LensDesc* desc, FixturePartId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_collimator(FixtureHandle fixture, CollimatorDesc* desc,
+            FixturePartId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_add_part(FixtureHandle fixture, FixturePartDesc* desc, FixturePartId*
+            @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_fixture_get_info(FixtureHandle fixture, FixtureInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_fixture(SceneHandle scene, FixtureHandle fixture,
+            FixtureInstanceDesc* desc, FixtureId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_fixture_dimming(SceneHandle scene, FixtureId id, float dimming);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_fixture_transform(SceneHandle scene, FixtureId id, double*
+            to_world);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_remove_fixture(SceneHandle scene, FixtureId id);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_camera_desc_init(CameraDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_meter_desc_init(MeterDesc* desc, uint struct_size);
@@ -785,6 +1271,10 @@ namespace Ups
         internal static extern Status ups_scene_add_camera(SceneHandle scene, CameraDesc* desc, SensorId* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_add_meters(SceneHandle scene, MeterDesc* desc, SensorId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_goniometer_desc_init(GoniometerDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_goniometer(SceneHandle scene, GoniometerDesc* desc, SensorId* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_render_desc_init(RenderDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -809,6 +1299,25 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_meter_statistics(ResultHandle result, SensorId sensor,
             MeterStatistics* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_source_count(ResultHandle result, uint* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_source(ResultHandle result, uint index, SourceInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_source_meters(ResultHandle result, uint source, SensorId sensor,
+            MeterReading* @out, UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_goniometer_info(ResultHandle result, SensorId sensor,
+            GoniometerInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_goniometer(ResultHandle result, SensorId sensor, IntensityReading*
+            @out, UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_goniometer_angles(ResultHandle result, SensorId sensor, float*
+            c_deg, UIntPtr c_count, float* gamma_deg, UIntPtr gamma_count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_goniometer_profile(ResultHandle result, SensorId sensor, out
+            ProfileHandle @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_image(ResultHandle result, SensorId camera, Channel channel,
             float* @out, UIntPtr row_stride_bytes, UIntPtr size_bytes);

@@ -5,6 +5,7 @@
 #include "ups_base.h"
 #include "ups_photometry.h"
 #include "ups_scene.h"
+#include "ups_fixture.h"
 #include "ups_sensor.h"
 #include "ups_render.h"
 

@@ -18,7 +18,7 @@ typedef struct ups_gltf_import_desc {
 } ups_gltf_import_desc;
 
 typedef int32_t ups_gltf_sensor_kind;
-enum { UPS_GLTF_CAMERA = 0, UPS_GLTF_METERS = 1 };
+enum { UPS_GLTF_CAMERA = 0, UPS_GLTF_METERS = 1, UPS_GLTF_GONIOMETER = 2 };
 
 typedef struct ups_gltf_sensor_info {
   uint32_t struct_size;
@@ -27,7 +27,8 @@ typedef struct ups_gltf_sensor_info {
   uint32_t width, height; /* camera: pixels */
   int32_t illuminance;    /* camera: 1 where it has UPS_CHANNEL_ILLUMINANCE */
   uint32_t meter_count;   /* meters */
-  uint32_t columns, rows; /* meters on a grid: columns run fastest, then rows; 0: free points */
+  uint32_t columns, rows; /* meters on a grid: columns run fastest, then rows; 0: free points.
+                           * goniometer: planes, angles gamma */
   uint32_t reserved;
 } ups_gltf_sensor_info;
 

@@ -36,6 +36,14 @@ enum {
                                  * merge_radius_m must be set */
 };
 
+/* Readings of meters for each source of light apart, from one render: illuminance is linear in dimming. */
+typedef int32_t ups_separation;
+enum {
+  UPS_SEPARATE_NOTHING = 0,
+  UPS_SEPARATE_LUMINAIRES = 1, /* each luminaire, light and emissive instance */
+  UPS_SEPARATE_GROUPS = 2      /* by the `group` of their descs */
+};
+
 typedef struct ups_render_desc {
   uint32_t struct_size;
   ups_method method;
@@ -53,6 +61,8 @@ typedef struct ups_render_desc {
   ups_perturbation perturbation;
   uint32_t technique_images;          /* cameras: an image of each technique for paths of up to so many edges, at most 16;
                                        * 0: none. See ups_result_get_technique_count */
+  ups_separation separation;          /* see ups_result_get_source_count */
+  uint32_t reserved;                  /* 0 */
 } ups_render_desc; /* at least one of time limit, target, iteration count must be set */
 
 typedef int32_t ups_job_state;
@@ -129,6 +139,49 @@ UPS_API ups_status ups_result_read_meters(const ups_result *result, ups_sensor_i
                                           size_t count);
 UPS_API ups_status ups_result_get_meter_statistics(const ups_result *result, ups_sensor_id sensor,
                                                    ups_meter_statistics *out);
+/* The sources that ups_render_desc.separation tells apart; those that emit nothing are among them, with readings of 0. */
+typedef int32_t ups_source_kind;
+enum { UPS_SOURCE_LUMINAIRE = 0 /* a luminaire or a light */, UPS_SOURCE_INSTANCE = 1, UPS_SOURCE_GROUP = 2 };
+typedef struct ups_source_info {
+  uint32_t struct_size;
+  ups_source_kind kind;
+  uint32_t id;       /* ups_luminaire_id, ups_instance_id, or the group */
+  uint32_t reserved; /* 0 */
+  double flux_lm;    /* as it was rendered, dimming included */
+} ups_source_info;
+UPS_API ups_status ups_result_get_source_count(const ups_result *result, uint32_t *out); /* 0 without separation */
+/* index < count; info->struct_size must be set. */
+UPS_API ups_status ups_result_get_source(const ups_result *result, uint32_t index, ups_source_info *info);
+/* What the source contributes to each meter of the set; over all sources these add up to ups_result_read_meters. */
+UPS_API ups_status ups_result_read_source_meters(const ups_result *result, uint32_t source, ups_sensor_id sensor,
+                                                 ups_meter_reading *out, size_t count);
+
+/* Of one goniometer. */
+typedef struct ups_goniometer_info {
+  uint32_t struct_size;
+  uint32_t c_count, gamma_count, reserved;
+  double flux_lm, flux_standard_error_lm;  /* of all light that left the scene; < 0: not known */
+  double outside_flux_lm;                  /* part of it beyond the range of gamma; in no reading */
+  double emitted_flux_lm, absorbed_flux_lm; /* what the sources emit; emitted = absorbed + flux, but for noise */
+  double light_output_ratio, light_output_ratio_standard_error; /* flux / emitted */
+  double worst_relative_error_bound, median_relative_error_bound; /* of bound / max(I, 5 % of the peak); < 0: not known */
+} ups_goniometer_info;
+typedef struct ups_intensity_reading { /* never grows; < 0 where not known */
+  float intensity_cd;
+  float standard_error_cd; /* noise alone */
+  float bias_cd;           /* estimated, of the mean over the node's surroundings */
+  float error_bound_cd;    /* 95 %, noise and bias together */
+} ups_intensity_reading;
+UPS_API ups_status ups_result_get_goniometer_info(const ups_result *result, ups_sensor_id sensor, ups_goniometer_info *info);
+/* count = c_count * gamma_count, gamma fastest; symmetry expanded. */
+UPS_API ups_status ups_result_read_goniometer(const ups_result *result, ups_sensor_id sensor, ups_intensity_reading *out,
+                                              size_t count);
+/* The grid, as it was asked for or in equal steps. */
+UPS_API ups_status ups_result_get_goniometer_angles(const ups_result *result, ups_sensor_id sensor, float *c_deg,
+                                                    size_t c_count, float *gamma_deg, size_t gamma_count);
+/* The distribution as a profile, with the opening of the desc, rated for the emitted flux: for luminaires and for
+ * ups_profile_write. The caller owns *out. */
+UPS_API ups_status ups_result_get_goniometer_profile(const ups_result *result, ups_sensor_id sensor, ups_profile **out);
 typedef int32_t ups_channel;
 enum {
   UPS_CHANNEL_LUMINANCE_RGB = 0,      /* 3 floats a pixel, cd/m^2 */

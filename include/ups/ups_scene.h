@@ -64,6 +64,8 @@ typedef struct ups_instance_desc {
   uint32_t struct_size;
   ups_mesh_id mesh;
   double to_world[12]; /* invertible; a negative determinant flips the winding */
+  uint32_t group;      /* of its emission, for UPS_SEPARATE_GROUPS */
+  uint32_t reserved;   /* 0 */
 } ups_instance_desc;
 
 typedef int32_t ups_light_kind;
@@ -76,7 +78,7 @@ typedef struct ups_light_desc {
   double to_world[12];      /* shines along local -Z; scale is ignored */
   float intensity_rgb[3];   /* cd; directional: lx on a surface that faces it */
   float inner_cone_rad, outer_cone_rad; /* spot: 0 <= inner < outer <= pi/2; glTF's falloff in between */
-  float reserved;
+  uint32_t group;           /* for UPS_SEPARATE_GROUPS */
 } ups_light_desc;
 
 typedef struct ups_luminaire_desc {
@@ -88,6 +90,8 @@ typedef struct ups_luminaire_desc {
   float flux_lm;              /* band-rule flux that the luminaire is scaled to; < 0: as the profile */
   float dimming;              /* >= 0, multiplies the flux */
   float intensity_scale;      /* >= 0, multiplies the flux too; for maintenance factors and EXT_lights_ies multipliers */
+  uint32_t group;             /* for UPS_SEPARATE_GROUPS: luminaires that are switched and dimmed together */
+  uint32_t reserved;          /* 0 */
 } ups_luminaire_desc;
 
 UPS_API void ups_texture_desc_init(ups_texture_desc *desc, uint32_t struct_size);

@@ -1,8 +1,9 @@
-/* UPS: cameras and illuminance meters. */
+/* UPS: cameras, illuminance meters and the virtual goniophotometer. */
 #ifndef UPS_SENSOR_H
 #define UPS_SENSOR_H
 
 #include "ups_base.h"
+#include "ups_photometry.h"
 
 typedef int32_t ups_projection;
 enum { UPS_PERSPECTIVE = 0 };
@@ -37,9 +38,27 @@ typedef struct ups_meter_desc {
   uint32_t reserved;          /* 0 */
 } ups_meter_desc;
 
+/* A virtual goniophotometer: light that leaves the scene for good, by direction, as luminous intensity in C-planes. It has
+ * no place: light is measured at infinity. Only methods that trace light paths fill it. Put a fixture alone into a scene to
+ * measure it. Each node of the grid gets the mean intensity around it that a bilinear table needs to carry all the flux. */
+typedef struct ups_goniometer_desc {
+  uint32_t struct_size;
+  ups_profile_symmetry symmetry;   /* of the fixture: directions that it makes alike share their light; the planes must be
+                                    * as symmetric, AXIAL: one plane */
+  const float *c_deg;              /* c_count, ascending in [0, 360), from 0; NULL: equal steps */
+  const float *gamma_deg;          /* gamma_count, ascending in [0, 180]; NULL: equal steps from 0 to 180 */
+  uint32_t c_count, gamma_count;   /* >= 1, >= 2; at most 4,000,000 nodes together */
+  double to_world[12];             /* nadir is local -Z, C0 local +X; its place and scale are ignored */
+  ups_opening_shape opening_shape; /* that ups_result_get_goniometer_profile gives the distribution */
+  float opening_m[3];              /* along local x, y, z */
+} ups_goniometer_desc;
+
 UPS_API void ups_camera_desc_init(ups_camera_desc *desc, uint32_t struct_size);
 UPS_API void ups_meter_desc_init(ups_meter_desc *desc, uint32_t struct_size);
 UPS_API ups_status ups_scene_add_camera(ups_scene *scene, const ups_camera_desc *desc, ups_sensor_id *out);
 UPS_API ups_status ups_scene_add_meters(ups_scene *scene, const ups_meter_desc *desc, ups_sensor_id *out);
+/* The defaults: planes every 15 degrees, gamma every 2.5 degrees, no symmetry. */
+UPS_API void ups_goniometer_desc_init(ups_goniometer_desc *desc, uint32_t struct_size);
+UPS_API ups_status ups_scene_add_goniometer(ups_scene *scene, const ups_goniometer_desc *desc, ups_sensor_id *out);
 
 #endif

@@ -2,10 +2,12 @@
 // not matter. Included by src/api alone.
 #pragma once
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 
+#include "api/fixture_parts.h"
 #include "base/parallel.h"
 #include "photometry/photometry.h"
 #include "render/method.h"
@@ -51,9 +53,15 @@ struct ups_profile {
   std::shared_ptr<const photometry::Photometry> data;
 };
 
+struct ups_fixture {
+  std::vector<std::shared_ptr<const ups::api::FixturePart>> parts;
+};
+
 struct ups_scene {
   std::shared_ptr<ups::ContextCore> context;
   ups::Description description;
   std::shared_ptr<const ups::Snapshot> snapshot;  // of the last commit; null before
   ups::MethodChoice method{};                     // that UPS_METHOD_AUTO stands for on it
+  ups::IdTable<ups::api::PlacedFixture> fixtures;
+  std::map<std::shared_ptr<const ups::api::FixturePart>, ups_mesh_id> fixture_meshes;  // of parts that do not emit
 };

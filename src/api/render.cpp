@@ -40,6 +40,24 @@ size_t index_of(const std::vector<uint32_t>& ids, ups_sensor_id sensor, const ch
   return size_t(it - ids.begin());
 }
 
+void copy_readings(const std::vector<ups_meter_reading>& meters, ups_meter_reading* out, size_t count) {
+  require(out, "out");
+  if (count != meters.size())
+    fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(meters.size()) + " meters");
+  std::copy(meters.begin(), meters.end(), out);
+}
+
+void check_source(const RenderResult& r, uint32_t index) {
+  if (index >= r.sources.size())
+    fail_argument("source " + std::to_string(index) + ": there are " + std::to_string(r.sources.size()) +
+                  " (ups_render_desc.separation)");
+}
+
+const GoniometerReading& goniometer_of(const ups_result* result, ups_sensor_id sensor) {
+  const RenderResult& r = data_of(result);
+  return r.goniometers[index_of(r.goniometer_ids, sensor, "goniometer")];
+}
+
 struct Plane {
   const std::vector<float>& values;
   uint32_t channels;
@@ -170,11 +188,29 @@ ups_status ups_result_get_info(const ups_result* result, ups_result_info* info) 
 ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor, ups_meter_reading* out, size_t count) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
-    const auto& meters = r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")].meters;
-    require(out, "out");
-    if (count != meters.size())
-      fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(meters.size()) + " meters");
-    std::copy(meters.begin(), meters.end(), out);
+    copy_readings(r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")].meters, out, count);
+  });
+}
+
+ups_status ups_result_get_source_count(const ups_result* result, uint32_t* out) {
+  return guard(__func__, [&] { require(out, "out") = uint32_t(data_of(result).sources.size()); });
+}
+
+ups_status ups_result_get_source(const ups_result* result, uint32_t index, ups_source_info* info) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    check_source(r, index);
+    write_info(info, r.sources[index], "info");
+  });
+}
+
+ups_status ups_result_read_source_meters(const ups_result* result, uint32_t source, ups_sensor_id sensor,
+                                         ups_meter_reading* out, size_t count) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    const MeterSetReading& set = r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")];
+    check_source(r, source);
+    copy_readings(set.separated[source], out, count);
   });
 }
 
@@ -182,6 +218,56 @@ ups_status ups_result_get_meter_statistics(const ups_result* result, ups_sensor_
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
     write_info(out, r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")].statistics, "out");
+  });
+}
+
+ups_status ups_result_get_goniometer_info(const ups_result* result, ups_sensor_id sensor, ups_goniometer_info* info) {
+  return guard(__func__, [&] { write_info(info, goniometer_of(result, sensor).info, "info"); });
+}
+
+ups_status ups_result_read_goniometer(const ups_result* result, ups_sensor_id sensor, ups_intensity_reading* out, size_t count) {
+  return guard(__func__, [&] {
+    const auto& nodes = goniometer_of(result, sensor).nodes;
+    require(out, "out");
+    if (count != nodes.size())
+      fail_argument("count is " + std::to_string(count) + "; the goniometer has " + std::to_string(nodes.size()) + " nodes");
+    std::copy(nodes.begin(), nodes.end(), out);
+  });
+}
+
+ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor_id sensor, float* c_deg, size_t c_count,
+                                            float* gamma_deg, size_t gamma_count) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    const Goniometer& g = r.scene->goniometers[index_of(r.goniometer_ids, sensor, "goniometer")];
+    require(c_deg, "c_deg");
+    require(gamma_deg, "gamma_deg");
+    if (c_count != g.c_deg().size() || gamma_count != g.gamma_deg().size())
+      fail_argument("c_count, gamma_count are " + std::to_string(c_count) + ", " + std::to_string(gamma_count) +
+                    "; the goniometer has " + std::to_string(g.c_deg().size()) + " planes of " +
+                    std::to_string(g.gamma_deg().size()) + " angles");
+    const auto to_float = [](double angle) { return float(angle); };
+    std::transform(g.c_deg().begin(), g.c_deg().end(), c_deg, to_float);
+    std::transform(g.gamma_deg().begin(), g.gamma_deg().end(), gamma_deg, to_float);
+  });
+}
+
+ups_status ups_result_get_goniometer_profile(const ups_result* result, ups_sensor_id sensor, ups_profile** out) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    const size_t index = index_of(r.goniometer_ids, sensor, "goniometer");
+    require(out, "out");
+    const GoniometerReading& reading = r.goniometers[index];
+    const Snapshot& scene = *r.scene;
+    const Goniometer& g = scene.goniometers[index];
+    std::vector<double> intensity;
+    for (const ups_intensity_reading& node : reading.nodes) intensity.push_back(double(node.intensity_cd));
+    photometry::Photometry data{photometry::Distribution(g.c_deg(), g.gamma_deg(), std::move(intensity))};
+    data.opening = scene.goniometer_openings[index];
+    data.symmetry = photometry::Symmetry(g.symmetry());
+    data.rated_flux_lm = reading.info.emitted_flux_lm;
+    data.format = "virtual goniophotometer";
+    *out = new ups_profile{std::make_shared<const photometry::Photometry>(std::move(data))};
   });
 }
 

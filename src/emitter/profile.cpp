@@ -1,9 +1,6 @@
 // Emission, next-event estimation and hits of luminaires with a measured distribution.
 #include "emitter/profile.h"
 
-#include "base/error.h"
-#include "base/warp.h"
-
 namespace ups {
 
 PlacedProfile::PlacedProfile(std::shared_ptr<const photometry::Distribution> distribution, const Frame& frame,
@@ -46,99 +43,116 @@ bool ProfilePointEmitter::sample_direct(const Vec3& reference, const Vec2&, Dire
   return is_finite(out.weight);
 }
 
-bool ProfileOpeningEmitter::is_exact(const photometry::Opening& opening) {
-  using photometry::OpeningShape;
-  return (opening.shape == OpeningShape::rectangle || opening.shape == OpeningShape::disc) && opening.size_m[2] == 0;
-}
-
-bool ProfileOpeningEmitter::has_area(const photometry::Opening& opening) {
-  return opening.shape != photometry::OpeningShape::point && opening.size_m[0] > 0 && opening.size_m[1] > 0;
-}
-
-namespace {
-
-// A lying cylinder is seen from below as a rectangle.
-bool is_round(const photometry::Opening& opening) {
-  using photometry::OpeningShape;
-  return opening.shape == OpeningShape::disc || opening.shape == OpeningShape::sphere ||
-         (opening.shape == OpeningShape::cylinder && opening.axis == 2);
-}
-
-}  // namespace
-
 ProfileOpeningEmitter::ProfileOpeningEmitter(std::shared_ptr<const photometry::Distribution> distribution,
                                              const Frame& frame, const Vec3& p, const photometry::Opening& opening,
                                              const Rgb& scale, float error)
     : profile_(std::move(distribution), frame, scale),
+      body_(opening),
+      frame_(body_.turned(frame)),
       p_(p),
-      round_(is_round(opening)),
-      half_x_(0.5f * opening.size_m[0]),
-      half_y_(0.5f * opening.size_m[1]),
+      pdf_a_(float(1 / body_.area())),
       error_(error) {
-  if (!has_area(opening)) fail_argument("a luminous opening without extent along x and y cannot emit as an area");
-  pdf_a_ = 1 / ((round_ ? pi : 4.0f) * half_x_ * half_y_);
-  if (!std::isfinite(pdf_a_) || !(pdf_a_ > 0))
-    fail_argument("a luminous opening's area is outside the range of a float");
+  front_ = brighter_side();
 }
 
-float ProfileOpeningEmitter::circumscribed_radius() const {
-  return round_ ? std::max(half_x_, half_y_) : std::hypot(half_x_, half_y_);
+Vec3d ProfileOpeningEmitter::place_in_body(const Vec3& p) const {
+  const Vec3d v = Vec3d(p) - Vec3d(p_);
+  return {dot(v, Vec3d(frame_.s)), dot(v, Vec3d(frame_.t)), dot(v, Vec3d(frame_.n))};
 }
 
-bool ProfileOpeningEmitter::contains(const Vec3& p_in_plane) const {
-  const Vec3 local = profile_.frame().to_local(p_in_plane - p_);
-  const float x = local.x / half_x_, y = local.y / half_y_;
-  return round_ ? x * x + y * y <= 1 : std::max(std::abs(x), std::abs(y)) <= 1;
+Vec3 ProfileOpeningEmitter::from_body(const Vec3d& v) const {
+  return Vec3(Vec3d(frame_.s) * v.x + Vec3d(frame_.t) * v.y + Vec3d(frame_.n) * v.z);
 }
 
-Vec3 ProfileOpeningEmitter::position(const Vec2& u) const {
-  const Vec2 unit = round_ ? square_to_disc(u) : Vec2{2 * u.x - 1, 2 * u.y - 1};
-  return p_ + profile_.frame().s * (half_x_ * unit.x) + profile_.frame().t * (half_y_ * unit.y);
+// A sheet on a wall shines away from it; one on a ceiling, which may light the ceiling more, hangs below it.
+Vec3 ProfileOpeningEmitter::brighter_side() const {
+  const Vec3 nadir = -profile_.frame().n;
+  if (!body_.is_flat() || frame_.n.x * nadir.x + frame_.n.y * nadir.y + frame_.n.z * nadir.z < -0.5f) return nadir;
+  constexpr int lattice = 16;
+  int balance = 0;
+  for (int i = 0; i < lattice * lattice; ++i) {
+    Vec3 direction;
+    float pdf;
+    if (profile_.sample({(float(i / lattice) + 0.5f) / lattice, (float(i % lattice) + 0.5f) / lattice}, direction, pdf))
+      balance += dot(direction, frame_.n) > 0 ? 1 : -1;
+  }
+  return balance >= 0 ? frame_.n : -frame_.n;
+}
+
+// Per area and solid angle a direction w has the density pdf_w(w) cos / projected area: exactly the profile's direction,
+// then a point of what is seen from there. It is stated as 1 / area, a constant, times the rest.
+bool ProfileOpeningEmitter::emitted(const Vec3& direction, const Vec3d& w, const Vec3d& n, Emitted& out) const {
+  out.cosine = dot(n, w);
+  out.projected_area = body_.projected_area(w);
+  float pdf;
+  if (!(out.cosine > 0) || !(out.projected_area > 0) || !profile_.eval(direction, out.intensity, pdf)) return false;
+  out.pdf_direction_w = float(double(pdf) * out.cosine * body_.area() / out.projected_area);
+  return out.pdf_direction_w > 0;
 }
 
 bool ProfileOpeningEmitter::sample_emission(const Vec2& u_position, const Vec2& u_direction,
                                             EmissionSample& out) const {
   out = {};
-  if (!profile_.sample(u_direction, out.direction, out.pdf_direction_w)) return false;
-  const float cos_up = dot(out.direction, profile_.frame().n);
-  if (cos_up == 0) return false;
-  out.p = position(u_position);
-  out.n = cos_up > 0 ? profile_.frame().n : normal();
+  float pdf;
+  if (!profile_.sample(u_direction, out.direction, pdf)) return false;
+  LuminousBody::Point point;
+  if (!body_.sample_seen_along(normalize(to_body(out.direction)), u_position, point)) return false;
+  out.p = p_ + from_body(point.p);
+  out.n = normalize(from_body(point.n));
   out.flux = flux_rgb();
   out.pdf_position_a = pdf_a_;
-  out.cos_0 = std::abs(cos_up);
+  out.pdf_direction_w = float(double(pdf) * point.pdf_a * body_.area());
+  out.cos_0 = dot(out.n, out.direction);
   out.error = error_;
-  return true;
+  return out.pdf_direction_w > 0 && out.cos_0 > 0;
 }
 
 bool ProfileOpeningEmitter::sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const {
-  const Vec3 p = position(u), to_p = p - reference;
-  const float distance2 = length2(to_p);
-  if (!(distance2 > 0)) return false;
   out = {};
-  out.p = p;
-  out.distance = std::sqrt(distance2);
-  out.wi = to_p / out.distance;
-  const float cos_up = -dot(out.wi, profile_.frame().n);
-  Rgb intensity;
-  if (cos_up == 0 || !profile_.eval(-out.wi, intensity, out.pdf_direction_w)) return false;
-  out.n = cos_up > 0 ? profile_.frame().n : normal();
-  out.cos_0 = std::abs(cos_up);
-  out.weight = intensity / distance2;  // L cos_0 / (d^2 pdf_a), in which cosine and area cancel
-  out.pdf_nee_a = pdf_a_;
+  const Vec3d local = place_in_body(reference);
+  LuminousBody::Point point;
+  if (!body_.sample_seen_from(local, u, point)) return false;
+  const Vec3d to_reference = local - point.p;
+  const double distance2 = length2(to_reference);
+  if (!(distance2 > 0)) return false;
+  out.p = p_ + from_body(point.p);
+  out.n = normalize(from_body(point.n));
+  out.distance = float(std::sqrt(distance2));
+  const Vec3d w = to_reference / std::sqrt(distance2);
+  out.wi = normalize(from_body(-w));
+  Emitted e;
+  if (!emitted(-out.wi, w, point.n, e)) return false;
+  out.cos_0 = float(e.cosine);
+  out.weight = e.intensity * float(e.cosine / (e.projected_area * distance2 * point.pdf_a));
+  out.pdf_nee_a = float(point.pdf_a);
   out.pdf_position_a = pdf_a_;
+  out.pdf_direction_w = e.pdf_direction_w;
   out.error = error_;
   return is_finite(out.weight);
 }
 
-bool ProfileOpeningEmitter::eval_hit(const Vec3&, const Vec3&, uint32_t, const Vec3& wo, EmitterHit& out) const {
-  const float cosine = std::abs(dot(wo, profile_.frame().n));
-  Rgb intensity;
-  if (cosine == 0 || !profile_.eval(wo, intensity, out.pdf_direction_w)) return false;
-  out.radiance = intensity * (pdf_a_ / cosine);
-  out.pdf_nee_a = pdf_a_;
+bool ProfileOpeningEmitter::eval_hit(const Vec3& reference, const Vec3& p, uint32_t, const Vec3& wo,
+                                     EmitterHit& out) const {
+  const Vec3d local = place_in_body(p), w = normalize(to_body(wo));
+  Vec3d n;
+  Emitted e;
+  if (!body_.normal_at(local, w, n) || !emitted(wo, w, n, e)) return false;
+  out.radiance = e.intensity * float(1 / e.projected_area);
+  out.pdf_nee_a = float(body_.pdf_seen_from(place_in_body(reference), local, n));
   out.pdf_position_a = pdf_a_;
+  out.pdf_direction_w = e.pdf_direction_w;
   return is_finite(out.radiance);
+}
+
+bool ProfileOpeningEmitter::enter(const Vec3& o, const Vec3& d, float& t, float& cosine) const {
+  const double lift = 2 * double(error_), margin = body_.is_flat() && dot(front_, frame_.n) < 0 ? -lift : lift;
+  const Vec3d w = normalize(to_body(d));
+  double distance;
+  Vec3d n;
+  if (!body_.enter(place_in_body(o), w, margin, distance, n)) return false;
+  t = float(distance);
+  cosine = float(std::abs(dot(n, w)));
+  return true;
 }
 
 }  // namespace ups

@@ -1,9 +1,10 @@
-// Luminaires with a measured intensity distribution, from a point or from a flat luminous opening. Made by the scene
-// for every luminaire.
+// Luminaires with a measured intensity distribution, from a point or from a luminous opening. Made by the scene for every
+// luminaire.
 #pragma once
 #include <memory>
 
 #include "emitter/emitter.h"
+#include "emitter/opening.h"
 #include "emitter/point.h"
 #include "photometry/photometry.h"
 
@@ -41,17 +42,14 @@ class ProfilePointEmitter : public PunctualEmitter {
   PlacedProfile profile_;
 };
 
-// A flat opening centred on p in the local xy-plane. Its luminance I(w) / (A |cos|) is the same all over, so that from
-// afar it is the distribution's intensity; what is above gamma = 90 degrees leaves from the back.
+// A luminous opening centred on p: a convex body, or a sheet with two sides. Its luminance towards a direction is the same
+// all over what is seen from there, I / projected area: from afar it is the distribution's intensity, near by the body's.
+// It emits outwards alone and blocks nothing; a point inside sees nothing of it.
 class ProfileOpeningEmitter : public Emitter {
  public:
-  // Throws Error where the opening has no area in the xy-plane (has_area).
+  // error: of the body's surface, for ray origins. Throws Error where the opening has no area (LuminousBody::has_area).
   ProfileOpeningEmitter(std::shared_ptr<const photometry::Distribution> distribution, const Frame& frame, const Vec3& p,
                         const photometry::Opening& opening, const Rgb& scale, float error);
-
-  // Whether the opening is flat and horizontal, as this emitter is. Of others it takes the horizontal extent.
-  static bool is_exact(const photometry::Opening& opening);
-  static bool has_area(const photometry::Opening& opening);
 
   EmitterKind kind() const override { return EmitterKind::profile_opening; }
   bool is_delta() const override { return false; }
@@ -64,17 +62,30 @@ class ProfileOpeningEmitter : public Emitter {
   bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,
                 EmitterHit& out) const override;
 
-  float circumscribed_radius() const;
-  Vec3 normal() const { return -profile_.frame().n; }  // towards nadir
-  bool contains(const Vec3& p_in_plane) const;
+  bool is_flat() const { return body_.is_flat(); }
+  float circumscribed_radius() const { return float(body_.circumscribed_radius()); }
+  Vec3 normal() const { return front_; }  // of a flat opening, of its front: towards nadir, or to the brighter side
+  // Where a ray with unit direction enters what walks run into: the surface, lifted as ray origins are (a sheet to its
+  // front). cosine: |n . d| there.
+  bool enter(const Vec3& o, const Vec3& d, float& t, float& cosine) const;
 
  private:
-  Vec3 position(const Vec2& u) const;
+  Vec3d to_body(const Vec3& v) const { return {dot(v, frame_.s), dot(v, frame_.t), dot(v, frame_.n)}; }
+  Vec3d place_in_body(const Vec3& p) const;
+  Vec3 from_body(const Vec3d& v) const;
+  Vec3 brighter_side() const;
+  // What leaves a point with normal n towards w, both in the body's frame.
+  struct Emitted {
+    Rgb intensity;
+    double projected_area, cosine;
+    float pdf_direction_w;
+  };
+  bool emitted(const Vec3& direction, const Vec3d& w, const Vec3d& n, Emitted& out) const;
 
   PlacedProfile profile_;
-  Vec3 p_;
-  bool round_;
-  float half_x_, half_y_;  // half the extent, or the ellipse's semi-axes
+  LuminousBody body_;
+  Frame frame_;  // the body's
+  Vec3 p_, front_;
   float pdf_a_, error_;
 };
 

@@ -15,10 +15,24 @@ using Crossing = DiscIndex::Crossing;
 
 constexpr size_t brute_force_count = 4;
 
+bool is_ball(const Disc& disc) { return disc.normal.x == 0 && disc.normal.y == 0 && disc.normal.z == 0; }
+
+// A ball is reported from where it is entered, or from the start inside.
+bool cross_ball(const Disc& ball, const Vec3d& o, const Vec3d& d, float tmax, float& t_out) {
+  const Vec3d to_center = Vec3d(ball.center) - o;
+  const double middle = dot(to_center, d), radius = ball.radius;
+  const double half2 = radius * radius - length2(to_center - d * middle);
+  if (!(half2 >= 0)) return false;
+  const double half = std::sqrt(half2);
+  if (!(middle + half >= 0 && middle - half <= tmax)) return false;
+  t_out = float(std::max(0.0, middle - half));
+  return true;
+}
+
 bool cross(const Disc& disc, const Vec3d& o, const Vec3d& d, float tmax, float& t_out) {
   const Vec3d n(disc.normal), c(disc.center);
   const double divisor = dot(d, n);
-  if (divisor == 0) return false;
+  if (divisor == 0) return is_ball(disc) && cross_ball(disc, o, d, tmax, t_out);
   const double t = dot(c - o, n) / divisor;
   if (!(t >= 0 && t <= tmax)) return false;
   if (length2(o + d * t - c) > double(disc.radius) * disc.radius) return false;

@@ -63,11 +63,12 @@ class Raytracer {
   std::unique_ptr<Impl> impl_;
 };
 
-// Discs in space, found by segments: meters' sensor index, luminous openings. Every disc crossed is reported once.
+// Discs and balls in space, found by segments: meters' sensor index, what surrounds luminous openings. Every one crossed is
+// reported once.
 class DiscIndex {
  public:
   struct Disc {
-    Vec3 center, normal;  // unit normal
+    Vec3 center, normal;  // unit normal; (0, 0, 0) makes it a ball
     float radius;
   };
   explicit DiscIndex(std::vector<Disc> discs, int thread_count);
@@ -76,7 +77,8 @@ class DiscIndex {
     uint32_t disc;
     float t;
   };
-  // Appends all crossings with 0 <= t <= tmax of the disc's plane within its radius, both sides, sorted by disc.
+  // Appends all crossings with 0 <= t <= tmax of the disc's plane within its radius, both sides, sorted by disc. A ball is
+  // crossed where the segment enters it, or at t = 0.
   void intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Crossing>& out) const;
   bool empty() const;
   const Disc& disc(uint32_t i) const;

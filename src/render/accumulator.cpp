@@ -7,44 +7,6 @@ namespace ups {
 
 namespace {
 
-// Fewer replicates say too little about an error.
-constexpr uint32_t min_batches = 4;
-constexpr double share_of_mean = 0.05;  // the floor of a relative error's denominator
-
-// Two-sided 95 % quantile of Student's t, 3 to 15 degrees of freedom.
-double t_quantile(uint32_t batches) {
-  static constexpr double table[] = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131};
-  return table[std::min<uint32_t>(batches, batch_count) - min_batches];
-}
-
-struct Spread {
-  double mean = 0, standard_error = -1;
-};
-// Of batch sums with counts that differ by one at the most.
-template <class T>
-Spread spread(const T* sums, uint32_t samples, size_t stride = 1) {
-  const uint32_t used = std::min(samples, batch_count);
-  Spread s;
-  double total = 0;
-  for (uint32_t b = 0; b < used; ++b) total += sums[b * stride];
-  s.mean = samples ? total / samples : 0;
-  if (used < min_batches) return s;
-  double square = 0;
-  for (uint32_t b = 0; b < used; ++b) {
-    const double n = samples / batch_count + (b < samples % batch_count);
-    const double d = sums[b * stride] / n - s.mean;
-    square += n * d * d;
-  }
-  s.standard_error = std::sqrt(square / (double(samples) * (used - 1)));
-  return s;
-}
-
-double quantile(std::vector<double>& v, double q) {
-  const size_t i = std::min(v.size() - 1, size_t(q * double(v.size())));
-  std::nth_element(v.begin(), v.begin() + ptrdiff_t(i), v.end());
-  return v[i];
-}
-
 ErrorSummary summary_of(std::vector<double> errors, double bias_share) {
   ErrorSummary s;
   if (errors.empty()) return s;
@@ -63,8 +25,12 @@ ErrorSummary summary_of(std::vector<double> errors, double bias_share) {
 
 }  // namespace
 
-Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan), emits_(scene.emitters.flux_lm() > 0) {
-  for (const MeterSet& set : scene.meter_sets) meters_.emplace_back(set.meters.size());
+Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan), emitted_lm_(scene.emitters.flux_lm()), emits_(emitted_lm_ > 0) {
+  for (const Goniometer& g : scene.goniometers) goniometers_.emplace_back(g);
+  for (const MeterSet& set : scene.meter_sets) {
+    meters_.emplace_back(set.meters.size());
+    separated_.emplace_back(set.meters.size() * plan.separation.columns.size());
+  }
   for (const Camera& c : scene.cameras) {
     const size_t n = size_t(c.pixel_count()) * 3;
     images_.push_back({c.width(), c.height(), std::vector<double>(c.illuminance() ? n / 3 : 0), std::vector<double>(n), std::vector<double>(n), std::vector<float>(n),
@@ -72,17 +38,20 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan),
   }
 }
 
+void Accumulator::MeterSums::add(uint32_t batch, const MeterTally& t) {
+  value[batch] += t.value;
+  direct += t.direct;
+  bias[batch] += t.bias;
+}
+
 void Accumulator::add(const IterationTally& tally) {
   const uint32_t batch = iterations_ % batch_count;
-  for (size_t s = 0; s < meters_.size(); ++s)
-    for (size_t m = 0; m < meters_[s].size(); ++m) {
-      const MeterTally& t = tally.meters[s][m];
-      MeterSums& sums = meters_[s][m];
-      sums.value[batch] += t.value;
-      sums.direct += t.direct;
-      sums.bias[batch] += t.bias;
-    }
+  for (size_t s = 0; s < meters_.size(); ++s) {
+    for (size_t m = 0; m < meters_[s].size(); ++m) meters_[s][m].add(batch, tally.meters[s][m]);
+    for (size_t i = 0; i < separated_[s].size(); ++i) separated_[s][i].add(batch, tally.separated[s][i]);
+  }
   for (size_t c = 0; c < images_.size(); ++c) add_image(c, tally);
+  for (size_t g = 0; g < goniometers_.size(); ++g) goniometers_[g].add(batch, tally.goniometers[g]);
   work_.add(tally.work);
   ++iterations_;
 }
@@ -137,6 +106,30 @@ void Accumulator::add_image(size_t c, const IterationTally& tally) {
   std::fill(image.pending.begin(), image.pending.end(), 0.0f);
 }
 
+ups_meter_reading Accumulator::reading_of(const MeterSums& sums) const {
+  const Spread e = spread(sums.value, iterations_), b = spread(sums.bias, iterations_);
+  ups_meter_reading out;
+  out.illuminance_lx = float(e.mean);
+  out.direct_lx = float(iterations_ ? sums.direct / iterations_ : 0.0);
+  out.indirect_lx = float(std::max(0.0, e.mean - double(out.direct_lx)));
+  out.bias_lx = float(b.mean);
+  out.standard_error_lx = float(e.standard_error);
+  // |b| + t sqrt(s^2 + s_b^2): the two are uncorrelated, as the bias estimate's kernel is orthogonal to the disc's.
+  out.error_bound_lx = e.standard_error < 0 ? -1.0f
+                                            : float(std::abs(b.mean) + t_quantile(iterations_) * std::hypot(e.standard_error, b.standard_error));
+  return out;
+}
+
+MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
+  MeterSetReading r = read_meters(set);
+  const size_t columns = plan_.separation.columns.size();
+  for (size_t c = 0; c < columns; ++c) {
+    std::vector<ups_meter_reading>& column = r.separated.emplace_back();
+    for (size_t m = 0; m < r.meters.size(); ++m) column.push_back(reading_of(separated_[set][m * columns + c]));
+  }
+  return r;
+}
+
 MeterSetReading Accumulator::read_meters(size_t set) const {
   const std::vector<MeterSums>& meters = meters_[set];
   MeterSetReading r;
@@ -144,18 +137,10 @@ MeterSetReading Accumulator::read_meters(size_t set) const {
   double batch_mean[batch_count] = {}, minimum = INFINITY, maximum = 0;
   for (size_t m = 0; m < meters.size(); ++m) {
     const MeterSums& sums = meters[m];
-    const Spread e = spread(sums.value, iterations_), b = spread(sums.bias, iterations_);
-    ups_meter_reading& out = r.meters[m];
-    out.illuminance_lx = float(e.mean);
-    out.direct_lx = float(iterations_ ? sums.direct / iterations_ : 0.0);
-    out.indirect_lx = float(std::max(0.0, e.mean - double(out.direct_lx)));
-    out.bias_lx = float(b.mean);
-    out.standard_error_lx = float(e.standard_error);
-    // |b| + t sqrt(s^2 + s_b^2): the two are uncorrelated, as the bias estimate's kernel is orthogonal to the disc's.
-    out.error_bound_lx = e.standard_error < 0 ? -1.0f
-                                              : float(std::abs(b.mean) + t_quantile(iterations_) * std::hypot(e.standard_error, b.standard_error));
-    minimum = std::min(minimum, e.mean);
-    maximum = std::max(maximum, e.mean);
+    r.meters[m] = reading_of(sums);
+    const double mean = spread(sums.value, iterations_).mean;
+    minimum = std::min(minimum, mean);
+    maximum = std::max(maximum, mean);
     for (uint32_t k = 0; k < batch_count; ++k) batch_mean[k] += sums.value[k] / double(meters.size());
   }
   const Spread mean = spread(batch_mean, iterations_);
@@ -263,7 +248,7 @@ void Accumulator::fill_from_neighbours(const Image& image, ImageReading& r) cons
 }
 
 ErrorSummary Accumulator::summarize() const {
-  if (meters_.empty()) return summarize_images();
+  if (meters_.empty()) return images_.empty() ? summarize_goniometers() : summarize_images();
   std::vector<double> errors;
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
@@ -282,6 +267,17 @@ ErrorSummary Accumulator::summarize() const {
     }
   }
   return summary_of(std::move(errors), bound > 0 ? bias / bound : 0.0);
+}
+
+GoniometerReading Accumulator::read_goniometer(size_t goniometer) const {
+  return goniometers_[goniometer].read(iterations_, emitted_lm_);
+}
+
+ErrorSummary Accumulator::summarize_goniometers() const {
+  std::vector<double> errors;
+  for (const GoniometerSums& g : goniometers_)
+    if (!g.relative_errors(iterations_, errors)) return {};
+  return summary_of(std::move(errors), 0.0);
 }
 
 ErrorSummary Accumulator::summarize_images() const {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "transport/integrator.h"
+#include "render/goniometer_sums.h"
 #include "ups/ups_render.h"
 
 namespace ups {
@@ -26,6 +26,7 @@ struct ImageReading {
 
 struct MeterSetReading {
   std::vector<ups_meter_reading> meters;
+  std::vector<std::vector<ups_meter_reading>> separated;  // by column of Plan::separation; empty where not asked for
   ups_meter_statistics statistics{};
 };
 
@@ -41,7 +42,9 @@ class Accumulator {
   uint32_t iterations() const { return iterations_; }
   const WorkCounts& work() const { return work_; }
 
-  MeterSetReading read_meters(size_t set) const;
+  MeterSetReading read_meters(size_t set) const;  // without what is separated
+  MeterSetReading read_meters_and_sources(size_t set) const;
+  GoniometerReading read_goniometer(size_t goniometer) const;
   ImageReading read_image(size_t camera) const;  // without its techniques
   ImageReading read_image_and_techniques(size_t camera) const;
   ErrorSummary summarize() const;
@@ -51,7 +54,9 @@ class Accumulator {
   // value, direct, bias of each batch of one meter
   struct MeterSums {
     double value[batch_count] = {}, direct = 0, bias[batch_count] = {};
+    void add(uint32_t batch, const MeterTally& tally);
   };
+  ups_meter_reading reading_of(const MeterSums& sums) const;
   struct Image {
     uint32_t width, height;
     std::vector<double> illuminance;     // of all visits; empty where not asked for
@@ -67,16 +72,20 @@ class Accumulator {
   void read_techniques(const Image& image, ImageReading& reading) const;
   void add_image(size_t c, const IterationTally& tally);
   ErrorSummary summarize_images() const;
+  ErrorSummary summarize_goniometers() const;
   uint32_t visits(const Image& image, size_t pixel) const;
   void fill_from_neighbours(const Image& image, ImageReading& reading) const;
   // Light that has not been found by then is taken not to be there.
   bool takes_dark_for_dark() const { return !emits_ || iterations_ >= 16 * batch_count; }
 
   const Plan& plan_;
+  const double emitted_lm_;
   const bool emits_;
   uint32_t iterations_ = 0;
   std::vector<std::vector<MeterSums>> meters_;
+  std::vector<std::vector<MeterSums>> separated_;  // as IterationTally::separated
   std::vector<Image> images_;
+  std::vector<GoniometerSums> goniometers_;
   WorkCounts work_;
 };
 

@@ -54,7 +54,7 @@ bool can_merge(std::string_view v, SensorKind sensor, const TransportSettings& s
 }  // namespace
 
 Sensors sensors_of(const Snapshot& scene) {
-  Sensors s{!scene.cameras.empty(), false, false, false};
+  Sensors s{!scene.cameras.empty(), false, false, false, !scene.goniometers.empty()};
   for (const Camera& c : scene.cameras) s.illuminance_cameras |= c.illuminance();
   for (const MeterSet& m : scene.meter_sets) (m.is_cell() ? s.cells : s.points) = true;
   return s;
@@ -147,6 +147,8 @@ std::vector<std::string> missing_light(const Snapshot& scene, const TransportSet
         lines.push_back("light of " + listed(emitters) + (hittable ? "" : " (without extent)") + " on paths " + letters.words(v) +
                         " - " + name + " is missing: no technique of this set samples it; method ups with all of its has one");
   }
+  if (has.goniometers && !settings.traces_light())
+    lines.push_back("the goniometer measures nothing: this set of techniques traces no light paths; methods lt and ups do");
   return lines;
 }
 

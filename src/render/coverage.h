@@ -14,7 +14,7 @@ enum class SensorKind { camera, point_meter, cell };
 
 // Which kinds a scene has.
 struct Sensors {
-  bool cameras, illuminance_cameras, points, cells;
+  bool cameras, illuminance_cameras, points, cells, goniometers;
 };
 Sensors sensors_of(const Snapshot& scene);
 

@@ -32,20 +32,26 @@ void check(const ups_render_desc& d) {
     fail_argument("perturbation: " + std::to_string(d.perturbation) + " is not a UPS_PERTURBATION_* value");
   if (d.technique_images > max_technique_edges)
     fail_argument("technique_images: " + std::to_string(d.technique_images) + " edges; at most " + std::to_string(max_technique_edges));
+  if (d.separation < UPS_SEPARATE_NOTHING || d.separation > UPS_SEPARATE_GROUPS)
+    fail_argument("separation: " + std::to_string(d.separation) + " is not a UPS_SEPARATE_* value");
+  if (d.reserved != 0) fail_argument("reserved is " + std::to_string(d.reserved) + "; it must be 0");
   if (d.techniques >= 64) fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
   if (d.time_limit_s == 0 && d.target_relative_error == 0 && d.iteration_count == 0)
     fail_argument("nothing would end this render: set time_limit_s, target_relative_error or iteration_count");
 }
 
 // Linux grants more memory than there is and ends the process that takes it.
-void check_memory(const Snapshot& scene, uint32_t technique_edges) {
+void check_memory(const Snapshot& scene, uint32_t technique_edges, size_t columns) {
   // Sums, batches and one iteration's tally (accumulator.h, tally.h); of a technique those and what is read out.
   const double bytes_per_pixel = 320 + 96.0 * (technique_edges ? technique_count(technique_edges) + 1 : 0);
   double pixels = 0;
   for (const Camera& c : scene.cameras) pixels += c.pixel_count();
-  const double needed = pixels * bytes_per_pixel, there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  double meters = 0;
+  for (const MeterSet& set : scene.meter_sets) meters += double(set.meters.size());
+  constexpr double bytes_per_reading = 320;  // sums by batch, one iteration's tally, and the reading
+  const double needed = pixels * bytes_per_pixel + meters * double(columns) * bytes_per_reading, there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   if (needed > there)
-    throw Error(UPS_ERROR_OUT_OF_MEMORY, "the cameras' images need " + std::to_string(int64_t(needed / 1e9)) + " GB while they are rendered, the machine has " +
+    throw Error(UPS_ERROR_OUT_OF_MEMORY, "the cameras' images and the meters' separate readings need " + std::to_string(int64_t(needed / 1e9)) + " GB while they are rendered, the machine has " +
                                              std::to_string(int64_t(there / 1e9)));
 }
 
@@ -57,9 +63,9 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
   method_ = choose_method(*scene_, desc_);
   if (desc_.perturbation == UPS_PERTURBATION_ACTUAL && !(method_.techniques & UPS_TECHNIQUE_MERGE) && !(desc_.merge_radius_m > 0))
     fail_argument("perturbation: UPS_PERTURBATION_ACTUAL needs the radius of merging: set merge_radius_m, or take a method that merges");
-  check_memory(*scene_, desc_.technique_images);
-  if (scene_->cameras.empty() && scene_->meter_sets.empty())
-    throw Error(UPS_ERROR_INVALID_STATE, "the scene has no sensor: add a camera or meters before ups_scene_commit");
+  check_memory(*scene_, desc_.technique_images, separate(*scene_, desc_.separation).columns.size());
+  if (scene_->cameras.empty() && scene_->meter_sets.empty() && scene_->goniometers.empty())
+    throw Error(UPS_ERROR_INVALID_STATE, "the scene has no sensor: add a camera, meters or a goniometer before ups_scene_commit");
 }
 
 RenderJob::~RenderJob() {
@@ -223,7 +229,14 @@ std::shared_ptr<const RenderResult> RenderJob::result() const {
   r->camera_ids = scene_->camera_ids;
   r->meter_set_ids = scene_->meter_set_ids;
   for (size_t c = 0; c < scene_->cameras.size(); ++c) r->images.push_back(sums_->read_image_and_techniques(c));
-  for (size_t s = 0; s < scene_->meter_sets.size(); ++s) r->meter_sets.push_back(sums_->read_meters(s));
+  for (size_t s = 0; s < scene_->meter_sets.size(); ++s) r->meter_sets.push_back(sums_->read_meters_and_sources(s));
+  r->sources = integrator_->plan().separation.columns;
+  r->scene = scene_;
+  r->goniometer_ids = scene_->goniometer_ids;
+  for (size_t g = 0; g < scene_->goniometers.size(); ++g) {
+    r->goniometers.push_back(sums_->read_goniometer(g));
+    r->goniometers.back().info.absorbed_flux_lm = absorbed_lm_;
+  }
   r->convergence = convergence_;
   r->warnings = lines(scene_->warnings) + lines(method_.warnings);
   add_warnings(*r);

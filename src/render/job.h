@@ -18,9 +18,12 @@ namespace ups {
 // A finished or intermediate result; immutable.
 struct RenderResult {
   ups_result_info info{};
-  std::vector<uint32_t> camera_ids, meter_set_ids;
+  std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;
+  std::vector<GoniometerReading> goniometers;
+  std::shared_ptr<const Snapshot> scene;  // has the goniometers' grids
   std::vector<ImageReading> images;
   std::vector<MeterSetReading> meter_sets;
+  std::vector<ups_source_info> sources;  // columns of MeterSetReading::separated
   std::vector<ups_convergence_point> convergence;
   std::string warnings, effects, techniques, dropped;
 };

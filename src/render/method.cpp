@@ -26,7 +26,8 @@ uint32_t techniques_of(int32_t method) {
 }
 
 // Without a caster that is sharp, and where eye paths reach all light, photons add nothing that eye paths lack.
-int32_t automatic(const Snapshot& scene) {
+int32_t automatic(const Snapshot& scene, const Sensors& s) {
+  if (s.goniometers) return s.cameras || s.points || s.cells ? UPS_METHOD_UPS : UPS_METHOD_LIGHT_TRACING;
   return scene.effects.path_tracing_complete && !scene.effects.sharp_caster ? UPS_METHOD_PATH_TRACING : UPS_METHOD_UPS;
 }
 
@@ -47,8 +48,9 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
            scene.effects.path_tracing_complete ? "caustics: photons are merged at diffuse vertices and meters"
                                                : "some light reaches diffuse surfaces through specular ones alone: only photons carry it",
            was_automatic ? "no photon index and no merging: " + diffuse : "not in the set" + chosen);
-  describe(text, t, sensor_hit, "sensor_hit", "light paths are counted where they land on a meter's cell",
-           !s.cells ? "no meter measures a cell" : was_automatic ? diffuse : "not in the set" + chosen);
+  describe(text, t, sensor_hit, "sensor_hit", s.goniometers ? "light paths are counted where they leave the scene for a goniometer, or land on a meter's cell"
+                         : "light paths are counted where they land on a meter's cell",
+           !s.cells && !s.goniometers ? "no meter measures a cell" : was_automatic ? diffuse : "not in the set" + chosen);
   return text;
 }
 
@@ -64,6 +66,7 @@ TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
   s.actual_perturbation = d.perturbation == UPS_PERTURBATION_ACTUAL;
   s.technique_edges = d.technique_images;
   if (d.radius_alpha > 0) s.radius_alpha = d.radius_alpha;
+  s.separation = d.separation;
   s.seed = d.seed;
   s.max_path_length = d.max_path_length;
   s.light_paths = d.light_paths_per_iteration;
@@ -73,15 +76,15 @@ TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
 
 MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
   MethodChoice choice;
-  const bool is_automatic = desc.method == UPS_METHOD_AUTO;
-  choice.method = is_automatic ? automatic(scene) : desc.method;
-  choice.techniques = techniques_of(choice.method);
   const Sensors s = sensors_of(scene);
+  const bool is_automatic = desc.method == UPS_METHOD_AUTO;
+  choice.method = is_automatic ? automatic(scene, s) : desc.method;
+  choice.techniques = techniques_of(choice.method);
   if (!s.cameras) choice.techniques &= ~sensor_connect;
-  if (!s.cells) choice.techniques &= ~sensor_hit;
+  if (!s.cells && !s.goniometers) choice.techniques &= ~sensor_hit;
   if (choice.method == UPS_METHOD_LIGHT_TRACING && (s.points || s.illuminance_cameras)) choice.techniques |= connect;  // t = 1 of a point
   if (desc.techniques) choice.techniques &= desc.techniques;
-  if (choice.techniques == 0 && (s.cameras || s.points || s.cells))
+  if (choice.techniques == 0 && (s.cameras || s.points || s.cells || s.goniometers))
     throw Error(UPS_ERROR_INVALID_ARGUMENT, "techniques: none of the method's techniques is allowed; 0 allows them all");
   choice.text = words(scene, choice.techniques, s, is_automatic);
   choice.warnings = missing_light(scene, settings_of(desc, choice));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/check.h"
+#include "sensor/goniometer.h"
 
 namespace ups {
 namespace {
@@ -182,7 +183,8 @@ ups_instance_id Description::add_instance(const ups_instance_desc& d) {
   check::require(d.mesh.v != 0, "mesh is 0; an instance needs one");
   meshes_.get(d.mesh.v, "mesh: mesh");
   check::transform(d.to_world, "to_world");
-  return {instances_.add({d.mesh.v, to_affine(d.to_world)})};
+  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  return {instances_.add({d.mesh.v, to_affine(d.to_world), d.group})};
 }
 
 void Description::set_transform(ups_instance_id id, const double (&to_world)[12]) {
@@ -197,7 +199,6 @@ ups_luminaire_id Description::add_light(const ups_light_desc& d) {
   check::enumeration(d.kind, UPS_LIGHT_DIRECTIONAL, "kind", "UPS_LIGHT_*");
   check::transform(d.to_world, "to_world");
   check::colour(d.intensity_rgb, 0, INFINITY, "intensity_rgb");
-  check::require(d.reserved == 0, "reserved is " + check::text(double(d.reserved)) + "; it must be 0");
   if (d.kind == UPS_LIGHT_SPOT) {
     check::range(double(d.outer_cone_rad), 0, double(float(0.5 * 3.14159265358979)), "outer_cone_rad");
     check::require(d.inner_cone_rad >= 0 && d.inner_cone_rad < d.outer_cone_rad,
@@ -207,7 +208,7 @@ ups_luminaire_id Description::add_light(const ups_light_desc& d) {
   }
   const LightDescription light{d.kind, to_affine(d.to_world), to_rgb(d.intensity_rgb), d.inner_cone_rad,
                                d.outer_cone_rad};
-  return {sources_.add({light, 1.0f})};
+  return {sources_.add({light, 1.0f, d.group})};
 }
 
 ups_luminaire_id Description::add_luminaire(const ups_luminaire_desc& d,
@@ -227,7 +228,8 @@ ups_luminaire_id Description::add_luminaire(const ups_luminaire_desc& d,
       "flux_lm is " + check::text(double(d.flux_lm)) + ", but the profile emits nothing that could be scaled to it");
   LuminaireDescription luminaire{std::move(profile),      d.use_opening == 1, to_affine(d.to_world),
                                  to_rgb(d.color_rgb) / y, d.flux_lm,          d.intensity_scale};
-  return {sources_.add({std::move(luminaire), d.dimming})};
+  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  return {sources_.add({std::move(luminaire), d.dimming, d.group})};
 }
 
 void Description::set_dimming(ups_luminaire_id id, float dimming) {
@@ -288,6 +290,50 @@ ups_sensor_id Description::add_meters(const ups_meter_desc& d) {
                     " is parallel to its normal, or 0; it must point along a side");
   }
   return {sensors_.add(std::move(meters))};
+}
+
+namespace {
+
+// The angles as given, or equal steps; checked by element.
+std::vector<double> angles_of(const float* given, uint32_t count, double step, double limit, bool limit_allowed,
+                              const std::string& field) {
+  std::vector<double> angles;
+  for (uint32_t i = 0; i < count; ++i) {
+    const double a = given ? double(given[i]) : i * step;
+    check::require(a >= 0 && (a < limit || (limit_allowed && a == limit)),
+                   check::element(field, i) + " is " + check::text(a) + "; it must be in [0, " + check::text(limit) +
+                       (limit_allowed ? "]" : ")"));
+    check::require(i == 0 || a > angles.back(),
+                   check::element(field, i) + " is " + check::text(a) + "; it must be greater than the one before");
+    angles.push_back(a);
+  }
+  return angles;
+}
+
+}  // namespace
+
+ups_sensor_id Description::add_goniometer(const ups_goniometer_desc& d) {
+  constexpr uint64_t most = photometry::Distribution::max_values;
+  check::enumeration(d.symmetry, UPS_SYMMETRY_QUADRANTS, "symmetry", "UPS_SYMMETRY_*");
+  check::enumeration(d.opening_shape, UPS_OPENING_SPHERE, "opening_shape", "UPS_OPENING_*");
+  check_count(d.c_count, 1, most, "c_count");
+  check_count(d.gamma_count, 2, most, "gamma_count");
+  check::require(uint64_t(d.c_count) * d.gamma_count <= most,
+                 "c_count * gamma_count is " + std::to_string(uint64_t(d.c_count) * d.gamma_count) +
+                     "; it must be at most " + std::to_string(most));
+  check::transform(d.to_world, "to_world");
+  GoniometerDescription g{to_affine(d.to_world), d.symmetry, {}, {}, {}};
+  g.c_deg = angles_of(d.c_deg, d.c_count, 360.0 / d.c_count, 360, false, "c_deg");
+  g.gamma_deg = angles_of(d.gamma_deg, d.gamma_count, 180.0 / (d.gamma_count - 1), 180, true, "gamma_deg");
+  check::require(g.c_deg[0] == 0, "c_deg[0] is " + check::text(g.c_deg[0]) + "; the first plane must be 0");
+  if (!d.gamma_deg) g.gamma_deg.back() = 180;
+  g.opening.shape = photometry::OpeningShape(d.opening_shape);
+  for (int k = 0; k < 3; ++k) {
+    check::range(double(d.opening_m[k]), 0, 1e6, check::element("opening_m", size_t(k)));
+    g.opening.size_m[k] = d.opening_m[k];
+  }
+  Goniometer(Frame(Vec3(0, 0, 1)), g.c_deg, g.gamma_deg, Goniometer::Symmetry(d.symmetry));  // throws what is wrong
+  return {sensors_.add(std::move(g))};
 }
 
 }  // namespace ups

@@ -58,6 +58,7 @@ struct TextureDescription {
 struct InstanceDescription {
   uint32_t mesh;  // id
   Affine to_world;
+  uint32_t group;
 };
 
 struct LightDescription {
@@ -78,6 +79,7 @@ struct LuminaireDescription {
 struct SourceDescription {  // lights and luminaires share their ids
   std::variant<LightDescription, LuminaireDescription> kind;
   float dimming;
+  uint32_t group;
 };
 
 struct CameraDescription {
@@ -93,6 +95,13 @@ struct MetersDescription {
   float cell_width, cell_height;
 };
 
+struct GoniometerDescription {
+  Affine to_world;
+  ups_profile_symmetry symmetry;
+  std::vector<double> c_deg, gamma_deg;
+  photometry::Opening opening;
+};
+
 class Description {
  public:
   // Each takes a whole desc (the API fills in what an older caller's lacks) and throws Error (INVALID_ARGUMENT) that
@@ -105,6 +114,7 @@ class Description {
   ups_luminaire_id add_luminaire(const ups_luminaire_desc& desc, std::shared_ptr<const photometry::Photometry> profile);
   ups_sensor_id add_camera(const ups_camera_desc& desc);
   ups_sensor_id add_meters(const ups_meter_desc& desc);
+  ups_sensor_id add_goniometer(const ups_goniometer_desc& desc);
 
   void set_material(ups_material_id id, const ups_material_desc& desc);
   void set_transform(ups_instance_id id, const double (&to_world)[12]);
@@ -118,7 +128,7 @@ class Description {
   const IdTable<std::shared_ptr<const Mesh>>& meshes() const { return meshes_; }  // Mesh::material is the id - 1
   const IdTable<InstanceDescription>& instances() const { return instances_; }
   const IdTable<SourceDescription>& sources() const { return sources_; }
-  using Sensor = std::variant<CameraDescription, MetersDescription>;
+  using Sensor = std::variant<CameraDescription, MetersDescription, GoniometerDescription>;
   const IdTable<Sensor>& sensors() const { return sensors_; }
 
  private:

@@ -71,6 +71,7 @@ class Builder {
   void add_sources();
   void add_light(const std::string& name, const LightDescription& light, float dimming);
   void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming);
+  float opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const;
   bool add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe);
   void add_sensors();
   MeterSet make_meters(const MetersDescription& meters) const;
@@ -120,13 +121,14 @@ void Builder::place() {
     }
     const auto& luminaire = std::get<LuminaireDescription>(s.kind);
     const float* size = luminaire.profile->opening.size_m;
-    const double reach = luminaire.use_opening ? 0.5 * std::hypot(size[0], size[1]) : 0;
+    const double reach = luminaire.use_opening ? 0.5 * std::hypot(double(size[0]), double(size[1]), double(size[2])) : 0;
     const Vec3d p = luminaire.to_world.column(3), r(reach, reach, reach);
     grow(p - r, "luminaire", id);
     grow(p + r, "luminaire", id);
   });
   in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
     if (const auto* camera = std::get_if<CameraDescription>(&s)) return grow(camera->to_world.column(3), "sensor", id);
+    if (std::holds_alternative<GoniometerDescription>(s)) return;  // at infinity
     const auto& meters = std::get<MetersDescription>(s);
     const double reach = 0.5 * std::hypot(double(meters.cell_width), double(meters.cell_height));
     for (const Vec3d& p : meters.positions) {
@@ -187,6 +189,7 @@ void Builder::add_geometry() {
 
 // ---- emitters ----
 
+// Of the source that was begun last.
 bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe) {
   if (!(emitter->flux_lm() > 0)) return false;
   // Beyond it illuminance near by, or its square, would leave the range of a float.
@@ -194,6 +197,7 @@ bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emit
   emitters_.push_back(std::move(emitter));
   emitter_probes_.push_back(probe);
   out_->emitter_names.push_back(name);
+  out_->source_of_emitter.push_back(uint32_t(out_->sources.size() - 1));
   return true;
 }
 
@@ -216,6 +220,7 @@ void Builder::add_emissive_instances() {
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     const std::string name = "instance " + std::to_string(instance_ids_[i]);
+    out_->sources.push_back({UPS_SOURCE_INSTANCE, instance_ids_[i], in_.instances().get(instance_ids_[i], "instance").group});
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;
     in_context(name, [&] {
@@ -231,6 +236,7 @@ void Builder::add_emissive_instances() {
 void Builder::add_sources() {
   in_.sources().each([&](uint32_t id, const SourceDescription& source) {
     const std::string name = "luminaire " + std::to_string(id);
+    out_->sources.push_back({UPS_SOURCE_LUMINAIRE, id, source.group});
     in_context(name, [&] {
       if (const auto* light = std::get_if<LightDescription>(&source.kind))
         add_light(name, *light, source.dimming);
@@ -272,25 +278,40 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
                                                                      &luminaire.profile->distribution);
   const Frame frame = Axes(luminaire.to_world).frame();
   const Vec3 nadir = -frame.n, p = to_scene(luminaire.to_world.column(3));
-  const bool has_area = ProfileOpeningEmitter::has_area(opening);
+  const bool has_area = LuminousBody::has_area(opening);
   if (!luminaire.use_opening || !has_area) {
     if (luminaire.use_opening && opening.shape != photometry::OpeningShape::point)
-      warn(name + ": its opening has no horizontal extent: it emits from a point");
+      warn(name + ": its opening has a single extent, so no area: it emits from a point");
     const Vec3 q = off_surface(*out_, p, nadir);
     add_emitter(name, std::make_unique<ProfilePointEmitter>(distribution, frame, q, scale, free_error(q)), q);
     return;
   }
-  if (!ProfileOpeningEmitter::is_exact(opening))
-    warn(name + ": its opening is not flat: it emits from the opening's horizontal extent");
-  const float error =
-      error_at(*out_, p, nadir, frame.s * (0.5f * opening.size_m[0]), frame.t * (0.5f * opening.size_m[1]));
+  const float error = opening_error(p, frame, opening);
   auto emitter = std::make_unique<ProfileOpeningEmitter>(distribution, frame, p, opening, scale, error);
-  const Vec3 front = p + nadir * (2 * error);  // where its rays start, and where walks run into it
-  const DiscIndex::Disc disc{front, emitter->normal(), emitter->circumscribed_radius()};
+  // Where its rays start, and where walks run into it. A body is found by the ball around it (a disc without normal).
+  const DiscIndex::Disc disc =
+      emitter->is_flat() ? DiscIndex::Disc{p + emitter->normal() * (2 * error), emitter->normal(), emitter->circumscribed_radius()}
+                         : DiscIndex::Disc{p, Vec3(), emitter->circumscribed_radius() + 4 * error};
+  const Vec3 front = emitter->is_flat() ? disc.center : p + nadir * (0.5f * opening.size_m[2] + 2 * error);
   const auto index = uint32_t(emitters_.size());
   if (!add_emitter(name, std::move(emitter), front)) return;
   openings_.push_back(disc);
   out_->emitter_of_opening.push_back(index);
+}
+
+// Of the opening's surface: a side of its box may lie on a surface of the scene.
+float Builder::opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const {
+  const Vec3 half[3] = {frame.s * (0.5f * opening.size_m[0]), frame.t * (0.5f * opening.size_m[1]),
+                        frame.n * (0.5f * opening.size_m[2])};
+  const Vec3 axes[3] = {frame.s, frame.t, frame.n};
+  float error = 0;
+  for (int k = 0; k < 3; ++k) {
+    const bool no_extent = !(opening.size_m[k] > 0), flat = !(opening.size_m[0] > 0 && opening.size_m[1] > 0 && opening.size_m[2] > 0);
+    if (flat && !no_extent) continue;  // the edges of a sheet emit nothing
+    for (const float side : {-1.0f, 1.0f})
+      error = std::max(error, error_at(*out_, p + half[k] * side, axes[k] * side, half[(k + 1) % 3], half[(k + 2) % 3]));
+  }
+  return error;
 }
 
 // ---- sensors ----
@@ -320,6 +341,10 @@ void Builder::add_sensors() {
     if (const auto* c = std::get_if<CameraDescription>(&s)) {
       out_->cameras.emplace_back(to_scene(c->to_world), c->width, c->height, c->vertical_fov_rad, c->illuminance);
       out_->camera_ids.push_back(id);
+    } else if (const auto* g = std::get_if<GoniometerDescription>(&s)) {
+      out_->goniometers.emplace_back(Axes(g->to_world).frame(), g->c_deg, g->gamma_deg, Goniometer::Symmetry(g->symmetry));
+      out_->goniometer_openings.push_back(g->opening);
+      out_->goniometer_ids.push_back(id);
     } else {
       out_->meter_sets.push_back(make_meters(std::get<MetersDescription>(s)));
       out_->meter_set_ids.push_back(id);
@@ -360,8 +385,12 @@ void Builder::add_warnings() {
          ": rounding decides which of them a ray hits");
   }
   if (out_->emitters.size() == 0) warn("nothing in the scene emits light");
-  if (out_->cameras.empty() && out_->meter_sets.empty())
-    warn("the scene has no camera and no meters: there is nothing to measure");
+  if (out_->cameras.empty() && out_->meter_sets.empty() && out_->goniometers.empty())
+    warn("the scene has no camera, no meters and no goniometer: there is nothing to measure");
+  for (size_t i = 0; !out_->goniometers.empty() && i < out_->emitters.size(); ++i)
+    if (out_->emitters[i].is_directional())
+      warn(out_->emitter_names[i] + " shines in parallel: where that light leaves the scene, a goniometer's intensity " +
+           "depends on its grid, as it would be infinite");
 }
 
 }  // namespace

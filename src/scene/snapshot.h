@@ -8,8 +8,11 @@
 #include "bsdf/material.h"
 #include "emitter/emitter_set.h"
 #include "geometry/raytracer.h"
+#include "photometry/photometry.h"
 #include "sensor/camera.h"
+#include "sensor/goniometer.h"
 #include "sensor/meters.h"
+#include "ups/ups_render.h"
 
 namespace ups {
 
@@ -25,6 +28,12 @@ struct SceneEffects {
   std::string text;           // a line per effect, with its cause
 };
 
+// A luminaire, light or emissive instance as the program added it; it may emit nothing.
+struct Source {
+  ups_source_kind kind;
+  uint32_t id, group;
+};
+
 struct Snapshot {
   Vec3d origin;
   float radius = 0;  // of the bounding sphere of geometry, emitters and sensors about the origin
@@ -38,13 +47,17 @@ struct Snapshot {
 
   EmitterSet emitters;
   std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": ids of the API
+  std::vector<Source> sources;                  // all, in the order of their kinds and ids
+  std::vector<uint32_t> source_of_emitter;      // index into sources
   std::vector<uint32_t> emitter_of_instance;    // none: does not emit
   std::unique_ptr<DiscIndex> openings;          // null without luminous openings
-  std::vector<uint32_t> emitter_of_opening;     // by DiscIndex::Crossing::disc (circumscribed discs)
+  std::vector<uint32_t> emitter_of_opening;     // by DiscIndex::Crossing::disc (what surrounds it)
 
   std::vector<Camera> cameras;
   std::vector<MeterSet> meter_sets;
-  std::vector<uint32_t> camera_ids, meter_set_ids;  // ups_sensor_id of each
+  std::vector<Goniometer> goniometers;
+  std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;  // ups_sensor_id of each
+  std::vector<photometry::Opening> goniometer_openings;  // that their distributions are given
 
   // The glass whose inside a free-standing thing lies in, as found by a probe ray at commit; none: air.
   std::vector<uint32_t> medium_of_camera;

@@ -102,6 +102,8 @@ void print_sensor(const SensorEntry& sensor) {
   if (info.kind == UPS_GLTF_CAMERA) {
     std::printf("  camera %s: %u x %u%s\n", sensor.name.c_str(), info.width, info.height,
                 info.illuminance ? ", illuminance too" : "");
+  } else if (info.kind == UPS_GLTF_GONIOMETER) {
+    std::printf("  goniometer %s: %u planes of %u angles\n", sensor.name.c_str(), info.columns, info.rows);
   } else if (info.columns > 0) {
     std::printf("  meters %s: grid of %u x %u\n", sensor.name.c_str(), info.columns, info.rows);
   } else {

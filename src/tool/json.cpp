@@ -36,6 +36,16 @@ std::string to_json(const Report& report) {
                             {"height", camera.height},
                             {"mean_luminance_cd_m2", number(camera.mean_luminance_cd_m2)}};
   }
+  ordered_json goniometers = ordered_json::object(), sources = ordered_json::object();
+  for (const GoniometerReport& g : report.goniometers)
+    goniometers[g.name] = {{"flux_lm", number(g.info.flux_lm)},
+                           {"flux_standard_error_lm", number(g.info.flux_standard_error_lm)},
+                           {"outside_flux_lm", number(g.info.outside_flux_lm)},
+                           {"light_output_ratio", number(g.info.light_output_ratio)},
+                           {"light_output_ratio_standard_error", number(g.info.light_output_ratio_standard_error)},
+                           {"median_relative_error_bound", number(g.info.median_relative_error_bound)},
+                           {"worst_relative_error_bound", number(g.info.worst_relative_error_bound)}};
+  for (const SourceReport& source : report.sources) sources[source.name] = {{"flux_lm", number(source.flux_lm)}};
   for (const ups_convergence_point& point : report.convergence) {
     convergence.push_back({{"time_s", number(point.elapsed_s)},
                            {"iterations", point.iterations},
@@ -43,7 +53,7 @@ std::string to_json(const Report& report) {
                            {"p95_relative_error", number(point.p95_relative_error)},
                            {"worst_relative_error", number(point.worst_relative_error)}});
   }
-  return dump({{"scene", report.scene},
+  ordered_json all = {{"scene", report.scene},
                {"method", method_word(info.method)},
                {"techniques", report.techniques},
                {"effects", report.effects},
@@ -65,7 +75,10 @@ std::string to_json(const Report& report) {
                {"meters", meters},
                {"cameras", cameras},
                {"convergence", convergence},
-               {"warnings", report.warnings}});
+               {"warnings", report.warnings}};
+  if (!report.goniometers.empty()) all["goniometers"] = goniometers;
+  if (!report.sources.empty()) all["sources"] = sources;
+  return dump(all);
 }
 
 std::string to_json(const Comparison& comparison) {

@@ -160,6 +160,15 @@ void add_render(CLI::App& app, RenderOptions& options) {
           },
           ""))
       ->type_name("WxH");
+  command
+      ->add_option_function<std::string>(
+          "--separate",
+          [&options](const std::string& word) {
+            options.desc.separation = word == "groups" ? UPS_SEPARATE_GROUPS : UPS_SEPARATE_LUMINAIRES;
+          },
+          "luminaires or groups: with --out, a table NAME_luminaires.csv of what each contributes to each meter")
+      ->check(CLI::IsMember({"luminaires", "groups"}))
+      ->type_name("WORD");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
       ->type_name("DIR");
   add_method_options(*command, options.desc);

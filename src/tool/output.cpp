@@ -11,6 +11,7 @@
 
 #include "common/atomic_file.h"
 #include "tool/report.h"
+#include "tool/tables.h"
 
 namespace ups::tool {
 
@@ -219,6 +220,11 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
         ups_gltf_last_error);
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
   attempt(written, base + ".csv", [&](const std::string& path) { write_csv(path, table); });
+  if (const auto names = source_names(result); !names.empty()) {
+    const bool groups = names[0].rfind("group_", 0) == 0;
+    attempt(written, base + (groups ? "_groups.csv" : "_luminaires.csv"),
+            [&](const std::string& path) { write_sources_csv(path, table.positions, meters, result); });
+  }
   if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
 }
 
@@ -253,6 +259,8 @@ Written write_outputs(const std::string& folder, const LoadedScene& scene, const
     attempt(written, (std::filesystem::path(folder) / sensor.name).string(), [&](const std::string& base) {
       if (sensor.info.kind == UPS_GLTF_CAMERA) {
         write_camera(written, base, sensor, result, attributes);
+      } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {
+        attempt(written, base + ".csv", [&](const std::string& path) { write_goniometer_csv(path, sensor, result); });
       } else {
         write_meters(written, base, i, sensor, scene, result, attributes);
       }

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "tool/output.h"
+#include "tool/tables.h"
 
 namespace ups::tool {
 
@@ -120,10 +121,21 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
       meters.statistics.struct_size = sizeof meters.statistics;
       check(ups_result_get_meter_statistics(result, sensor.info.sensor, &meters.statistics));
       report.meters.push_back(meters);
+    } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {
+      GoniometerReport goniometer{sensor.name, {}};
+      goniometer.info.struct_size = sizeof goniometer.info;
+      check(ups_result_get_goniometer_info(result, sensor.info.sensor, &goniometer.info));
+      report.goniometers.push_back(goniometer);
     } else {
       const auto pixels = read_image(result, sensor, UPS_CHANNEL_LUMINANCE_RGB);
       report.cameras.push_back({sensor.name, sensor.info.width, sensor.info.height, mean_luminance(pixels)});
     }
+  }
+  for (const std::string& name : source_names(result)) {
+    ups_source_info info{};
+    info.struct_size = sizeof info;
+    check(ups_result_get_source(result, uint32_t(report.sources.size()), &info));
+    report.sources.push_back({name, info.flux_lm});
   }
   size_t count = 0;
   check(ups_result_read_convergence(result, nullptr, 0, &count));
@@ -150,6 +162,13 @@ std::string to_text(const Report& report) {
     text += format("camera %s: %u x %u, mean luminance %.6g cd/m^2\n", camera.name.c_str(), camera.width, camera.height,
                    camera.mean_luminance_cd_m2);
   }
+  for (const GoniometerReport& g : report.goniometers) {
+    text += format("goniometer %s: flux %.6g lm +- %.2g, light output ratio %s, median error %s, worst %s\n", g.name.c_str(),
+                   g.info.flux_lm, g.info.flux_standard_error_lm, percent_text(g.info.light_output_ratio).c_str(),
+                   percent_text(g.info.median_relative_error_bound).c_str(),
+                   percent_text(g.info.worst_relative_error_bound).c_str());
+  }
+  for (const SourceReport& source : report.sources) text += format("source %s: %.6g lm\n", source.name.c_str(), source.flux_lm);
   for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
   return text;
 }

@@ -18,12 +18,24 @@ struct CameraReport {
   double mean_luminance_cd_m2;
 };
 
+struct GoniometerReport {
+  std::string name;
+  ups_goniometer_info info;
+};
+
+struct SourceReport {
+  std::string name;  // "luminaire_3"
+  double flux_lm;
+};
+
 struct Report {
   std::string scene;
   ups_result_info info;
   std::vector<std::string> techniques, effects, warnings;
   std::vector<MeterReport> meters;
   std::vector<CameraReport> cameras;
+  std::vector<GoniometerReport> goniometers;
+  std::vector<SourceReport> sources;  // empty without --separate
   std::vector<ups_convergence_point> convergence;
 };
 

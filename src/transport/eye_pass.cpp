@@ -118,6 +118,9 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
       sensor.medium = in.scene.medium_of_meter[s][m];
       MeterTally sum;
+      const size_t columns = in.plan.separation.columns.size();
+      sensor.separated = columns ? &tally.separated[s][m * columns] : nullptr;
+      sensor.share = 1.0 / samples;
       for (uint32_t k = 0; k < samples; ++k) {
         const uint32_t path = uint32_t(m) * samples + k;
         pairing.assign(first_path + path, sensor);
@@ -133,10 +136,7 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
         sum.direct += found.direct;
         sum.bias += found.bias;
       }
-      MeterTally& t = tally.meters[s][m];
-      t.value += sum.value / samples;
-      t.direct += sum.direct / samples;
-      t.bias += sum.bias / samples;
+      tally.meters[s][m].add(sum, sensor.share);
     }
   });
   add_work(work, tally);

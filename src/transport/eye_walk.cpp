@@ -110,12 +110,11 @@ void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
   scene_.openings->intersect_all(origin_, direction_, distance, crossings);
   for (const DiscIndex::Crossing& c : crossings) {
     const uint32_t emitter = scene_.emitter_of_opening[c.disc];
-    if (!(c.t > 0)) continue;
-    const Vec3 p = origin_ + direction_ * c.t;
-    const float cos_in = std::abs(dot(direction_, scene_.openings->disc(c.disc).normal));
-    // The index holds circumscribed discs, of luminous openings alone.
-    if (cos_in < min_cosine || !static_cast<const ProfileOpeningEmitter&>(scene_.emitters[emitter]).contains(p)) continue;
-    hit_emitter(emitter, 0, p, cos_in, c.t, edges, attenuation(scene_, medium, c.t));
+    // The index holds what surrounds luminous openings, and of luminous openings alone.
+    float t, cos_in;
+    if (!static_cast<const ProfileOpeningEmitter&>(scene_.emitters[emitter]).enter(origin_, direction_, t, cos_in)) continue;
+    if (!(t > 0 && t <= distance) || cos_in < min_cosine) continue;
+    hit_emitter(emitter, 0, origin_ + direction_ * t, cos_in, t, edges, attenuation(scene_, medium, t));
   }
 }
 
@@ -134,7 +133,7 @@ void EyeWalk::hit_emitter(uint32_t index, uint32_t primitive, const Vec3& p, flo
     const bool connectable = edge_.kind == Edge::continuous || (edge_.kind == Edge::sensor && !sensor_.camera);
     w = mis::weight_hit(arrive(cos_in, distance), sensor_.counts, in_.plan.gates, pn_0, pf_0, hit.pdf_direction_w, pb_0, connectable);
   }
-  add({Family::path_integration, 0, edges}, throughput_ * transmittance * hit.radiance, float(w), Drop::emitter_hit);
+  add({{Family::path_integration, 0, edges}, index}, throughput_ * transmittance * hit.radiance, float(w), Drop::emitter_hit);
 }
 
 namespace {
@@ -178,7 +177,7 @@ void EyeWalk::sample_light(const Vertex& v, const Arrival& a) {
   const Rgb value = throughput_ * f.value * s.weight * attenuation(scene_, medium, s.distance) * scale;
   if (is_black(value)) return;
   if (is_finite(value) && !segment_free(scene_, a.surface.ray_origin(s.wi), lifted(s.p, s.n, s.error), work_)) return;
-  add({Family::path_integration, 1, edges}, value, float(w), Drop::light_sample);
+  add({{Family::path_integration, 1, edges}, choice.index}, value, float(w), Drop::light_sample);
 }
 
 // The light path's vertices as connections read them, made at the first that needs them.
@@ -219,7 +218,7 @@ void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
   ++work_.connections;
   if (!segment_free(scene_, c.from, c.to, work_)) return;
   const float all_for_one = float(sum / luminance(c.value));
-  add({Family::path_integration, c.s, c.edges}, c.value * all_for_one, c.unweighted * all_for_one, Drop::connect);
+  add({{Family::path_integration, c.s, c.edges}, c.emitter}, c.value * all_for_one, c.unweighted * all_for_one, Drop::connect);
 }
 
 // 2 <= s < k: an edge to a vertex of the light path.
@@ -246,7 +245,7 @@ EyeWalk::Connection EyeWalk::connect(const Vertex& v, const Arrival& a, const Pr
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
   const float scale = terminator(v.surface, d) * perturbed_cosine(v, a, d) * light_correction(light.surface, l.wo, -d) / d2;
   const Rgb value = throughput_ * f_eye.value * l.flux * f_light.value * attenuation(scene_, medium, distance) * scale;
-  return {value * float(w), value, a.surface.ray_origin(d), light.surface.ray_origin(-d), l.depth + 1u, edges};
+  return {value * float(w), value, a.surface.ray_origin(d), light.surface.ray_origin(-d), l.depth + 1u, edges, l.emitter};
 }
 
 double EyeWalk::photon_norm(double radius) const {
@@ -269,7 +268,7 @@ void EyeWalk::meter_merge(const SurfacePoint& surface) {
     if (longer_than_allowed(l.depth) || cos_light < min_cosine || !same_surface(surface, l, sensor_.first.radius)) return;
     const double w = in_.settings.weightless() ? 1.0 : mis::weight_merge_at_sensor(l.mis, sensor_.counts, sensor_.end.merge, cos_light * double(inv_pi));
     ++work_.merges;
-    add({Family::density_estimation, l.depth + 1u, l.depth}, l.flux * float(norm), float(w), Drop::merge);
+    add({{Family::density_estimation, l.depth + 1u, l.depth}, l.emitter}, l.flux * float(norm), float(w), Drop::merge);
   });
 }
 
@@ -295,8 +294,10 @@ void EyeWalk::merge(const Vertex& v) {
     }
     ++work_.merges;
     const Rgb value = throughput_ * f.value * l.flux * (float(norm / std::abs(cos_light)) * terminator(v.surface, l.wo));
-    if (add({Family::density_estimation, l.depth + 1u, v.edges + l.depth}, value, float(w), Drop::merge))
-      tally_.bias += 2 * luminance(value) * float(w) * (2 * d2 < r2 ? -1.0f : 1.0f);
+    if (!add({{Family::density_estimation, l.depth + 1u, v.edges + l.depth}, l.emitter}, value, float(w), Drop::merge)) return;
+    const float bias = 2 * luminance(value) * float(w) * (2 * d2 < r2 ? -1.0f : 1.0f);
+    tally_.bias += bias;
+    add_separated(l.emitter, {0.0, 0.0, bias});
   });
 }
 
@@ -344,7 +345,7 @@ void EyeWalk::meter_sample_light() {
   const Rgb value = s.weight * attenuation(scene_, medium_, s.distance) * float(cos_1 / choice.probability);
   if (is_black(value)) return;
   if (is_finite(value) && !segment_free(scene_, meter_origin_, lifted(s.p, s.n, s.error), work_)) return;
-  add({Family::path_integration, 1, 1}, value, float(w), Drop::light_sample);
+  add({{Family::path_integration, 1, 1}, choice.index}, value, float(w), Drop::light_sample);
 }
 
 // s = k: an edge from the meter's own point to a vertex of the light path.
@@ -370,7 +371,7 @@ EyeWalk::Connection EyeWalk::meter_connect(const PreparedLight& light) const {
                                    cos_meter * double(inv_pi) * cos_light / d2, f.pdf_reverse, f.pdf * cos_meter / d2);
   const float scale = float(cos_meter / d2) * light_correction(light.surface, l.wo, -d);
   const Rgb value = l.flux * f.value * attenuation(scene_, medium_, distance) * scale;
-  return {value * float(w), value, meter_origin_, light.surface.ray_origin(-d), l.depth + 1u, edges};
+  return {value * float(w), value, meter_origin_, light.surface.ray_origin(-d), l.depth + 1u, edges, l.emitter};
 }
 
 }  // namespace ups

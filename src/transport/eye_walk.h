@@ -28,6 +28,8 @@ class EyeWalk {
     uint32_t medium = none;
     TechniqueTally* techniques = nullptr;  // of the camera, where asked for
     uint32_t pixel = 0;
+    MeterTally* separated = nullptr;  // of the meter, a column of Plan::separation each, where asked for
+    double share = 1;                 // of this eye path in the meter's reading
   };
   EyeWalk(const EyePassInput& in, const Sensor& sensor, const PathSampler& rng, WorkCounts& work)
       : in_(in), scene_(in.scene), sensor_(sensor), rng_(rng), work_(work), medium_(sensor.medium) {}
@@ -73,10 +75,15 @@ class EyeWalk {
   void perturb_meter();
   EyeTally gather_at_meter();
   void sample_light(const Vertex& v, const Arrival& a);
+  // What a technique found: by way of which vertices, from which emitter.
+  struct Found {
+    Technique technique;
+    uint32_t emitter;
+  };
   struct Connection {  // before its shadow ray
     Rgb value, unweighted;
     Vec3 from, to;
-    uint32_t s = 0, edges = 0;
+    uint32_t s = 0, edges = 0, emitter = 0;
   };
   struct PreparedLight {
     const LightVertex* vertex;
@@ -99,18 +106,23 @@ class EyeWalk {
   bool longer_than_allowed(uint32_t edges) const {
     return in_.settings.max_path_length && edges > in_.settings.max_path_length;
   }
-  bool add(const Technique& technique, const Rgb& unweighted, float weight, Drop drop) {
-    return add(technique, unweighted * weight, unweighted, drop);
+  bool add(const Found& found, const Rgb& unweighted, float weight, Drop drop) {
+    return add(found, unweighted * weight, unweighted, drop);
   }
-  bool add(const Technique& technique, const Rgb& value, const Rgb& unweighted, Drop drop) {
+  bool add(const Found& found, const Rgb& value, const Rgb& unweighted, Drop drop) {
     if (!is_finite(value)) {
       ++work_.dropped[size_t(drop)];
       return false;
     }
+    const bool is_direct = found.technique.edges == 1;
     tally_.value += value;
-    if (technique.edges == 1) tally_.direct += luminance(value);
-    if (sensor_.techniques) sensor_.techniques->add(technique, sensor_.pixel, value, unweighted);
+    if (is_direct) tally_.direct += luminance(value);
+    if (sensor_.techniques) sensor_.techniques->add(found.technique, sensor_.pixel, value, unweighted);
+    add_separated(found.emitter, {luminance(value), is_direct ? luminance(value) : 0.0, 0.0});
     return true;
+  }
+  void add_separated(uint32_t emitter, const MeterTally& part) {
+    if (sensor_.separated) sensor_.separated[in_.plan.separation.column_of_emitter[emitter]].add(part, sensor_.share);
   }
 
   const EyePassInput& in_;

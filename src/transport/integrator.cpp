@@ -32,7 +32,12 @@ bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, Iteratio
     tally.illuminance.emplace_back(c.illuminance() ? c.pixel_count() : 0);
     tally.splats.emplace_back(settings_.has(UPS_TECHNIQUE_SENSOR_CONNECT) ? c.pixel_count() : 0);
   }
-  for (const MeterSet& s : scene_->meter_sets) tally.meters.emplace_back(s.meters.size());
+  for (const MeterSet& s : scene_->meter_sets) {
+    tally.meters.emplace_back(s.meters.size());
+    tally.separated.emplace_back(s.meters.size() * plan_.separation.columns.size());
+  }
+
+  for (const Goniometer& g : scene_->goniometers) tally.goniometers.push_back(g.empty_tally());
 
   const uint32_t pass = plan_.pass(iteration);
   const double camera_factor = Plan::radius2_factor(pass, settings_.radius_alpha),

@@ -22,11 +22,16 @@ struct Block {
   };
   std::vector<Splat> splats;
   struct Landing {
-    uint32_t disc;
+    uint32_t disc, emitter;
     MeterTally value;
     float distance2;
   };
   std::vector<Landing> landings;
+  struct Escape {
+    Vec3 direction;
+    float flux;
+  };
+  std::vector<Escape> escapes;  // where there are goniometers
   WorkCounts work;
   std::vector<DiscIndex::Crossing> crossings;
 };
@@ -59,6 +64,7 @@ class LightWalk {
       if (!sensors_.empty()) cross_sensors(a, distance, medium);
       if (!found) {
         block_.work.escaped_lm += luminance(flux_);
+        if (!scene_.goniometers.empty()) block_.escapes.push_back({direction_, luminance(flux_)});
         return;
       }
       absorb(flux_ * attenuation(scene_, medium, distance));
@@ -151,7 +157,7 @@ class LightWalk {
     const float d2 = length2(offset);
     // The disc of half the area: its photons count twice, so that the difference sees the curvature of illuminance alone.
     const double bias = cell ? 0.0 : 2.0 * (value - (2.0 * d2 < e.radius2 ? 2.0 * value : 0.0));
-    block_.landings.push_back({crossing.disc, {value, a == 1 ? value : 0.0, bias}, d2});
+    block_.landings.push_back({crossing.disc, emitter_index_, {value, a == 1 ? value : 0.0, bias}, d2});
   }
 
   bool scatter(uint32_t a, float distance) {
@@ -181,6 +187,7 @@ class LightWalk {
     v.flux = flux_;
     v.error = surface_.error;
     v.material = surface_.material;
+    v.emitter = emitter_index_;
     v.medium = medium_;
     v.depth = uint16_t(std::min<uint32_t>(a, 0xffff));
     v.merge = merge;
@@ -295,6 +302,7 @@ LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensor
   size_t total = 0;
   for (const Block& b : blocks) total += b.vertices.size();
   paths.vertices.reserve(total);
+  const size_t columns = in.plan.separation.columns.size();
   uint32_t at = 0;
   for (const Block& b : blocks) {
     for (uint32_t n : b.counts) {
@@ -309,11 +317,12 @@ LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensor
     }
     for (const Block::Landing& l : b.landings) {
       const SensorIndex::Entry& e = sensors.entry(l.disc);
-      MeterTally& m = tally.meters[e.set][e.meter];
-      m.value += l.value.value;
-      m.direct += l.value.direct;
-      m.bias += l.value.bias;
+      tally.meters[e.set][e.meter].add(l.value);
+      if (columns) tally.separated[e.set][e.meter * columns + in.plan.separation.column_of_emitter[l.emitter]].add(l.value);
     }
+    for (size_t g = 0; g < tally.goniometers.size(); ++g)
+      for (const Block::Escape& e : b.escapes)
+        in.scene.goniometers[g].add(e.direction, double(e.flux) / in.plan.light_paths, tally.goniometers[g]);
     tally.work.merges += b.landings.size();
     tally.work.add(b.work);
   }

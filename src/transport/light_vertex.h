@@ -16,6 +16,7 @@ struct LightVertex {
   Rgb flux;  // lm that this light path carries here; divide by N for a photon
   float error = 0;
   uint32_t material = 0;
+  uint32_t emitter = 0;  // that the path started from
   uint32_t medium = 0;  // of the edge that arrived
   uint16_t depth = 0;   // a of x_a
   bool merge = false;   // photons are merged here: the material's gate and g_1

@@ -14,6 +14,7 @@ constexpr uint32_t meter_paths_per_iteration = 1u << 14;
 constexpr uint32_t max_meter_samples = 1u << 8;
 constexpr uint32_t max_light_paths = 1u << 15;
 constexpr uint32_t min_light_paths = 1u << 12;
+constexpr uint32_t goniometer_paths = 1u << 16;
 
 uint64_t count_pixels(const Snapshot& scene) {
   uint64_t n = 0;
@@ -38,6 +39,7 @@ double Plan::radius2_factor(uint32_t visits, double alpha) {
 
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   Plan plan;
+  plan.separation = separate(scene, settings.separation);
   const uint64_t pixels = count_pixels(scene), meters = count_meters(scene);
   if (pixels > 0)
     plan.camera_subsets = uint32_t((pixels + camera_paths_per_iteration - 1) / camera_paths_per_iteration);
@@ -46,10 +48,11 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
     plan.meter_samples = uint32_t(std::min<uint64_t>(std::bit_floor(share), max_meter_samples));
   }
   if (settings.traces_light()) {
-    const uint64_t eye = pixels / plan.camera_subsets + meters * plan.meter_samples;
+    const uint32_t most = scene.goniometers.empty() ? max_light_paths : goniometer_paths;
+    const uint64_t eye = !scene.goniometers.empty() ? goniometer_paths : pixels / plan.camera_subsets + meters * plan.meter_samples;
     plan.light_paths = settings.light_paths
                            ? std::bit_ceil(settings.light_paths)
-                           : uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), min_light_paths, max_light_paths));
+                           : uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), min_light_paths, most));
   }
   plan.min_radius = 32 * 0x1p-24f * scene.radius;
   if (settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) plan.gates = {false, false};

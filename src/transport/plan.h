@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/snapshot.h"
+#include "scene/separation.h"
 #include "transport/mis.h"
 #include "ups/ups_render.h"
 
@@ -20,6 +20,7 @@ struct TransportSettings {
   double radius_alpha = 2.0 / 3;     // of the radius schedule
   bool actual_perturbation = false;  // UPS_PERTURBATION_ACTUAL
   uint32_t technique_edges = 0;      // images of each technique for paths of up to so many edges; 0: none
+  ups_separation separation = UPS_SEPARATE_NOTHING;
   uint64_t seed = 0;
   uint32_t max_path_length = 0;  // edges; 0: none
   uint32_t light_paths = 0;      // a power of two; 0: chosen here
@@ -39,6 +40,7 @@ struct Plan {
   uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave
   uint32_t meter_samples = 1;   // Ke, a power of two
   mis::Gates gates;
+  Separation separation;  // of meters' readings
   // r_1 of each pixel, for the first vertex of its eye paths that scatters, and of each meter's own disc, which catches
   // photons for all of a meter's eye paths at once; empty without merging. All other vertices merge within walk_radius:
   // a hemisphere away from the sensor blur is not seen, but few photons are.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sensor/goniometer.h"
 #include "transport/technique.h"
 
 namespace ups {
@@ -35,6 +36,12 @@ struct MeterTally {
   double value = 0;
   double direct = 0;  // part of value that came straight from an emitter
   double bias = 0;    // 2 (M_r - M_{r/sqrt 2}) of all merges: its mean is their bias to O(r^4)
+
+  void add(const MeterTally& o, double scale = 1) {
+    value += o.value * scale;
+    direct += o.direct * scale;
+    bias += o.bias * scale;
+  }
 };
 
 struct IterationTally {
@@ -43,6 +50,8 @@ struct IterationTally {
   std::vector<std::vector<Rgb>> splats;   // a camera: light paths, already divided by N; empty without t = 1
   std::vector<TechniqueTally> techniques;  // a camera; empty where not asked for
   std::vector<std::vector<MeterTally>> meters;
+  std::vector<std::vector<MeterTally>> separated;  // a set: a meter by a column of Plan::separation, column fastest; empty without
+  std::vector<GoniometerTally> goniometers;
   WorkCounts work;
 };
 

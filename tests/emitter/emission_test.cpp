@@ -2,7 +2,6 @@
 // a false-alarm rate of 1e-4 each.
 #include <gtest/gtest.h>
 
-#include "base/error.h"
 #include "emitter/test_emitters.h"
 #include "support/chi_square.h"
 
@@ -160,10 +159,10 @@ TEST(Emission, PositionsAreUniformOnARectangle) {
 TEST(Emission, PositionsAreUniformOnOpenings) {
   const Frame f = tilted_frame();
   const Vec3 p(1, 2, 3);
-  const ProfileOpeningEmitter box(up_and_down(), f, p, opening(photometry::OpeningShape::box, 0.6f, 0.2f, 0.1f), Rgb(1),
-                                  0);
+  const ProfileOpeningEmitter plate(up_and_down(), f, p, opening(photometry::OpeningShape::rectangle, 0.6f, 0.2f),
+                                    Rgb(1), 0);
   expect_positions(
-      box, 225,
+      plate, 225,
       [&](const Vec3& q) {
         EXPECT_NEAR(dot(q - p, f.n), 0, 1e-6);
         return grid_cell(dot(q - p, f.s) / 0.6f + 0.5f, dot(q - p, f.t) / 0.2f + 0.5f, 15);
@@ -291,33 +290,6 @@ TEST(Emission, WhatIsDarkOrWithoutAreaDoesNotEmit) {
     EXPECT_FALSE(e->sample_emission({0.5f, 0.5f}, {0.5f, 0.5f}, s));
     EXPECT_FALSE(e->sample_direct({0, 0, -5}, {0.5f, 0.5f}, d));
   }
-}
-
-TEST(Emission, OpeningsKnowTheirShape) {
-  using photometry::OpeningShape;
-  EXPECT_TRUE(ProfileOpeningEmitter::is_exact(opening(OpeningShape::rectangle, 1, 1)));
-  EXPECT_TRUE(ProfileOpeningEmitter::is_exact(opening(OpeningShape::disc, 1, 1)));
-  EXPECT_FALSE(ProfileOpeningEmitter::is_exact(opening(OpeningShape::disc, 0, 1, 1)));
-  EXPECT_FALSE(ProfileOpeningEmitter::is_exact(opening(OpeningShape::box, 1, 1, 0.1f)));
-  EXPECT_FALSE(ProfileOpeningEmitter::is_exact(opening(OpeningShape::cylinder, 1, 1, 0.1f)));
-  EXPECT_FALSE(ProfileOpeningEmitter::is_exact(opening(OpeningShape::sphere, 1, 1, 1)));
-  EXPECT_FALSE(ProfileOpeningEmitter::has_area(opening(OpeningShape::point, 0, 0)));
-  EXPECT_FALSE(ProfileOpeningEmitter::has_area(opening(OpeningShape::rectangle, 1, 0)));
-  EXPECT_THROW(ProfileOpeningEmitter(up_and_down(), Frame(), Vec3(), opening(OpeningShape::box, 0, 1, 1), Rgb(1), 0),
-               Error);
-
-  const Frame f = tilted_frame();
-  const Vec3 p(1, 2, 3);
-  const ProfileOpeningEmitter plate(up_and_down(), f, p, opening(OpeningShape::rectangle, 0.6f, 0.8f), Rgb(1), 0);
-  EXPECT_FLOAT_EQ(plate.circumscribed_radius(), 0.5f);
-  EXPECT_NEAR(dot(plate.normal(), f.n), -1, 1e-6);
-  EXPECT_TRUE(plate.contains(p + f.s * 0.29f - f.t * 0.39f));
-  EXPECT_FALSE(plate.contains(p + f.s * 0.31f));
-  EXPECT_FALSE(plate.contains(p + f.t * 0.41f));
-  const ProfileOpeningEmitter ellipse(up_and_down(), f, p, opening(OpeningShape::disc, 0.6f, 0.8f), Rgb(1), 0);
-  EXPECT_FLOAT_EQ(ellipse.circumscribed_radius(), 0.4f);
-  EXPECT_TRUE(ellipse.contains(p + f.t * 0.39f));
-  EXPECT_FALSE(ellipse.contains(p + f.s * 0.25f + f.t * 0.3f));
 }
 
 }  // namespace

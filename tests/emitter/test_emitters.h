@@ -90,6 +90,33 @@ inline photometry::Opening opening(photometry::OpeningShape shape, float x, floa
   return out;
 }
 
+struct NamedOpening {
+  const char* name;
+  photometry::Opening opening;
+};
+
+inline photometry::Opening cylinder(float x, float y, float z, int axis) {
+  photometry::Opening out = opening(photometry::OpeningShape::cylinder, x, y, z);
+  out.axis = axis;
+  return out;
+}
+
+// Of each kind one, and every axis as that of a flat opening and of a cylinder.
+inline std::vector<NamedOpening> all_openings() {
+  using photometry::OpeningShape;
+  return {{"rectangle opening", opening(OpeningShape::rectangle, 0.6f, 0.2f)},
+          {"round opening", opening(OpeningShape::disc, 0.3f, 0.4f)},
+          {"standing rectangle across y", opening(OpeningShape::rectangle, 0.6f, 0, 0.2f)},
+          {"standing disc across x", opening(OpeningShape::disc, 0, 0.3f, 0.4f)},
+          {"box without width", opening(OpeningShape::box, 0, 0.3f, 0.5f)},
+          {"box", opening(OpeningShape::box, 0.6f, 0.3f, 0.1f)},
+          {"standing cylinder", cylinder(0.2f, 0.3f, 0.5f, 2)},
+          {"tube along x", cylinder(1.2f, 0.03f, 0.03f, 0)},
+          {"tube along y", cylinder(0.2f, 0.9f, 0.1f, 1)},
+          {"sphere", opening(OpeningShape::sphere, 0.4f, 0.4f, 0.4f)},
+          {"ellipsoid", opening(OpeningShape::sphere, 0.6f, 0.3f, 0.2f)}};
+}
+
 struct NamedEmitter {
   const char* name;
   std::unique_ptr<Emitter> emitter;
@@ -97,7 +124,6 @@ struct NamedEmitter {
 };
 
 inline std::vector<NamedEmitter> all_emitters() {
-  using photometry::OpeningShape;
   const Frame f = tilted_frame();
   const Vec3 p(0.5f, 1, -2);
   const Rgb colour(3, 2, 1);
@@ -113,10 +139,8 @@ inline std::vector<NamedEmitter> all_emitters() {
   add("narrow spot", std::make_unique<SpotEmitter>(p, f.n, colour, 0.0f, 0.002f, 1e-6f));
   add("directional", std::make_unique<DirectionalEmitter>(f.n, colour, 30.0f));
   add("profile", std::make_unique<ProfilePointEmitter>(up_and_down(), f, p, colour, 1e-6f));
-  add("opening", std::make_unique<ProfileOpeningEmitter>(up_and_down(), f, p,
-                                                         opening(OpeningShape::rectangle, 0.6f, 0.2f), colour, 1e-6f));
-  add("round opening", std::make_unique<ProfileOpeningEmitter>(up_and_down(), f, p,
-                                                               opening(OpeningShape::disc, 0.3f, 0.4f), colour, 1e-6f));
+  for (const NamedOpening& o : all_openings())
+    add(o.name, std::make_unique<ProfileOpeningEmitter>(up_and_down(), f, p, o.opening, colour, 1e-6f));
   return out;
 }
 

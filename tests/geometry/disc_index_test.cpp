@@ -21,14 +21,24 @@ Discs random_discs(size_t count, float scale, const Vec3& offset, std::mt19937& 
   for (size_t i = 0; i < count; ++i) {
     Vec3 n = random_direction(rng);
     if (i % 3 == 0) n = {0, 0, 1};  // flat boxes, as a grid of meters has
+    if (i % 4 == 1) n = {};               // a ball
     discs.push_back({offset + Vec3(uniform(rng), uniform(rng), uniform(rng)) * scale, n, scale * 0.3f});
   }
   return discs;
 }
 
+// As above; of a ball, by the nearest point of the segment.
+long double ball_margin(const DiscIndex::Disc& ball, const Vec3& o, const Vec3& d, float tmax) {
+  using V = Vec3T<long double>;
+  const V to_center = V(ball.center) - V(o);
+  const long double t = std::clamp(dot(to_center, V(d)), 0.0L, static_cast<long double>(tmax));
+  return (ball.radius - length(V(d) * t - to_center)) / ball.radius;
+}
+
 // How far inside (> 0) or outside all of a crossing's conditions the line is; near 0 rounding decides.
 long double margin(const DiscIndex::Disc& disc, const Vec3& o, const Vec3& d, float tmax) {
   using V = Vec3T<long double>;
+  if (length2(disc.normal) == 0) return ball_margin(disc, o, d, tmax);
   const V n(disc.normal), c(disc.center);
   const long double divisor = dot(V(d), n);
   if (divisor == 0) return -1;
@@ -36,6 +46,9 @@ long double margin(const DiscIndex::Disc& disc, const Vec3& o, const Vec3& d, fl
   const long double beside = length(V(o) + V(d) * t - c);
   return std::min({t, tmax - t, disc.radius - beside}) / disc.radius;
 }
+
+// The segment's direction is a unit vector to a float's digits, which the nearest point to a ball's centre shows.
+long double undecidable(const DiscIndex::Disc& disc) { return length2(disc.normal) == 0 ? 1e-6L : 1e-9L; }
 
 void compare(size_t count, float scale, const Vec3& offset) {
   std::mt19937 rng(7);
@@ -57,7 +70,7 @@ void compare(size_t count, float scale, const Vec3& offset) {
       const bool reported = next < found.size() && found[next].disc == i;
       if (reported) ++next;
       const long double m = margin(discs[i], o, d, tmax);
-      if (std::abs(m) < 1e-9L) {
+      if (std::abs(m) < undecidable(discs[i])) {
         ++undecided;
         continue;
       }
@@ -88,6 +101,25 @@ TEST(DiscIndex, CrossingsKeepWhatWasFoundBefore) {
   EXPECT_EQ(found[3].t, 0);
   EXPECT_FALSE(index.empty());
   EXPECT_TRUE(DiscIndex({}, 1).empty());
+}
+
+TEST(DiscIndex, BallsAreCrossedWhereTheyAreEntered) {
+  for (const size_t count : {size_t(1), size_t(20)}) {
+    Discs balls;
+    for (size_t i = 0; i < count; ++i) balls.push_back({{0, 0, float(3 * i)}, {}, 1});
+    const DiscIndex index(balls, 1);
+    std::vector<DiscIndex::Crossing> found;
+    index.intersect_all({0, 0, -2}, {0, 0, 1}, 2, found);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_FLOAT_EQ(found[0].t, 1);
+    index.intersect_all({0, 0, 0.5f}, {0, 0, 1}, 1, found);  // from inside
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[1].t, 0);
+    index.intersect_all({0, 0, -2}, {0, 0, -1}, 9, found);  // behind
+    index.intersect_all({0, 0, -2}, {0, 0, 1}, 0.9f, found);  // ends before it
+    index.intersect_all({1.01f, 0, -2}, {0, 0, 1}, 90, found);  // beside
+    EXPECT_EQ(found.size(), 2u);
+  }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ struct ups_profile {
 namespace {
 
 std::string last_error;
-int profiles = 0;
+int profiles = 0, fixtures_made = 0, fixtures = 0;
 
 template <class Desc>
 void write_defaults(Desc* desc, uint32_t size, Desc defaults) {
@@ -29,6 +29,8 @@ ups_status record(std::vector<Item>& to, Item item, Id* out) {
 
 }  // namespace
 
+int made_fixtures() { return fixtures_made; }
+int living_fixtures() { return fixtures; }
 int living_profiles() { return profiles; }
 
 const char* ups_last_error(void) { return last_error.c_str(); }
@@ -39,6 +41,7 @@ void ups_mesh_desc_init(ups_mesh_desc* desc, uint32_t size) { write_defaults(des
 void ups_instance_desc_init(ups_instance_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_light_desc_init(ups_light_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_camera_desc_init(ups_camera_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_goniometer_desc_init(ups_goniometer_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_meter_desc_init(ups_meter_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 
 void ups_material_desc_init(ups_material_desc* desc, uint32_t size) {
@@ -113,6 +116,10 @@ ups_status ups_scene_add_meters(ups_scene* scene, const ups_meter_desc* d, ups_s
                 out);
 }
 
+ups_status ups_scene_add_goniometer(ups_scene* scene, const ups_goniometer_desc* d, ups_sensor_id* out) {
+  return record(scene->goniometers, {*d, copied(d->c_deg, d->c_count), copied(d->gamma_deg, d->gamma_count)}, out);
+}
+
 ups_status ups_profile_parse(ups_context*, const void* bytes, size_t size, ups_profile_format, ups_profile** out) {
   std::string text(static_cast<const char*>(bytes), size);
   if (text.rfind(refused_profile, 0) == 0) {
@@ -136,4 +143,97 @@ ups_status ups_profile_get_text(const ups_profile*, ups_profile_text, char* text
 void ups_profile_destroy(ups_profile* profile) {
   if (profile) --profiles;
   delete profile;
+}
+
+// ---- fixtures
+
+namespace {
+
+// The core's defaults as far as the importer leaves fields at them: to_fixture is always written.
+template <class Desc>
+void custom_of(ups_fixture* fixture, const Desc* d) {
+  if (d->finish == UPS_FINISH_CUSTOM) fixture->custom.push_back(*d->material);
+}
+
+}  // namespace
+
+void ups_fixture_emitter_desc_init(ups_fixture_emitter_desc* desc, uint32_t size) {
+  ups_fixture_emitter_desc defaults{};
+  for (float& c : defaults.color_rgb) c = 1;
+  write_defaults(desc, size, defaults);
+}
+void ups_reflector_desc_init(ups_reflector_desc* desc, uint32_t size) {
+  ups_reflector_desc defaults{};
+  defaults.smooth = 1;
+  defaults.finish_reflectance = defaults.finish_transmittance = defaults.finish_roughness = -1;
+  write_defaults(desc, size, defaults);
+}
+void ups_lens_desc_init(ups_lens_desc* desc, uint32_t size) {
+  ups_lens_desc defaults{};
+  defaults.finish = UPS_FINISH_PMMA;
+  defaults.finish_roughness = defaults.finish_absorption_per_m = defaults.finish_ior = -1;
+  write_defaults(desc, size, defaults);
+}
+void ups_collimator_desc_init(ups_collimator_desc* desc, uint32_t size) {
+  ups_collimator_desc defaults{};
+  defaults.smooth = 1;
+  defaults.finish = UPS_FINISH_PMMA;
+  defaults.finish_roughness = defaults.finish_absorption_per_m = defaults.finish_ior = -1;
+  write_defaults(desc, size, defaults);
+}
+void ups_fixture_instance_desc_init(ups_fixture_instance_desc* desc, uint32_t size) {
+  ups_fixture_instance_desc defaults{};
+  defaults.dimming = 1;
+  defaults.flux_lm = -1;
+  write_defaults(desc, size, defaults);
+}
+
+ups_status ups_fixture_create(ups_context*, ups_fixture** out) {
+  *out = new ups_fixture;
+  ++fixtures_made;
+  ++fixtures;
+  return UPS_OK;
+}
+
+void ups_fixture_destroy(ups_fixture* fixture) {
+  if (fixture) --fixtures;
+  delete fixture;
+}
+
+ups_status ups_fixture_add_emitter(ups_fixture* f, const ups_fixture_emitter_desc* d, ups_fixture_part_id*) {
+  f->parts.push_back("emitter");
+  f->emitters.push_back(*d);
+  return UPS_OK;
+}
+
+ups_status ups_fixture_add_reflector(ups_fixture* f, const ups_reflector_desc* d, ups_fixture_part_id*) {
+  if (d->aperture_radius_m < 0) {
+    last_error = "recorded core: aperture_radius_m is less than 0";
+    return UPS_ERROR_INVALID_ARGUMENT;
+  }
+  f->parts.push_back("reflector");
+  f->reflectors.push_back(*d);
+  f->points = copied(d->profile_rz_m, 2 * size_t(d->profile_point_count));
+  custom_of(f, d);
+  return UPS_OK;
+}
+
+ups_status ups_fixture_add_lens(ups_fixture* f, const ups_lens_desc* d, ups_fixture_part_id*) {
+  f->parts.push_back("lens");
+  f->lenses.push_back(*d);
+  custom_of(f, d);
+  return UPS_OK;
+}
+
+ups_status ups_fixture_add_collimator(ups_fixture* f, const ups_collimator_desc* d, ups_fixture_part_id*) {
+  f->parts.push_back("collimator");
+  f->collimators.push_back(*d);
+  f->points = copied(d->wall_rz_m, 2 * size_t(d->wall_point_count));
+  custom_of(f, d);
+  return UPS_OK;
+}
+
+ups_status ups_scene_add_fixture(ups_scene* scene, const ups_fixture* fixture, const ups_fixture_instance_desc* d,
+                                 ups_fixture_id* out) {
+  return record(scene->fixtures, {*d, *fixture}, out);
 }

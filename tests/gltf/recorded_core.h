@@ -25,9 +25,29 @@ struct RecordedMeters {
   float cell_size_m[2];
 };
 
+struct RecordedGoniometer {
+  ups_goniometer_desc desc;  // angles: dangling, never read
+  std::vector<float> c_deg, gamma_deg;
+};
+
 struct RecordedLuminaire {
   ups_luminaire_desc desc;  // profile: dangling, never read
   std::string profile_bytes;
+};
+
+struct ups_fixture {
+  std::vector<std::string> parts;  // the kinds, in order
+  std::vector<ups_fixture_emitter_desc> emitters;
+  std::vector<ups_reflector_desc> reflectors;  // pointers: dangling, never read
+  std::vector<ups_lens_desc> lenses;
+  std::vector<ups_collimator_desc> collimators;
+  std::vector<ups_material_desc> custom;  // of CUSTOM finishes, in order
+  std::vector<double> points;             // of the last polyline
+};
+
+struct RecordedFixture {
+  ups_fixture_instance_desc desc;
+  ups_fixture fixture;
 };
 
 struct ups_scene {  // ids are places in these, from 1
@@ -37,11 +57,16 @@ struct ups_scene {  // ids are places in these, from 1
   std::vector<ups_instance_desc> instances;
   std::vector<ups_light_desc> lights;
   std::vector<RecordedLuminaire> luminaires;
+  std::vector<RecordedFixture> fixtures;
   std::vector<ups_camera_desc> cameras;
   std::vector<RecordedMeters> meters;
+  std::vector<RecordedGoniometer> goniometers;
 };
 
 // Profiles that were parsed and not yet destroyed.
 int living_profiles();
+// Fixtures that were ever made, and those not yet destroyed.
+int made_fixtures();
+int living_fixtures();
 // What ups_profile_parse does not accept: bytes that start with this; it then says "recorded core: no such format".
 inline constexpr const char* refused_profile = "EULUMDAT";

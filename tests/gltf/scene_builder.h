@@ -85,6 +85,7 @@ class ImportTest : public testing::Test {
   void TearDown() override {
     ups_gltf_import_destroy(imported);
     EXPECT_EQ(living_profiles(), 0);
+    EXPECT_EQ(living_fixtures(), 0);
     std::filesystem::remove_all(folder);
   }
 

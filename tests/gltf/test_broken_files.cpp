@@ -287,6 +287,11 @@ TEST_F(BrokenFile, NodeExtras) {
       {"no file", {{"luminaire", {{"flux_lm", 900}}}}, {"file"}},
       {"negative dimming", {{"luminaire", {{"file", "a.ies"}, {"dimming", -1}}}}, {"dimming"}},
       {"too cold", {{"luminaire", {{"file", "a.ies"}, {"colour_temperature_k", 500}}}}, {"colour_temperature_k"}},
+      {"black", {{"luminaire", {{"file", "a.ies"}, {"color", {0, 0, 0}}}}}, {"color"}},
+      {"negative colour", {{"luminaire", {{"file", "a.ies"}, {"color", {1, -1, 0}}}}}, {"color"}},
+      {"two colours",
+       {{"luminaire", {{"file", "a.ies"}, {"color", {1, 1, 0}}, {"colour_temperature_k", 3000}}}},
+       {"color", "colour_temperature_k"}},
       {"unknown luminaire key", {{"luminaire", {{"file", "a.ies"}, {"flux", 9}}}}, {"flux"}}};
   write("a.ies", "good");
   for (const BadExtras& c : cases) {

@@ -53,6 +53,35 @@ TEST_F(GoodFile, WorkPlaneFacesUp) {
   EXPECT_EQ(scene.meters[0].cell_size_m[0], 0);
 }
 
+TEST_F(GoodFile, GoniometersHangLikeLuminaires) {
+  SceneBuilder builder;
+  builder.add_node({{"name", "lamp"},
+                    {"rotation", upward},
+                    {"extras", {{"ups", {{"goniometer", {{"c_step_deg", 90}, {"gamma_deg", {0, 1, 90}}}}}}}}});
+  builder.add_node({{"extras", {{"ups", {{"goniometer", {{"symmetry", "axial"}}}}}}}});
+  import(builder);
+  EXPECT_EQ(sensor_info(0).kind, UPS_GLTF_GONIOMETER);
+  EXPECT_EQ(sensor_info(0).columns, 4u);
+  EXPECT_EQ(sensor_info(0).rows, 3u);
+  EXPECT_EQ(scene.goniometers[0].c_deg, (std::vector<float>{0, 90, 180, 270}));
+  EXPECT_EQ(scene.goniometers[0].gamma_deg, (std::vector<float>{0, 1, 90}));
+  // local -Z, the nadir, is down
+  expect_near(point(scene.goniometers[0].desc.to_world, 0, 0, -1), {0, 0, -1});
+  EXPECT_EQ(scene.goniometers[1].c_deg.size(), 1u);
+  EXPECT_EQ(scene.goniometers[1].gamma_deg.size(), 73u);
+  EXPECT_EQ(scene.goniometers[1].gamma_deg.back(), 180);
+}
+
+TEST_F(GoodFile, GroupIsOfAllThatTheNodeEmits) {
+  SceneBuilder builder;
+  builder.doc["extensions"]["KHR_lights_punctual"]["lights"] = json::array({{{"type", "point"}}});
+  builder.add_node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"extras", {{"ups", {{"group", 5}}}}}});
+  builder.add_node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  import(builder);
+  EXPECT_EQ(scene.lights[0].group, 5u);
+  EXPECT_EQ(scene.lights[1].group, 0u);
+}
+
 TEST_F(GoodFile, MetersWithoutRotationFaceSouth) {
   SceneBuilder builder;
   builder.add_node({{"extras", grid(nullptr)}});
@@ -302,8 +331,14 @@ TEST_F(GoodFile, Luminaires) {
                     {"dimming", 0.5}};
   builder.add_node({{"translation", {0, 3, 0}}, {"rotation", upward}, {"extras", {{"ups", {{"luminaire", all}}}}}});
   builder.add_node({{"extras", {{"ups", {{"luminaire", {{"file", "spot light.ies"}}}}}}}});
+  const json red = {{"file", "spot light.ies"}, {"color", {0.75, 0.25, 0}}};
+  builder.add_node({{"extras", {{"ups", {{"luminaire", red}}}}}});
   import(builder);
-  ASSERT_EQ(scene.luminaires.size(), 2u);
+  ASSERT_EQ(scene.luminaires.size(), 3u);
+  EXPECT_EQ(scene.luminaires[2].desc.color_rgb[0], 0.75f);
+  EXPECT_EQ(scene.luminaires[2].desc.color_rgb[1], 0.25f);
+  EXPECT_EQ(scene.luminaires[2].desc.color_rgb[2], 0);
+  EXPECT_FLOAT_EQ(scene.luminaires[2].desc.intensity_scale, 1);
   const ups_luminaire_desc& first = scene.luminaires[0].desc;
   EXPECT_EQ(scene.luminaires[0].profile_bytes, "profile");
   EXPECT_FLOAT_EQ(first.flux_lm, 900);

@@ -73,6 +73,7 @@ struct Sensor {
   uint32_t count = 0;              // meters
   uint32_t width = 0, height = 0;  // camera
   bool illuminance = false;
+  uint32_t planes = 0, gammas = 0;  // goniometer
 };
 
 class Result {
@@ -82,6 +83,8 @@ class Result {
     for (const Sensor& s : sensors) {
       if (s.count > 0)
         readings(s);
+      else if (s.planes > 0)
+        intensities(s);
       else
         image(s);
     }
@@ -101,6 +104,40 @@ class Result {
       require_finite({r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx},
                      "meter reading");
     return out;
+  }
+  std::vector<ups_source_info> sources() const {
+    uint32_t count = 0;
+    check(ups_result_get_source_count(result_.get(), &count), "ups_result_get_source_count");
+    std::vector<ups_source_info> all(count);
+    for (uint32_t i = 0; i < count; ++i) {
+      all[i].struct_size = sizeof all[i];
+      check(ups_result_get_source(result_.get(), i, &all[i]), "ups_result_get_source");
+    }
+    return all;
+  }
+  std::vector<ups_meter_reading> readings_of_source(uint32_t source, const Sensor& meters) const {
+    std::vector<ups_meter_reading> out(meters.count);
+    check(ups_result_read_source_meters(result_.get(), source, meters.id, out.data(), out.size()),
+          "ups_result_read_source_meters");
+    return out;
+  }
+  std::vector<ups_intensity_reading> intensities(const Sensor& goniometer) const {
+    std::vector<ups_intensity_reading> out(size_t(goniometer.planes) * goniometer.gammas);
+    check(ups_result_read_goniometer(result_.get(), goniometer.id, out.data(), out.size()), "ups_result_read_goniometer");
+    for (const auto& r : out)
+      require_finite({r.intensity_cd, r.standard_error_cd, r.bias_cd, r.error_bound_cd}, "goniometer");
+    return out;
+  }
+  ups_goniometer_info goniometer_info(const Sensor& goniometer) const {
+    ups_goniometer_info i{};
+    i.struct_size = sizeof i;
+    check(ups_result_get_goniometer_info(result_.get(), goniometer.id, &i), "ups_result_get_goniometer_info");
+    return i;
+  }
+  std::unique_ptr<ups_profile, decltype(&ups_profile_destroy)> goniometer_profile(const Sensor& goniometer) const {
+    ups_profile* profile = nullptr;
+    check(ups_result_get_goniometer_profile(result_.get(), goniometer.id, &profile), "ups_result_get_goniometer_profile");
+    return {profile, ups_profile_destroy};
   }
   ups_meter_statistics statistics(const Sensor& meters) const {
     ups_meter_statistics s{};
@@ -175,6 +212,7 @@ struct RenderOptions {
   uint32_t technique_images = 0;
   double radius_alpha = 0;
   double glossy_alpha = 0;
+  ups_separation separation = UPS_SEPARATE_NOTHING;
 };
 
 // Local -Z along `direction`, at `position`; row-major 3x4.
@@ -200,6 +238,9 @@ class Scene {
   ups_context* context() const { return context_.get(); }
   ups_scene* get() const { return scene_.get(); }
 
+  // Of everything that emits and is added from here on.
+  void set_group(uint32_t group) { group_ = group; }
+
   // `offset` moves the instance, in double: far from the origin floats could not hold the vertices.
   void add(const Shape& shape, const ups_material_desc& material, const P3& offset = {}) {
     ups_material_id material_id;
@@ -218,6 +259,7 @@ class Scene {
     if (!shape.uvs.empty()) mesh.uvs = shape.uvs.data()->data();
     auto instance = make_desc<ups_instance_desc>(ups_instance_desc_init);
     check(ups_scene_add_mesh(scene_.get(), &mesh, &instance.mesh), "ups_scene_add_mesh");
+    instance.group = group_;
     instance.to_world[3] = offset.x;
     instance.to_world[7] = offset.y;
     instance.to_world[11] = offset.z;
@@ -251,6 +293,7 @@ class Scene {
     auto d = make_desc<ups_luminaire_desc>(ups_luminaire_desc_init);
     d.profile = profile;
     d.use_opening = opening;
+    d.group = group_;
     const auto m = facing(position, direction);
     std::copy(m.begin(), m.end(), d.to_world);
     ups_luminaire_id id;
@@ -283,6 +326,20 @@ class Scene {
     return s;
   }
 
+  // Axes along the world's, nadir down.
+  Sensor add_goniometer(uint32_t planes, uint32_t gammas, ups_profile_symmetry symmetry = UPS_SYMMETRY_NONE) {
+    auto d = make_desc<ups_goniometer_desc>(ups_goniometer_desc_init);
+    d.c_count = planes;
+    d.gamma_count = gammas;
+    d.symmetry = symmetry;
+    Sensor s;
+    s.planes = planes;
+    s.gammas = gammas;
+    check(ups_scene_add_goniometer(scene_.get(), &d, &s.id), "ups_scene_add_goniometer");
+    sensors_.push_back(s);
+    return s;
+  }
+
   Result render(const RenderOptions& options) {
     check(ups_scene_commit(scene_.get()), "ups_scene_commit");
     auto d = make_desc<ups_render_desc>(ups_render_desc_init);
@@ -297,6 +354,7 @@ class Scene {
     d.technique_images = options.technique_images;
     d.radius_alpha = float(options.radius_alpha);
     d.glossy_alpha = float(options.glossy_alpha);
+    d.separation = options.separation;
     ups_result* result = nullptr;
     check(ups_render(scene_.get(), &d, &result), "ups_render");
     return Result(result, sensors_);
@@ -310,6 +368,7 @@ class Scene {
     const auto m = facing(position, direction);
     std::copy(m.begin(), m.end(), d.to_world);
     for (float& i : d.intensity_rgb) i = float(intensity);
+    d.group = group_;
     d.inner_cone_rad = float(inner);
     d.outer_cone_rad = float(outer);
     ups_luminaire_id id;
@@ -338,6 +397,7 @@ class Scene {
   std::unique_ptr<ups_context, decltype(&ups_context_destroy)> context_{nullptr, ups_context_destroy};
   std::unique_ptr<ups_scene, decltype(&ups_scene_destroy)> scene_{nullptr, ups_scene_destroy};
   std::vector<Sensor> sensors_;
+  uint32_t group_ = 0;
 };
 
 }  // namespace ups::test

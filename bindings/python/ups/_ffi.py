@@ -29,6 +29,10 @@ class ProfileFormat(enum.IntEnum):
     AUTO = 0
     IES_LM63 = 1
     EULUMDAT = 2
+    TM33_XML = 3
+    TM25_RAYS = 4
+    ZEMAX_RAYS = 5
+    LIGHTTOOLS_RAYS = 6
 
 
 class OpeningShape(enum.IntEnum):
@@ -48,10 +52,17 @@ class ProfileSymmetry(enum.IntEnum):
     QUADRANTS = 4
 
 
+class PhotometricType(enum.IntEnum):
+    C = 0
+    B = 1
+    A = 2
+
+
 class ProfileText(enum.IntEnum):
     WARNINGS = 0
     KEYWORDS = 1
     FORMAT = 2
+    TILT_FILE = 3
 
 
 class MaterialModel(enum.IntEnum):
@@ -92,6 +103,41 @@ class SceneText(enum.IntEnum):
     TECHNIQUES = 2
 
 
+class Finish(enum.IntEnum):
+    SPECULAR_ALUMINIUM = 0
+    ENHANCED_ALUMINIUM = 1
+    SEMI_SPECULAR_ALUMINIUM = 2
+    MATTE_WHITE = 3
+    BLACK = 4
+    OPAL = 5
+    PMMA = 6
+    POLYCARBONATE = 7
+    GLASS = 8
+    FROSTED_PMMA = 9
+    CUSTOM = 10
+
+
+class EmitterShape(enum.IntEnum):
+    DISC = 0
+    RECTANGLE = 1
+    SPHERE = 2
+    CYLINDER = 3
+
+
+class ReflectorProfile(enum.IntEnum):
+    PARABOLOID = 0
+    ELLIPSOID = 1
+    CONE = 2
+    CYLINDER = 3
+    POLYLINE = 4
+
+
+class CollimatorWall(enum.IntEnum):
+    PARALLEL = 0
+    PARABOLOID = 1
+    POLYLINE = 2
+
+
 class Projection(enum.IntEnum):
     PERSPECTIVE = 0
 
@@ -129,11 +175,23 @@ class Perturbation(enum.IntEnum):
     ACTUAL = 1
 
 
+class Separation(enum.IntEnum):
+    NOTHING = 0
+    LUMINAIRES = 1
+    GROUPS = 2
+
+
 class JobState(enum.IntEnum):
     RUNNING = 0
     FINISHED = 1
     CANCELLED = 2
     FAILED = 3
+
+
+class SourceKind(enum.IntEnum):
+    LUMINAIRE = 0
+    INSTANCE = 1
+    GROUP = 2
 
 
 class Channel(enum.IntEnum):
@@ -208,6 +266,23 @@ class ProfileDesc(Structure):
         ("c_deg", POINTER(c_float)),
         ("gamma_deg", POINTER(c_float)),
         ("intensity_cd", POINTER(c_float)),
+        ("opening_shape", c_int32),
+        ("opening_m", c_float * 3),
+        ("opening_axis", c_int32),
+        ("input_power_w", c_float),
+    ]
+
+
+class ProfileParseDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("format", c_int32),
+        ("bytes", c_void_p),
+        ("size", c_size_t),
+        ("tilt_file", c_void_p),
+        ("tilt_file_size", c_size_t),
+        ("tilt_deg", c_float),
+        ("lamp_set", c_uint32),
     ]
 
 
@@ -227,6 +302,15 @@ class ProfileInfo(Structure):
         ("symmetry", c_int32),
         ("c_count", c_uint32),
         ("gamma_count", c_uint32),
+        ("photometric_type", c_int32),
+        ("ray_count", c_uint32),
+        ("up_flux_lm", c_double),
+        ("down_flux_lm", c_double),
+        ("light_output_ratio", c_double),
+        ("beam_angle_deg", c_float * 2),
+        ("field_angle_deg", c_float * 2),
+        ("opening_axis", c_int32),
+        ("lamp_set_count", c_uint32),
     ]
 
 
@@ -290,6 +374,8 @@ class InstanceDesc(Structure):
         ("struct_size", c_uint32),
         ("mesh", MeshId),
         ("to_world", c_double * 12),
+        ("group", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -301,7 +387,7 @@ class LightDesc(Structure):
         ("intensity_rgb", c_float * 3),
         ("inner_cone_rad", c_float),
         ("outer_cone_rad", c_float),
-        ("reserved", c_float),
+        ("group", c_uint32),
     ]
 
 
@@ -315,6 +401,8 @@ class LuminaireDesc(Structure):
         ("flux_lm", c_float),
         ("dimming", c_float),
         ("intensity_scale", c_float),
+        ("group", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -333,6 +421,148 @@ class SceneInfo(Structure):
         ("emitted_flux_lm", c_double),
         ("bounds_min_m", c_double * 3),
         ("bounds_max_m", c_double * 3),
+    ]
+
+
+class FixturePartId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class FixtureId(Structure):
+    _fields_ = [
+        ("v", c_uint32),
+    ]
+
+
+class FixtureEmitterDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("shape", c_int32),
+        ("to_fixture", c_double * 12),
+        ("radius_m", c_double),
+        ("width_m", c_double),
+        ("length_m", c_double),
+        ("chord_tolerance_m", c_double),
+        ("flux_lm", c_float),
+        ("color_rgb", c_float * 3),
+        ("reflectance", c_float),
+        ("reserved", c_float),
+    ]
+
+
+class ReflectorDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("profile", c_int32),
+        ("to_fixture", c_double * 12),
+        ("focal_length_m", c_double),
+        ("semi_axis_m", c_double),
+        ("half_distance_m", c_double),
+        ("inner_radius_m", c_double),
+        ("aperture_radius_m", c_double),
+        ("depth_m", c_double),
+        ("profile_rz_m", POINTER(c_double)),
+        ("profile_point_count", c_uint32),
+        ("smooth", c_int32),
+        ("facets_around", c_uint32),
+        ("facets_along", c_uint32),
+        ("chord_tolerance_m", c_double),
+        ("normal_tolerance_rad", c_double),
+        ("finish", c_int32),
+        ("finish_reflectance", c_float),
+        ("finish_transmittance", c_float),
+        ("finish_roughness", c_float),
+        ("material", POINTER(MaterialDesc)),
+    ]
+
+
+class LensDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("finish", c_int32),
+        ("to_fixture", c_double * 12),
+        ("radius_m", c_double),
+        ("thickness_m", c_double),
+        ("entry_radius_m", c_double),
+        ("entry_conic", c_double),
+        ("entry_coefficients", c_double * 4),
+        ("exit_radius_m", c_double),
+        ("exit_conic", c_double),
+        ("exit_coefficients", c_double * 4),
+        ("chord_tolerance_m", c_double),
+        ("normal_tolerance_rad", c_double),
+        ("facets_around", c_uint32),
+        ("finish_roughness", c_float),
+        ("finish_absorption_per_m", c_float),
+        ("finish_ior", c_float),
+        ("material", POINTER(MaterialDesc)),
+    ]
+
+
+class CollimatorDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("finish", c_int32),
+        ("to_fixture", c_double * 12),
+        ("cavity_radius_m", c_double),
+        ("cavity_depth_m", c_double),
+        ("lens_radius_m", c_double),
+        ("lens_conic", c_double),
+        ("wall", c_int32),
+        ("smooth", c_int32),
+        ("wall_thickness_m", c_double),
+        ("wall_focal_length_m", c_double),
+        ("height_m", c_double),
+        ("wall_rz_m", POINTER(c_double)),
+        ("wall_point_count", c_uint32),
+        ("facets_around", c_uint32),
+        ("exit_radius_m", c_double),
+        ("exit_conic", c_double),
+        ("chord_tolerance_m", c_double),
+        ("normal_tolerance_rad", c_double),
+        ("exit_facets_along", c_uint32),
+        ("finish_roughness", c_float),
+        ("finish_absorption_per_m", c_float),
+        ("finish_ior", c_float),
+        ("material", POINTER(MaterialDesc)),
+    ]
+
+
+class FixturePartDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("finish", c_int32),
+        ("to_fixture", c_double * 12),
+        ("mesh", POINTER(MeshDesc)),
+        ("finish_reflectance", c_float),
+        ("finish_transmittance", c_float),
+        ("finish_roughness", c_float),
+        ("finish_absorption_per_m", c_float),
+        ("finish_ior", c_float),
+        ("reserved", c_float),
+        ("material", POINTER(MaterialDesc)),
+    ]
+
+
+class FixtureInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("part_count", c_uint32),
+        ("triangle_count", c_uint64),
+        ("flux_lm", c_double),
+        ("emitter_area_m2", c_double),
+    ]
+
+
+class FixtureInstanceDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("dimming", c_float),
+        ("to_world", c_double * 12),
+        ("flux_lm", c_float),
+        ("group", c_uint32),
     ]
 
 
@@ -361,6 +591,20 @@ class MeterDesc(Structure):
     ]
 
 
+class GoniometerDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("symmetry", c_int32),
+        ("c_deg", POINTER(c_float)),
+        ("gamma_deg", POINTER(c_float)),
+        ("c_count", c_uint32),
+        ("gamma_count", c_uint32),
+        ("to_world", c_double * 12),
+        ("opening_shape", c_int32),
+        ("opening_m", c_float * 3),
+    ]
+
+
 class RenderDesc(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -377,6 +621,8 @@ class RenderDesc(Structure):
         ("glossy_alpha", c_float),
         ("perturbation", c_int32),
         ("technique_images", c_uint32),
+        ("separation", c_int32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -453,6 +699,43 @@ class MeterStatistics(Structure):
     ]
 
 
+class SourceInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("id", c_uint32),
+        ("reserved", c_uint32),
+        ("flux_lm", c_double),
+    ]
+
+
+class GoniometerInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("c_count", c_uint32),
+        ("gamma_count", c_uint32),
+        ("reserved", c_uint32),
+        ("flux_lm", c_double),
+        ("flux_standard_error_lm", c_double),
+        ("outside_flux_lm", c_double),
+        ("emitted_flux_lm", c_double),
+        ("absorbed_flux_lm", c_double),
+        ("light_output_ratio", c_double),
+        ("light_output_ratio_standard_error", c_double),
+        ("worst_relative_error_bound", c_double),
+        ("median_relative_error_bound", c_double),
+    ]
+
+
+class IntensityReading(Structure):
+    _fields_ = [
+        ("intensity_cd", c_float),
+        ("standard_error_cd", c_float),
+        ("bias_cd", c_float),
+        ("error_bound_cd", c_float),
+    ]
+
+
 class TechniqueInfo(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -476,8 +759,12 @@ PROTOTYPES = {
     "ups_profile_desc_init": (None, [POINTER(ProfileDesc), c_uint32]),
     "ups_profile_create": (c_int32, [c_void_p, POINTER(ProfileDesc), POINTER(c_void_p)]),
     "ups_profile_parse": (c_int32, [c_void_p, c_void_p, c_size_t, c_int32, POINTER(c_void_p)]),
+    "ups_profile_parse_desc_init": (None, [POINTER(ProfileParseDesc), c_uint32]),
+    "ups_profile_parse_with": (c_int32, [c_void_p, POINTER(ProfileParseDesc), POINTER(c_void_p)]),
+    "ups_profile_write": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_get_info": (c_int32, [c_void_p, POINTER(ProfileInfo)]),
     "ups_profile_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_profile_get_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_eval": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)]),
     "ups_profile_destroy": (None, [c_void_p]),
     "ups_texture_desc_init": (None, [POINTER(TextureDesc), c_uint32]),
@@ -503,10 +790,30 @@ PROTOTYPES = {
     "ups_scene_commit": (c_int32, [c_void_p]),
     "ups_scene_get_info": (c_int32, [c_void_p, POINTER(SceneInfo)]),
     "ups_scene_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_fixture_emitter_desc_init": (None, [POINTER(FixtureEmitterDesc), c_uint32]),
+    "ups_reflector_desc_init": (None, [POINTER(ReflectorDesc), c_uint32]),
+    "ups_lens_desc_init": (None, [POINTER(LensDesc), c_uint32]),
+    "ups_collimator_desc_init": (None, [POINTER(CollimatorDesc), c_uint32]),
+    "ups_fixture_part_desc_init": (None, [POINTER(FixturePartDesc), c_uint32]),
+    "ups_fixture_instance_desc_init": (None, [POINTER(FixtureInstanceDesc), c_uint32]),
+    "ups_fixture_create": (c_int32, [c_void_p, POINTER(c_void_p)]),
+    "ups_fixture_destroy": (None, [c_void_p]),
+    "ups_fixture_add_emitter": (c_int32, [c_void_p, POINTER(FixtureEmitterDesc), POINTER(FixturePartId)]),
+    "ups_fixture_add_reflector": (c_int32, [c_void_p, POINTER(ReflectorDesc), POINTER(FixturePartId)]),
+    "ups_fixture_add_lens": (c_int32, [c_void_p, POINTER(LensDesc), POINTER(FixturePartId)]),
+    "ups_fixture_add_collimator": (c_int32, [c_void_p, POINTER(CollimatorDesc), POINTER(FixturePartId)]),
+    "ups_fixture_add_part": (c_int32, [c_void_p, POINTER(FixturePartDesc), POINTER(FixturePartId)]),
+    "ups_fixture_get_info": (c_int32, [c_void_p, POINTER(FixtureInfo)]),
+    "ups_scene_add_fixture": (c_int32, [c_void_p, c_void_p, POINTER(FixtureInstanceDesc), POINTER(FixtureId)]),
+    "ups_scene_set_fixture_dimming": (c_int32, [c_void_p, FixtureId, c_float]),
+    "ups_scene_set_fixture_transform": (c_int32, [c_void_p, FixtureId, POINTER(c_double)]),
+    "ups_scene_remove_fixture": (c_int32, [c_void_p, FixtureId]),
     "ups_camera_desc_init": (None, [POINTER(CameraDesc), c_uint32]),
     "ups_meter_desc_init": (None, [POINTER(MeterDesc), c_uint32]),
     "ups_scene_add_camera": (c_int32, [c_void_p, POINTER(CameraDesc), POINTER(SensorId)]),
     "ups_scene_add_meters": (c_int32, [c_void_p, POINTER(MeterDesc), POINTER(SensorId)]),
+    "ups_goniometer_desc_init": (None, [POINTER(GoniometerDesc), c_uint32]),
+    "ups_scene_add_goniometer": (c_int32, [c_void_p, POINTER(GoniometerDesc), POINTER(SensorId)]),
     "ups_render_desc_init": (None, [POINTER(RenderDesc), c_uint32]),
     "ups_render": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
     "ups_job_start": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
@@ -518,6 +825,14 @@ PROTOTYPES = {
     "ups_result_get_info": (c_int32, [c_void_p, POINTER(ResultInfo)]),
     "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t]),
     "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)]),
+    "ups_result_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
+    "ups_result_get_source": (c_int32, [c_void_p, c_uint32, POINTER(SourceInfo)]),
+    "ups_result_read_source_meters": (c_int32, [c_void_p, c_uint32, SensorId, POINTER(MeterReading), c_size_t]),
+    "ups_result_get_goniometer_info": (c_int32, [c_void_p, SensorId, POINTER(GoniometerInfo)]),
+    "ups_result_read_goniometer": (c_int32, [c_void_p, SensorId, POINTER(IntensityReading), c_size_t]),
+    "ups_result_get_goniometer_angles": (c_int32, [c_void_p, SensorId, POINTER(c_float), c_size_t, POINTER(c_float),
+        c_size_t]),
+    "ups_result_get_goniometer_profile": (c_int32, [c_void_p, SensorId, POINTER(c_void_p)]),
     "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t]),
     "ups_result_get_technique_count": (c_int32, [c_void_p, SensorId, POINTER(c_uint32)]),
     "ups_result_get_technique": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(TechniqueInfo)]),
@@ -532,13 +847,21 @@ PROTOTYPES = {
 INIT = {
     ContextDesc: "ups_context_desc_init",
     ProfileDesc: "ups_profile_desc_init",
+    ProfileParseDesc: "ups_profile_parse_desc_init",
     TextureDesc: "ups_texture_desc_init",
     MaterialDesc: "ups_material_desc_init",
     MeshDesc: "ups_mesh_desc_init",
     InstanceDesc: "ups_instance_desc_init",
     LightDesc: "ups_light_desc_init",
     LuminaireDesc: "ups_luminaire_desc_init",
+    FixtureEmitterDesc: "ups_fixture_emitter_desc_init",
+    ReflectorDesc: "ups_reflector_desc_init",
+    LensDesc: "ups_lens_desc_init",
+    CollimatorDesc: "ups_collimator_desc_init",
+    FixturePartDesc: "ups_fixture_part_desc_init",
+    FixtureInstanceDesc: "ups_fixture_instance_desc_init",
     CameraDesc: "ups_camera_desc_init",
     MeterDesc: "ups_meter_desc_init",
+    GoniometerDesc: "ups_goniometer_desc_init",
     RenderDesc: "ups_render_desc_init",
 }

@@ -1,4 +1,4 @@
-// The state of one import, shared by its parts: materials and textures, meshes, nodes, lights, meters. import.cpp owns
+// The state of one import, shared by its parts: materials and textures, meshes, nodes, lights, meters, goniometers. import.cpp owns
 // the order of work; each part is a file of its own.
 #pragma once
 #include <memory>
@@ -27,6 +27,11 @@ struct ProfileDeleter {
 };
 using ProfilePtr = std::unique_ptr<ups_profile, ProfileDeleter>;
 
+struct FixtureDeleter {
+  void operator()(ups_fixture* fixture) const;
+};
+using FixturePtr = std::unique_ptr<ups_fixture, FixtureDeleter>;
+
 struct Material {
   ups_material_id id;
   int uv_set;  // the TEXCOORD_n that its textures use
@@ -36,6 +41,9 @@ struct Material {
 inline void store(const Rgb& from, float (&to)[3]) {
   for (size_t i = 0; i < 3; ++i) to[i] = float(from[i]);
 }
+
+// "colour_temperature_k" of an emitter or a luminaire, where there is one.
+void read_colour_temperature(const JsonReader& reader, float (&rgb)[3]);
 
 class Importer {
  public:
@@ -79,6 +87,17 @@ class Importer {
   void add_ies_light(const JsonReader& node, const Affine& frame);
   void add_luminaire(const JsonReader& luminaire, const Affine& frame);
   const ups_profile* profile(const std::string& key, const Bytes& bytes, const std::string& where);
+  // goniometer.cpp
+  void add_goniometer(const JsonReader& words, const std::string& node_name, const Affine& frame);
+  // fixture.cpp
+  void add_fixture(const JsonReader& fixture, const Affine& frame);
+  const ups_fixture* fixture_of(const JsonReader& fixture);
+  void add_emitter(ups_fixture* fixture, const JsonReader& part);
+  void add_reflector(ups_fixture* fixture, const JsonReader& part);
+  void add_lens(ups_fixture* fixture, const JsonReader& part);
+  void add_collimator(ups_fixture* fixture, const JsonReader& part);
+  template <class Desc>
+  void read_finish(const JsonReader& part, Desc& desc, ups_material_desc& custom);
   // meters.cpp
   void add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame);
   std::string unique_name(const std::string& name, bool illuminance, const std::string& where);
@@ -91,9 +110,11 @@ class Importer {
   std::optional<Material> default_material_;
   std::vector<std::optional<std::vector<ups_mesh_id>>> meshes_;
   std::vector<std::pair<std::string, ProfilePtr>> profiles_;
+  std::vector<std::pair<const Json*, FixturePtr>> fixtures_;  // by their "parts"
   std::vector<std::pair<std::string, ups_texture_id>> textures_;
   std::set<std::string> names_, warned_;
   std::vector<char> visited_;  // nodes
+  uint32_t group_ = 0;         // of what the present node emits
 };
 
 }  // namespace ups::gltf

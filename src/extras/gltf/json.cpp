@@ -56,6 +56,7 @@ std::string number_text(double value) {
 constexpr double largest_integer = 9007199254740992.0;
 
 std::string range_text(double low, double high) {
+  if (std::isinf(low)) return "of any size";
   if (high >= largest_integer) return "at least " + number_text(low);
   return "from " + number_text(low) + " to " + number_text(high);
 }

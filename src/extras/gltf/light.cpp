@@ -65,6 +65,11 @@ JsonReader light_of(const Json& document, const JsonReader& use, const char* nam
 
 }  // namespace
 
+void read_colour_temperature(const JsonReader& reader, float (&rgb)[3]) {
+  if (!reader.has("colour_temperature_k")) return;
+  store(planckian_rgb(reader.number("colour_temperature_k", 0, min_temperature, max_temperature)), rgb);
+}
+
 void Importer::add_punctual_light(const JsonReader& node, const Affine& frame) {
   const JsonReader light = light_of(document_.json, *node.extension("KHR_lights_punctual"), "KHR_lights_punctual");
   const std::string where = node.where() + ", " + light.where();
@@ -88,6 +93,7 @@ void Importer::add_punctual_light(const JsonReader& node, const Affine& frame) {
   const Rgb color = light.rgb("color", {1, 1, 1}, 0, unlimited, false);
   store({color[0] * intensity, color[1] * intensity, color[2] * intensity}, desc.intensity_rgb);
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_light(scene_, &desc, &id), where);
 }
@@ -132,12 +138,13 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
   desc.intensity_scale = float(use.number("multiplier", 1, 0, unlimited) * y);
   desc.use_opening = 0;  // the extension: "infinitely small points"
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_luminaire(scene_, &desc, &id), where);
 }
 
 void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
-  luminaire.allow_only({"file", "flux_lm", "dimming", "colour_temperature_k", "opening"});
+  luminaire.allow_only({"file", "flux_lm", "dimming", "colour_temperature_k", "color", "opening"});
   const std::string file = luminaire.text("file", "");
   if (file.empty()) luminaire.fail("file", "is missing: the name of an IES or EULUMDAT file beside the scene");
   const std::string where = luminaire.where() + ", file '" + file + "'";
@@ -147,10 +154,15 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   desc.use_opening = luminaire.boolean("opening", true);
   desc.dimming = float(luminaire.number("dimming", 1, 0, unlimited));
   if (luminaire.has("flux_lm")) desc.flux_lm = float(luminaire.number("flux_lm", 0, 0, unlimited));
-  if (luminaire.has("colour_temperature_k")) {
-    store(planckian_rgb(luminaire.number("colour_temperature_k", 0, min_temperature, max_temperature)), desc.color_rgb);
+  if (luminaire.has("color")) {
+    if (luminaire.has("colour_temperature_k")) luminaire.fail("color", "and \"colour_temperature_k\" exclude each other");
+    const Rgb color = luminaire.rgb("color", {1, 1, 1}, 0, unlimited, false);
+    if (!(luminance(color) > 0)) luminaire.fail("color", "must have a component above 0: it is a chromaticity alone");
+    store(color, desc.color_rgb);
   }
+  read_colour_temperature(luminaire, desc.color_rgb);
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
+  desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_luminaire(scene_, &desc, &id), where);
 }

@@ -80,32 +80,38 @@ void Importer::read_node(int index, const Affine& parent) {
   const std::string where = place("node", size_t(index), source.name);
   const JsonReader node = document_.element("nodes", size_t(index), where);
   const NodeTransform local = local_transform(source, where);
+  const auto extras = node.ups_extras();
+  group_ = extras ? uint32_t(extras->integer("group", 0, 0, std::numeric_limits<uint32_t>::max())) : 0;
   if (source.mesh >= 0) add_instances(source.mesh, parent * local.full, where);
   if (source.skin >= 0) warn(where + ": its skin is skipped");
   warn_about_extensions(node, {"KHR_lights_punctual", "EXT_lights_ies"});
 
-  const auto extras = node.ups_extras();
   if (extras) {
-    extras->allow_only({"meters", "luminaire", "width", "height", "illuminance_camera"});
+    extras->allow_only(
+        {"meters", "goniometer", "luminaire", "fixture", "group", "width", "height", "illuminance_camera"});
     for (const char* key : {"width", "height", "illuminance_camera"}) {
       if (extras->has(key) && source.camera < 0) extras->fail(key, "needs a camera on the same node");
     }
   }
   const auto meters = extras ? extras->object("meters") : std::nullopt;
+  const auto goniometer = extras ? extras->object("goniometer") : std::nullopt;
   const auto luminaire = extras ? extras->object("luminaire") : std::nullopt;
+  const auto fixture = extras ? extras->object("fixture") : std::nullopt;
   const bool has_punctual = node.extension("KHR_lights_punctual").has_value();
   const bool has_ies = node.extension("EXT_lights_ies").has_value();
-  if (source.camera < 0 && !meters && !luminaire && !has_punctual && !has_ies) return;
+  if (source.camera < 0 && !meters && !goniometer && !luminaire && !fixture && !has_punctual && !has_ies) return;
 
   bool scaled = false;
   const Affine frame = without_scale(parent * local.unscaled, scaled, where);
   if (scaled || !is_unit(source.scale))
-    warn(where + ": its scale is ignored for meters, luminaires, lights and cameras");
+    warn(where + ": its scale is ignored for meters, goniometers, luminaires, fixtures, lights and cameras");
   if (source.camera >= 0) add_camera(node, source.camera, frame);
   if (has_punctual) add_punctual_light(node, frame);
   if (has_ies) add_ies_light(node, frame);
   if (luminaire) add_luminaire(*luminaire, frame);
+  if (fixture) add_fixture(*fixture, frame);
   if (meters) add_meters(*meters, source.name, frame);
+  if (goniometer) add_goniometer(*goniometer, source.name, frame);
 }
 
 void Importer::add_instances(int index, const Affine& to_world, const std::string& where) {
@@ -119,6 +125,7 @@ void Importer::add_instances(int index, const Affine& to_world, const std::strin
     ups_instance_desc desc;
     ups_instance_desc_init(&desc, sizeof desc);
     desc.mesh = id;
+    desc.group = group_;
     std::copy(std::begin(to_world.m), std::end(to_world.m), desc.to_world);
     ups_instance_id instance{};
     check(ups_scene_add_instance(scene_, &desc, &instance), where);

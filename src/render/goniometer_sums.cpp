@@ -1,0 +1,79 @@
+#include "render/goniometer_sums.h"
+
+namespace ups {
+
+GoniometerSums::GoniometerSums(const Goniometer& goniometer)
+    : goniometer_(goniometer), wide_(goniometer.node_count() * batch_count), narrow_(wide_.size()) {}
+
+void GoniometerSums::add(uint32_t batch, const GoniometerTally& tally) {
+  for (size_t i = 0; i < tally.wide.size(); ++i) {
+    wide_[i * batch_count + batch] += tally.wide[i];
+    narrow_[i * batch_count + batch] += tally.narrow[i];
+  }
+  flux_[batch] += tally.flux;
+  outside_ += tally.outside;
+}
+
+// Where the intensity has a kink the blur of a hat grows with its width, so that half the width changes half of it;
+// elsewhere with the square, so that the blur is said half as large again. The difference is taken batch by batch: its
+// spread is its own noise.
+ups_intensity_reading GoniometerSums::read_node(uint32_t node, uint32_t iterations) const {
+  double wide[batch_count], blur[batch_count];
+  const double per_sr = 1 / goniometer_.wide_solid_angle(node), narrow_per_sr = 1 / goniometer_.narrow_solid_angle(node);
+  for (uint32_t b = 0; b < batch_count; ++b) {
+    wide[b] = wide_[size_t(node) * batch_count + b] * per_sr;
+    blur[b] = 2 * (wide[b] - narrow_[size_t(node) * batch_count + b] * narrow_per_sr);
+  }
+  const Spread i = spread(wide, iterations), b = spread(blur, iterations);
+  ups_intensity_reading out;
+  out.intensity_cd = float(i.mean);
+  out.standard_error_cd = float(i.standard_error);
+  out.bias_cd = float(b.mean);
+  out.error_bound_cd = i.standard_error < 0
+                           ? -1.0f
+                           : float(std::abs(b.mean) + t_quantile(iterations) * std::hypot(i.standard_error, b.standard_error));
+  return out;
+}
+
+bool GoniometerSums::relative_errors(uint32_t iterations, std::vector<double>& out) const {
+  std::vector<ups_intensity_reading> own;
+  double peak = 0;
+  for (uint32_t node = 0; node < goniometer_.node_count(); ++node) {
+    if (goniometer_.representative(node) != node) continue;
+    own.push_back(read_node(node, iterations));
+    if (own.back().error_bound_cd < 0) return false;
+    peak = std::max(peak, double(own.back().intensity_cd));
+  }
+  if (!(peak > 0)) return false;
+  for (const ups_intensity_reading& r : own)
+    out.push_back(r.error_bound_cd / std::max(double(r.intensity_cd), share_of_mean * peak));
+  return true;
+}
+
+GoniometerReading GoniometerSums::read(uint32_t iterations, double emitted_lm) const {
+  GoniometerReading r;
+  for (uint32_t node = 0; node < goniometer_.node_count(); ++node) {
+    const uint32_t own = goniometer_.representative(node);
+    r.nodes.push_back(own < node ? r.nodes[own] : read_node(own, iterations));
+  }
+  const Spread flux = spread(flux_, iterations);
+  ups_goniometer_info& info = r.info;
+  info.struct_size = sizeof info;
+  info.c_count = uint32_t(goniometer_.c_deg().size());
+  info.gamma_count = uint32_t(goniometer_.gamma_deg().size());
+  info.flux_lm = flux.mean;
+  info.flux_standard_error_lm = flux.standard_error;
+  info.outside_flux_lm = iterations ? outside_ / iterations : 0;
+  info.emitted_flux_lm = emitted_lm;
+  info.light_output_ratio = emitted_lm > 0 ? flux.mean / emitted_lm : 0;
+  info.light_output_ratio_standard_error = emitted_lm > 0 && flux.standard_error >= 0 ? flux.standard_error / emitted_lm : -1;
+  std::vector<double> errors;
+  info.worst_relative_error_bound = info.median_relative_error_bound = -1;
+  if (relative_errors(iterations, errors)) {
+    info.worst_relative_error_bound = *std::max_element(errors.begin(), errors.end());
+    info.median_relative_error_bound = quantile(errors, 0.5);
+  }
+  return r;
+}
+
+}  // namespace ups

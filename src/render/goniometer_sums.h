@@ -1,0 +1,32 @@
+// Sums of one goniometer over iterations, and what can be said of their error. Kept by the accumulator.
+#pragma once
+#include <vector>
+
+#include "render/spread.h"
+#include "transport/tally.h"
+#include "ups/ups_render.h"
+
+namespace ups {
+
+struct GoniometerReading {
+  ups_goniometer_info info{};  // without what the light balance adds: absorbed_flux_lm
+  std::vector<ups_intensity_reading> nodes;  // gamma fastest
+};
+
+class GoniometerSums {
+ public:
+  explicit GoniometerSums(const Goniometer& goniometer);
+  void add(uint32_t batch, const GoniometerTally& tally);
+  GoniometerReading read(uint32_t iterations, double emitted_lm) const;
+  // Of each node that stands for itself: bound / max(I, 5 % of the peak). False where it is not known yet.
+  bool relative_errors(uint32_t iterations, std::vector<double>& out) const;
+
+ private:
+  ups_intensity_reading read_node(uint32_t node, uint32_t iterations) const;
+
+  const Goniometer& goniometer_;
+  std::vector<double> wide_, narrow_;  // batch_count a node
+  double flux_[batch_count] = {}, outside_ = 0;
+};
+
+}  // namespace ups

@@ -1,0 +1,52 @@
+// Mean and standard error from interleaved batches, and quantiles of relative errors. Used by the accumulator's parts.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "transport/integrator.h"
+
+namespace ups {
+
+// Fewer replicates say too little about an error.
+inline constexpr uint32_t min_batches = 4;
+// Of its set's mean, of the peak: the floor of a relative error's denominator.
+inline constexpr double share_of_mean = 0.05;
+
+// Two-sided 95 % quantile of Student's t, 3 to 15 degrees of freedom; at least min_batches.
+inline double t_quantile(uint32_t batches) {
+  static constexpr double table[] = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131};
+  return table[std::min<uint32_t>(batches, batch_count) - min_batches];
+}
+
+struct Spread {
+  double mean = 0, standard_error = -1;  // -1: not known
+};
+// Of batch sums with counts that differ by one at the most.
+template <class T>
+Spread spread(const T* sums, uint32_t samples, size_t stride = 1) {
+  const uint32_t used = std::min(samples, batch_count);
+  Spread s;
+  double total = 0;
+  for (uint32_t b = 0; b < used; ++b) total += sums[b * stride];
+  s.mean = samples ? total / samples : 0;
+  if (used < min_batches) return s;
+  double square = 0;
+  for (uint32_t b = 0; b < used; ++b) {
+    const double n = samples / batch_count + (b < samples % batch_count);
+    const double d = sums[b * stride] / n - s.mean;
+    square += n * d * d;
+  }
+  s.standard_error = std::sqrt(square / (double(samples) * (used - 1)));
+  return s;
+}
+
+// The value at a share q of the values, which are put in another order.
+inline double quantile(std::vector<double>& v, double q) {
+  const size_t i = std::min(v.size() - 1, size_t(q * double(v.size())));
+  std::nth_element(v.begin(), v.begin() + ptrdiff_t(i), v.end());
+  return v[i];
+}
+
+}  // namespace ups

@@ -1,0 +1,134 @@
+// The virtual goniophotometer against distributions that are known: intensity, flux balance, symmetry and errors.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../support/scene_builder.h"
+#include "ies_text.h"
+
+namespace ups::test {
+namespace {
+
+struct Worst {
+  double z = 0, relative = 0, mean_bound = 0;
+};
+// intensity_cd(c, gamma in rad) against all nodes.
+template <class Intensity>
+Worst compare(const Result& result, const Sensor& g, const Intensity& intensity) {
+  const auto nodes = result.intensities(g);
+  Worst worst;
+  for (uint32_t c = 0; c < g.planes; ++c)
+    for (uint32_t i = 0; i < g.gammas; ++i) {
+      const ups_intensity_reading& r = nodes[size_t(c) * g.gammas + i];
+      const double exact = intensity(2 * pi_d * c / g.planes, pi_d * i / (g.gammas - 1));
+      const double off = std::abs(double(r.intensity_cd) - exact);
+      // the bound is |bias| + t * noise, t of 15 degrees of freedom
+      const double bias = std::abs(double(r.bias_cd)), noise = (double(r.error_bound_cd) - bias) / 2.131;
+      if (off > bias + 1e-6 * exact) worst.z = std::max(worst.z, (off - bias) / noise);
+      if (exact > 0) worst.relative = std::max(worst.relative, off / exact);
+      worst.mean_bound += r.error_bound_cd / double(nodes.size());
+    }
+  return worst;
+}
+
+// 37 x 24 nodes, t with 15 degrees of freedom: |z| > 6.5 happens about once in 100 seeds.
+constexpr double most_z = 6.5;
+
+TEST(Goniometer, MeasuresAProfileAsTheFileHasIt) {
+  Scene scene;
+  const auto law = [](double g) { return g < pi_d / 2 ? 500 * std::pow(std::cos(g), 2) : 0.0; };
+  const auto profile = parse(scene.context(), ies_text(law, 90, 0));
+  scene.add_luminaire(profile.get(), {1, 2, 3}, {0, 0, -1}, false);
+  const Sensor g = scene.add_goniometer(24, 37);
+  const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 32});
+  EXPECT_EQ(result.info().method, UPS_METHOD_LIGHT_TRACING);
+  const Worst worst = compare(result, g, [&](double, double gamma) { return law(gamma); });
+  EXPECT_LT(worst.z, most_z);
+  EXPECT_LT(worst.mean_bound, 2.5);  // cd, of a peak of 500
+  const ups_goniometer_info info = result.goniometer_info(g);
+  EXPECT_NEAR(info.light_output_ratio, 1, 1e-6);
+  EXPECT_NEAR(info.flux_lm, info.emitted_flux_lm, 1e-6 * info.emitted_flux_lm);
+}
+
+// A Lambertian square that shines down into a scene without anything else: I = L A cos(gamma).
+TEST(Goniometer, MeasuresALambertianSurface) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {0.2, 0.3, 1e-4}), emitter(1000));
+  const Sensor g = scene.add_goniometer(24, 37);
+  const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 32});
+  const auto exact = [](double c, double gamma) {  // six faces
+    const double sides = std::sin(gamma) * (std::abs(std::cos(c)) * 0.3 + std::abs(std::sin(c)) * 0.2) * 1e-4;
+    return 1000 * (0.06 * std::abs(std::cos(gamma)) + sides);
+  };
+  EXPECT_LT(compare(result, g, exact).z, most_z);
+  EXPECT_NEAR(result.goniometer_info(g).flux_lm, result.info().escaped_flux_lm, 1e-6 * result.info().escaped_flux_lm);
+}
+
+// Above a mirror a point light is two, but for what the mirror absorbs: flux balance and output ratio.
+TEST(Goniometer, BalancesFlux) {
+  Scene scene;
+  scene.add(box({-50, -50, -0.1}, {50, 50, 0}), mirror(0.8));
+  scene.add_point_light({0, 0, 0.01}, 100);
+  const Sensor g = scene.add_goniometer(1, 91, UPS_SYMMETRY_AXIAL);
+  const Result result = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 16});
+  const ups_goniometer_info info = result.goniometer_info(g);
+  EXPECT_NEAR(info.flux_lm + info.absorbed_flux_lm, info.emitted_flux_lm, 1e-4 * info.emitted_flux_lm);
+  EXPECT_NEAR(info.light_output_ratio, 0.9, 0.9 * 2e-3);
+  const auto nodes = result.intensities(g);
+  EXPECT_NEAR(nodes[90].intensity_cd, 180, std::abs(nodes[90].bias_cd) + 5 * nodes[90].standard_error_cd);
+  EXPECT_NEAR(nodes[60].intensity_cd, 180, std::abs(nodes[60].bias_cd) + 5 * nodes[60].standard_error_cd);
+  EXPECT_EQ(nodes[20].intensity_cd, 0);  // below the mirror
+}
+
+// The interpolated table carries exactly the flux that was found; with the measured profile in a luminaire the light is there.
+TEST(Goniometer, ItsProfileCarriesTheFlux) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {0.1, 0.1, 0.05}), emitter(2000));
+  const Sensor g = scene.add_goniometer(16, 19, UPS_SYMMETRY_QUADRANTS);
+  const Result result = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 8});
+  const auto profile = result.goniometer_profile(g);
+  ups_profile_info info{};
+  info.struct_size = sizeof info;
+  ASSERT_EQ(ups_profile_get_info(profile.get(), &info), UPS_OK);
+  const ups_goniometer_info measured = result.goniometer_info(g);
+  EXPECT_NEAR(info.interpolated_flux_lm, measured.flux_lm, 1e-6 * measured.flux_lm);
+  EXPECT_EQ(info.symmetry, UPS_SYMMETRY_QUADRANTS);
+  const auto nodes = result.intensities(g);
+  for (uint32_t i = 0; i < 19; ++i) {
+    EXPECT_EQ(nodes[2 * 19 + i].intensity_cd, nodes[6 * 19 + i].intensity_cd);
+    EXPECT_EQ(nodes[2 * 19 + i].intensity_cd, nodes[14 * 19 + i].intensity_cd);
+  }
+}
+
+// A sharp edge is blurred by the grid; the reported bias covers it.
+TEST(Goniometer, ReportsWhatItsGridBlurs) {
+  Scene scene;
+  scene.add_spot({0, 0, 0}, {0, 0, -1}, 1000, 0.4999 * pi_d / 3, 0.5 * pi_d / 3);
+  const Sensor g = scene.add_goniometer(1, 37, UPS_SYMMETRY_AXIAL);
+  const auto nodes = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 32}).intensities(g);
+  EXPECT_NEAR(nodes[4].intensity_cd, 1000, 1 + 5 * nodes[4].standard_error_cd);
+  EXPECT_EQ(nodes[8].intensity_cd, 0);
+  // at 30 degrees, the edge itself, half of the hat is bright
+  EXPECT_GT(nodes[6].intensity_cd, 300);
+  EXPECT_LT(nodes[6].intensity_cd, 700);
+  // one step inside, the hat reaches the edge exactly: no blur
+  EXPECT_NEAR(nodes[5].intensity_cd, 1000, std::abs(nodes[5].bias_cd) + 5 * nodes[5].standard_error_cd);
+}
+
+TEST(Goniometer, SaysWhereItMeasuresNothing) {
+  Scene scene;
+  scene.add_point_light({0, 0, 0}, 100);
+  scene.add_goniometer(1, 3, UPS_SYMMETRY_AXIAL);
+  const Result result = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 4});
+  EXPECT_NE(result.text(UPS_TEXT_WARNINGS).find("traces no light paths"), std::string::npos);
+}
+
+TEST(Goniometer, PlanesMustBeAsSymmetricAsAskedFor) {
+  Scene scene;
+  EXPECT_THROW(scene.add_goniometer(5, 19, UPS_SYMMETRY_QUADRANTS), std::runtime_error);
+  EXPECT_THROW(scene.add_goniometer(4, 19, UPS_SYMMETRY_AXIAL), std::runtime_error);
+  EXPECT_THROW(scene.add_goniometer(4, 1), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace ups::test

@@ -1,0 +1,113 @@
+// Readings by source and goniometers through the C API: what is refused, and with which words.
+#include <cmath>
+
+#include "fixture.h"
+
+namespace ups_test {
+namespace {
+
+class Sources : public Api {
+ protected:
+  Sources() {
+    auto lamp = make(&ups_light_desc_init);
+    lamp.to_world[11] = 1;
+    ups_luminaire_id lamp_id{};
+    EXPECT_OK(ups_scene_add_light(scene, &lamp, &lamp_id));
+    auto d = make(&ups_meter_desc_init);
+    d.count = 1, d.positions_m = on_floor, d.normals = up;
+    EXPECT_OK(ups_scene_add_meters(scene, &d, &meter));
+    gonio = make(&ups_goniometer_desc_init);
+    EXPECT_OK(ups_scene_add_goniometer(scene, &gonio, &goniometer));
+    EXPECT_OK(ups_scene_commit(scene));
+    desc = make(&ups_render_desc_init);
+    desc.iteration_count = 4;
+    desc.method = UPS_METHOD_LIGHT_TRACING;
+  }
+  ~Sources() override { ups_result_destroy(result); }
+  void render() { ASSERT_EQ(ups_render(scene, &desc, &result), UPS_OK) << ups_last_error(); }
+
+  double on_floor[3] = {0.3, 0.4, 0};
+  float up[3] = {0, 0, 1};
+  ups_goniometer_desc gonio{};
+  ups_sensor_id meter{}, goniometer{};
+  ups_render_desc desc{};
+  ups_result* result = nullptr;
+};
+
+TEST_F(Sources, WithoutSeparationThereAreNone) {
+  render();
+  uint32_t count = 7;
+  EXPECT_OK(ups_result_get_source_count(result, &count));
+  EXPECT_EQ(count, 0u);
+  ups_meter_reading reading;
+  expect_error(ups_result_read_source_meters(result, 0, meter, &reading, 1), UPS_ERROR_INVALID_ARGUMENT,
+               {"source 0", "separation"});
+}
+
+TEST_F(Sources, WrongArgumentsAreNamed) {
+  desc.separation = 3;
+  ups_result* none = nullptr;
+  expect_error(ups_render(scene, &desc, &none), UPS_ERROR_INVALID_ARGUMENT, {"separation: 3"});
+  desc.separation = UPS_SEPARATE_LUMINAIRES;
+  desc.reserved = 1;
+  expect_error(ups_render(scene, &desc, &none), UPS_ERROR_INVALID_ARGUMENT, {"reserved is 1"});
+  desc.reserved = 0;
+  render();
+  ups_meter_reading readings[2];
+  expect_error(ups_result_read_source_meters(result, 1, meter, readings, 1), UPS_ERROR_INVALID_ARGUMENT, {"there are 1"});
+  expect_error(ups_result_read_source_meters(result, 0, meter, readings, 2), UPS_ERROR_INVALID_ARGUMENT, {"count is 2"});
+  expect_error(ups_result_read_source_meters(result, 0, goniometer, readings, 1), UPS_ERROR_INVALID_ARGUMENT,
+               {"not a meter set"});
+  EXPECT_OK(ups_result_read_source_meters(result, 0, meter, readings, 1));
+}
+
+TEST_F(Sources, GoniometerReadingsHaveTheirGrid) {
+  render();
+  std::vector<ups_intensity_reading> nodes(24 * 73);
+  expect_error(ups_result_read_goniometer(result, goniometer, nodes.data(), 5), UPS_ERROR_INVALID_ARGUMENT,
+               {"count is 5", "1752 nodes"});
+  EXPECT_OK(ups_result_read_goniometer(result, goniometer, nodes.data(), nodes.size()));
+  expect_error(ups_result_read_goniometer(result, meter, nodes.data(), nodes.size()), UPS_ERROR_INVALID_ARGUMENT,
+               {"not a goniometer"});
+  std::vector<float> c(24), gamma(73);
+  EXPECT_OK(ups_result_get_goniometer_angles(result, goniometer, c.data(), c.size(), gamma.data(), gamma.size()));
+  EXPECT_EQ(c[23], 345.0f);
+  EXPECT_EQ(gamma[72], 180.0f);
+  expect_error(ups_result_get_goniometer_angles(result, goniometer, c.data(), 23, gamma.data(), gamma.size()),
+               UPS_ERROR_INVALID_ARGUMENT, {"24 planes of 73"});
+  ups_profile* measured = nullptr;
+  EXPECT_OK(ups_result_get_goniometer_profile(result, goniometer, &measured));
+  ups_profile_destroy(measured);
+}
+
+TEST_F(Sources, GoniometerFieldsAreChecked) {
+  const float falling[] = {0, 90, 45}, late[] = {10, 20, 30}, far[] = {0, 90, 181};
+  ups_sensor_id id{};
+  const auto refused = [&](const ups_goniometer_desc& bad, const std::vector<std::string>& words) {
+    expect_error(ups_scene_add_goniometer(scene, &bad, &id), UPS_ERROR_INVALID_ARGUMENT, words);
+  };
+  auto d = gonio;
+  d.c_count = 0;
+  refused(d, {"c_count"});
+  d = gonio, d.gamma_count = 1;
+  refused(d, {"gamma_count"});
+  d = gonio, d.c_count = d.gamma_count = 4000;
+  refused(d, {"c_count * gamma_count is 16000000"});
+  d = gonio, d.c_count = 3, d.c_deg = falling;
+  refused(d, {"c_deg[2] is 45"});
+  d.c_deg = late;
+  refused(d, {"c_deg[0] is 10"});
+  d = gonio, d.gamma_count = 3, d.gamma_deg = far;
+  refused(d, {"gamma_deg[2] is 181"});
+  d = gonio, d.symmetry = 9;
+  refused(d, {"symmetry is 9"});
+  d = gonio, d.symmetry = UPS_SYMMETRY_AXIAL;
+  refused(d, {"UPS_SYMMETRY_AXIAL", "24"});
+  d = gonio, d.opening_shape = UPS_OPENING_DISC, d.opening_m[0] = NAN;
+  refused(d, {"opening_m[0]"});
+  d = gonio, d.to_world[0] = INFINITY;
+  refused(d, {"to_world"});
+}
+
+}  // namespace
+}  // namespace ups_test
