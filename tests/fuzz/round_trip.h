@@ -42,11 +42,13 @@ inline void check(const Photometry& p) {
   const Photometry ies = read_again(write_ies(p));
   require(ies.format == "IES LM-63-2019", "the written IES file is recognised");
   require_same(d, ies.distribution);
-  // Resampling takes milliseconds: one in eight.
-  if (d.type() != PhotometricType::c && d.c_deg().size() % 8 != 3) return;
-  const Photometry ldt = read_again(write_eulumdat(p));
+  // EULUMDAT has C-planes alone; of other tables a coarse grid, as the writer's own takes milliseconds.
+  Photometry planes = p;
+  if (d.type() != PhotometricType::c)
+    planes.distribution = d.resampled({0, 45, 90, 135, 180, 225, 270, 315}, {0, 22.5, 45, 67.5, 90, 135, 180});
+  const Photometry ldt = read_again(write_eulumdat(planes));
   require(ldt.format == "EULUMDAT", "the written EULUMDAT file is recognised");
-  require_same(d.in_c_gamma(), ldt.distribution);
+  require_same(planes.distribution, ldt.distribution);
 }
 
 // Runs a reader as a fuzz target: refusals are part of its job.

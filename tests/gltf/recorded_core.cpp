@@ -120,23 +120,35 @@ ups_status ups_scene_add_goniometer(ups_scene* scene, const ups_goniometer_desc*
   return record(scene->goniometers, {*d, copied(d->c_deg, d->c_count), copied(d->gamma_deg, d->gamma_count)}, out);
 }
 
-ups_status ups_profile_parse(ups_context*, const void* bytes, size_t size, ups_profile_format, ups_profile** out) {
-  std::string text(static_cast<const char*>(bytes), size);
+void ups_profile_parse_desc_init(ups_profile_parse_desc* d, uint32_t) {
+  *d = {};
+  d->tilt_deg = -1;
+}
+
+// What it was told: bytes, then "+" and the TILT file, "@" and the tilt, "#" and the lamp set.
+ups_status ups_profile_parse_with(ups_context*, const ups_profile_parse_desc* d, ups_profile** out) {
+  std::string text(static_cast<const char*>(d->bytes), d->size);
   if (text.rfind(refused_profile, 0) == 0) {
     last_error = "recorded core: no such format";
     return UPS_ERROR_UNSUPPORTED;
   }
+  if (d->tilt_file) text += "+" + std::string(static_cast<const char*>(d->tilt_file), d->tilt_file_size);
+  if (d->tilt_deg >= 0) text += "@" + std::to_string(int(d->tilt_deg));
+  if (d->lamp_set > 0) text += "#" + std::to_string(d->lamp_set);
   *out = new ups_profile{std::move(text)};
   ++profiles;
   return UPS_OK;
 }
 
-// Every profile has one warning.
-ups_status ups_profile_get_text(const ups_profile*, ups_profile_text, char* text, size_t capacity, size_t* needed) {
-  const std::string warning = "recorded warning\n";
-  *needed = warning.size() + 1;
-  if (text && capacity >= *needed) warning.copy(text, warning.size());
-  if (text && capacity >= *needed) text[warning.size()] = '\0';
+// Every profile has one warning. Bytes "TILT=name" name a TILT file.
+ups_status ups_profile_get_text(const ups_profile* profile, ups_profile_text topic, char* text, size_t capacity,
+                                size_t* needed) {
+  std::string answer = "recorded warning\n";
+  if (topic == UPS_PROFILE_TEXT_TILT_FILE)
+    answer = profile->bytes.rfind("TILT=", 0) == 0 ? profile->bytes.substr(5, profile->bytes.find('@') - 5) : "";
+  *needed = answer.size() + 1;
+  if (text && capacity >= *needed) answer.copy(text, answer.size());
+  if (text && capacity >= *needed) text[answer.size()] = '\0';
   return UPS_OK;
 }
 

@@ -321,6 +321,24 @@ TEST_F(GoodFile, PunctualLights) {
   expect_near(point(scene.lights[0].to_world, 0, 0, -1), {0, 1, 3});  // local -Z without rotation is north
 }
 
+TEST_F(GoodFile, LuminairesTakeTheTiltFileBesideThem) {
+  SceneBuilder builder;
+  write("lamp.ies", "TILT=C:\\data\\HID.tlt");
+  write("hid.TLT", "table");
+  write("other.ies", "TILT=none.tlt");
+  for (const json& luminaire : {json{{"file", "lamp.ies"}}, json{{"file", "lamp.ies"}, {"tilt_deg", 30}, {"lamp_set", 2}},
+                                json{{"file", "other.ies"}}})
+    builder.add_node({{"extras", {{"ups", {{"luminaire", luminaire}}}}}});
+  builder.add_node({{"extensions", {{"EXT_lights_ies", {{"light", 0}}}}}});
+  builder.doc["extensions"]["EXT_lights_ies"]["lights"] = json::array({{{"uri", "lamp.ies"}}});
+  import(builder);
+  ASSERT_EQ(scene.luminaires.size(), 4u);
+  EXPECT_EQ(scene.luminaires[0].profile_bytes, "TILT=C:\\data\\HID.tlt+table");
+  EXPECT_EQ(scene.luminaires[1].profile_bytes, "TILT=C:\\data\\HID.tlt+table@30#2");
+  EXPECT_EQ(scene.luminaires[2].profile_bytes, "TILT=none.tlt");
+  EXPECT_EQ(scene.luminaires[3].profile_bytes, scene.luminaires[0].profile_bytes);
+}
+
 TEST_F(GoodFile, Luminaires) {
   SceneBuilder builder;
   write("spot light.ies", "profile");

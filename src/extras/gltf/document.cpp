@@ -142,25 +142,6 @@ void check_version(const JsonReader& root) {
 
 bool is_data_uri(const std::string& uri) { return uri.rfind("data:", 0) == 0; }
 
-std::string percent_decoded(const std::string& uri) {
-  const auto digit = [](char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-  };
-  std::string result;
-  for (size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0) {
-      result += char(digit(uri[i + 1]) * 16 + digit(uri[i + 2]));
-      i += 2;
-    } else {
-      result += uri[i];
-    }
-  }
-  return result;
-}
-
 // What tinygltf's file callbacks know: it looks into the current folder as well, which must not find anything.
 struct BufferFiles {
   std::map<std::string, Bytes> contents;  // by the path that tinygltf will ask for
@@ -260,6 +241,25 @@ void load_model(Document& document, const Bytes& file, bool binary, std::vector<
 }
 
 }  // namespace
+
+std::string percent_decoded(const std::string& uri) {
+  const auto digit = [](char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+  };
+  std::string result;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0) {
+      result += char(digit(uri[i + 1]) * 16 + digit(uri[i + 2]));
+      i += 2;
+    } else {
+      result += uri[i];
+    }
+  }
+  return result;
+}
 
 bool is_known_extension(const std::string& name) {
   static const char* const known[] = {

@@ -31,6 +31,8 @@ bool is_known_extension(const std::string& name);
 
 inline std::filesystem::path utf8_path(const std::string& text) { return std::u8string(text.begin(), text.end()); }
 
+// A URI's text: "%20" is a blank.
+std::string percent_decoded(const std::string& uri);
 // A file beside the scene, or what a data URI holds. where: who asks, for messages.
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where);
 Bytes read_file(const std::filesystem::path& path, const std::string& where);

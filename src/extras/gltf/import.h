@@ -45,6 +45,15 @@ inline void store(const Rgb& from, float (&to)[3]) {
 // "colour_temperature_k" of an emitter or a luminaire, where there is one.
 void read_colour_temperature(const JsonReader& reader, float (&rgb)[3]);
 
+// A photometric file and how to read it.
+struct ProfileFile {
+  std::string name;  // for messages; files of one name are the same
+  Bytes bytes;
+  std::filesystem::path folder;  // where its TILT file may be; empty: nowhere
+  float tilt_deg = -1;           // >= 0: with the TILT factor at this tilt
+  uint32_t lamp_set = 0;
+};
+
 class Importer {
  public:
   Importer(ups_context* context, ups_scene* scene, const ups_gltf_import_desc& desc)
@@ -86,7 +95,8 @@ class Importer {
   void add_punctual_light(const JsonReader& node, const Affine& frame);
   void add_ies_light(const JsonReader& node, const Affine& frame);
   void add_luminaire(const JsonReader& luminaire, const Affine& frame);
-  const ups_profile* profile(const std::string& key, const Bytes& bytes, const std::string& where);
+  // profile.cpp
+  const ups_profile* profile(const ProfileFile& file, const std::string& where);
   // goniometer.cpp
   void add_goniometer(const JsonReader& words, const std::string& node_name, const Affine& frame);
   // fixture.cpp

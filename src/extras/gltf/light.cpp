@@ -41,15 +41,6 @@ Rgb planckian_rgb(double kelvin) {
   return rgb;
 }
 
-std::string core_text(const ups_profile* profile, ups_profile_text topic) {
-  size_t size = 0;
-  if (ups_profile_get_text(profile, topic, nullptr, 0, &size) != UPS_OK) return {};
-  std::string text(size, '\0');
-  if (ups_profile_get_text(profile, topic, text.data(), size, &size) != UPS_OK) return {};
-  text.resize(size ? size - 1 : 0);
-  return text;
-}
-
 // Index into the lights of an extension at the file's top level.
 JsonReader light_of(const Json& document, const JsonReader& use, const char* name) {
   const auto top = JsonReader(document, "the file").extension(name);
@@ -98,22 +89,6 @@ void Importer::add_punctual_light(const JsonReader& node, const Affine& frame) {
   check(ups_scene_add_light(scene_, &desc, &id), where);
 }
 
-const ups_profile* Importer::profile(const std::string& key, const Bytes& bytes, const std::string& where) {
-  for (const auto& [known, profile] : profiles_) {
-    if (known == key) return profile.get();
-  }
-  ups_profile* parsed = nullptr;
-  check(ups_profile_parse(context_, bytes.data(), bytes.size(), UPS_PROFILE_AUTO, &parsed), where);
-  profiles_.emplace_back(key, ProfilePtr(parsed));
-  const std::string text = core_text(parsed, UPS_PROFILE_TEXT_WARNINGS);
-  for (size_t begin = 0; begin < text.size();) {
-    const size_t end = std::min(text.find('\n', begin), text.size());
-    if (end > begin) warn(key + ": " + text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parsed;
-}
-
 void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
   const JsonReader use = *node.extension("EXT_lights_ies");
   const JsonReader light = light_of(document_.json, use, "EXT_lights_ies");
@@ -125,11 +100,13 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
     const std::string uri = light.text("uri", "");
     const bool embedded = uri.rfind("data:", 0) == 0;
     if (!embedded) where += ", file '" + uri + "'";
-    desc.profile = profile(embedded ? light.where() : uri, read_uri(document_, uri, where), where);
+    const std::filesystem::path folder =
+        embedded ? std::filesystem::path() : (document_.folder / utf8_path(percent_decoded(uri))).parent_path();
+    desc.profile = profile({embedded ? light.where() : uri, read_uri(document_, uri, where), folder}, where);
   } else {
     const int64_t view = light.integer("bufferView", 0, 0, std::numeric_limits<int32_t>::max());
     const ByteRange range = buffer_view(document_, int(view), where);
-    desc.profile = profile(light.where(), Bytes(range.data, range.data + range.size), where);
+    desc.profile = profile({light.where(), Bytes(range.data, range.data + range.size), {}}, where);
   }
   const Rgb color = use.rgb("color", {1, 1, 1}, 0, unlimited, false);
   const double y = luminance(color);
@@ -144,13 +121,18 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
 }
 
 void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
-  luminaire.allow_only({"file", "flux_lm", "dimming", "colour_temperature_k", "color", "opening"});
+  luminaire.allow_only(
+      {"file", "flux_lm", "dimming", "colour_temperature_k", "color", "opening", "tilt_deg", "lamp_set"});
   const std::string file = luminaire.text("file", "");
   if (file.empty()) luminaire.fail("file", "is missing: the name of an IES or EULUMDAT file beside the scene");
   const std::string where = luminaire.where() + ", file '" + file + "'";
   ups_luminaire_desc desc;
   ups_luminaire_desc_init(&desc, sizeof desc);
-  desc.profile = profile(file, read_file(document_.folder / utf8_path(file), luminaire.where()), where);
+  const std::filesystem::path path = document_.folder / utf8_path(file);
+  ProfileFile source{file, read_file(path, luminaire.where()), path.parent_path()};
+  if (luminaire.has("tilt_deg")) source.tilt_deg = float(luminaire.number("tilt_deg", 0, 0, 180));
+  source.lamp_set = uint32_t(luminaire.integer("lamp_set", 0, 0, 999));
+  desc.profile = profile(source, where);
   desc.use_opening = luminaire.boolean("opening", true);
   desc.dimming = float(luminaire.number("dimming", 1, 0, unlimited));
   if (luminaire.has("flux_lm")) desc.flux_lm = float(luminaire.number("flux_lm", 0, 0, unlimited));
