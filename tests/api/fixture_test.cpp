@@ -252,6 +252,32 @@ TEST_F(Fixtures, LosslessOpticsLoseNothing) {
   EXPECT_LT(i.absorbed_flux_lm, 8);
 }
 
+// A source of a millimetre in the very middle of the scene, seen from far: shadow rays must not end behind its surface,
+// however exact its own coordinates are. The emitter's polyhedron has I = flux / 4 pi but for what its facets cost.
+TEST_F(Fixtures, SmallSourceInTheMiddleLightsWhatIsFar) {
+  auto source = cob(0.001, 100);
+  source.shape = UPS_EMITTER_SPHERE;
+  EXPECT_OK(ups_fixture_add_emitter(fixture, &source, nullptr));
+  place();
+  const double positions[6] = {0, 0, -0.3, 0, 0, 0.3};
+  const float up[6] = {0, 0, 1, 0, 0, -1};
+  auto d = make(&ups_meter_desc_init);
+  d.count = 2, d.positions_m = positions, d.normals = up;
+  ups_sensor_id id{};
+  EXPECT_OK(ups_scene_add_meters(scene, &d, &id));
+  EXPECT_OK(ups_scene_commit(scene));
+  auto render = make(&ups_render_desc_init);
+  render.method = UPS_METHOD_PATH_TRACING, render.iteration_count = 256, render.seed = 3;
+  ups_result* result = nullptr;
+  EXPECT_OK(ups_render(scene, &render, &result));
+  ups_meter_reading r[2]{};
+  EXPECT_OK(ups_result_read_meters(result, id, r, 2));
+  ups_result_destroy(result);
+  const double expected = 100 / (4 * pi) / 0.09;
+  for (const ups_meter_reading& reading : r)
+    EXPECT_NEAR(double(reading.illuminance_lx), expected, 5 * double(reading.standard_error_lx) + 0.002 * expected);
+}
+
 // ---- errors ----
 
 template <class Desc>
