@@ -366,6 +366,7 @@ bool looks_like_eulumdat(const std::string& text) {
 Photometry read_ies(const void* bytes, size_t size) { return IesReader(decode_text(bytes, size)).read(); }
 
 Photometry read(const void* bytes, size_t size) {
+  if (is_ray_file(bytes, size)) return read_ray_file(bytes, size);
   std::string text = decode_text(bytes, size);
   if (looks_like_eulumdat(text))
     throw UnsupportedError("line 1: EULUMDAT (.ldt) files are not supported; an IES LM-63 file (.ies) is");

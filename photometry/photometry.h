@@ -65,7 +65,7 @@ struct Photometry {
   Tilt tilt;
   std::vector<std::string> warnings;  // each with its line
   PhotometricType type = PhotometricType::c;
-  std::vector<LampSet> lamp_sets;  // of an EULUMDAT file
+  std::vector<LampSet> lamp_sets;  // of an EULUMDAT file; the emitters of a TM-33 file
   std::vector<Ray> rays;           // of a ray file; the distribution is then their far field, binned
 };
 
@@ -78,6 +78,12 @@ struct ReadOptions {
 
 // bytes: an IES LM-63 file of any edition. Throws ParseError ("line 12: ...") or UnsupportedError.
 Photometry read_ies(const void* bytes, size_t size);
+// bytes: a ray file: IES TM-25 (.tm25ray), Zemax binary (.sdf, .dat) or LightTools binary (LTRF), known by its first
+// bytes. The file's axes are taken as they are: its x, y, z are the luminaire's local x, y, z, whose nadir is -z. The
+// fluxes are scaled to the header's total where it states one; radiant flux becomes luminous by wavelength or spectrum.
+// What is read otherwise than it is written has a warning. Throws ParseError ("byte 20: ...") or UnsupportedError.
+Photometry read_ray_file(const void* bytes, size_t size);
+bool is_ray_file(const void* bytes, size_t size);
 // Recognises the format.
 Photometry read(const void* bytes, size_t size);
 
