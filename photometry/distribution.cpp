@@ -1,4 +1,6 @@
-// The C-gamma table of distribution.h: validation, interpolation, the two fluxes, and sampling by exact inversion.
+// The table of distribution.h: validation, interpolation, the two fluxes, and sampling by exact inversion. All of it works
+// in the frame of the table's own polar axis, where every type is azimuth and polar angle; directions are turned on the
+// way in and out.
 //
 // With planes C_i and rows g_j the intensity is bilinear, so its integral over C is linear in gamma between rows. The
 // marginal density of gamma is therefore (a + b gamma) sin(gamma) in a band, whose integral is in closed form, and the
@@ -75,59 +77,137 @@ double fraction(double part, double whole) { return std::clamp(part / whole, 0x1
 
 std::string element(const char* field, size_t i) { return std::string(field) + "[" + std::to_string(i) + "]"; }
 
-void check_angles(const std::vector<double>& angle, const char* field, double last, bool last_allowed) {
+void check_angles(const std::vector<double>& angle, const char* field, double first, double last, const char* range) {
+  const bool last_allowed = range[std::char_traits<char>::length(range) - 1] == ']';
   for (size_t i = 0; i < angle.size(); ++i) {
-    if (!(angle[i] >= 0) || angle[i] > last || (angle[i] == last && !last_allowed))
-      throw std::invalid_argument(element(field, i) + " = " + std::to_string(angle[i]) + " is outside [0, " +
-                                  (last_allowed ? "180]" : "360)"));
+    if (!(angle[i] >= first) || angle[i] > last || (angle[i] == last && !last_allowed))
+      throw std::invalid_argument(element(field, i) + " = " + std::to_string(angle[i]) + " is outside " + range);
     if (i > 0 && !(angle[i] > angle[i - 1]))
       throw std::invalid_argument(element(field, i) + " = " + std::to_string(angle[i]) +
                                   " does not ascend: it must be greater than the one before");
   }
 }
 
+struct Direction {
+  double x, y, z;
+};
+
+// Into the frame in which a table of this type is azimuth and polar angle (the polar angle counts from -z): signed axes
+// of the luminaire's frame. 0 - z rather than -z, so that the horizon is not at an azimuth of 180 degrees.
+Direction to_native(PhotometricType type, const Direction& d) {
+  if (type == PhotometricType::b) return {0 - d.z, d.x, 0 - d.y};  // forward, up, right
+  if (type == PhotometricType::a) return {0 - d.z, 0 - d.y, d.x};  // forward, right, up
+  return d;
+}
+Direction from_native(PhotometricType type, const Direction& d) {
+  if (type == PhotometricType::b) return {d.y, 0 - d.z, 0 - d.x};
+  if (type == PhotometricType::a) return {d.z, 0 - d.y, 0 - d.x};
+  return d;
+}
+
+Direction direction_of(double azimuth_rad, double polar_rad) {
+  const double sine = std::sin(polar_rad);
+  return {sine * std::cos(azimuth_rad), sine * std::sin(azimuth_rad), -std::cos(polar_rad)};
+}
+
+// Of an angle in degrees; exact at multiples of 90.
+double cosine_deg(double angle) {
+  const double a = std::fmod(std::abs(angle), 360), b = a > 180 ? 360 - a : a;
+  return b > 90 ? -std::sin(to_radians(b - 90)) : b > 45 ? std::sin(to_radians(90 - b)) : std::cos(to_radians(b));
+}
+
 }  // namespace
 
 Distribution::Distribution(std::vector<double> c_deg, std::vector<double> gamma_deg, std::vector<double> intensity_cd)
-    : c_deg_(std::move(c_deg)), gamma_deg_(std::move(gamma_deg)), table_(std::move(intensity_cd)) {
-  if (c_deg_.empty()) throw std::invalid_argument("c_deg is empty: at least one plane is needed");
-  if (gamma_deg_.size() < 2) throw std::invalid_argument("gamma_deg has fewer than 2 angles");
-  if (c_deg_.size() > max_values / gamma_deg_.size())
-    throw std::invalid_argument("intensity_cd would have more than " + std::to_string(max_values) + " values");
-  check_angles(c_deg_, "c_deg", 360, false);
-  check_angles(gamma_deg_, "gamma_deg", 180, true);
-  if (c_deg_.size() > 1 && c_deg_[0] != 0) throw std::invalid_argument("c_deg[0] is not 0");
-  if (table_.size() != c_deg_.size() * gamma_deg_.size())
-    throw std::invalid_argument("intensity_cd has " + std::to_string(table_.size()) +
-                                " values where c_deg and gamma_deg ask for " +
-                                std::to_string(c_deg_.size() * gamma_deg_.size()));
-  for (size_t i = 0; i < table_.size(); ++i)
-    if (!(table_[i] >= 0) || !std::isfinite(table_[i]))
-      throw std::invalid_argument(element("intensity_cd", i) + " is negative or not finite");
+    : Distribution(PhotometricType::c, std::move(c_deg), std::move(gamma_deg), std::move(intensity_cd)) {}
 
-  const size_t peak = size_t(std::max_element(table_.begin(), table_.end()) - table_.begin());
-  peak_cd_ = table_[peak];
-  peak_c_deg_ = c_deg_[peak / gamma_deg_.size()];
-  peak_gamma_deg_ = gamma_deg_[peak % gamma_deg_.size()];
+Distribution::Distribution(PhotometricType type, std::vector<double> plane_deg, std::vector<double> row_deg,
+                           std::vector<double> intensity_cd)
+    : type_(type), c_deg_(std::move(plane_deg)), gamma_deg_(std::move(row_deg)), table_(std::move(intensity_cd)) {
+  check_table();
+  for (double c : c_deg_) c_rad_.push_back(to_radians(c));
+  for (double g : gamma_deg_) gamma_rad_.push_back(to_radians(type_ == PhotometricType::c ? g : g + 90));
+  find_peak();
   build_sampling_tables();
   if (!std::isfinite(band_flux_lm_) || !std::isfinite(interpolated_flux_lm_))
     throw std::invalid_argument("intensity_cd has values too large to add up");
 }
 
-void Distribution::build_sampling_tables() {
-  for (double c : c_deg_) c_rad_.push_back(to_radians(c));
-  for (double g : gamma_deg_) gamma_rad_.push_back(to_radians(g));
-  const size_t planes = c_deg_.size(), rows = gamma_deg_.size();
+void Distribution::check_table() const {
+  const bool wraps = type_ == PhotometricType::c;
+  const char* planes = wraps ? "c_deg" : "plane_deg";
+  const char* rows = wraps ? "gamma_deg" : "row_deg";
+  if (c_deg_.size() < (wraps ? 1 : 2))
+    throw std::invalid_argument(wraps ? "c_deg is empty: at least one plane is needed"
+                                      : "plane_deg has fewer than 2 planes");
+  if (gamma_deg_.size() < 2) throw std::invalid_argument(std::string(rows) + " has fewer than 2 angles");
+  if (c_deg_.size() > max_values / gamma_deg_.size())
+    throw std::invalid_argument("intensity_cd would have more than " + std::to_string(max_values) + " values");
+  if (wraps)
+    check_angles(c_deg_, planes, 0, 360, "[0, 360)"), check_angles(gamma_deg_, rows, 0, 180, "[0, 180]");
+  else
+    check_angles(c_deg_, planes, -180, 180, "[-180, 180]"), check_angles(gamma_deg_, rows, -90, 90, "[-90, 90]");
+  if (wraps && c_deg_.size() > 1 && c_deg_[0] != 0) throw std::invalid_argument("c_deg[0] is not 0");
+  if (table_.size() != c_deg_.size() * gamma_deg_.size())
+    throw std::invalid_argument("intensity_cd has " + std::to_string(table_.size()) + " values where " + planes +
+                                " and " + rows + " ask for " + std::to_string(c_deg_.size() * gamma_deg_.size()));
+  for (size_t i = 0; i < table_.size(); ++i)
+    if (!(table_[i] >= 0) || !std::isfinite(table_[i]))
+      throw std::invalid_argument(element("intensity_cd", i) + " is negative or not finite");
+}
 
-  c_cumulative_.resize(rows * (planes + 1));
+void Distribution::find_peak() {
+  const size_t peak = size_t(std::max_element(table_.begin(), table_.end()) - table_.begin());
+  const size_t plane = peak / gamma_deg_.size(), row = peak % gamma_deg_.size();
+  peak_cd_ = table_[peak];
+  peak_c_deg_ = c_deg_[plane];
+  peak_gamma_deg_ = gamma_deg_[row];
+  if (type_ == PhotometricType::c) return;
+  Direction d = from_native(type_, direction_of(c_rad_[plane], gamma_rad_[row]));
+  for (double* component : {&d.x, &d.y, &d.z})
+    if (std::abs(*component) < 1e-15) *component = 0;  // what rounding leaves of an axis
+  const double c = std::atan2(d.y, d.x) / pi * 180;
+  peak_c_deg_ = c < 0 ? c + 360 : c;
+  peak_gamma_deg_ = std::atan2(std::hypot(d.x, d.y), -d.z) / pi * 180;
+}
+
+Distribution Distribution::resampled(std::vector<double> grid_c_deg, std::vector<double> grid_gamma_deg) const {
+  std::vector<double> table;
+  if (grid_gamma_deg.size() > 0 && grid_c_deg.size() > max_values / grid_gamma_deg.size())
+    throw std::invalid_argument("the grid would have more than " + std::to_string(max_values) + " values");
+  for (double c : grid_c_deg)
+    for (double g : grid_gamma_deg) {
+      const double sine = cosine_deg(90 - g);
+      table.push_back(eval(sine * cosine_deg(c), sine * cosine_deg(90 - c), -cosine_deg(g)));
+    }
+  return Distribution(std::move(grid_c_deg), std::move(grid_gamma_deg), std::move(table));
+}
+
+Distribution Distribution::in_c_gamma() const {
+  if (type_ == PhotometricType::c) return *this;
+  double finest = 90;
+  for (const std::vector<double>* angle : {&c_deg_, &gamma_deg_})
+    for (size_t i = 0; i + 1 < angle->size(); ++i) finest = std::min(finest, (*angle)[i + 1] - (*angle)[i]);
+  const double step = finest < 2.5 ? 1 : 2.5;
+  const double highest = c_deg_.front() < -90 || c_deg_.back() > 90 ? 180 : 90;
+  std::vector<double> c, gamma;
+  for (int i = 0; i * step < 360; ++i) c.push_back(i * step);
+  for (int i = 0; i * step <= highest; ++i) gamma.push_back(i * step);
+  return resampled(std::move(c), std::move(gamma));
+}
+
+void Distribution::build_sampling_tables() {
+  const size_t n = cells(), rows = gamma_deg_.size();
+
+  c_cumulative_.resize(rows * (n + 1));
   for (size_t j = 0; j < rows; ++j)
-    for (size_t i = 0; i < planes; ++i)
-      c_cumulative_[j * (planes + 1) + i + 1] =
-          c_cumulative_[j * (planes + 1) + i] + c_width(i) * 0.5 * (at(i, j) + at((i + 1) % planes, j));
+    for (size_t i = 0; i < n; ++i)
+      c_cumulative_[j * (n + 1) + i + 1] =
+          c_cumulative_[j * (n + 1) + i] + c_width(i) * 0.5 * (at(i, j) + at((i + 1) % c_deg_.size(), j));
 
   band_cumulative_.assign(1, 0.0);
   for (size_t j = 0; j + 1 < rows; ++j) {
-    const double a = c_cumulative_[j * (planes + 1) + planes], b = c_cumulative_[(j + 1) * (planes + 1) + planes];
+    const double a = c_cumulative_[j * (n + 1) + n], b = c_cumulative_[(j + 1) * (n + 1) + n];
     const double h = gamma_rad_[j + 1] - gamma_rad_[j];
     band_cumulative_.push_back(band_cumulative_.back() + Band{gamma_rad_[j], h, a, b}.integral(1));
     band_flux_lm_ += 0.5 * (a + b) * 2 * std::sin(gamma_rad_[j] + 0.5 * h) * std::sin(0.5 * h);  // cos a - cos b
@@ -145,19 +225,21 @@ double Distribution::plane_value(size_t c, size_t gamma, double t) const {
 }
 
 bool Distribution::locate(double x, double y, double z, Place& place) const {
-  const double gamma = std::atan2(std::hypot(x, y), -z);
+  const Direction d = to_native(type_, {x, y, z});
+  const double gamma = std::atan2(std::hypot(d.x, d.y), -d.z);
   if (!(gamma >= gamma_rad_.front() && gamma <= gamma_rad_.back())) return false;
   const auto row = std::upper_bound(gamma_rad_.begin() + 1, gamma_rad_.end() - 1, gamma);
   place.gamma = size_t(row - gamma_rad_.begin()) - 1;
   place.t = (gamma - row[-1]) / (row[0] - row[-1]);
   place.c = 0;
   place.s = 0;
-  if (c_rad_.size() > 1) {
-    double c = std::atan2(y, x);
-    if (c < 0) c += 2 * pi;
-    place.c = size_t(std::upper_bound(c_rad_.begin() + 1, c_rad_.end(), c) - c_rad_.begin()) - 1;
-    place.s = std::min(1.0, (c - c_rad_[place.c]) / c_width(place.c));
-  }
+  if (c_rad_.size() == 1) return true;
+  double c = std::atan2(d.y, d.x);
+  const bool wraps = type_ == PhotometricType::c;
+  if (wraps && c < 0) c += 2 * pi;
+  if (!wraps && !(c >= c_rad_.front() && c <= c_rad_.back())) return false;
+  place.c = size_t(std::upper_bound(c_rad_.begin() + 1, c_rad_.end() - (wraps ? 0 : 1), c) - c_rad_.begin()) - 1;
+  place.s = std::min(1.0, (c - c_rad_[place.c]) / c_width(place.c));
   return true;
 }
 
@@ -173,25 +255,25 @@ double Distribution::pdf_w(double x, double y, double z) const {
 
 Distribution::Sample Distribution::sample(double u1, double u2) const {
   if (!(interpolated_flux_lm_ > 0)) return {0, 0, -1, 0, 0};
-  const size_t planes = c_deg_.size();
+  const size_t n = cells();
 
   const double flux_below = u1 * interpolated_flux_lm_;
   const size_t j = find_cell(gamma_rad_.size() - 1, flux_below, [&](size_t k) { return band_cumulative_[k]; });
-  const double* row = &c_cumulative_[j * (planes + 1)];
-  const double* next_row = row + planes + 1;
-  const Band band{gamma_rad_[j], gamma_rad_[j + 1] - gamma_rad_[j], row[planes], next_row[planes]};
+  const double* row = &c_cumulative_[j * (n + 1)];
+  const double* next_row = row + n + 1;
+  const Band band{gamma_rad_[j], gamma_rad_[j + 1] - gamma_rad_[j], row[n], next_row[n]};
   const double t =
       band.invert(fraction(flux_below - band_cumulative_[j], band_cumulative_[j + 1] - band_cumulative_[j]));
 
   const auto cumulative = [&](size_t k) { return row[k] * (1 - t) + next_row[k] * t; };
-  const double c_target = u2 * cumulative(planes);
-  const size_t i = find_cell(planes, c_target, cumulative);
+  const double c_target = u2 * cumulative(n);
+  const size_t i = find_cell(n, c_target, cumulative);
   const double v0 = plane_value(i, j, t), v1 = plane_value(i + 1, j, t);
   const double s = invert_linear(v0, v1, fraction(c_target - cumulative(i), cumulative(i + 1) - cumulative(i)));
 
-  const double gamma = band.g0 + t * band.h, c = c_rad_[i] + s * c_width(i), sine = std::sin(gamma);
+  const Direction d = from_native(type_, direction_of(c_rad_[i] + s * c_width(i), band.g0 + t * band.h));
   const double intensity = v0 * (1 - s) + v1 * s;
-  return {sine * std::cos(c), sine * std::sin(c), -std::cos(gamma), intensity, intensity / interpolated_flux_lm_};
+  return {d.x, d.y, d.z, intensity, intensity / interpolated_flux_lm_};
 }
 
 }  // namespace photometry

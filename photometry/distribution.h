@@ -1,9 +1,13 @@
-// One luminous intensity distribution: a C-gamma table with irregular steps. Evaluation, flux and exact sampling of the
-// interpolated intensity. The standard library only; usable without the engine. Made by ies.cpp and by programs;
-// sampled by the emitters that have a profile.
+// One luminous intensity distribution: a table of directions with irregular steps. Evaluation, flux and exact sampling
+// of the interpolated intensity. The standard library only; usable without the engine. Made by the readers and by
+// programs; sampled by the emitters that have a profile.
 //
 // Frame: gamma 0 is the nadir (local -Z), C0 is local +X, C90 is +Y:
 //   direction = (sin g cos C, sin g sin C, -cos g).
+// Tables of types B and A (IES LM-63) have another polar axis. Their forward direction (0, 0) is the nadir, up is C0,
+// right is C270; seen along forward with up at the top:
+//   type B: forward cos H cos V, right sin H,       up cos H sin V   (polar axis: right)
+//   type A: forward cos V cos H, right cos V sin H, up sin V         (polar axis: up)
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +17,9 @@
 
 namespace photometry {
 
+// How a table counts directions.
+enum class PhotometricType { c, b, a };
+
 class Distribution {
  public:
   static constexpr size_t max_values = 4'000'000;
@@ -21,10 +28,16 @@ class Distribution {
   // at least 2 of them. intensity_cd: gamma fastest, finite, >= 0; at most max_values. Throws std::invalid_argument
   // that names the field and element.
   Distribution(std::vector<double> c_deg, std::vector<double> gamma_deg, std::vector<double> intensity_cd);
+  // A table of any type in its own angles: planes through the polar axis (type A: H, type B: V), at least 2, ascending in
+  // [-180, 180], and rows (A: V, B: H), at least 2, ascending in [-90, 90]; row fastest. The planes do not wrap around.
+  // Type c is the constructor above.
+  Distribution(PhotometricType type, std::vector<double> plane_deg, std::vector<double> row_deg,
+               std::vector<double> intensity_cd);
 
-  // Bilinear in (C, gamma), cd; 0 outside the table's gamma range. The direction has any length > 0.
+  // Bilinear in the table's angles, cd; 0 outside the table. The direction has any length > 0, in the frame above.
   double eval(double x, double y, double z) const;
-  // Flux by the band rule: planes averaged with trapezoid weights, bands 2 pi (cos a - cos b) (I_a + I_b) / 2.
+  // Flux by the band rule on the table as it is: planes averaged with trapezoid weights, bands of equal polar angle
+  // 2 pi (cos a - cos b) (I_a + I_b) / 2.
   double band_flux_lm() const { return band_flux_lm_; }
   // Integral of the interpolated intensity over the sphere, exact.
   double interpolated_flux_lm() const { return interpolated_flux_lm_; }
@@ -42,11 +55,21 @@ class Distribution {
   Sample sample(double u1, double u2) const;
   double pdf_w(double x, double y, double z) const;
 
+  // The table in its own angles: of type C planes C and rows gamma, of type A planes H and rows V, of type B planes V and
+  // rows H.
+  PhotometricType type() const { return type_; }
   const std::vector<double>& c_deg() const { return c_deg_; }
   const std::vector<double>& gamma_deg() const { return gamma_deg_; }
   double at(size_t c, size_t gamma) const { return table_[c * gamma_deg_.size() + gamma]; }
 
+  // The same intensities at the nodes of a C-gamma grid, as the first constructor takes it. Interpolated between the
+  // grid's nodes it is not the same distribution where the grids differ.
+  Distribution resampled(std::vector<double> grid_c_deg, std::vector<double> grid_gamma_deg) const;
+  // This distribution where it is of type C; else on a grid of 1 degree (where the table is as fine) or 2.5 degrees.
+  Distribution in_c_gamma() const;
+
  private:
+  PhotometricType type_ = PhotometricType::c;
   std::vector<double> c_deg_, gamma_deg_, table_;
   double band_flux_lm_ = 0, interpolated_flux_lm_ = 0;
   double peak_cd_ = 0, peak_c_deg_ = 0, peak_gamma_deg_ = 0;
@@ -56,13 +79,16 @@ class Distribution {
     size_t c, gamma;
     double s, t;
   };
+  void check_table() const;
+  size_t cells() const { return type_ == PhotometricType::c ? c_deg_.size() : c_deg_.size() - 1; }  // along C
+  void find_peak();
   bool locate(double x, double y, double z, Place& place) const;
   double plane_value(size_t c, size_t gamma, double t) const;  // of plane c (or, past the last, of the first)
   double c_width(size_t c) const;                              // rad, to the next plane
   void build_sampling_tables();
 
-  std::vector<double> c_rad_, gamma_rad_;
-  // At gamma row j: integral of the intensity over C from plane 0 to plane i, at [j * (planes + 1) + i].
+  std::vector<double> c_rad_, gamma_rad_;  // azimuth and polar angle about the table's own polar axis
+  // At gamma row j: integral of the intensity over C from plane 0 to plane i, at [j * (cells + 1) + i].
   std::vector<double> c_cumulative_;
   std::vector<double> band_cumulative_;  // flux below each gamma row, lm
 };

@@ -20,9 +20,9 @@ struct Code {
 // Codes that all editions share.
 constexpr Code common[] = {
     {"000", OpeningShape::point, Extent::as_written, 2},     {"++0", OpeningShape::rectangle, Extent::as_written, 2},
-    {"+++", OpeningShape::box, Extent::as_written, 2},       {"0++", OpeningShape::box, Extent::as_written, 2},
-    {"+0+", OpeningShape::box, Extent::as_written, 2},       {"+00", OpeningShape::rectangle, Extent::as_written, 2},
-    {"0+0", OpeningShape::rectangle, Extent::as_written, 2}, {"00+", OpeningShape::box, Extent::as_written, 2},
+    {"+++", OpeningShape::box, Extent::as_written, 2},       {"0++", OpeningShape::rectangle, Extent::as_written, 2},
+    {"+0+", OpeningShape::rectangle, Extent::as_written, 2}, {"+00", OpeningShape::rectangle, Extent::as_written, 2},
+    {"0+0", OpeningShape::rectangle, Extent::as_written, 2}, {"00+", OpeningShape::rectangle, Extent::as_written, 2},
 };
 constexpr Code codes_1986[] = {
     {"-00", OpeningShape::disc, Extent::x_from_width, 2},

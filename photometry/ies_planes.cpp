@@ -1,4 +1,5 @@
-// The symmetries of IES LM-63 type C. Mirror images copy planes; nothing is ever turned by relabelling angles.
+// The angle ranges of IES LM-63. Type C: parts of a circle, by edition. Types A and B: from -90 to 90, or from 0 where the
+// other half is the mirror image; tables that end earlier are read as dark beyond.
 #include "photometry/ies_planes.h"
 
 #include <algorithm>
@@ -8,100 +9,124 @@
 namespace photometry {
 namespace {
 
-using Planes = std::vector<IesPlane>;
+struct Context {
+  IesEdition edition;
+  AngleLines lines;
+  std::vector<std::string>& warnings;
+  void warn(size_t line, const std::string& what) const { warnings.push_back(at_line(line, what)); }
+};
 
-// Into [0, 360).
-double wrapped(double c_deg) {
-  const double c = std::fmod(c_deg + 720, 360);
-  return is_near(c, 360) ? 0 : c;
+std::string range_text(const char* kind, double first, double last) {
+  return std::string(kind) + " angles from " + shown(first) + " to " + shown(last);
 }
 
-void sort_planes(Planes& planes) {
-  std::stable_sort(planes.begin(), planes.end(),
-                   [](const IesPlane& a, const IesPlane& b) { return a.c_deg < b.c_deg; });
-}
-
-// Adds the mirror image of every plane about the plane through `about_deg`; planes that are their own image stay
-// single.
-void mirror(Planes& planes, double about_deg) {
-  const size_t n = planes.size();
-  for (size_t i = 0; i < n; ++i) planes.push_back({wrapped(2 * about_deg - planes[i].c_deg), planes[i].intensity_cd});
-  sort_planes(planes);
-  const auto same = [](const IesPlane& a, const IesPlane& b) { return std::abs(a.c_deg - b.c_deg) < 1e-9; };
-  planes.erase(std::unique(planes.begin(), planes.end(), same), planes.end());
-}
-
-// 0 to 360 states the first plane twice; without the last one, the circle must close with a step like the one before.
-// False where it does not.
-bool close_circle(Planes& planes, size_t line, std::vector<std::string>& warnings) {
+// Without the plane 360, the circle must close with a step like the one before. False where it does not.
+bool close_circle(std::vector<Plane>& planes, const Context& context) {
   const double last = planes.back().c_deg, last_step = last - planes[planes.size() - 2].c_deg;
-  if (!is_near(last, 360)) {
-    warnings.push_back(at_line(line, "the plane 360 is missing; plane 0 closes the circle"));
-    return is_near(last + last_step, 360);
+  if (last == 360) {
+    join_ends(planes, context.lines.horizontal, context.warnings);
+    return true;
   }
-  double peak = 0, difference = 0;
-  for (const IesPlane& p : planes)
-    peak = std::max(peak, *std::max_element(p.intensity_cd.begin(), p.intensity_cd.end()));
-  for (size_t v = 0; v < planes.front().intensity_cd.size(); ++v) {
-    double& a = planes.front().intensity_cd[v];
-    const double b = planes.back().intensity_cd[v];
-    difference = std::max(difference, std::abs(a - b));
-    a = 0.5 * (a + b);
-  }
-  planes.pop_back();
-  if (difference > 0.01 * peak)
-    warnings.push_back(at_line(line, "the planes 0 and 360 differ by " + shown(100 * difference / peak) +
-                                         " % of the peak; their mean is taken"));
-  return true;
+  context.warn(context.lines.horizontal, "the plane 360 is missing; plane 0 closes the circle");
+  return is_near(last + last_step, 360);
 }
 
-// A table must have a plane at 0; where the file has none, the interpolated one changes nothing.
-void start_at_zero(Planes& planes) {
-  if (planes.front().c_deg < 1e-9) {
-    planes.front().c_deg = 0;
-    return;
+Distribution arrange_c(IesTable table, const Context& context, Symmetry& symmetry) {
+  std::vector<double>& vertical = table.vertical_deg;
+  double &lowest = vertical.front(), &highest = vertical.back();
+  if (lowest < 0 && is_near(lowest, 0)) lowest = 0;
+  if (highest > 180 && is_near(highest, 180)) highest = 180;
+  if (lowest < 0 || highest > 180)
+    fail_at(context.lines.vertical, range_text("vertical", lowest, highest) + " are not within 0 to 180 of type C");
+  if (!(is_near(lowest, 0) || is_near(lowest, 90)) || !(is_near(highest, 90) || is_near(highest, 180)))
+    context.warn(context.lines.vertical, range_text("vertical", lowest, highest) +
+                 " do not reach the poles or the horizon; nothing is emitted beyond them");
+
+  std::vector<Plane>& planes = table.planes;
+  symmetry = Symmetry::axial;
+  if (planes.size() > 1) {
+    double &first = planes.front().c_deg, &last = planes.back().c_deg;
+    for (double* end : {&first, &last})
+      for (double nominal : {-90.0, 0.0, 90.0, 180.0, 270.0, 360.0})
+        if (is_near(*end, nominal)) *end = nominal;
+    const std::string range = range_text("horizontal", first, last);
+    const auto between = [&](double a, double b) { return first == a && last == b; };
+    const bool half = between(180, 360) || between(-90, 90), across = between(90, 270);
+    symmetry = between(0, 90)                        ? Symmetry::quadrants
+               : between(0, 180) || between(180, 360) ? Symmetry::c0_c180
+               : across || between(-90, 90)           ? Symmetry::c90_c270
+                                                      : Symmetry::none;
+    if (symmetry == Symmetry::none && !(first == 0 && last <= 360 && close_circle(planes, context)))
+      fail_at(context.lines.horizontal,
+              range + " are not of type C; they must run from 0 to 90, 180 or 360, from 90 to 270, or be a single one");
+    if (half) context.warn(context.lines.horizontal, range + " are not of type C; read as one half of a mirrored distribution");
+    if (across && context.edition != IesEdition::y1995)
+      context.warn(context.lines.horizontal, range + " are not of " + name_of(context.edition) +
+                   "; read as mirrored about the plane 90-270, as in 1995");
   }
-  const IesPlane &after = planes.front(), &before = planes.back();
-  const double s = (360 - before.c_deg) / (360 - before.c_deg + after.c_deg);
-  IesPlane zero{0, {}};
-  for (size_t v = 0; v < after.intensity_cd.size(); ++v)
-    zero.intensity_cd.push_back(before.intensity_cd[v] * (1 - s) + after.intensity_cd[v] * s);
-  planes.insert(planes.begin(), std::move(zero));
+  complete_circle(planes, symmetry);
+  return distribution_of(PhotometricType::c, std::move(planes), std::move(vertical));
+}
+
+// Whether the angles state one half of what is mirrored about 0. Warns about what is not -90 or 0 to 90.
+bool is_half(std::vector<double>& angle, const char* kind, size_t line, const Context& context) {
+  const auto snap = [](double& a) {
+    for (double nominal : {-90.0, 0.0, 90.0})
+      if (is_near(a, nominal)) a = nominal;
+  };
+  snap(angle.front());
+  snap(angle.back());
+  const bool half = angle.front() == 0;
+  if ((!half && angle.front() != -90) || angle.back() != 90)
+    context.warn(line, range_text(kind, angle.front(), angle.back()) + " do not run from -90 or 0 to 90" +
+                 (half ? "; they are mirrored about 0, and nothing is emitted beyond them"
+                       : "; nothing is emitted beyond them"));
+  return half;
+}
+
+void mirror_planes(std::vector<Plane>& planes) {
+  for (size_t i = 1, n = planes.size(); i < n; ++i) planes.push_back({-planes[i].c_deg, planes[i].intensity_cd});
+  std::sort(planes.begin(), planes.end(), [](const Plane& a, const Plane& b) { return a.c_deg < b.c_deg; });
+}
+
+// Rows become planes and planes rows.
+void transpose(std::vector<Plane>& planes, std::vector<double>& row_deg) {
+  std::vector<Plane> turned;
+  for (size_t j = 0; j < row_deg.size(); ++j) {
+    turned.push_back({row_deg[j], {}});
+    for (const Plane& p : planes) turned.back().intensity_cd.push_back(p.intensity_cd[j]);
+  }
+  row_deg.clear();
+  for (const Plane& p : planes) row_deg.push_back(p.c_deg);
+  planes = std::move(turned);
+}
+
+Distribution arrange_a_or_b(IesTable table, const Context& context, Symmetry& symmetry) {
+  const char* name = table.type == PhotometricType::a ? "A" : "B";
+  if (table.planes.size() < 2)
+    fail_at(context.lines.horizontal, std::string("there is a single horizontal angle; a table of type ") + name +
+                              " needs at least 2, as it is not symmetric about its axis");
+  std::vector<double> horizontal;
+  for (const Plane& p : table.planes) horizontal.push_back(p.c_deg);
+  const bool h = is_half(horizontal, "horizontal", context.lines.horizontal, context), v = is_half(table.vertical_deg, "vertical", context.lines.vertical, context);
+  for (size_t i = 0; i < horizontal.size(); ++i) table.planes[i].c_deg = horizontal[i];
+  symmetry = h && v ? Symmetry::quadrants : h ? Symmetry::c0_c180 : v ? Symmetry::c90_c270 : Symmetry::none;
+  if ((h && v ? 4 : h || v ? 2 : 1) * table.planes.size() * table.vertical_deg.size() > Distribution::max_values)
+    fail_at(context.lines.horizontal, "with their mirror images the candelas are too many; at most 4000000 are kept");
+  if (h) mirror_planes(table.planes);
+  transpose(table.planes, table.vertical_deg);  // planes of equal V
+  if (v) mirror_planes(table.planes);
+  if (table.type == PhotometricType::a) transpose(table.planes, table.vertical_deg);
+  return distribution_of(table.type, std::move(table.planes), std::move(table.vertical_deg));
 }
 
 }  // namespace
 
-Symmetry arrange_ies_planes(Planes& planes, IesEdition edition, size_t line, std::vector<std::string>& warnings) {
-  if (planes.size() == 1) {
-    planes[0].c_deg = 0;
-    return Symmetry::axial;
-  }
-  const double first = planes.front().c_deg, last = planes.back().c_deg;
-  const std::string range = "horizontal angles from " + shown(first) + " to " + shown(last);
-  const auto between = [&](double a, double b) { return is_near(first, a) && is_near(last, b); };
-  Symmetry symmetry = Symmetry::none;
-  if (between(0, 90)) {
-    symmetry = Symmetry::quadrants;
-  } else if (between(0, 180) || between(180, 360)) {
-    symmetry = Symmetry::c0_c180;
-  } else if (between(90, 270) || between(-90, 90)) {
-    symmetry = Symmetry::c90_c270;
-  } else if (!(is_near(first, 0) && last < 360.001 && close_circle(planes, line, warnings))) {
-    fail_at(line,
-            range + " are not of type C; they must run from 0 to 90, 180 or 360, from 90 to 270, or be a single one");
-  }
-  if (between(180, 360) || between(-90, 90))
-    warnings.push_back(at_line(line, range + " are not of type C; read as one half of a mirrored distribution"));
-  if (between(90, 270) && edition != IesEdition::y1995)
-    warnings.push_back(at_line(
-        line, range + " are not of " + name_of(edition) + "; read as mirrored about the plane 90-270, as in 1995"));
-
-  for (IesPlane& p : planes) p.c_deg = wrapped(p.c_deg);
-  if (symmetry == Symmetry::c0_c180 || symmetry == Symmetry::quadrants) mirror(planes, 0);
-  if (symmetry == Symmetry::c90_c270 || symmetry == Symmetry::quadrants) mirror(planes, 90);
-  sort_planes(planes);
-  start_at_zero(planes);
-  return symmetry;
+Distribution arrange_ies_table(IesTable table, IesEdition edition, const AngleLines& lines, Symmetry& symmetry,
+                               std::vector<std::string>& warnings) {
+  const Context context{edition, lines, warnings};
+  return table.type == PhotometricType::c ? arrange_c(std::move(table), context, symmetry)
+                                          : arrange_a_or_b(std::move(table), context, symmetry);
 }
 
 }  // namespace photometry

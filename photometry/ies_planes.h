@@ -1,22 +1,25 @@
-// Expands the planes of a type C file to the full circle, by the range of its horizontal angles. Called by ies.cpp.
+// What the range of an IES file's angles means: which part of the table it states, and the table of it. Called by
+// ies.cpp.
 #pragma once
-#include <cmath>
-
 #include "photometry/ies_edition.h"
+#include "photometry/planes.h"
 
 namespace photometry {
 
-struct IesPlane {
-  double c_deg;
-  std::vector<double> intensity_cd;
+// The table as in the file, both angles ascending: the intensities at each vertical angle, for each horizontal angle.
+struct IesTable {
+  PhotometricType type;
+  std::vector<double> vertical_deg;
+  std::vector<Plane> planes;  // c_deg: the horizontal angle
 };
 
-// Whether two angles of a file, in degrees, mean the same.
-inline bool is_near(double a, double b) { return std::abs(a - b) < 1e-3; }
+struct AngleLines {
+  size_t vertical, horizontal;  // where the angles end, for messages
+};
 
-// planes: ascending, as in the file; becomes ascending in [0, 360) from 0 (one plane: as it is, at 0). Throws
-// ParseError with the line of the table for ranges that are not of type C.
-Symmetry arrange_ies_planes(std::vector<IesPlane>& planes, IesEdition edition, size_t line,
-                            std::vector<std::string>& warnings);
+// Completes what a symmetry left out. Throws ParseError with their line for ranges that the type does not
+// have.
+Distribution arrange_ies_table(IesTable table, IesEdition edition, const AngleLines& lines, Symmetry& symmetry,
+                               std::vector<std::string>& warnings);
 
 }  // namespace photometry

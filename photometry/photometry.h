@@ -51,9 +51,6 @@ struct Ray {
   float flux_lm;
 };
 
-// How the file itself tabulates directions (LM-63); Distribution answers in C-gamma terms for all of them.
-enum class PhotometricType { c, b, a };
-
 struct Photometry {
   Distribution distribution;
   Opening opening;
@@ -64,9 +61,13 @@ struct Photometry {
   std::vector<Keyword> keywords;  // in the file's order; free label lines under the name LABEL
   Tilt tilt;
   std::vector<std::string> warnings;  // each with its line
-  PhotometricType type = PhotometricType::c;
-  std::vector<LampSet> lamp_sets;  // of an EULUMDAT file; the emitters of a TM-33 file
+  PhotometricType type = PhotometricType::c;  // of the file; Distribution answers in C-gamma terms for all of them
+  // Of an EULUMDAT file all, alternatives; of an IES file its lamps; of a TM-33 file its emitters, which shine together.
+  std::vector<LampSet> lamp_sets;
   std::vector<Ray> rays;           // of a ray file; the distribution is then their far field, binned
+  size_t lamp_set = 0;             // the set that the intensities hold for
+  std::string tilt_file_name;      // that TILT= names; empty: none
+  double file_generation = -1;     // "file generation type" of LM-63-2019, such as 1.0001 (simulation); < 0: not stated
 };
 
 struct ReadOptions {
@@ -76,8 +77,14 @@ struct ReadOptions {
   size_t lamp_set = 0;   // of an EULUMDAT file, from 0
 };
 
-// bytes: an IES LM-63 file of any edition. Throws ParseError ("line 12: ...") or UnsupportedError.
-Photometry read_ies(const void* bytes, size_t size);
+// bytes: an IES LM-63 file of any edition, an EULUMDAT file. Throw ParseError ("line 12: ..."), UnsupportedError, or
+// std::invalid_argument where the options ask for what the file does not have.
+Photometry read_ies(const void* bytes, size_t size, const ReadOptions& options = {});
+Photometry read_eulumdat(const void* bytes, size_t size, const ReadOptions& options = {});
+// bytes: an XML file of ANSI/IES TM-33 (of 2018, which is ATLA S001 and UNI 11733, or of 2023). Luminous intensity is
+// read; several emitters are added up, with a warning, and ReadOptions::lamp_set does not choose among them. Relative
+// intensities are in cd per 1000 lm of the emitter's RatedLumens. Throws as the others do.
+Photometry read_tm33(const void* bytes, size_t size);
 // bytes: a ray file: IES TM-25 (.tm25ray), Zemax binary (.sdf, .dat) or LightTools binary (LTRF), known by its first
 // bytes. The file's axes are taken as they are: its x, y, z are the luminaire's local x, y, z, whose nadir is -z. The
 // fluxes are scaled to the header's total where it states one; radiant flux becomes luminous by wavelength or spectrum.
@@ -85,6 +92,15 @@ Photometry read_ies(const void* bytes, size_t size);
 Photometry read_ray_file(const void* bytes, size_t size);
 bool is_ray_file(const void* bytes, size_t size);
 // Recognises the format.
-Photometry read(const void* bytes, size_t size);
+Photometry read(const void* bytes, size_t size, const ReadOptions& options = {});
+
+// The bytes of a file that reads back as the same distribution. A symmetric table is written by the planes that the
+// format asks for. Throw std::invalid_argument for what the format cannot hold.
+// LM-63-2019: type A and B tables as they are; lamps, opening, keywords, TILT table; absolute where no rated flux is
+// known. File generation type: photometry.file_generation, or 1.00001 (undefined).
+std::string write_ies(const Photometry& photometry);
+// EULUMDAT: type A and B tables resampled (Distribution::in_c_gamma), the chosen or first lamp set alone, no tilt table;
+// of the keywords those that have a line.
+std::string write_eulumdat(const Photometry& photometry);
 
 }  // namespace photometry

@@ -2,6 +2,7 @@
 #include "photometry/text_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace photometry {
@@ -66,21 +67,44 @@ bool TextReader::detect_decimal_commas() {
   return decimal_commas_ = any;
 }
 
+// False with an empty token at the end of the text, with the token where it is no number.
+bool TextReader::next_number(double& value, std::string_view& token) {
+  if (!next_token(token)) {
+    token = {};
+    return false;
+  }
+  if (parse_number(token, value)) return true;
+  if (!decimal_commas_) return false;
+  std::string with_point(token);
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  return parse_number(with_point, value);
+}
+
+void TextReader::fail_number(std::string_view token, const std::string& name) const {
+  if (token.empty()) fail_at(line_, "the file ends before " + name);
+  fail_at(line_, "\"" + std::string(token.substr(0, 40)) + "\" is not a number; " + name + " is expected here");
+}
+
 double TextReader::number(const std::string& name) {
   std::string_view token;
-  if (!next_token(token)) fail_at(line_, "the file ends before " + name);
-  double value = 0;
-  bool valid = parse_number(token, value);
-  if (!valid && decimal_commas_) {
-    std::string with_point(token);
-    std::replace(with_point.begin(), with_point.end(), ',', '.');
-    valid = parse_number(with_point, value);
-  }
-  if (!valid) {
-    const std::string_view shown = token.substr(0, 40);
-    fail_at(line_, "\"" + std::string(shown) + "\" is not a number; " + name + " is expected here");
-  }
+  double value;
+  if (!next_number(value, token)) fail_number(token, name);
   return value;
+}
+
+double TextReader::number(const char* name, size_t i, size_t n) {
+  std::string_view token;
+  double value;
+  if (!next_number(value, token)) fail_number(token, name + std::to_string(i) + " of " + std::to_string(n));
+  return value;
+}
+
+size_t TextReader::count(const std::string& name, size_t least) {
+  const double value = number(name), most = double(Distribution::max_values);
+  if (!(std::abs(value - std::round(value)) < 1e-6) || value < double(least) || value > most)
+    fail_at(line_, name + " is " + shown(value) + "; it must be a whole number of at least " + std::to_string(least) +
+                       (value > most ? " and no more than 4000000" : ""));
+  return size_t(std::lround(value));
 }
 
 }  // namespace photometry

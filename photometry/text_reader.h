@@ -38,6 +38,12 @@ inline bool parse_number(std::string_view token, double& value) {
   return error == std::errc() && end == token.data() + token.size();
 }
 
+// As few digits as read back to the same number.
+inline std::string shortest(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
 // Six digits, for messages.
 inline std::string shown(double value) {
   char text[32];
@@ -91,9 +97,15 @@ class TextReader {
   }
   // `name` says what is expected here, for the message.
   double number(const std::string& name);
+  // The same for the i-th of many, "name i of n".
+  double number(const char* name, size_t i, size_t n);
+  // A whole number, which may be written 1.0, of at least `least` and at most 4000000.
+  size_t count(const std::string& name, size_t least);
 
  private:
   static constexpr char end_of_text = '\x1a';
+  bool next_number(double& value, std::string_view& token);
+  [[noreturn]] void fail_number(std::string_view token, const std::string& name) const;
   bool is_separator(char c) const {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f' || c == '\0' || c == ';' ||
            (c == ',' && !decimal_commas_);

@@ -12,7 +12,7 @@ bool is_name_character(char c) {
 }
 bool is_name_start(char c) { return is_name_character(c) && c != '-' && c != '.' && !(c >= '0' && c <= '9'); }
 
-std::string without_prefix(const std::string& name) {
+std::string_view without_prefix(std::string_view name) {
   const size_t colon = name.find(':');
   return colon == name.npos ? name : name.substr(colon + 1);
 }
@@ -22,6 +22,8 @@ std::string without_prefix(const std::string& name) {
 XmlReader::XmlReader(std::string text) : text_(std::move(text)) {
   if (text_.size() > max_size) fail("an XML file of more than 256 MiB is not read");
 }
+
+std::string_view XmlReader::name() const { return open_.empty() ? std::string_view() : without_prefix(open_.back()); }
 
 // Counts lines: \r\n, \n, and \r alone.
 void XmlReader::advance(size_t n) {
@@ -103,17 +105,18 @@ std::string XmlReader::decoded(std::string_view raw) const {
 }
 
 void XmlReader::read_attribute() {
-  if (attributes_.size() >= max_attributes) fail("<" + name() + "> has more than 64 attributes");
+  if (attributes_.size() >= max_attributes) fail("<" + open_.back() + "> has more than 64 attributes");
   const std::string attribute = read_name();
   pass_blank();
-  if (!starts_with("=")) fail("the attribute \"" + attribute + "\" of <" + name() + "> has no value: = is missing");
+  if (!starts_with("="))
+    fail("the attribute \"" + attribute + "\" of <" + open_.back() + "> has no value: = is missing");
   advance(1);
   pass_blank();
   if (!starts_with("\"") && !starts_with("'"))
-    fail("the value of the attribute \"" + attribute + "\" of <" + name() + "> is not in quotes");
+    fail("the value of the attribute \"" + attribute + "\" of <" + open_.back() + "> is not in quotes");
   const std::string quote(1, text_[at_]);
   advance(1);
-  attributes_.push_back({without_prefix(attribute), decoded(up_to(quote, "an attribute's value"))});
+  attributes_.push_back({std::string(without_prefix(attribute)), decoded(up_to(quote, "an attribute's value"))});
 }
 
 // After "<".
@@ -125,7 +128,7 @@ void XmlReader::read_start() {
     const size_t before = at_;
     pass_blank();
     if (starts_with("/>") || starts_with(">")) break;
-    if (at_ == before || at_ >= text_.size()) fail("the start of <" + name() + "> does not end with \">\"");
+    if (at_ == before || at_ >= text_.size()) fail("the start of <" + open_.back() + "> does not end with \">\"");
     read_attribute();
   }
   empty_element_ = starts_with("/>");
@@ -137,7 +140,7 @@ void XmlReader::read_end() {
   const std::string closed = read_name();
   pass_blank();
   if (open_.empty()) fail("</" + closed + "> ends an element that was not begun");
-  if (closed != name()) fail("</" + closed + "> stands where </" + name() + "> is expected");
+  if (closed != open_.back()) fail("</" + closed + "> stands where </" + open_.back() + "> is expected");
   if (!starts_with(">")) fail("</" + closed + " does not end with \">\"");
   advance(1);
 }
@@ -176,14 +179,13 @@ XmlReader::Event XmlReader::next() {
       return Event::start;
     }
   }
-  if (!open_.empty()) fail("the file ends inside <" + name() + ">");
+  if (!open_.empty()) fail("the file ends inside <" + open_.back() + ">");
   return Event::finished;
 }
 
 void XmlReader::enter_root() {
   for (;;) switch (next()) {
       case Event::start:
-        open_.back() = open_.back();
         return;
       case Event::text:
         if (!trimmed(event_text_).empty()) fail("text stands before the first element: this is not XML");

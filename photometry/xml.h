@@ -1,6 +1,6 @@
 // A pull reader of XML for files of measured data: elements, attributes, text, CDATA, the five entities and character
-// references; comments, processing instructions and a document type are passed over, and no entity is ever expanded from
-// one. Used by tm33.cpp. Names lose their namespace prefix.
+// references; comments, processing instructions and a document type are passed over, and no entity is ever expanded
+// from one. Used by tm33.cpp. Names lose their namespace prefix.
 //
 //   XmlReader xml(text);
 //   xml.enter_root();
@@ -27,7 +27,7 @@ class XmlReader {
   std::string text();
   void skip() { text(); }
 
-  const std::string& name() const { return open_.back(); }  // of the element that was entered last
+  std::string_view name() const;  // of the element that was entered last; "" before the first and after the last
   // Its attribute, or null; good until the next element is entered.
   const std::string* attribute(std::string_view name) const;
   size_t line() const { return line_; }

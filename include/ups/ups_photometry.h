@@ -1,11 +1,19 @@
-/* UPS: luminous intensity distributions of luminaires: parse, build, query. */
+/* UPS: luminous intensity distributions of luminaires: parse, build, query, write. */
 #ifndef UPS_PHOTOMETRY_H
 #define UPS_PHOTOMETRY_H
 
 #include "ups_base.h"
 
 typedef int32_t ups_profile_format;
-enum { UPS_PROFILE_AUTO = 0, UPS_PROFILE_IES_LM63 = 1, UPS_PROFILE_EULUMDAT = 2 };
+enum {
+  UPS_PROFILE_AUTO = 0,           /* recognised by its content */
+  UPS_PROFILE_IES_LM63 = 1,       /* .ies: editions 1986 to 2019, photometric types A, B and C */
+  UPS_PROFILE_EULUMDAT = 2,       /* .ldt */
+  UPS_PROFILE_TM33_XML = 3,       /* .xml: TM-33, UNI 11733 */
+  UPS_PROFILE_TM25_RAYS = 4,      /* .tm25ray */
+  UPS_PROFILE_ZEMAX_RAYS = 5,     /* .sdf, .dat */
+  UPS_PROFILE_LIGHTTOOLS_RAYS = 6 /* .ray */
+};
 
 typedef int32_t ups_opening_shape;
 enum {
@@ -27,15 +35,36 @@ enum {
   UPS_SYMMETRY_QUADRANTS = 4  /* both */
 };
 
+/* How the file tabulates directions. Profiles answer in C-gamma terms for all: the forward direction (0, 0) of types A and
+ * B is the nadir, up is C0, right (seen along forward) is C270. */
+typedef int32_t ups_photometric_type;
+enum { UPS_PHOTOMETRIC_C = 0, UPS_PHOTOMETRIC_B = 1, UPS_PHOTOMETRIC_A = 2 };
+
 /* Tabulated intensities in C-planes: direction (sin g cos C, sin g sin C, -cos g); gamma 0 is the nadir, local -Z. */
 typedef struct ups_profile_desc {
   uint32_t struct_size;
   uint32_t c_count, gamma_count; /* >= 1, >= 2; at most 4,000,000 values together */
   uint32_t reserved;             /* 0 */
-  const float *c_deg;            /* c_count, ascending, in [0, 360); a single plane is axially symmetric */
+  const float *c_deg;            /* c_count, ascending, in [0, 360), from 0; a single plane, at any angle, is axially symmetric */
   const float *gamma_deg;        /* gamma_count, ascending, in [0, 180]; outside its range the intensity is 0 */
   const float *intensity_cd;     /* c_count * gamma_count, gamma fastest, finite, >= 0 */
+  ups_opening_shape opening_shape;
+  float opening_m[3];            /* luminous opening along local x, y, z, >= 0; point: not read */
+  int32_t opening_axis;          /* of a cylinder: 0 x, 1 y, 2 z (default) */
+  float input_power_w;           /* < 0: not stated (default) */
 } ups_profile_desc;
+
+/* A file and how to read it. */
+typedef struct ups_profile_parse_desc {
+  uint32_t struct_size;
+  ups_profile_format format;
+  const void *bytes;        /* of the file */
+  size_t size;
+  const void *tilt_file;    /* optional: bytes of the file that TILT= names in an IES file (UPS_PROFILE_TEXT_TILT_FILE) */
+  size_t tilt_file_size;
+  float tilt_deg;           /* >= 0: intensities times the TILT factor at this tilt of the luminaire; < 0: none (default) */
+  uint32_t lamp_set;        /* of an EULUMDAT file, whose lamp sets are alternatives; from 0 */
+} ups_profile_parse_desc;
 
 typedef struct ups_profile_info {
   uint32_t struct_size;
@@ -49,11 +78,24 @@ typedef struct ups_profile_info {
   float opening_m[3];                /* luminous opening along local x, y, z; 0: point */
   ups_opening_shape opening_shape;
   ups_profile_symmetry symmetry;
-  uint32_t c_count, gamma_count;     /* of the stored table, symmetry expanded */
+  uint32_t c_count, gamma_count;     /* of the stored table, symmetry expanded; of type A planes H, rows V; B planes V, rows H */
+  ups_photometric_type photometric_type;
+  uint32_t ray_count;                /* of a ray file, else 0 */
+  double up_flux_lm, down_flux_lm;   /* above and below the horizon, together flux_lm */
+  double light_output_ratio;         /* flux_lm / rated_flux_lm; < 0: not known */
+  float beam_angle_deg[2];           /* where the intensity is half of the peak; planes C0-C180 and C90-C270; < 0: nowhere */
+  float field_angle_deg[2];          /* a tenth of the peak */
+  int32_t opening_axis;              /* of a cylinder: 0 x, 1 y, 2 z */
+  uint32_t lamp_set_count;           /* that the file states; at least 1 for a file that states lamps */
 } ups_profile_info;
 
 typedef int32_t ups_profile_text;
-enum { UPS_PROFILE_TEXT_WARNINGS = 0, UPS_PROFILE_TEXT_KEYWORDS = 1 /* "MANUFAC=...\n" */, UPS_PROFILE_TEXT_FORMAT = 2 /* "IES LM-63-2002" */ };
+enum {
+  UPS_PROFILE_TEXT_WARNINGS = 0,
+  UPS_PROFILE_TEXT_KEYWORDS = 1, /* "MANUFAC=...\n"; those of EULUMDAT have the names of LM-63 where there is one */
+  UPS_PROFILE_TEXT_FORMAT = 2,   /* "IES LM-63-2002" */
+  UPS_PROFILE_TEXT_TILT_FILE = 3 /* the name that TILT= has; empty: no file */
+};
 
 UPS_API void ups_profile_desc_init(ups_profile_desc *desc, uint32_t struct_size);
 /* The caller owns *out. Errors: INVALID_ARGUMENT names the field. */
@@ -61,11 +103,23 @@ UPS_API ups_status ups_profile_create(ups_context *context, const ups_profile_de
 /* Parses the bytes of a photometric file. Errors: PARSE with the line; UNSUPPORTED names what is not built. */
 UPS_API ups_status ups_profile_parse(ups_context *context, const void *bytes, size_t size, ups_profile_format format,
                                      ups_profile **out);
+UPS_API void ups_profile_parse_desc_init(ups_profile_parse_desc *desc, uint32_t struct_size);
+/* The same with a TILT file, a tilt, a lamp set. Errors: INVALID_ARGUMENT also where the file has no such lamp set. */
+UPS_API ups_status ups_profile_parse_with(ups_context *context, const ups_profile_parse_desc *desc, ups_profile **out);
+/* The text of a photometric file that parses to the same distribution: IES_LM63 (LM-63-2019; types A and B as they are) or
+ * EULUMDAT (types A and B resampled onto C-planes). Two calls, as for ups_profile_get_text; the final zero is no part of
+ * the file. Errors: UNSUPPORTED for other formats. */
+UPS_API ups_status ups_profile_write(const ups_profile *profile, ups_profile_format format, char *bytes, size_t capacity,
+                                     size_t *needed);
 /* info->struct_size must be set; at most that many bytes are written. */
 UPS_API ups_status ups_profile_get_info(const ups_profile *profile, ups_profile_info *info);
 /* Two calls: text NULL and capacity 0 give *needed (with the final zero), then the text. */
 UPS_API ups_status ups_profile_get_text(const ups_profile *profile, ups_profile_text topic, char *text, size_t capacity,
                                         size_t *needed);
+/* Values of the keyword of that name, such as "MANUFAC", in any case: a line each where there are several, empty where
+ * there is none. Two calls, as for ups_profile_get_text. */
+UPS_API ups_status ups_profile_get_keyword(const ups_profile *profile, const char *name, char *text, size_t capacity,
+                                           size_t *needed);
 /* Interpolated intensity, cd, for count directions in the profile's frame (3 floats each, any length > 0). */
 UPS_API ups_status ups_profile_eval(const ups_profile *profile, const float *directions_xyz, size_t count,
                                     float *intensity_cd);

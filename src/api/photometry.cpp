@@ -1,10 +1,11 @@
-// ups_photometry.h: profiles from tables and from files.
+// ups_photometry.h: profiles from tables and from files, and files from profiles.
 #include "photometry/photometry.h"
 
 #include <cmath>
 
 #include "api/desc.h"
 #include "api/handles.h"
+#include "base/text.h"
 #include "scene/check.h"
 
 using namespace ups;
@@ -35,9 +36,46 @@ photometry::Distribution make_distribution(const ups_profile_desc& d) {
           {d.intensity_cd, d.intensity_cd + values}};
 }
 
-std::string lines(const std::vector<std::string>& list) {
+photometry::Opening make_opening(const ups_profile_desc& d) {
+  check::enumeration(d.opening_shape, UPS_OPENING_SPHERE, "opening_shape", "UPS_OPENING_*");
+  check::range(d.opening_axis, 0, 2, "opening_axis");
+  photometry::Opening opening;
+  if (d.opening_shape == UPS_OPENING_POINT) return opening;
+  for (int i = 0; i < 3; ++i) check::range(d.opening_m[i], 0, 1e6, check::element("opening_m", size_t(i)));
+  opening.shape = photometry::OpeningShape(d.opening_shape);
+  std::copy(std::begin(d.opening_m), std::end(d.opening_m), opening.size_m);
+  opening.axis = d.opening_axis;
+  return opening;
+}
+
+photometry::Photometry parse(const ups_profile_parse_desc& d) {
+  if (d.size > 0) check::pointer(d.bytes, "bytes");  // an empty file's message is the parser's
+  check::enumeration(d.format, UPS_PROFILE_LIGHTTOOLS_RAYS, "format", "UPS_PROFILE_*");
+  if (d.tilt_file_size > 0) check::pointer(d.tilt_file, "tilt_file");
+  check::finite(d.tilt_deg, "tilt_deg");
+  const photometry::ReadOptions options{d.tilt_file, d.tilt_file_size, d.tilt_deg, d.lamp_set};
+  switch (d.format) {
+    case UPS_PROFILE_AUTO:
+      return photometry::read(d.bytes, d.size, options);
+    case UPS_PROFILE_IES_LM63:
+      return photometry::read_ies(d.bytes, d.size, options);
+    case UPS_PROFILE_EULUMDAT:
+      return photometry::read_eulumdat(d.bytes, d.size, options);
+    default:
+      throw Error(UPS_ERROR_UNSUPPORTED, "format: this version reads IES LM-63 and EULUMDAT files");
+  }
+}
+
+std::string values_of(const photometry::Photometry& data, std::string name) {
+  const auto upper = [](std::string text) {
+    for (char& c : text)
+      if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
+    return text;
+  };
+  name = upper(std::move(name));
   std::string text;
-  for (const std::string& line : list) text += line + "\n";
+  for (const photometry::Keyword& k : data.keywords)
+    if (upper(k.name) == name) text += (text.empty() ? "" : "\n") + k.value;
   return text;
 }
 
@@ -47,13 +85,15 @@ std::string text_of(const photometry::Photometry& data, ups_profile_text topic) 
       return lines(data.warnings);
     case UPS_PROFILE_TEXT_FORMAT:
       return data.format;
+    case UPS_PROFILE_TEXT_TILT_FILE:
+      return data.tilt_file_name;
     case UPS_PROFILE_TEXT_KEYWORDS: {
       std::string text;
       for (const photometry::Keyword& k : data.keywords) text += k.name + "=" + k.value + "\n";
       return text;
     }
     default:
-      check::enumeration(topic, UPS_PROFILE_TEXT_FORMAT, "topic", "UPS_PROFILE_TEXT_*");
+      check::enumeration(topic, UPS_PROFILE_TEXT_TILT_FILE, "topic", "UPS_PROFILE_TEXT_*");
       return {};
   }
 }
@@ -74,15 +114,33 @@ ups_profile_info info_of(const photometry::Photometry& data) {
   info.symmetry = ups_profile_symmetry(data.symmetry);
   info.c_count = uint32_t(d.c_deg().size());
   info.gamma_count = uint32_t(d.gamma_deg().size());
+  info.photometric_type = ups_photometric_type(data.type);
+  info.ray_count = uint32_t(data.rays.size());
+  info.up_flux_lm = info.down_flux_lm = -1;
+  info.light_output_ratio = data.rated_flux_lm > 0 ? d.band_flux_lm() / data.rated_flux_lm : -1;
+  for (int i = 0; i < 2; ++i) info.beam_angle_deg[i] = info.field_angle_deg[i] = -1;
+  info.opening_axis = data.opening.axis;
+  info.lamp_set_count = uint32_t(data.lamp_sets.size());
   return info;
 }
 static_assert(int(photometry::OpeningShape::sphere) == UPS_OPENING_SPHERE);
 static_assert(int(photometry::Symmetry::quadrants) == UPS_SYMMETRY_QUADRANTS);
+static_assert(int(photometry::PhotometricType::b) == UPS_PHOTOMETRIC_B);
+static_assert(int(photometry::PhotometricType::a) == UPS_PHOTOMETRIC_A);
 
 }  // namespace
 
 void ups_profile_desc_init(ups_profile_desc* desc, uint32_t struct_size) {
-  write_defaults(desc, struct_size, ups_profile_desc{});
+  ups_profile_desc d{};
+  d.opening_axis = 2;
+  d.input_power_w = -1;
+  write_defaults(desc, struct_size, d);
+}
+
+void ups_profile_parse_desc_init(ups_profile_parse_desc* desc, uint32_t struct_size) {
+  ups_profile_parse_desc d{};
+  d.tilt_deg = -1;
+  write_defaults(desc, struct_size, d);
 }
 
 ups_status ups_profile_create(ups_context* context, const ups_profile_desc* desc, ups_profile** out) {
@@ -93,6 +151,9 @@ ups_status ups_profile_create(ups_context* context, const ups_profile_desc* desc
     photometry::Photometry data{make_distribution(d)};
     data.symmetry = d.c_count == 1 ? photometry::Symmetry::axial : photometry::Symmetry::none;
     data.format = "table";
+    data.opening = make_opening(d);
+    check::finite(d.input_power_w, "input_power_w");
+    if (d.input_power_w >= 0) data.input_power_w = d.input_power_w;
     take(*context, std::move(data), out);
   });
 }
@@ -102,11 +163,29 @@ ups_status ups_profile_parse(ups_context* context, const void* bytes, size_t siz
   return guard(__func__, [&] {
     require(context, "context");
     require(out, "out");
-    if (size > 0) check::pointer(bytes, "bytes");  // an empty file's message is the parser's
-    check::enumeration(format, UPS_PROFILE_EULUMDAT, "format", "UPS_PROFILE_*");
-    if (format == UPS_PROFILE_EULUMDAT)
-      throw Error(UPS_ERROR_UNSUPPORTED, "format: EULUMDAT is not read by this version; an IES LM-63 file is");
-    take(*context, format == UPS_PROFILE_AUTO ? photometry::read(bytes, size) : photometry::read_ies(bytes, size), out);
+    ups_profile_parse_desc d;
+    ups_profile_parse_desc_init(&d, sizeof d);
+    d.format = format, d.bytes = bytes, d.size = size;
+    take(*context, parse(d), out);
+  });
+}
+
+ups_status ups_profile_parse_with(ups_context* context, const ups_profile_parse_desc* desc, ups_profile** out) {
+  return guard(__func__, [&] {
+    require(context, "context");
+    require(out, "out");
+    take(*context, parse(read_desc(desc, &ups_profile_parse_desc_init)), out);
+  });
+}
+
+ups_status ups_profile_write(const ups_profile* profile, ups_profile_format format, char* bytes, size_t capacity,
+                             size_t* needed) {
+  return guard(__func__, [&] {
+    const photometry::Photometry& data = *require(profile, "profile").data;
+    check::enumeration(format, UPS_PROFILE_LIGHTTOOLS_RAYS, "format", "UPS_PROFILE_*");
+    if (format != UPS_PROFILE_IES_LM63 && format != UPS_PROFILE_EULUMDAT)
+      throw Error(UPS_ERROR_UNSUPPORTED, "format: IES_LM63 and EULUMDAT are written, no other");
+    copy_text(format == UPS_PROFILE_EULUMDAT ? photometry::write_eulumdat(data) : photometry::write_ies(data), bytes, capacity, needed);
   });
 }
 
@@ -117,6 +196,14 @@ ups_status ups_profile_get_info(const ups_profile* profile, ups_profile_info* in
 ups_status ups_profile_get_text(const ups_profile* profile, ups_profile_text topic, char* text, size_t capacity,
                                 size_t* needed) {
   return guard(__func__, [&] { copy_text(text_of(*require(profile, "profile").data, topic), text, capacity, needed); });
+}
+
+ups_status ups_profile_get_keyword(const ups_profile* profile, const char* name, char* text, size_t capacity,
+                                   size_t* needed) {
+  return guard(__func__, [&] {
+    const photometry::Photometry& data = *require(profile, "profile").data;
+    copy_text(values_of(data, &require(name, "name")), text, capacity, needed);
+  });
 }
 
 ups_status ups_profile_eval(const ups_profile* profile, const float* directions_xyz, size_t count,

@@ -211,8 +211,8 @@ TEST_F(Api, ProfileParseErrors) {
   ups_profile* out = nullptr;
   const char text[] = "IESNA:LM-63-2002\nTILT=NONE\nnot a number\n";
   expect_error(ups_profile_parse(context, text, sizeof text - 1, UPS_PROFILE_AUTO, &out), UPS_ERROR_PARSE, {"line 3"});
-  expect_error(ups_profile_parse(context, text, sizeof text - 1, UPS_PROFILE_EULUMDAT, &out), UPS_ERROR_UNSUPPORTED,
-               {"EULUMDAT"});
+  expect_error(ups_profile_parse(context, text, sizeof text - 1, UPS_PROFILE_EULUMDAT, &out), UPS_ERROR_PARSE,
+               {"line 3", "Isym"});
   expect_error(ups_profile_parse(context, text, sizeof text - 1, 9, &out), UPS_ERROR_INVALID_ARGUMENT, {"format is 9"});
   expect_error(ups_profile_parse(context, nullptr, 5, UPS_PROFILE_AUTO, &out), UPS_ERROR_INVALID_ARGUMENT,
                {"bytes is NULL"});

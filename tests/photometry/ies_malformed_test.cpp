@@ -1,32 +1,12 @@
 // Is every broken file refused with its line, and every odd one read with a warning that has its line?
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <iterator>
 #include <random>
 
-#include "photometry/photometry.h"
+#include "photometry/files.h"
 
 namespace photometry {
 namespace {
 
-Photometry read_text(const std::string& text) { return read(text.data(), text.size()); }
-
-std::string contents(const std::string& name) {
-  std::ifstream file(TEST_DATA "/" + name, std::ios::binary);
-  EXPECT_TRUE(file) << name;
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-template <class Error>
-std::string refusal(const std::string& text) {
-  try {
-    read_text(text);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "read without an error";
-}
+using namespace test;
 
 // A valid file, one record a line from line 4, in which a record can be replaced.
 struct Parts {
@@ -78,6 +58,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"type_b_range", &Parts::vertical, "-90 0 90", "line 6: vertical angles from -90 to 90"},
         Case{"open_circle", &Parts::horizontal, "0 100", "line 7: horizontal angles from 0 to 100"},
         Case{"odd_start", &Parts::horizontal, "10 90", "line 7: horizontal angles from 10 to 90"},
+        Case{"lamps", &Parts::lamps, "1 1e300 1 3 2 1 2 0 0 0", "line 4: the lamps and their lumens are 1 and 1e+300"},
+        Case{"tilt_angle", &Parts::tilt, "TILT=INCLUDE\n1\n2\n0 0\n1 1", "line 6: tilt angle 2 is 0"},
+        Case{"tilt_factor", &Parts::tilt, "TILT=INCLUDE\n1\n2\n0 9\n1 -1", "line 7: tilt factor 2 is -1"},
         Case{"tilt_count", &Parts::tilt, "TILT=INCLUDE\n1\n0", "line 5: the number of tilt angles is 0"}),
     case_name);
 
@@ -183,17 +166,23 @@ TEST(IesMalformed, Utf16IsRead) {
 }
 
 TEST(IesMalformed, TruncatedFileIsRefusedWithItsLine) {
-  EXPECT_EQ(refusal<ParseError>(contents("s16_truncated.ies")), "line 14: the file ends before candela value 18 of 19");
+  EXPECT_EQ(refusal<ParseError>(data("s16_truncated.ies")), "line 14: the file ends before candela value 18 of 19");
 }
 
-TEST(IesMalformed, OtherPhotometryIsUnsupported) {
-  EXPECT_EQ(refusal<UnsupportedError>(contents("s09_typeB_asym.ies")),
-            "line 7: photometric type B (2) is not supported; only type C (1) is");
-  EXPECT_EQ(refusal<UnsupportedError>(contents("s10_typeA_asym.ies")),
-            "line 7: photometric type A (3) is not supported; only type C (1) is");
-  const std::string eulumdat = "maker\n1\n1\n1\n0\n19\n5\nreport\nname\n";
-  EXPECT_NE(refusal<UnsupportedError>(eulumdat).find("EULUMDAT"), std::string::npos);
+TEST(IesMalformed, XmlIsUnsupported) {
   EXPECT_NE(refusal<UnsupportedError>("<?xml version='1.0'?><IESTM33-22/>").find("XML"), std::string::npos);
+}
+
+TEST(IesMalformed, SwappedCountsAreGuessed) {
+  Parts parts;
+  parts.lamps = "1 -1 1 2 3 1 2 .1 .2 0";
+  EXPECT_NE(refusal<ParseError>(parts.text()).find("swapped"), std::string::npos) << refusal<ParseError>(parts.text());
+}
+
+TEST(IesMalformed, AnotherLampSetThanTheFirstIsRefused) {
+  ReadOptions options;
+  options.lamp_set = 1;
+  EXPECT_EQ(refusal<std::invalid_argument>(Parts().text(), options), "lamp_set is 1; an IES file has one, 0");
 }
 
 // Any bytes give a distribution or one of the two errors. Fixed seed.

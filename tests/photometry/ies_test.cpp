@@ -1,39 +1,14 @@
 // Do files of every edition read as they should: flux, symmetry, opening, keywords, TILT?
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
-#include "photometry/photometry.h"
+#include "photometry/files.h"
 
 namespace photometry {
 namespace {
 
+using namespace test;
+
 constexpr double lambertian_lm = 3141.593;
-
-Photometry read_text(const std::string& text) { return read(text.data(), text.size()); }
-
-std::string contents(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  EXPECT_TRUE(file) << path;
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-Photometry read_file(const std::string& name) { return read_text(contents(TEST_DATA "/" + name)); }
-
-bool has_warning(const Photometry& p, const std::string& start) {
-  for (const std::string& w : p.warnings)
-    if (w.rfind(start, 0) == 0) return true;
-  return false;
-}
-
-std::string keyword(const Photometry& p, const std::string& name) {
-  for (const Keyword& k : p.keywords)
-    if (k.name == name) return k.value;
-  return "(none)";
-}
 
 struct FluxCase {
   const char* file;
@@ -140,6 +115,39 @@ TEST(Ies, ReadsTiltTableAndIgnoresTiltInKeywords) {
   EXPECT_TRUE(has_warning(read_file("s07_tilt_file.ies"), "line 6: the TILT file \"mh400.tlt\""));
 }
 
+TEST(Ies, ReadsATiltFileAndAppliesItWhereAsked) {
+  const std::string text = data("s07_tilt_file.ies"), table = data("mh400.tlt");
+  EXPECT_EQ(read_text(text).tilt_file_name, "mh400.tlt");
+  EXPECT_TRUE(read_text(text).tilt.angle_deg.empty());
+  ReadOptions options;
+  options.tilt_file = table.data(), options.tilt_file_size = table.size();
+  const Photometry p = read_text(text, options);
+  EXPECT_EQ(p.tilt.factor, (std::vector<double>{1, .95, .94, .9, .88, .87, .98}));
+  EXPECT_NEAR(p.distribution.band_flux_lm(), lambertian_lm, 0.01);
+  const struct {
+    double tilt_deg, factor;
+  } cases[] = {{0, 1}, {15, .95}, {37.5, .92}, {90, .98}, {120, .98}};  // linear between; the last beyond
+  for (const auto& c : cases) {
+    options.tilt_deg = c.tilt_deg;
+    const Photometry tilted = read_text(text, options);
+    EXPECT_NEAR(tilted.distribution.band_flux_lm(), c.factor * p.distribution.band_flux_lm(), 1e-9) << c.tilt_deg;
+    EXPECT_TRUE(tilted.tilt.angle_deg.empty()) << "the table no longer applies";
+    EXPECT_TRUE(has_warning(tilted, "line 6: the intensities are multiplied by"));
+  }
+  ReadOptions included;
+  included.tilt_deg = 45;
+  EXPECT_NEAR(read_text(data("s06_tilt_include.ies"), included).distribution.band_flux_lm(), 0.9 * lambertian_lm, 0.01);
+  const std::string broken = "1 3\n0 15 15\n1 1 1\n";
+  options.tilt_file = broken.data(), options.tilt_file_size = broken.size();
+  EXPECT_EQ(refusal<ParseError>(text, options).rfind("line 6: the TILT file \"mh400.tlt\": line 2: tilt angle 3", 0), 0u);
+}
+
+TEST(Ies, OtherUnitsThanCandelasAreAWarning) {
+  EXPECT_TRUE(has_warning(read_text("IESNA:LM-63-2002\n[_INTENSITYUNITS] mW/sr\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0 1 1 5\n"
+                                    "0 90 0 1 1\n"),
+                          "line 2: the file says that its intensities are in mW/sr"));
+}
+
 TEST(Ies, FeetBecomeMetres) {
   const Opening o = read_file("s04_lm63_2002_feet.ies").opening;
   EXPECT_EQ(o.shape, OpeningShape::disc);
@@ -201,7 +209,15 @@ INSTANTIATE_TEST_SUITE_P(
         OpeningCase{e02, "-.2 0 0", S::disc, .2f, .2f, 0, 2, true},
         OpeningCase{e02, "0 1.2 -.1", S::cylinder, 1.2f, .1f, .1f, 0, true},
         OpeningCase{e95, "-.2 -.2 0", S::disc, .2f, .2f, 0, 2, true},
-        OpeningCase{e02, "0 -.2 .3", S::box, .2f, 0, .3f, 2, true}));
+        OpeningCase{e02, "0 -.2 .3", S::box, .2f, 0, .3f, 2, true},
+        // Sheets, upright too, and lines.
+        OpeningCase{e02, "0 .6 .3", S::rectangle, .6f, 0, .3f}, OpeningCase{e02, ".6 0 .3", S::rectangle, 0, .6f, .3f},
+        OpeningCase{e02, "0 1.2 0", S::rectangle, 1.2f, 0, 0}, OpeningCase{e02, "0 0 1.2", S::rectangle, 0, 0, 1.2f},
+        OpeningCase{e95, "+.3 -.2 .4", S::cylinder, .2f, .3f, .4f}, OpeningCase{e95, ".3 -.2 -.4", S::sphere, .2f, .3f, .4f},
+        OpeningCase{e02, "-.2 -.3 .5", S::cylinder, .3f, .2f, .5f}, OpeningCase{e02, "-.2 -.3 -.5", S::sphere, .3f, .2f, .5f},
+        OpeningCase{e02, "-.1 1.2 -.2", S::cylinder, 1.2f, .1f, .2f, 0},
+        OpeningCase{e02, "1.2 -.1 -.2", S::cylinder, .1f, 1.2f, .2f, 1},
+        OpeningCase{e02, "-.2 0 -.3", S::disc, 0, .2f, .3f}));
 
 // The planes of a file by the range of its horizontal angles, at gamma = 45 degrees.
 std::vector<std::pair<double, double>> planes(const Photometry& p) {

@@ -1,0 +1,90 @@
+// One field a line, as EULUMDAT files have them: decimal commas, thousands marks, blanks, empty for 0. Used by
+// eulumdat.cpp and by read.cpp, which recognises the format.
+#pragma once
+#include <cmath>
+
+#include "photometry/text_reader.h"
+
+namespace photometry {
+
+// An empty field is 0. False where it is no finite number.
+inline bool parse_eulumdat_number(std::string_view field, double& value) {
+  std::string text(trimmed(field));
+  text.erase(std::remove(text.begin(), text.end(), '_'), text.end());
+  if (text.empty()) {
+    value = 0;
+    return true;
+  }
+  if (text.size() > 64) return false;
+  if (text.find('.') == text.npos && std::count(text.begin(), text.end(), ',') == 1) text[text.find(',')] = '.';
+  return parse_number(text, value) && std::isfinite(value);
+}
+
+class EulumdatText {
+ public:
+  explicit EulumdatText(std::string text) : in_(text.substr(0, text.find('\x1a'))) {}
+
+  // `name` says what is expected, for the messages.
+  std::string_view line(const char* name) {
+    std::string_view text;
+    if (!in_.next_line(text)) fail_at(in_.line(), std::string("the file ends before ") + name);
+    return trimmed(text);
+  }
+  double number(const char* name) {
+    const std::string_view text = line(name);
+    double value = 0;
+    if (!parse_eulumdat_number(text, value)) fail_number(text, name);
+    return value;
+  }
+  // For what the light does not depend on: 0 with a warning.
+  double number_or_zero(const char* name, std::vector<std::string>& warnings) {
+    const std::string_view text = line(name);
+    double value = 0;
+    if (parse_eulumdat_number(text, value)) return value;
+    warnings.push_back(at_line(in_.line(), std::string(name) + " is \"" + std::string(text.substr(0, 40)) +
+                                               "\", which is not a number; taken as not stated"));
+    return 0;
+  }
+  size_t count(const char* name, size_t least, size_t most) {
+    const double value = number(name);
+    if (!(value >= double(least)) || value > double(most) || value != std::floor(value))
+      fail_at(in_.line(), std::string(name) + " is " + shown(value) + "; it must be a whole number from " +
+                              std::to_string(least) + " to " + std::to_string(most));
+    return size_t(value);
+  }
+  // The `i`-th of `n` intensities or angles; `empty` tells an empty line.
+  double element(const char* name, size_t i, size_t n, bool& empty) {
+    std::string_view text;
+    const auto what = [&] { return name + std::to_string(i) + " of " + std::to_string(n); };
+    if (!in_.next_line(text)) fail_at(in_.line(), "the file ends before " + what());
+    double value = 0;
+    if (!parse_eulumdat_number(text, value)) fail_number(trimmed(text), what());
+    empty = trimmed(text).empty();
+    return value;
+  }
+  // Lines with anything on them from here to the end; the place is kept.
+  size_t remaining() {
+    const TextReader::Mark here = in_.mark();
+    size_t n = 0;
+    for (std::string_view text; in_.next_line(text);) n += !trimmed(text).empty();
+    in_.go_to(here);
+    return n;
+  }
+  // The next `n` lines without leaving the place; fewer at the end of the file.
+  std::vector<std::string_view> peek(size_t n) {
+    const TextReader::Mark here = in_.mark();
+    std::vector<std::string_view> lines;
+    for (std::string_view text; lines.size() < n && in_.next_line(text);) lines.push_back(trimmed(text));
+    in_.go_to(here);
+    return lines;
+  }
+  size_t at() const { return in_.line(); }
+
+ private:
+  [[noreturn]] void fail_number(std::string_view text, const std::string& name) const {
+    fail_at(in_.line(), "\"" + std::string(text.substr(0, 40)) + "\" is not a number; " + name + " is expected here");
+  }
+  TextReader in_;
+};
+
+}  // namespace photometry

@@ -1,0 +1,70 @@
+// Test data by name, and what tests look for in what was read. For the tests of readers and writers.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "photometry/photometry.h"
+
+namespace photometry::test {
+
+inline std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  EXPECT_TRUE(file) << path;
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+inline std::string data(const std::string& name) { return contents(TEST_DATA "/" + name); }
+
+inline Photometry read_text(const std::string& text, const ReadOptions& options = {}) {
+  return read(text.data(), text.size(), options);
+}
+
+inline Photometry read_file(const std::string& name) { return read_text(data(name)); }
+
+inline bool has_warning(const Photometry& p, const std::string& start) {
+  for (const std::string& w : p.warnings)
+    if (w.rfind(start, 0) == 0) return true;
+  return false;
+}
+
+inline std::string keyword(const Photometry& p, const std::string& name) {
+  for (const Keyword& k : p.keywords)
+    if (k.name == name) return k.value;
+  return "(none)";
+}
+
+// What the error says, which must be of this kind.
+template <class Error>
+std::string refusal(const std::string& text, const ReadOptions& options = {}) {
+  try {
+    read_text(text, options);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "read without an error";
+}
+
+inline double rad(double deg) { return deg * 3.14159265358979323846 / 180; }
+
+// In C-gamma terms.
+inline double eval_at(const Distribution& d, double c_deg, double gamma_deg) {
+  const double c = rad(c_deg), g = rad(gamma_deg);
+  return d.eval(std::sin(g) * std::cos(c), std::sin(g) * std::sin(c), -std::cos(g));
+}
+
+// Both are the same light: tables, to the rounding of a few operations.
+inline void expect_same(const Distribution& a, const Distribution& b) {
+  ASSERT_EQ(a.type(), b.type());
+  ASSERT_EQ(a.c_deg().size(), b.c_deg().size());
+  ASSERT_EQ(a.gamma_deg(), b.gamma_deg());
+  for (size_t i = 0; i < a.c_deg().size(); ++i) {
+    ASSERT_NEAR(a.c_deg()[i], b.c_deg()[i], 1e-9);
+    for (size_t j = 0; j < a.gamma_deg().size(); ++j) ASSERT_NEAR(a.at(i, j), b.at(i, j), 1e-12 * a.peak_cd());
+  }
+}
+
+}  // namespace photometry::test

@@ -1,0 +1,183 @@
+// Does what the writers write read back as the same light, the same lamps, the same opening, in the fewest planes?
+#include <algorithm>
+#include <filesystem>
+
+#include "photometry/eulumdat_parts.h"
+
+namespace photometry {
+namespace {
+
+using namespace test;
+
+Photometry again(const std::string& text) { return read_text(text); }
+
+void expect_round_trip(const Photometry& p, const std::string& name) {
+  SCOPED_TRACE(name);
+  const Photometry ies = again(write_ies(p));
+  EXPECT_EQ(ies.format, "IES LM-63-2019");
+  EXPECT_TRUE(std::none_of(ies.warnings.begin(), ies.warnings.end(), [](const std::string& w) {
+    return w.find("opening") != w.npos || w.find("angle") != w.npos || w.find("plane") != w.npos;
+  })) << ies.warnings[0];
+  EXPECT_NEAR(ies.rated_flux_lm, p.rated_flux_lm, 1e-12 * std::abs(p.rated_flux_lm));
+  EXPECT_EQ(ies.input_power_w, p.input_power_w);
+  EXPECT_EQ(ies.opening.shape, p.opening.shape);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(ies.opening.size_m[k], p.opening.size_m[k]) << k;
+  EXPECT_EQ(ies.opening.axis, p.opening.axis);
+  EXPECT_EQ(keyword(ies, "LUMCAT"), keyword(p, "LUMCAT"));
+  EXPECT_EQ(ies.tilt.factor, p.tilt.factor);
+  expect_same(ies.distribution, p.distribution);
+  const Photometry ldt = again(write_eulumdat(p));
+  EXPECT_EQ(ldt.format, "EULUMDAT");
+  EXPECT_TRUE(ldt.warnings.empty()) << ldt.warnings[0];
+  EXPECT_EQ(ldt.rated_flux_lm, p.rated_flux_lm);
+  EXPECT_EQ(ldt.input_power_w, p.input_power_w);
+  expect_same(ldt.distribution, p.distribution.in_c_gamma());
+}
+
+TEST(Writer, EveryTestFileReadsBack) {
+  int files = 0;
+  for (const char* folder : {TEST_DATA, PROFILE_DATA})
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
+      if ((extension != ".ies" && extension != ".ldt") || name.rfind("s16", 0) == 0) continue;
+      expect_round_trip(read_text(contents(entry.path().string())), name);
+      ++files;
+    }
+  EXPECT_EQ(files, 27);
+}
+
+TEST(Writer, OpeningsOfAllCodesReadBack) {
+  const float sizes[][3] = {{.3f, .2f, .1f}, {.2f, .2f, .1f}, {.2f, .2f, .2f}, {.3f, .2f, 0}, {.2f, .2f, 0}, {0, .2f, .1f}};
+  for (OpeningShape shape : {OpeningShape::rectangle, OpeningShape::disc, OpeningShape::box, OpeningShape::cylinder,
+                             OpeningShape::sphere})
+    for (const auto& size : sizes)
+      for (int axis = 0; axis < 3; ++axis)
+        for (PhotometricType type : {PhotometricType::c, PhotometricType::b, PhotometricType::a}) {
+          const bool solid = size[0] > 0 && size[2] > 0, flat = shape == OpeningShape::rectangle || shape == OpeningShape::disc;
+          if (solid == flat || (axis != 2 && shape != OpeningShape::cylinder)) continue;
+          if (type == PhotometricType::a && size[0] == 0) continue;  // a sheet edge-on to the aim has no code
+          Photometry p{type == PhotometricType::c ? Distribution({0}, {0, 90}, {1, 1})
+                                                  : Distribution(type, {-90, 90}, {-90, 90}, {1, 2, 3, 4})};
+          p.type = type;
+          p.opening.shape = shape;
+          p.opening.axis = axis;
+          std::copy(size, size + 3, p.opening.size_m);
+          const Opening o = again(write_ies(p)).opening;
+          EXPECT_EQ(o.shape, shape) << write_ies(p);
+          EXPECT_EQ(o.size_m[0], size[0]);
+          EXPECT_EQ(o.size_m[1], size[1]);
+          EXPECT_EQ(o.size_m[2], size[2]);
+          EXPECT_TRUE(o.axis == axis || shape != OpeningShape::cylinder);
+        }
+}
+
+// The line of ten fields has the counts; line 3 to 6 of an EULUMDAT file.
+TEST(Writer, SymmetriesTakeTheFewestPlanes) {
+  const auto table = [](double (*intensity)(double)) {
+    std::vector<double> c, cd;
+    for (int i = 0; i < 24; ++i) c.push_back(15 * i), cd.push_back(10), cd.push_back(intensity(rad(15 * i)));
+    return Photometry{Distribution(c, {0, 90}, cd)};
+  };
+  const struct {
+    double (*intensity)(double);
+    const char *ies, *ldt;
+  } cases[] = {
+      {[](double) { return 5.0; }, " 2 1 1 2\r\n", "\r\n1\r\n1\r\n0\r\n"},
+      {[](double c) { return 5 + std::round(1000 * std::cos(2 * c)) / 1000; }, " 2 7 1 2\r\n", "\r\n4\r\n24\r\n15\r\n"},
+      {[](double c) { return 5 + std::round(1000 * std::cos(c)) / 1000; }, " 2 13 1 2\r\n", "\r\n2\r\n24\r\n15\r\n"},
+      {[](double c) { return 5 + std::round(1000 * std::sin(c)) / 1000; }, " 2 25 1 2\r\n", "\r\n3\r\n24\r\n15\r\n"},
+      {[](double c) { return 5 + std::cos(c) + std::sin(2 * c); }, " 2 25 1 2\r\n", "\r\n0\r\n24\r\n15\r\n"},
+  };
+  for (const auto& c : cases) {
+    const Photometry p = table(c.intensity);
+    EXPECT_NE(write_ies(p).find(c.ies), std::string::npos) << write_ies(p).substr(0, 300);
+    EXPECT_NE(write_eulumdat(p).find(c.ldt), std::string::npos) << write_eulumdat(p).substr(0, 60);
+    if (std::string(c.ies) == " 2 1 1 2\r\n") continue;  // one plane for 24
+    expect_same(again(write_ies(p)).distribution, p.distribution);
+    expect_same(again(write_eulumdat(p)).distribution, p.distribution);
+  }
+}
+
+// Planes that lack the place where mirror images meet, or are not evenly spaced, are written whole.
+TEST(Writer, OddPlanesReadBack) {
+  for (const Distribution& d :
+       {Distribution({0, 120, 240}, {0, 90}, {1, 2, 1, 3, 1, 3}), Distribution({0, 180}, {0, 90}, {1, 2, 1, 3}),
+        Distribution({0, 359.9995}, {0, 0.0005, 90}, {1, 2, 3, 4, 5, 6}),
+        Distribution({0, 90}, {10, 20}, {1, 2, 3, 4}), Distribution({0, 90, 180, 270}, {90, 180}, {1, 2, 3, 4, 5, 6, 7, 8})}) {
+    expect_same(again(write_ies(Photometry{d})).distribution, d);
+    expect_same(again(write_eulumdat(Photometry{d})).distribution, d);
+  }
+}
+
+TEST(Writer, TypesAAndBAreWrittenAsTheyAre) {
+  for (const char* file : {"s09_typeB_asym.ies", "s10_typeA_asym.ies"}) {
+    const Photometry p = read_file(file), q = again(write_ies(p));
+    EXPECT_EQ(q.type, p.type);
+    expect_same(q.distribution, p.distribution);
+    EXPECT_EQ(q.distribution.band_flux_lm(), p.distribution.band_flux_lm());
+  }
+  for (PhotometricType type : {PhotometricType::a, PhotometricType::b}) {
+    const Photometry p{Distribution(type, {-90, 0, 90}, {-90, -30, 0, 30, 90}, {1, 2, 3, 2, 1, 4, 5, 6, 5, 4, 1, 2, 3, 2, 1})};
+    const std::string text = write_ies(p);
+    EXPECT_NE(text.find(type == PhotometricType::a ? " 3 2 3 2\r\n" : " 2 3 2 2\r\n"), std::string::npos) << text;
+    expect_same(again(text).distribution, p.distribution);
+  }
+  EXPECT_THROW(write_ies(Photometry{Distribution(PhotometricType::b, {0, 90}, {-90, 90}, {1, 2, 3, 4})}),
+               std::invalid_argument);
+}
+
+TEST(Writer, KeywordsLampsAndCodesAreKept) {
+  const Photometry p = read_file("s05_lm63_2019_filegen_1p1.ies");
+  EXPECT_DOUBLE_EQ(p.file_generation, 1.1);
+  EXPECT_DOUBLE_EQ(again(write_ies(p)).file_generation, 1.1);
+  Photometry own{Distribution({0}, {0, 90}, {100, 0})};
+  EXPECT_DOUBLE_EQ(again(write_ies(own)).file_generation, 1.00001) << "undefined";
+  own.file_generation = 1.0001;  // computer simulation
+  own.keywords = {{"LUMCAT", "A\r\nTILT=INCLUDE"}, {"MANUFAC", "maker"}, {"MANUFAC", "second"}, {"LABEL", "free text"}};
+  own.rated_flux_lm = 1800, own.input_power_w = 26;
+  own.lamp_sets = {{2, "tube", 1800, "830", "1B", 26}};
+  const Photometry q = again(write_ies(own));
+  EXPECT_DOUBLE_EQ(q.file_generation, 1.0001);
+  EXPECT_EQ(keyword(q, "LUMCAT"), "A  TILT=INCLUDE");
+  EXPECT_EQ(keyword(q, "MANUFAC"), "maker");
+  EXPECT_EQ(keyword(q, "TEST"), "not stated");
+  EXPECT_EQ(keyword(q, "OTHER"), "free text");
+  EXPECT_EQ(std::count_if(q.keywords.begin(), q.keywords.end(), [](const Keyword& k) { return k.name == "MANUFAC"; }), 2);
+  EXPECT_EQ(q.lamp_sets[0].count, 2);
+  EXPECT_EQ(q.rated_flux_lm, 1800);
+  const Photometry r = again(write_eulumdat(own));
+  EXPECT_EQ(keyword(r, "MANUFAC"), "maker");
+  EXPECT_EQ(r.lamp_sets[0].count, 2);
+  EXPECT_EQ(r.lamp_sets[0].type, "tube");
+  EXPECT_EQ(r.lamp_sets[0].colour, "830");
+  EXPECT_EQ(r.lamp_sets[0].colour_rendering, "1B");
+  EXPECT_EQ(r.rated_flux_lm, 1800);
+}
+
+TEST(Writer, EulumdatKeepsItsOwnFields) {
+  const Photometry p = read_file("l03_isym0_asym.ldt"), q = again(write_eulumdat(p));
+  ASSERT_EQ(p.keywords.size(), q.keywords.size());
+  for (size_t i = 0; i < p.keywords.size(); ++i) {
+    EXPECT_EQ(p.keywords[i].name, q.keywords[i].name);
+    EXPECT_EQ(p.keywords[i].value, q.keywords[i].value) << p.keywords[i].name;
+  }
+  EulumdatParts parts;
+  parts.name = "\374ber";  // Latin-1 stays Latin-1
+  EXPECT_NE(write_eulumdat(read_text(parts.text())).find("\r\n\374ber\r\n"), std::string::npos);
+  Photometry greek{Distribution({0}, {0, 90}, {1, 0})};
+  greek.keywords = {{"LUMINAIRE", "\xCE\xBB"}};
+  EXPECT_EQ(keyword(again(write_eulumdat(greek)), "LUMINAIRE"), "\xCE\xBB");
+}
+
+TEST(Writer, AbsoluteEulumdatStatesTheLuminairesFlux) {
+  const Photometry p = read_file("s17_isotropic_10000lm.ies"), q = again(write_eulumdat(p));
+  EXPECT_LT(q.rated_flux_lm, 0);
+  ASSERT_EQ(q.lamp_sets.size(), 1u);
+  EXPECT_EQ(q.lamp_sets[0].count, -1);
+  EXPECT_NEAR(q.lamp_sets[0].flux_lm, 10000, 0.01);
+  EXPECT_EQ(keyword(q, "_LORL_PERCENT"), "100");
+  EXPECT_EQ(keyword(q, "_DFF_PERCENT"), "50");
+}
+
+}  // namespace
+}  // namespace photometry
