@@ -140,7 +140,9 @@ bool is_ray_file(const void* bytes, size_t size) {
   return f.starts_with("TM25") || f.starts_with("LTRF") || is_zemax(f);
 }
 
-Photometry read_ray_file(const void* bytes, size_t size) {
+Photometry read_ray_file(const void* bytes, size_t size, const ReadOptions& options) {
+  if (options.lamp_set != 0)
+    throw std::invalid_argument("lamp_set is " + std::to_string(options.lamp_set) + "; a ray file has one, 0");
   const FileBytes f(bytes, size);
   if (f.starts_with("TM25")) return read_tm25(f);
   if (f.starts_with("LTRF")) return read_lighttools(f);

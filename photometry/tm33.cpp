@@ -249,8 +249,10 @@ void Tm33Reader::read_area(int face) {
       xml_.skip();
     }
   });
-  if (round_ && face == 2)
-    (x > 0 ? y : x) = std::max(x, y) > 0 && std::min(x, y) > 0 ? (x > 0 ? y : x) : std::max(x, y);
+  if (round_ && face == 2) {  // a diameter may stand in one of the two
+    if (!(x > 0)) x = y;
+    if (!(y > 0)) y = x;
+  }
   const double size[3] = {x, y, z};
   for (int k = 0; k < 3; ++k) {
     if (!(size[k] >= 0 && size[k] <= 1e6))
@@ -452,6 +454,11 @@ Photometry Tm33Reader::read() {
 
 }  // namespace
 
-Photometry read_tm33(const void* bytes, size_t size) { return Tm33Reader(decode_text(bytes, size)).read(); }
+Photometry read_tm33(const void* bytes, size_t size, const ReadOptions& options) {
+  if (options.lamp_set != 0)
+    throw std::invalid_argument("lamp_set is " + std::to_string(options.lamp_set) +
+                                "; the emitters of a TM-33 file shine together, so that it must be 0");
+  return Tm33Reader(decode_text(bytes, size)).read();
+}
 
 }  // namespace photometry

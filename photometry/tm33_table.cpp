@@ -77,14 +77,17 @@ Distribution table_of(std::vector<DirectedValue> values, PhotometricType type, s
   if (h_deg.size() > Distribution::max_values / table.vertical_deg.size())
     fail_at(line, std::to_string(h_deg.size()) + " x " + std::to_string(table.vertical_deg.size()) +
                       " directions are too many; at most 4000000 are read");
-  const DirectedValue *end = values.data() + values.size(), *at = values.data();
+  const DirectedValue *begin = values.data(), *end = begin + values.size(), *at = begin;
+  const auto any_at = [&](double v) {
+    return std::find_if(begin, end, [&](const DirectedValue& x) { return x.v_deg == v; });
+  };
+  const DirectedValue *nadir = any_at(0), *zenith = any_at(180);
   for (double h : h_deg) {
     const DirectedValue* next = std::find_if(at, end, [&](const DirectedValue& x) { return x.h_deg != h; });
     table.planes.push_back({h, {}});
     for (double v : table.vertical_deg) {
       const DirectedValue* found = find(at, next, v);
-      if (!found && type == PhotometricType::c && (v == 0 || v == 180))
-        found = std::find_if(values.data(), end, [&](const DirectedValue& x) { return x.v_deg == v; });
+      if (!found && type == PhotometricType::c && (v == 0 || v == 180)) found = v == 0 ? nadir : zenith;
       if (!found)
         fail_at(line, direction_text(h, v) + " is missing; every h must have the same " +
                           std::to_string(table.vertical_deg.size()) + " angles v");

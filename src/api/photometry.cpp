@@ -61,8 +61,10 @@ photometry::Photometry parse(const ups_profile_parse_desc& d) {
       return photometry::read_ies(d.bytes, d.size, options);
     case UPS_PROFILE_EULUMDAT:
       return photometry::read_eulumdat(d.bytes, d.size, options);
-    default:
-      throw Error(UPS_ERROR_UNSUPPORTED, "format: this version reads IES LM-63 and EULUMDAT files");
+    case UPS_PROFILE_TM33_XML:
+      return photometry::read_tm33(d.bytes, d.size, options);
+    default:  // of ray files the first bytes tell
+      return photometry::read_ray_file(d.bytes, d.size, options);
   }
 }
 
