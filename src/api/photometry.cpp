@@ -104,7 +104,7 @@ ups_profile_info info_of(const photometry::Photometry& data) {
   const photometry::Distribution& d = data.distribution;
   ups_profile_info info{};
   info.warning_count = uint32_t(data.warnings.size());
-  info.flux_lm = d.band_flux_lm();
+  info.flux_lm = data.rays.empty() ? d.band_flux_lm() : d.interpolated_flux_lm();
   info.interpolated_flux_lm = d.interpolated_flux_lm();
   info.rated_flux_lm = data.rated_flux_lm;
   info.input_power_w = data.input_power_w;
