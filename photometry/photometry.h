@@ -62,7 +62,8 @@ struct Photometry {
   Tilt tilt;
   std::vector<std::string> warnings;  // each with its line
   PhotometricType type = PhotometricType::c;  // of the file; Distribution answers in C-gamma terms for all of them
-  std::vector<LampSet> lamp_sets;  // of an EULUMDAT file all, alternatives; of an IES file its lamps
+  // Of an EULUMDAT file all, alternatives; of an IES file its lamps; of a TM-33 file its emitters, which shine together.
+  std::vector<LampSet> lamp_sets;
   std::vector<Ray> rays;           // of a ray file; the distribution is then their far field, binned
   size_t lamp_set = 0;             // the set that the intensities hold for
   std::string tilt_file_name;      // that TILT= names; empty: none
@@ -80,6 +81,16 @@ struct ReadOptions {
 // std::invalid_argument where the options ask for what the file does not have.
 Photometry read_ies(const void* bytes, size_t size, const ReadOptions& options = {});
 Photometry read_eulumdat(const void* bytes, size_t size, const ReadOptions& options = {});
+// bytes: an XML file of ANSI/IES TM-33 (of 2018, which is ATLA S001 and UNI 11733, or of 2023). Luminous intensity is
+// read; several emitters are added up, with a warning: ReadOptions::lamp_set does not choose among them. Relative
+// intensities are in cd per 1000 lm of the emitter's RatedLumens. Throws as the others do.
+Photometry read_tm33(const void* bytes, size_t size, const ReadOptions& options = {});
+// bytes: a ray file: IES TM-25 (.tm25ray), Zemax binary (.sdf, .dat) or LightTools binary (LTRF), known by its first
+// bytes. The file's axes are taken as they are: its x, y, z are the luminaire's local x, y, z, whose nadir is -z. The
+// fluxes are scaled to the header's total where it states one; radiant flux becomes luminous by wavelength or spectrum.
+// What is read otherwise than it is written has a warning. Throws ParseError ("byte 20: ...") or UnsupportedError.
+Photometry read_ray_file(const void* bytes, size_t size, const ReadOptions& options = {});
+bool is_ray_file(const void* bytes, size_t size);
 // Recognises the format.
 Photometry read(const void* bytes, size_t size, const ReadOptions& options = {});
 

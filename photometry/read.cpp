@@ -22,10 +22,10 @@ bool looks_like_eulumdat(const std::string& text) {
 }  // namespace
 
 Photometry read(const void* bytes, size_t size, const ReadOptions& options) {
+  if (is_ray_file(bytes, size)) return read_ray_file(bytes, size, options);
   const std::string text = decode_text(bytes, size);
   if (looks_like_eulumdat(text)) return read_eulumdat(bytes, size, options);
-  if (trimmed(std::string_view(text).substr(0, 200)).substr(0, 1) == "<")
-    throw UnsupportedError("line 1: XML photometry (TM-33, UNI 11733) is not supported; IES LM-63 and EULUMDAT are");
+  if (trimmed(std::string_view(text).substr(0, 200)).substr(0, 1) == "<") return read_tm33(bytes, size, options);
   return read_ies(bytes, size, options);
 }
 

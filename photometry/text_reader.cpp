@@ -8,19 +8,6 @@
 namespace photometry {
 namespace {
 
-void append_utf8(std::string& out, uint32_t c) {
-  if (c < 0x80) {
-    out += char(c);
-  } else if (c < 0x800) {
-    out += char(0xC0 | c >> 6);
-    out += char(0x80 | (c & 0x3F));
-  } else {
-    out += char(0xE0 | c >> 12);
-    out += char(0x80 | (c >> 6 & 0x3F));
-    out += char(0x80 | (c & 0x3F));
-  }
-}
-
 bool is_utf8(const unsigned char* s, size_t size) {
   for (size_t i = 0; i < size;) {
     const int more = s[i] < 0x80 ? 0 : s[i] >> 5 == 6 ? 1 : s[i] >> 4 == 14 ? 2 : s[i] >> 3 == 30 ? 3 : -1;
@@ -34,6 +21,18 @@ bool is_utf8(const unsigned char* s, size_t size) {
 
 }  // namespace
 
+void append_utf8(std::string& out, uint32_t c) {
+  if ((c >= 0xD800 && c < 0xE000) || c > 0x10FFFF) c = 0xFFFD;
+  if (c < 0x80) {
+    out += char(c);
+    return;
+  }
+  const int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
+  constexpr uint32_t lead[] = {0, 0xC0, 0xE0, 0xF0};
+  out += char(lead[more] | c >> 6 * more);
+  for (int k = more - 1; k >= 0; --k) out += char(0x80 | (c >> 6 * k & 0x3F));
+}
+
 std::string decode_text(const void* bytes, size_t size) {
   const auto* s = static_cast<const unsigned char*>(bytes);
   std::string out;
@@ -41,7 +40,7 @@ std::string decode_text(const void* bytes, size_t size) {
     const size_t low = s[0] == 0xFF ? 0 : 1;
     for (size_t i = 2; i + 1 < size; i += 2) {
       const uint32_t unit = uint32_t(s[i + low] | s[i + 1 - low] << 8);
-      append_utf8(out, unit >= 0xD800 && unit < 0xE000 ? 0xFFFD : unit);  // no surrogate pairs: U+FFFD
+      append_utf8(out, unit);  // no surrogate pairs: U+FFFD
     }
     return out;
   }

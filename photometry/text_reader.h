@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -48,6 +49,9 @@ inline std::string shown(double value) {
   char text[32];
   return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr);
 }
+
+// The character's UTF-8; U+FFFD for what is none.
+void append_utf8(std::string& out, uint32_t c);
 
 // UTF-8 from bytes that are UTF-8, UTF-16 with its mark, or else taken as Latin-1.
 std::string decode_text(const void* bytes, size_t size);

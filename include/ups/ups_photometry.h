@@ -69,7 +69,7 @@ typedef struct ups_profile_parse_desc {
 typedef struct ups_profile_info {
   uint32_t struct_size;
   uint32_t warning_count;            /* texts: ups_profile_get_text */
-  double flux_lm;                    /* by the band rule: vertical bands, planes by trapezoid */
+  double flux_lm;                    /* by the band rule: vertical bands, planes by trapezoid; of rays: their sum */
   double interpolated_flux_lm;       /* of the interpolated intensity that is sampled */
   double rated_flux_lm;              /* lamp lumens that the file states; < 0: absolute photometry */
   double input_power_w;              /* < 0: not stated */

@@ -83,11 +83,11 @@ typedef struct ups_light_desc {
 
 typedef struct ups_luminaire_desc {
   uint32_t struct_size;
-  int32_t use_opening;        /* 1: emits from the profile's luminous opening; 0: from a point */
+  int32_t use_opening;        /* 1: emits from the profile's luminous opening, or its rays; 0: from a point */
   const ups_profile *profile; /* may be destroyed after the call */
   double to_world[12];        /* profile nadir is local -Z, C0 is local +X, C90 local +Y; scale is ignored */
   float color_rgb[3];         /* chromaticity only: luminance is normalised away */
-  float flux_lm;              /* band-rule flux that the luminaire is scaled to; < 0: as the profile */
+  float flux_lm;              /* what band-rule flux (of rays: their sum) is scaled to; < 0: as the profile */
   float dimming;              /* >= 0, multiplies the flux */
   float intensity_scale;      /* >= 0, multiplies the flux too; for maintenance factors and EXT_lights_ies multipliers */
   uint32_t group;             /* for UPS_SEPARATE_GROUPS: luminaires that are switched and dimmed together */

@@ -62,8 +62,10 @@ photometry::Photometry parse(const ups_profile_parse_desc& d) {
       return photometry::read_ies(d.bytes, d.size, options);
     case UPS_PROFILE_EULUMDAT:
       return photometry::read_eulumdat(d.bytes, d.size, options);
-    default:
-      throw Error(UPS_ERROR_UNSUPPORTED, "format: this version reads IES LM-63 and EULUMDAT files");
+    case UPS_PROFILE_TM33_XML:
+      return photometry::read_tm33(d.bytes, d.size, options);
+    default:  // of ray files the first bytes tell
+      return photometry::read_ray_file(d.bytes, d.size, options);
   }
 }
 
@@ -103,7 +105,7 @@ ups_profile_info info_of(const photometry::Photometry& data) {
   const photometry::Distribution& d = data.distribution;
   ups_profile_info info{};
   info.warning_count = uint32_t(data.warnings.size());
-  info.flux_lm = d.band_flux_lm();
+  info.flux_lm = data.rays.empty() ? d.band_flux_lm() : d.interpolated_flux_lm();
   info.interpolated_flux_lm = d.interpolated_flux_lm();
   info.rated_flux_lm = data.rated_flux_lm;
   info.input_power_w = data.input_power_w;

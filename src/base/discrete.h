@@ -25,12 +25,12 @@ class DiscreteDistribution {
     float probability;
     float u;  // the number again uniform in [0, 1), so that stratification is kept
   };
-  Sample sample(float u) const {
-    auto it = std::upper_bound(cdf_.begin(), cdf_.end(), double(u));
+  Sample sample(double u) const {
+    auto it = std::upper_bound(cdf_.begin(), cdf_.end(), u);
     size_t i = std::min<size_t>(size() - 1, size_t(std::max<ptrdiff_t>(0, it - cdf_.begin() - 1)));
     while (i > 0 && cdf_[i + 1] == cdf_[i]) --i;  // never a zero entry
     const double p = cdf_[i + 1] - cdf_[i];
-    const float rest = p > 0 ? float((double(u) - cdf_[i]) / p) : 0.0f;
+    const float rest = p > 0 ? float((u - cdf_[i]) / p) : 0.0f;
     return {i, float(p), std::clamp(rest, 0.0f, 0x1.fffffep-1f)};
   }
 

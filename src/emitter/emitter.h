@@ -45,7 +45,7 @@ struct EmitterHit {
   float pdf_nee_a = 0, pdf_position_a = 0, pdf_direction_w = 0;
 };
 
-enum class EmitterKind { area, point, spot, directional, profile_point, profile_opening };
+enum class EmitterKind { area, point, spot, directional, profile_point, profile_opening, rays };
 
 class Emitter {
  public:
@@ -53,6 +53,7 @@ class Emitter {
   virtual EmitterKind kind() const = 0;
   virtual bool is_delta() const = 0;        // no eye path can hit it
   virtual bool is_directional() const { return false; }
+  virtual bool is_direct() const { return true; }  // next-event estimation can sample it
   virtual double flux_lm() const = 0;       // luminance-weighted, all sides
   virtual Rgb flux_rgb() const = 0;
   virtual Vec3 center() const = 0;          // of its bounds

@@ -18,11 +18,15 @@ struct EmitterSet::Nearness {
 
 EmitterSet::EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std::vector<float>& exposed)
     : emitters_(std::move(emitters)) {
-  std::vector<double> flux;
-  for (const auto& e : emitters_) flux.push_back(std::max(0.0, e->flux_lm()));
+  std::vector<double> flux, direct;
+  for (const auto& e : emitters_) {
+    flux.push_back(std::max(0.0, e->flux_lm()));
+    direct.push_back(e->is_direct() ? flux.back() : 0.0);
+  }
   by_flux_ = DiscreteDistribution(flux);
+  direct_by_flux_ = DiscreteDistribution(direct);
   flux_lm_ = by_flux_.total();
-  if (emitters_.size() > max_by_distance || !(flux_lm_ > 0)) return;
+  if (emitters_.size() > max_by_distance || !(direct_by_flux_.total() > 0)) return;
 
   float extent = 0;  // of the set: a length to measure "at the same place" by
   for (const auto& e : emitters_) extent = std::max(extent, length(e->center() - emitters_[0]->center()) + e->radius());
@@ -31,15 +35,22 @@ EmitterSet::EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std
     const Emitter& e = *emitters_[i];
     const float least = std::max(e.radius(), 1e-6f * extent);
     const double share = exposed.empty() ? 1.0 : std::max(exposed[i], least_exposed);
-    bounds_.push_back({e.center(), float(share * flux[i] / flux_lm_), least * least, e.is_directional()});
+    const float part = float(share * direct[i] / direct_by_flux_.total());
+    bounds_.push_back({e.center(), part, least * least, e.is_directional()});
   }
 }
 
-EmitterSet::Choice EmitterSet::choose_emission(float u) const {
-  if (!(flux_lm_ > 0)) return {};
-  const DiscreteDistribution::Sample s = by_flux_.sample(u);
+namespace {
+
+EmitterSet::Choice choose_from(const DiscreteDistribution& distribution, float u) {
+  if (!(distribution.total() > 0)) return {};
+  const DiscreteDistribution::Sample s = distribution.sample(u);
   return {uint32_t(s.index), s.probability, s.u};
 }
+
+}  // namespace
+
+EmitterSet::Choice EmitterSet::choose_emission(float u) const { return choose_from(by_flux_, u); }
 
 float EmitterSet::emission_probability(size_t i) const { return by_flux_.probability(i); }
 
@@ -56,11 +67,11 @@ EmitterSet::Nearness EmitterSet::nearness(const Vec3& reference) const {
 }
 
 float EmitterSet::mixed_probability(const Nearness& near, size_t i) const {
-  return flux_share * by_flux_.probability(i) + (1 - flux_share) * float(near.weight[i] / near.total);
+  return flux_share * direct_by_flux_.probability(i) + (1 - flux_share) * float(near.weight[i] / near.total);
 }
 
 EmitterSet::Choice EmitterSet::choose_direct(const Vec3& reference, float u) const {
-  if (bounds_.empty()) return choose_emission(u);
+  if (bounds_.empty()) return choose_from(direct_by_flux_, u);
   const Nearness near = nearness(reference);
   Choice choice;
   double below = 0, start = 0;
@@ -79,7 +90,7 @@ EmitterSet::Choice EmitterSet::choose_direct(const Vec3& reference, float u) con
 }
 
 float EmitterSet::direct_probability(const Vec3& reference, size_t i) const {
-  return bounds_.empty() ? emission_probability(i) : mixed_probability(nearness(reference), i);
+  return bounds_.empty() ? direct_by_flux_.probability(i) : mixed_probability(nearness(reference), i);
 }
 
 }  // namespace ups

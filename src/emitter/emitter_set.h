@@ -31,7 +31,7 @@ class EmitterSet {
   Choice choose_emission(float u) const;
   float emission_probability(size_t i) const;
   // For next-event estimation at a point: a function of the point alone, so that both walks know it. Up to 64 emitters
-  // by flux / distance^2, mixed with a tenth by flux; more by flux.
+  // by flux / distance^2, mixed with a tenth by flux; more by flux. Never one that it cannot sample.
   Choice choose_direct(const Vec3& reference, float u) const;
   float direct_probability(const Vec3& reference, size_t i) const;
 
@@ -42,9 +42,9 @@ class EmitterSet {
   Nearness nearness(const Vec3& reference) const;
   float mixed_probability(const Nearness& near, size_t i) const;
 
-  DiscreteDistribution by_flux_;
+  DiscreteDistribution by_flux_, direct_by_flux_;  // the second of those that next-event estimation can sample
   double flux_lm_ = 0;
-  // Of each emitter, if there are at most max_by_distance. Below least_distance2 emitters at one place are told apart
+  // Of each emitter, if there are at most max_by_distance and next-event estimation can sample any. Below least_distance2 emitters at one place are told apart
   // by flux, so that nothing divides by zero.
   struct Bounds {
     Vec3 center;

@@ -37,15 +37,20 @@ bool can_connect(std::string_view v, SensorKind sensor, const TransportSettings&
   return to_meter || std::adjacent_find(v.begin(), v.end(), both) != v.end();
 }
 
-bool can_splat(std::string_view v, SensorKind sensor, const TransportSettings& s) {
+// Whether light straight from such an emitter is left to next-event estimation (mis::Gates).
+bool is_gated(SourceKind source, const TransportSettings& s) {
+  return source != SourceKind::rays && s.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
+}
+
+bool can_splat(std::string_view v, SourceKind source, SensorKind sensor, const TransportSettings& s) {
   if (sensor != SensorKind::camera || !s.has(UPS_TECHNIQUE_SENSOR_CONNECT) || v.empty()) return false;
-  const bool gated = v.size() == 1 && s.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
+  const bool gated = v.size() == 1 && is_gated(source, s);
   return is_continuous(v.back()) && !gated;
 }
 
-bool can_merge(std::string_view v, SensorKind sensor, const TransportSettings& s) {
+bool can_merge(std::string_view v, SourceKind source, SensorKind sensor, const TransportSettings& s) {
   if (!s.has(UPS_TECHNIQUE_MERGE)) return false;
-  const bool gated = s.has(UPS_TECHNIQUE_LIGHT_SAMPLE);  // no photons straight from an emitter
+  const bool gated = is_gated(source, s);  // no photons straight from an emitter
   if (sensor == SensorKind::point_meter && (!v.empty() || !gated)) return true;
   if (s.photon_mapping) return sensor == SensorKind::camera && v.find_first_of(s.glossy_alpha > 0 ? "D" : "DG") != std::string_view::npos;
   return std::any_of(v.begin() + (gated && !v.empty()), v.end(), is_continuous);
@@ -60,14 +65,19 @@ Sensors sensors_of(const Snapshot& scene) {
   return s;
 }
 
-bool can_sample(std::string_view v, bool hittable, SensorKind sensor, const TransportSettings& s) {
-  return (hittable && can_hit(v, sensor, s)) || can_light_sample(v, sensor, s) || can_connect(v, sensor, s) ||
-         can_splat(v, sensor, s) || can_merge(v, sensor, s) ||
+SourceKind source_kind(const Emitter& emitter) {
+  return !emitter.is_delta() ? SourceKind::hittable : emitter.is_direct() ? SourceKind::punctual : SourceKind::rays;
+}
+
+bool can_sample(std::string_view v, SourceKind source, SensorKind sensor, const TransportSettings& s) {
+  return (source == SourceKind::hittable && can_hit(v, sensor, s)) ||
+         (source != SourceKind::rays && can_light_sample(v, sensor, s)) || can_connect(v, sensor, s) ||
+         can_splat(v, source, sensor, s) || can_merge(v, source, sensor, s) ||
          (sensor == SensorKind::cell && s.has(UPS_TECHNIQUE_SENSOR_HIT));
 }
 
-bool is_measurable(std::string_view v, bool hittable, SensorKind sensor) {
-  return hittable || sensor != SensorKind::camera || !std::all_of(v.begin(), v.end(), is_specular);
+bool is_measurable(std::string_view v, SourceKind source, SensorKind sensor) {
+  return source == SourceKind::hittable || sensor != SensorKind::camera || !std::all_of(v.begin(), v.end(), is_specular);
 }
 
 namespace {
@@ -88,11 +98,12 @@ bool contains(const std::string& longer, const std::string& part) {
 }
 
 // The shortest; others that contain one of them are not listed.
-std::vector<std::string> missing_patterns(const std::string& letters, bool hittable, SensorKind sensor, const TransportSettings& s) {
+std::vector<std::string> missing_patterns(const std::string& letters, SourceKind source, SensorKind sensor,
+                                          const TransportSettings& s) {
   std::vector<std::string> missing;
   for (const std::string& v : patterns(letters)) {
     if (s.max_path_length && v.size() + 1 > s.max_path_length) continue;  // not asked for
-    if (!is_measurable(v, hittable, sensor) || can_sample(v, hittable, sensor, s)) continue;
+    if (!is_measurable(v, source, sensor) || can_sample(v, source, sensor, s)) continue;
     const bool known = std::any_of(missing.begin(), missing.end(), [&](const std::string& m) { return !m.empty() && contains(v, m); });
     if (!known && missing.size() < most_patterns) missing.push_back(v);
   }
@@ -136,15 +147,16 @@ std::vector<std::string> missing_light(const Snapshot& scene, const TransportSet
   if (has.points) sensors.emplace_back(SensorKind::point_meter, "point meter");
   if (has.cells) sensors.emplace_back(SensorKind::cell, "area meter");
   const Letters letters(scene, settings);
+  constexpr const char* remark[] = {"", " (without extent)", " (rays of a file: light paths alone carry it)"};
   std::vector<std::string> lines;
-  for (bool hittable : {true, false}) {
+  for (SourceKind source : {SourceKind::hittable, SourceKind::punctual, SourceKind::rays}) {
     std::vector<std::string> emitters;
     for (size_t i = 0; i < scene.emitters.size(); ++i)
-      if (scene.emitters[i].is_delta() != hittable) emitters.push_back(scene.emitter_names[i]);
+      if (source_kind(scene.emitters[i]) == source) emitters.push_back(scene.emitter_names[i]);
     if (emitters.empty()) continue;
     for (const auto& [kind, name] : sensors)
-      for (const std::string& v : missing_patterns(letters.available, hittable, kind, settings))
-        lines.push_back("light of " + listed(emitters) + (hittable ? "" : " (without extent)") + " on paths " + letters.words(v) +
+      for (const std::string& v : missing_patterns(letters.available, source, kind, settings))
+        lines.push_back("light of " + listed(emitters) + remark[int(source)] + " on paths " + letters.words(v) +
                         " - " + name + " is missing: no technique of this set samples it; method ups with all of its has one");
   }
   if (has.goniometers && !settings.traces_light())

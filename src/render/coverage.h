@@ -11,6 +11,9 @@
 namespace ups {
 
 enum class SensorKind { camera, point_meter, cell };
+// hittable: eye paths can run into it; punctual: next-event estimation finds it, eye paths do not; rays: neither does.
+enum class SourceKind { hittable, punctual, rays };
+SourceKind source_kind(const Emitter& emitter);
 
 // Which kinds a scene has.
 struct Sensors {
@@ -18,11 +21,11 @@ struct Sensors {
 };
 Sensors sensors_of(const Snapshot& scene);
 
-// vertices: "SD" is emitter - specular - diffuse - sensor. hittable: eye paths can run into the emitter. G is a surface that
-// TransportSettings::glossy_alpha passes, D any other continuous one.
-bool can_sample(std::string_view vertices, bool hittable, SensorKind sensor, const TransportSettings& settings);
+// vertices: "SD" is emitter - specular - diffuse - sensor. G is a surface that TransportSettings::glossy_alpha passes, D any
+// other continuous one.
+bool can_sample(std::string_view vertices, SourceKind source, SensorKind sensor, const TransportSettings& settings);
 // Such a path carries light at all: a pinhole sees no source without extent, not even in a mirror.
-bool is_measurable(std::string_view vertices, bool hittable, SensorKind sensor);
+bool is_measurable(std::string_view vertices, SourceKind source, SensorKind sensor);
 
 // A line for each kind of light of the scene that the set cannot sample, the shortest paths of it: which emitters, by way of
 // which surfaces.

@@ -45,7 +45,8 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
   describe(text, t, sensor_connect, "sensor_connect", "light paths are joined to the camera",
            !s.cameras ? "the scene has no camera: no light image" : was_automatic ? diffuse : "not in the set" + chosen);
   describe(text, t, merge, "merge",
-           scene.effects.path_tracing_complete ? "caustics: photons are merged at diffuse vertices and meters"
+           scene.effects.ray_emitters ? "the light of a ray file is carried by light paths alone"
+           : scene.effects.path_tracing_complete ? "caustics: photons are merged at diffuse vertices and meters"
                                                : "some light reaches diffuse surfaces through specular ones alone: only photons carry it",
            was_automatic ? "no photon index and no merging: " + diffuse : "not in the set" + chosen);
   describe(text, t, sensor_hit, "sensor_hit", s.goniometers ? "light paths are counted where they leave the scene for a goniometer, or land on a meter's cell"

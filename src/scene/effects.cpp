@@ -57,6 +57,11 @@ class Analysis {
       if (is_coloured(scene_.emitters[i].flux_rgb())) return true;
     return false;
   }
+  bool has_ray_emitter() const {
+    for (size_t i = 0; i < scene_.emitters.size(); ++i)
+      if (scene_.emitters[i].kind() == EmitterKind::rays) return true;
+    return false;
+  }
   bool has_delta_emitter() const {
     for (size_t i = 0; i < scene_.emitters.size(); ++i)
       if (scene_.emitters[i].is_delta()) return true;
@@ -95,7 +100,8 @@ SceneEffects Analysis::find() const {
     add(UPS_EFFECT_COLOUR, "colour: an emitter is coloured");
   if (!textured.empty()) add(UPS_EFFECT_TEXTURES, "textures: " + textured + " has textures");
 
-  out.path_tracing_complete = delta.empty() || !has_delta_emitter();
+  out.ray_emitters = has_ray_emitter();
+  out.path_tracing_complete = (delta.empty() || !has_delta_emitter()) && !out.ray_emitters;
   out.sharp_caster = !caster.empty();
   out.transmits_solid = !materials([&](size_t i) { return scene_.materials[i].model == MaterialModel::glass; }).empty();
   out.coloured = (out.effects & UPS_EFFECT_COLOUR) != 0;

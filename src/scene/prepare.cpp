@@ -7,6 +7,7 @@
 #include "emitter/area.h"
 #include "emitter/point.h"
 #include "emitter/profile.h"
+#include "emitter/rays.h"
 #include "geometry/box.h"
 #include "scene/check.h"
 #include "scene/duplicates.h"
@@ -72,6 +73,8 @@ class Builder {
   void add_light(const std::string& name, const LightDescription& light, float dimming);
   void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming);
   float opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const;
+  std::shared_ptr<const RaySet> rays_of(const LuminaireDescription& luminaire);
+  void add_rays(const std::string& name, const LuminaireDescription& luminaire, const Rgb& scale);
   bool add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe);
   void add_sensors();
   MeterSet make_meters(const MetersDescription& meters) const;
@@ -93,6 +96,7 @@ class Builder {
   std::vector<std::unique_ptr<Emitter>> emitters_;
   std::vector<Vec3> emitter_probes_;  // a point of each, off any surface
   std::vector<DiscIndex::Disc> openings_;
+  std::map<const photometry::Photometry*, std::shared_ptr<const RaySet>> ray_sets_;  // one a profile
 };
 
 // ---- place ----
@@ -120,6 +124,15 @@ void Builder::place() {
       return;
     }
     const auto& luminaire = std::get<LuminaireDescription>(s.kind);
+    if (const auto rays = rays_of(luminaire)) {
+      const Axes axes(luminaire.to_world);
+      const Vec3 low = rays->lower(), high = rays->upper();
+      for (int k = 0; k < 8; ++k)
+        grow(luminaire.to_world.column(3) + axes.x * double(k & 1 ? high.x : low.x) +
+                 axes.y * double(k & 2 ? high.y : low.y) + axes.z * double(k & 4 ? high.z : low.z),
+             "luminaire", id);
+      return;
+    }
     const float* size = luminaire.profile->opening.size_m;
     const double reach =
         luminaire.use_opening ? 0.5 * std::hypot(double(size[0]), double(size[1]), double(size[2])) : 0;
@@ -270,11 +283,15 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   ++out_->luminaire_count;
   for (const std::string& text : luminaire.profile->warnings) warn(name + ": " + text);
   const photometry::Opening& opening = luminaire.profile->opening;
-  const double band_flux = luminaire.profile->distribution.band_flux_lm();
-  if (!(band_flux > 0)) return warn(name + ": its profile has no flux: it emits nothing");
-  const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / band_flux : 1;
+  // A ray file's flux is that of its rays, and so is the interpolated one of their far field.
+  const photometry::Distribution& far_field = luminaire.profile->distribution;
+  const double file_flux =
+      luminaire.profile->rays.empty() ? far_field.band_flux_lm() : far_field.interpolated_flux_lm();
+  if (!(file_flux > 0)) return warn(name + ": its profile has no flux: it emits nothing");
+  const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / file_flux : 1;
   const Rgb scale = luminaire.color * float(double(dimming) * double(luminaire.intensity_scale) * to_flux);
   if (is_black(scale)) return;
+  if (luminaire.use_opening && !luminaire.profile->rays.empty()) return add_rays(name, luminaire, scale);
   const std::shared_ptr<const photometry::Distribution> distribution(luminaire.profile,
                                                                      &luminaire.profile->distribution);
   const Frame frame = Axes(luminaire.to_world).frame();
@@ -316,6 +333,27 @@ float Builder::opening_error(const Vec3& p, const Frame& frame, const photometry
           std::max(error, error_at(*out_, p + half[k] * side, axes[k] * side, half[(k + 1) % 3], half[(k + 2) % 3]));
   }
   return error;
+}
+
+// Null where the luminaire does not emit from rays.
+std::shared_ptr<const RaySet> Builder::rays_of(const LuminaireDescription& luminaire) {
+  if (!luminaire.use_opening || luminaire.profile->rays.empty()) return nullptr;
+  std::shared_ptr<const RaySet>& set = ray_sets_[luminaire.profile.get()];
+  if (!set) set = std::make_shared<RaySet>(luminaire.profile);
+  return set;
+}
+
+void Builder::add_rays(const std::string& name, const LuminaireDescription& luminaire, const Rgb& scale) {
+  const auto rays = rays_of(luminaire);
+  warn(name + ": its light is the " + std::to_string(rays->size()) +
+       " rays of a file, a sample with a noise of its own that no reported error contains: about 1 / sqrt(n) where n of "
+       "them arrive, " +
+       check::text(100 / std::sqrt(rays->effective_size())) + " % where all do");
+  const Frame frame = Axes(luminaire.to_world).frame();
+  auto emitter = std::make_unique<RayEmitter>(rays, frame, to_scene(luminaire.to_world.column(3)), scale);
+  EmissionSample start;
+  if (!emitter->sample_emission({0.5f, 0}, {}, start)) return;
+  add_emitter(name, std::move(emitter), start.p + start.n * (2 * start.error));
 }
 
 // ---- sensors ----

@@ -30,7 +30,7 @@ struct Counts {
 };
 
 // Gates that both walks know: no merging of photons straight from an emitter, and no t = 1 for k = 2, where next-event
-// estimation covers those paths better. Only for technique sets that contain it.
+// estimation covers those paths better. Only for technique sets that contain it, and scenes whose emitters it can sample.
 struct Gates {
   bool merge_at_first = true;           // g_1
   bool sensor_connect_at_first = true;  // t = 1 with k = 2

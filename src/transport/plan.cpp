@@ -55,7 +55,8 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
                            : uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), min_light_paths, most));
   }
   plan.min_radius = 32 * 0x1p-24f * scene.radius;
-  if (settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) plan.gates = {false, false};
+  // Nothing but light paths carries a ray emitter's light, from its first surface on.
+  if (settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE) && !scene.effects.ray_emitters) plan.gates = {false, false};
   return plan;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "emitter/rays.h"
 #include "emitter/test_emitters.h"
 #include "support/chi_square.h"
 
@@ -73,6 +74,70 @@ TEST(EmitterSet, ChoosesWithTheProbabilityThatItStates) {
           set->size(), [&](float u) { return set->choose_direct(p, u); },
           [&](size_t i) { return set->direct_probability(p, i); }, seed++);
   }
+}
+
+std::shared_ptr<const RaySet> ray_set() {
+  photometry::Photometry p{photometry::Distribution({0}, {0, 180}, {1, 1})};
+  for (int i = 0; i < 4; ++i) p.rays.push_back({{float(i), 0, 0}, {0, 0, -1}, 10.0f * float(i + 1)});
+  return std::make_shared<RaySet>(std::make_shared<photometry::Photometry>(std::move(p)));
+}
+
+// Next-event estimation never chooses a ray emitter, and chooses the others as if it were not there.
+TEST(EmitterSet, LooksAtNoRays) {
+  for (int points : {2, 100}) {
+    Random random(40);
+    std::vector<std::unique_ptr<Emitter>> with, without;
+    with.push_back(std::make_unique<RayEmitter>(ray_set(), Frame(), Vec3(1, 2, 3), Rgb(1)));
+    for (int i = 0; i < points; ++i) {
+      const Vec3 p = random.in_box(5);
+      const Rgb intensity(random());
+      with.push_back(std::make_unique<PointEmitter>(p, intensity, 0.0f));
+      without.push_back(std::make_unique<PointEmitter>(p, intensity, 0.0f));
+    }
+    const EmitterSet all(std::move(with)), rest(std::move(without));
+    EXPECT_GT(all.emission_probability(0), 0);
+    for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, 2, 3), Vec3(-50, 2, 1)}) {
+      EXPECT_EQ(all.direct_probability(p, 0), 0);
+      for (size_t i = 0; i < rest.size(); ++i)
+        EXPECT_NEAR(all.direct_probability(p, i + 1), rest.direct_probability(p, i), 1e-6) << i;
+      expect_choice(
+          all.size(), [&](float u) { return all.choose_direct(p, u); },
+          [&](size_t i) { return all.direct_probability(p, i); }, uint32_t(41 + points));
+    }
+  }
+  std::vector<std::unique_ptr<Emitter>> rays;
+  rays.push_back(std::make_unique<RayEmitter>(ray_set(), Frame(), Vec3(1, 2, 3), Rgb(1)));
+  const EmitterSet alone(std::move(rays));
+  EXPECT_EQ(alone.choose_direct({0, 0, 0}, 0.5f).probability, 0);
+  EXPECT_EQ(alone.direct_probability({0, 0, 0}, 0), 0);
+  EXPECT_EQ(alone.choose_emission(0.5f).probability, 1);
+}
+
+// Each ray by its flux, placed by the frame; more rays than 24 bits tell apart would still be reached.
+TEST(EmitterSet, RaysStartByTheirFlux) {
+  const Frame f = tilted_frame();
+  const auto set = ray_set();
+  EXPECT_NEAR(set->effective_size(), 100.0 * 100 / (100 + 400 + 900 + 1600), 1e-4);
+  const RayEmitter emitter(set, f, Vec3(1, 2, 3), Rgb(2));
+  EXPECT_NEAR(emitter.flux_lm(), 200, 1e-3);
+  EXPECT_NEAR(length(emitter.center() - (Vec3(1, 2, 3) + f.s * 1.5f)), 0, 1e-5);
+  Random random(42);
+  std::vector<double> observed(4, 0.0);
+  constexpr int samples = 100000;
+  for (int i = 0; i < samples; ++i) {
+    EmissionSample s;
+    ASSERT_TRUE(emitter.sample_emission(random.pair(), {}, s));
+    const float x = dot(s.p - Vec3(1, 2, 3), f.s);
+    const int ray = int(std::lround(x));
+    ASSERT_NEAR(length(s.p - (Vec3(1, 2, 3) + f.s * float(ray))), 0, 1e-5);
+    ASSERT_NEAR(length(s.direction + f.n), 0, 1e-6);
+    ASSERT_NEAR(luminance(s.flux), 200, 1e-3);
+    observed[size_t(ray)] += 1;
+  }
+  const std::vector<double> expected = {0.1 * samples, 0.2 * samples, 0.3 * samples, 0.4 * samples};
+  EXPECT_GT(chi_square_test(observed, expected).p_value, false_alarm);
+  EXPECT_EQ(set->choose(0.1 - 1e-12).p_m[0], 0);
+  EXPECT_EQ(set->choose(0.1 + 1e-12).p_m[0], 1);
 }
 
 // In order of u, u after the choice rises from 0 to 1 within each emitter: strata stay strata.

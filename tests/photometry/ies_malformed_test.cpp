@@ -168,11 +168,6 @@ TEST(IesMalformed, Utf16IsRead) {
 TEST(IesMalformed, TruncatedFileIsRefusedWithItsLine) {
   EXPECT_EQ(refusal<ParseError>(data("s16_truncated.ies")), "line 14: the file ends before candela value 18 of 19");
 }
-
-TEST(IesMalformed, XmlIsUnsupported) {
-  EXPECT_NE(refusal<UnsupportedError>("<?xml version='1.0'?><IESTM33-22/>").find("XML"), std::string::npos);
-}
-
 TEST(IesMalformed, SwappedCountsAreGuessed) {
   Parts parts;
   parts.lamps = "1 -1 1 2 3 1 2 .1 .2 0";

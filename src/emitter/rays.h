@@ -1,0 +1,58 @@
+// A luminaire whose light is the rays of a ray file: light paths start from them, each in proportion to its flux. Made
+// by the scene for luminaires whose profile has rays. Position and direction of a ray are fixed, so no eye path runs
+// into one and next-event estimation cannot look at one: what light paths carry is all.
+#pragma once
+#include <memory>
+
+#include "base/discrete.h"
+#include "emitter/emitter.h"
+#include "photometry/photometry.h"
+
+namespace ups {
+
+// What all luminaires of one profile share. Keeps the rays alive.
+class RaySet {
+ public:
+  explicit RaySet(std::shared_ptr<const photometry::Photometry> profile);
+  // u: uniform in [0, 1), in double, as there may be more rays than floats. Of no use where the flux is 0.
+  const photometry::Ray& choose(double u) const { return profile_->rays[by_flux_.sample(u).index]; }
+  double flux_lm() const { return by_flux_.total(); }
+  // Of the rays' starting points, in the luminaire's frame.
+  Vec3 lower() const { return lower_; }
+  Vec3 upper() const { return upper_; }
+  size_t size() const { return profile_->rays.size(); }
+  // As many rays of equal flux would have the same noise.
+  double effective_size() const { return effective_size_; }
+
+ private:
+  std::shared_ptr<const photometry::Photometry> profile_;
+  DiscreteDistribution by_flux_;
+  Vec3 lower_, upper_;
+  double effective_size_ = 0;
+};
+
+class RayEmitter : public Emitter {
+ public:
+  // frame: s, t, n are the file's x, y, z; scale: multiplies the rays' fluxes.
+  RayEmitter(std::shared_ptr<const RaySet> rays, const Frame& frame, const Vec3& p, const Rgb& scale);
+
+  EmitterKind kind() const override { return EmitterKind::rays; }
+  bool is_delta() const override { return true; }
+  bool is_direct() const override { return false; }
+  double flux_lm() const override { return luminance(flux_rgb()); }
+  Rgb flux_rgb() const override { return scale_ * float(rays_->flux_lm()); }
+  Vec3 center() const override { return center_; }
+  float radius() const override { return radius_; }
+  bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
+  bool sample_direct(const Vec3&, const Vec2&, DirectSample&) const override { return false; }
+  bool eval_hit(const Vec3&, const Vec3&, uint32_t, const Vec3&, EmitterHit&) const override { return false; }
+
+ private:
+  std::shared_ptr<const RaySet> rays_;
+  Frame frame_;
+  Vec3 p_, center_;
+  float radius_;
+  Rgb scale_;
+};
+
+}  // namespace ups

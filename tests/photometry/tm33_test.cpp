@@ -1,0 +1,293 @@
+// Does the reader of TM-33 files find every direction, symmetry and unit of both generations, and refuse XML that is
+// broken, with its line?
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "photometry/photometry.h"
+#include "photometry/xml.h"
+
+namespace ups::test {
+namespace {
+
+using photometry::OpeningShape;
+using photometry::ParseError;
+using photometry::Photometry;
+using photometry::Symmetry;
+using photometry::UnsupportedError;
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+// The lamp: 1000 (1 + cos v) / 2 (1 + a cos h + b cos 2h) candelas.
+struct Lamp {
+  double a = 0, b = 0;
+  double cd(double h, double v) const {
+    return 500 * (1 + std::cos(v * degree)) * (1 + a * std::cos(h * degree) + b * std::cos(2 * h * degree));
+  }
+};
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.12g", value);
+  return text;
+}
+
+std::string values(const Lamp& lamp, double h0, double h1, double factor = 1, double v1 = 180) {
+  std::string out;
+  for (double v = v1; v >= 0; v -= 15)  // in no order that a grid would have
+    for (double h = h0; h <= h1; h += 30)
+      out +=
+          "<IntData v=\"" + number(v) + "\" h='" + number(h) + "'>" + number(lamp.cd(h, v) * factor) + "</IntData>\n";
+  return out;
+}
+
+std::string emitter(const std::string& intensity, const std::string& more = "") {
+  return "<Emitter><Quantity>1</Quantity><Description>LED</Description>" + more + "<LuminousData><LuminousIntensity>" +
+         intensity + "</LuminousIntensity></LuminousData></Emitter>\n";
+}
+
+std::string file(const std::string& content) {
+  return "<?xml version=\"1.0\"?>\n<IESTM33-22><Version>1.1</Version>\n<Header><Manufacturer>A &amp; B</Manufacturer>"
+         "<CatalogNumber>C1</CatalogNumber><Description>Spot</Description><ReportNumber>7</ReportNumber></Header>\n" +
+         content + "</IESTM33-22>\n";
+}
+
+Photometry read(const std::string& text) { return photometry::read(text.data(), text.size()); }
+
+template <class Exception>
+void expect_refused(const std::string& text, const std::string& part) {
+  try {
+    read(text);
+    ADD_FAILURE() << "was read, where \"" << part << "\" was expected";
+  } catch (const Exception& e) {
+    EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+  }
+}
+
+bool warned(const Photometry& p, const std::string& part) {
+  for (const std::string& w : p.warnings)
+    if (w.find(part) != w.npos) return true;
+  return false;
+}
+
+void expect_lamp(const Photometry& p, const Lamp& lamp, double factor = 1) {
+  for (double h = 0; h < 360; h += 30)
+    for (double v = 15; v < 180; v += 15) {
+      const double s = std::sin(v * degree);
+      EXPECT_NEAR(p.distribution.eval(s * std::cos(h * degree), s * std::sin(h * degree), -std::cos(v * degree)),
+                  factor * lamp.cd(h, v), 1e-6)
+          << h << " " << v;
+    }
+}
+
+TEST(Tm33, EverySymmetry) {
+  struct Case {
+    const char* name;
+    Lamp lamp;
+    double h0, h1;
+    Symmetry symmetry;
+  };
+  for (const Case& c :
+       {Case{"Symm_None", {0.3, 0.2}, 0, 330, Symmetry::none}, Case{"Symm_None", {0.3, 0.2}, 0, 360, Symmetry::none},
+        Case{"Symm _ Bi _ 0", {0.3, 0.2}, 0, 180, Symmetry::c0_c180},
+        Case{"Symm_Bi_90", {0, 0.2}, 90, 270, Symmetry::c90_c270},
+        Case{"Symm_Quad", {0, 0.2}, 0, 90, Symmetry::quadrants}, Case{"Symm_Full", {}, 0, 0, Symmetry::axial}}) {
+    const Photometry p = read(file(emitter("<Symm>" + std::string(c.name) + "</Symm>" + values(c.lamp, c.h0, c.h1))));
+    expect_lamp(p, c.lamp);
+    EXPECT_EQ(p.symmetry, c.symmetry) << c.name;
+    for (const std::string& w : p.warnings) EXPECT_NE(w.find("plane 360 is missing"), w.npos) << c.name << ": " << w;
+  }
+  EXPECT_TRUE(warned(read(file(emitter("<Symm>Symm_Quad</Symm>" + values({}, 0, 180)))), "which the angles h do not"));
+  expect_refused<ParseError>(file(emitter("<Symm>Symm_None</Symm>" + values({}, 0, 90))), "nothing is symmetric");
+}
+
+TEST(Tm33, UnitsAndWhatTheFileSays) {
+  const Lamp lamp;
+  const std::string rated =
+      "<RatedLumens>2000</RatedLumens><InputWattage>21</InputWattage><ColorTemperature>"
+      "<FixedCCT>3000</FixedCCT></ColorTemperature>";
+  const std::string table = values(lamp, 0, 0);
+  const Photometry relative = read(file(emitter("<AbsolutePhotometry>false</AbsolutePhotometry>" + table, rated)));
+  expect_lamp(relative, lamp, 2);
+  EXPECT_EQ(relative.rated_flux_lm, 2000);
+  EXPECT_EQ(relative.input_power_w, 21);
+  ASSERT_EQ(relative.lamp_sets.size(), 1u);
+  EXPECT_EQ(relative.lamp_sets[0].colour, "3000");
+  EXPECT_EQ(relative.format, "IES TM-33-23");
+  ASSERT_EQ(relative.keywords.size(), 5u);
+  EXPECT_EQ(relative.keywords[0].name, "MANUFAC");
+  EXPECT_EQ(relative.keywords[0].value, "A & B");
+  EXPECT_EQ(relative.keywords[2].name, "LUMINAIRE");
+  EXPECT_EQ(relative.keywords[4].name, "LAMP");
+  const Photometry absolute =
+      read(file(emitter("<AbsolutePhotometry>true</AbsolutePhotometry><Multiplier>0.5</Multiplier>" + table, rated)));
+  expect_lamp(absolute, lamp, 0.5);
+  EXPECT_EQ(absolute.rated_flux_lm, -1);
+  expect_lamp(read(file(emitter(table, rated + "<BallastFactor>0.9</BallastFactor>"))), lamp, 0.9);
+  EXPECT_TRUE(warned(read(file(emitter(table, rated))), "AbsolutePhotometry is not stated; taken as true"));
+  expect_refused<ParseError>(file(emitter("<AbsolutePhotometry>0</AbsolutePhotometry>" + table)), "<RatedLumens>");
+}
+
+TEST(Tm33, GenerationOf2018) {
+  const Lamp lamp{0.3, 0};
+  std::string table = values(lamp, 0, 180);
+  for (size_t at = 0; (at = table.find("IntData", at)) != table.npos; at += 13) table.replace(at, 7, "IntensityData");
+  for (const char* root : {"LuminaireOpticalData", "tm33:UNI11733"}) {
+    const std::string name = root;
+    const Photometry p = read("\xEF\xBB\xBF<!-- a lamp -->\n<!DOCTYPE x [<!ENTITY y \"z>\">]>\n<" + name +
+                              " version='1.0' xmlns:tm33='urn:x'><Header/><Emitter><InputWatts>3</InputWatts>"
+                              "<IntensityDistribution><PhotometryType>TypeC</PhotometryType><Metric>Luminous</Metric>"
+                              "<Units><![CDATA[cd]]></Units>" +
+                              table + "</IntensityDistribution></Emitter></" + name + ">");
+    expect_lamp(p, lamp);
+    EXPECT_EQ(p.format, "IES TM-33-18");
+    EXPECT_EQ(p.input_power_w, 3);
+  }
+}
+
+// One shines down, one up; one has steps of its own.
+TEST(Tm33, EmittersAddUp) {
+  const std::string down = values({0.3, 0}, 0, 180, 1, 90),
+                    up = "<IntData h='0' v='120'>100</IntData><IntData h='0' v='180'>160</IntData>";
+  const Photometry both = read(file(emitter(down, "<RatedLumens>5000</RatedLumens>") + emitter(up)));
+  const Photometry one = read(file(emitter(down))), other = read(file(emitter(up)));
+  EXPECT_TRUE(warned(both, "the light of all 2 emitters is added up"));
+  ASSERT_EQ(both.lamp_sets.size(), 2u);
+  EXPECT_EQ(both.lamp_sets[0].flux_lm, 5000);
+  EXPECT_NEAR(both.distribution.interpolated_flux_lm(),
+              one.distribution.interpolated_flux_lm() + other.distribution.interpolated_flux_lm(), 1e-4);
+  for (double v : {0.0, 40.0, 89.9, 90.1, 119.9, 120.1, 150.0, 180.0}) {
+    const double x = std::sin(v * degree), z = -std::cos(v * degree);
+    EXPECT_NEAR(both.distribution.eval(x, 0, z), one.distribution.eval(x, 0, z) + other.distribution.eval(x, 0, z),
+                1e-6)
+        << v;
+  }
+  EXPECT_THROW(photometry::read(file(emitter(up)).data(), file(emitter(up)).size(), {.lamp_set = 1}),
+               std::invalid_argument);
+}
+
+TEST(Tm33, TypesAAndB) {
+  std::string table;
+  for (int h = -90; h <= 90; h += 15)
+    for (int v = -90; v <= 90; v += 15)
+      table += "<IntData h='" + number(h) + "' v='" + number(v) + "'>" + number(100 + h + 0.1 * v) + "</IntData>";
+  const Photometry p =
+      read(file("<Equipment><Gonioradiometer><Type>IES _ B</Type></Gonioradiometer></Equipment>" + emitter(table)));
+  EXPECT_EQ(p.type, photometry::PhotometricType::b);
+  const double h = 30 * degree, v = 45 * degree;  // right is -y, up is x
+  EXPECT_NEAR(p.distribution.eval(std::cos(h) * std::sin(v), -std::sin(h), -std::cos(h) * std::cos(v)), 134.5, 1e-9);
+}
+
+TEST(Tm33, Openings) {
+  const auto opening = [](const std::string& areas) {
+    return read(file(emitter(values({}, 0, 0), "<EmissionAreas>" + areas + "</EmissionAreas>"))).opening;
+  };
+  const std::string bottom =
+      "<BottomFace><NumberBottom>1</NumberBottom><BottomArea><Length>1.2</Length><Width>0.3</Width>"
+      "<LengthOffset>0</LengthOffset></BottomArea></BottomFace>";
+  const photometry::Opening flat = opening(bottom);
+  EXPECT_EQ(flat.shape, OpeningShape::rectangle);
+  EXPECT_FLOAT_EQ(flat.size_m[0], 0.3f);
+  EXPECT_FLOAT_EQ(flat.size_m[1], 1.2f);
+  const photometry::Opening box =
+      opening(bottom + "<C0Face><C0Area><Length>1</Length><Height>0.1</Height></C0Area></C0Face>");
+  EXPECT_EQ(box.shape, OpeningShape::box);
+  EXPECT_FLOAT_EQ(box.size_m[2], 0.1f);
+  const photometry::Opening disc = opening(
+      "<BottomFace><BottomArea><Length>0.2</Length><Width>0</Width><Circular>true"
+      "</Circular></BottomArea></BottomFace>");
+  EXPECT_EQ(disc.shape, OpeningShape::disc);
+  EXPECT_FLOAT_EQ(disc.size_m[0], 0.2f);
+  EXPECT_FLOAT_EQ(disc.size_m[1], 0.2f);
+  EXPECT_EQ(read(file(emitter(values({}, 0, 0)))).opening.shape, OpeningShape::point);
+}
+
+TEST(Tm33, DirectionsThatAreMissingOrTwice) {
+  const Lamp lamp{0.2, 0.1};
+  std::string table = values(lamp, 0, 330);
+  const auto without = [&](const std::string& direction) {
+    std::string out = table;
+    const size_t at = out.find("<IntData " + direction);
+    out.erase(at, out.find('\n', at) - at);
+    return file(emitter(out));
+  };
+  expect_refused<ParseError>(without("v=\"90\" h='60'"), "the direction h = 60, v = 90 is missing");
+  expect_lamp(read(without("v=\"0\" h='60'")), lamp);  // the nadir, which other planes have
+  EXPECT_TRUE(warned(read(file(emitter(table + "<IntData h='0' v='90'>" + number(lamp.cd(0, 90)) + "</IntData>"))),
+                     "1 directions are stated twice"));
+  expect_refused<ParseError>(file(emitter(table + "<IntData h='0' v='90'>1</IntData>")),
+                             "has the intensity 1 here and");
+  expect_refused<ParseError>(file(emitter("<NumberHorz>12</NumberHorz><NumberVert>14</NumberVert>" + table)),
+                             "asks for 168");
+  EXPECT_TRUE(warned(read(file(emitter("<NumberMeasured>7</NumberMeasured>" + table))), "NumberMeasured is 7"));
+  EXPECT_TRUE(warned(read(file(emitter(values(lamp, 0, 0) + "<IntData h='0' v='7'>-1</IntData>"))), "is negative"));
+}
+
+TEST(Tm33, Refusals) {
+  const std::string good = emitter(values({}, 0, 0));
+  expect_refused<UnsupportedError>("<svg/>", "line 1: an XML file whose first element is <svg>");
+  expect_refused<ParseError>("<IESTM33-22>\n</IESTM33-22>", "no <Emitter>");
+  expect_refused<UnsupportedError>(file("<Emitter><RadiantData/></Emitter>"), "no emitter has luminous intensities");
+  expect_refused<UnsupportedError>(
+      file("<Emitter><IntensityDistribution><Metric>Radiant</Metric></IntensityDistribution></Emitter>"), "RADIANT");
+  expect_refused<ParseError>(file(emitter("")), "there are no intensities");
+  expect_refused<ParseError>(file(emitter("<IntData h='0'>1</IntData>")), "has no attribute v");
+  expect_refused<ParseError>(file(emitter("<IntData h='0' v='x'>1</IntData>")),
+                             "the attribute v of <IntData> is \"x\"");
+  expect_refused<ParseError>(file(emitter("<IntData h='0' v='0'>1,5</IntData>")), "<IntData> is \"1,5\"");
+  expect_refused<ParseError>(file(emitter("<IntData h='0' v='0'>1</IntData>")), "fewer than 2 angles v");
+  expect_refused<ParseError>(file(emitter("<IntData h='0' v='0'>1e20</IntData><IntData h='0' v='9'>1</IntData>")),
+                             "too large");
+  expect_refused<ParseError>(file(emitter(values({}, 0, 0) + "<IntData h='0' v='200'>1</IntData>")),
+                             "not within 0 to 180");
+  EXPECT_TRUE(
+      warned(read(file(good + "<Emitter><SpectralData><x/></SpectralData></Emitter>")), "SpectralData is not read"));
+}
+
+TEST(Xml, BrokenFilesNameTheirLine) {
+  const auto refused = [](const std::string& xml, const std::string& part) { expect_refused<ParseError>(xml, part); };
+  refused("<IESTM33-22>\n<Header>\n</Emitter>", "line 3: </Emitter> stands where </Header> is expected");
+  refused("<IESTM33-22>\r\n<Header>\r\n", "line 3: the file ends inside <Header>");
+  refused("<IESTM33-22>\r<!-- ", "line 2: the file ends inside a comment");
+  refused("<IESTM33-22 a>", "the attribute \"a\" of <IESTM33-22> has no value");
+  refused("<IESTM33-22 a=1>", "is not in quotes");
+  refused("<IESTM33-22 a='1'b='2'>", "does not end with");
+  refused("<IESTM33-22 a='1", "the file ends inside an attribute's value");
+  refused("<IESTM33-22", "does not end with");
+  refused("<", "a name of an element or attribute");
+  refused("<1>", "a name of an element or attribute");
+  refused("<IESTM33-22>&nbsp;", "\"&nbsp;\": only");
+  refused("<IESTM33-22>&#xZZ;", "is no character reference");
+  refused("<IESTM33-22>&#0;", "is no character reference");
+  refused("<!DOCTYPE x [", "inside a document type");
+  refused("<?xml ", "inside a processing instruction");
+  refused("<!-- x -->", "the file has no element");
+  refused("<IESTM33-22><![CDATA[", "inside CDATA");
+  std::string deep = "<IESTM33-22>";
+  for (int i = 0; i < 70; ++i) deep += "<a>";
+  refused(deep, "more than 64 deep");
+}
+
+TEST(Xml, TextAndAttributes) {
+  photometry::XmlReader xml(
+      "<a x='1 &lt; 2' n:y=\"&#x20AC;&#65;\"><b>one<c>no</c> <![CDATA[<two>]]>&apos;</b><d/></a>");
+  xml.enter_root();
+  EXPECT_EQ(xml.name(), "a");
+  ASSERT_TRUE(xml.attribute("x") && xml.attribute("y") && !xml.attribute("z"));
+  EXPECT_EQ(*xml.attribute("x"), "1 < 2");
+  EXPECT_EQ(*xml.attribute("y"),
+            "\xE2\x82\xAC"
+            "A");
+  ASSERT_TRUE(xml.enter_child());
+  EXPECT_EQ(xml.name(), "b");
+  EXPECT_EQ(xml.text(), "one <two>'");
+  ASSERT_TRUE(xml.enter_child());
+  EXPECT_EQ(xml.name(), "d");
+  EXPECT_FALSE(xml.enter_child());
+  EXPECT_EQ(xml.name(), "a");
+  EXPECT_FALSE(xml.enter_child());
+  EXPECT_EQ(xml.name(), "");
+}
+
+}  // namespace
+}  // namespace ups::test
