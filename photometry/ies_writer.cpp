@@ -132,8 +132,8 @@ void add_table_c(const Distribution& d, std::vector<double>& vertical, std::vect
 std::string tilt_lines(const Tilt& tilt) {
   if (tilt.angle_deg.empty()) return "TILT=NONE\r\n";
   Numbers out;
-  out.add({double(tilt.lamp_geometry)});
-  out.add({double(tilt.angle_deg.size())});
+  out.add(double(tilt.lamp_geometry));
+  out.add(double(tilt.angle_deg.size()));
   out.add(tilt.angle_deg);
   out.add(tilt.factor);
   return "TILT=INCLUDE\r\n" + std::move(out).text();

@@ -132,9 +132,9 @@ ups_status ups_profile_parse_with(ups_context*, const ups_profile_parse_desc* d,
     last_error = "recorded core: no such format";
     return UPS_ERROR_UNSUPPORTED;
   }
-  if (d->tilt_file) text += "+" + std::string(static_cast<const char*>(d->tilt_file), d->tilt_file_size);
-  if (d->tilt_deg >= 0) text += "@" + std::to_string(int(d->tilt_deg));
-  if (d->lamp_set > 0) text += "#" + std::to_string(d->lamp_set);
+  if (d->tilt_file) text.append("+").append(static_cast<const char*>(d->tilt_file), d->tilt_file_size);
+  if (d->tilt_deg >= 0) text.append("@").append(std::to_string(int(d->tilt_deg)));
+  if (d->lamp_set > 0) text.append("#").append(std::to_string(d->lamp_set));
   *out = new ups_profile{std::move(text)};
   ++profiles;
   return UPS_OK;
