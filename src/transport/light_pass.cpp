@@ -93,7 +93,7 @@ class LightWalk {
     if (!emitter_->sample_emission(rng_.position(0), rng_.direction(0), start_)) return false;
     flux_ = start_flux_ = start_.flux / choice.probability;
     if (!is_finite(flux_) || is_black(flux_)) return false;
-    origin_ = lifted(start_.p, start_.n, start_.error);
+    origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     direction_ = start_.direction;
     medium_ = scene_.medium_of_emitter[choice.index];
     return true;

@@ -115,4 +115,11 @@ inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, uint32_t& medi
 
 inline Vec3 lifted(const Vec3& p, const Vec3& n, float error) { return p + n * (2 * error); }
 
+// Where a light path that leaves an emitter starts: as high as lifted() but on its own line, as a source that is raised
+// off its surface is a larger one; only what grazes leaves the line. A point (n = 0) is where it is.
+inline Vec3 emission_origin(const Vec3& p, const Vec3& n, const Vec3& d, float error) {
+  const float cosine = dot(n, d), along = dot(n, n) > 0 ? 2 * error / std::max(cosine, 0.25f) : 0;
+  return p + d * along + n * (2 * error - along * cosine);
+}
+
 }  // namespace ups
