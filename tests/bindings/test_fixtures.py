@@ -117,7 +117,7 @@ def test_a_lens_absorbs_by_beer_and_lambert(context):
     fixture.add_lens(radius_m=0.2, thickness_m=0.01, to_fixture=ups.translation(0, 0, -1e-4), finish=ups.Finish.CUSTOM,
                      material={**CLEAR, "absorption_per_m_rgb": (50, 50, 50)})
     mu = (np.arange(10000) + 0.5) / 10000
-    # Model error: rays start about 1e-6 of the lens' size beyond its faces, which shortens their way.
+    # Model error: rays start 2e-6 of the lens' size beyond its faces, which shortens their way.
     expect_output_ratio(context, fixture, np.mean(2 * mu * np.exp(-0.5 / mu)), 5e-5)
 
 
