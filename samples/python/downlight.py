@@ -42,7 +42,7 @@ def main():
     with open(path, "rb") as file:
         again = ups.Profile.parse(context, file.read())
     print(f"{path}: {again.format}, {again.info.flux_lm:.1f} lm")
-    # The reflector keeps 14 % of the two thirds that meet it, more where light meets it twice, and the COB what comes back.
+    # The reflector keeps 14 % of the two thirds that meet it, more where light meets it twice; the COB what comes back.
     if not 0.8 < ratio < 1 or abs(again.info.interpolated_flux_lm / measured.flux_lm - 1) > 1e-3:
         sys.exit("the downlight does not give what it should")
 

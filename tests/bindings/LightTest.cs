@@ -22,7 +22,7 @@ internal static partial class BindingTest
                 ExpectNear(tilted.Info.FluxLm, 0.75 * plain.Info.FluxLm, 1e-12, "flux at half of the tilt");
             tilt.TiltDeg = -1;
             tilt.LampSet = 5;
-            ExpectStatus(Status.ErrorInvalidArgument, "lamp_set", () => Profile.Parse(context, bytes, tilt), "lamp set");
+            ExpectStatus(Status.ErrorInvalidArgument, "lamp_set", () => Profile.Parse(context, bytes, tilt), "lamps");
         }
 
         var rectangle = ProfileDesc.Create();

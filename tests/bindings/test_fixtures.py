@@ -160,3 +160,6 @@ def test_a_part_that_cannot_be_is_an_error(context):
     with pytest.raises(TypeError, match="no_such_field"):
         fixture.add_lens(material={"no_such_field": 1})
     assert fixture.info.part_count == 0
+    fixture.close()
+    with pytest.raises(ups.Error, match="fixture"):
+        ups.Scene(context).add_fixture(fixture)
