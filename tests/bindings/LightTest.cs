@@ -97,7 +97,7 @@ internal static partial class BindingTest
             ExpectNear(fixture.Info.FluxLm, 1000, 1e-9, "flux of the emitter");
             var readings = result.Goniometer(sensor);
             Expect(readings.Length == 37 && readings[20].IntensityCd == 0, "nothing goes up");
-            // The mean of flux / pi times the cosine over the node's hat, integrated over solid angle: 0.9989 of flux / pi.
+            // A node has the mean over its hat and solid angle of flux / pi times the cosine: 0.9989 of flux / pi.
             var nadir = readings[0];
             var step = Math.PI / 36;
             var mean = (0.25 - Math.Sin(2 * step) / (8 * step)) / (1 - Math.Sin(step) / step);
