@@ -4,7 +4,7 @@
     bindings/generate.py            writes the two files
     bindings/generate.py --check    fails when they are not what the headers say (a test runs this)
 
-What people use stands on top, written by hand: python/ups/__init__.py and csharp/Ups.cs.
+What people use stands on top, written by hand: the other files of both folders.
 """
 import difflib
 import re
@@ -106,7 +106,7 @@ def csharp_struct(api, struct):
     for f in struct.fields:
         kind = csharp_value_type(api, f.type, in_struct=True)
         if not f.type.count:
-            access = "internal" if f.type.pointers else "public"  # Ups.cs pins what an address stands for
+            access = "internal" if f.type.pointers else "public"  # the written classes pin what an address is of
             out.append(f"    {access} {kind} {pascal(f.name)};")
             continue
         member = pascal(f.name)

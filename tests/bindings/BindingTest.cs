@@ -1,5 +1,6 @@
 // Does the C# binding work? Layout against tests/abi/layout.txt (the argument), values in and out, errors, lifetimes.
-// A program without a test framework: prints each failed check and exits with their number.
+// LightTest.cs has the rest of the class. A program without a test framework: prints each failed check and exits with
+// their number.
 using System;
 using System.Collections.Generic;
 using System.IO;
@@ -7,7 +8,7 @@ using System.Reflection;
 using System.Runtime.InteropServices;
 using Ups;
 
-internal static class BindingTest
+internal static partial class BindingTest
 {
     private const BindingFlags EveryField = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
     private static int failures_;
@@ -209,6 +210,10 @@ internal static class BindingTest
             LogLevel level;
             Expect(context.PopLog(out level) == null, "an empty log");
             TestValues(context);
+            TestProfiles(context);
+            TestGoniometer(context);
+            TestFixtureParts(context);
+            TestPlacements(context);
             TestErrors(context);
         }
         TestJobsAndLifetimes();

@@ -1,6 +1,7 @@
 """Do ctypes' structs and enumerations lie in memory as the C compiler's? Read from tests/abi/layout.txt, which the ABI
-tests tie to the headers."""
+tests tie to the headers. And does a class of either binding call each function?"""
 import ctypes
+import re
 import sys
 from pathlib import Path
 
@@ -45,6 +46,16 @@ def test_enumerators_have_their_c_values():
         prefix = c_header.common_prefix(enum)
         python = getattr(_ffi, generate.enum_name(enum))
         assert {prefix + m.name: m.value for m in python} == {name: values[name] for name, _ in enum.members}
+
+
+@pytest.mark.parametrize("folder, call", [("python/ups", r"\blib\.(ups_\w+)"), ("csharp", r"\bNative\.(ups_\w+)")])
+def test_each_function_is_called_by_a_class(folder, call):
+    files = [p for p in (ROOT / "bindings" / folder).iterdir() if p.suffix in (".py", ".cs")]
+    called = {name for p in files for name in re.findall(call, p.read_text(encoding="utf-8"))}
+    # parse_with takes what parse takes; Status has the names; descriptions are made by way of _ffi.INIT or Create().
+    left_out = {"ups_profile_parse", "ups_status_name"}
+    functions = {f.name for f in API.functions if not f.name.endswith("_desc_init")}
+    assert functions - called == left_out
 
 
 @pytest.mark.parametrize("text", ["typedef void (*ups_callback)(void);", "enum { UPS_A };",

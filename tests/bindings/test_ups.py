@@ -7,11 +7,6 @@ import pytest
 import ups
 
 
-@pytest.fixture(scope="module")
-def context():
-    return ups.Context(thread_count=2)
-
-
 def uniform_profile(context, intensity_cd=100.0):
     return ups.Profile.from_table(context, [0], np.linspace(0, 180, 19), np.full((1, 19), intensity_cd))
 
@@ -183,6 +178,29 @@ def test_results_report_their_render(context):
     steps = result.convergence()["iterations"]
     assert len(steps) > 0 and np.all(np.diff(steps.astype(int)) > 0) and steps[-1] <= 32
     assert isinstance(result.text(ups.ResultText.TECHNIQUES), str)
+
+
+def test_readings_of_each_source_add_up(context):
+    scene, meters, light, _ = lamp_over_floor(context, reflectance=0.5)
+    second = scene.add_light(kind=ups.LightKind.POINT, intensity_rgb=[200] * 3, to_world=ups.translation(0, 0, 2.5),
+                             group=7)
+    scene.commit()
+    assert scene.render(iteration_count=1).sources() == []
+    result = scene.render(iteration_count=64, seed=2, separation=ups.Separation.LUMINAIRES)
+    sources, lamp = result.sources(), ups.SourceKind.LUMINAIRE
+    assert [(s.kind, s.id) for s in sources] == [(lamp, light.v), (lamp, second.v)]
+    assert [s.flux_lm for s in sources] == pytest.approx([4 * math.pi * 400, 4 * math.pi * 200], rel=1e-5)
+    readings = result.source_meters(meters)
+    assert readings.shape == (2, 2)
+    assert np.allclose(readings["illuminance_lx"].sum(axis=0), result.meters(meters)["illuminance_lx"], rtol=1e-5)
+    # 400 and 200 cd from 2 m above; each sample is of one lamp, so that their shares are noisy and their sum is not.
+    # Student's t of 15 degrees of freedom: beyond 5 in 1 of 6000 seeds, for each of the two, which are one number.
+    off = np.abs(readings["illuminance_lx"][:, 0] - (100, 50))
+    assert np.all(off < 5 * readings["standard_error_lx"][:, 0]) and np.all(off < 1)
+    by_group = scene.render(iteration_count=8, separation=ups.Separation.GROUPS)
+    assert [(s.kind, s.id) for s in by_group.sources()] == [(ups.SourceKind.GROUP, 0), (ups.SourceKind.GROUP, 7)]
+    with pytest.raises(ValueError, match="not a set of meters"):
+        result.source_meters(scene.add_camera(2, 2, vertical_fov_rad=1))
 
 
 def test_a_sensor_of_the_other_kind_is_refused(context):

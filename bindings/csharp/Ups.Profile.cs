@@ -1,0 +1,136 @@
+// UPS for C#: what does a luminaire send where: distributions from files and tables, queried and written.
+// Programs use Profile; see Ups.cs.
+using System;
+using System.Text;
+
+namespace Ups
+{
+    /// <summary>One luminous intensity distribution; immutable.</summary>
+    public sealed unsafe class Profile : IDisposable
+    {
+        internal readonly ProfileHandle Handle;
+
+        internal Profile(ProfileHandle handle) { Handle = handle; }
+
+        /// <summary>From the bytes of a photometric file.</summary>
+        public static Profile Parse(Context context, byte[] bytes, ProfileFormat format = ProfileFormat.Auto)
+        {
+            var desc = ProfileParseDesc.Create();
+            desc.Format = format;
+            return Parse(context, bytes, desc);
+        }
+
+        /// <summary>With a tilt or a lamp set; tiltFile: the bytes of the file that its TILT= names.</summary>
+        public static Profile Parse(Context context, byte[] bytes, ProfileParseDesc desc, byte[] tiltFile = null)
+        {
+            if (bytes == null) throw new ArgumentNullException("bytes");
+            ProfileHandle handle;
+            fixed (byte* p = bytes, tilt = tiltFile)
+            {
+                desc.Bytes = p;
+                desc.Size = (UIntPtr)bytes.Length;
+                desc.TiltFile = tilt;
+                desc.TiltFileSize = (UIntPtr)(tiltFile == null ? 0 : tiltFile.Length);
+                Library.Check(Native.ups_profile_parse_with(context.Handle, &desc, out handle));
+            }
+            return new Profile(handle);
+        }
+
+        /// <summary>From intensities of each plane C, gamma fastest.</summary>
+        public static Profile FromTable(Context context, float[] cDeg, float[] gammaDeg, float[] intensityCd)
+        {
+            return FromTable(context, cDeg, gammaDeg, intensityCd, ProfileDesc.Create());
+        }
+
+        /// <summary>desc: ProfileDesc.Create(), then the luminous opening and the input power.</summary>
+        public static Profile FromTable(Context context, float[] cDeg, float[] gammaDeg, float[] intensityCd,
+                                        ProfileDesc desc)
+        {
+            desc.CCount = Elements.Count(cDeg, 1, "cDeg");
+            desc.GammaCount = Elements.Count(gammaDeg, 1, "gammaDeg");
+            Elements.Expect(intensityCd, (long)desc.CCount * desc.GammaCount, "intensityCd");
+            ProfileHandle handle;
+            fixed (float* c = cDeg, gamma = gammaDeg, intensity = intensityCd)
+            {
+                desc.CDeg = c;
+                desc.GammaDeg = gamma;
+                desc.IntensityCd = intensity;
+                Library.Check(Native.ups_profile_create(context.Handle, &desc, out handle));
+            }
+            return new Profile(handle);
+        }
+
+        public ProfileInfo Info
+        {
+            get
+            {
+                var info = ProfileInfo.Sized();
+                Library.Check(Native.ups_profile_get_info(Handle, &info));
+                return info;
+            }
+        }
+
+        public string Text(ProfileText topic)
+        {
+            return Library.Text((p, capacity, needed) =>
+                Native.ups_profile_get_text(Handle, topic, p, capacity, needed)) ?? "";
+        }
+
+        /// <summary>Values of a keyword, in any case: a line each where there are several, "" where none.</summary>
+        public string Keyword(string name)
+        {
+            if (name == null) throw new ArgumentNullException("name");
+            var bytes = Encoding.UTF8.GetBytes(name + "\0");
+            return Library.Text((p, capacity, needed) =>
+            {
+                fixed (byte* n = bytes) return Native.ups_profile_get_keyword(Handle, n, p, capacity, needed);
+            }) ?? "";
+        }
+
+        /// <summary>The bytes of a file, IesLm63 or Eulumdat, that parse to the same distribution.</summary>
+        public byte[] Write(ProfileFormat format = ProfileFormat.IesLm63)
+        {
+            return Library.Bytes((p, capacity, needed) =>
+                Native.ups_profile_write(Handle, format, p, capacity, needed));
+        }
+
+        /// <summary>cd, for directions xyz in the profile's frame: nadir -Z, C0 +X, C90 +Y.</summary>
+        public float[] IntensityCd(float[] directions)
+        {
+            var values = new float[Elements.Count(directions, 3, "directions")];
+            fixed (float* d = directions, v = values)
+                Library.Check(Native.ups_profile_eval(Handle, d, (UIntPtr)values.Length, v));
+            return values;
+        }
+
+        /// <summary>cd/m^2, mean of the opening seen from directions xyz; below 0: a point, or an edge.</summary>
+        public float[] LuminanceCdM2(float[] directions)
+        {
+            var values = new float[Elements.Count(directions, 3, "directions")];
+            fixed (float* d = directions, v = values)
+                Library.Check(Native.ups_profile_get_luminance(Handle, d, (UIntPtr)values.Length, v));
+            return values;
+        }
+
+        /// <summary>lm between each two of the ascending angles, in [0, 180]: one value less.</summary>
+        public double[] ZonalFluxLm(float[] gammaDeg)
+        {
+            var values = new double[Math.Max(0, (int)Elements.Count(gammaDeg, 1, "gammaDeg") - 1)];
+            fixed (float* g = gammaDeg)
+            fixed (double* v = values)
+                Library.Check(Native.ups_profile_get_zonal_flux(Handle, g, (UIntPtr)gammaDeg.Length, v));
+            return values;
+        }
+
+        /// <summary>The lobe around the peak of the plane C / C + 180, down to that fraction of it: 0.5 gives the beam
+        /// angle, 0.1 the field angle.</summary>
+        public ProfileBeam Beam(float cDeg = 0, float fraction = 0.5f)
+        {
+            var beam = ProfileBeam.Sized();
+            Library.Check(Native.ups_profile_get_beam(Handle, cDeg, fraction, &beam));
+            return beam;
+        }
+
+        public void Dispose() { Handle.Dispose(); }
+    }
+}

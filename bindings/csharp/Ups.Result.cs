@@ -1,0 +1,196 @@
+// UPS for C#: what has a render found: jobs that are watched, readings, images, sources apart, distributions.
+// Programs use Job and Result, which Scene makes; see Ups.cs.
+using System;
+
+namespace Ups
+{
+    /// <summary>A render on the library's own threads; any thread may call. Disposing of it cancels it.</summary>
+    public sealed unsafe class Job : IDisposable
+    {
+        internal readonly JobHandle Handle;
+
+        internal Job(JobHandle handle) { Handle = handle; }
+
+        public Progress Poll()
+        {
+            var progress = Progress.Sized();
+            Library.Check(Native.ups_job_poll(Handle, &progress));
+            return progress;
+        }
+
+        /// <summary>Ok, Timeout or Cancelled; throws the job's own error.</summary>
+        public Status Wait(uint timeoutMs = uint.MaxValue)
+        {
+            return Library.Check(Native.ups_job_wait(Handle, timeoutMs));
+        }
+
+        public void Cancel() { Native.ups_job_cancel(Handle); }
+
+        /// <summary>What is there after the last whole iteration.</summary>
+        public Result Result()
+        {
+            ResultHandle result;
+            Library.Check(Native.ups_job_result(Handle, out result));
+            return new Result(result);
+        }
+
+        public void Dispose() { Handle.Dispose(); }
+    }
+
+    /// <summary>What a render has found so far; immutable.</summary>
+    public sealed unsafe class Result : IDisposable
+    {
+        internal readonly ResultHandle Handle;
+
+        internal Result(ResultHandle handle) { Handle = handle; }
+
+        public ResultInfo Info
+        {
+            get
+            {
+                var info = ResultInfo.Sized();
+                Library.Check(Native.ups_result_get_info(Handle, &info));
+                return info;
+            }
+        }
+
+        public MeterReading[] Meters(SensorId sensor)
+        {
+            var readings = new MeterReading[Statistics(sensor).Count];
+            fixed (MeterReading* r = readings)
+                Library.Check(Native.ups_result_read_meters(Handle, sensor, r, (UIntPtr)readings.Length));
+            return readings;
+        }
+
+        public MeterStatistics Statistics(SensorId sensor)
+        {
+            var statistics = MeterStatistics.Sized();
+            Library.Check(Native.ups_result_get_meter_statistics(Handle, sensor, &statistics));
+            return statistics;
+        }
+
+        /// <summary>What RenderDesc.Separation tells apart: kind, id (of a luminaire or instance, or the group), flux;
+        /// else none.</summary>
+        public SourceInfo[] Sources()
+        {
+            uint count;
+            Library.Check(Native.ups_result_get_source_count(Handle, &count));
+            var all = new SourceInfo[count];
+            for (uint i = 0; i < count; ++i)
+            {
+                var info = SourceInfo.Sized();
+                Library.Check(Native.ups_result_get_source(Handle, i, &info));
+                all[i] = info;
+            }
+            return all;
+        }
+
+        /// <summary>What each source, in the order of Sources(), contributes to each meter: [source][meter]. Over the
+        /// sources they add up to Meters().</summary>
+        public MeterReading[][] SourceMeters(SensorId sensor)
+        {
+            uint count;
+            Library.Check(Native.ups_result_get_source_count(Handle, &count));
+            var all = new MeterReading[count][];
+            for (uint i = 0; i < count; ++i)
+            {
+                all[i] = new MeterReading[Statistics(sensor).Count];
+                fixed (MeterReading* r = all[i])
+                    Library.Check(Native.ups_result_read_source_meters(Handle, i, sensor, r, (UIntPtr)all[i].Length));
+            }
+            return all;
+        }
+
+        /// <summary>Flux, light output ratio and accuracy.</summary>
+        public GoniometerInfo GoniometerInfo(SensorId sensor)
+        {
+            var info = Ups.GoniometerInfo.Sized();
+            Library.Check(Native.ups_result_get_goniometer_info(Handle, sensor, &info));
+            return info;
+        }
+
+        /// <summary>CCount * GammaCount readings, gamma fastest.</summary>
+        public IntensityReading[] Goniometer(SensorId sensor)
+        {
+            var info = GoniometerInfo(sensor);
+            var readings = new IntensityReading[(long)info.CCount * info.GammaCount];
+            fixed (IntensityReading* r = readings)
+                Library.Check(Native.ups_result_read_goniometer(Handle, sensor, r, (UIntPtr)readings.Length));
+            return readings;
+        }
+
+        /// <summary>The angles of the readings: CCount planes, GammaCount angles in each.</summary>
+        public void GoniometerAngles(SensorId sensor, out float[] cDeg, out float[] gammaDeg)
+        {
+            var info = GoniometerInfo(sensor);
+            cDeg = new float[info.CCount];
+            gammaDeg = new float[info.GammaCount];
+            fixed (float* c = cDeg, gamma = gammaDeg)
+                Library.Check(Native.ups_result_get_goniometer_angles(Handle, sensor, c, (UIntPtr)info.CCount, gamma,
+                                                                      (UIntPtr)info.GammaCount));
+        }
+
+        /// <summary>For luminaires, and to write a photometric file. The caller disposes of it.</summary>
+        public Profile GoniometerProfile(SensorId sensor)
+        {
+            ProfileHandle profile;
+            Library.Check(Native.ups_result_get_goniometer_profile(Handle, sensor, out profile));
+            return new Profile(profile);
+        }
+
+        /// <summary>Rows from the top, tight: 3 floats a pixel, 1 for the illuminance. The camera's own size.</summary>
+        public float[] Image(SensorId camera, int width, int height, Channel channel = Channel.LuminanceRgb)
+        {
+            var values = new float[(long)width * height * (channel == Channel.Illuminance ? 1 : 3)];
+            fixed (float* v = values)
+                Library.Check(Native.ups_result_read_image(Handle, camera, channel, v, UIntPtr.Zero,
+                                                           (UIntPtr)(sizeof(float) * (ulong)values.Length)));
+            return values;
+        }
+
+        /// <summary>Each technique that has an image; none unless RenderDesc.TechniqueImages was set.</summary>
+        public TechniqueInfo[] Techniques(SensorId camera)
+        {
+            uint count;
+            Library.Check(Native.ups_result_get_technique_count(Handle, camera, &count));
+            var all = new TechniqueInfo[count];
+            for (uint i = 0; i < count; ++i)
+            {
+                var info = TechniqueInfo.Sized();
+                Library.Check(Native.ups_result_get_technique(Handle, camera, i, &info));
+                all[i] = info;
+            }
+            return all;
+        }
+
+        /// <summary>Of the technique at that place in Techniques(); 3 floats a pixel, as Image().</summary>
+        public float[] TechniqueImage(SensorId camera, uint index, int width, int height,
+                                      Contribution contribution = Contribution.Weighted)
+        {
+            var values = new float[(long)width * height * 3];
+            fixed (float* v = values)
+                Library.Check(Native.ups_result_read_technique(Handle, camera, index, contribution, v, UIntPtr.Zero,
+                                                               (UIntPtr)(sizeof(float) * (ulong)values.Length)));
+            return values;
+        }
+
+        public ConvergencePoint[] Convergence()
+        {
+            UIntPtr needed;
+            var status = Native.ups_result_read_convergence(Handle, null, UIntPtr.Zero, &needed);
+            if (status != Status.ErrorBufferTooSmall) Library.Check(status);
+            var points = new ConvergencePoint[(int)needed];
+            fixed (ConvergencePoint* p = points)
+                Library.Check(Native.ups_result_read_convergence(Handle, p, needed, &needed));
+            return points;
+        }
+
+        public string Text(ResultText topic)
+        {
+            return Library.Text((p, capacity, needed) =>
+                Native.ups_result_get_text(Handle, topic, p, capacity, needed)) ?? "";
+        }
+
+        public void Dispose() { Handle.Dispose(); }
+    }
+}

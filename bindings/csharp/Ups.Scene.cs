@@ -1,0 +1,211 @@
+// UPS for C#: what is there to light and to measure: materials, meshes, luminaires, fixtures, sensors; commit, render.
+// Programs use Scene; see Ups.cs.
+using System;
+
+namespace Ups
+{
+    /// <summary>Description of what there is; one thread at a time. Changes take effect at the next Commit.</summary>
+    public sealed unsafe class Scene : IDisposable
+    {
+        internal readonly SceneHandle Handle;
+
+        public Scene(Context context) { Library.Check(Native.ups_scene_create(context.Handle, out Handle)); }
+
+        /// <summary>Texels linear, row 0 first; 1, 3 or 4 channels.</summary>
+        public TextureId AddTexture(int width, int height, int channels, float[] texels)
+        {
+            Elements.Expect(texels, (long)width * height * channels, "texels");
+            var desc = TextureDesc.Create();
+            desc.Width = (uint)width;
+            desc.Height = (uint)height;
+            desc.ChannelCount = (uint)channels;
+            TextureId id;
+            fixed (float* t = texels)
+            {
+                desc.Texels = t;
+                Library.Check(Native.ups_scene_add_texture(Handle, &desc, &id));
+            }
+            return id;
+        }
+
+        public MaterialId AddMaterial(MaterialDesc desc)
+        {
+            MaterialId id;
+            Library.Check(Native.ups_scene_add_material(Handle, &desc, &id));
+            return id;
+        }
+
+        /// <summary>Positions, normals xyz; uvs; tangents xyzw; three indices a triangle, counter-clockwise.</summary>
+        public MeshId AddMesh(float[] positionsM, uint[] indices, MaterialId material, float[] normals = null,
+                              float[] uvs = null, float[] tangents = null)
+        {
+            var desc = Elements.Mesh(positionsM, indices, normals, uvs, tangents);
+            desc.Material = material;
+            MeshId id;
+            fixed (float* p = positionsM, n = normals, t = uvs, g = tangents)
+            fixed (uint* i = indices)
+            {
+                desc.PositionsM = p;
+                desc.Normals = n;
+                desc.Uvs = t;
+                desc.Tangents = g;
+                desc.Indices = i;
+                Library.Check(Native.ups_scene_add_mesh(Handle, &desc, &id));
+            }
+            return id;
+        }
+
+        public InstanceId AddInstance(InstanceDesc desc)
+        {
+            InstanceId id;
+            Library.Check(Native.ups_scene_add_instance(Handle, &desc, &id));
+            return id;
+        }
+
+        public LuminaireId AddLight(LightDesc desc)
+        {
+            LuminaireId id;
+            Library.Check(Native.ups_scene_add_light(Handle, &desc, &id));
+            return id;
+        }
+
+        /// <summary>desc: LuminaireDesc.Create(), then the place and what differs from the defaults.</summary>
+        public LuminaireId AddLuminaire(Profile profile, LuminaireDesc desc)
+        {
+            LuminaireId id;
+            var held = false;
+            try
+            {
+                profile.Handle.DangerousAddRef(ref held);
+                desc.Profile = profile.Handle.DangerousGetHandle();
+                Library.Check(Native.ups_scene_add_luminaire(Handle, &desc, &id));
+            }
+            finally
+            {
+                if (held) profile.Handle.DangerousRelease();
+            }
+            return id;
+        }
+
+        /// <summary>Places a fixture as it is now, which may be changed or disposed of afterwards.</summary>
+        public FixtureId AddFixture(Fixture fixture, FixtureInstanceDesc desc)
+        {
+            FixtureId id;
+            Library.Check(Native.ups_scene_add_fixture(Handle, fixture.Handle, &desc, &id));
+            return id;
+        }
+
+        public SensorId AddCamera(CameraDesc desc)
+        {
+            SensorId id;
+            Library.Check(Native.ups_scene_add_camera(Handle, &desc, &id));
+            return id;
+        }
+
+        /// <summary>Positions, normals, tangents xyz. With tangents and cell sides: means over rectangles.</summary>
+        public SensorId AddMeters(double[] positionsM, float[] normals, float[] tangents = null, float cellWidthM = 0,
+                                  float cellHeightM = 0)
+        {
+            var desc = MeterDesc.Create();
+            desc.Count = Elements.Count(positionsM, 3, "positionsM");
+            desc.CellSizeM = new[] { cellWidthM, cellHeightM };
+            Elements.Expect(normals, 3L * desc.Count, "normals");
+            if (tangents != null) Elements.Expect(tangents, 3L * desc.Count, "tangents");
+            SensorId id;
+            fixed (double* p = positionsM)
+            fixed (float* n = normals, t = tangents)
+            {
+                desc.PositionsM = p;
+                desc.Normals = n;
+                desc.Tangents = t;
+                Library.Check(Native.ups_scene_add_meters(Handle, &desc, &id));
+            }
+            return id;
+        }
+
+        /// <summary>Light that leaves the scene, by direction. Without angles: equal steps, desc.CCount and GammaCount
+        /// of them.</summary>
+        public SensorId AddGoniometer(GoniometerDesc desc, float[] cDeg = null, float[] gammaDeg = null)
+        {
+            if (cDeg != null) desc.CCount = (uint)cDeg.Length;
+            if (gammaDeg != null) desc.GammaCount = (uint)gammaDeg.Length;
+            SensorId id;
+            fixed (float* c = cDeg, gamma = gammaDeg)
+            {
+                desc.CDeg = c;
+                desc.GammaDeg = gamma;
+                Library.Check(Native.ups_scene_add_goniometer(Handle, &desc, &id));
+            }
+            return id;
+        }
+
+        public void SetMaterial(MaterialId id, MaterialDesc desc)
+        {
+            Library.Check(Native.ups_scene_set_material(Handle, id, &desc));
+        }
+
+        /// <summary>Twelve values, 3x4, row-major, object to world.</summary>
+        public void SetTransform(InstanceId id, double[] toWorld)
+        {
+            Elements.Expect(toWorld, 12, "toWorld");
+            fixed (double* m = toWorld) Library.Check(Native.ups_scene_set_transform(Handle, id, m));
+        }
+
+        /// <summary>Twelve values, 3x4, row-major, fixture to world: a rotation and a translation.</summary>
+        public void SetTransform(FixtureId id, double[] toWorld)
+        {
+            Elements.Expect(toWorld, 12, "toWorld");
+            fixed (double* m = toWorld) Library.Check(Native.ups_scene_set_fixture_transform(Handle, id, m));
+        }
+
+        public void SetDimming(LuminaireId id, float dimming)
+        {
+            Library.Check(Native.ups_scene_set_dimming(Handle, id, dimming));
+        }
+
+        public void SetDimming(FixtureId id, float dimming)
+        {
+            Library.Check(Native.ups_scene_set_fixture_dimming(Handle, id, dimming));
+        }
+
+        public void Remove(InstanceId id) { Library.Check(Native.ups_scene_remove_instance(Handle, id)); }
+        public void Remove(LuminaireId id) { Library.Check(Native.ups_scene_remove_luminaire(Handle, id)); }
+        public void Remove(FixtureId id) { Library.Check(Native.ups_scene_remove_fixture(Handle, id)); }
+        public void Remove(SensorId id) { Library.Check(Native.ups_scene_remove_sensor(Handle, id)); }
+        public void Commit() { Library.Check(Native.ups_scene_commit(Handle)); }
+
+        public SceneInfo Info
+        {
+            get
+            {
+                var info = SceneInfo.Sized();
+                Library.Check(Native.ups_scene_get_info(Handle, &info));
+                return info;
+            }
+        }
+
+        public string Text(SceneText topic)
+        {
+            return Library.Text((p, capacity, needed) =>
+                Native.ups_scene_get_text(Handle, topic, p, capacity, needed)) ?? "";
+        }
+
+        /// <summary>Blocks until a limit or the target is met.</summary>
+        public Result Render(RenderDesc desc)
+        {
+            ResultHandle result;
+            Library.Check(Native.ups_render(Handle, &desc, out result));
+            return new Result(result);
+        }
+
+        /// <summary>The same as a job, which can be watched and cancelled.</summary>
+        public Job Start(RenderDesc desc)
+        {
+            JobHandle job;
+            Library.Check(Native.ups_job_start(Handle, &desc, out job));
+            return new Job(job);
+        }
+
+        public void Dispose() { Handle.Dispose(); }
+    }
+}

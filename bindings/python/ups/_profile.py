@@ -1,0 +1,99 @@
+"""What does a luminaire send where: luminous intensity distributions, from files and tables, queried and written.
+
+Used by programs, as ups.Profile.
+"""
+import ctypes
+from ctypes import byref
+
+import numpy as np
+
+from . import _ffi
+from ._core import Handle, address, as_array, check, create, describe, lib, read_bytes, read_info, read_text
+from ._ffi import ProfileFormat, ProfileText
+
+
+class Profile(Handle):
+    """One luminous intensity distribution; immutable. Made by parse or from_table."""
+
+    def __init__(self, pointer):
+        super().__init__(pointer, lib.ups_profile_destroy)
+
+    @classmethod
+    def parse(cls, context, data, format=ProfileFormat.AUTO, tilt_file=None, **fields):
+        """From the bytes of a photometric file. tilt_file: the bytes of the file that its TILT= names, see there;
+        fields, of ups_profile_parse_desc: tilt_deg, lamp_set."""
+        data, fields = bytes(data), {"format": format, **fields}
+        if tilt_file is not None:
+            tilt_file = bytes(tilt_file)
+            fields.update(tilt_file=ctypes.cast(tilt_file, ctypes.c_void_p), tilt_file_size=len(tilt_file))
+        fields.update(bytes=ctypes.cast(data, ctypes.c_void_p), size=len(data))
+        desc = describe(_ffi.ProfileParseDesc, fields)
+        return cls(create(lib.ups_profile_parse_with, context, byref(desc)))
+
+    @classmethod
+    def from_table(cls, context, c_deg, gamma_deg, intensity_cd, **fields):
+        """From intensities of shape (len(c_deg), len(gamma_deg)); fields, of ups_profile_desc: the luminous opening,
+        the input power."""
+        c, gamma = as_array(c_deg, np.float32, (-1,), "c_deg"), as_array(gamma_deg, np.float32, (-1,), "gamma_deg")
+        table = as_array(intensity_cd, np.float32, (len(c), len(gamma)), "intensity_cd")
+        desc = describe(_ffi.ProfileDesc, {
+            "c_count": len(c), "gamma_count": len(gamma), "c_deg": address(c, ctypes.c_float),
+            "gamma_deg": address(gamma, ctypes.c_float), "intensity_cd": address(table, ctypes.c_float), **fields})
+        return cls(create(lib.ups_profile_create, context, byref(desc)))
+
+    @property
+    def info(self):
+        return read_info(_ffi.ProfileInfo, lib.ups_profile_get_info, self)
+
+    @property
+    def warnings(self):
+        return read_text(lib.ups_profile_get_text, self, ProfileText.WARNINGS).splitlines()
+
+    @property
+    def keywords(self):
+        """The file's keywords, a line each: MANUFAC=..."""
+        return read_text(lib.ups_profile_get_text, self, ProfileText.KEYWORDS).splitlines()
+
+    def keyword(self, name):
+        """The values of one keyword, in any case: a line each where there are several, empty where there is none."""
+        return read_text(lib.ups_profile_get_keyword, self, name.encode("utf-8"))
+
+    @property
+    def format(self):
+        return read_text(lib.ups_profile_get_text, self, ProfileText.FORMAT)
+
+    @property
+    def tilt_file(self):
+        """The name that the file's TILT= has, for parse(tilt_file=...); empty: it needs no file."""
+        return read_text(lib.ups_profile_get_text, self, ProfileText.TILT_FILE)
+
+    def write(self, format=ProfileFormat.IES_LM63):
+        """The bytes of a photometric file, IES_LM63 or EULUMDAT, that parse to the same distribution."""
+        return read_bytes(lib.ups_profile_write, self, format)
+
+    def _eval(self, function, directions):
+        d = as_array(directions, np.float32, (-1, 3), "directions")
+        out = np.empty(len(d), dtype=np.float32)
+        check(function(self, address(d, ctypes.c_float), len(d), address(out, ctypes.c_float)))
+        return out
+
+    def intensity_cd(self, directions):
+        """In each direction of an (n, 3) array, in the profile's frame: nadir -Z, C0 +X, C90 +Y."""
+        return self._eval(lib.ups_profile_eval, directions)
+
+    def luminance_cd_m2(self, directions):
+        """Mean over the luminous opening seen from each direction of an (n, 3) array; < 0: a point or an edge."""
+        return self._eval(lib.ups_profile_get_luminance, directions)
+
+    def zonal_flux_lm(self, gamma_deg):
+        """Flux between each two of n ascending angles, in [0, 180]: n - 1 values."""
+        gamma = as_array(gamma_deg, np.float32, (-1,), "gamma_deg")
+        out = np.empty(max(len(gamma) - 1, 0), dtype=np.float64)
+        check(lib.ups_profile_get_zonal_flux(self, address(gamma, ctypes.c_float), len(gamma),
+                                             address(out, ctypes.c_double)))
+        return out
+
+    def beam(self, c_deg=0, fraction=0.5):
+        """The lobe around the peak of the plane C / C + 180 down to that fraction of it, as ups_profile_beam: peak_cd,
+        angle_deg, ... 0.5 gives the beam angle, 0.1 the field angle."""
+        return read_info(_ffi.ProfileBeam, lib.ups_profile_get_beam, self, c_deg, fraction)

@@ -1,0 +1,143 @@
+"""What has a render found: jobs that are watched, readings, images, sources apart, measured distributions.
+
+Used by programs, as ups.Job and ups.Result, which Scene.start and Scene.render make.
+"""
+import ctypes
+from ctypes import byref
+
+import numpy as np
+
+from . import _ffi
+from ._core import Handle, address, check, create, lib, read_info, read_text
+from ._ffi import Channel, Contribution, ResultText, Status
+from ._profile import Profile
+
+
+class Job(Handle):
+    """A render on the library's own threads; any thread may call. Closing it cancels it."""
+
+    def __init__(self, pointer, shapes):
+        super().__init__(pointer, lib.ups_job_destroy)
+        self._shapes = shapes
+
+    def poll(self):
+        return read_info(_ffi.Progress, lib.ups_job_poll, self)
+
+    def wait(self, timeout_s=None):
+        """Status.OK, TIMEOUT or CANCELLED; raises the job's own error. Without a timeout, an interrupt gets through."""
+        if timeout_s is not None:
+            return check(lib.ups_job_wait(self, min(max(0, round(timeout_s * 1000)), 0xFFFFFFFF)))
+        while True:
+            status = check(lib.ups_job_wait(self, 100))
+            if status != Status.TIMEOUT:
+                return status
+
+    def cancel(self):
+        lib.ups_job_cancel(self)
+
+    def result(self):
+        """What is there after the last whole iteration."""
+        return Result(create(lib.ups_job_result, self), self._shapes)
+
+
+class Result(Handle):
+    """What a render has found so far; immutable."""
+
+    def __init__(self, pointer, shapes):
+        super().__init__(pointer, lib.ups_result_destroy)
+        self._shapes = shapes
+
+    def _shape(self, sensor, dimensions, what):
+        shape = self._shapes.get(sensor.v, ())
+        if len(shape) != dimensions:
+            raise ValueError(f"sensor {sensor.v} is not {what} of the rendered scene")
+        return shape
+
+    @property
+    def info(self):
+        return read_info(_ffi.ResultInfo, lib.ups_result_get_info, self)
+
+    def meters(self, sensor):
+        """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ..."""
+        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterReading))
+        check(lib.ups_result_read_meters(self, sensor, address(out, _ffi.MeterReading), len(out)))
+        return out
+
+    def statistics(self, sensor):
+        return read_info(_ffi.MeterStatistics, lib.ups_result_get_meter_statistics, self, sensor)
+
+    def sources(self):
+        """A ups_source_info of each source that `separation` in the render's description tells apart, else empty: kind,
+        id (of a luminaire or instance, or the group), flux_lm."""
+        count = ctypes.c_uint32()
+        check(lib.ups_result_get_source_count(self, byref(count)))
+        return [read_info(_ffi.SourceInfo, lib.ups_result_get_source, self, i) for i in range(count.value)]
+
+    def source_meters(self, sensor):
+        """What each source contributes to each meter: a record array (sources, meters), rows in the order of sources(),
+        fields as of meters(), to whose illuminance the rows add up."""
+        shape = len(self.sources()), *self._shape(sensor, 1, "a set of meters")
+        out = np.empty(shape, dtype=np.dtype(_ffi.MeterReading))
+        for source, row in enumerate(out):
+            check(lib.ups_result_read_source_meters(self, source, sensor, address(row, _ffi.MeterReading), len(row)))
+        return out
+
+    def goniometer_info(self, sensor):
+        """Flux, light output ratio and accuracy, as ups_goniometer_info."""
+        return read_info(_ffi.GoniometerInfo, lib.ups_result_get_goniometer_info, self, sensor)
+
+    def goniometer(self, sensor):
+        """A record array (planes C, gammas) with a field for each of ups_intensity_reading: intensity_cd, ..."""
+        info = self.goniometer_info(sensor)
+        out = np.empty((info.c_count, info.gamma_count), dtype=np.dtype(_ffi.IntensityReading))
+        check(lib.ups_result_read_goniometer(self, sensor, address(out, _ffi.IntensityReading), out.size))
+        return out
+
+    def goniometer_angles(self, sensor):
+        """(c_deg, gamma_deg) of the readings: two arrays (planes C,), (gammas,)."""
+        info = self.goniometer_info(sensor)
+        c, gamma = np.empty(info.c_count, np.float32), np.empty(info.gamma_count, np.float32)
+        check(lib.ups_result_get_goniometer_angles(self, sensor, address(c, ctypes.c_float), len(c),
+                                                   address(gamma, ctypes.c_float), len(gamma)))
+        return c, gamma
+
+    def goniometer_profile(self, sensor):
+        """The distribution as a Profile: for luminaires, and to write a photometric file."""
+        return Profile(create(lib.ups_result_get_goniometer_profile, self, sensor))
+
+    def image(self, camera, channel=Channel.LUMINANCE_RGB):
+        """(height, width, 3), or (height, width) for the illuminance; row 0 is the image's top."""
+        shape = self._shape(camera, 2, "a camera")
+        out = np.empty(shape if channel == Channel.ILLUMINANCE else shape + (3,), dtype=np.float32)
+        check(lib.ups_result_read_image(self, camera, channel, address(out, ctypes.c_float), 0, out.nbytes))
+        return out
+
+    def techniques(self, camera):
+        """A ups_technique_info of each technique that has an image; empty without technique_images in the render's
+        description. The position in the list is the index for technique_image()."""
+        count = ctypes.c_uint32()
+        check(lib.ups_result_get_technique_count(self, camera, byref(count)))
+        function = lib.ups_result_get_technique
+        return [read_info(_ffi.TechniqueInfo, function, self, camera, i) for i in range(count.value)]
+
+    def technique_image(self, camera, index, contribution=Contribution.WEIGHTED):
+        """(height, width, 3) of the technique with that index in techniques()."""
+        out = np.empty(self._shape(camera, 2, "a camera") + (3,), dtype=np.float32)
+        check(lib.ups_result_read_technique(self, camera, index, contribution, address(out, ctypes.c_float), 0,
+                                            out.nbytes))
+        return out
+
+    def convergence(self):
+        """What accuracy cost: a record array with a field for each of ups_convergence_point."""
+        needed = ctypes.c_size_t()
+        status = lib.ups_result_read_convergence(self, None, 0, byref(needed))
+        if status != Status.ERROR_BUFFER_TOO_SMALL:
+            check(status)
+        out = np.empty(needed.value, dtype=np.dtype(_ffi.ConvergencePoint))
+        if len(out):
+            points = address(out, _ffi.ConvergencePoint)
+            check(lib.ups_result_read_convergence(self, points, len(out), byref(needed)))
+        return out
+
+    def text(self, topic=ResultText.WARNINGS):
+        return read_text(lib.ups_result_get_text, self, topic)
