@@ -25,6 +25,7 @@ constexpr Rgb operator/(const Rgb& a, float s) { return {a.r / s, a.g / s, a.b /
 constexpr float luminance(const Rgb& c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
 constexpr float max_component(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
 constexpr bool is_black(const Rgb& c) { return c.r == 0.0f && c.g == 0.0f && c.b == 0.0f; }
+inline Rgb to_rgb(const float (&c)[3]) { return {c[0], c[1], c[2]}; }
 inline bool is_finite(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 inline Rgb exp(const Rgb& c) { return {std::exp(c.r), std::exp(c.g), std::exp(c.b)}; }
 

@@ -16,8 +16,6 @@ Affine to_affine(const double (&m)[12]) {
   return a;
 }
 
-Rgb to_rgb(const float (&c)[3]) { return {c[0], c[1], c[2]}; }
-
 void check_count(uint32_t value, uint32_t low, uint32_t high, const char* field) {
   if (value < low || value > high)
     fail_argument(std::string(field) + " is " + std::to_string(value) + "; it must be " + std::to_string(low) + " to " +

@@ -1,0 +1,77 @@
+// The making of a snapshot from a description, for prepare.cpp (surfaces, sensors, media, warnings) and
+// prepare_sources.cpp (what emits).
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "emitter/emitter.h"
+#include "emitter/rays.h"
+#include "scene/description.h"
+#include "scene/snapshot.h"
+
+namespace ups {
+
+// Axes of a placed thing whose scale does not matter: z first, then x.
+struct Axes {
+  Vec3d x, y, z;
+  explicit Axes(const Affine& m) : z(normalize(m.column(2))) {
+    x = normalize(m.column(0) - z * dot(m.column(0), z));
+    y = cross(z, x);
+  }
+  Frame frame() const { return {Vec3(x), Vec3(y), Vec3(z)}; }
+};
+
+// Errors of what is built inside say whose they are.
+template <class Build>
+void in_context(const std::string& name, const Build& build) {
+  try {
+    build();
+  } catch (const Error& e) {
+    throw Error(e.status(), name + ": " + e.what());
+  }
+}
+
+class Builder {
+ public:
+  Builder(const Description& description, int thread_count)
+      : in_(description), threads_(thread_count), out_(std::make_shared<Snapshot>()) {}
+
+  std::shared_ptr<const Snapshot> build();
+
+ private:
+  void place();
+  void add_materials();
+  void add_geometry();
+  void add_emissive_instances();
+  void add_sources();
+  void add_light(const std::string& name, const LightDescription& light, float dimming);
+  void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming);
+  float opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const;
+  std::shared_ptr<const RaySet> rays_of(const LuminaireDescription& luminaire);
+  void add_rays(const std::string& name, const LuminaireDescription& luminaire, const Rgb& scale);
+  bool add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe);
+  void add_sensors();
+  MeterSet make_meters(const MetersDescription& meters) const;
+  void find_media();
+  void add_warnings();
+
+  Affine to_scene(Affine m) const {
+    m.m[3] -= out_->origin.x, m.m[7] -= out_->origin.y, m.m[11] -= out_->origin.z;
+    return m;
+  }
+  Vec3 to_scene(const Vec3d& p) const { return Vec3(p - out_->origin); }
+  void warn(std::string text) { out_->warnings.push_back(std::move(text)); }
+
+  const Description& in_;
+  int threads_;
+  std::shared_ptr<Snapshot> out_;
+  std::vector<Raytracer::Instance> instances_;
+  std::vector<uint32_t> instance_ids_;
+  std::vector<std::unique_ptr<Emitter>> emitters_;
+  std::vector<Vec3> emitter_probes_;  // a point of each, off any surface
+  std::vector<DiscIndex::Disc> openings_;
+  std::map<const photometry::Photometry*, std::shared_ptr<const RaySet>> ray_sets_;  // one a profile
+};
+
+}  // namespace ups
