@@ -1,4 +1,4 @@
-"""`ups goniometer`: what it measures, writes and refuses, and whether its file lights a room as the fixture itself does.
+"""`ups goniometer`: what it measures, writes and refuses, and whether its file lights a room as the fixture does.
 Usage: test_goniometer.py PATH_TO_UPS [unittest options]"""
 import csv
 import json
@@ -86,7 +86,8 @@ class Measures(GoniometerTest):
         self.assertEqual(report["method"], "lt")
         self.assertEqual(report["grid"], {"c_count": 1, "gamma_count": 73, "symmetry": "axial"})
         self.assertAlmostEqual(flux["emitted_lm"], FLUX, delta=1e-3)
-        # Roulette ends paths: the balance holds but for noise. Five standard errors: about one seed in 10,000 fails (t of 15).
+        # Roulette ends paths: the balance holds but for noise. Five standard errors: about one seed in 10,000 fails
+        # (t of 15 degrees of freedom).
         self.assertLess(abs(flux["residual_lm"]), 5 * flux["out_standard_error_lm"] + 1e-6 * FLUX)
         self.assertLess(flux["out_standard_error_lm"], 1e-3 * FLUX)
         self.assertTrue(0.7 < report["light_output_ratio"] < 0.95, report["light_output_ratio"])
@@ -130,8 +131,8 @@ class Measures(GoniometerTest):
         for name in ("a.ies", "b.ies"):
             text = self.run_program("goniometer", self.scene, "--iterations", 4, "--c-step", 45, "--gamma-step", 5,
                                     "--seed", 3, "--symmetry", "quadrants", "--out", self.path(name)).stdout
-        for words in ("8 C-planes x 37 gamma angles, symmetry quadrants", "emitted by the sources", "light output ratio: ",
-                      "beam angle", "field angle", "error of a node"):
+        for words in ("8 C-planes x 37 gamma angles, symmetry quadrants", "emitted by the sources",
+                      "light output ratio: ", "beam angle", "field angle", "error of a node"):
             self.assertIn(words, text)
         with open(self.path("a.ies"), "rb") as a, open(self.path("b.ies"), "rb") as b:
             self.assertEqual(a.read(), b.read())
@@ -143,13 +144,14 @@ class Measures(GoniometerTest):
         self.assertLess(report["time_s"], 30)
 
     def test_methods_agree(self):
-        """Flux out by each within six combined standard errors: four comparisons, about one alarm in 1000 seeds (t of 7 to
-        14 degrees of freedom)."""
+        """Flux out by each within six combined standard errors: four comparisons, about one alarm in 1000 seeds (t of 7
+        to 14 degrees of freedom)."""
         runs = [self.measure("--symmetry", "axial", "--gamma-step", 10, "--iterations", 8, "--method", method)
                 for method in ("lt", "ups", "bpt", "sppm", "bpm")]
         for run in runs[1:]:
-            error = math.hypot(runs[0]["flux"]["out_standard_error_lm"], run["flux"]["out_standard_error_lm"])
-            self.assertLess(abs(run["flux"]["out_lm"] - runs[0]["flux"]["out_lm"]), 6 * error + 1e-6 * FLUX, run["method"])
+            a, b = runs[0]["flux"], run["flux"]
+            error = math.hypot(a["out_standard_error_lm"], b["out_standard_error_lm"])
+            self.assertLess(abs(a["out_lm"] - b["out_lm"]), 6 * error + 1e-6 * FLUX, run["method"])
 
     def test_the_scenes_own_goniometer(self):
         """One upright, one whose nadir is the world's zenith: what is down lies at gamma 180."""
@@ -197,10 +199,10 @@ class InARoom(GoniometerTest):
         return read_table(os.path.join(self.path(name), "floor.csv"))
 
     def test_the_file_lights_a_room_as_the_fixture_does(self):
-        """Cells of 1.6 m, 5 m below an aperture of 3 cm, 166 times as far; the file's centre lies halfway between lamp and
-        aperture. 25 comparisons of two renders of 16 batches each, within 4 combined standard errors and the file's own
-        errors: the noise alone fails for less than 3 seeds in 100 (t of 15 to 30 degrees of freedom), the file's errors, of
-        their worst node, make that fewer."""
+        """Cells of 1.6 m, 5 m below an aperture of 3 cm, 166 times as far; the file's centre lies halfway between lamp
+        and aperture. 25 comparisons of two renders of 16 batches each, within 4 combined standard errors and the file's
+        own errors: the noise alone fails for less than 3 seeds in 100 (t of 15 to 30 degrees of freedom), the file's
+        errors, of its worst node towards the cell, make that fewer."""
         report = self.measure("--symmetry", "axial", "--iterations", 32, "--seed", 5, "--opening", f"disc:{2 * RADIUS}",
                               "--out", self.path("cone.ies"), "--errors", self.path("cone.csv"))
         own = self.readings("fixture", fixture(), HEIGHT)
@@ -255,7 +257,8 @@ class Refuses(GoniometerTest):
 
     def test_places_for_files_are_looked_at_first(self):
         os.mkdir(self.path("a.ies"))
-        for option, path, words in (("--out", "none/lamp.ies", ["--out", "no folder"]), ("--out", "a.ies", ["is a folder"]),
+        for option, path, words in (("--out", "none/lamp.ies", ["--out", "no folder"]),
+                                    ("--out", "a.ies", ["is a folder"]),
                                     ("--errors", "none/e.csv", ["--errors", "no folder"]),
                                     ("--plot", "none/p.svg", ["--plot", "no folder"])):
             with self.subTest(path=path):
@@ -278,7 +281,8 @@ class Refuses(GoniometerTest):
         above["extensionsUsed"] = ["KHR_lights_punctual"]
         above["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {}}]}}
         above = self.write("above.gltf", above)
-        self.expect_failure("goniometer", above, "--iterations", 4, "--out", self.path("up.ies"), words=["range of gamma"])
+        self.expect_failure("goniometer", above, "--iterations", 4, "--out", self.path("up.ies"),
+                            words=["range of gamma"])
         self.assertFalse(os.path.exists(self.path("up.ies")))
         self.expect_failure("goniometer", "none.gltf", words=["none.gltf"])
 
