@@ -129,6 +129,11 @@ UPS_API ups_status ups_profile_get_text(const ups_profile *profile, ups_profile_
  * there is none. Two calls, as for ups_profile_get_text. */
 UPS_API ups_status ups_profile_get_keyword(const ups_profile *profile, const char *name, char *text, size_t capacity,
                                            size_t *needed);
+/* A copy in which the keyword `name` (letters, digits, _; at most 64; kept in capitals) has this value alone, a line of
+ * UTF-8, at most 1000 bytes, or "": for ups_profile_write. Both formats write TEST, MANUFAC, LUMCAT, LUMINAIRE and
+ * ISSUEDATE, IES_LM63 any. The caller owns *out. Errors: INVALID_ARGUMENT. */
+UPS_API ups_status ups_profile_with_keyword(const ups_profile *profile, const char *name, const char *value,
+                                            ups_profile **out);
 /* Interpolated intensity, cd, for count directions in the profile's frame (3 floats each, any length > 0). */
 UPS_API ups_status ups_profile_eval(const ups_profile *profile, const float *directions_xyz, size_t count,
                                     float *intensity_cd);

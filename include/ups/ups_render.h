@@ -50,7 +50,8 @@ typedef struct ups_render_desc {
   uint64_t seed;                      /* same seed and iterations, same bits, whatever the thread count */
   double time_limit_s;                /* 0: none */
   float target_relative_error;        /* stop when the worst meter's error_bound / max(E, 5 % of its set's mean) is below,
-                                       * without meters the mean pixel's; 0: off */
+                                       * without meters the mean pixel's, without cameras too a goniometer's: the noise
+                                       * of its nodes, 95 %, in the mean over the light; 0: off */
   float merge_radius_m;               /* 0: from the scene */
   uint32_t iteration_count;           /* 0: until a limit or the target is met */
   uint32_t max_path_length;           /* edges; 0: none, roulette ends paths without bias */

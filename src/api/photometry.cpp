@@ -1,6 +1,7 @@
 // ups_photometry.h: profiles from tables and from files, and files from profiles.
 #include "photometry/photometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "api/desc.h"
@@ -69,12 +70,33 @@ photometry::Photometry parse(const ups_profile_parse_desc& d) {
   }
 }
 
+std::string upper(std::string text) {
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
+  return text;
+}
+
+void set_keyword(photometry::Photometry& data, const std::string& given, const std::string& value) {
+  constexpr size_t longest_name = 64, longest_value = 1000;
+  const std::string name = upper(given);
+  if (name.empty() || name.size() > longest_name ||
+      name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") != std::string::npos)
+    fail_argument("name: '" + given.substr(0, longest_name) + "' is no keyword; it must be 1 to 64 letters, digits or _");
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+  if (value.size() > longest_value || std::any_of(value.begin(), value.end(), is_control))
+    fail_argument("value: of " + name + "; it must be one line of at most 1000 bytes without control characters");
+  std::vector<photometry::Keyword>& all = data.keywords;
+  const auto same = [&](const photometry::Keyword& k) { return upper(k.name) == name; };
+  const auto first = std::find_if(all.begin(), all.end(), same);
+  if (first == all.end()) {
+    all.push_back({name, value});
+    return;
+  }
+  *first = {name, value};
+  all.erase(std::remove_if(first + 1, all.end(), same), all.end());
+}
+
 std::string values_of(const photometry::Photometry& data, std::string name) {
-  const auto upper = [](std::string text) {
-    for (char& c : text)
-      if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
-    return text;
-  };
   name = upper(std::move(name));
   std::string text;
   for (const photometry::Keyword& k : data.keywords)
@@ -226,6 +248,18 @@ ups_status ups_profile_get_keyword(const ups_profile* profile, const char* name,
   return guard(__func__, [&] {
     const photometry::Photometry& data = *require(profile, "profile").data;
     copy_text(values_of(data, &require(name, "name")), text, capacity, needed);
+  });
+}
+
+ups_status ups_profile_with_keyword(const ups_profile* profile, const char* name, const char* value,
+                                    ups_profile** out) {
+  return guard(__func__, [&] {
+    const photometry::Photometry& data = *require(profile, "profile").data;
+    const std::string key = &require(name, "name"), text = &require(value, "value");
+    require(out, "out");
+    auto copy = std::make_shared<photometry::Photometry>(data);
+    set_keyword(*copy, key, text);
+    *out = new ups_profile{std::move(copy)};
   });
 }
 

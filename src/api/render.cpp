@@ -3,6 +3,7 @@
 
 #include "api/desc.h"
 #include "api/handles.h"
+#include "photometry/writer_text.h"
 #include "render/job.h"
 
 using namespace ups;
@@ -261,12 +262,13 @@ ups_status ups_result_get_goniometer_profile(const ups_result* result, ups_senso
     const Snapshot& scene = *r.scene;
     const Goniometer& g = scene.goniometers[index];
     std::vector<double> intensity;
-    for (const ups_intensity_reading& node : reading.nodes) intensity.push_back(double(node.intensity_cd));
+    for (const ups_intensity_reading& node : reading.nodes) intensity.push_back(photometry::shorter(node.intensity_cd));
     photometry::Photometry data{photometry::Distribution(g.c_deg(), g.gamma_deg(), std::move(intensity))};
     data.opening = scene.goniometer_openings[index];
     data.symmetry = g.symmetry();
-    data.rated_flux_lm = reading.info.emitted_flux_lm;
+    data.rated_flux_lm = photometry::shorter(float(reading.info.emitted_flux_lm));
     data.format = "virtual goniophotometer";
+    data.file_generation = 1.0001;  // LM-63-2019: a computer simulation
     *out = new ups_profile{std::make_shared<const photometry::Photometry>(std::move(data))};
   });
 }

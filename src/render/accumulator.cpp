@@ -275,9 +275,19 @@ GoniometerReading Accumulator::read_goniometer(size_t goniometer) const {
 
 ErrorSummary Accumulator::summarize_goniometers() const {
   std::vector<double> errors;
-  for (const GoniometerSums& g : goniometers_)
-    if (!g.relative_errors(iterations_, errors)) return {};
-  return summary_of(std::move(errors), 0.0);
+  double noise = 0;
+  for (const GoniometerSums& g : goniometers_) {
+    const double own = g.mean_noise(iterations_);
+    if (own < 0) return {};
+    noise = std::max(noise, own);
+    if (!g.relative_errors(iterations_, errors)) {
+      if (!takes_dark_for_dark()) return {};
+      errors.push_back(0);
+    }
+  }
+  ErrorSummary s = summary_of(std::move(errors), 0.0);
+  s.mean = float(noise);  // a target must be within reach
+  return s;
 }
 
 ErrorSummary Accumulator::summarize_images() const {

@@ -50,6 +50,18 @@ bool GoniometerSums::relative_errors(uint32_t iterations, std::vector<double>& o
   return true;
 }
 
+double GoniometerSums::mean_noise(uint32_t iterations) const {
+  double noise = 0, flux = 0;
+  for (uint32_t node = 0; node < goniometer_.node_count(); ++node) {
+    if (goniometer_.representative(node) != node) continue;
+    const Spread s = spread(&wide_[size_t(node) * batch_count], iterations);  // flux, lm
+    if (s.standard_error < 0) return -1;
+    noise += t_quantile(iterations) * s.standard_error;
+    flux += s.mean;
+  }
+  return flux > 0 ? noise / flux : 0;
+}
+
 GoniometerReading GoniometerSums::read(uint32_t iterations, double emitted_lm) const {
   GoniometerReading r;
   for (uint32_t node = 0; node < goniometer_.node_count(); ++node) {

@@ -1,23 +1,43 @@
-// The program's commands and their options. main.cpp fills the options and turns what is thrown into exit codes.
+// The program's commands and their options. The command line (main.cpp, options*.cpp) fills the options; main.cpp turns
+// what is thrown into exit codes.
 #pragma once
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ups/ups_render.h"
+#include "ups/ups_sensor.h"
 
 namespace ups::tool {
 
 inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2, exit_interrupted = 130;
 
-struct RenderOptions {
-  std::string scene, out;
+// Of every command that renders.
+struct JobOptions {
+  std::string scene;
   ups_render_desc desc;  // limits: 0 where not given
   int threads = 0;
-  uint32_t width = 0, height = 0;  // 0: as the file says
   bool json = false;
 
-  RenderOptions() { ups_render_desc_init(&desc, sizeof desc); }
+  JobOptions() { ups_render_desc_init(&desc, sizeof desc); }
+};
+
+struct RenderOptions : JobOptions {
+  std::string out;
+  uint32_t width = 0, height = 0;  // 0: as the file says
+};
+
+struct GoniometerOptions : JobOptions {
+  std::string name;                // of the scene's goniometer; empty: the only one
+  std::string out, errors;         // .ies or .ldt, .csv; empty: not asked for
+  std::vector<std::string> plots;  // .svg, .png
+  std::vector<std::pair<std::string, std::string>> keywords;
+  // Of a goniometer for a scene that has none; grid: the first option that asked for it, empty where there was none.
+  ups_goniometer_desc grid;
+  std::string grid_option;
+
+  GoniometerOptions() { ups_goniometer_desc_init(&grid, sizeof grid); }
 };
 
 struct InfoOptions {
@@ -27,6 +47,7 @@ struct InfoOptions {
 };
 
 int render(const RenderOptions& options);
+int goniometer(const GoniometerOptions& options);
 int info(const InfoOptions& options);
 int convert(const std::string& in, const std::string& out);
 int compare(const std::string& a, const std::string& b, bool json);

@@ -54,12 +54,12 @@ std::string read_text(Read&& read) {
 
 std::vector<std::string> lines_of(const std::string& text);  // without empty ones
 
-// A scene file as the commands use it: imported and committed.
 struct SensorEntry {
   ups_gltf_sensor_info info;
   std::string name;
 };
 
+// What the commands read of a scene file; committed unless it comes from import_scene.
 struct LoadedScene {
   Context context;
   Scene scene;
@@ -69,6 +69,9 @@ struct LoadedScene {
 };
 
 Context make_context(int threads);
+// In two steps for those who change the scene in between; path: of the file.
+LoadedScene import_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height);
+void commit_scene(LoadedScene& scene, const std::string& path);
 LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height);
 
 }  // namespace ups::tool

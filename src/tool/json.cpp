@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tool/goniometer_report.h"
 #include "tool/info_report.h"
 #include "tool/report.h"
 
@@ -118,6 +119,10 @@ ordered_json beam_json(const ups_profile_beam& beam) {
           {"angle_deg", number(beam.angle_deg)}};
 }
 
+ordered_json beams_json(const ups_profile_beam (&beam)[2]) {
+  return {{"c0_c180", beam_json(beam[0])}, {"c90_c270", beam_json(beam[1])}};
+}
+
 template <class Values>
 ordered_json array_json(const Values& values) {
   ordered_json array = ordered_json::array();
@@ -154,8 +159,8 @@ ordered_json profile_json(const ProfileReport& report) {
           {"peak_cd", number(info.peak_cd)},
           {"peak_c_deg", number(info.peak_c_deg)},
           {"peak_gamma_deg", number(info.peak_gamma_deg)},
-          {"beam", {{"c0_c180", beam_json(report.beam[0])}, {"c90_c270", beam_json(report.beam[1])}}},
-          {"field", {{"c0_c180", beam_json(report.field[0])}, {"c90_c270", beam_json(report.field[1])}}},
+          {"beam", beams_json(report.beam)},
+          {"field", beams_json(report.field)},
           {"symmetry", symmetry_word(info.symmetry)},
           {"opening", {{"shape", shape_word(info.opening_shape)}, {"size_m", array_json(info.opening_m)}}},
           {"luminance", luminance},
@@ -201,6 +206,50 @@ ordered_json scene_json(const SceneReport& report) {
 }
 
 }  // namespace
+
+std::string to_json(const Measurement& m) {
+  const ups_result_info& render = m.render.info;
+  const ups_goniometer_info& info = m.info();
+  const ups_profile_info& profile = m.profile.info;
+  return dump({{"scene", m.render.scene},
+               {"goniometer", m.render.goniometers[0].name},
+               {"method", method_word(render.method)},
+               {"iterations", render.iterations},
+               {"time_s", number(render.elapsed_s)},
+               {"threads", render.threads},
+               {"seed", render.seed},
+               {"grid",
+                {{"c_count", info.c_count},
+                 {"gamma_count", info.gamma_count},
+                 {"symmetry", symmetry_word(profile.symmetry)}}},
+               {"flux",
+                {{"emitted_lm", number(info.emitted_flux_lm)},
+                 {"absorbed_lm", number(info.absorbed_flux_lm)},
+                 {"out_lm", number(info.flux_lm)},
+                 {"out_standard_error_lm", number(info.flux_standard_error_lm)},
+                 {"outside_gamma_lm", number(info.outside_flux_lm)},
+                 {"interpolated_lm", number(profile.interpolated_flux_lm)},
+                 {"band_rule_lm", number(profile.flux_lm)},
+                 {"residual_lm", number(m.residual_lm())}}},
+               {"light_output_ratio", number(info.light_output_ratio)},
+               {"light_output_ratio_standard_error", number(info.light_output_ratio_standard_error)},
+               {"peak",
+                {{"intensity_cd", number(m.peak.intensity_cd)},
+                 {"standard_error_cd", number(m.peak.standard_error_cd)},
+                 {"error_bound_cd", number(m.peak.error_bound_cd)},
+                 {"c_deg", number(profile.peak_c_deg)},
+                 {"gamma_deg", number(profile.peak_gamma_deg)}}},
+               {"beam", beams_json(m.profile.beam)},
+               {"field", beams_json(m.profile.field)},
+               {"errors",
+                {{"median_relative_error_bound", number(info.median_relative_error_bound)},
+                 {"worst_relative_error_bound", number(info.worst_relative_error_bound)},
+                 {"worst_c_deg", number(m.worst.c_deg)},
+                 {"worst_gamma_deg", number(m.worst.gamma_deg)},
+                 {"worst_relative_blur", number(m.worst.relative_blur)}}},
+               {"dropped_samples", render.dropped_samples},
+               {"warnings", m.render.warnings}});
+}
 
 std::string to_json(const std::vector<InfoEntry>& entries) {
   ordered_json files = ordered_json::array();

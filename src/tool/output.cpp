@@ -21,26 +21,12 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 constexpr uint32_t max_picture_side = 16384, max_exr_side = 65536;  // of ups_ocio and ups_exr
 
-// Runs write(path); what it throws becomes an error that names the file.
-template <class Write>
-void attempt(Written& written, const std::string& path, Write&& write) {
-  try {
-    write(path);
-  } catch (const std::exception& e) {
-    const std::string message = e.what();
-    written.errors.push_back(message.find(path) == std::string::npos ? path + ": " + message : message);
-  }
-}
-
 // What an image is of, for whoever opens it years later.
 Attributes common_attributes(const ups_result* result) {
   ups_result_info info{};
   info.struct_size = sizeof info;
   check(ups_result_get_info(result, &info));
-  const uint32_t v = ups_version();
-  const std::string version =
-      std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." + std::to_string(v % 100);
-  return {{"software", "ups " + version},
+  return {{"software", "ups " + version_number()},
           {"method", method_word(info.method)},
           {"iterations", std::to_string(info.iterations)},
           {"seed", std::to_string(info.seed)}};
@@ -213,6 +199,16 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
   if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
 }
 
+void probe_folder(const std::string& option, const std::string& folder) {
+  const auto probe = std::filesystem::path(folder) / ("ups-probe." + std::to_string(::getpid()) + ".tmp");
+  std::FILE* file = std::fopen(probe.c_str(), "wb");
+  const int open_errno = errno;
+  if (!file) throw Failure(option + ": cannot write into the folder '" + folder + "': " + std::strerror(open_errno));
+  std::fclose(file);
+  std::error_code ignored;
+  std::filesystem::remove(probe, ignored);
+}
+
 }  // namespace
 
 std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel) {
@@ -228,12 +224,18 @@ void prepare_folder(const std::string& folder) {
   if (error || !std::filesystem::is_directory(folder)) {
     throw Failure("--out: cannot make the folder '" + folder + "'" + (error ? ": " + error.message() : ""));
   }
-  const auto probe = std::filesystem::path(folder) / ("ups-probe." + std::to_string(::getpid()) + ".tmp");
-  std::FILE* file = std::fopen(probe.c_str(), "wb");
-  const int open_errno = errno;
-  if (!file) throw Failure("--out: cannot write into the folder '" + folder + "': " + std::strerror(open_errno));
-  std::fclose(file);
-  std::filesystem::remove(probe, error);
+  probe_folder("--out", folder);
+}
+
+void prepare_file(const std::string& option, const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
+  const std::string folder = parent.empty() ? "." : parent.string();
+  if (!std::filesystem::is_directory(folder, error))
+    throw Failure(option + ": cannot write '" + path + "': there is no folder '" + folder + "'; make it first");
+  if (std::filesystem::is_directory(path, error))
+    throw Failure(option + ": '" + path + "' is a folder; it must be the name of a file");
+  probe_folder(option, folder);
 }
 
 Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result) {

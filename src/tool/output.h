@@ -1,4 +1,5 @@
-// The files of `ups render --out`: images and tables of every sensor. Called by the render command.
+// The files of `ups render --out`: images and tables of every sensor; whether files can be written. Called by the commands
+// that render.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,11 +13,23 @@ std::vector<float> read_image(const ups_result* result, const SensorEntry& camer
 
 // Throws Failure where the folder cannot be made or takes no file: better before a long render than after it.
 void prepare_folder(const std::string& folder);
+// The same of the folder that `path`, the value of `option`, lies in; it is not made.
+void prepare_file(const std::string& option, const std::string& path);
 
 // Each file on its own: one that cannot be written does not take the others with it.
 struct Written {
   std::vector<std::string> errors, warnings;  // each names its file
 };
+// Runs write(path); what it throws becomes an error that names the file.
+template <class Write>
+void attempt(Written& written, const std::string& path, Write&& write) {
+  try {
+    write(path);
+  } catch (const std::exception& e) {
+    const std::string message = e.what();
+    written.errors.push_back(message.find(path) == std::string::npos ? path + ": " + message : message);
+  }
+}
 Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result);
 
 }  // namespace ups::tool

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "common/atomic_file.h"
+
 namespace ups::tool {
 namespace {
 
@@ -107,6 +109,18 @@ Profile read_profile(ups_context* context, const std::string& file) {
   Profile profile;
   if (parse(context, file, profile) != UPS_OK) throw Failure(file + ": " + without_functions(ups_last_error()));
   return profile;
+}
+
+void write_profile(const std::string& file, const ups_profile* profile) {
+  std::string bytes;
+  try {
+    bytes = read_text([&](char* to, size_t capacity, size_t* needed) {
+      return ups_profile_write(profile, *photometric_format(file), to, capacity, needed);
+    });
+  } catch (const Failure& e) {
+    throw Failure(file + ": " + e.what());
+  }
+  extras::write_file(file, bytes.data(), bytes.size());
 }
 
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg) {

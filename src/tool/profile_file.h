@@ -1,5 +1,5 @@
-// A photometric file as the commands use it: read, with everything that the library can tell of it. Called by the
-// commands info and convert.
+// A photometric file as the commands use it: read, with everything that the library can tell of it, and written. Called
+// by the commands info, convert and goniometer.
 #pragma once
 #include <array>
 #include <optional>
@@ -18,6 +18,11 @@ std::optional<ups_profile_format> photometric_format(const std::string& file);
 
 // Throws Failure that names the file.
 Profile read_profile(ups_context* context, const std::string& file);
+// As .ies or .ldt, by its name, whole or not at all. Throws Failure that names the file.
+void write_profile(const std::string& file, const ups_profile* profile);
+inline bool is_written_format(const std::string& file) {
+  return lower_extension(file) == ".ies" || lower_extension(file) == ".ldt";
+}
 
 inline constexpr std::array<float, 4> luminance_c_deg = {0, 90, 180, 270}, luminance_gamma_deg = {45, 65, 75, 85};
 inline constexpr std::array<std::array<float, 2>, 5> zones_deg = {{{0, 30}, {0, 40}, {0, 60}, {0, 90}, {90, 180}}};
@@ -39,6 +44,7 @@ ProfileReport make_report(const std::string& file, const ups_profile* profile);
 // Intensity at (C, gamma) in degrees, cd.
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg);
 
+std::string beams_text(const ProfileReport& report);  // lines of beam and field angle
 const char* shape_word(ups_opening_shape shape);
 const char* symmetry_word(ups_profile_symmetry symmetry);
 

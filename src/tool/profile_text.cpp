@@ -124,13 +124,17 @@ const char* symmetry_word(ups_profile_symmetry symmetry) {
   return symmetry >= 0 && symmetry < int(std::size(words)) ? words[symmetry] : "unknown";
 }
 
+std::string beams_text(const ProfileReport& report) {
+  return planes_text("beam angle", "50 %", report.beam) + planes_text("field angle", "10 %", report.field);
+}
+
 std::string to_text(const ProfileReport& report) {
   const ups_profile_info& info = report.info;
   std::string text = report.file + "\nformat: " + report.format + "\n";
   text += format("flux: %.6g lm (as interpolated for rendering: %.6g lm)\n", info.flux_lm, info.interpolated_flux_lm);
   text += ratios_text(report);
   text += format("peak: %.6g cd at C %g deg, gamma %g deg\n", info.peak_cd, info.peak_c_deg, info.peak_gamma_deg);
-  text += planes_text("beam angle", "50 %", report.beam) + planes_text("field angle", "10 %", report.field);
+  text += beams_text(report);
   text += zones_text(report);
   text += format("symmetry: %s\nopening: %s\n", symmetry_text(info.symmetry), opening_text(info).c_str());
   if (report.has_luminance()) text += luminance_text(report);

@@ -67,9 +67,14 @@ std::string joined(const std::vector<std::string>& words) {
   return result.empty() ? "none" : result;
 }
 
+}  // namespace
+
 std::string percent_text(double fraction) { return fraction < 0 ? "unknown" : format("%.2f %%", 100 * fraction); }
 
-}  // namespace
+std::string version_number() {
+  const uint32_t v = ups_version();
+  return std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." + std::to_string(v % 100);
+}
 
 std::string method_word(ups_method method) {
   switch (method) {

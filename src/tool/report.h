@@ -40,6 +40,8 @@ struct Report {
 };
 
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);
+std::string version_number();  // "0.1.0"
+std::string percent_text(double fraction);  // "1.25 %"; "unknown" below 0
 std::string method_word(ups_method method);  // as in --method
 uint32_t technique_bit(const std::string& name);  // UPS_TECHNIQUE_* of "merge" and the like; 0: there is none
 

@@ -43,7 +43,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height) {
+LoadedScene import_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height) {
   LoadedScene loaded;
   loaded.context = make_context(threads);
   ups_scene* scene = nullptr;
@@ -70,6 +70,11 @@ LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_wid
   loaded.warnings = lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
     return ups_gltf_get_warnings(imported, to, capacity, needed);
   }));
+  return loaded;
+}
+
+void commit_scene(LoadedScene& loaded, const std::string& path) {
+  ups_scene* scene = loaded.scene.get();
   const ups_status committed = ups_scene_commit(scene);
   if (committed != UPS_OK) throw Failure(path + ": " + without_functions(ups_last_error()));
   for (const std::string& line : lines_of(read_text([&](char*to, size_t capacity, size_t*needed) {
@@ -77,6 +82,11 @@ LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_wid
        }))) {
     loaded.warnings.push_back(line);
   }
+}
+
+LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height) {
+  LoadedScene loaded = import_scene(path, threads, camera_width, camera_height);
+  commit_scene(loaded, path);
   return loaded;
 }
 

@@ -39,16 +39,23 @@ void write_sources_csv(const std::string& path, const std::vector<double>& posit
   csv.write(path);
 }
 
-void write_goniometer_csv(const std::string& path, const SensorEntry& goniometer, const ups_result* result) {
+GoniometerNodes read_goniometer(const SensorEntry& goniometer, const ups_result* result) {
   const ups_sensor_id id = goniometer.info.sensor;
-  std::vector<float> c(goniometer.info.columns), gamma(goniometer.info.rows);
+  GoniometerNodes nodes{std::vector<float>(goniometer.info.columns), std::vector<float>(goniometer.info.rows), {}};
+  std::vector<float>&c = nodes.c_deg, &gamma = nodes.gamma_deg;
   check(ups_result_get_goniometer_angles(result, id, c.data(), c.size(), gamma.data(), gamma.size()));
-  std::vector<ups_intensity_reading> nodes(c.size() * gamma.size());
-  check(ups_result_read_goniometer(result, id, nodes.data(), nodes.size()));
+  nodes.readings.resize(c.size() * gamma.size());
+  check(ups_result_read_goniometer(result, id, nodes.readings.data(), nodes.readings.size()));
+  return nodes;
+}
+
+void write_goniometer_csv(const std::string& path, const SensorEntry& goniometer, const ups_result* result) {
+  const GoniometerNodes nodes = read_goniometer(goniometer, result);
   Csv csv("c_deg,gamma_deg,intensity_cd,standard_error_cd,bias_cd,error_bound_cd");
-  for (size_t i = 0; i < nodes.size(); ++i) {
-    for (float value : {c[i / gamma.size()], gamma[i % gamma.size()], nodes[i].intensity_cd, nodes[i].standard_error_cd,
-                        nodes[i].bias_cd, nodes[i].error_bound_cd})
+  for (size_t i = 0; i < nodes.readings.size(); ++i) {
+    const ups_intensity_reading& r = nodes.readings[i];
+    for (float value : {nodes.c_deg_of(i), nodes.gamma_deg_of(i), r.intensity_cd, r.standard_error_cd, r.bias_cd,
+                        r.error_bound_cd})
       csv.add(double(value));
     csv.end_row();
   }

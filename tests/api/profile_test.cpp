@@ -105,6 +105,35 @@ TEST_F(Profile, KeywordsHaveOneNameInBothFormats) {
   expect_error(ups_profile_get_keyword(read, nullptr, nullptr, 0, &needed), UPS_ERROR_INVALID_ARGUMENT, {"name is NULL"});
 }
 
+TEST_F(Profile, ACopyHasAnotherKeyword) {
+  ups_profile* copy = nullptr;
+  parse(desc(ies_with_tilt));
+  EXPECT_OK(ups_profile_with_keyword(read, "Other", "third", &copy));
+  EXPECT_EQ(keyword("OTHER"), "first\nsecond") << "the profile itself stays";
+  std::swap(read, copy);
+  ups_profile_destroy(copy);
+  EXPECT_EQ(keyword("OTHER"), "third");
+  EXPECT_OK(ups_profile_with_keyword(read, "lumcat", "A 1", &copy));
+  std::swap(read, copy);
+  ups_profile_destroy(copy);
+  const std::string ies = written(UPS_PROFILE_IES_LM63), ldt = written(UPS_PROFILE_EULUMDAT);
+  EXPECT_NE(ies.find("[LUMCAT] A 1\r\n"), std::string::npos);
+  EXPECT_NE(ldt.find("\r\nA 1\r\n"), std::string::npos);
+  const auto refused = [&](const char* name, const char* value, const std::vector<std::string>& words) {
+    ups_profile* none = nullptr;
+    expect_error(ups_profile_with_keyword(read, name, value, &none), UPS_ERROR_INVALID_ARGUMENT, words);
+    EXPECT_EQ(none, nullptr);
+  };
+  refused("", "x", {"name", "letters"});
+  refused("TEST] [LAMP", "x", {"name", "TEST] [LAMP"});
+  refused(std::string(65, 'A').c_str(), "x", {"name"});
+  refused("TEST", "two\nlines", {"value", "TEST", "one line"});
+  refused("TEST", std::string(1001, 'x').c_str(), {"value", "1000"});
+  refused(nullptr, "x", {"name is NULL"});
+  refused("TEST", nullptr, {"value is NULL"});
+  expect_error(ups_profile_with_keyword(read, "TEST", "x", nullptr), UPS_ERROR_INVALID_ARGUMENT, {"out is NULL"});
+}
+
 TEST_F(Profile, InfoTellsTypeAndRatio) {
   const ups_profile_info c = parse(desc(ies_with_tilt));
   EXPECT_EQ(c.photometric_type, UPS_PHOTOMETRIC_C);

@@ -80,6 +80,62 @@ TEST_F(Sources, GoniometerReadingsHaveTheirGrid) {
   ups_profile_destroy(measured);
 }
 
+// 95 % noise of the nodes, in the mean over the light; nodes weigh by solid angle.
+double mean_noise(const std::vector<ups_intensity_reading>& nodes) {
+  constexpr double t = 2.131, radian = 3.14159265358979323846 / 180;  // t of 15 degrees of freedom, two-sided
+  double noise = 0, light = 0;
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const double weight = std::max(std::sin(2.5 * double(i % 73) * radian), 1e-3);
+    noise += weight * t * double(nodes[i].standard_error_cd);
+    light += weight * double(nodes[i].intensity_cd);
+  }
+  return noise / light;
+}
+
+TEST_F(Sources, AGoniometersTargetIsItsNoise) {
+  EXPECT_OK(ups_scene_remove_sensor(scene, meter));
+  EXPECT_OK(ups_scene_commit(scene));
+  desc.light_paths_per_iteration = 256;
+  desc.iteration_count = 20000;
+  uint32_t iterations[2] = {};
+  for (int i = 0; i < 2; ++i) {
+    desc.target_relative_error = i ? 0.05f : 0.1f;
+    ups_result_destroy(result);
+    result = nullptr;
+    render();
+    ups_result_info info{};
+    info.struct_size = sizeof info;
+    EXPECT_OK(ups_result_get_info(result, &info));
+    iterations[i] = info.iterations;
+    std::vector<ups_intensity_reading> nodes(24 * 73);
+    EXPECT_OK(ups_result_read_goniometer(result, goniometer, nodes.data(), nodes.size()));
+    EXPECT_LT(mean_noise(nodes), 1.05 * double(desc.target_relative_error));
+    EXPECT_GT(mean_noise(nodes), 0.6 * double(desc.target_relative_error)) << "checked at every fourth more iterations";
+  }
+  EXPECT_GT(iterations[1], iterations[0]);
+  EXPECT_LT(iterations[1], 6.5 * iterations[0]);  // 4, or less: samples are stratified
+}
+
+TEST_F(Sources, ADarkGoniometerEndsItsRender) {
+  const float nadir[] = {0, 1};
+  const double below_the_lamp[12] = {1, 0, 0, -0.5, 0, 1, 0, -0.5, 0, 0, 1, 0};
+  EXPECT_OK(ups_scene_set_transform(scene, instance, below_the_lamp));
+  gonio.gamma_deg = nadir, gonio.gamma_count = 2;
+  EXPECT_OK(ups_scene_remove_sensor(scene, meter));
+  EXPECT_OK(ups_scene_remove_sensor(scene, goniometer));
+  EXPECT_OK(ups_scene_add_goniometer(scene, &gonio, &goniometer));
+  EXPECT_OK(ups_scene_commit(scene));
+  desc.light_paths_per_iteration = 256;
+  desc.iteration_count = 2000;
+  desc.target_relative_error = 0.02f;
+  render();
+  ups_result_info info{};
+  info.struct_size = sizeof info;
+  EXPECT_OK(ups_result_get_info(result, &info));
+  EXPECT_GE(info.iterations, 256u);
+  EXPECT_LT(info.iterations, 600u);
+}
+
 TEST_F(Sources, GoniometerFieldsAreChecked) {
   const float falling[] = {0, 90, 45}, late[] = {10, 20, 30}, far[] = {0, 90, 181};
   ups_sensor_id id{};

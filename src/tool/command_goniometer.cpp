@@ -1,0 +1,122 @@
+// ups goniometer: a fixture in, its luminous intensity distribution out: loads a scene, measures what leaves it, writes
+// .ies or .ldt, a table of errors and diagrams, prints the flux balance.
+#include <cstdio>
+#include <filesystem>
+
+#include "tool/commands.h"
+#include "tool/goniometer_report.h"
+#include "tool/interrupt.h"
+#include "tool/output.h"
+#include "tool/profile_plot.h"
+#include "tool/render_job.h"
+#include "tool/tables.h"
+
+namespace ups::tool {
+
+namespace {
+
+void prepare_files(const GoniometerOptions& options) {
+  if (!options.out.empty()) prepare_file("--out", options.out);
+  if (!options.errors.empty()) prepare_file("--errors", options.errors);
+  for (const std::string& plot : options.plots) prepare_file("--plot", plot);
+}
+
+// The scene's own goniometer that is meant; none: it has none.
+const SensorEntry* find_goniometer(const LoadedScene& scene, const GoniometerOptions& options) {
+  const SensorEntry* found = nullptr;
+  std::string names;
+  size_t count = 0;
+  for (const SensorEntry& sensor : scene.sensors) {
+    if (sensor.info.kind != UPS_GLTF_GONIOMETER) continue;
+    names += (names.empty() ? "" : ", ") + sensor.name;
+    ++count;
+    if (options.name.empty() || options.name == sensor.name) found = &sensor;
+  }
+  if (!options.name.empty() && count == 0)
+    throw Failure(options.scene + ": --name " + options.name +
+                  ": the scene has no goniometer; without --name it gets one");
+  if (!options.name.empty() && !found)
+    throw Failure(options.scene + ": --name " + options.name + ": the scene's goniometers are " + names);
+  if (options.name.empty() && count > 1)
+    throw Failure(options.scene + ": has " + std::to_string(count) + " goniometers; choose one with --name: " + names);
+  if (found && !options.grid_option.empty())
+    throw Failure(options.scene + ": " + options.grid_option +
+                  " is for scenes without a goniometer; this one has its own, " + found->name +
+                  ", whose angles and symmetry stand in the file: change them there");
+  return found;
+}
+
+SensorEntry add_own_goniometer(ups_scene* scene, const ups_goniometer_desc& grid) {
+  SensorEntry entry{};
+  entry.name = "goniometer";
+  entry.info.struct_size = sizeof entry.info;
+  entry.info.kind = UPS_GLTF_GONIOMETER;
+  entry.info.columns = grid.c_count;
+  entry.info.rows = grid.gamma_count;
+  check(ups_scene_add_goniometer(scene, &grid, &entry.info.sensor));
+  return entry;
+}
+
+// The scene with one goniometer and no other sensor.
+LoadedScene load(const GoniometerOptions& options) {
+  LoadedScene scene = import_scene(options.scene, options.threads, 0, 0);
+  const SensorEntry* own = find_goniometer(scene, options);
+  const SensorEntry chosen = own ? *own : add_own_goniometer(scene.scene.get(), options.grid);
+  for (const SensorEntry& sensor : scene.sensors)
+    if (sensor.info.sensor.v != chosen.info.sensor.v)
+      check(ups_scene_remove_sensor(scene.scene.get(), sensor.info.sensor));
+  scene.sensors = {chosen};
+  commit_scene(scene, options.scene);
+  ups_scene_info info{};
+  info.struct_size = sizeof info;
+  check(ups_scene_get_info(scene.scene.get(), &info));
+  if (!(info.emitted_flux_lm > 0))
+    throw Failure(options.scene +
+                  ": nothing in it emits light; add a fixture, a luminaire, a light or an emitting material");
+  return scene;
+}
+
+void check_light(const GoniometerOptions& options, const ups_goniometer_info& info) {
+  if (info.flux_lm <= 0)
+    throw Failure(options.scene +
+                  ": no light leaves the scene, so there is none to measure; put the fixture alone into it");
+  if (info.flux_lm <= info.outside_flux_lm)
+    throw Failure(options.scene + ": all light leaves the scene beyond the goniometer's range of gamma");
+}
+
+Written write_files(const GoniometerOptions& options, const SensorEntry& goniometer, const ups_result* result,
+                    const ups_profile* profile, const ProfileReport& report) {
+  Written written;
+  if (!options.out.empty())
+    attempt(written, options.out, [&](const std::string& path) { write_profile(path, profile); });
+  if (!options.errors.empty())
+    attempt(written, options.errors, [&](const std::string& path) { write_goniometer_csv(path, goniometer, result); });
+  for (const std::string& plot : options.plots)
+    attempt(written, plot, [&](const std::string& path) { write_plot(path, profile, report); });
+  return written;
+}
+
+}  // namespace
+
+int goniometer(const GoniometerOptions& options) {
+  install_interrupt_handler();
+  prepare_files(options);
+  const LoadedScene scene = load(options);
+  const Finished finished = run_render(scene.scene.get(), options.desc);
+  tell_interruption(finished);
+  if (!finished.result) return exit_interrupted;
+  const ups_result* result = finished.result.get();
+  const SensorEntry& sensor = scene.sensors[0];
+  Report render = make_report(options.scene, scene, result);
+  check_light(options, render.goniometers[0].info);
+  Profile profile = make_profile(result, sensor, render, std::filesystem::path(options.scene).stem().string());
+  for (const auto& [name, value] : options.keywords) profile = with_keyword(profile, name, value);
+  const Measurement measurement =
+      measure(options.out.empty() ? options.scene : options.out, sensor, result, profile.get(), std::move(render));
+  const Written written = write_files(options, sensor, result, profile.get(), measurement.profile);
+  std::fputs((options.json ? to_json(measurement) : to_text(measurement)).c_str(), stdout);
+  for (const std::string& error : written.errors) std::fprintf(stderr, "ups: error: %s\n", error.c_str());
+  return written.errors.empty() ? finished.exit_code() : exit_failed;
+}
+
+}  // namespace ups::tool

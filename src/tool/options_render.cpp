@@ -1,0 +1,191 @@
+// Options of `ups render` and those that all commands that render share.
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <system_error>
+
+#include "tool/options.h"
+#include "tool/profile_plot.h"
+#include "tool/report.h"
+
+namespace ups::tool {
+
+std::string plot_file(const std::string& path) {
+  return is_plot_file(path) ? "" : "must end in .svg or .png, not '" + path + "'";
+}
+
+std::string written_file(const std::string& path) {
+  return is_written_format(path) ? "" : "must end in .ies or .ldt, not '" + path + "'";
+}
+
+namespace {
+
+std::string positive(const std::string& text) {
+  double value = 0;
+  const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
+  return good ? "" : "must be a number greater than 0, not '" + text + "'";
+}
+
+std::string between(const std::string& text, double smallest, double largest, const std::string& words) {
+  double value = 0;
+  const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
+  return good ? "" : "must be a number " + words + ", not '" + text + "'";
+}
+
+// ups_render_desc holds both as floats: beyond these they would be 0, hence off, or infinite, or 1.
+std::string target(const std::string& text) { return between(text, 1e-30, 1e30, "from 1e-30 to 1e30, such as 0.02"); }
+std::string fraction(const std::string& text) { return between(text, 1e-6, 0.999999, "between 0 and 1"); }
+
+// CLI11 lets "-1" wrap around, and cuts what is too large.
+std::string whole(const std::string& text) {
+  uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  const bool good = parsed.ec == std::errc() && parsed.ptr == end;
+  return good ? "" : "must be a whole number from 0 to 18446744073709551615, not '" + text + "'";
+}
+
+// WxH into the two numbers; the text of what is wrong, or none.
+std::string parse_size(const std::string& text, uint32_t& width, uint32_t& height) {
+  constexpr uint32_t max_side = 16384;
+  const size_t cross = text.find('x');
+  const auto number = [](const std::string& digits, uint32_t& out) {
+    if (digits.empty() || digits.size() > 5 || digits.find_first_not_of("0123456789") != std::string::npos)
+      return false;
+    out = uint32_t(std::stoul(digits));
+    return out >= 1 && out <= max_side;
+  };
+  if (cross != std::string::npos && number(text.substr(0, cross), width) && number(text.substr(cross + 1), height)) {
+    return {};
+  }
+  return "must be WIDTHxHEIGHT, each from 1 to 16384, such as 640x480, not '" + text + "'";
+}
+
+// Within the method: for comparisons and for those who know what they look for.
+void add_method_options(CLI::App& command, ups_render_desc& desc) {
+  static const std::string group = "Method in detail";
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--techniques",
+          [&desc](const std::vector<std::string>& words) {
+            for (const std::string& word : words) desc.techniques |= technique_bit(word);
+          },
+          "Only these of the method's: emitter_hit,light_sample,connect,sensor_connect,merge,sensor_hit")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(
+          [](const std::string& word) {
+            return technique_bit(word) ? std::string() : "'" + word + "' is no technique";
+          },
+          ""))
+      ->type_name("LIST")
+      ->group(group);
+  command.add_option("--max-path-length", desc.max_path_length, "Edges of the longest path; without it there is no limit")
+      ->check(CLI::Range(uint32_t(1), UINT32_MAX))
+      ->type_name("N")
+      ->group(group);
+  command.add_option("--light-paths", desc.light_paths_per_iteration, "Of an iteration; rounded up to a power of two")
+      ->check(CLI::Range(uint32_t(1), uint32_t(1) << 24))
+      ->type_name("N")
+      ->group(group);
+  command.add_option("--merge-radius", desc.merge_radius_m, "First radius of merging, m; without it the scene decides")
+      ->check(CLI::Validator(target, ""))
+      ->type_name("M")
+      ->group(group);
+  command.add_option("--alpha", desc.radius_alpha, "How slowly the radius falls, between 0 and 1 (2/3)")
+      ->check(CLI::Validator(fraction, ""))
+      ->type_name("A")
+      ->group(group);
+  command.add_option("--glossy-alpha", desc.glossy_alpha, "sppm passes metal and rough glass sharper than this GGX alpha (0.2)")
+      ->check(CLI::Validator(fraction, ""))
+      ->type_name("A")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--perturbation",
+          [&desc](const std::string& word) {
+            desc.perturbation = word == "actual" ? UPS_PERTURBATION_ACTUAL : UPS_PERTURBATION_VIRTUAL;
+          },
+          "virtual, or actual: connect to points drawn within the merging radius, as biased as merging is")
+      ->check(CLI::IsMember({"virtual", "actual"}))
+      ->type_name("WORD")
+      ->group(group);
+  command
+      .add_option("--technique-images", desc.technique_images,
+                  "With --out: NAME_techniques.exr, what each technique brings for paths of up to so many edges (at most 16)")
+      ->check(CLI::Range(1, 16))
+      ->type_name("N")
+      ->group(group);
+}
+
+}  // namespace
+
+void add_job_options(CLI::App& command, JobOptions& options, const std::vector<std::string>& words,
+                     const std::string& aim) {
+  static const std::map<std::string, int32_t> methods = {
+      {"auto", UPS_METHOD_AUTO},         {"ups", UPS_METHOD_UPS},
+      {"pt", UPS_METHOD_PATH_TRACING},   {"lt", UPS_METHOD_LIGHT_TRACING},
+      {"bpt", UPS_METHOD_BIDIRECTIONAL}, {"ppm", UPS_METHOD_PPM},
+      {"sppm", UPS_METHOD_SPPM},         {"bpm", UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}};
+  std::string listed;
+  for (size_t i = 1; i < words.size(); ++i) listed += ", " + words[i];
+  command.add_option("SCENE", options.scene, "A .gltf or .glb file")->required();
+  command
+      .add_option_function<std::string>(
+          "--method", [&options](const std::string& word) { options.desc.method = methods.at(word); },
+          "auto (the scene decides)" + listed)
+      ->check(CLI::IsMember(words))
+      ->type_name("METHOD");
+  command.add_option("--time", options.desc.time_limit_s, "Stop after this many seconds")
+      ->check(CLI::Validator(positive, ""))
+      ->type_name("S");
+  command.add_option("--iterations", options.desc.iteration_count, "Stop after this many iterations")
+      ->check(CLI::Range(uint32_t(1), UINT32_MAX))
+      ->type_name("N");
+  command
+      .add_option("--target-error", options.desc.target_relative_error,
+                   "Stop when " + aim + " is below: 0.02 is 2 %")
+      ->check(CLI::Validator(target, ""))
+      ->type_name("R");
+  command.add_option("--seed", options.desc.seed, "Same seed and iterations, same result (1)")
+      ->check(CLI::Validator(whole, ""))
+      ->type_name("N");
+  command.add_option("--threads", options.threads, "0: all hardware threads")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  command.add_flag("--json", options.json, "Print one JSON object on standard output");
+}
+
+void add_render(CLI::App& app, RenderOptions& options) {
+  CLI::App* command = app.add_subcommand("render", "Compute illuminance and luminance of a glTF scene");
+  add_job_options(*command, options, {"auto", "ups", "pt", "lt", "bpt", "ppm", "sppm", "bpm"},
+                  "the worst meter's relative error, without meters the mean pixel's,");
+  command
+      ->add_option_function<std::string>(
+          "--size", [&options](const std::string& text) { parse_size(text, options.width, options.height); },
+          "Size of every camera's image, instead of the file's")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            uint32_t w, h;
+            return parse_size(text, w, h);
+          },
+          ""))
+      ->type_name("WxH");
+  command
+      ->add_option_function<std::string>(
+          "--separate",
+          [&options](const std::string& word) {
+            options.desc.separation = word == "groups" ? UPS_SEPARATE_GROUPS : UPS_SEPARATE_LUMINAIRES;
+          },
+          "luminaires or groups: with --out, a table NAME_luminaires.csv of what each contributes to each meter")
+      ->check(CLI::IsMember({"luminaires", "groups"}))
+      ->type_name("WORD");
+  command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
+      ->type_name("DIR");
+  add_method_options(*command, options.desc);
+  command->footer(
+      "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"
+      "Ctrl-C stops it; the results so far are written.");
+}
+
+}  // namespace ups::tool

@@ -1,0 +1,74 @@
+#include "tool/render_job.h"
+
+#include <cstdio>
+
+#include "tool/interrupt.h"
+#include "tool/progress.h"
+
+namespace ups::tool {
+
+namespace {
+
+constexpr uint32_t poll_interval_ms = 100;
+constexpr double default_target_error = 0.02, default_time_s = 60;
+
+void set_limits(ups_render_desc& desc) {
+  if (desc.time_limit_s != 0 || desc.iteration_count != 0 || desc.target_relative_error != 0) return;
+  desc.target_relative_error = float(default_target_error);
+  desc.time_limit_s = default_time_s;
+}
+
+// Waits for the job's end. False where it was interrupted.
+bool wait_for(ups_job* job) {
+  Progress progress;
+  bool cancelled = false;
+  for (;;) {
+    const ups_status status = ups_job_wait(job, poll_interval_ms);
+    if (status != UPS_TIMEOUT && status != UPS_CANCELLED) {
+      progress.finish();
+      check(status);
+      return true;
+    }
+    ups_progress state{};
+    state.struct_size = sizeof state;
+    check(ups_job_poll(job, &state));
+    progress.update(state);
+    if (status == UPS_CANCELLED) {
+      progress.finish();
+      return false;
+    }
+    if (interrupted() && !cancelled) {
+      ups_job_cancel(job);
+      cancelled = true;
+    }
+  }
+}
+
+}  // namespace
+
+Finished run_render(const ups_scene* scene, ups_render_desc desc) {
+  set_limits(desc);
+  begin_interruptible_work();
+  ups_job* started = nullptr;
+  check(ups_job_start(scene, &desc, &started));
+  const Job job(started);
+  const bool complete = wait_for(job.get());
+  ups_result* taken = nullptr;
+  const ups_status status = ups_job_result(job.get(), &taken);
+  if (complete || status != UPS_ERROR_INVALID_STATE) check(status);
+  return {Result(taken), complete};
+}
+
+void tell_interruption(const Finished& finished) {
+  if (finished.complete) return;
+  if (!finished.result) {
+    std::fprintf(stderr, "ups: interrupted before the first iteration: there are no results\n");
+    return;
+  }
+  ups_result_info info{};
+  info.struct_size = sizeof info;
+  check(ups_result_get_info(finished.result.get(), &info));
+  std::fprintf(stderr, "ups: interrupted; the results are those of %u iterations\n", info.iterations);
+}
+
+}  // namespace ups::tool

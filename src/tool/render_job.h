@@ -1,0 +1,21 @@
+// A render as the commands run it: with the program's limits, a bar on standard error, and Ctrl-C. Called by the
+// commands render and goniometer.
+#pragma once
+#include "tool/commands.h"
+#include "tool/handles.h"
+
+namespace ups::tool {
+
+struct Finished {
+  Result result;  // none: interrupted before the first iteration
+  bool complete;  // false: interrupted
+  int exit_code() const { return complete ? exit_done : exit_interrupted; }
+};
+
+// desc: without any limit it gets those of the program, 2 % and 60 s. Throws Failure.
+Finished run_render(const ups_scene* scene, ups_render_desc desc);
+
+// On standard error, what an interrupted render has; nothing of a complete one.
+void tell_interruption(const Finished& finished);
+
+}  // namespace ups::tool
