@@ -1184,6 +1184,9 @@ namespace Ups
         internal static extern Status ups_profile_get_keyword(ProfileHandle profile, byte* name, byte* text, UIntPtr
             capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_with_keyword(ProfileHandle profile, byte* name, byte* value, out
+            ProfileHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_eval(ProfileHandle profile, float* directions_xyz, UIntPtr count,
             float* intensity_cd);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

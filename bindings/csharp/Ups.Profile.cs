@@ -87,6 +87,17 @@ namespace Ups
             }) ?? "";
         }
 
+        /// <summary>A copy in which the keyword has this value alone, for Write.</summary>
+        public Profile WithKeyword(string name, string value)
+        {
+            if (name == null) throw new ArgumentNullException("name");
+            if (value == null) throw new ArgumentNullException("value");
+            ProfileHandle handle;
+            fixed (byte* n = Encoding.UTF8.GetBytes(name + "\0"), v = Encoding.UTF8.GetBytes(value + "\0"))
+                Library.Check(Native.ups_profile_with_keyword(Handle, n, v, out handle));
+            return new Profile(handle);
+        }
+
         /// <summary>The bytes of a file, IesLm63 or Eulumdat, that parse to the same distribution.</summary>
         public byte[] Write(ProfileFormat format = ProfileFormat.IesLm63)
         {

@@ -25,10 +25,16 @@ uint32_t techniques_of(int32_t method) {
   }
 }
 
+// First light on so small patches is what eye paths miss for long, with errors that know nothing of it: from an even
+// illuminance of a room (about 2) to a pendant below a ceiling (tens) they find it.
+constexpr float concentrated = 64;
+
 // Without a caster that is sharp, and where eye paths reach all light, photons add nothing that eye paths lack.
 int32_t automatic(const Snapshot& scene, const Sensors& s) {
   if (s.goniometers) return s.cameras || s.points || s.cells ? UPS_METHOD_UPS : UPS_METHOD_LIGHT_TRACING;
-  return scene.effects.path_tracing_complete && !scene.effects.sharp_caster ? UPS_METHOD_PATH_TRACING : UPS_METHOD_UPS;
+  const SceneEffects& e = scene.effects;
+  return e.path_tracing_complete && !e.sharp_caster && e.concentration < concentrated ? UPS_METHOD_PATH_TRACING
+                                                                                      : UPS_METHOD_UPS;
 }
 
 void describe(std::string& text, uint32_t techniques, uint32_t bit, const char* name, const std::string& on, const std::string& off) {
@@ -46,8 +52,11 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
            !s.cameras ? "the scene has no camera: no light image" : was_automatic ? diffuse : "not in the set" + chosen);
   describe(text, t, merge, "merge",
            scene.effects.ray_emitters ? "the light of a ray file is carried by light paths alone"
-           : scene.effects.path_tracing_complete ? "caustics: photons are merged at diffuse vertices and meters"
-                                               : "some light reaches diffuse surfaces through specular ones alone: only photons carry it",
+           : !scene.effects.path_tracing_complete
+               ? "some light reaches diffuse surfaces through specular ones alone: only photons carry it"
+           : !scene.effects.sharp_caster && scene.effects.concentration >= concentrated
+               ? "light first meets patches of the surfaces that are so small that eye paths find them by chance alone"
+               : "caustics: photons are merged at diffuse vertices and meters",
            was_automatic ? "no photon index and no merging: " + diffuse : "not in the set" + chosen);
   describe(text, t, sensor_hit, "sensor_hit", s.goniometers ? "light paths are counted where they leave the scene for a goniometer, or land on a meter's cell"
                          : "light paths are counted where they land on a meter's cell",

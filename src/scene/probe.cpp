@@ -1,7 +1,10 @@
 // See probe.h.
 #include "scene/probe.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "base/rng.h"
 
@@ -41,25 +44,68 @@ uint32_t medium_at(const Snapshot& scene, Vec3 p) {
   return none;
 }
 
+namespace {
+
+// Where light of the emitter meets a surface first; numbers of its own for each i.
+struct FirstLight {
+  double flux = 0;    // 0: nothing was emitted
+  bool hit = false;
+  SurfacePoint surface;
+};
+
+FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i) {
+  const auto a = philox({i, 0, 0, 0}, {0, 0}), b = philox({i, 1, 0, 0}, {0, 0});
+  FirstLight out;
+  EmissionSample s;
+  if (!emitter.sample_emission({to_unit_float(a[0]), to_unit_float(a[1])}, {to_unit_float(b[0]), to_unit_float(b[1])}, s))
+    return out;
+  out.flux = double(luminance(s.flux));
+  Hit hit;
+  out.hit = scene.raytracer->intersect(s.p + s.n * (2 * s.error), s.direction, std::numeric_limits<float>::infinity(), hit);
+  if (out.hit) out.surface = scene.raytracer->surface_at(hit);
+  return out;
+}
+
+bool is_continuous(const Snapshot& scene, const SurfacePoint& s) {
+  return Bsdf(scene.materials[s.material], s.uv).has_continuous();
+}
+
+}  // namespace
+
 float exposed_share(const Snapshot& scene, const Emitter& emitter) {
   constexpr uint32_t rays = 1024;
   double total = 0, exposed = 0;
   for (uint32_t i = 0; i < rays; ++i) {
-    const auto a = philox({i, 0, 0, 0}, {0, 0}), b = philox({i, 1, 0, 0}, {0, 0});
-    EmissionSample s;
-    if (!emitter.sample_emission({to_unit_float(a[0]), to_unit_float(a[1])}, {to_unit_float(b[0]), to_unit_float(b[1])}, s))
-      continue;
-    const double flux = luminance(s.flux);
-    total += flux;
-    Hit hit;
-    if (!scene.raytracer->intersect(s.p + s.n * (2 * s.error), s.direction, std::numeric_limits<float>::infinity(), hit)) {
-      exposed += flux;  // a meter in the air may stand in its way
-      continue;
-    }
-    const SurfacePoint surface = scene.raytracer->surface_at(hit);
-    if (Bsdf(scene.materials[surface.material], surface.uv).has_continuous()) exposed += flux;
+    const FirstLight light = first_light(scene, emitter, i);
+    total += light.flux;
+    // What meets nothing counts: a meter in the air may stand in its way.
+    if (light.flux > 0 && (!light.hit || is_continuous(scene, light.surface))) exposed += light.flux;
   }
   return total > 0 ? float(exposed / total) : 1.0f;
+}
+
+// By pairs of points that lie within some distance r of each other: the mean of E^2 over discs of that size. The largest
+// over r, as long as there are pairs enough for a tenth's error.
+float first_light_concentration(const Snapshot& scene) {
+  constexpr uint32_t rays = 1024, least_pairs = 100;
+  std::vector<Vec3> points;
+  for (uint32_t i = 0; i < rays && scene.emitters.size() > 0; ++i) {
+    const EmitterSet::Choice choice = scene.emitters.choose_emission((float(i) + 0.5f) / rays);  // by flux
+    const FirstLight light = first_light(scene, scene.emitters[choice.index], i);
+    if (light.flux > 0 && light.hit && is_continuous(scene, light.surface)) points.push_back(light.surface.p);
+  }
+  constexpr int sizes = 12;
+  uint32_t within[sizes] = {};  // pairs closer than 2^-k of the scene's radius
+  const float radius2 = scene.radius * scene.radius;
+  for (size_t i = 0; i < points.size(); ++i)
+    for (size_t j = 0; j < i; ++j) {
+      const float d2 = length2(points[i] - points[j]);
+      for (int k = 0; k < sizes && d2 < radius2 * std::ldexp(1.0f, -2 * k); ++k) ++within[k];
+    }
+  double most = 0;
+  for (int k = 0; k < sizes && within[k] >= least_pairs; ++k)  // area of the bounds 4 pi R^2, of a disc pi r^2
+    most = std::max(most, within[k] / (0.5 * rays * rays) * std::ldexp(4.0, 2 * k));
+  return float(most);
 }
 
 }  // namespace ups

@@ -23,6 +23,7 @@ struct SceneEffects {
   uint32_t effects = 0;       // UPS_EFFECT_*
   bool path_tracing_complete = true;  // no emitter without extent beside a mirror-like surface, and no ray emitter
   bool ray_emitters = false;  // some light comes from the rays of a file: light paths alone carry it
+  float concentration = 1;    // of first light on small patches, see scene/probe.h
   bool sharp_caster = false;  // some material has a delta lobe or a continuous lobe with alpha < 0.2
   bool transmits_solid = false;
   bool coloured = false;

@@ -28,6 +28,8 @@ def test_keywords_by_name(context):
     assert profile.keyword("manufac") == "maker"
     assert profile.keyword("OTHER").splitlines() == ["first", "second"]
     assert profile.keyword("LUMCAT") == ""
+    again = ups.Profile.parse(context, profile.with_keyword("lumcat", "DL 50").write())
+    assert (again.keyword("LUMCAT"), again.keyword("MANUFAC")) == ("DL 50", "maker")
 
 
 def test_a_tilt_file_is_asked_for_and_applied(context):

@@ -194,7 +194,7 @@ class Measures(GoniometerTest):
 class InARoom(GoniometerTest):
     def readings(self, name, light, height):
         scene = self.write(name + ".gltf", room(light, height))
-        self.run_program("render", scene, "--method", "lt", "--light-paths", 32768, "--iterations", 24, "--seed", 11,
+        self.run_program("render", scene, "--light-paths", 32768, "--iterations", 24, "--seed", 11,
                          "--out", self.path(name))
         return read_table(os.path.join(self.path(name), "floor.csv"))
 

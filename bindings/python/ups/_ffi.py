@@ -776,6 +776,7 @@ PROTOTYPES = {
     "ups_profile_get_info": (c_int32, [c_void_p, POINTER(ProfileInfo)]),
     "ups_profile_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_get_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_profile_with_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, POINTER(c_void_p)]),
     "ups_profile_eval": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)]),
     "ups_profile_get_luminance": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)]),
     "ups_profile_get_zonal_flux": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_double)]),

@@ -58,6 +58,10 @@ class Profile(Handle):
         """The values of one keyword, in any case: a line each where there are several, empty where there is none."""
         return read_text(lib.ups_profile_get_keyword, self, name.encode("utf-8"))
 
+    def with_keyword(self, name, value):
+        """A copy in which the keyword has this value alone, for write."""
+        return Profile(create(lib.ups_profile_with_keyword, self, name.encode("utf-8"), value.encode("utf-8")))
+
     @property
     def format(self):
         return read_text(lib.ups_profile_get_text, self, ProfileText.FORMAT)
