@@ -48,10 +48,15 @@ void check_memory(const Snapshot& scene, uint32_t technique_edges, size_t column
   for (const Camera& c : scene.cameras) pixels += c.pixel_count();
   double meters = 0;
   for (const MeterSet& set : scene.meter_sets) meters += double(set.meters.size());
+  double nodes = 0;
+  for (const Goniometer& g : scene.goniometers) nodes += double(g.node_count());
   constexpr double bytes_per_reading = 320;  // sums by batch, one iteration's tally, and the reading
-  const double needed = pixels * bytes_per_pixel + meters * double(columns) * bytes_per_reading, there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  const double needed = pixels * bytes_per_pixel + (meters * double(columns) + nodes) * bytes_per_reading;
+  const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   if (needed > there)
-    throw Error(UPS_ERROR_OUT_OF_MEMORY, "the cameras' images and the meters' separate readings need " + std::to_string(int64_t(needed / 1e9)) + " GB while they are rendered, the machine has " +
+    throw Error(UPS_ERROR_OUT_OF_MEMORY, "the cameras' images, the meters' separate readings and the goniometers need " +
+                                             std::to_string(int64_t(needed / 1e9)) +
+                                             " GB while they are rendered, the machine has " +
                                              std::to_string(int64_t(there / 1e9)));
 }
 
