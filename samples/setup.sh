@@ -7,7 +7,7 @@ set -euo pipefail
 
 run_packages=(cmake ninja-build g++ pkgconf libembree-dev libtbb-dev libopenexr-dev libimath-dev libopencolorio-dev
   libtinygltf-dev libstb-dev nlohmann-json3-dev libcli11-dev python3-numpy)
-test_packages=(libgtest-dev python3-pytest python3-matplotlib mono-mcs mono-runtime abigail-tools)
+test_packages=(libgtest-dev python3-pytest python3-matplotlib mono-mcs mono-runtime abigail-tools clang libclang-rt-dev)
 benchmark_packages=(libbenchmark-dev)
 
 case "${1-}" in

@@ -4,7 +4,7 @@
 #                                                        BUILD/tests/fuzz (build/release), one after the other; prints
 #                                                        executions and findings, keeps what it found in BUILD/tests/fuzz
 #   tests/fuzz/run.sh --short FUZZER CORPUS              the test's run: fixed seed; exit code 77 without the fuzzer
-# Exit code 1 where a reader crashed, leaked, was slow (10 s for an input) allocated 512 MB at once.
+# Exit code 1 where a reader crashed, leaked, was slow (10 s for an input) or allocated 512 MB at once.
 set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 limits=(-max_len=4096 -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb=512 -print_final_stats=1)
@@ -23,7 +23,11 @@ fi
 
 executions=${1:-10000000}
 build=${2:-$here/../../build/release}
-folder=$(cd "$build/tests/fuzz" && pwd) || exit 2
+if ! compgen -G "$build/tests/fuzz/fuzz_*" >/dev/null; then
+  echo "$build has no fuzzers: install clang, then build the project there, as tests/run.sh does" >&2
+  exit 2
+fi
+folder=$(cd "$build/tests/fuzz" && pwd)
 shift $(($# < 2 ? $# : 2))
 readers=("$@")
 if [ ${#readers[@]} = 0 ]; then
