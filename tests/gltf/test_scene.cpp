@@ -339,6 +339,23 @@ TEST_F(GoodFile, LuminairesTakeTheTiltFileBesideThem) {
   EXPECT_EQ(scene.luminaires[3].profile_bytes, scene.luminaires[0].profile_bytes);
 }
 
+TEST_F(GoodFile, TheTiltFileIsFoundBesideASceneNamedWithoutItsFolder) {
+  SceneBuilder builder;
+  write("lamp.ies", "TILT=HID.tlt");
+  write("hid.tlt", "table");
+  builder.add_node({{"extras", {{"ups", {{"luminaire", {{"file", "lamp.ies"}}}}}}}});
+  const std::string text = builder.gltf();
+  write("scene.bin", builder.bytes);
+  const std::filesystem::path given = folder, before = std::filesystem::current_path();
+  std::filesystem::current_path(given);
+  folder.clear();
+  EXPECT_EQ(import_text(text), UPS_OK) << error;
+  std::filesystem::current_path(before);
+  folder = given;
+  ASSERT_EQ(scene.luminaires.size(), 1u);
+  EXPECT_EQ(scene.luminaires[0].profile_bytes, "TILT=HID.tlt+table");
+}
+
 TEST_F(GoodFile, Luminaires) {
   SceneBuilder builder;
   write("spot light.ies", "profile");

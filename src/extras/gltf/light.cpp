@@ -15,6 +15,11 @@ constexpr double quarter_pi = 0.78539816339744831;
 // Rec.709.
 double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
+// Where files beside it are looked for; a bare name lies in the working folder, not nowhere.
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
 constexpr double min_temperature = 1667, max_temperature = 25000;
 
 // Chromaticity of the Planckian locus: Kang et al. 2002, "Design of advanced color temperature control system for HDTV
@@ -101,7 +106,7 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
     const bool embedded = uri.rfind("data:", 0) == 0;
     if (!embedded) where += ", file '" + uri + "'";
     const std::filesystem::path folder =
-        embedded ? std::filesystem::path() : (document_.folder / utf8_path(percent_decoded(uri))).parent_path();
+        embedded ? std::filesystem::path() : folder_of(document_.folder / utf8_path(percent_decoded(uri)));
     desc.profile = profile({embedded ? light.where() : uri, read_uri(document_, uri, where), folder}, where);
   } else {
     const int64_t view = light.integer("bufferView", 0, 0, std::numeric_limits<int32_t>::max());
@@ -129,7 +134,7 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   ups_luminaire_desc desc;
   ups_luminaire_desc_init(&desc, sizeof desc);
   const std::filesystem::path path = document_.folder / utf8_path(file);
-  ProfileFile source{file, read_file(path, luminaire.where()), path.parent_path()};
+  ProfileFile source{file, read_file(path, luminaire.where()), folder_of(path)};
   if (luminaire.has("tilt_deg")) source.tilt_deg = float(luminaire.number("tilt_deg", 0, 0, 180));
   source.lamp_set = uint32_t(luminaire.integer("lamp_set", 0, 0, 999));
   desc.profile = profile(source, where);
