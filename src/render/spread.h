@@ -16,7 +16,8 @@ inline constexpr double share_of_mean = 0.05;
 
 // Two-sided 95 % quantile of Student's t, 3 to 15 degrees of freedom; at least min_batches.
 inline double t_quantile(uint32_t batches) {
-  static constexpr double table[] = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131};
+  static constexpr double table[] = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262,
+                                     2.228, 2.201, 2.179, 2.160, 2.145, 2.131};
   return table[std::min<uint32_t>(batches, batch_count) - min_batches];
 }
 

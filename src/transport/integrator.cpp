@@ -6,7 +6,8 @@
 
 namespace ups {
 
-Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool, const std::atomic<bool>& stop)
+Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
+                       const std::atomic<bool>& stop)
     : scene_(std::move(scene)), settings_(settings), pool_(pool), plan_(make_plan(*scene_, settings)) {
   choose_radii(*scene_, settings_, pool_, stop, plan_);
 }
