@@ -116,11 +116,7 @@ ups_meter_reading Accumulator::reading_of(const MeterSums& sums) const {
   out.indirect_lx = float(std::max(0.0, e.mean - double(out.direct_lx)));
   out.bias_lx = float(b.mean);
   out.standard_error_lx = float(e.standard_error);
-  // |b| + t sqrt(s^2 + s_b^2): the two are uncorrelated, as the bias estimate's kernel is orthogonal to the disc's.
-  out.error_bound_lx =
-      e.standard_error < 0
-          ? -1.0f
-          : float(std::abs(b.mean) + t_quantile(iterations_) * std::hypot(e.standard_error, b.standard_error));
+  out.error_bound_lx = error_bound(e, b, iterations_);
   return out;
 }
 

@@ -30,10 +30,7 @@ ups_intensity_reading GoniometerSums::read_node(uint32_t node, uint32_t iteratio
   out.intensity_cd = float(i.mean);
   out.standard_error_cd = float(i.standard_error);
   out.bias_cd = float(b.mean);
-  out.error_bound_cd =
-      i.standard_error < 0
-          ? -1.0f
-          : float(std::abs(b.mean) + t_quantile(iterations) * std::hypot(i.standard_error, b.standard_error));
+  out.error_bound_cd = error_bound(i, b, iterations);
   return out;
 }
 

@@ -1,4 +1,5 @@
-// Mean and standard error from interleaved batches, and quantiles of relative errors. Used by the accumulator's parts.
+// Mean, standard error and error bound from interleaved batches, and quantiles of relative errors. Used by the
+// accumulator's parts.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,13 @@ Spread spread(const T* sums, uint32_t samples, size_t stride = 1) {
   }
   s.standard_error = std::sqrt(square / (double(samples) * (used - 1)));
   return s;
+}
+
+// |b| + t sqrt(s^2 + s_b^2): the two are uncorrelated, as the bias estimate's kernel is orthogonal to the value's.
+// -1: not known.
+inline float error_bound(const Spread& value, const Spread& bias, uint32_t samples) {
+  if (value.standard_error < 0) return -1;
+  return float(std::abs(bias.mean) + t_quantile(samples) * std::hypot(value.standard_error, bias.standard_error));
 }
 
 // The value at a share q of the values, which are put in another order.
