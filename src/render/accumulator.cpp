@@ -1,3 +1,4 @@
+// See accumulator.h: meters, images and their techniques in the order in, readings out, then summaries of the errors.
 #include "render/accumulator.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// See coverage.h: whether one technique can sample one pattern, the patterns that a scene's materials can make, and the
+// words for those that are missing.
 #include "render/coverage.h"
 
 #include <algorithm>

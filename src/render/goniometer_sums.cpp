@@ -1,3 +1,4 @@
+// See goniometer_sums.h. A node's bias is the difference of its two sets of hats (sensor/goniometer.h).
 #include "render/goniometer_sums.h"
 
 namespace ups {

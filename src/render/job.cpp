@@ -1,3 +1,4 @@
+// See job.h: what is asked for is checked, then the loop over iterations, its limits, progress, and the result.
 #include "render/job.h"
 
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// See method.h: techniques of each method, UPS_METHOD_AUTO's choice, and the words of both.
 #include "render/method.h"
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
-// Where does a point stand that is no surface's own: off which surface, in which glass? Asked at commit by
-// scene/prepare for meters, cameras and luminaires.
+// Where does a point stand that is no surface's own: off which surface, in which glass? And what does the emitters'
+// light meet first? Asked at commit by scene/prepare, for meters, cameras and luminaires.
 #pragma once
 #include "scene/snapshot.h"
 

@@ -1,3 +1,4 @@
+// See goniometer.h: nodes that symmetry makes alike, integrals of the hats, and flux divided among the nodes.
 #include "sensor/goniometer.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// See output.h: a camera's images and the layers of its techniques; a meter set's table, a grid's also as images;
+// folders and files tried out before a render.
 #include "tool/output.h"
 
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// See report.h: gathering a render's numbers, words for methods and techniques, and the report for people.
 #include "tool/report.h"
 
 #include <algorithm>

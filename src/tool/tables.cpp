@@ -1,3 +1,4 @@
+// See tables.h: columns named by luminaire, instance or group; nodes of a goniometer with their errors.
 #include "tool/tables.h"
 
 #include "tool/csv.h"

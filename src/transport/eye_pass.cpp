@@ -1,3 +1,4 @@
+// See eye_pass.h: which light path an eye path is paired with, which pixels an iteration visits, and the two loops.
 #include "transport/eye_pass.h"
 
 #include "transport/eye_walk.h"

@@ -1,3 +1,5 @@
+// See eye_walk.h: the walk, emitter hits, next-event estimation, connections, merges, scattering, and what a meter's
+// own point does in their place.
 #include "transport/eye_walk.h"
 
 #include <limits>

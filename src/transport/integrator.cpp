@@ -1,3 +1,4 @@
+// See integrator.h: radii of the iteration, the light pass, the photon index, and the eye passes of all sensors.
 #include "transport/integrator.h"
 
 #include "transport/eye_pass.h"

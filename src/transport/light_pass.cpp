@@ -1,3 +1,4 @@
+// See light_pass.h: one light path (LightWalk), blocks of paths on all threads, and what blocks found put in order.
 #include "transport/light_pass.h"
 
 #include <limits>

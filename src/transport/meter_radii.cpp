@@ -1,4 +1,4 @@
-// The radius at which a meter's disc starts to catch photons: so that noise and bias together are least.
+// See radii.h: the radius at which a meter's disc starts to catch photons, so that noise and bias together are least.
 #include <algorithm>
 #include <cmath>
 #include <limits>

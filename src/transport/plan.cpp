@@ -1,3 +1,4 @@
+// See plan.h: numbers of paths from the scene's sensors, and the counts that the weights are made of.
 #include "transport/plan.h"
 
 #include <algorithm>

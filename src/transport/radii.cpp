@@ -1,3 +1,5 @@
+// See radii.h: a pixel's radius from its footprint, that of the walks from the spacing of pilot photons. Those of
+// meters are fitted in meter_radii.cpp.
 #include "transport/radii.h"
 
 #include <limits>

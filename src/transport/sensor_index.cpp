@@ -1,3 +1,4 @@
+// See sensor_index.h: every meter's disc or cell at the radius of this iteration.
 #include "transport/sensor_index.h"
 
 #include "transport/walk.h"
