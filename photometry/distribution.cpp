@@ -1,6 +1,6 @@
-// The table of distribution.h: validation, interpolation, the two fluxes, and sampling by exact inversion. All of it works
-// in the frame of the table's own polar axis, where every type is azimuth and polar angle; directions are turned on the
-// way in and out.
+// The table of distribution.h: validation, interpolation, the two fluxes, and sampling by exact inversion. All of it
+// works in the frame of the table's own polar axis, where every type is azimuth and polar angle; directions are turned
+// on the way in and out.
 //
 // With planes C_i and rows g_j the intensity is bilinear, so its integral over C is linear in gamma between rows. The
 // marginal density of gamma is therefore (a + b gamma) sin(gamma) in a band, whose integral is in closed form, and the

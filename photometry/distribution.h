@@ -28,9 +28,9 @@ class Distribution {
   // at least 2 of them. intensity_cd: gamma fastest, finite, >= 0; at most max_values. Throws std::invalid_argument
   // that names the field and element.
   Distribution(std::vector<double> c_deg, std::vector<double> gamma_deg, std::vector<double> intensity_cd);
-  // A table of any type in its own angles: planes through the polar axis (type A: H, type B: V), at least 2, ascending in
-  // [-180, 180], and rows (A: V, B: H), at least 2, ascending in [-90, 90]; row fastest. The planes do not wrap around.
-  // Type c is the constructor above.
+  // A table of any type in its own angles: planes through the polar axis (type A: H, type B: V), at least 2, ascending
+  // in [-180, 180], and rows (A: V, B: H), at least 2, ascending in [-90, 90]; row fastest. The planes do not wrap
+  // around. Type c is the constructor above.
   Distribution(PhotometricType type, std::vector<double> plane_deg, std::vector<double> row_deg,
                std::vector<double> intensity_cd);
 
@@ -55,8 +55,8 @@ class Distribution {
   Sample sample(double u1, double u2) const;
   double pdf_w(double x, double y, double z) const;
 
-  // The table in its own angles: of type C planes C and rows gamma, of type A planes H and rows V, of type B planes V and
-  // rows H.
+  // The table in its own angles: of type C planes C and rows gamma, of type A planes H and rows V, of type B planes V
+  // and rows H.
   PhotometricType type() const { return type_; }
   const std::vector<double>& c_deg() const { return c_deg_; }
   const std::vector<double>& gamma_deg() const { return gamma_deg_; }

@@ -184,8 +184,9 @@ void EulumdatReader::choose_lamps() {
     warn(lamp_line_, std::to_string(n) + " lamp sets, which are alternatives; number " + std::to_string(i + 1) +
                          " is taken: " + s.type + ", " + shown(s.flux_lm) + " lm");
   if (!(s.flux_lm > 0) || s.flux_lm > 1e12)
-    fail_at(lamp_line_, "the flux of lamp set " + std::to_string(i + 1) + " is " + shown(s.flux_lm) +
-                            " lm; the intensities are per 1000 lm of it, so it must be greater than 0 and at most 1e12");
+    fail_at(lamp_line_,
+            "the flux of lamp set " + std::to_string(i + 1) + " is " + shown(s.flux_lm) +
+                " lm; the intensities are per 1000 lm of it, so it must be greater than 0 and at most 1e12");
   const auto add = [&](const char* name, const std::string& text) {
     if (!text.empty()) keywords_.push_back({name, text});
   };
@@ -271,8 +272,9 @@ void EulumdatReader::check_flux(const Distribution& distribution) {
   if (distribution.band_flux_lm() == 0) warn(table_line_, "all intensities are 0");
   const double percent = 100 * distribution.band_flux_lm() / lamps_[options_.lamp_set].flux_lm;
   if (light_output_percent_ > 0 && std::abs(percent / light_output_percent_ - 1) > 0.02)
-    warn(ratio_line_, "the light output ratio is " + shown(light_output_percent_) + " %, but the intensities add up to " +
-                          shown(percent) + " % of the lamps' flux; they are used as they are");
+    warn(ratio_line_, "the light output ratio is " + shown(light_output_percent_) +
+                          " %, but the intensities add up to " + shown(percent) +
+                          " % of the lamps' flux; they are used as they are");
 }
 
 Photometry EulumdatReader::read() {

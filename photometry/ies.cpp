@@ -1,6 +1,6 @@
-// Reads IES LM-63 files of 1986, 1991, 1995, 2002 and 2019, of photometric types A, B and C, as strictly as their data allows:
-// what would change the light is an error, what is only odd is a warning, each with its line. Called by programs and
-// the API.
+// Reads IES LM-63 files of 1986, 1991, 1995, 2002 and 2019, of photometric types A, B and C, as strictly as their data
+// allows: what would change the light is an error, what is only odd is a warning, each with its line. Called by
+// programs and the API.
 //
 // Layout: label lines, TILT=, then numbers alone: 10 fields, 3 fields, vertical angles, horizontal angles, candelas
 // plane by plane. Records may wrap anywhere.
@@ -130,9 +130,9 @@ void IesReader::read_opening() {
   if (largest > 10)
     warn(in_.line(), "a luminous opening of " + shown(largest) + " m is doubtful; are its units right?");
   const OpeningMatch match = ies_opening(header_.edition, width, length, height, opening_);
-  // The direction (0, 0), forward, is vertical in types B and C, but horizontal in type A (LM-63-2002, "photometric zero"
-  // and "photometric horizontal"): there the length lies along forward and the height along up. Without a height that
-  // would be a sheet edge-on to the aim; writers mean the face.
+  // The direction (0, 0), forward, is vertical in types B and C, but horizontal in type A (LM-63-2002, "photometric
+  // zero" and "photometric horizontal"): there the length lies along forward and the height along up. Without a height
+  // that would be a sheet edge-on to the aim; writers mean the face.
   if (table_.type == PhotometricType::a && height != 0) {
     std::swap(opening_.size_m[0], opening_.size_m[2]);
     if (opening_.shape == OpeningShape::cylinder) opening_.axis = 2 - opening_.axis;  // y stays y
@@ -237,7 +237,8 @@ Photometry IesReader::finish() {
   try {
     const PhotometricType type = table_.type;
     Symmetry symmetry = Symmetry::none;
-    Photometry out{arrange_ies_table(std::move(table_), header_.edition, {vertical_line_, table_line_}, symmetry, warnings_)};
+    Photometry out{
+        arrange_ies_table(std::move(table_), header_.edition, {vertical_line_, table_line_}, symmetry, warnings_)};
     check_flux(out);
     out.type = type;
     out.opening = opening_;

@@ -1,5 +1,5 @@
-// The angle ranges of IES LM-63. Type C: parts of a circle, by edition. Types A and B: from -90 to 90, or from 0 where the
-// other half is the mirror image; tables that end earlier are read as dark beyond.
+// The angle ranges of IES LM-63. Type C: parts of a circle, by edition. Types A and B: from -90 to 90, or from 0 where
+// the other half is the mirror image; tables that end earlier are read as dark beyond.
 #include "photometry/ies_planes.h"
 
 #include <algorithm>
@@ -59,7 +59,8 @@ Distribution arrange_c(IesTable table, const Context& context, Symmetry& symmetr
     if (symmetry == Symmetry::none && !(first == 0 && last <= 360 && close_circle(planes, context)))
       fail_at(context.lines.horizontal,
               range + " are not of type C; they must run from 0 to 90, 180 or 360, from 90 to 270, or be a single one");
-    if (half) context.warn(context.lines.horizontal, range + " are not of type C; read as one half of a mirrored distribution");
+    if (half)
+      context.warn(context.lines.horizontal, range + " are not of type C; read as one half of a mirrored distribution");
     if (across && context.edition != IesEdition::y1995)
       context.warn(context.lines.horizontal, range + " are not of " + name_of(context.edition) +
                    "; read as mirrored about the plane 90-270, as in 1995");
@@ -108,7 +109,8 @@ Distribution arrange_a_or_b(IesTable table, const Context& context, Symmetry& sy
                               " needs at least 2, as it is not symmetric about its axis");
   std::vector<double> horizontal;
   for (const Plane& p : table.planes) horizontal.push_back(p.c_deg);
-  const bool h = is_half(horizontal, "horizontal", context.lines.horizontal, context), v = is_half(table.vertical_deg, "vertical", context.lines.vertical, context);
+  const bool h = is_half(horizontal, "horizontal", context.lines.horizontal, context),
+             v = is_half(table.vertical_deg, "vertical", context.lines.vertical, context);
   for (size_t i = 0; i < horizontal.size(); ++i) table.planes[i].c_deg = horizontal[i];
   symmetry = h && v ? Symmetry::quadrants : h ? Symmetry::c0_c180 : v ? Symmetry::c90_c270 : Symmetry::none;
   if ((h && v ? 4 : h || v ? 2 : 1) * table.planes.size() * table.vertical_deg.size() > Distribution::max_values)

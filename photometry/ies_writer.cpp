@@ -1,5 +1,5 @@
-// Writes IES LM-63-2019: the planes that the symmetry needs, numbers that read back to the same bits, the opening by the
-// codes of 2002 and 2019. Called by programs and the API.
+// Writes IES LM-63-2019: the planes that the symmetry needs, numbers that read back to the same bits, the opening by
+// the codes of 2002 and 2019. Called by programs and the API.
 #include <algorithm>
 
 #include "photometry/planes.h"
@@ -93,8 +93,9 @@ Half stated(const std::vector<double>& angle, bool mirrored) {
     out.angle.push_back(mirrored && out.angle.empty() ? 0 : angle[i]);
   }
   if (!mirrored && std::abs(out.angle.front()) < 1e-3)
-    throw std::invalid_argument("a table of type A or B that starts at an angle of 0 without being half of a symmetric one "
-                                "cannot be written; LM-63 would mirror it");
+    throw std::invalid_argument(
+        "a table of type A or B that starts at an angle of 0 without being half of a symmetric one "
+        "cannot be written; LM-63 would mirror it");
   return out;
 }
 

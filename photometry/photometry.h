@@ -1,6 +1,6 @@
-// A photometric file as read or to be written: a distribution, the luminous opening, what the file says of the luminaire,
-// or the rays of a ray file. Made by the readers (ies, eulumdat, tm33, ray files) and by programs; the standard library
-// only.
+// A photometric file as read or to be written: a distribution, the luminous opening, what the file says of the
+// luminaire, or the rays of a ray file. Made by the readers (ies, eulumdat, tm33, ray files) and by programs; the
+// standard library only.
 #pragma once
 #include "photometry/distribution.h"
 
@@ -18,8 +18,8 @@ class UnsupportedError : public std::runtime_error {
 enum class Symmetry { none, axial, c0_c180, c90_c270, quadrants };
 enum class OpeningShape { point, rectangle, disc, box, cylinder, sphere };
 
-// The luminous opening, centred on the photometric centre. A rectangle and a disc lie in the plane of the axis along which
-// they have no extent; a disc, a cylinder and a sphere of unequal sizes are elliptical. All sides of a box shine.
+// The luminous opening, centred on the photometric centre. A rectangle and a disc lie in the plane of the axis along
+// which they have no extent; a disc, a cylinder and a sphere of unequal sizes are elliptical. All sides of a box shine.
 struct Opening {
   OpeningShape shape = OpeningShape::point;
   float size_m[3] = {0, 0, 0};  // along local x (C0-C180), y (C90-C270), z
@@ -62,7 +62,8 @@ struct Photometry {
   Tilt tilt;
   std::vector<std::string> warnings;  // each with its line
   PhotometricType type = PhotometricType::c;  // of the file; Distribution answers in C-gamma terms for all of them
-  // Of an EULUMDAT file all, alternatives; of an IES file its lamps; of a TM-33 file its emitters, which shine together.
+  // Of an EULUMDAT file all, alternatives; of an IES file its lamps;
+  // of a TM-33 file its emitters, which shine together.
   std::vector<LampSet> lamp_sets;
   std::vector<Ray> rays;           // of a ray file; the distribution is then their far field, binned
   size_t lamp_set = 0;             // the set that the intensities hold for
@@ -99,8 +100,8 @@ Photometry read(const void* bytes, size_t size, const ReadOptions& options = {})
 // LM-63-2019: type A and B tables as they are; lamps, opening, keywords, TILT table; absolute where no rated flux is
 // known. File generation type: photometry.file_generation, or 1.00001 (undefined).
 std::string write_ies(const Photometry& photometry);
-// EULUMDAT: type A and B tables resampled (Distribution::in_c_gamma), the chosen or first lamp set alone, no tilt table;
-// of the keywords those that have a line.
+// EULUMDAT: type A and B tables resampled (Distribution::in_c_gamma), the chosen or first lamp set alone, no tilt
+// table; of the keywords those that have a line.
 std::string write_eulumdat(const Photometry& photometry);
 
 }  // namespace photometry

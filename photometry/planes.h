@@ -15,8 +15,8 @@ struct Plane {
 // Whether two angles of a file, in degrees, mean the same.
 inline bool is_near(double a, double b) { return std::abs(a - b) < 1e-3; }
 
-// The planes that a file states, in any order within [0, 360), become those of the full circle, ascending from 0: mirror
-// images where there is a symmetry, an interpolated plane at 0 where there is none.
+// The planes that a file states, in any order within [0, 360), become those of the full circle, ascending from 0:
+// mirror images where there is a symmetry, an interpolated plane at 0 where there is none.
 void complete_circle(std::vector<Plane>& planes, Symmetry symmetry);
 
 // 0 to 360 states the first plane twice: the last one is taken out, their mean stays. Warns where they differ by more

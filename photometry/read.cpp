@@ -6,8 +6,8 @@
 namespace photometry {
 namespace {
 
-// EULUMDAT has no signature; its lines 2 to 6 are small numbers: type 0-3, symmetry 0-4, planes, step, angles. A field may
-// be empty, which is 0.
+// EULUMDAT has no signature; its lines 2 to 6 are small numbers: type 0-3, symmetry 0-4, planes, step, angles. A field
+// may be empty, which is 0.
 bool looks_like_eulumdat(const std::string& text) {
   TextReader in(text);
   std::string_view line;

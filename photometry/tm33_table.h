@@ -1,5 +1,5 @@
 // Intensities of single directions, in any order, made a table; and tables of several emitters added up. Used by
-// tm33.cpp.
+// tm33.cpp and tm33_elements.cpp.
 #pragma once
 #include "photometry/photometry.h"
 

@@ -1,6 +1,6 @@
 // A pull reader of XML for files of measured data: elements, attributes, text, CDATA, the five entities and character
 // references; comments, processing instructions and a document type are passed over, and no entity is ever expanded
-// from one. Used by tm33.cpp. Names lose their namespace prefix.
+// from one. Used by tm33_elements.cpp. Names lose their namespace prefix.
 //
 //   XmlReader xml(text);
 //   xml.enter_root();

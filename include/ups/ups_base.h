@@ -71,7 +71,8 @@ UPS_API const char *ups_status_name(ups_status status);
  * Never NULL; empty before the first failure; valid until this thread's next failing call. */
 UPS_API const char *ups_last_error(void);
 
-/* Every *_desc starts with struct_size and is filled with defaults by its *_init, which writes at most struct_size bytes:
+/* Every *_desc starts with struct_size and is filled with defaults by its *_init, which writes at most struct_size
+ * bytes:
  *   ups_mesh_desc d; ups_mesh_desc_init(&d, sizeof d); d.positions_m = ...;
  * The library reads at most d.struct_size bytes and takes its own defaults for the rest. */
 

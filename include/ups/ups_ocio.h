@@ -35,8 +35,8 @@ UPS_API void ups_ocio_false_color_desc_init(ups_ocio_false_color_desc *desc, uin
 /* Small grids are enlarged, each value a rectangle of one colour; beside the picture stands its labelled scale. */
 UPS_API ups_status ups_ocio_write_false_color_png(const char *path, const ups_ocio_false_color_desc *desc);
 
-/* 8-bit pixels as they are: 3 bytes a pixel, sRGB, row 0 at the top, rows without gaps. The file appears whole or not at
- * all. */
+/* 8-bit pixels as they are: 3 bytes a pixel, sRGB, row 0 at the top, rows without gaps. The file appears whole or not
+ * at all. */
 UPS_API ups_status ups_ocio_write_pixels_png(const char *path, const uint8_t *rgb, uint32_t width, uint32_t height);
 
 /* This thread's last failure of this library, for people. Never NULL; valid until this thread's next failing call. */

@@ -35,8 +35,8 @@ enum {
   UPS_SYMMETRY_QUADRANTS = 4  /* both */
 };
 
-/* How the file tabulates directions. Profiles answer in C-gamma terms for all: the forward direction (0, 0) of types A and
- * B is the nadir, up is C0, right (seen along forward) is C270. */
+/* How the file tabulates directions. Profiles answer in C-gamma terms for all: the forward direction (0, 0) of types A
+ * and B is the nadir, up is C0, right (seen along forward) is C270. */
 typedef int32_t ups_photometric_type;
 enum { UPS_PHOTOMETRIC_C = 0, UPS_PHOTOMETRIC_B = 1, UPS_PHOTOMETRIC_A = 2 };
 
@@ -45,7 +45,8 @@ typedef struct ups_profile_desc {
   uint32_t struct_size;
   uint32_t c_count, gamma_count; /* >= 1, >= 2; at most 4,000,000 values together */
   uint32_t reserved;             /* 0 */
-  const float *c_deg;            /* c_count, ascending, in [0, 360), from 0; a single plane, at any angle, is axially symmetric */
+  const float *c_deg;            /* c_count, ascending, in [0, 360), from 0; a single plane, at any angle,
+                                  * is axially symmetric */
   const float *gamma_deg;        /* gamma_count, ascending, in [0, 180]; outside its range the intensity is 0 */
   const float *intensity_cd;     /* c_count * gamma_count, gamma fastest, finite, >= 0 */
   ups_opening_shape opening_shape;
@@ -60,9 +61,11 @@ typedef struct ups_profile_parse_desc {
   ups_profile_format format;
   const void *bytes;        /* of the file */
   size_t size;
-  const void *tilt_file;    /* optional: bytes of the file that TILT= names in an IES file (UPS_PROFILE_TEXT_TILT_FILE) */
+  const void *tilt_file;    /* optional: bytes of the file that TILT= names in an IES file
+                             * (UPS_PROFILE_TEXT_TILT_FILE) */
   size_t tilt_file_size;
-  float tilt_deg;           /* >= 0: intensities times the TILT factor at this tilt of the luminaire; < 0: none (default) */
+  float tilt_deg;           /* >= 0: intensities times the TILT factor at this tilt of the luminaire;
+                             * < 0: none (default) */
   uint32_t lamp_set;        /* of an EULUMDAT file, whose lamp sets are alternatives; from 0 */
 } ups_profile_parse_desc;
 
@@ -78,19 +81,21 @@ typedef struct ups_profile_info {
   float opening_m[3];                /* luminous opening along local x, y, z; 0: point */
   ups_opening_shape opening_shape;
   ups_profile_symmetry symmetry;
-  uint32_t c_count, gamma_count;     /* of the stored table, symmetry expanded; of type A planes H, rows V; B planes V, rows H */
+  uint32_t c_count, gamma_count;     /* of the stored table, symmetry expanded; of type A planes H, rows V;
+                                      * B planes V, rows H */
   ups_photometric_type photometric_type;
   uint32_t ray_count;                /* of a ray file, else 0 */
   double up_flux_lm, down_flux_lm;   /* above and below the horizon, together flux_lm */
   double light_output_ratio;         /* flux_lm / rated_flux_lm; < 0: not known */
-  float beam_angle_deg[2];           /* where the intensity is half of the peak; planes C0-C180 and C90-C270; < 0: nowhere */
+  float beam_angle_deg[2];           /* where the intensity is half of the peak; planes C0-C180 and
+                                      * C90-C270; < 0: nowhere */
   float field_angle_deg[2];          /* a tenth of the peak */
   int32_t opening_axis;              /* of a cylinder: 0 x, 1 y, 2 z */
   uint32_t lamp_set_count;           /* that the file states; at least 1 for a file that states lamps */
 } ups_profile_info;
 
-/* The lobe around the peak of one plane, which runs full circle: its angles are gamma on the half plane C, -gamma on the
- * half plane C + 180. */
+/* The lobe around the peak of one plane, which runs full circle: its angles are gamma on the half plane C, -gamma on
+ * the half plane C + 180. */
 typedef struct ups_profile_beam {
   uint32_t struct_size;
   float peak_cd, peak_deg;     /* of this plane; of equal peaks the one nearest to the nadir, then on the side of C */
@@ -115,11 +120,11 @@ UPS_API ups_status ups_profile_parse(ups_context *context, const void *bytes, si
 UPS_API void ups_profile_parse_desc_init(ups_profile_parse_desc *desc, uint32_t struct_size);
 /* The same with a TILT file, a tilt, a lamp set. Errors: INVALID_ARGUMENT also where the file has no such lamp set. */
 UPS_API ups_status ups_profile_parse_with(ups_context *context, const ups_profile_parse_desc *desc, ups_profile **out);
-/* The text of a photometric file that parses to the same distribution: IES_LM63 (LM-63-2019; types A and B as they are) or
- * EULUMDAT (types A and B resampled onto C-planes). Two calls, as for ups_profile_get_text; the final zero is no part of
- * the file. Errors: UNSUPPORTED for other formats. */
-UPS_API ups_status ups_profile_write(const ups_profile *profile, ups_profile_format format, char *bytes, size_t capacity,
-                                     size_t *needed);
+/* The text of a photometric file that parses to the same distribution: IES_LM63 (LM-63-2019; types A and B as they are)
+ * or EULUMDAT (types A and B resampled onto C-planes). Two calls, as for ups_profile_get_text; the final zero is no
+ * part of the file. Errors: UNSUPPORTED for other formats. */
+UPS_API ups_status ups_profile_write(const ups_profile *profile, ups_profile_format format, char *bytes,
+                                     size_t capacity, size_t *needed);
 /* info->struct_size must be set; at most that many bytes are written. */
 UPS_API ups_status ups_profile_get_info(const ups_profile *profile, ups_profile_info *info);
 /* Two calls: text NULL and capacity 0 give *needed (with the final zero), then the text. */
@@ -137,18 +142,20 @@ UPS_API ups_status ups_profile_with_keyword(const ups_profile *profile, const ch
 /* Interpolated intensity, cd, for count directions in the profile's frame (3 floats each, any length > 0). */
 UPS_API ups_status ups_profile_eval(const ups_profile *profile, const float *directions_xyz, size_t count,
                                     float *intensity_cd);
-/* Mean luminance of the luminous opening seen from count directions, cd/m^2: intensity / area of its silhouette. < 0: the
- * opening is a point, or flat and seen edge on. Directions as for ups_profile_eval. */
+/* Mean luminance of the luminous opening seen from count directions, cd/m^2: intensity / area of its silhouette. < 0:
+ * the opening is a point, or flat and seen edge on. Directions as for ups_profile_eval. */
 UPS_API ups_status ups_profile_get_luminance(const ups_profile *profile, const float *directions_xyz, size_t count,
                                              float *luminance_cd_m2);
 /* Flux by the band rule between count ascending gamma angles, degrees, in [0, 180]: count - 1 values, lm. A band of the
- * table across an edge is parted by solid angle; tables of type A and B are parted as their interpolated intensity is. */
+ * table across an edge is parted by solid angle; tables of type A and B are parted as their interpolated intensity
+ * is. */
 UPS_API ups_status ups_profile_get_zonal_flux(const ups_profile *profile, const float *gamma_deg, size_t count,
                                               double *flux_lm);
-/* Where the interpolated intensity first falls below `fraction` of the plane's peak, on both sides of it; 0 < fraction <=
- * 1. 0.5 gives the beam angle (ANSI/IES LS-1: 50 % of the maximum; CIE's half-peak divergence), 0.1 the field angle. Plane:
- * C / C + 180, c_deg finite. beam->struct_size must be set. */
-UPS_API ups_status ups_profile_get_beam(const ups_profile *profile, float c_deg, float fraction, ups_profile_beam *beam);
+/* Where the interpolated intensity first falls below `fraction` of the plane's peak, on both sides of it;
+ * 0 < fraction <= 1. 0.5 gives the beam angle (ANSI/IES LS-1: 50 % of the maximum; CIE's half-peak divergence), 0.1 the
+ * field angle. Plane: C / C + 180, c_deg finite. beam->struct_size must be set. */
+UPS_API ups_status ups_profile_get_beam(const ups_profile *profile, float c_deg, float fraction,
+                                        ups_profile_beam *beam);
 UPS_API void ups_profile_destroy(ups_profile *profile); /* NULL ok */
 
 #endif

@@ -12,8 +12,10 @@ enum {
   UPS_METHOD_PATH_TRACING = 2,
   UPS_METHOD_LIGHT_TRACING = 3,
   UPS_METHOD_BIDIRECTIONAL = 4,
-  UPS_METHOD_PPM = 5,  /* progressive photon mapping (Hachisuka et al. 2008): merges at the first diffuse or glossy point */
-  UPS_METHOD_SPPM = 6, /* stochastic PPM (Hachisuka, Jensen 2009): glossy points are passed, merges at the first other one */
+  UPS_METHOD_PPM = 5,  /* progressive photon mapping (Hachisuka et al. 2008):
+                        * merges at the first diffuse or glossy point */
+  UPS_METHOD_SPPM = 6, /* stochastic PPM (Hachisuka, Jensen 2009): glossy points are passed,
+                        * merges at the first other one */
   UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING = 7 /* Vorba 2011: merges at every point of an eye path, weighted */
 };
 
@@ -49,19 +51,20 @@ typedef struct ups_render_desc {
   ups_method method;
   uint64_t seed;                      /* same seed and iterations, same bits, whatever the thread count */
   double time_limit_s;                /* 0: none */
-  float target_relative_error;        /* stop when the worst meter's error_bound / max(E, 5 % of its set's mean) is below,
-                                       * without meters the mean pixel's, without cameras too a goniometer's: the noise
-                                       * of its nodes, 95 %, in the mean over the light; 0: off */
+  float target_relative_error;        /* stop when the worst meter's error_bound / max(E, 5 % of its set's mean) is
+                                       * below, without meters the mean pixel's, without cameras too a goniometer's:
+                                       * the noise of its nodes, 95 %, in the mean over the light; 0: off */
   float merge_radius_m;               /* 0: from the scene */
   uint32_t iteration_count;           /* 0: until a limit or the target is met */
   uint32_t max_path_length;           /* edges; 0: none, roulette ends paths without bias */
   uint32_t light_paths_per_iteration; /* 0: chosen by the library */
   uint32_t techniques;                /* UPS_TECHNIQUE_* to allow; 0: those of the method */
-  float radius_alpha;                 /* (0, 1): r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1); 0: 2/3, where UPS falls fastest */
+  float radius_alpha;                 /* (0, 1): r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1); 0: 2/3,
+                                       * where UPS falls fastest */
   float glossy_alpha;                 /* SPPM passes metal and rough glass of a GGX alpha below; 0: 0.2 */
   ups_perturbation perturbation;
-  uint32_t technique_images;          /* cameras: an image of each technique for paths of up to so many edges, at most 16;
-                                       * 0: none. See ups_result_get_technique_count */
+  uint32_t technique_images;          /* cameras: an image of each technique for paths of up to so many edges, at
+                                       * most 16; 0: none. See ups_result_get_technique_count */
   ups_separation separation;          /* see ups_result_get_source_count */
   uint32_t reserved;                  /* 0 */
 } ups_render_desc; /* at least one of time limit, target, iteration count must be set */
@@ -140,7 +143,8 @@ UPS_API ups_status ups_result_read_meters(const ups_result *result, ups_sensor_i
                                           size_t count);
 UPS_API ups_status ups_result_get_meter_statistics(const ups_result *result, ups_sensor_id sensor,
                                                    ups_meter_statistics *out);
-/* The sources that ups_render_desc.separation tells apart; those that emit nothing are among them, with readings of 0. */
+/* The sources that ups_render_desc.separation tells apart; those that emit nothing are among them, with readings
+ * of 0. */
 typedef int32_t ups_source_kind;
 enum { UPS_SOURCE_LUMINAIRE = 0 /* a luminaire or a light */, UPS_SOURCE_INSTANCE = 1, UPS_SOURCE_GROUP = 2 };
 typedef struct ups_source_info {
@@ -165,7 +169,8 @@ typedef struct ups_goniometer_info {
   double outside_flux_lm;                  /* part of it beyond the range of gamma; in no reading */
   double emitted_flux_lm, absorbed_flux_lm; /* what the sources emit; emitted = absorbed + flux, but for noise */
   double light_output_ratio, light_output_ratio_standard_error; /* flux / emitted */
-  double worst_relative_error_bound, median_relative_error_bound; /* of bound / max(I, 5 % of the peak); < 0: not known */
+  double worst_relative_error_bound, median_relative_error_bound; /* of bound / max(I, 5 % of the peak);
+                                                                   * < 0: not known */
 } ups_goniometer_info;
 typedef struct ups_intensity_reading { /* never grows; < 0 where not known */
   float intensity_cd;
@@ -173,10 +178,11 @@ typedef struct ups_intensity_reading { /* never grows; < 0 where not known */
   float bias_cd;           /* estimated, of the mean over the node's surroundings */
   float error_bound_cd;    /* 95 %, noise and bias together */
 } ups_intensity_reading;
-UPS_API ups_status ups_result_get_goniometer_info(const ups_result *result, ups_sensor_id sensor, ups_goniometer_info *info);
+UPS_API ups_status ups_result_get_goniometer_info(const ups_result *result, ups_sensor_id sensor,
+                                                  ups_goniometer_info *info);
 /* count = c_count * gamma_count, gamma fastest; symmetry expanded. */
-UPS_API ups_status ups_result_read_goniometer(const ups_result *result, ups_sensor_id sensor, ups_intensity_reading *out,
-                                              size_t count);
+UPS_API ups_status ups_result_read_goniometer(const ups_result *result, ups_sensor_id sensor,
+                                              ups_intensity_reading *out, size_t count);
 /* The grid, as it was asked for or in equal steps. */
 UPS_API ups_status ups_result_get_goniometer_angles(const ups_result *result, ups_sensor_id sensor, float *c_deg,
                                                     size_t c_count, float *gamma_deg, size_t gamma_count);
@@ -188,16 +194,17 @@ enum {
   UPS_CHANNEL_LUMINANCE_RGB = 0,      /* 3 floats a pixel, cd/m^2 */
   UPS_CHANNEL_STANDARD_ERROR_RGB = 1, /* 3 floats a pixel; -1: not known */
   UPS_CHANNEL_ILLUMINANCE = 2,        /* 1 float a pixel, lx; cameras with `illuminance` */
-  /* Parts of LUMINANCE_RGB, which add up to it once every pixel was visited; with ups_render_desc.technique_images alone */
+  /* Parts of LUMINANCE_RGB, which add up to it once every pixel was visited; with ups_render_desc.technique_images
+   * alone */
   UPS_CHANNEL_PATH_INTEGRATION_RGB = 3,
   UPS_CHANNEL_DENSITY_ESTIMATION_RGB = 4
 };
 /* Row 0 is the image's top. row_stride_bytes 0: tight; size_bytes is the size of out. */
-UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel, float *out,
-                                         size_t row_stride_bytes, size_t size_bytes);
+UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel,
+                                         float *out, size_t row_stride_bytes, size_t size_bytes);
 /* What each technique found, for paths of up to ups_render_desc.technique_images edges; for people who look into the
- * estimator. The s vertices of a light path and the t of an eye path make a path of `edges` edges: s + t = edges + 1, of
- * density estimation, where both have a vertex at the same place, edges + 2. */
+ * estimator. The s vertices of a light path and the t of an eye path make a path of `edges` edges: s + t = edges + 1,
+ * of density estimation, where both have a vertex at the same place, edges + 2. */
 typedef struct ups_technique_info {
   uint32_t struct_size;
   uint32_t technique;      /* the UPS_TECHNIQUE_* that it is */
@@ -208,7 +215,8 @@ typedef struct ups_technique_info {
 typedef int32_t ups_contribution;
 enum {
   UPS_CONTRIBUTION_WEIGHTED = 0,  /* by multiple importance sampling: all of them add up to the image */
-  UPS_CONTRIBUTION_UNWEIGHTED = 1 /* as if the technique were the only one: each that can sample a path estimates it alone */
+  UPS_CONTRIBUTION_UNWEIGHTED = 1 /* as if the technique were the only one:
+                                   * each that can sample a path estimates it alone */
 };
 /* Images of a camera; 0 without technique_images. */
 UPS_API ups_status ups_result_get_technique_count(const ups_result *result, ups_sensor_id camera, uint32_t *out);

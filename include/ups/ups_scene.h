@@ -7,11 +7,13 @@
 typedef int32_t ups_material_model;
 enum {
   UPS_MATERIAL_MATTE = 0,    /* Lambertian; reflectance */
-  UPS_MATERIAL_PLASTIC = 1,  /* diffuse base of `reflectance` under a GGX dielectric coat of `ior`; `metallic` mixes in METAL */
+  UPS_MATERIAL_PLASTIC = 1,  /* diffuse base of `reflectance` under a GGX dielectric coat of `ior`;
+                              * `metallic` mixes in METAL */
   UPS_MATERIAL_METAL = 2,    /* GGX conductor: reflectance is F0; or complex index ior_rgb, ior_k_rgb where any k > 0 */
   UPS_MATERIAL_MIRROR = 3,   /* ideal mirror; reflectance at every angle */
   UPS_MATERIAL_GLASS = 4,    /* solid dielectric of `ior`, `roughness`, absorption_per_m_rgb behind its surface */
-  UPS_MATERIAL_GLAZING = 5,  /* thin pane of `ior`; transmittance at normal incidence with inner reflections (< 0: clear) */
+  UPS_MATERIAL_GLAZING = 5,  /* thin pane of `ior`; transmittance at normal incidence with inner
+                              * reflections (< 0: clear) */
   UPS_MATERIAL_DIFFUSER = 6  /* thin Lambertian: reflectance and transmittance, together <= 1 */
 };
 
@@ -33,9 +35,11 @@ typedef struct ups_material_desc {
   float ior;                                      /* >= 1 for dielectrics */
   float ior_rgb[3], ior_k_rgb[3];                 /* METAL's complex index; all k 0: reflectance is F0 */
   float absorption_per_m_rgb[3];                  /* GLASS, >= 0 */
-  float metallic;                                 /* [0, 1], PLASTIC only: share of METAL with the same reflectance, roughness */
+  float metallic;                                 /* [0, 1], PLASTIC only: share of METAL with
+                                                   * the same reflectance, roughness */
   ups_alpha_mode alpha_mode;
-  float alpha, alpha_cutoff;                      /* alpha multiplies alpha_texture; MASK: a hole where alpha < cutoff */
+  float alpha, alpha_cutoff;                      /* alpha multiplies alpha_texture;
+                                                   * MASK: a hole where alpha < cutoff */
   float luminance_cd_m2[3];                       /* Lambertian emission, front side; 0: none */
   int32_t emits_both_sides;                       /* 0 or 1; 1: twice the flux */
   float normal_scale;                             /* of the normal texture's x and y */
@@ -89,7 +93,8 @@ typedef struct ups_luminaire_desc {
   float color_rgb[3];         /* chromaticity only: luminance is normalised away */
   float flux_lm;              /* what band-rule flux (of rays: their sum) is scaled to; < 0: as the profile */
   float dimming;              /* >= 0, multiplies the flux */
-  float intensity_scale;      /* >= 0, multiplies the flux too; for maintenance factors and EXT_lights_ies multipliers */
+  float intensity_scale;      /* >= 0, multiplies the flux too;
+                               * for maintenance factors and EXT_lights_ies multipliers */
   uint32_t group;             /* for UPS_SEPARATE_GROUPS: luminaires that are switched and dimmed together */
   uint32_t reserved;          /* 0 */
 } ups_luminaire_desc;

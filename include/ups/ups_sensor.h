@@ -38,13 +38,14 @@ typedef struct ups_meter_desc {
   uint32_t reserved;          /* 0 */
 } ups_meter_desc;
 
-/* A virtual goniophotometer: light that leaves the scene for good, by direction, as luminous intensity in C-planes. It has
- * no place: light is measured at infinity. Only methods that trace light paths fill it. Put a fixture alone into a scene to
- * measure it. Each node of the grid gets the mean intensity around it that a bilinear table needs to carry all the flux. */
+/* A virtual goniophotometer: light that leaves the scene for good, by direction, as luminous intensity in C-planes. It
+ * has no place: light is measured at infinity. Only methods that trace light paths fill it. Put a fixture alone into a
+ * scene to measure it. Each node of the grid gets the mean intensity around it that a bilinear table needs to carry all
+ * the flux. */
 typedef struct ups_goniometer_desc {
   uint32_t struct_size;
-  ups_profile_symmetry symmetry;   /* of the fixture: directions that it makes alike share their light; the planes must be
-                                    * as symmetric, AXIAL: one plane */
+  ups_profile_symmetry symmetry;   /* of the fixture: directions that it makes alike share their light; the planes
+                                    * must be as symmetric, AXIAL: one plane */
   const float *c_deg;              /* c_count, ascending in [0, 360), from 0; NULL: equal steps */
   const float *gamma_deg;          /* gamma_count, ascending in [0, 180]; NULL: equal steps from 0 to 180 */
   uint32_t c_count, gamma_count;   /* >= 1, >= 2; at most 4,000,000 nodes together */

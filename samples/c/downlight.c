@@ -1,5 +1,5 @@
-/* A downlight from a handful of numbers, four times in a room: a COB disc, a parabolic reflector, a frosted cover if asked
- * for; the light on a grid of meters, in lux.
+/* A downlight from a handful of numbers, four times in a room: a COB disc, a parabolic reflector, a frosted cover if
+ * asked for; the light on a grid of meters, in lux.
  *
  *   downlight_c [iterations] [frosted]
  */

@@ -44,7 +44,8 @@ def main():
     measured, summary = render(arguments, arguments.method, 1, arguments.time)
     reference, reference_summary = render(arguments, arguments.reference_method, 1001, arguments.reference_time)
     scores = []
-    print(f"{'meter':>14} {arguments.method + ', lx':>12} {'+-':>7} {arguments.reference_method + ', lx':>12} {'+-':>7} {'z':>6}")
+    print(f"{'meter':>14} {arguments.method + ', lx':>12} {'+-':>7} "
+          f"{arguments.reference_method + ', lx':>12} {'+-':>7} {'z':>6}")
     for i, ((name, e, s), (_, e_reference, s_reference)) in enumerate(zip(measured, reference)):
         scores.append((e - e_reference) / math.hypot(s, s_reference))
         print(f"{name + ' ' + str(i):>14} {e:12.2f} {s:7.2f} {e_reference:12.2f} {s_reference:7.2f} {scores[-1]:6.2f}")

@@ -4,10 +4,10 @@
   compare_methods.py --ups build/release/bin/ups --scene bathroom.glb --methods ups bpt ppm --time 60 --seeds 8
 
 The reference is rendered with another seed: by default the method `ups` for 100 times the time. Meters:
-error = sum |E - E_reference| / sum E_reference over all meters. Cameras: `ups compare` of the EXR images; the median over
-the seeds beside the mean, as one firefly can make a mean. With --max-error the exit code is 1 when a method's mean error
-of the meters is larger, with --min-rmse-ratio when mean or median RMSE of another method is not so many times that of
-the first.
+error = sum |E - E_reference| / sum E_reference over all meters. Cameras: `ups compare` of the EXR images; the median
+over the seeds beside the mean, as one firefly can make a mean. With --max-error the exit code is 1 when a method's mean
+error of the meters is larger, with --min-rmse-ratio when mean or median RMSE of another method is not so many times
+that of the first.
 """
 import argparse
 import csv
@@ -82,8 +82,8 @@ def parse():
     parser.add_argument("--reference-iterations", type=int, help="instead of a time")
     parser.add_argument("--reference-dir", help="where the reference is kept; default: OUT/reference")
     parser.add_argument("--meters", nargs="+", help="names of the meter sets that count; default: all")
-    parser.add_argument("--min-rmse-ratio", type=float, help="fail where another method's RMSE is less than this many times "
-                        "the first method's")
+    parser.add_argument("--min-rmse-ratio", type=float,
+                        help="fail where another method's RMSE is less than this many times the first method's")
     parser.add_argument("--max-error", type=float, help="fail above this error of the meters, e.g. 0.005")
     return parser.parse_args()
 
@@ -117,7 +117,8 @@ def main():
         error = mean(line["meters"])
         print(f"{method:>8} {mean(line['iterations']):10.0f} {mean(line['time']):7.1f} "
               f"{cell(line['meters'], 14, 100, ' %')} {cell(line['rmse'], 13)} "
-              f"{cell([statistics.median(line['rmse'])] if line['rmse'] else [], 8)} {cell(line['relative_mse'], 13)}", flush=True)
+              f"{cell([statistics.median(line['rmse'])] if line['rmse'] else [], 8)} {cell(line['relative_mse'], 13)}",
+              flush=True)
         if arguments.max_error is not None and not error <= arguments.max_error:
             print(f"  over the limit of {100 * arguments.max_error:g} %")
             failed = True

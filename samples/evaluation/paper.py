@@ -70,8 +70,8 @@ def calibrate(renderer, methods, seconds):
 
 
 def measured(renderer, method, seed, iterations, out, reference_dir):
-    """One line of results.csv. `excess`: the mean squared errors behind it. The reference's noise is subtracted, so that
-    they can be negative."""
+    """One line of results.csv. `excess`: the mean squared errors behind it. The reference's noise is subtracted, so
+    that they can be negative."""
     summary = renderer.render(method, seed, ["--iterations", str(iterations)], out)
     c = renderer.compare(CAMERA, out, reference_dir)["channels"]
     camera = summary["cameras"][CAMERA]
@@ -106,8 +106,8 @@ def evaluate(arguments, name):
     renderer = Renderer(arguments.ups, make_scene(scene, out), arguments.threads, more=more)
     reference_dir = os.path.join(out, "reference")
     limit = ["--time", f"{arguments.reference_time or 12 * arguments.time:g}"]
-    reference = renderer.reference(arguments.reference_method or scene.reference_method, arguments.reference_seed, limit,
-                                   reference_dir)
+    reference = renderer.reference(arguments.reference_method or scene.reference_method, arguments.reference_seed,
+                                   limit, reference_dir)
     rates = calibrate(renderer, arguments.methods, max(arguments.time / 4, 0.5))
     print(f"{name}: reference {reference['method']}, {reference['iterations']} iterations in "
           f"{reference['time_s']:.1f} s; iterations a second: "
@@ -115,7 +115,8 @@ def evaluate(arguments, name):
     times = [arguments.time / 2 ** k for k in range(arguments.halvings, -1, -1)]
     left_out = [time for time in times[:-1] if min(rates.values()) * time < MIN_ITERATIONS]
     if left_out:
-        print(f"{name}: too short for {MIN_ITERATIONS} iterations, left out: " + ", ".join(f"{t:g} s" for t in left_out))
+        print(f"{name}: too short for {MIN_ITERATIONS} iterations, left out: "
+              + ", ".join(f"{t:g} s" for t in left_out))
     times = times[len(left_out):]
     lines = {(method, time): [] for method in arguments.methods for time in times}
     for seed in range(1, arguments.seeds + 1):

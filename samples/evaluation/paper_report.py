@@ -69,7 +69,8 @@ def plot(path, name, methods, times, points, lines):
             of = [(time, points[method, time]) for time in times]
             axis.loglog([x(*p) for p in of], [p["rmse"] for _, p in of], "o-", color=colour, label=method.upper())
             seeds = [(time, line) for time in times for line in lines[method, time] if line["rmse"] > 0]
-            axis.loglog([x(*s) for s in seeds], [s["rmse"] for _, s in seeds], ".", color=colour, alpha=0.4, markersize=4)
+            axis.loglog([x(*s) for s in seeds], [s["rmse"] for _, s in seeds], ".", color=colour, alpha=0.4,
+                        markersize=4)
         axis.set_xlabel(label)
         axis.grid(True, which="both", alpha=0.25)
     axes[0].set_ylabel("RMSE [cd/m²]")

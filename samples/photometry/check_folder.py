@@ -6,8 +6,8 @@
 EXPECTED (MANIFEST.md of the folder if left out) names the files, relative to FOLDER:
   - .csv with the columns file, flux_lm, twin, refused. flux_lm: by the band rule; twin: another file's name or its
     beginning, of the same light; refused: anything where the file must be refused. Cells may be empty.
-  - .md with tables whose first column is the file, in backquotes, and one of whose columns is headed `expected` or starts
-    with `flux`. Read from that cell: `123.4 lm` (or a number alone), `must be rejected`, `same ... as NAME`,
+  - .md with tables whose first column is the file, in backquotes, and one of whose columns is headed `expected` or
+    starts with `flux`. Read from that cell: `123.4 lm` (or a number alone), `must be rejected`, `same ... as NAME`,
     `identical ... to NAME`, `as NAME`; from any cell: `same lamp` (as the last row above without these words, another
     table of it: within 0.5 % of flux, 1 % of peak and 0.5 degrees).
 Exit code: 0 all as expected, 1 something is not, 2 wrong usage.
@@ -65,7 +65,8 @@ def from_markdown(path):
 
 
 def read(program, files):
-    done = subprocess.run([program, "info", "--json", *files], stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+    done = subprocess.run([program, "info", "--json", *files], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          check=False)
     if done.returncode not in (0, 1) or not done.stdout:
         sys.exit(f"{program} info failed:\n{done.stderr.decode()}")
     return {entry["file"]: entry for entry in json.loads(done.stdout)["files"]}

@@ -1,4 +1,5 @@
-"""Imported first by the scripts that make scenes: where the python3 that runs one has no numpy, the system's runs it."""
+"""Imported first by the scripts that make scenes: where the python3 that runs one has no numpy, the system's runs
+it."""
 import os
 import sys
 

@@ -1,6 +1,7 @@
 """PNG bytes of an 8-bit RGB image, for the textures that the sample scenes carry inside their .glb files; sRGB.
 
-Called by the scene generators, and by scripts that show images. Only zlib is needed, and the bytes are the same on every machine with the same zlib.
+Called by the scene generators, and by scripts that show images. Only zlib is needed, and the bytes are the same on
+every machine with the same zlib.
 """
 import struct
 import zlib

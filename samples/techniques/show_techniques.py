@@ -51,8 +51,9 @@ def render(arguments):
         scene = STATUE
         subprocess.run([sys.executable, os.path.join(HERE, "..", "evaluation", "make_statue.py")], check=True)
     radius = ["--merge-radius", str(arguments.merge_radius)] if arguments.merge_radius > 0 else []
-    subprocess.run([arguments.ups, "render", scene, "--method", "ups", "--time", str(arguments.time), "--size", arguments.size,
-                    "--technique-images", str(arguments.edges), "--out", arguments.out, *radius], check=True)
+    subprocess.run([arguments.ups, "render", scene, "--method", "ups", "--time", str(arguments.time), "--size",
+                    arguments.size, "--technique-images", str(arguments.edges), "--out", arguments.out, *radius],
+                   check=True)
 
 
 def exposed(image, white):
@@ -80,9 +81,11 @@ def draw(arguments, image, layers, out):
     white = np.quantile(image @ Y, 0.98)
     top, grid = figure.subfigures(2, 1, height_ratios=[columns / 5 + 0.4, 2.5 * len(rows)])
     path, density = layers["path_integration"], layers["density_estimation"]
-    titles = ["path integration", "density estimation", "both", "share of path integration", "share of density estimation"]
+    titles = ["path integration", "density estimation", "both", "share of path integration",
+              "share of density estimation"]
     whole = np.maximum(image @ Y, 1e-9)
-    pictures = [exposed(p, white) for p in (path, density, image)] + [np.clip(p @ Y / whole, 0, 1) for p in (path, density)]
+    pictures = [exposed(p, white) for p in (path, density, image)]
+    pictures += [np.clip(p @ Y / whole, 0, 1) for p in (path, density)]
     for axes, picture, title in zip(top.subplots(1, 5), pictures, titles):
         show(axes, picture, title, cmap="gray", vmin=0, vmax=1)
     top.subplots_adjust(left=0.02, right=0.99, bottom=0.02, top=0.9, wspace=0.04)
@@ -115,7 +118,8 @@ def main():
     total = image.sum()
     for name in ("path_integration", "density_estimation"):
         r, g, b = layers[name].mean((0, 1))
-        print(f"{name}: {100 * layers[name].sum() / total:.1f} % of the picture; mean R, G, B {r:.3g}, {g:.3g}, {b:.3g} cd/m2")
+        print(f"{name}: {100 * layers[name].sum() / total:.1f} % of the picture; "
+              f"mean R, G, B {r:.3g}, {g:.3g}, {b:.3g} cd/m2")
     print(f"picture: {out}")
 
 

@@ -126,15 +126,21 @@ def run_case(renderer, case, method, out, cap):
         iterations *= 4
 
 
+def build(case, out):
+    """The case's folder within `out`, and the scene file written there."""
+    folder = os.path.join(out, case.name)
+    os.makedirs(folder, exist_ok=True)
+    scene = os.path.join(folder, case.name + ".glb")
+    with contextlib.redirect_stdout(io.StringIO()):  # the builder says what it has written
+        case.build(scene)
+    return folder, scene
+
+
 def run(ups, cases, methods, out, threads=0, cap=65536, report=print):
     """The rows of all cases by the methods that can sample them. `report` gets a line of text a case and method."""
     rows = []
     for case in cases:
-        folder = os.path.join(out, case.name)
-        os.makedirs(folder, exist_ok=True)
-        scene = os.path.join(folder, case.name + ".glb")
-        with contextlib.redirect_stdout(io.StringIO()):  # the builder says what it has written
-            case.build(scene)
+        folder, scene = build(case, out)
         renderer = Renderer(ups, scene, threads, more=case.options)
         for method in (m for m in methods if m in case.methods):
             done = run_case(renderer, case, method, os.path.join(folder, method), cap)

@@ -102,8 +102,9 @@ def cases_polygons():
 
 
 # How far is far? Luminaires of the largest dimension D = 0.1 m, each in a compartment of its own, all with the same
-# intensities I0 cos(gamma): on their axes the point formula I / d^2 is high by 25 % at D, by 1 % at five times D (a disc:
-# exactly (D / 2d)^2). The luminous openings of their files make the difference; without one it is the point formula.
+# intensities I0 cos(gamma): on their axes the point formula I / d^2 is high by 25 % at D, by 1 % at five times D (a
+# disc: exactly (D / 2d)^2). The luminous openings of their files make the difference; without one it is the point
+# formula.
 
 SIZE, TIMES = 0.1, (1, 2, 3, 5, 7, 10, 15)
 SPACING = 1.0

@@ -4,8 +4,8 @@
   python3 samples/validation/validate.py --ups build/release/bin/ups [--methods ups bpt pt] [--cases cie_5_2 ...]
       [--fast] [--threads N] [--plot] --out out/validation
 
-OUT gets results.json, results.md, with --plot validation.png, and for each case its scene and the program's files. The readings of chosen --cases are printed too.
-Exit code 1 where a check fails. What the cases are: README.md.
+OUT gets results.json, results.md, with --plot validation.png, and for each case its scene and the program's files. The
+readings of chosen --cases are printed too. Exit code 1 where a check fails. What the cases are: README.md.
 """
 import argparse
 import os

@@ -81,7 +81,8 @@ void set_keyword(photometry::Photometry& data, const std::string& given, const s
   const std::string name = upper(given);
   if (name.empty() || name.size() > longest_name ||
       name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") != std::string::npos)
-    fail_argument("name: '" + given.substr(0, longest_name) + "' is no keyword; it must be 1 to 64 letters, digits or _");
+    fail_argument("name: '" + given.substr(0, longest_name) +
+                  "' is no keyword; it must be 1 to 64 letters, digits or _");
   const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
   if (value.size() > longest_value || std::any_of(value.begin(), value.end(), is_control))
     fail_argument("value: of " + name + "; it must be one line of at most 1000 bytes without control characters");
@@ -230,7 +231,8 @@ ups_status ups_profile_write(const ups_profile* profile, ups_profile_format form
     check::enumeration(format, UPS_PROFILE_LIGHTTOOLS_RAYS, "format", "UPS_PROFILE_*");
     if (format != UPS_PROFILE_IES_LM63 && format != UPS_PROFILE_EULUMDAT)
       throw Error(UPS_ERROR_UNSUPPORTED, "format: IES_LM63 and EULUMDAT are written, no other");
-    copy_text(format == UPS_PROFILE_EULUMDAT ? photometry::write_eulumdat(data) : photometry::write_ies(data), bytes, capacity, needed);
+    copy_text(format == UPS_PROFILE_EULUMDAT ? photometry::write_eulumdat(data) : photometry::write_ies(data), bytes,
+              capacity, needed);
   });
 }
 

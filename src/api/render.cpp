@@ -91,10 +91,12 @@ void copy_plane(const ImageReading& image, const Plane& plane, float* out, size_
     fail_argument("row_stride_bytes is " + std::to_string(stride) + "; a row has " + std::to_string(row) + " bytes");
   // Divisions, so that no product can wrap around.
   if (size_bytes < row || (size_bytes - row) / stride < image.height - 1)
-    throw Error(UPS_ERROR_BUFFER_TOO_SMALL, "size_bytes is " + std::to_string(size_bytes) + "; " + std::to_string(image.height) +
-                                                " rows of " + std::to_string(stride) + " bytes do not fit");
+    throw Error(UPS_ERROR_BUFFER_TOO_SMALL, "size_bytes is " + std::to_string(size_bytes) + "; " +
+                                                std::to_string(image.height) + " rows of " + std::to_string(stride) +
+                                                " bytes do not fit");
   for (uint32_t y = 0; y < image.height; ++y)
-    std::memcpy(reinterpret_cast<char*>(out) + y * stride, plane.values.data() + size_t(y) * image.width * plane.channels, row);
+    std::memcpy(reinterpret_cast<char*>(out) + y * stride,
+                plane.values.data() + size_t(y) * image.width * plane.channels, row);
 }
 
 const ImageReading& image_of(const ups_result* result, ups_sensor_id camera) {
@@ -186,7 +188,8 @@ ups_status ups_result_get_info(const ups_result* result, ups_result_info* info) 
   return guard(__func__, [&] { write_info(info, data_of(result).info, "info"); });
 }
 
-ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor, ups_meter_reading* out, size_t count) {
+ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor, ups_meter_reading* out,
+                                  size_t count) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
     copy_readings(r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")].meters, out, count);
@@ -226,18 +229,20 @@ ups_status ups_result_get_goniometer_info(const ups_result* result, ups_sensor_i
   return guard(__func__, [&] { write_info(info, goniometer_of(result, sensor).info, "info"); });
 }
 
-ups_status ups_result_read_goniometer(const ups_result* result, ups_sensor_id sensor, ups_intensity_reading* out, size_t count) {
+ups_status ups_result_read_goniometer(const ups_result* result, ups_sensor_id sensor, ups_intensity_reading* out,
+                                      size_t count) {
   return guard(__func__, [&] {
     const auto& nodes = goniometer_of(result, sensor).nodes;
     require(out, "out");
     if (count != nodes.size())
-      fail_argument("count is " + std::to_string(count) + "; the goniometer has " + std::to_string(nodes.size()) + " nodes");
+      fail_argument("count is " + std::to_string(count) + "; the goniometer has " + std::to_string(nodes.size()) +
+                    " nodes");
     std::copy(nodes.begin(), nodes.end(), out);
   });
 }
 
-ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor_id sensor, float* c_deg, size_t c_count,
-                                            float* gamma_deg, size_t gamma_count) {
+ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor_id sensor, float* c_deg,
+                                            size_t c_count, float* gamma_deg, size_t gamma_count) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
     const Goniometer& g = r.scene->goniometers[index_of(r.goniometer_ids, sensor, "goniometer")];
@@ -285,18 +290,22 @@ ups_status ups_result_get_technique_count(const ups_result* result, ups_sensor_i
   return guard(__func__, [&] { require(out, "out") = uint32_t(image_of(result, camera).techniques.size()); });
 }
 
-ups_status ups_result_get_technique(const ups_result* result, ups_sensor_id camera, uint32_t index, ups_technique_info* info) {
-  return guard(__func__, [&] { write_info(info, info_of(technique_of(image_of(result, camera), index).technique), "info"); });
+ups_status ups_result_get_technique(const ups_result* result, ups_sensor_id camera, uint32_t index,
+                                    ups_technique_info* info) {
+  return guard(__func__,
+               [&] { write_info(info, info_of(technique_of(image_of(result, camera), index).technique), "info"); });
 }
 
 ups_status ups_result_read_technique(const ups_result* result, ups_sensor_id camera, uint32_t index,
-                                     ups_contribution contribution, float* out, size_t row_stride_bytes, size_t size_bytes) {
+                                     ups_contribution contribution, float* out, size_t row_stride_bytes,
+                                     size_t size_bytes) {
   return guard(__func__, [&] {
     const ImageReading& image = image_of(result, camera);
     const TechniqueReading& t = technique_of(image, index);
     if (contribution != UPS_CONTRIBUTION_WEIGHTED && contribution != UPS_CONTRIBUTION_UNWEIGHTED)
       fail_argument("contribution: " + std::to_string(contribution) + " is not a UPS_CONTRIBUTION_* value");
-    copy_plane(image, {contribution == UPS_CONTRIBUTION_WEIGHTED ? t.weighted : t.unweighted, 3}, out, row_stride_bytes, size_bytes);
+    copy_plane(image, {contribution == UPS_CONTRIBUTION_WEIGHTED ? t.weighted : t.unweighted, 3}, out, row_stride_bytes,
+               size_bytes);
   });
 }
 
@@ -315,7 +324,8 @@ ups_status ups_result_read_convergence(const ups_result* result, ups_convergence
   });
 }
 
-ups_status ups_result_get_text(const ups_result* result, ups_result_text topic, char* text, size_t capacity, size_t* needed) {
+ups_status ups_result_get_text(const ups_result* result, ups_result_text topic, char* text, size_t capacity,
+                               size_t* needed) {
   return guard(__func__, [&] { copy_text(text_of(data_of(result), topic), text, capacity, needed); });
 }
 

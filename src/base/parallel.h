@@ -17,8 +17,8 @@
 namespace ups {
 
 #ifdef __SANITIZE_THREAD__
-// oneTBB is built without the thread sanitizer, which so cannot see that tasks begin after the call that starts them and
-// end before it returns. Threads of our own, which it can follow, stand in for it. Items are not ordered among
+// oneTBB is built without the thread sanitizer, which so cannot see that tasks begin after the call that starts them
+// and end before it returns. Threads of our own, which it can follow, stand in for it. Items are not ordered among
 // themselves, so races between them show.
 template <class Body, class... Partitioner>
 void parallel_for(int threads, size_t count, const Body& body, const Partitioner&...) {

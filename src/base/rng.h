@@ -1,5 +1,5 @@
-// Counter-based random numbers with fixed addresses: a number depends only on (seed, stream, a, b, c), never on what was
-// drawn before, so results do not depend on threads and every path can be replayed.
+// Counter-based random numbers with fixed addresses: a number depends only on (seed, stream, a, b, c), never on what
+// was drawn before, so results do not depend on threads and every path can be replayed.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -29,8 +29,14 @@ struct Vec3T {
 using Vec3 = Vec3T<float>;
 using Vec3d = Vec3T<double>;
 
-template <class T> constexpr Vec3T<T> operator+(const Vec3T<T>& a, const Vec3T<T>& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-template <class T> constexpr Vec3T<T> operator-(const Vec3T<T>& a, const Vec3T<T>& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+template <class T>
+constexpr Vec3T<T> operator+(const Vec3T<T>& a, const Vec3T<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+constexpr Vec3T<T> operator-(const Vec3T<T>& a, const Vec3T<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 template <class T> constexpr Vec3T<T> operator*(const Vec3T<T>& a, T s) { return {a.x * s, a.y * s, a.z * s}; }
 template <class T> constexpr Vec3T<T> operator*(T s, const Vec3T<T>& a) { return a * s; }
 template <class T> constexpr Vec3T<T> operator/(const Vec3T<T>& a, T s) { return {a.x / s, a.y / s, a.z / s}; }
@@ -42,7 +48,10 @@ template <class T> constexpr T length2(const Vec3T<T>& a) { return dot(a, a); }
 template <class T> T length(const Vec3T<T>& a) { return std::sqrt(dot(a, a)); }
 template <class T> Vec3T<T> normalize(const Vec3T<T>& a) { return a * (T(1) / length(a)); }
 template <class T> T max_abs(const Vec3T<T>& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
-template <class T> bool is_finite(const Vec3T<T>& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+template <class T>
+bool is_finite(const Vec3T<T>& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 // 3x4, row-major, object to world, as in the C API.
 struct Affine {

@@ -28,7 +28,8 @@ inline constexpr float default_glossy_alpha = 0.2f;
 
 // One interface and no diffuse base.
 inline bool is_interface_alone(MaterialModel model, float metallic) {
-  return model == MaterialModel::metal || model == MaterialModel::glass || (model == MaterialModel::plastic && metallic >= 1);
+  return model == MaterialModel::metal || model == MaterialModel::glass ||
+         (model == MaterialModel::plastic && metallic >= 1);
 }
 
 // What the models (bsdf/models.h) read: the material at one surface point, with what is the same for all directions.

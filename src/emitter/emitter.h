@@ -1,8 +1,8 @@
 // What emits light. One interface for surfaces, points and luminous openings; a kind is a class in a file of its own.
 //
-// Densities: *_a per area (m^-2), *_w per solid angle. A source without extent has no area density: its position densities
-// are 1 in both emission and next-event estimation, so that their ratio is right.
-// Densities here do not include the probability of choosing the emitter; EmitterSet knows that.
+// Densities: *_a per area (m^-2), *_w per solid angle. A source without extent has no area density: its position
+// densities are 1 in both emission and next-event estimation, so that their ratio is right. Densities here do not
+// include the probability of choosing the emitter; EmitterSet knows that.
 #pragma once
 #include <cstdint>
 
@@ -62,7 +62,8 @@ class Emitter {
   virtual bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const = 0;
   virtual bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const = 0;
   // Area emitters and openings. `primitive` is the triangle (area) or 0. False where wo sees no emission.
-  virtual bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo, EmitterHit& out) const = 0;
+  virtual bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,
+                        EmitterHit& out) const = 0;
 };
 
 }  // namespace ups

@@ -44,8 +44,8 @@ class EmitterSet {
 
   DiscreteDistribution by_flux_, direct_by_flux_;  // the second of those that next-event estimation can sample
   double flux_lm_ = 0;
-  // Of each emitter, if there are at most max_by_distance and next-event estimation can sample any. Below least_distance2 emitters at one place are told apart
-  // by flux, so that nothing divides by zero.
+  // Of each emitter, if there are at most max_by_distance and next-event estimation can sample any. Below
+  // least_distance2 emitters at one place are told apart by flux, so that nothing divides by zero.
   struct Bounds {
     Vec3 center;
     float flux, least_distance2;

@@ -63,8 +63,8 @@ class Raytracer {
   std::unique_ptr<Impl> impl_;
 };
 
-// Discs and balls in space, found by segments: meters' sensor index, what surrounds luminous openings. Every one crossed is
-// reported once.
+// Discs and balls in space, found by segments: meters' sensor index, what surrounds luminous openings. Every one
+// crossed is reported once.
 class DiscIndex {
  public:
   struct Disc {
@@ -77,8 +77,8 @@ class DiscIndex {
     uint32_t disc;
     float t;
   };
-  // Appends all crossings with 0 <= t <= tmax of the disc's plane within its radius, both sides, sorted by disc. A ball is
-  // crossed where the segment enters it, or at t = 0.
+  // Appends all crossings with 0 <= t <= tmax of the disc's plane within its radius, both sides, sorted by disc. A ball
+  // is crossed where the segment enters it, or at t = 0.
   void intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Crossing>& out) const;
   bool empty() const;
   const Disc& disc(uint32_t i) const;

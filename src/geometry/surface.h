@@ -1,4 +1,5 @@
-// A point on a surface as both walks see it: position rebuilt from barycentrics, geometric and shading normal, error bound.
+// A point on a surface as both walks see it: position rebuilt from barycentrics,
+// geometric and shading normal, error bound.
 #pragma once
 #include <cstdint>
 

@@ -1,3 +1,4 @@
+// See accumulator.h: meters, images and their techniques in the order in, readings out, then summaries of the errors.
 #include "render/accumulator.h"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ ErrorSummary summary_of(std::vector<double> errors, double bias_share) {
 
 }  // namespace
 
-Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan), emitted_lm_(scene.emitters.flux_lm()), emits_(emitted_lm_ > 0) {
+Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
+    : plan_(plan), emitted_lm_(scene.emitters.flux_lm()), emits_(emitted_lm_ > 0) {
   for (const Goniometer& g : scene.goniometers) goniometers_.emplace_back(g);
   for (const MeterSet& set : scene.meter_sets) {
     meters_.emplace_back(set.meters.size());
@@ -33,8 +35,9 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan) : plan_(plan),
   }
   for (const Camera& c : scene.cameras) {
     const size_t n = size_t(c.pixel_count()) * 3;
-    images_.push_back({c.width(), c.height(), std::vector<double>(c.illuminance() ? n / 3 : 0), std::vector<double>(n), std::vector<double>(n), std::vector<float>(n),
-                       std::vector<float>(n * batch_count), std::vector<uint32_t>(plan.camera_subsets), {}, {}, {}});
+    images_.push_back({c.width(), c.height(), std::vector<double>(c.illuminance() ? n / 3 : 0), std::vector<double>(n),
+                       std::vector<double>(n), std::vector<float>(n), std::vector<float>(n * batch_count),
+                       std::vector<uint32_t>(plan.camera_subsets), {}, {}, {}});
   }
 }
 
@@ -114,9 +117,7 @@ ups_meter_reading Accumulator::reading_of(const MeterSums& sums) const {
   out.indirect_lx = float(std::max(0.0, e.mean - double(out.direct_lx)));
   out.bias_lx = float(b.mean);
   out.standard_error_lx = float(e.standard_error);
-  // |b| + t sqrt(s^2 + s_b^2): the two are uncorrelated, as the bias estimate's kernel is orthogonal to the disc's.
-  out.error_bound_lx = e.standard_error < 0 ? -1.0f
-                                            : float(std::abs(b.mean) + t_quantile(iterations_) * std::hypot(e.standard_error, b.standard_error));
+  out.error_bound_lx = error_bound(e, b, iterations_);
   return out;
 }
 

@@ -1,3 +1,5 @@
+// See coverage.h: whether one technique can sample one pattern, the patterns that a scene's materials can make, and the
+// words for those that are missing.
 #include "render/coverage.h"
 
 #include <algorithm>
@@ -52,7 +54,8 @@ bool can_merge(std::string_view v, SourceKind source, SensorKind sensor, const T
   if (!s.has(UPS_TECHNIQUE_MERGE)) return false;
   const bool gated = is_gated(source, s);  // no photons straight from an emitter
   if (sensor == SensorKind::point_meter && (!v.empty() || !gated)) return true;
-  if (s.photon_mapping) return sensor == SensorKind::camera && v.find_first_of(s.glossy_alpha > 0 ? "D" : "DG") != std::string_view::npos;
+  if (s.photon_mapping)
+    return sensor == SensorKind::camera && v.find_first_of(s.glossy_alpha > 0 ? "D" : "DG") != std::string_view::npos;
   return std::any_of(v.begin() + (gated && !v.empty()), v.end(), is_continuous);
 }
 
@@ -77,7 +80,8 @@ bool can_sample(std::string_view v, SourceKind source, SensorKind sensor, const 
 }
 
 bool is_measurable(std::string_view v, SourceKind source, SensorKind sensor) {
-  return source == SourceKind::hittable || sensor != SensorKind::camera || !std::all_of(v.begin(), v.end(), is_specular);
+  return source == SourceKind::hittable || sensor != SensorKind::camera ||
+         !std::all_of(v.begin(), v.end(), is_specular);
 }
 
 namespace {
@@ -104,7 +108,8 @@ std::vector<std::string> missing_patterns(const std::string& letters, SourceKind
   for (const std::string& v : patterns(letters)) {
     if (s.max_path_length && v.size() + 1 > s.max_path_length) continue;  // not asked for
     if (!is_measurable(v, source, sensor) || can_sample(v, source, sensor, s)) continue;
-    const bool known = std::any_of(missing.begin(), missing.end(), [&](const std::string& m) { return !m.empty() && contains(v, m); });
+    const bool known =
+        std::any_of(missing.begin(), missing.end(), [&](const std::string& m) { return !m.empty() && contains(v, m); });
     if (!known && missing.size() < most_patterns) missing.push_back(v);
   }
   return missing;
@@ -132,7 +137,9 @@ struct Letters {
   std::string words(const std::string& vertices) const {
     std::string text = "emitter";
     for (char v : vertices)
-      text += v == 'S' ? " - specular (" + specular + ")" : v == 'G' ? " - glossy (" + glossy + ")" : " - diffuse (" + diffuse + ")";
+      text += v == 'S'   ? " - specular (" + specular + ")"
+              : v == 'G' ? " - glossy (" + glossy + ")"
+                         : " - diffuse (" + diffuse + ")";
     return text;
   }
 };
@@ -156,11 +163,12 @@ std::vector<std::string> missing_light(const Snapshot& scene, const TransportSet
     if (emitters.empty()) continue;
     for (const auto& [kind, name] : sensors)
       for (const std::string& v : missing_patterns(letters.available, source, kind, settings))
-        lines.push_back("light of " + listed(emitters) + remark[int(source)] + " on paths " + letters.words(v) +
-                        " - " + name + " is missing: no technique of this set samples it; method ups with all of its has one");
+        lines.push_back("light of " + listed(emitters) + remark[int(source)] + " on paths " + letters.words(v) + " - " +
+                        name + " is missing: no technique of this set samples it; method ups with all of its has one");
   }
   if (has.goniometers && !settings.traces_light())
-    lines.push_back("the goniometer measures nothing: this set of techniques traces no light paths; methods lt and ups do");
+    lines.push_back(
+        "the goniometer measures nothing: this set of techniques traces no light paths; methods lt and ups do");
   return lines;
 }
 

@@ -21,14 +21,14 @@ struct Sensors {
 };
 Sensors sensors_of(const Snapshot& scene);
 
-// vertices: "SD" is emitter - specular - diffuse - sensor. G is a surface that TransportSettings::glossy_alpha passes, D any
-// other continuous one.
+// vertices: "SD" is emitter - specular - diffuse - sensor. G is a surface that TransportSettings::glossy_alpha passes,
+// D any other continuous one.
 bool can_sample(std::string_view vertices, SourceKind source, SensorKind sensor, const TransportSettings& settings);
 // Such a path carries light at all: a pinhole sees no source without extent, not even in a mirror.
 bool is_measurable(std::string_view vertices, SourceKind source, SensorKind sensor);
 
-// A line for each kind of light of the scene that the set cannot sample, the shortest paths of it: which emitters, by way of
-// which surfaces.
+// A line for each kind of light of the scene that the set cannot sample, the shortest paths of it: which emitters, by
+// way of which surfaces.
 std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& settings);
 
 }  // namespace ups

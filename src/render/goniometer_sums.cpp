@@ -1,3 +1,4 @@
+// See goniometer_sums.h. A node's bias is the difference of its two sets of hats (sensor/goniometer.h).
 #include "render/goniometer_sums.h"
 
 namespace ups {
@@ -19,7 +20,8 @@ void GoniometerSums::add(uint32_t batch, const GoniometerTally& tally) {
 // spread is its own noise.
 ups_intensity_reading GoniometerSums::read_node(uint32_t node, uint32_t iterations) const {
   double wide[batch_count], blur[batch_count];
-  const double per_sr = 1 / goniometer_.wide_solid_angle(node), narrow_per_sr = 1 / goniometer_.narrow_solid_angle(node);
+  const double per_sr = 1 / goniometer_.wide_solid_angle(node),
+               narrow_per_sr = 1 / goniometer_.narrow_solid_angle(node);
   for (uint32_t b = 0; b < batch_count; ++b) {
     wide[b] = wide_[size_t(node) * batch_count + b] * per_sr;
     blur[b] = 2 * (wide[b] - narrow_[size_t(node) * batch_count + b] * narrow_per_sr);
@@ -29,9 +31,7 @@ ups_intensity_reading GoniometerSums::read_node(uint32_t node, uint32_t iteratio
   out.intensity_cd = float(i.mean);
   out.standard_error_cd = float(i.standard_error);
   out.bias_cd = float(b.mean);
-  out.error_bound_cd = i.standard_error < 0
-                           ? -1.0f
-                           : float(std::abs(b.mean) + t_quantile(iterations) * std::hypot(i.standard_error, b.standard_error));
+  out.error_bound_cd = error_bound(i, b, iterations);
   return out;
 }
 
@@ -78,7 +78,8 @@ GoniometerReading GoniometerSums::read(uint32_t iterations, double emitted_lm) c
   info.outside_flux_lm = iterations ? outside_ / iterations : 0;
   info.emitted_flux_lm = emitted_lm;
   info.light_output_ratio = emitted_lm > 0 ? flux.mean / emitted_lm : 0;
-  info.light_output_ratio_standard_error = emitted_lm > 0 && flux.standard_error >= 0 ? flux.standard_error / emitted_lm : -1;
+  info.light_output_ratio_standard_error =
+      emitted_lm > 0 && flux.standard_error >= 0 ? flux.standard_error / emitted_lm : -1;
   std::vector<double> errors;
   info.worst_relative_error_bound = info.median_relative_error_bound = -1;
   if (relative_errors(iterations, errors)) {

@@ -20,8 +20,8 @@ class GoniometerSums {
   GoniometerReading read(uint32_t iterations, double emitted_lm) const;
   // Of each node that stands for itself: bound / max(I, 5 % of the peak). False where it is not known yet.
   bool relative_errors(uint32_t iterations, std::vector<double>& out) const;
-  // Noise of a node's intensity, 95 %, relative, in the mean over the light: what more iterations lessen, as they do not
-  // lessen blur. Nodes without light do not count. 0 where no light was found; < 0: not known yet.
+  // Noise of a node's intensity, 95 %, relative, in the mean over the light: what more iterations lessen, as they do
+  // not lessen blur. Nodes without light do not count. 0 where no light was found; < 0: not known yet.
   double mean_noise(uint32_t iterations) const;
 
  private:

@@ -1,3 +1,4 @@
+// See job.h: what is asked for is checked, then the loop over iterations, its limits, progress, and the result.
 #include "render/job.h"
 
 #include <unistd.h>
@@ -20,7 +21,8 @@ void check(const ups_render_desc& d) {
   if (!(d.time_limit_s >= 0) || !std::isfinite(d.time_limit_s))
     fail_argument("time_limit_s: " + std::to_string(d.time_limit_s) + " is not a finite number of seconds >= 0");
   if (!(d.target_relative_error >= 0) || !std::isfinite(d.target_relative_error))
-    fail_argument("target_relative_error: " + std::to_string(d.target_relative_error) + " is not a finite fraction >= 0");
+    fail_argument("target_relative_error: " + std::to_string(d.target_relative_error) +
+                  " is not a finite fraction >= 0");
   if (!(d.merge_radius_m >= 0) || !std::isfinite(d.merge_radius_m))
     fail_argument("merge_radius_m: " + std::to_string(d.merge_radius_m) + " is not a finite length >= 0");
   if (d.light_paths_per_iteration > (1u << 24)) fail_argument("light_paths_per_iteration: at most 16777216");
@@ -31,11 +33,13 @@ void check(const ups_render_desc& d) {
   if (d.perturbation != UPS_PERTURBATION_VIRTUAL && d.perturbation != UPS_PERTURBATION_ACTUAL)
     fail_argument("perturbation: " + std::to_string(d.perturbation) + " is not a UPS_PERTURBATION_* value");
   if (d.technique_images > max_technique_edges)
-    fail_argument("technique_images: " + std::to_string(d.technique_images) + " edges; at most " + std::to_string(max_technique_edges));
+    fail_argument("technique_images: " + std::to_string(d.technique_images) + " edges; at most " +
+                  std::to_string(max_technique_edges));
   if (d.separation < UPS_SEPARATE_NOTHING || d.separation > UPS_SEPARATE_GROUPS)
     fail_argument("separation: " + std::to_string(d.separation) + " is not a UPS_SEPARATE_* value");
   if (d.reserved != 0) fail_argument("reserved is " + std::to_string(d.reserved) + "; it must be 0");
-  if (d.techniques >= 64) fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
+  if (d.techniques >= 64)
+    fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
   if (d.time_limit_s == 0 && d.target_relative_error == 0 && d.iteration_count == 0)
     fail_argument("nothing would end this render: set time_limit_s, target_relative_error or iteration_count");
 }
@@ -62,15 +66,20 @@ void check_memory(const Snapshot& scene, uint32_t technique_edges, size_t column
 
 }  // namespace
 
-RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_desc& desc, std::shared_ptr<ThreadPool> pool)
+RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_desc& desc,
+                     std::shared_ptr<ThreadPool> pool)
     : scene_(std::move(scene)), desc_(desc), pool_(std::move(pool)) {
   check(desc_);
   method_ = choose_method(*scene_, desc_);
-  if (desc_.perturbation == UPS_PERTURBATION_ACTUAL && !(method_.techniques & UPS_TECHNIQUE_MERGE) && !(desc_.merge_radius_m > 0))
-    fail_argument("perturbation: UPS_PERTURBATION_ACTUAL needs the radius of merging: set merge_radius_m, or take a method that merges");
+  if (desc_.perturbation == UPS_PERTURBATION_ACTUAL && !(method_.techniques & UPS_TECHNIQUE_MERGE) &&
+      !(desc_.merge_radius_m > 0))
+    fail_argument(
+        "perturbation: UPS_PERTURBATION_ACTUAL needs the radius of merging: set merge_radius_m, or take a method that "
+        "merges");
   check_memory(*scene_, desc_.technique_images, separate(*scene_, desc_.separation).columns.size());
   if (scene_->cameras.empty() && scene_->meter_sets.empty() && scene_->goniometers.empty())
-    throw Error(UPS_ERROR_INVALID_STATE, "the scene has no sensor: add a camera, meters or a goniometer before ups_scene_commit");
+    throw Error(UPS_ERROR_INVALID_STATE,
+                "the scene has no sensor: add a camera, meters or a goniometer before ups_scene_commit");
 }
 
 RenderJob::~RenderJob() {
@@ -127,7 +136,8 @@ void RenderJob::check_error(double elapsed) {
   next_check_ = std::max(n + 1, uint32_t(std::ceil(n * 1.25)));
   last_error_ = sums_->summarize();
   if (last_error_.median < 0) return;
-  convergence_.push_back({elapsed, n, 0, last_error_.median, last_error_.p95, last_error_.worst, last_error_.bias_share});
+  convergence_.push_back(
+      {elapsed, n, 0, last_error_.median, last_error_.p95, last_error_.worst, last_error_.bias_share});
   const float error = scene_->meter_sets.empty() ? last_error_.mean : last_error_.worst;
   passes_below_target_ = error <= desc_.target_relative_error ? passes_below_target_ + 1 : 0;
 }
@@ -154,7 +164,8 @@ void RenderJob::count_flux() {
     plan.light_paths = flux_paths;
     IterationTally tally;
     const SensorIndex no_sensors(*scene_, plan, s, 0, 1);
-    trace_light_paths({*scene_, plan, s, flux_iteration, flux_iteration, 0, 1.0, 0.0, false, stop_}, no_sensors, *pool_, tally);
+    trace_light_paths({*scene_, plan, s, flux_iteration, flux_iteration, 0, 1.0, 0.0, false, stop_}, no_sensors, *pool_,
+                      tally);
     if (stop_.load()) return;  // incomplete; both stay unknown
     work = tally.work;
   }
@@ -225,7 +236,8 @@ std::shared_ptr<const RenderResult> RenderJob::result() const {
   i.seed = desc_.seed;
   for (size_t d = 0; d < w.dropped.size(); ++d) {
     i.dropped_samples += w.dropped[d];
-    if (w.dropped[d]) r->dropped += std::string(drop_names[d]) + ": " + std::to_string(w.dropped[d]) + " samples were not finite\n";
+    if (w.dropped[d])
+      r->dropped += std::string(drop_names[d]) + ": " + std::to_string(w.dropped[d]) + " samples were not finite\n";
   }
   i.method = method_.method;
   i.techniques = method_.techniques;
@@ -254,8 +266,9 @@ std::shared_ptr<const RenderResult> RenderJob::result() const {
 void RenderJob::add_warnings(RenderResult& r) const {
   for (size_t c = 0; c < r.images.size(); ++c)
     if (const size_t n = sums_->unvisited_pixels(c))
-      r.warnings += "camera " + std::to_string(r.camera_ids[c]) + ": the render ended before eye paths were traced for " +
-                    std::to_string(n) + " of its " + std::to_string(r.images[c].width * size_t(r.images[c].height)) +
+      r.warnings += "camera " + std::to_string(r.camera_ids[c]) +
+                    ": the render ended before eye paths were traced for " + std::to_string(n) + " of its " +
+                    std::to_string(r.images[c].width * size_t(r.images[c].height)) +
                     " pixels; they show the mean of their neighbours\n";
   if (!(scene_->emitters.flux_lm() > 0)) return;
   for (size_t s = 0; s < r.meter_sets.size(); ++s)

@@ -1,3 +1,4 @@
+// See method.h: techniques of each method, UPS_METHOD_AUTO's choice, and the words of both.
 #include "render/method.h"
 
 #include "base/error.h"
@@ -9,8 +10,9 @@ namespace ups {
 
 namespace {
 
-constexpr uint32_t hit = UPS_TECHNIQUE_EMITTER_HIT, light_sample = UPS_TECHNIQUE_LIGHT_SAMPLE, connect = UPS_TECHNIQUE_CONNECT,
-                   sensor_connect = UPS_TECHNIQUE_SENSOR_CONNECT, merge = UPS_TECHNIQUE_MERGE, sensor_hit = UPS_TECHNIQUE_SENSOR_HIT;
+constexpr uint32_t hit = UPS_TECHNIQUE_EMITTER_HIT, light_sample = UPS_TECHNIQUE_LIGHT_SAMPLE,
+                   connect = UPS_TECHNIQUE_CONNECT, sensor_connect = UPS_TECHNIQUE_SENSOR_CONNECT,
+                   merge = UPS_TECHNIQUE_MERGE, sensor_hit = UPS_TECHNIQUE_SENSOR_HIT;
 
 uint32_t techniques_of(int32_t method) {
   switch (method) {
@@ -21,7 +23,8 @@ uint32_t techniques_of(int32_t method) {
     case UPS_METHOD_PPM:
     case UPS_METHOD_SPPM:
     case UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING: return hit | merge | sensor_hit;
-    default: throw Error(UPS_ERROR_INVALID_ARGUMENT, "method: " + std::to_string(method) + " is not a UPS_METHOD_* value");
+    default:
+      throw Error(UPS_ERROR_INVALID_ARGUMENT, "method: " + std::to_string(method) + " is not a UPS_METHOD_* value");
   }
 }
 
@@ -37,7 +40,8 @@ int32_t automatic(const Snapshot& scene, const Sensors& s) {
                                                                                       : UPS_METHOD_UPS;
 }
 
-void describe(std::string& text, uint32_t techniques, uint32_t bit, const char* name, const std::string& on, const std::string& off) {
+void describe(std::string& text, uint32_t techniques, uint32_t bit, const char* name, const std::string& on,
+              const std::string& off) {
   text += std::string(name) + ((techniques & bit) ? ": on, " + on : ": off, " + off) + "\n";
 }
 
@@ -45,11 +49,16 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
   const std::string chosen = was_automatic ? "" : " (the method asked for leaves it out)";
   std::string text;
   describe(text, t, hit, "emitter_hit", "eye paths that run into an emitter", "not in the set" + chosen);
-  describe(text, t, light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex", "not in the set" + chosen);
-  const std::string diffuse = "no surface is specular or nearly so: eye paths find all light, light paths would cost more than they bring";
-  describe(text, t, connect, "connect", "eye and light subpaths are joined by an edge", was_automatic ? diffuse : "not in the set" + chosen);
+  describe(text, t, light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex",
+           "not in the set" + chosen);
+  const std::string diffuse =
+      "no surface is specular or nearly so: eye paths find all light, light paths would cost more than they bring";
+  describe(text, t, connect, "connect", "eye and light subpaths are joined by an edge",
+           was_automatic ? diffuse : "not in the set" + chosen);
   describe(text, t, sensor_connect, "sensor_connect", "light paths are joined to the camera",
-           !s.cameras ? "the scene has no camera: no light image" : was_automatic ? diffuse : "not in the set" + chosen);
+           !s.cameras      ? "the scene has no camera: no light image"
+           : was_automatic ? diffuse
+                           : "not in the set" + chosen);
   describe(text, t, merge, "merge",
            scene.effects.ray_emitters ? "the light of a ray file is carried by light paths alone"
            : !scene.effects.path_tracing_complete
@@ -58,9 +67,13 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
                ? "light first meets patches of the surfaces that are so small that eye paths find them by chance alone"
                : "caustics: photons are merged at diffuse vertices and meters",
            was_automatic ? "no photon index and no merging: " + diffuse : "not in the set" + chosen);
-  describe(text, t, sensor_hit, "sensor_hit", s.goniometers ? "light paths are counted where they leave the scene for a goniometer, or land on a meter's cell"
-                         : "light paths are counted where they land on a meter's cell",
-           !s.cells && !s.goniometers ? "no meter measures a cell" : was_automatic ? diffuse : "not in the set" + chosen);
+  describe(text, t, sensor_hit, "sensor_hit",
+           s.goniometers
+               ? "light paths are counted where they leave the scene for a goniometer, or land on a meter's cell"
+               : "light paths are counted where they land on a meter's cell",
+           !s.cells && !s.goniometers ? "no meter measures a cell"
+           : was_automatic            ? diffuse
+                                      : "not in the set" + chosen);
   return text;
 }
 
@@ -92,10 +105,12 @@ MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
   choice.techniques = techniques_of(choice.method);
   if (!s.cameras) choice.techniques &= ~sensor_connect;
   if (!s.cells && !s.goniometers) choice.techniques &= ~sensor_hit;
-  if (choice.method == UPS_METHOD_LIGHT_TRACING && (s.points || s.illuminance_cameras)) choice.techniques |= connect;  // t = 1 of a point
+  if (choice.method == UPS_METHOD_LIGHT_TRACING && (s.points || s.illuminance_cameras))
+    choice.techniques |= connect;  // t = 1 of a point
   if (desc.techniques) choice.techniques &= desc.techniques;
   if (choice.techniques == 0 && (s.cameras || s.points || s.cells || s.goniometers))
-    throw Error(UPS_ERROR_INVALID_ARGUMENT, "techniques: none of the method's techniques is allowed; 0 allows them all");
+    throw Error(UPS_ERROR_INVALID_ARGUMENT,
+                "techniques: none of the method's techniques is allowed; 0 allows them all");
   choice.text = words(scene, choice.techniques, s, is_automatic);
   choice.warnings = missing_light(scene, settings_of(desc, choice));
   return choice;

@@ -1,4 +1,5 @@
-// Mean and standard error from interleaved batches, and quantiles of relative errors. Used by the accumulator's parts.
+// Mean, standard error and error bound from interleaved batches, and quantiles of relative errors. Used by the
+// accumulator's parts.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,8 @@ inline constexpr double share_of_mean = 0.05;
 
 // Two-sided 95 % quantile of Student's t, 3 to 15 degrees of freedom; at least min_batches.
 inline double t_quantile(uint32_t batches) {
-  static constexpr double table[] = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131};
+  static constexpr double table[] = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262,
+                                     2.228, 2.201, 2.179, 2.160, 2.145, 2.131};
   return table[std::min<uint32_t>(batches, batch_count) - min_batches];
 }
 
@@ -40,6 +42,13 @@ Spread spread(const T* sums, uint32_t samples, size_t stride = 1) {
   }
   s.standard_error = std::sqrt(square / (double(samples) * (used - 1)));
   return s;
+}
+
+// |b| + t sqrt(s^2 + s_b^2): the two are uncorrelated, as the bias estimate's kernel is orthogonal to the value's.
+// -1: not known.
+inline float error_bound(const Spread& value, const Spread& bias, uint32_t samples) {
+  if (value.standard_error < 0) return -1;
+  return float(std::abs(bias.mean) + t_quantile(samples) * std::hypot(value.standard_error, bias.standard_error));
 }
 
 // The value at a share q of the values, which are put in another order.

@@ -165,7 +165,8 @@ void Builder::add_sensors() {
       out_->cameras.emplace_back(to_scene(c->to_world), c->width, c->height, c->vertical_fov_rad, c->illuminance);
       out_->camera_ids.push_back(id);
     } else if (const auto* g = std::get_if<GoniometerDescription>(&s)) {
-      out_->goniometers.emplace_back(Axes(g->to_world).frame(), g->c_deg, g->gamma_deg, Goniometer::Symmetry(g->symmetry));
+      out_->goniometers.emplace_back(Axes(g->to_world).frame(), g->c_deg, g->gamma_deg,
+                                     Goniometer::Symmetry(g->symmetry));
       out_->goniometer_openings.push_back(g->opening);
       out_->goniometer_ids.push_back(id);
     } else {
@@ -212,7 +213,8 @@ void Builder::add_warnings() {
     warn("the scene has no camera, no meters and no goniometer: there is nothing to measure");
   for (size_t i = 0; !out_->goniometers.empty() && i < out_->emitters.size(); ++i)
     if (out_->emitters[i].is_directional())
-      warn(out_->emitter_names[i] + " shines in parallel: where that light leaves the scene, a goniometer's intensity " +
+      warn(out_->emitter_names[i] +
+           " shines in parallel: where that light leaves the scene, a goniometer's intensity " +
            "depends on its grid, as it would be infinite");
 }
 

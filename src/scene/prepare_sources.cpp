@@ -40,7 +40,8 @@ void Builder::add_emissive_instances() {
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     const std::string name = "instance " + std::to_string(instance_ids_[i]);
-    out_->sources.push_back({UPS_SOURCE_INSTANCE, instance_ids_[i], in_.instances().get(instance_ids_[i], "instance").group});
+    out_->sources.push_back(
+        {UPS_SOURCE_INSTANCE, instance_ids_[i], in_.instances().get(instance_ids_[i], "instance").group});
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;
     in_context(name, [&] {
@@ -76,7 +77,8 @@ void Builder::add_light(const std::string& name, const LightDescription& light, 
     add_emitter(name, std::make_unique<PointEmitter>(p, intensity, free_error(p)), p);
   else if (light.kind == UPS_LIGHT_SPOT)
     add_emitter(
-        name, std::make_unique<SpotEmitter>(p, axis, intensity, light.inner_cone_rad, light.outer_cone_rad, free_error(p)),
+        name,
+        std::make_unique<SpotEmitter>(p, axis, intensity, light.inner_cone_rad, light.outer_cone_rad, free_error(p)),
         p);
   else {
     // Light paths start on a disc that covers the scene, and those of meters' discs that reach beyond it.
@@ -151,10 +153,11 @@ std::shared_ptr<const RaySet> Builder::rays_of(const LuminaireDescription& lumin
 
 void Builder::add_rays(const std::string& name, const LuminaireDescription& luminaire, const Rgb& scale) {
   const auto rays = rays_of(luminaire);
-  warn(name + ": its light is the " + std::to_string(rays->size()) +
-       " rays of a file, a sample with a noise of its own that no reported error contains: about 1 / sqrt(n) where n of "
-       "them arrive, " +
-       check::text(100 / std::sqrt(rays->effective_size())) + " % where all do");
+  warn(
+      name + ": its light is the " + std::to_string(rays->size()) +
+      " rays of a file, a sample with a noise of its own that no reported error contains: about 1 / sqrt(n) where n of "
+      "them arrive, " +
+      check::text(100 / std::sqrt(rays->effective_size())) + " % where all do");
   const Frame frame = Axes(luminaire.to_world).frame();
   auto emitter = std::make_unique<RayEmitter>(rays, frame, to_scene(luminaire.to_world.column(3)), scale);
   EmissionSample start;

@@ -57,11 +57,13 @@ FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i
   const auto a = philox({i, 0, 0, 0}, {0, 0}), b = philox({i, 1, 0, 0}, {0, 0});
   FirstLight out;
   EmissionSample s;
-  if (!emitter.sample_emission({to_unit_float(a[0]), to_unit_float(a[1])}, {to_unit_float(b[0]), to_unit_float(b[1])}, s))
+  if (!emitter.sample_emission({to_unit_float(a[0]), to_unit_float(a[1])}, {to_unit_float(b[0]), to_unit_float(b[1])},
+                               s))
     return out;
   out.flux = double(luminance(s.flux));
   Hit hit;
-  out.hit = scene.raytracer->intersect(s.p + s.n * (2 * s.error), s.direction, std::numeric_limits<float>::infinity(), hit);
+  out.hit =
+      scene.raytracer->intersect(s.p + s.n * (2 * s.error), s.direction, std::numeric_limits<float>::infinity(), hit);
   if (out.hit) out.surface = scene.raytracer->surface_at(hit);
   return out;
 }
@@ -84,8 +86,8 @@ float exposed_share(const Snapshot& scene, const Emitter& emitter) {
   return total > 0 ? float(exposed / total) : 1.0f;
 }
 
-// By pairs of points that lie within some distance r of each other: the mean of E^2 over discs of that size. The largest
-// over r, as long as there are pairs enough for a tenth's error.
+// By pairs of points that lie within some distance r of each other: the mean of E^2 over discs of that size. The
+// largest over r, as long as there are pairs enough for a tenth's error.
 float first_light_concentration(const Snapshot& scene) {
   constexpr uint32_t rays = 1024, least_pairs = 100;
   std::vector<Vec3> points;

@@ -1,5 +1,5 @@
-// Where does a point stand that is no surface's own: off which surface, in which glass? Asked at commit by
-// scene/prepare for meters, cameras and luminaires.
+// Where does a point stand that is no surface's own: off which surface, in which glass? And what does the emitters'
+// light meet first? Asked at commit by scene/prepare, for meters, cameras and luminaires.
 #pragma once
 #include "scene/snapshot.h"
 
@@ -21,9 +21,9 @@ uint32_t medium_at(const Snapshot& scene, Vec3 p);
 // goes to mirrors and clear glass, where next-event estimation cannot pick it up. From a fixed set of directions.
 float exposed_share(const Snapshot& scene, const Emitter& emitter);
 
-// How much of the light first meets small patches of the surfaces: the integral of E^2 over the area of the scene's bounds,
-// relative to an even illuminance, from a fixed set of rays. Eye paths that scatter find such a patch by chance alone, once
-// in about so many.
+// How much of the light first meets small patches of the surfaces: the integral of E^2 over the area of the scene's
+// bounds, relative to an even illuminance, from a fixed set of rays. Eye paths that scatter find such a patch by chance
+// alone, once in about so many.
 float first_light_concentration(const Snapshot& scene);
 
 }  // namespace ups

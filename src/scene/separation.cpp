@@ -1,3 +1,4 @@
+// See separation.h: a column for each source of the snapshot, or for each group that one of them names.
 #include "scene/separation.h"
 
 #include <map>

@@ -1,5 +1,6 @@
-// What rendering reads: an immutable build of a scene. Made by scene/prepare, shared by every render that started from it.
-// Coordinates are floats relative to `origin`, the centre of the scene, so that a building far from zero keeps its precision.
+// What rendering reads: an immutable build of a scene. Made by scene/prepare, shared by every render that started from
+// it. Coordinates are floats relative to `origin`, the centre of the scene,
+// so that a building far from zero keeps its precision.
 #pragma once
 #include <memory>
 #include <string>

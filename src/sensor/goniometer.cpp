@@ -1,3 +1,4 @@
+// See goniometer.h: nodes that symmetry makes alike, integrals of the hats, and flux divided among the nodes.
 #include "sensor/goniometer.h"
 
 #include <algorithm>
@@ -12,12 +13,13 @@ namespace {
 
 constexpr double pi_d = 3.14159265358979323846;
 
-// Integral of sin(gamma) times a function that falls linearly from 1 at gamma to 0 at gamma + h (h < 0: towards the nadir).
-// = |cos g - (sin(g + h) - sin g) / h|, written so that small h keep their digits.
+// Integral of sin(gamma) times a function that falls linearly from 1 at gamma to 0 at gamma + h (h < 0: towards the
+// nadir). = |cos g - (sin(g + h) - sin g) / h|, written so that small h keep their digits.
 double hat_side(double gamma, double h) {
   const double y = 0.5 * h, middle = gamma + y;
   // cos g = cos(m - y); (sin(g + h) - sin g) / h = cos(m) sin(y) / y
-  const double sinc_deficit = std::abs(y) > 0.05 ? 1 - std::sin(y) / y : y * y * (1.0 / 6 - y * y * (1.0 / 120 - y * y / 5040));
+  const double sinc_deficit =
+      std::abs(y) > 0.05 ? 1 - std::sin(y) / y : y * y * (1.0 / 6 - y * y * (1.0 / 120 - y * y / 5040));
   const double cos_deficit = 2 * std::pow(std::sin(0.5 * y), 2);
   return std::abs(std::sin(middle) * std::sin(y) + std::cos(middle) * (sinc_deficit - cos_deficit));
 }
@@ -30,7 +32,10 @@ size_t cell_of(const std::vector<double>& v, double x) {
 }  // namespace
 
 Goniometer::Goniometer(const Frame& frame, std::vector<double> c_deg, std::vector<double> gamma_deg, Symmetry symmetry)
-    : frame_(frame), symmetry_(c_deg.size() == 1 ? Symmetry::axial : symmetry), c_deg_(std::move(c_deg)), gamma_deg_(std::move(gamma_deg)) {
+    : frame_(frame),
+      symmetry_(c_deg.size() == 1 ? Symmetry::axial : symmetry),
+      c_deg_(std::move(c_deg)),
+      gamma_deg_(std::move(gamma_deg)) {
   for (double c : c_deg_) c_rad_.push_back(c / 180 * pi_d);
   for (double g : gamma_deg_) gamma_rad_.push_back(g / 180 * pi_d);
   find_representatives();
@@ -44,7 +49,8 @@ void Goniometer::find_representatives() {
     c = std::fmod(c + 720, 360);
     for (size_t i = 0; i < c_deg_.size(); ++i)
       if (const double d = std::abs(c_deg_[i] - c); d < 1e-6 || d > 360 - 1e-6) return i;
-    fail_argument("symmetry: the planes must be as symmetric as the fixture, but there is none at C " + std::to_string(c));
+    fail_argument("symmetry: the planes must be as symmetric as the fixture, but there is none at C " +
+                  std::to_string(c));
   };
   std::vector<uint32_t> plane(c_deg_.size());
   for (size_t i = 0; i < plane.size(); ++i) {
@@ -70,7 +76,8 @@ void Goniometer::integrate_hats() {
   for (size_t c = 0; c < planes; ++c) {
     const double before = c_rad_[c] - (c ? c_rad_[c - 1] : c_rad_[planes - 1] - 2 * pi_d);
     const double after = (c + 1 < planes ? c_rad_[c + 1] : c_rad_[0] + 2 * pi_d) - c_rad_[c];
-    const double across = planes > 1 ? 0.5 * (before + after) : 2 * pi_d, narrow_across = planes > 1 ? 0.5 * across : across;
+    const double across = planes > 1 ? 0.5 * (before + after) : 2 * pi_d,
+                 narrow_across = planes > 1 ? 0.5 * across : across;
     for (size_t g = 0; g < rows; ++g) {
       double along = 0, narrow_along = 0;
       for (int side : {-1, 1}) {

@@ -1,5 +1,5 @@
-// A virtual goniophotometer: flux by direction at infinity, gathered at the nodes of a C-gamma grid. Filled by the light
-// pass with what leaves the scene, read by render/accumulator.
+// A virtual goniophotometer: flux by direction at infinity, gathered at the nodes of a C-gamma grid. Filled by the
+// light pass with what leaves the scene, read by render/accumulator.
 //
 // Each bit of flux is divided among the four nodes around its direction by the hat functions of bilinear interpolation;
 // a node's intensity is its flux over the solid angle integral of its hat. The interpolated table then carries exactly
@@ -23,8 +23,8 @@ class Goniometer {
  public:
   using Symmetry = photometry::Symmetry;
 
-  // frame: s, t, n are local X (C0), Y (C90), Z (away from nadir). Angles ascending, c_deg in [0, 360) from 0, gamma_deg
-  // in [0, 180]. Throws Error where the planes are not as symmetric as asked for.
+  // frame: s, t, n are local X (C0), Y (C90), Z (away from nadir). Angles ascending, c_deg in [0, 360) from 0,
+  // gamma_deg in [0, 180]. Throws Error where the planes are not as symmetric as asked for.
   Goniometer(const Frame& frame, std::vector<double> c_deg, std::vector<double> gamma_deg, Symmetry symmetry);
 
   Symmetry symmetry() const { return symmetry_; }

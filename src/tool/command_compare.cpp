@@ -46,8 +46,8 @@ std::vector<float> read_channel(const ups_exr_image* image, const std::string& p
 }
 
 // Left empty where a channel's standard error is missing, or not known at some pixel.
-std::vector<double> read_variance(const ups_exr_image* image, const std::string& path, const std::vector<std::string>& names,
-                                  size_t pixels) {
+std::vector<double> read_variance(const ups_exr_image* image, const std::string& path,
+                                  const std::vector<std::string>& names, size_t pixels) {
   std::vector<double> variance(pixels, 0);
   for (const std::string& name : names) {
     if (!has_channel(image, "standard_error." + name)) return {};

@@ -9,7 +9,6 @@
 namespace ups::tool {
 namespace {
 
-constexpr double radian = 3.14159265358979323846 / 180;
 constexpr int metres = 5;
 constexpr double widest_deg = 85;                         // an edge beyond meets the floor too far away to be drawn
 constexpr double ellipse_flattening = 0.16, deepest = 9;  // so that the lowest leaves the axis its numbers

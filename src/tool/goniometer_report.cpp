@@ -1,3 +1,4 @@
+// See goniometer_report.h: the worst node, keywords of the written file, and the measurement as text.
 #include "tool/goniometer_report.h"
 
 #include <algorithm>

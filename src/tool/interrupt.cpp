@@ -1,3 +1,4 @@
+// See interrupt.h. The handler does only what a signal handler may: it sets a flag, or ends the program.
 #include "tool/interrupt.h"
 
 #include <unistd.h>

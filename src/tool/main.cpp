@@ -20,8 +20,8 @@ const CLI::App* add_info(CLI::App& app, InfoOptions& options) {
       ->type_name("OUT");
   command->add_flag("--json", options.json, "Print one JSON object on standard output");
   command->footer(
-      "Photometric files: .ies, .ldt, .xml, .tm25ray, .sdf, .dat, .ray. One file: a page; several or a folder: a table,\n"
-      "with files that cannot be read in it; the exit code is then 1.\n"
+      "Photometric files: .ies, .ldt, .xml, .tm25ray, .sdf, .dat, .ray. One file: a page; several or a folder: a "
+      "table,\nwith files that cannot be read in it; the exit code is then 1.\n"
       "Flux is by the band rule. Beam angle: 50 % of the plane's peak, field angle: 10 %.");
   return command;
 }
@@ -60,9 +60,9 @@ int run(int argc, char** argv) {
       "Over luminance Y of R, G, B, or the channel Y. With B as R:\n"
       "relative_mse = mean[(A - R)^2 / (R^2 + 0.01 mean(R)^2)]; -1: unknown, as B is black.\n"
       "channels: means over all pixels and channels; mse and relative_mse (with R still the luminance in the\n"
-      "denominator) of the differences, noise_a, noise_b and relative_noise_b of the squared standard errors of A and B\n"
-      "(-1: not in the file); trimmed_...: without the 0.1 % of the pixels that differ most. mse - noise_b is the mean\n"
-      "squared error of A without the noise of the reference.");
+      "denominator) of the differences, noise_a, noise_b and relative_noise_b of the squared standard errors of A and "
+      "B\n(-1: not in the file); trimmed_...: without the 0.1 % of the pixels that differ most. mse - noise_b is the "
+      "mean\nsquared error of A without the noise of the reference.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

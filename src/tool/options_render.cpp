@@ -80,7 +80,8 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
           ""))
       ->type_name("LIST")
       ->group(group);
-  command.add_option("--max-path-length", desc.max_path_length, "Edges of the longest path; without it there is no limit")
+  command
+      .add_option("--max-path-length", desc.max_path_length, "Edges of the longest path; without it there is no limit")
       ->check(CLI::Range(uint32_t(1), UINT32_MAX))
       ->type_name("N")
       ->group(group);
@@ -96,7 +97,9 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
       ->check(CLI::Validator(fraction, ""))
       ->type_name("A")
       ->group(group);
-  command.add_option("--glossy-alpha", desc.glossy_alpha, "sppm passes metal and rough glass sharper than this GGX alpha (0.2)")
+  command
+      .add_option("--glossy-alpha", desc.glossy_alpha,
+                  "sppm passes metal and rough glass sharper than this GGX alpha (0.2)")
       ->check(CLI::Validator(fraction, ""))
       ->type_name("A")
       ->group(group);
@@ -111,8 +114,9 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
       ->type_name("WORD")
       ->group(group);
   command
-      .add_option("--technique-images", desc.technique_images,
-                  "With --out: NAME_techniques.exr, what each technique brings for paths of up to so many edges (at most 16)")
+      .add_option(
+          "--technique-images", desc.technique_images,
+          "With --out: NAME_techniques.exr, what each technique brings for paths of up to so many edges (at most 16)")
       ->check(CLI::Range(1, 16))
       ->type_name("N")
       ->group(group);

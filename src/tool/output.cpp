@@ -1,3 +1,5 @@
+// See output.h: a camera's images and the layers of its techniques; a meter set's table, a grid's also as images;
+// folders and files tried out before a render.
 #include "tool/output.h"
 
 #include <unistd.h>
@@ -94,15 +96,16 @@ Layers technique_layers(const SensorEntry& camera, const ups_result* result) {
     for (bool weighted : {true, false}) {
       std::vector<float> pixels(layers[0].second.size());
       check(ups_result_read_technique(result, camera.info.sensor, i,
-                                      weighted ? UPS_CONTRIBUTION_WEIGHTED : UPS_CONTRIBUTION_UNWEIGHTED, pixels.data(), 0,
-                                      pixels.size() * sizeof(float)));
+                                      weighted ? UPS_CONTRIBUTION_WEIGHTED : UPS_CONTRIBUTION_UNWEIGHTED, pixels.data(),
+                                      0, pixels.size() * sizeof(float)));
       layers.emplace_back(name + (weighted ? ".weighted" : ".unweighted"), std::move(pixels));
     }
   }
   return layers;
 }
 
-void write_techniques(const std::string& path, const SensorEntry& camera, const ups_result* result, Attributes attributes) {
+void write_techniques(const std::string& path, const SensorEntry& camera, const ups_result* result,
+                      Attributes attributes) {
   const Layers layers = technique_layers(camera, result);
   if (layers.empty()) return;
   std::vector<std::string> names;

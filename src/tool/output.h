@@ -1,5 +1,5 @@
-// The files of `ups render --out`: images and tables of every sensor; whether files can be written. Called by the commands
-// that render.
+// The files of `ups render --out`: images and tables of every sensor; whether files can be written. Called by the
+// commands that render.
 #pragma once
 #include <string>
 #include <vector>

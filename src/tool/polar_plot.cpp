@@ -8,7 +8,6 @@
 namespace ups::tool {
 namespace {
 
-constexpr double radian = 3.14159265358979323846 / 180;
 constexpr double step_deg = 0.1;
 constexpr double faint = 0.005;  // of the peak: less above the horizon does not ask for a full circle
 

@@ -66,7 +66,6 @@ ups_status parse(ups_context* context, const std::string& file, Profile& out) {
 }
 
 std::vector<float> directions_of(const std::vector<std::pair<double, double>>& c_gamma_deg) {
-  const double radian = std::acos(-1.0) / 180;
   std::vector<float> directions;
   for (const auto& [c, gamma] : c_gamma_deg) {
     const double sine = std::sin(gamma * radian);

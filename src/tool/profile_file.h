@@ -11,6 +11,8 @@
 
 namespace ups::tool {
 
+inline constexpr double radian = 3.14159265358979323846 / 180;  // of a degree
+
 std::string lower_extension(const std::string& file);  // with its dot
 
 // By its name: .ies, .ldt, .xml, .tm25ray, .sdf, .dat, .ray. None: not a photometric file.

@@ -1,3 +1,4 @@
+// See progress.h: a line that is written over on a terminal, lines below one another elsewhere.
 #include "tool/progress.h"
 
 #include <unistd.h>

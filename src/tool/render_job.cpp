@@ -1,3 +1,4 @@
+// See render_job.h: waits in short steps, so that the bar moves and Ctrl-C is seen.
 #include "tool/render_job.h"
 
 #include <cstdio>

@@ -1,3 +1,4 @@
+// See report.h: gathering a render's numbers, words for methods and techniques, and the report for people.
 #include "tool/report.h"
 
 #include <algorithm>
@@ -160,12 +161,14 @@ std::string to_text(const Report& report) {
                    camera.mean_luminance_cd_m2);
   }
   for (const GoniometerReport& g : report.goniometers) {
-    text += format("goniometer %s: flux %.6g lm +- %.2g, light output ratio %s, median error %s, worst %s\n", g.name.c_str(),
-                   g.info.flux_lm, g.info.flux_standard_error_lm, percent_text(g.info.light_output_ratio).c_str(),
+    text += format("goniometer %s: flux %.6g lm +- %.2g, light output ratio %s, median error %s, worst %s\n",
+                   g.name.c_str(), g.info.flux_lm, g.info.flux_standard_error_lm,
+                   percent_text(g.info.light_output_ratio).c_str(),
                    percent_text(g.info.median_relative_error_bound).c_str(),
                    percent_text(g.info.worst_relative_error_bound).c_str());
   }
-  for (const SourceReport& source : report.sources) text += format("source %s: %.6g lm\n", source.name.c_str(), source.flux_lm);
+  for (const SourceReport& source : report.sources)
+    text += format("source %s: %.6g lm\n", source.name.c_str(), source.flux_lm);
   for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
   return text;
 }

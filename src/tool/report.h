@@ -48,8 +48,8 @@ uint32_t technique_bit(const std::string& name);  // UPS_TECHNIQUE_* of "merge" 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);
 
-// Means over all pixels and channels of squared differences and of squared standard errors; -1: not known. trimmed: of the
-// pixels without the thousandth that differs most. relative: each pixel divided as for relative_mse.
+// Means over all pixels and channels of squared differences and of squared standard errors; -1: not known. trimmed: of
+// the pixels without the thousandth that differs most. relative: each pixel divided as for relative_mse.
 struct ChannelErrors {
   double mse, relative_mse, trimmed_mse;
   double noise_a, noise_b, relative_noise_b, trimmed_noise_b;

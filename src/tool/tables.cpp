@@ -1,3 +1,4 @@
+// See tables.h: columns named by luminaire, instance or group; nodes of a goniometer with their errors.
 #include "tool/tables.h"
 
 #include "tool/csv.h"
@@ -12,7 +13,9 @@ std::vector<std::string> source_names(const ups_result* result) {
     ups_source_info info{};
     info.struct_size = sizeof info;
     check(ups_result_get_source(result, i, &info));
-    const char* kind = info.kind == UPS_SOURCE_GROUP ? "group_" : info.kind == UPS_SOURCE_INSTANCE ? "instance_" : "luminaire_";
+    const char* kind = info.kind == UPS_SOURCE_GROUP      ? "group_"
+                       : info.kind == UPS_SOURCE_INSTANCE ? "instance_"
+                                                          : "luminaire_";
     names.push_back(kind + std::to_string(info.id));
   }
   return names;
@@ -25,7 +28,8 @@ void write_sources_csv(const std::string& path, const std::vector<double>& posit
   for (const std::string& name : source_names(result)) {
     header += "," + name + "_lx," + name + "_standard_error_lx";
     std::vector<ups_meter_reading>& column = columns.emplace_back(meters.info.meter_count);
-    check(ups_result_read_source_meters(result, uint32_t(columns.size() - 1), meters.info.sensor, column.data(), column.size()));
+    check(ups_result_read_source_meters(result, uint32_t(columns.size() - 1), meters.info.sensor, column.data(),
+                                        column.size()));
   }
   Csv csv(header);
   for (size_t m = 0; m < meters.info.meter_count; ++m) {

@@ -1,5 +1,5 @@
-// Tables of `ups render --out` beside a meter set's own: what each source contributes, and goniometers. Called by output.cpp
-// and, of goniometers, by `ups goniometer`.
+// Tables of `ups render --out` beside a meter set's own: what each source contributes, and goniometers. Called by
+// output.cpp and, of goniometers, by `ups goniometer`.
 #pragma once
 #include <string>
 #include <vector>

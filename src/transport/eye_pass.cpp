@@ -1,3 +1,4 @@
+// See eye_pass.h: which light path an eye path is paired with, which pixels an iteration visits, and the two loops.
 #include "transport/eye_pass.h"
 
 #include "transport/eye_walk.h"
@@ -64,7 +65,8 @@ float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3
 
 }  // namespace
 
-uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_path, ThreadPool& pool, IterationTally& tally) {
+uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_path, ThreadPool& pool,
+                            IterationTally& tally) {
   const Camera& camera = in.scene.cameras[c];
   const std::vector<uint32_t> pixels = visited_pixels(in.plan, camera, in.iteration);
   const Pairing pairing(in);
@@ -88,9 +90,11 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
       PathSampler rng(in.settings.seed, first_camera_stream + c, key, in.camera_batch_visit, in.iteration, pixel);
       const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
       ++work[b].eye_paths;
-      tally.pixels[c][pixel] = EyeWalk(in, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
+      tally.pixels[c][pixel] =
+          EyeWalk(in, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
       if (!camera.illuminance()) continue;
-      const PathSampler own(in.settings.seed, first_illuminance_stream + c, key, in.camera_batch_visit, in.iteration, pixel);
+      const PathSampler own(in.settings.seed, first_illuminance_stream + c, key, in.camera_batch_visit, in.iteration,
+                            pixel);
       tally.illuminance[c][pixel] = pixel_illuminance(in, camera, d, sensor, own, work[b]);
     }
   });
@@ -98,7 +102,8 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
   return first_path + uint32_t(pixels.size());
 }
 
-uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_path, ThreadPool& pool, IterationTally& tally) {
+uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_path, ThreadPool& pool,
+                           IterationTally& tally) {
   const MeterSet& set = in.scene.meter_sets[s];
   const uint32_t samples = in.plan.meter_samples;
   const size_t meters_per_block = std::max<size_t>(1, paths_per_block / samples);
@@ -131,7 +136,8 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
           p += meter.frame.s * ((rng.get(0, Slot::cell_x) - 0.5f) * set.cell_width) +
                meter.frame.t * ((rng.get(0, Slot::cell_y) - 0.5f) * set.cell_height);
         ++work[b].eye_paths;
-        const EyeTally found = EyeWalk(in, sensor, rng, work[b]).from_meter(p, lifted(p, meter.frame.n, meter.error), meter.frame);
+        const EyeTally found =
+            EyeWalk(in, sensor, rng, work[b]).from_meter(p, lifted(p, meter.frame.n, meter.error), meter.frame);
         sum.value += luminance(found.value);
         sum.direct += found.direct;
         sum.bias += found.bias;

@@ -26,7 +26,9 @@ struct EyePassInput {
 };
 
 // `first_path`: running number of the pass's first eye path, for its pairing with light paths. Returns the next one's.
-uint32_t trace_camera_paths(const EyePassInput& in, uint32_t camera, uint32_t first_path, ThreadPool& pool, IterationTally& tally);
-uint32_t trace_meter_paths(const EyePassInput& in, uint32_t set, uint32_t first_path, ThreadPool& pool, IterationTally& tally);
+uint32_t trace_camera_paths(const EyePassInput& in, uint32_t camera, uint32_t first_path, ThreadPool& pool,
+                            IterationTally& tally);
+uint32_t trace_meter_paths(const EyePassInput& in, uint32_t set, uint32_t first_path, ThreadPool& pool,
+                           IterationTally& tally);
 
 }  // namespace ups

@@ -1,3 +1,5 @@
+// See eye_walk.h: the walk, emitter hits, next-event estimation, connections, merges, scattering, and what a meter's
+// own point does in their place.
 #include "transport/eye_walk.h"
 
 #include <limits>
@@ -75,14 +77,16 @@ void EyeWalk::walk() {
     if (emitter != none) hit_emitter(emitter, surface.primitive, surface.p, cos_in, distance, edges, Rgb(1.0f));
     if (in_.settings.light_tracing) return;  // an emitter seen directly was all that it can add
 
-    Vertex v{surface, Bsdf(scene_.materials[surface.material], surface.uv), -direction_, {}, arrive(cos_in, distance), false, false, edges};
+    Vertex v{surface, Bsdf(scene_.materials[surface.material], surface.uv), -direction_, {}, arrive(cos_in, distance),
+             false, false, edges};
     v.local_wo = surface.shading.to_local(v.wo);
     if (!consistent_side(surface, v.wo, v.local_wo)) return;
     v.passes = v.bsdf.is_glossy(in_.settings.glossy_alpha);
     v.merge = merge_gate(v.bsdf) && !v.passes;
     if (v.bsdf.has_continuous()) {
       Arrival a{surface};
-      if (!in_.settings.actual_perturbation || !in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT) || perturb(v, a)) {
+      if (!in_.settings.actual_perturbation || !in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT) ||
+          perturb(v, a)) {
         if (in_.settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) sample_light(v, a);
         if (in_.settings.has(UPS_TECHNIQUE_CONNECT))
           connect_one(edges, [&](const PreparedLight& l) { return connect(v, a, l); });
@@ -96,11 +100,13 @@ void EyeWalk::walk() {
 mis::EyeState EyeWalk::arrive(float cos_in, float distance) const {
   const double d2 = double(distance) * distance;
   switch (edge_.kind) {
-    case Edge::sensor: return mis::eye_first(sensor_.counts, sensor_.camera, sensor_.end, edge_.pdf, edge_.cos_out, cos_in, d2);
+    case Edge::sensor:
+      return mis::eye_first(sensor_.counts, sensor_.camera, sensor_.end, edge_.pdf, edge_.cos_out, cos_in, d2);
     case Edge::delta: return mis::eye_step_delta(edge_.state, edge_.chi, edge_.cos_out, cos_in);
     case Edge::continuous: break;
   }
-  return mis::eye_step(edge_.state, sensor_.counts, sensor_.camera, edge_.merge, edge_.pdf, edge_.pdf_reverse, edge_.cos_out, cos_in, d2);
+  return mis::eye_step(edge_.state, sensor_.counts, sensor_.camera, edge_.merge, edge_.pdf, edge_.pdf_reverse,
+                       edge_.cos_out, cos_in, d2);
 }
 
 // Luminous openings block nothing: they are found beside the surfaces.
@@ -119,8 +125,8 @@ void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
   }
 }
 
-void EyeWalk::hit_emitter(uint32_t index, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
-                          const Rgb& transmittance) {
+void EyeWalk::hit_emitter(uint32_t index, uint32_t primitive, const Vec3& p, float cos_in, float distance,
+                          uint32_t edges, const Rgb& transmittance) {
   if (!in_.settings.has(UPS_TECHNIQUE_EMITTER_HIT) && !in_.settings.light_tracing) return;
   if (in_.settings.hits_after_specular && !specular_) return;
   const Emitter& emitter = scene_.emitters[index];
@@ -132,9 +138,11 @@ void EyeWalk::hit_emitter(uint32_t index, uint32_t primitive, const Vec3& p, flo
     const double pn_0 = double(scene_.emitters.direct_probability(last_, index)) * hit.pdf_nee_a;
     const double pf_0 = double(scene_.emitters.emission_probability(index)) * hit.pdf_position_a;
     const bool connectable = edge_.kind == Edge::continuous || (edge_.kind == Edge::sensor && !sensor_.camera);
-    w = mis::weight_hit(arrive(cos_in, distance), sensor_.counts, in_.plan.gates, pn_0, pf_0, hit.pdf_direction_w, pb_0, connectable);
+    w = mis::weight_hit(arrive(cos_in, distance), sensor_.counts, in_.plan.gates, pn_0, pf_0, hit.pdf_direction_w, pb_0,
+                        connectable);
   }
-  add({{Family::path_integration, 0, edges}, index}, throughput_ * transmittance * hit.radiance, float(w), Drop::emitter_hit);
+  add({{Family::path_integration, 0, edges}, index}, throughput_ * transmittance * hit.radiance, float(w),
+      Drop::emitter_hit);
 }
 
 namespace {
@@ -143,7 +151,8 @@ namespace {
 struct DirectDensities {
   double pn_0, pf_0, pf_1;
 };
-DirectDensities direct_densities(const Snapshot& scene, const EmitterSet::Choice& choice, const DirectSample& s, double cos_1) {
+DirectDensities direct_densities(const Snapshot& scene, const EmitterSet::Choice& choice, const DirectSample& s,
+                                 double cos_1) {
   const Emitter& e = scene.emitters[choice.index];
   const double emit = scene.emitters.emission_probability(choice.index);
   const double d2 = double(s.distance) * s.distance;
@@ -219,7 +228,8 @@ void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
   ++work_.connections;
   if (!segment_free(scene_, c.from, c.to, work_)) return;
   const float all_for_one = float(sum / luminance(c.value));
-  add({{Family::path_integration, c.s, c.edges}, c.emitter}, c.value * all_for_one, c.unweighted * all_for_one, Drop::connect);
+  add({{Family::path_integration, c.s, c.edges}, c.emitter}, c.value * all_for_one, c.unweighted * all_for_one,
+      Drop::connect);
 }
 
 // 2 <= s < k: an edge to a vertex of the light path.
@@ -244,9 +254,11 @@ EyeWalk::Connection EyeWalk::connect(const Vertex& v, const Arrival& a, const Pr
   const double w = mis::weight_connect(l.mis, v.state, sensor_.counts, l.merge, v.merge, f_eye.pdf * cos_light / d2,
                                        f_light.pdf_reverse, f_light.pdf * cos_eye / d2, f_eye.pdf_reverse);
   const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
-  const float scale = terminator(v.surface, d) * perturbed_cosine(v, a, d) * light_correction(light.surface, l.wo, -d) / d2;
+  const float scale =
+      terminator(v.surface, d) * perturbed_cosine(v, a, d) * light_correction(light.surface, l.wo, -d) / d2;
   const Rgb value = throughput_ * f_eye.value * l.flux * f_light.value * attenuation(scene_, medium, distance) * scale;
-  return {value * float(w), value, a.surface.ray_origin(d), light.surface.ray_origin(-d), l.depth + 1u, edges, l.emitter};
+  return {value * float(w), value, a.surface.ray_origin(d), light.surface.ray_origin(-d), l.depth + 1u, edges,
+          l.emitter};
 }
 
 double EyeWalk::photon_norm(double radius) const {
@@ -266,8 +278,11 @@ void EyeWalk::meter_merge(const SurfacePoint& surface) {
   sensor_.first.photons->query(surface.p, sensor_.first.radius, [&](uint32_t index, float) {
     const LightVertex& l = in_.light.vertices[index];
     const float cos_light = dot(l.wo, meter_frame_.n);
-    if (longer_than_allowed(l.depth) || cos_light < min_cosine || !same_surface(surface, l, sensor_.first.radius)) return;
-    const double w = in_.settings.weightless() ? 1.0 : mis::weight_merge_at_sensor(l.mis, sensor_.counts, sensor_.end.merge, cos_light * double(inv_pi));
+    if (longer_than_allowed(l.depth) || cos_light < min_cosine || !same_surface(surface, l, sensor_.first.radius))
+      return;
+    const double w = in_.settings.weightless() ? 1.0
+                                               : mis::weight_merge_at_sensor(l.mis, sensor_.counts, sensor_.end.merge,
+                                                                             cos_light * double(inv_pi));
     ++work_.merges;
     add({{Family::density_estimation, l.depth + 1u, l.depth}, l.emitter}, l.flux * float(norm), float(w), Drop::merge);
   });
@@ -294,8 +309,10 @@ void EyeWalk::merge(const Vertex& v) {
       w = mis::weight_merge(l.mis, sensor_.counts, eta, f.pdf, eye);
     }
     ++work_.merges;
-    const Rgb value = throughput_ * f.value * l.flux * (float(norm / std::abs(cos_light)) * terminator(v.surface, l.wo));
-    if (!add({{Family::density_estimation, l.depth + 1u, v.edges + l.depth}, l.emitter}, value, float(w), Drop::merge)) return;
+    const Rgb value =
+        throughput_ * f.value * l.flux * (float(norm / std::abs(cos_light)) * terminator(v.surface, l.wo));
+    if (!add({{Family::density_estimation, l.depth + 1u, v.edges + l.depth}, l.emitter}, value, float(w), Drop::merge))
+      return;
     const float bias = 2 * luminance(value) * float(w) * (2 * d2 < r2 ? -1.0f : 1.0f);
     tally_.bias += bias;
     add_separated(l.emitter, {0.0, 0.0, bias});
@@ -304,7 +321,8 @@ void EyeWalk::merge(const Vertex& v) {
 
 bool EyeWalk::scatter(const Vertex& v) {
   BsdfSample s;
-  if (!v.bsdf.sample(v.local_wo, rng_.get(v.edges, Slot::lobe), rng_.direction(v.edges), TransportMode::radiance, s)) return false;
+  if (!v.bsdf.sample(v.local_wo, rng_.get(v.edges, Slot::lobe), rng_.direction(v.edges), TransportMode::radiance, s))
+    return false;
   if (in_.settings.photon_mapping && !s.delta && !v.passes) return false;  // its continuous part was merged
   const Vec3 wi = v.surface.shading.to_world(s.wi);
   if (!consistent_side(v.surface, wi, s.wi)) return false;
@@ -341,7 +359,8 @@ void EyeWalk::meter_sample_light() {
   if (!in_.settings.light_tracing) {
     const DirectDensities p = direct_densities(scene_, choice, s, cos_1);
     const double pb_0 = emitter.is_delta() ? 0.0 : cos_1 * double(inv_pi) * s.cos_0 / d2;
-    w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1, mis::sensor_total_direct(sensor_.end, in_.plan.gates));
+    w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1,
+                                 mis::sensor_total_direct(sensor_.end, in_.plan.gates));
   }
   const Rgb value = s.weight * attenuation(scene_, medium_, s.distance) * float(cos_1 / choice.probability);
   if (is_black(value)) return;

@@ -63,7 +63,8 @@ class EyeWalk {
   void walk();
   mis::EyeState arrive(float cos_in, float distance) const;
   void hit_openings(uint32_t edges, float distance, uint32_t medium);
-  void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges, const Rgb& transmittance);
+  void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
+                   const Rgb& transmittance);
   // Where path integration arrives at a vertex: there, or beside it (UPS_PERTURBATION_ACTUAL).
   struct Arrival {
     SurfacePoint surface;

@@ -1,3 +1,4 @@
+// See integrator.h: radii of the iteration, the light pass, the photon index, and the eye passes of all sensors.
 #include "transport/integrator.h"
 
 #include "transport/eye_pass.h"
@@ -6,7 +7,8 @@
 
 namespace ups {
 
-Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool, const std::atomic<bool>& stop)
+Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
+                       const std::atomic<bool>& stop)
     : scene_(std::move(scene)), settings_(settings), pool_(pool), plan_(make_plan(*scene_, settings)) {
   choose_radii(*scene_, settings_, pool_, stop, plan_);
 }

@@ -1,3 +1,4 @@
+// See light_pass.h: one light path (LightWalk), blocks of paths on all threads, and what blocks found put in order.
 #include "transport/light_pass.h"
 
 #include <limits>
@@ -99,7 +100,8 @@ class LightWalk {
     return true;
   }
 
-  // MIS state at a point that the current edge reaches: x_1 needs to know how next-event estimation would have found x_0.
+  // MIS state at a point that the current edge reaches:
+  // x_1 needs to know how next-event estimation would have found x_0.
   mis::LightState arrive(const Vec3& p, float cos_in, float distance) const {
     const double d2 = double(distance) * distance;
     switch (edge_.kind) {
@@ -138,16 +140,19 @@ class LightWalk {
     const Vec3 p = origin_ + direction_ * crossing.t;
     const Vec3 offset = p - lifted(meter.p, meter.frame.n, meter.error);
     const bool cell = set.is_cell();
-    if (cell && (std::abs(dot(offset, meter.frame.s)) * 2 > set.cell_width || std::abs(dot(offset, meter.frame.t)) * 2 > set.cell_height))
+    if (cell && (std::abs(dot(offset, meter.frame.s)) * 2 > set.cell_width ||
+                 std::abs(dot(offset, meter.frame.t)) * 2 > set.cell_height))
       return;
     if (!cell && a == 1 && !in_.plan.gates.merge_at_first) return;
-    const double unweighted = luminance(flux_ * attenuation(scene_, medium, crossing.t)) /
-                              (double(in_.plan.light_paths) * (cell ? double(set.cell_area()) : 3.14159265358979323846 * e.radius2));
+    const double unweighted =
+        luminance(flux_ * attenuation(scene_, medium, crossing.t)) /
+        (double(in_.plan.light_paths) * (cell ? double(set.cell_area()) : 3.14159265358979323846 * e.radius2));
     double w = 1;
     if (!in_.settings.weightless()) {
       const mis::LightState s = arrive(p, cos_in, crossing.t);
       const double reverse = cos_in * inv_pi;
-      w = cell ? mis::weight_land(s, e.counts, set.cell_area(), reverse) : mis::weight_merge_at_sensor(s, e.counts, e.eta, reverse);
+      w = cell ? mis::weight_land(s, e.counts, set.cell_area(), reverse)
+               : mis::weight_merge_at_sensor(s, e.counts, e.eta, reverse);
     }
     const double value = unweighted * w;
     if (!std::isfinite(value)) {
@@ -155,7 +160,8 @@ class LightWalk {
       return;
     }
     const float d2 = length2(offset);
-    // The disc of half the area: its photons count twice, so that the difference sees the curvature of illuminance alone.
+    // The disc of half the area: its photons count twice,
+    // so that the difference sees the curvature of illuminance alone.
     const double bias = cell ? 0.0 : 2.0 * (value - (2.0 * d2 < e.radius2 ? 2.0 * value : 0.0));
     block_.landings.push_back({crossing.disc, emitter_index_, {value, a == 1 ? value : 0.0, bias}, d2});
   }
@@ -217,12 +223,14 @@ class LightWalk {
     double w = 1;
     if (!in_.settings.light_tracing) {
       const float r = in_.plan.pixel_radius.empty() ? 0.0f : in_.plan.pixel_radius[c][*pixel];
-      const mis::Counts n = camera_counts(in_.plan, in_.settings, in_.plan.radius2(r, in_.camera_radius_factor), in_.walk_radius2);
+      const mis::Counts n =
+          camera_counts(in_.plan, in_.settings, in_.plan.radius2(r, in_.camera_radius_factor), in_.walk_radius2);
       w = mis::weight_sensor_connect(state, n, true, {}, merge, double(pdf_w) * cos_out / d2,
                                      scattering.pdf_reverse, 0.0);
     }
     const uint32_t medium = medium_beyond(scene_, surface_, medium_, d);
-    const Rgb unweighted = flux_ * f * attenuation(scene_, medium, std::sqrt(d2)) * float(pdf_w / (double(d2) * in_.plan.light_paths));
+    const Rgb unweighted =
+        flux_ * f * attenuation(scene_, medium, std::sqrt(d2)) * float(pdf_w / (double(d2) * in_.plan.light_paths));
     const Rgb value = unweighted * float(w);
     if (!is_finite(value)) {
       ++block_.work.dropped[size_t(Drop::sensor_connect)];
@@ -232,7 +240,8 @@ class LightWalk {
     block_.splats.push_back({c, *pixel, value, unweighted, a + 1});
   }
 
-  bool continue_walk(uint32_t a, const Bsdf& bsdf, const Vec3& wo, const Vec3& local_wo, const mis::LightState& state, bool merge) {
+  bool continue_walk(uint32_t a, const Bsdf& bsdf, const Vec3& wo, const Vec3& local_wo, const mis::LightState& state,
+                     bool merge) {
     BsdfSample s;
     if (!bsdf.sample(local_wo, rng_.get(a, Slot::lobe), rng_.direction(a), TransportMode::importance, s)) {
       absorb(Rgb(0.0f));
@@ -295,7 +304,8 @@ std::vector<Block> run_blocks(const LightPassInput& in, const SensorIndex& senso
 
 }  // namespace
 
-LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally) {
+LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool,
+                             IterationTally& tally) {
   const std::vector<Block> blocks = run_blocks(in, sensors, pool);
   LightPaths paths;
   paths.begin.reserve(in.plan.light_paths + 1);
@@ -318,7 +328,8 @@ LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensor
     for (const Block::Landing& l : b.landings) {
       const SensorIndex::Entry& e = sensors.entry(l.disc);
       tally.meters[e.set][e.meter].add(l.value);
-      if (columns) tally.separated[e.set][e.meter * columns + in.plan.separation.column_of_emitter[l.emitter]].add(l.value);
+      if (columns)
+        tally.separated[e.set][e.meter * columns + in.plan.separation.column_of_emitter[l.emitter]].add(l.value);
     }
     for (size_t g = 0; g < tally.goniometers.size(); ++g)
       for (const Block::Escape& e : b.escapes)

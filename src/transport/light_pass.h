@@ -1,5 +1,5 @@
-// Traces the light paths of one iteration: stores vertices for connections and merges, splats to cameras (t = 1), lands on
-// cells (t = 0), merges at point meters, keeps the books of flux.
+// Traces the light paths of one iteration: stores vertices for connections and merges, splats to cameras (t = 1), lands
+// on cells (t = 0), merges at point meters, keeps the books of flux.
 #pragma once
 #include <atomic>
 
@@ -24,7 +24,8 @@ struct LightPassInput {
 };
 
 // Adds to tally.splats, tally.meters, tally.work; the same bits for any number of threads.
-LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally);
+LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool,
+                             IterationTally& tally);
 
 // What is thrown away after radii are chosen from it.
 struct PilotPaths {

@@ -1,4 +1,4 @@
-// The radius at which a meter's disc starts to catch photons: so that noise and bias together are least.
+// See radii.h: the radius at which a meter's disc starts to catch photons, so that noise and bias together are least.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,12 +17,14 @@ float distance_in_plane(const Snapshot& scene, const Meter& meter, float radius)
   for (int i = 0; i < 32; ++i) {
     const float phi = (float(i) + 0.5f) * (2 * pi / 32);
     Hit hit;
-    if (scene.raytracer->intersect(o, meter.frame.s * std::cos(phi) + meter.frame.t * std::sin(phi), free, hit)) free = hit.t;
+    if (scene.raytracer->intersect(o, meter.frame.s * std::cos(phi) + meter.frame.t * std::sin(phi), free, hit))
+      free = hit.t;
   }
   return std::max(0.99f * free, radius / 16);
 }
 
-// What the pilot says of one disc, free of its radius: the variance of one iteration is noise / r^2, its bias curvature * r^2.
+// What the pilot says of one disc, free of its radius: the variance of one iteration is
+// noise / r^2, its bias curvature * r^2.
 struct DiscMoments {
   double noise = 0, curvature = 0;
 };
@@ -57,15 +59,16 @@ std::vector<DiscMoments> pooled(const MeterSet& set, const std::vector<DiscMomen
     };
     take(order[at]);
     for (size_t k = at; k-- > 0 && count < enough && meter.p.x - x(order[k]) <= reach;) take(order[k]);
-    for (size_t k = at + 1; k < order.size() && count < 2 * enough && x(order[k]) - meter.p.x <= reach; ++k) take(order[k]);
+    for (size_t k = at + 1; k < order.size() && count < 2 * enough && x(order[k]) - meter.p.x <= reach; ++k)
+      take(order[k]);
     out[order[at]] = {sum.noise / double(count), sum.curvature / double(count)};
   }
   return out;
 }
 
-// Least mean square error at alpha = 2/3, which others take over. After n iterations of Plan::radius2_factor the variance is
-// Gamma(5/3) / (4/3) noise / r_1^2 n^(-2/3) and the bias 1.5 * 1.108 curvature r_1^2 n^(-1/3), so that n drops out of
-// r_1^6 = 0.1226 noise / curvature^2.
+// Least mean square error at alpha = 2/3, which others take over. After n iterations of Plan::radius2_factor the
+// variance is Gamma(5/3) / (4/3) noise / r_1^2 n^(-2/3) and the bias 1.5 * 1.108 curvature r_1^2 n^(-1/3), so that n
+// drops out of r_1^6 = 0.1226 noise / curvature^2.
 double best_radius2(const DiscMoments& m, double largest2) {
   if (!(m.noise > 0)) return largest2;
   const double best = std::cbrt(0.1226 * m.noise / (m.curvature * m.curvature));
@@ -99,8 +102,9 @@ std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set
   return radii;
 }
 
-void fit_disc_radii(const Snapshot& scene, const SensorIndex& sensors, const std::vector<std::vector<PilotPaths::Crossing>>& crossings,
-                    uint32_t passes, const std::vector<float>& spacings, std::vector<std::vector<float>>& radii) {
+void fit_disc_radii(const Snapshot& scene, const SensorIndex& sensors,
+                    const std::vector<std::vector<PilotPaths::Crossing>>& crossings, uint32_t passes,
+                    const std::vector<float>& spacings, std::vector<std::vector<float>>& radii) {
   std::vector<std::vector<DiscMoments>> own;
   for (const auto& set : radii) own.emplace_back(set.size());
   for (uint32_t disc = 0; disc < crossings.size(); ++disc) {

@@ -22,15 +22,16 @@ struct Counts {
   double connect = 0;         // c: connections a split, also those from a meter's own point
   double sensor_connect = 0;  // N/Ke for a camera (t = 1); unused for meters
   double land = 0;            // N/Ke for a cell (t = 0), else 0
-  // N pi r^2. Radii may differ by vertex if both walks know them: here the first vertex that scatters a camera's path by
-  // a continuous lobe has its own (a pixel's), all others share one. A light vertex that is joined to an eye path is
+  // N pi r^2. Radii may differ by vertex if both walks know them: here the first vertex that scatters a camera's path
+  // by a continuous lobe has its own (a pixel's), all others share one. A light vertex that is joined to an eye path is
   // beyond that first vertex, or is it.
   double eta_first = 0;
   double eta = 0;
 };
 
 // Gates that both walks know: no merging of photons straight from an emitter, and no t = 1 for k = 2, where next-event
-// estimation covers those paths better. Only for technique sets that contain it, and scenes whose emitters it can sample.
+// estimation covers those paths better. Only for technique sets that contain it,
+// and scenes whose emitters it can sample.
 struct Gates {
   bool merge_at_first = true;           // g_1
   bool sensor_connect_at_first = true;  // t = 1 with k = 2
@@ -61,10 +62,10 @@ inline LightState light_first_directional(const Counts& n, double nee_over_emit,
   return s;
 }
 
-// Scattering by a continuous lobe at x_a, then the edge to x_{a+1}. merge: merging is allowed at x_a (its material's gate
-// and, for x_1, Gates::merge_at_first). pdf, pdf_reverse per solid angle; cosines geometric.
-inline LightState light_step(const LightState& s, bool merge, double pdf, double pdf_reverse, double cos_out, double cos_in,
-                             double d2) {
+// Scattering by a continuous lobe at x_a, then the edge to x_{a+1}. merge: merging is allowed at x_a (its material's
+// gate and, for x_1, Gates::merge_at_first). pdf, pdf_reverse per solid angle; cosines geometric.
+inline LightState light_step(const LightState& s, bool merge, double pdf, double pdf_reverse, double cos_out,
+                             double cos_in, double d2) {
   LightState r;
   const double inv = 1.0 / (pdf * cos_in), rho = cos_out * inv;
   r.Bm = rho * ((merge ? 1.0 : 0.0) + pdf_reverse * s.Bm);
@@ -149,8 +150,9 @@ inline double eye_total(const EyeState& e, const Gates& g, bool camera, bool is_
 // *_w_to_a factors: cosine over squared distance on the joining edge.
 
 // Eye path hits the emitter; e belongs to the vertex on the emitter. pn_0, pf_0: area densities of that point by
-// next-event estimation (from x_1) and by emission; pdf_direction_w: emission towards x_1; pb_0: area density with which
-// the eye walk found it. connectable: x_1 can sample x_0, so it scattered by a continuous lobe or is a meter's point.
+// next-event estimation (from x_1) and by emission; pdf_direction_w: emission towards x_1; pb_0: area density with
+// which the eye walk found it. connectable: x_1 can sample x_0,
+// so it scattered by a continuous lobe or is a meter's point.
 inline double weight_hit(const EyeState& e, const Counts& n, const Gates& g, double pn_0, double pf_0,
                          double pdf_direction_w, double pb_0, bool connectable) {
   const double M = g.merge_at_first ? e.M : 0.0;
@@ -159,24 +161,29 @@ inline double weight_hit(const EyeState& e, const Counts& n, const Gates& g, dou
   return 1.0 / (1.0 + nee + pf_0 * pdf_direction_w * (e.X + M + Q));
 }
 
-// Next-event estimation at x_1. pb_0: density with which x_1 would have found x_0 by scattering (0: the emitter cannot be
-// hit); pf_1: area density of x_1 by emission; total: merge at x_1 plus eye_total, or U1 for a meter's own point (k = 1).
+// Next-event estimation at x_1. pb_0: density with which x_1 would have found x_0 by scattering (0: the emitter cannot
+// be hit); pf_1: area density of x_1 by emission; total: merge at x_1 plus eye_total,
+// or U1 for a meter's own point (k = 1).
 inline double weight_light_sample(const Counts& n, double pb_0, double pn_0, double pf_0, double pf_1, double total) {
   return 1.0 / (1.0 + (n.hit * pb_0 + pf_0 * pf_1 * total) / (n.light_sample * pn_0));
 }
 
 // U1 for k = 1 as seen by next-event estimation and hits: the merge there is one at x_1.
-inline double sensor_total_direct(const SensorEnd& u, const Gates& g) { return (g.merge_at_first ? u.merge : 0.0) + u.land; }
+inline double sensor_total_direct(const SensorEnd& u, const Gates& g) {
+  return (g.merge_at_first ? u.merge : 0.0) + u.land;
+}
 
-// An edge between light vertex x_a (merge gate g_light) and eye vertex x_{a+1} (gate g_eye), both not the sensor's point.
-inline double weight_connect(const LightState& l, const EyeState& e, const Counts& n, bool g_light, bool g_eye, double pb_light_a,
-                             double pdf_reverse_light, double pf_eye_a, double pdf_reverse_eye) {
+// An edge between light vertex x_a (merge gate g_light) and eye vertex x_{a+1}
+// (gate g_eye), both not the sensor's point.
+inline double weight_connect(const LightState& l, const EyeState& e, const Counts& n, bool g_light, bool g_eye,
+                             double pb_light_a, double pdf_reverse_light, double pf_eye_a, double pdf_reverse_eye) {
   const double light = pb_light_a * ((g_light ? n.eta : 0.0) + light_total(l, n, pdf_reverse_light));
   const double eye = pf_eye_a * ((g_eye ? eta_at(n, e) : 0.0) + e.dE + pdf_reverse_eye * (e.X + e.M + e.Q));
   return 1.0 / (1.0 + (light + eye) / n.connect);
 }
 
-// An edge between light vertex x_{k-1} and the sensor's own point: a camera's splat (count N/Ke, u empty) or a meter (c).
+// An edge between light vertex x_{k-1} and the sensor's own point: a camera's splat (count N/Ke,
+// u empty) or a meter (c).
 inline double weight_sensor_connect(const LightState& l, const Counts& n, bool camera, const SensorEnd& u, bool g_light,
                                     double pb_light_a, double pdf_reverse_light, double pf_sensor_a) {
   const double count = camera ? n.sensor_connect : n.connect, eta = camera ? n.eta_first : n.eta;
@@ -190,7 +197,8 @@ inline double weight_merge(const LightState& l, const Counts& n, double eta, dou
 }
 
 // A merge at a meter's own point, whose radius may be another than that of its eye path's vertices: eta_sensor.
-inline double weight_merge_at_sensor(const LightState& l, const Counts& n, double eta_sensor, double pdf_reverse_light) {
+inline double weight_merge_at_sensor(const LightState& l, const Counts& n, double eta_sensor,
+                                     double pdf_reverse_light) {
   return eta_sensor / (eta_sensor + light_total(l, n, pdf_reverse_light));
 }
 

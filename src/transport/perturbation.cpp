@@ -1,5 +1,5 @@
-// Actual vertex perturbation: where path integration arrives in the extended path space (Hachisuka, Pantaleoni, Jensen 2012,
-// section 3). Part of EyeWalk, used only where UPS_PERTURBATION_ACTUAL was asked for.
+// Actual vertex perturbation: where path integration arrives in the extended path space (Hachisuka, Pantaleoni, Jensen
+// 2012, section 3). Part of EyeWalk, used only where UPS_PERTURBATION_ACTUAL was asked for.
 #include "base/warp.h"
 #include "transport/eye_walk.h"
 
@@ -7,8 +7,8 @@ namespace ups {
 
 // y_{s+1} is drawn from the merging kernel on the surface around z_t, and
 // takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the normal onto a surface where a
-// photon would be stored and merged; false where there is none: the kernel reaches beyond the surface. Of two such surfaces
-// that close to each other it takes the upper one, where merging counts both.
+// photon would be stored and merged; false where there is none: the kernel reaches beyond the surface. Of two such
+// surfaces that close to each other it takes the upper one, where merging counts both.
 bool EyeWalk::perturb(const Vertex& v, Arrival& out) {
   const float radius = (v.state.first ? sensor_.first : sensor_.later).radius;
   if (!(radius > 0)) return true;  // no merging here either

@@ -69,7 +69,8 @@ class PhotonIndex {
     return {int64_t(std::floor(p.x / cell_)), int64_t(std::floor(p.y / cell_)), int64_t(std::floor(p.z / cell_))};
   }
   uint32_t bucket_of(const Cell& c) const {
-    uint64_t h = uint64_t(c.x) * 0x9e3779b97f4a7c15ull ^ uint64_t(c.y) * 0xc2b2ae3d27d4eb4full ^ uint64_t(c.z) * 0x165667b19e3779f9ull;
+    uint64_t h = uint64_t(c.x) * 0x9e3779b97f4a7c15ull ^ uint64_t(c.y) * 0xc2b2ae3d27d4eb4full ^
+                 uint64_t(c.z) * 0x165667b19e3779f9ull;
     h ^= h >> 32;
     h *= 0xd6e8feb86659fd93ull;
     return uint32_t(h >> 32) & mask_;

@@ -1,3 +1,4 @@
+// See plan.h: numbers of paths from the scene's sensors, and the counts that the weights are made of.
 #include "transport/plan.h"
 
 #include <algorithm>
@@ -49,7 +50,8 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   }
   if (settings.traces_light()) {
     const uint32_t most = scene.goniometers.empty() ? max_light_paths : goniometer_paths;
-    const uint64_t eye = !scene.goniometers.empty() ? goniometer_paths : pixels / plan.camera_subsets + meters * plan.meter_samples;
+    const uint64_t eye =
+        !scene.goniometers.empty() ? goniometer_paths : pixels / plan.camera_subsets + meters * plan.meter_samples;
     plan.light_paths = settings.light_paths
                            ? std::bit_ceil(settings.light_paths)
                            : uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), min_light_paths, most));

@@ -15,8 +15,9 @@ struct TransportSettings {
   uint32_t techniques = 0;       // UPS_TECHNIQUE_*
   bool photon_mapping = false;   // PPM, SPPM: merge at the first vertex that can, weight 1 (Hachisuka et al. 2008)
   bool light_tracing = false;    // LT: nothing but t = 1 and t = 0, weight 1
-  bool hits_after_specular = false;  // photon mapping: eye paths see emitters directly or through mirrors and glass alone
-  float glossy_alpha = 0;        // SPPM: eye paths pass sharper surfaces without merging (Hachisuka, Jensen 2009); 0: none
+  // Photon mapping: eye paths see emitters directly or through mirrors and glass alone.
+  bool hits_after_specular = false;
+  float glossy_alpha = 0;  // SPPM: eye paths pass sharper surfaces without merging (Hachisuka, Jensen 2009); 0: none
   double radius_alpha = 2.0 / 3;     // of the radius schedule
   bool actual_perturbation = false;  // UPS_PERTURBATION_ACTUAL
   uint32_t technique_edges = 0;      // images of each technique for paths of up to so many edges; 0: none

@@ -1,3 +1,5 @@
+// See radii.h: a pixel's radius from its footprint, that of the walks from the spacing of pilot photons. Those of
+// meters are fitted in meter_radii.cpp.
 #include "transport/radii.h"
 
 #include <limits>
@@ -28,7 +30,8 @@ std::vector<float> pixel_radii(const Snapshot& scene, const Camera& camera, Thre
       radii[p] = 1.5f * std::sqrt(area * inv_pi);
     }
   });
-  // Pixels that see nothing to merge at get the median of the others; far outliers are drawn to it, so that one grid serves.
+  // Pixels that see nothing to merge at get the median of the others;
+  // far outliers are drawn to it, so that one grid serves.
   std::vector<float> seen;
   for (float r : radii)
     if (r > 0) seen.push_back(r);
@@ -87,8 +90,8 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
 
 }  // namespace
 
-void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const std::atomic<bool>& stop,
-                  Plan& plan) {
+void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
+                  const std::atomic<bool>& stop, Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE) && !settings.actual_perturbation) return;
   for (const Camera& camera : scene.cameras) plan.pixel_radius.push_back(pixel_radii(scene, camera, pool));
   std::vector<float> spacings;

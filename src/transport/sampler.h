@@ -1,5 +1,5 @@
-// Random numbers of one path by fixed addresses (vertex, slot): scrambled Sobol points for the first vertices, Philox for
-// the rest. A switched-off effect never shifts the numbers of another.
+// Random numbers of one path by fixed addresses (vertex, slot): scrambled Sobol points for the first vertices, Philox
+// for the rest. A switched-off effect never shifts the numbers of another.
 #pragma once
 #include "base/rng.h"
 #include "transport/sobol.h"

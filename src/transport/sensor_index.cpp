@@ -1,3 +1,4 @@
+// See sensor_index.h: every meter's disc or cell at the radius of this iteration.
 #include "transport/sensor_index.h"
 
 #include "transport/walk.h"
@@ -7,7 +8,8 @@ namespace ups {
 SensorIndex::SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t visits,
                          int threads) {
   std::vector<DiscIndex::Disc> discs;
-  const double factor = Plan::radius2_factor(visits, settings.radius_alpha), walk_radius2 = plan.radius2(plan.walk_radius, factor);
+  const double factor = Plan::radius2_factor(visits, settings.radius_alpha),
+               walk_radius2 = plan.radius2(plan.walk_radius, factor);
   for (uint32_t s = 0; s < scene.meter_sets.size(); ++s) {
     const MeterSet& set = scene.meter_sets[s];
     const bool cell = set.is_cell();

@@ -1,5 +1,5 @@
-// Meters as discs that light paths cross: photons are merged at a point meter's disc, counted on a cell. The sensors are
-// stored and the photons stream by, so meters that float in the air catch what no surface stores.
+// Meters as discs that light paths cross: photons are merged at a point meter's disc, counted on a cell. The sensors
+// are stored and the photons stream by, so meters that float in the air catch what no surface stores.
 #pragma once
 #include <memory>
 #include <vector>

@@ -64,7 +64,8 @@ constexpr uint32_t reverse_bits(uint32_t x) {
   return __builtin_bswap32(x);
 }
 
-// Nested uniform scramble of the reversed number; constants of Vegdahl 2021, which fix the weak low bits of the original.
+// Nested uniform scramble of the reversed number; constants of Vegdahl 2021,
+// which fix the weak low bits of the original.
 constexpr uint32_t laine_karras(uint32_t x, uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;

@@ -1,4 +1,5 @@
-// What one iteration found: sums for every sensor, and counts. The accumulator in render/ turns iterations into readings.
+// What one iteration found: sums for every sensor, and counts.
+// The accumulator in render/ turns iterations into readings.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,7 +12,8 @@ namespace ups {
 
 // Why a sample was left out: it was not finite.
 enum class Drop { emitter_hit, light_sample, connect, sensor_connect, merge, sensor_hit, count };
-inline constexpr const char* drop_names[] = {"emitter_hit", "light_sample", "connect", "sensor_connect", "merge", "sensor_hit"};
+inline constexpr const char* drop_names[] = {"emitter_hit",    "light_sample", "connect",
+                                             "sensor_connect", "merge",        "sensor_hit"};
 
 struct WorkCounts {
   uint64_t rays = 0, light_paths = 0, eye_paths = 0, light_vertices = 0, merges = 0, connections = 0;
@@ -50,7 +52,8 @@ struct IterationTally {
   std::vector<std::vector<Rgb>> splats;   // a camera: light paths, already divided by N; empty without t = 1
   std::vector<TechniqueTally> techniques;  // a camera; empty where not asked for
   std::vector<std::vector<MeterTally>> meters;
-  std::vector<std::vector<MeterTally>> separated;  // a set: a meter by a column of Plan::separation, column fastest; empty without
+  // A set: a meter by a column of Plan::separation, column fastest; empty without.
+  std::vector<std::vector<MeterTally>> separated;
   std::vector<GoniometerTally> goniometers;
   WorkCounts work;
 };

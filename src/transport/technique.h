@@ -1,5 +1,5 @@
-// Which technique found a contribution to a camera, and images of each: diagnostics that a render can be asked for. Written
-// by the walks, summed by render/accumulator.
+// Which technique found a contribution to a camera, and images of each: diagnostics that a render can be asked for.
+// Written by the walks, summed by render/accumulator.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,15 +14,16 @@ inline constexpr uint32_t max_technique_edges = 16;
 // The two families of the extended path space (Hachisuka, Pantaleoni, Jensen 2012, Eq. 14 and 15).
 enum class Family { path_integration, density_estimation };
 
-// s vertices of the light path and t of the eye path make a path of `edges` edges: s + t = edges + 1, and edges + 2 where
-// both paths have a vertex at the same place, a merge.
+// s vertices of the light path and t of the eye path make a path of `edges` edges: s + t = edges + 1, and edges + 2
+// where both paths have a vertex at the same place, a merge.
 struct Technique {
   Family family = Family::path_integration;
   uint32_t s = 0, edges = 0;
   uint32_t t() const { return edges + (family == Family::path_integration ? 1 : 2) - s; }
 };
 
-// Paths of k edges have k + 1 techniques of path integration, s = 0 ... k, then k - 1 of density estimation, s = 2 ... k.
+// Paths of k edges have k + 1 techniques of path integration, s = 0 ... k,
+// then k - 1 of density estimation, s = 2 ... k.
 inline uint32_t technique_count(uint32_t max_edges) { return max_edges * (max_edges + 1); }
 inline uint32_t technique_index(const Technique& t) {
   return t.edges * (t.edges - 1) + (t.family == Family::path_integration ? t.s : t.edges + t.s - 1);

@@ -1,4 +1,5 @@
-// What both walks do alike: roulette, media, visibility, consistent sides, gates. Used by the light pass and the eye pass.
+// What both walks do alike: roulette, media, visibility, consistent sides, gates.
+// Used by the light pass and the eye pass.
 #pragma once
 #include <algorithm>
 #include <atomic>
@@ -27,9 +28,9 @@ inline bool consistent_side(const SurfacePoint& s, const Vec3& w, const Vec3& lo
   return std::abs(g) > min_cosine && g * local.z > 0;
 }
 
-// Fades light out that grazes a surface whose shading normal leans towards it (Chiang, Li, Burley 2019, Taming the shadow
-// terminator); a part of every continuous lobe, wi towards the light. Without it the flux that arrives by n_g and the
-// light that is scattered by n_s have an unbounded ratio, and one photon can outshine a picture.
+// Fades light out that grazes a surface whose shading normal leans towards it (Chiang, Li, Burley 2019, Taming the
+// shadow terminator); a part of every continuous lobe, wi towards the light. Without it the flux that arrives by n_g
+// and the light that is scattered by n_s have an unbounded ratio, and one photon can outshine a picture.
 inline float terminator(const SurfacePoint& s, const Vec3& wi) {
   const float lean = std::abs(dot(wi, s.shading.n) * dot(s.ng, s.shading.n)), cos_g = std::abs(dot(wi, s.ng));
   if (cos_g >= lean) return 1;
@@ -37,8 +38,8 @@ inline float terminator(const SurfacePoint& s, const Vec3& wi) {
   return g * (1 + g * (1 - g));
 }
 
-// Non-symmetry of shading normals in the light walk (Veach 1997, Eq. 5.19): wi towards the light, wo onwards; multiplies
-// f |cos(wo, n_s)|.
+// Non-symmetry of shading normals in the light walk (Veach 1997, Eq. 5.19): wi towards the light, wo onwards;
+// multiplies f |cos(wo, n_s)|.
 inline float shading_correction(const SurfacePoint& s, const Vec3& wi, const Vec3& wo) {
   const float denominator = std::abs(dot(wi, s.ng) * dot(wo, s.shading.n));
   if (denominator <= 0) return 0;
@@ -78,12 +79,13 @@ inline bool segment_free(const Snapshot& scene, const Vec3& a, const Vec3& b, Wo
   return !(l > rounding) || !scene.raytracer->occluded(a, d / l, l - rounding);
 }
 
-// Photons may be merged at a point: a function of the point alone, so that both walks know it. Sharp lobes are in: light
-// that comes to them by way of mirrors and lenses from a small emitter is found by nothing else in reasonable time. So
-// are black surfaces: what lights them can be measured.
+// Photons may be merged at a point: a function of the point alone, so that both walks know it. Sharp lobes are in:
+// light that comes to them by way of mirrors and lenses from a small emitter is found by nothing else in reasonable
+// time. So are black surfaces: what lights them can be measured.
 inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous() || !bsdf.has_delta(); }
 
-// Photons are merged, and vertices perturbed, within one surface: normals that agree so far, and so flat within the radius.
+// Photons are merged, and vertices perturbed, within one surface: normals that agree so far,
+// and so flat within the radius.
 inline constexpr float min_merge_cosine = 0.7f, max_merge_height = 0.1f;
 
 // Long walks look up now and then whether they are still wanted.

@@ -1,7 +1,7 @@
 // Do methods that share little code agree? Where no closed form exists, path tracing, bidirectional path tracing, UPS,
-// light tracing and the three kinds of photon mapping must measure the same light. Two scenes: area emitters with glossy, plastic and glass objects,
-// where path tracing is complete; a point light among diffuse surfaces, where every method is, flat ones and some whose
-// shading normals lean.
+// light tracing and the three kinds of photon mapping must measure the same light. Two scenes: area emitters with
+// glossy, plastic and glass objects, where path tracing is complete; a point light among diffuse surfaces, where every
+// method is, flat ones and some whose shading normals lean.
 //
 // Readings are compared in pairs: |a - b| <= 4 combined standard errors + the reported biases. Errors come from 16
 // batches each; for the difference of two readings P(|t_30| > 4) = 4e-4. 16 to 96 comparisons: a right engine fails
@@ -39,7 +39,9 @@ constexpr double image_merge_radius = 0.02;
 void expect_same_image_mean(Scene& scene, const Sensor& camera, const std::vector<ups_method>& methods,
                             uint32_t iterations, double largest_relative_error = 0.01) {
   std::vector<Mean> means;
-  for (ups_method m : methods) means.push_back(image_mean(scene, camera, {.method = m, .iterations = iterations, .merge_radius_m = image_merge_radius}));
+  for (ups_method m : methods)
+    means.push_back(
+        image_mean(scene, camera, {.method = m, .iterations = iterations, .merge_radius_m = image_merge_radius}));
   for (size_t i = 0; i < means.size(); ++i)
     for (size_t j = 0; j < i; ++j) {
       const double s = std::hypot(means[i].standard_error, means[j].standard_error);
@@ -97,7 +99,8 @@ TEST_F(AreaLitRoom, ImagesAgree) {
 TEST_F(AreaLitRoom, ImagesByPhotonMappingAgree) {
   const Sensor camera = scene.add_camera({0.3, 0.2, 1.6}, {1, 0.8, -0.5}, 32, 24, 1.1);
   expect_same_image_mean(
-      scene, camera, {UPS_METHOD_PATH_TRACING, UPS_METHOD_PPM, UPS_METHOD_SPPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}, 24, 0.015);
+      scene, camera,
+      {UPS_METHOD_PATH_TRACING, UPS_METHOD_PPM, UPS_METHOD_SPPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}, 24, 0.015);
 }
 
 class PointLitDiffuseRoom : public ::testing::Test {

@@ -56,7 +56,8 @@ TEST(IlluminanceCamera, MeasuresWhatItSees) {
       for (uint32_t y = 0; y < side; ++y)
         for (uint32_t x = 0; x < side; ++x) {
           const double l = reflectance / pi_d * pixel_mean(x, y, lamp_illuminance);
-          EXPECT_NEAR(image.luminance[3 * (y * side + x)], l, 0.01 * l) << method_name(m) << ", pixel " << x << ", " << y;
+          EXPECT_NEAR(image.luminance[3 * (y * side + x)], l, 0.01 * l)
+              << method_name(m) << ", pixel " << x << ", " << y;
         }
     }
   }

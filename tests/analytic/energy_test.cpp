@@ -32,8 +32,8 @@ INSTANTIATE_TEST_SUITE_P(Reflectances, IntegratingSphere, ::testing::Values(0.5,
                          [](const auto& i) { return "rho_0" + std::to_string(int(std::lround(100 * i.param))); });
 
 // By energy balance the mean over a closed cube is Phi / (S (1 - rho)), for each face where the source is at its centre
-// (case 5.8 of CIE 171:2006, which samples/validation has by the other methods). Here by light tracing, whose paths land
-// on cells, and with the reading's two parts.
+// (case 5.8 of CIE 171:2006, which samples/validation has by the other methods). Here by light tracing, whose paths
+// land on cells, and with the reading's two parts.
 TEST(Energy, FacesOfACubeByLightTracing) {
   const double rho = 0.5, side = 4, expected = flux_lm / (6 * side * side * (1 - rho));
   Scene scene;

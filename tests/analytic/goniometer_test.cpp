@@ -80,7 +80,8 @@ TEST(Goniometer, BalancesFlux) {
   EXPECT_EQ(nodes[20].intensity_cd, 0);  // below the mirror
 }
 
-// The interpolated table carries exactly the flux that was found; with the measured profile in a luminaire the light is there.
+// The interpolated table carries exactly the flux that was found;
+// with the measured profile in a luminaire the light is there.
 TEST(Goniometer, ItsProfileCarriesTheFlux) {
   Scene scene;
   scene.add(box({0, 0, 0}, {0.1, 0.1, 0.05}), emitter(2000));

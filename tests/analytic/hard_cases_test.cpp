@@ -9,7 +9,8 @@ namespace {
 constexpr ups_method all_methods[] = {UPS_METHOD_AUTO,         UPS_METHOD_UPS,           UPS_METHOD_BIDIRECTIONAL,
                                       UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_PPM};
 
-// Light that can neither leave nor be absorbed would go round for ever: paths must end, and say nothing that is not finite.
+// Light that can neither leave nor be absorbed would go round for ever: paths must end,
+// and say nothing that is not finite.
 void expect_to_end(const ups_material_desc& enclosure, const Shape& shape) {
   Scene scene;
   scene.add(shape, enclosure);
@@ -46,7 +47,8 @@ TEST(DarkMeters, AreNotCalledExact) {
   const Result r = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 32});
   EXPECT_EQ(r.readings(meters)[0].illuminance_lx, 0);
   EXPECT_EQ(r.statistics(meters).worst_relative_error_bound, -1);
-  EXPECT_NE(r.text(UPS_TEXT_WARNINGS).find("no light has reached them"), std::string::npos) << r.text(UPS_TEXT_WARNINGS);
+  EXPECT_NE(r.text(UPS_TEXT_WARNINGS).find("no light has reached them"), std::string::npos)
+      << r.text(UPS_TEXT_WARNINGS);
 }
 
 // Fewer iterations than an image has subsets of pixels: no pixel is black, the mean is right and a warning says it.

@@ -1,5 +1,5 @@
-// What the warnings say of light that a method cannot sample, held against renders: a sensor is dark exactly where its light
-// is said to be missing. Each scene has one kind of light alone.
+// What the warnings say of light that a method cannot sample, held against renders: a sensor is dark exactly where its
+// light is said to be missing. Each scene has one kind of light alone.
 #include <numeric>
 
 #include "../support/expect_lx.h"

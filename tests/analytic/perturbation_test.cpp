@@ -1,8 +1,8 @@
-// The extended path space itself: with actual perturbation, path integration draws a vertex from the merging kernel around
-// the eye path's vertex and so estimates what density estimation estimates, for any radius, not only as it shrinks
-// (Hachisuka, Pantaleoni, Jensen 2012, Eq. 16 and 17; Eq. 18 leaves the vertex out). Radii are large here, so that
-// the virtual perturbation of every render measures something else by many standard errors; as the radius shrinks the
-// two come together as its square.
+// The extended path space itself: with actual perturbation, path integration draws a vertex from the merging kernel
+// around the eye path's vertex and so estimates what density estimation estimates, for any radius, not only as it
+// shrinks (Hachisuka, Pantaleoni, Jensen 2012, Eq. 16 and 17; Eq. 18 leaves the vertex out). Radii are large here, so
+// that the virtual perturbation of every render measures something else by many standard errors; as the radius shrinks
+// the two come together as its square.
 //
 // Tolerances are those of expect_lx.h: P(|t_15| > 4) = 0.12 % a comparison where noise decides; 9 comparisons.
 #include "../support/expect_lx.h"
@@ -83,7 +83,8 @@ TEST(ActualPerturbation, ComesToVirtualAsTheSquareOfTheRadius) {
                                .perturbation = UPS_PERTURBATION_ACTUAL});
     const double difference = r.illuminance_lx - virtual_lx, predicted = radius * radius / 8 * mean_factor * laplacian;
     // The next term of the series is of order r^2 relative to this one.
-    EXPECT_NEAR(difference, predicted, 1.2 * radius * radius * std::abs(predicted) + sigmas * r.standard_error_lx) << radius;
+    EXPECT_NEAR(difference, predicted, 1.2 * radius * radius * std::abs(predicted) + sigmas * r.standard_error_lx)
+        << radius;
     if (last != 0) {
       EXPECT_NEAR(last / difference, 4, 0.5) << radius;
     }
@@ -103,7 +104,8 @@ void expect_same_as_merging(Scene& scene, const Sensor& camera, RenderOptions op
   const Mean a = image_mean(scene, camera, options);
   const double s = std::hypot(a.standard_error, b.standard_error);
   EXPECT_LE(s, 0.01 * b.value) << "too noisy to judge";
-  EXPECT_LE(std::abs(a.value - b.value), std::max(relative_tolerance * b.value, sigmas * s)) << a.value << " " << b.value;
+  EXPECT_LE(std::abs(a.value - b.value), std::max(relative_tolerance * b.value, sigmas * s))
+      << a.value << " " << b.value;
   EXPECT_GE(std::abs(c.value - b.value), least_difference * b.value) << "virtual: " << c.value << " " << b.value;
 }
 
@@ -124,8 +126,14 @@ TEST(ActualPerturbation, OfConnectionsMeasuresWhatMergingMeasures) {
   scene.add(quad({-0.2, 0.2, 0.3}, {0.4, 0, 0}, {0, 0, 0.3}), matte(0.8));
   scene.add_spot({0, -0.5, 0.45}, {0, 1, 0}, intensity, 0.12, 0.14);
   const Sensor camera = scene.add_camera({0, -0.1, 1}, {0, 0.1, -1}, 4, 4, 0.1);
-  expect_same_as_merging(scene, camera, {.method = UPS_METHOD_UPS, .iterations = 32, .merge_radius_m = 0.15, .light_paths = 1u << 12,
-                                         .techniques = UPS_TECHNIQUE_CONNECT, .max_path_length = 3}, 0.05);
+  expect_same_as_merging(scene, camera,
+                         {.method = UPS_METHOD_UPS,
+                          .iterations = 32,
+                          .merge_radius_m = 0.15,
+                          .light_paths = 1u << 12,
+                          .techniques = UPS_TECHNIQUE_CONNECT,
+                          .max_path_length = 3},
+                         0.05);
 }
 
 // A pane just above the floor: no photon is stored on it, and a vertex that is drawn there would see past it.
@@ -136,8 +144,12 @@ TEST(ActualPerturbation, DrawsNoVertexOnAPaneAboveTheSurface) {
   scene.add_spot({0, 0, 1}, {0, 0, -1}, intensity, 0.3, 0.4);
   const Sensor camera = scene.add_camera({0, 0, 0.004}, {0, 0.1, -1}, 4, 4, 0.5);
   for (ups_perturbation perturbation : {UPS_PERTURBATION_VIRTUAL, UPS_PERTURBATION_ACTUAL})
-    for (float v : scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16, .merge_radius_m = 0.1, .perturbation = perturbation})
-                       .image(camera).luminance)
+    for (float v : scene.render({.method = UPS_METHOD_PATH_TRACING,
+                                 .iterations = 16,
+                                 .merge_radius_m = 0.1,
+                                 .perturbation = perturbation})
+                       .image(camera)
+                       .luminance)
       EXPECT_EQ(v, 0);
 }
 

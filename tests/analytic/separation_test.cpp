@@ -1,4 +1,5 @@
-// Readings of each luminaire apart (UPS_SEPARATE_*): they add up to the total, and each is what the luminaire gives alone.
+// Readings of each luminaire apart (UPS_SEPARATE_*): they add up to the total,
+// and each is what the luminaire gives alone.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +32,8 @@ class SeparatedRoom : public testing::Test {
     const auto profile = parse(s.context(), ies_text([](double g) { return 300 * std::pow(std::cos(g), 3); }, 90, 0.2));
     if (which == all || which == luminaire) s.add_luminaire(profile.get(), {2, 1.5, 2.4}, {0.1, 0.2, -1}, true);
     room->points = s.add_meters({{0.5, 0.5, 0.7}, {2, 1.5, 0.7}, {3.4, 2.5, 1.2}}, {0, 0, 1});
-    room->cells = s.add_cells({{2.5, 0.6, 0.8}, {0.7, 2.4, 0.3}}, {{0, 0, 1}, {0, 0, 1}}, {{1, 0, 0}, {1, 0, 0}}, 0.4, 0.3);
+    room->cells =
+        s.add_cells({{2.5, 0.6, 0.8}, {0.7, 2.4, 0.3}}, {{0, 0, 1}, {0, 0, 1}}, {{1, 0, 0}, {1, 0, 0}}, 0.4, 0.3);
     return room;
   }
 
@@ -58,7 +60,8 @@ TEST_F(SeparatedRoom, SourcesAddUpToTheTotal) {
   for (ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_BIDIRECTIONAL,
                             UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}) {
     const auto room = make(all);
-    const Result result = room->scene.render({.method = method, .iterations = 16, .separation = UPS_SEPARATE_LUMINAIRES});
+    const Result result =
+        room->scene.render({.method = method, .iterations = 16, .separation = UPS_SEPARATE_LUMINAIRES});
     SCOPED_TRACE(method);
     // the room, the mirror and the panel are instances; the first two emit nothing and are no sources
     const auto sources = result.sources();
@@ -85,8 +88,8 @@ TEST_F(SeparatedRoom, GroupsAddUpToTheTotal) {
   expect_sums(result, room->cells, 2);
 }
 
-// A source's share is what it gives alone, in a render of its own: |z| <= 4.5 for each of 15 readings, whose errors come from
-// 16 batches each: about 1 false alarm in 300 seeds.
+// A source's share is what it gives alone, in a render of its own: |z| <= 4.5 for each of 15 readings, whose errors
+// come from 16 batches each: about 1 false alarm in 300 seeds.
 TEST_F(SeparatedRoom, EachSourceIsWhatItGivesAlone) {
   const auto room = make(all);
   const Result together = room->scene.render({.iterations = 128, .separation = UPS_SEPARATE_LUMINAIRES});
@@ -99,7 +102,8 @@ TEST_F(SeparatedRoom, EachSourceIsWhatItGivesAlone) {
       for (size_t m = 0; m < share.size(); ++m) {
         const double bias = std::abs(share[m].bias_lx) + std::abs(single[m].bias_lx);
         const double s = std::hypot(share[m].standard_error_lx, single[m].standard_error_lx);
-        EXPECT_NEAR(share[m].illuminance_lx, single[m].illuminance_lx, bias + 4.5 * s) << "source " << i << ", meter " << m;
+        EXPECT_NEAR(share[m].illuminance_lx, single[m].illuminance_lx, bias + 4.5 * s)
+            << "source " << i << ", meter " << m;
         EXPECT_LT(s, 0.05 * single[m].illuminance_lx);
       }
     }

@@ -32,7 +32,8 @@ TEST(TechniqueImages, TheWeightedOnesAddUpToThePicture) {
   Room room(0, true);
   const Result result = room.scene.render({.iterations = 32, .max_path_length = longest, .technique_images = longest});
   const Image image = result.image(room.camera);
-  const double mean = std::accumulate(image.luminance.begin(), image.luminance.end(), 0.0) / double(image.luminance.size());
+  const double mean =
+      std::accumulate(image.luminance.begin(), image.luminance.end(), 0.0) / double(image.luminance.size());
   ASSERT_GT(mean, 0);
   double sum = 0;
   for (uint32_t i = 0; i < result.techniques(room.camera).size(); ++i)
@@ -64,8 +65,13 @@ Measured measure(uint32_t allowed) {
   std::map<uint32_t, std::vector<double>> weighted;
   std::vector<std::vector<double>> unweighted;
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Result result = room.scene.render({.iterations = 64, .seed = seed, .merge_radius_m = 0.06, .light_paths = 1u << 12,
-                                             .techniques = allowed, .max_path_length = longest, .technique_images = longest});
+    const Result result = room.scene.render({.iterations = 64,
+                                             .seed = seed,
+                                             .merge_radius_m = 0.06,
+                                             .light_paths = 1u << 12,
+                                             .techniques = allowed,
+                                             .max_path_length = longest,
+                                             .technique_images = longest});
     m.techniques = result.techniques(room.camera);
     unweighted.resize(m.techniques.size());
     for (uint32_t k = 1; k <= longest; ++k) weighted[k].push_back(0);
@@ -81,7 +87,8 @@ Measured measure(uint32_t allowed) {
 
 // Each technique against the sum of all: P(|t_14| > 4) = 1.3e-3 a comparison, 29 of them: a right engine fails with
 // probability below 4 %; the seeds are fixed. Emitters are hit rarely, hence the wide bound on their noise.
-void expect_each_to_be_the_picture(uint32_t allowed, const std::function<bool(const ups_technique_info&)>& is_off, uint32_t count) {
+void expect_each_to_be_the_picture(uint32_t allowed, const std::function<bool(const ups_technique_info&)>& is_off,
+                                   uint32_t count) {
   const Measured m = measure(allowed);
   uint32_t compared = 0;
   for (size_t i = 0; i < m.techniques.size(); ++i) {
@@ -98,7 +105,9 @@ void expect_each_to_be_the_picture(uint32_t allowed, const std::function<bool(co
     ++compared;
     EXPECT_LE(b.standard_error, 0.01 * b.value) << what;
     EXPECT_LE(a.standard_error, (t.light_vertices == 0 ? 0.15 : 0.04) * b.value) << what << ": too noisy to judge";
-    EXPECT_NEAR(a.value, b.value, sigmas * std::hypot(a.standard_error, b.standard_error) + relative_tolerance * b.value) << what;
+    EXPECT_NEAR(a.value, b.value,
+                sigmas * std::hypot(a.standard_error, b.standard_error) + relative_tolerance * b.value)
+        << what;
   }
   EXPECT_EQ(compared, count);
 }

@@ -16,7 +16,8 @@ const std::string type_b =
 
 std::string eulumdat() {
   std::string text = "maker\n1\n1\n1\n0\n2\n90\nreport\nname\nnumber\nfile\ndate\n";
-  for (const char* field : {"600", "300", "50", "600", "300", "0", "0", "0", "0", "100", "0", "1", "0", "2"}) text += std::string(field) + "\n";
+  for (const char* field : {"600", "300", "50", "600", "300", "0", "0", "0", "0", "100", "0", "1", "0", "2"})
+    text += std::string(field) + "\n";
   text += "1\nsmall\n1000\n3000\n80\n10\n1\nlarge\n2000\n3000\n80\n20\n";
   for (int i = 0; i < 10; ++i) text += "0\n";
   return text + "0\n0\n90\n100\n100\n";
@@ -102,7 +103,8 @@ TEST_F(Profile, KeywordsHaveOneNameInBothFormats) {
   EXPECT_EQ(keyword("Manufac"), "maker");
   EXPECT_EQ(keyword("LUMCAT"), "number");
   size_t needed;
-  expect_error(ups_profile_get_keyword(read, nullptr, nullptr, 0, &needed), UPS_ERROR_INVALID_ARGUMENT, {"name is NULL"});
+  expect_error(ups_profile_get_keyword(read, nullptr, nullptr, 0, &needed), UPS_ERROR_INVALID_ARGUMENT,
+               {"name is NULL"});
 }
 
 TEST_F(Profile, ACopyHasAnotherKeyword) {

@@ -54,8 +54,10 @@ TEST_F(Sources, WrongArgumentsAreNamed) {
   desc.reserved = 0;
   render();
   ups_meter_reading readings[2];
-  expect_error(ups_result_read_source_meters(result, 1, meter, readings, 1), UPS_ERROR_INVALID_ARGUMENT, {"there are 1"});
-  expect_error(ups_result_read_source_meters(result, 0, meter, readings, 2), UPS_ERROR_INVALID_ARGUMENT, {"count is 2"});
+  expect_error(ups_result_read_source_meters(result, 1, meter, readings, 1), UPS_ERROR_INVALID_ARGUMENT,
+               {"there are 1"});
+  expect_error(ups_result_read_source_meters(result, 0, meter, readings, 2), UPS_ERROR_INVALID_ARGUMENT,
+               {"count is 2"});
   expect_error(ups_result_read_source_meters(result, 0, goniometer, readings, 1), UPS_ERROR_INVALID_ARGUMENT,
                {"not a meter set"});
   EXPECT_OK(ups_result_read_source_meters(result, 0, meter, readings, 1));

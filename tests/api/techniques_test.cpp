@@ -1,5 +1,5 @@
-// Within a method: the fields of ups_render_desc that choose techniques, what is said of light that a set cannot sample, and
-// the images of single techniques.
+// Within a method: the fields of ups_render_desc that choose techniques, what is said of light that a set cannot
+// sample, and the images of single techniques.
 #include <cmath>
 #include <cstddef>
 
@@ -88,8 +88,8 @@ TEST_F(Techniques, ADescOfAnOlderCallerGetsTheDefaults) {
 }
 
 TEST_F(Techniques, EveryMethodRuns) {
-  for (ups_method m : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PPM,
-                       UPS_METHOD_SPPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}) {
+  for (ups_method m : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_BIDIRECTIONAL,
+                       UPS_METHOD_PPM, UPS_METHOD_SPPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}) {
     desc.method = m;
     render();
     ups_result_info info{};
@@ -102,8 +102,8 @@ TEST_F(Techniques, EveryMethodRuns) {
   }
 }
 
-// Light of the lamp that the mirror sends to the meter has no technique without merging; seen in the mirror it has none in
-// bidirectional path tracing.
+// Light of the lamp that the mirror sends to the meter has no technique without merging; seen in the mirror it has none
+// in bidirectional path tracing.
 TEST_F(Techniques, LightThatASetCannotSampleIsNamed) {
   for (ups_method m : {UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_LIGHT_TRACING}) {
     desc.method = m;
@@ -111,7 +111,8 @@ TEST_F(Techniques, LightThatASetCannotSampleIsNamed) {
     for (const char* word : {"luminaire 1 (without extent)", "specular (material 2 (mirror))", "point meter"})
       EXPECT_NE(text.find(word), std::string::npos) << m << ": " << text;
   }
-  for (ups_method m : {UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_PPM, UPS_METHOD_SPPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}) {
+  for (ups_method m :
+       {UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_PPM, UPS_METHOD_SPPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}) {
     desc.method = m;
     EXPECT_EQ(warnings(), "") << m;
   }
@@ -143,7 +144,8 @@ TEST_F(Techniques, ImagesHaveTheirNumbersAndNothingElse) {
   const auto read = [&](ups_sensor_id id, uint32_t index, ups_contribution c, float* out, size_t size) {
     return ups_result_read_technique(result, id, index, c, out, 0, size);
   };
-  expect_error(ups_result_get_technique(result, camera, count, &info), UPS_ERROR_INVALID_ARGUMENT, {"index is 12", "12"});
+  expect_error(ups_result_get_technique(result, camera, count, &info), UPS_ERROR_INVALID_ARGUMENT,
+               {"index is 12", "12"});
   expect_error(ups_result_get_technique(result, meter, 0, &info), UPS_ERROR_INVALID_ARGUMENT, {"is not a camera"});
   expect_error(read(camera, 0, 2, pixels.data(), bytes), UPS_ERROR_INVALID_ARGUMENT, {"contribution: 2"});
   expect_error(read(camera, 0, 0, nullptr, bytes), UPS_ERROR_INVALID_ARGUMENT, {"out is NULL"});
@@ -157,8 +159,9 @@ TEST_F(Techniques, WithoutAskingThereAreNoImages) {
   EXPECT_OK(ups_result_get_technique_count(result, camera, &count));
   EXPECT_EQ(count, 0u);
   std::vector<float> pixels(4 * 3 * 3);
-  expect_error(ups_result_read_image(result, camera, UPS_CHANNEL_DENSITY_ESTIMATION_RGB, pixels.data(), 0, pixels.size() * 4),
-               UPS_ERROR_INVALID_ARGUMENT, {"technique_images"});
+  expect_error(
+      ups_result_read_image(result, camera, UPS_CHANNEL_DENSITY_ESTIMATION_RGB, pixels.data(), 0, pixels.size() * 4),
+      UPS_ERROR_INVALID_ARGUMENT, {"technique_images"});
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+// See rooms.h: spheres are added until the triangles are enough; points are chosen by area.
 #include "rooms.h"
 
 #include <map>

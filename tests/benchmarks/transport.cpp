@@ -1,6 +1,7 @@
-// How many paths a second? The sample bathroom through the public C API alone, loaded as the program loads it: a fixed number of iterations of each
-// method with 1 and 2 threads. A pair is a light path and an eye path, so a method has as many as it has of the rarer.
-// The time is that of the result: rendering, with the choice of the merge radii, without loading the scene.
+// How many paths a second? The sample bathroom through the public C API alone, loaded as the program loads it: a fixed
+// number of iterations of each method with 1 and 2 threads. A pair is a light path and an eye path, so a method has as
+// many as it has of the rarer. The time is that of the result: rendering, with the choice of the merge radii, without
+// loading the scene.
 #include <algorithm>
 #include <map>
 

@@ -16,7 +16,8 @@ internal static partial class BindingTest
             Expect(plain.Keyword("manufac") == "maker" && plain.Keyword("LUMCAT") == "", "a keyword");
             Expect(plain.Keyword("OTHER").TrimEnd() == "first\nsecond", "two values of a keyword");
             using (var named = plain.WithKeyword("lumcat", "DL 50"))
-                Expect(named.Keyword("LUMCAT") == "DL 50" && named.Keyword("MANUFAC") == "maker", "a keyword of its own");
+                Expect(named.Keyword("LUMCAT") == "DL 50" && named.Keyword("MANUFAC") == "maker",
+                       "a keyword of its own");
             Expect(plain.Text(ProfileText.TiltFile) == "hid.tlt", "the name of the TILT file");
             var tilt = ProfileParseDesc.Create();
             tilt.TiltDeg = 45;

@@ -1,5 +1,6 @@
 // Runs a fuzz target over its corpus and over broken copies of it, without clang: an ordinary program of any compiler.
-// Arguments: the corpus folder, and how many broken copies of each file (fixed seed). Ends with 1 where there is no file.
+// Arguments: the corpus folder, and how many broken copies of each file (fixed seed).
+// Ends with 1 where there is no file.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

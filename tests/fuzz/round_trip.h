@@ -1,6 +1,6 @@
 // What must hold for whatever a reader accepts: finite fluxes, samples that agree with eval, and files written from it
-// that read back to the same light. A failure ends the program, which libFuzzer reports with its input. Used by the fuzz
-// targets of readers of distributions.
+// that read back to the same light. A failure ends the program, which libFuzzer reports with its input. Used by the
+// fuzz targets of readers of distributions.
 #pragma once
 #include <cmath>
 #include <cstdio>

@@ -2,7 +2,8 @@
 # Fuzzes the readers of photometric files.
 #   tests/fuzz/run.sh [EXECUTIONS] [BUILD] [READER...]   a long run: 10,000,000 executions a reader, of every reader in
 #                                                        BUILD/tests/fuzz (build/release), one after the other; prints
-#                                                        executions and findings, keeps what it found in BUILD/tests/fuzz
+#                                                        executions and findings, keeps what it found in
+#                                                        BUILD/tests/fuzz
 #   tests/fuzz/run.sh --short FUZZER CORPUS              the test's run: fixed seed; exit code 77 without the fuzzer
 # Exit code 1 where a reader crashed, leaked, was slow (10 s for an input) or allocated 512 MB at once.
 set -uo pipefail

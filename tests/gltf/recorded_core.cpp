@@ -1,3 +1,5 @@
+// See recorded_core.h. Defaults are those of the library where a test looks at them; profiles keep the bytes they were
+// parsed from.
 #include "recorded_core.h"
 
 struct ups_profile {

@@ -94,7 +94,8 @@ class FastWeights {
   double sensor_connect() const {
     const int a = p_.k - 1;
     const double pb_a = pb(a), pf_a = p_.camera() ? 0 : pf(a);
-    return mis::weight_sensor_connect(light_[a], n_, p_.camera(), end_, light_gate(a), pb_a, p_.pdf_to_emitter[a], pf_a);
+    return mis::weight_sensor_connect(light_[a], n_, p_.camera(), end_, light_gate(a), pb_a, p_.pdf_to_emitter[a],
+                                      pf_a);
   }
   double merge(int m) const {
     if (m == p_.k) return mis::weight_merge_at_sensor(light_[m], n_, eta_sensor_, p_.pdf_to_emitter[m]);

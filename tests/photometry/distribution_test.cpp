@@ -9,22 +9,17 @@
 #include <functional>
 #include <random>
 
+#include "photometry/files.h"
 #include "support/chi_square.h"
 
 namespace photometry {
 namespace {
 
+using test::rad;
+using test::steps;
 constexpr double pi = 3.14159265358979323846;
 constexpr double false_alarm = 1e-4;
 constexpr double largest_u = 0x1.fffffep-1;  // below 1, as the engine's numbers are
-
-double rad(double deg) { return deg * pi / 180; }
-
-std::vector<double> steps(double first, double last, int n) {
-  std::vector<double> out;
-  for (int i = 0; i <= n; ++i) out.push_back(first + (last - first) * i / n);
-  return out;
-}
 
 Distribution tabulate(std::vector<double> c_deg, std::vector<double> gamma_deg,
                       const std::function<double(double c, double gamma)>& intensity) {

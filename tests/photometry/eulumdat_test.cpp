@@ -13,7 +13,8 @@ TEST(Eulumdat, FluxIsAsExpected) {
                            "l05_isym3_absolute.ldt", "l06_cfli_2.ldt"}) {
     const Photometry p = read_file(file);
     EXPECT_EQ(p.format, "EULUMDAT") << file;
-    // The files round to 0.001 cd/klm and state the lamps' flux to 0.001 lm; the band rule of 5 degrees is exact to 1e-5.
+    // The files round to 0.001 cd/klm and state the lamps' flux to 0.001 lm;
+    // the band rule of 5 degrees is exact to 1e-5.
     EXPECT_NEAR(p.distribution.band_flux_lm() / lambertian_lm, 1, 5e-5) << file;
     EXPECT_TRUE(p.warnings.empty()) << file << ": " << p.warnings[0];
     EXPECT_EQ(p.input_power_w, 10) << file;
@@ -123,7 +124,8 @@ TEST(Eulumdat, OpeningIsInMetresLengthAlongC90) {
   } cases[] = {
       {"600\n300", "0\n0\n0\n0", OpeningShape::rectangle, .3f, .6f, 0, nullptr},
       {"600\n300", "50\n50\n50\n50", OpeningShape::box, .3f, .6f, .05f, nullptr},
-      {"600\n300", "0\n50\n0\n20", OpeningShape::box, .3f, .6f, .05f, "line 21: the luminous heights are from 0 to 50 mm"},
+      {"600\n300", "0\n50\n0\n20", OpeningShape::box, .3f, .6f, .05f,
+       "line 21: the luminous heights are from 0 to 50 mm"},
       {"600\n0", "0\n0\n0\n0", OpeningShape::disc, .6f, .6f, 0, nullptr},
       {"600\n", "80\n80\n80\n80", OpeningShape::cylinder, .6f, .6f, .08f, nullptr},
       {"0\n0", "0\n0\n0\n0", OpeningShape::point, 0, 0, 0, nullptr},

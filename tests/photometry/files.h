@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "photometry/photometry.h"
 
@@ -31,6 +32,12 @@ inline bool has_warning(const Photometry& p, const std::string& start) {
   return false;
 }
 
+inline bool warned(const Photometry& p, const std::string& part) {
+  for (const std::string& w : p.warnings)
+    if (w.find(part) != w.npos) return true;
+  return false;
+}
+
 inline std::string keyword(const Photometry& p, const std::string& name) {
   for (const Keyword& k : p.keywords)
     if (k.name == name) return k.value;
@@ -46,6 +53,24 @@ std::string refusal(const std::string& text, const ReadOptions& options = {}) {
     return e.what();
   }
   return "read without an error";
+}
+
+// The file must be refused with an error of this kind that says `part`.
+template <class Error>
+void expect_refused(const std::string& text, const std::string& part) {
+  try {
+    read_text(text);
+    ADD_FAILURE() << "was read, where \"" << part << "\" was expected";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+  }
+}
+
+// n + 1 numbers in equal steps.
+inline std::vector<double> steps(double first, double last, int n) {
+  std::vector<double> out;
+  for (int i = 0; i <= n; ++i) out.push_back(first + (last - first) * i / n);
+  return out;
 }
 
 inline double rad(double deg) { return deg * 3.14159265358979323846 / 180; }

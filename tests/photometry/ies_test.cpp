@@ -139,7 +139,8 @@ TEST(Ies, ReadsATiltFileAndAppliesItWhereAsked) {
   EXPECT_NEAR(read_text(data("s06_tilt_include.ies"), included).distribution.band_flux_lm(), 0.9 * lambertian_lm, 0.01);
   const std::string broken = "1 3\n0 15 15\n1 1 1\n";
   options.tilt_file = broken.data(), options.tilt_file_size = broken.size();
-  EXPECT_EQ(refusal<ParseError>(text, options).rfind("line 6: the TILT file \"mh400.tlt\": line 2: tilt angle 3", 0), 0u);
+  EXPECT_EQ(refusal<ParseError>(text, options).rfind("line 6: the TILT file \"mh400.tlt\": line 2: tilt angle 3", 0),
+            0u);
 }
 
 TEST(Ies, OtherUnitsThanCandelasAreAWarning) {
@@ -213,8 +214,10 @@ INSTANTIATE_TEST_SUITE_P(
         // Sheets, upright too, and lines.
         OpeningCase{e02, "0 .6 .3", S::rectangle, .6f, 0, .3f}, OpeningCase{e02, ".6 0 .3", S::rectangle, 0, .6f, .3f},
         OpeningCase{e02, "0 1.2 0", S::rectangle, 1.2f, 0, 0}, OpeningCase{e02, "0 0 1.2", S::rectangle, 0, 0, 1.2f},
-        OpeningCase{e95, "+.3 -.2 .4", S::cylinder, .2f, .3f, .4f}, OpeningCase{e95, ".3 -.2 -.4", S::sphere, .2f, .3f, .4f},
-        OpeningCase{e02, "-.2 -.3 .5", S::cylinder, .3f, .2f, .5f}, OpeningCase{e02, "-.2 -.3 -.5", S::sphere, .3f, .2f, .5f},
+        OpeningCase{e95, "+.3 -.2 .4", S::cylinder, .2f, .3f, .4f},
+        OpeningCase{e95, ".3 -.2 -.4", S::sphere, .2f, .3f, .4f},
+        OpeningCase{e02, "-.2 -.3 .5", S::cylinder, .3f, .2f, .5f},
+        OpeningCase{e02, "-.2 -.3 -.5", S::sphere, .3f, .2f, .5f},
         OpeningCase{e02, "-.1 1.2 -.2", S::cylinder, 1.2f, .1f, .2f, 0},
         OpeningCase{e02, "1.2 -.1 -.2", S::cylinder, .1f, 1.2f, .2f, 1},
         OpeningCase{e02, "-.2 0 -.3", S::disc, 0, .2f, .3f}));

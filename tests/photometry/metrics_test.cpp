@@ -16,13 +16,8 @@ constexpr double pi = 3.14159265358979323846;
 using test::eval_at;
 using test::rad;
 using test::read_file;
+using test::steps;
 double deg(double rad) { return rad * 180 / pi; }
-
-std::vector<double> steps(double first, double last, int n) {
-  std::vector<double> out;
-  for (int i = 0; i <= n; ++i) out.push_back(first + (last - first) * i / n);
-  return out;
-}
 
 // A table of `intensity` of C and gamma, in degrees.
 Photometry tabulate(std::vector<double> c, std::vector<double> g,

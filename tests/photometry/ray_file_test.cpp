@@ -4,8 +4,8 @@
 
 #include <random>
 
+#include "photometry/files.h"
 #include "photometry/luminosity.h"
-#include "photometry/photometry.h"
 #include "support/ray_bytes.h"
 
 namespace ups::test {
@@ -14,24 +14,10 @@ namespace {
 using photometry::ParseError;
 using photometry::Photometry;
 using photometry::UnsupportedError;
+using photometry::test::expect_refused;
+using photometry::test::warned;
 
-Photometry read(const std::string& bytes) { return photometry::read(bytes.data(), bytes.size()); }
-
-bool warned(const Photometry& p, const std::string& part) {
-  for (const std::string& w : p.warnings)
-    if (w.find(part) != w.npos) return true;
-  return false;
-}
-
-template <class Exception>
-void expect_refused(const std::string& bytes, const std::string& part) {
-  try {
-    read(bytes);
-    ADD_FAILURE() << "was read, where \"" << part << "\" was expected";
-  } catch (const Exception& e) {
-    EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
-  }
-}
+Photometry read(const std::string& bytes) { return photometry::test::read_text(bytes); }
 
 double total(const Photometry& p) {
   double sum = 0;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "photometry/photometry.h"
+#include "photometry/files.h"
 #include "photometry/xml.h"
 
 namespace ups::test {
@@ -15,6 +15,8 @@ using photometry::ParseError;
 using photometry::Photometry;
 using photometry::Symmetry;
 using photometry::UnsupportedError;
+using photometry::test::expect_refused;
+using photometry::test::warned;
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
@@ -52,23 +54,7 @@ std::string file(const std::string& content) {
          content + "</IESTM33-22>\n";
 }
 
-Photometry read(const std::string& text) { return photometry::read(text.data(), text.size()); }
-
-template <class Exception>
-void expect_refused(const std::string& text, const std::string& part) {
-  try {
-    read(text);
-    ADD_FAILURE() << "was read, where \"" << part << "\" was expected";
-  } catch (const Exception& e) {
-    EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
-  }
-}
-
-bool warned(const Photometry& p, const std::string& part) {
-  for (const std::string& w : p.warnings)
-    if (w.find(part) != w.npos) return true;
-  return false;
-}
+Photometry read(const std::string& text) { return photometry::test::read_text(text); }
 
 void expect_lamp(const Photometry& p, const Lamp& lamp, double factor = 1) {
   for (double h = 0; h < 360; h += 30)

@@ -67,7 +67,8 @@ TEST(Types, PeakIsInCGamma) {
   const std::vector<double> two = {-90, 90}, row = {-90, 0, 90};
   const Distribution forward(PhotometricType::b, {-90, 0, 90}, row, {0, 0, 0, 0, 1, 0, 0, 0, 0});
   EXPECT_EQ(forward.peak_gamma_deg(), 0);
-  const Distribution right(PhotometricType::b, two, row, {0, 0, 1, 0, 0, 1}), up(PhotometricType::a, two, row, {0, 0, 1, 0, 0, 1});
+  const Distribution right(PhotometricType::b, two, row, {0, 0, 1, 0, 0, 1}),
+      up(PhotometricType::a, two, row, {0, 0, 1, 0, 0, 1});
   EXPECT_EQ(right.peak_c_deg(), 270);
   EXPECT_EQ(right.peak_gamma_deg(), 90);
   EXPECT_EQ(right.eval(0, -1, 0), 1);
@@ -96,7 +97,8 @@ void expect_exact_sampling(const Distribution& d, uint32_t seed) {
     double c = std::atan2(s.y, s.x) / (2 * pi);
     if (c < 0) c += 1;
     const double g = std::acos(std::clamp(-s.z, -1.0, 1.0)) / pi;
-    observed[std::min(size_t(g * rows), size_t(rows - 1)) * columns + std::min(size_t(c * columns), size_t(columns - 1))] += 1;
+    observed[std::min(size_t(g * rows), size_t(rows - 1)) * columns +
+             std::min(size_t(c * columns), size_t(columns - 1))] += 1;
   }
   const auto result = ups::test::chi_square_test(observed, expected);
   ASSERT_GT(result.degrees_of_freedom, 20);
@@ -147,9 +149,11 @@ TEST(Types, HalvesAreMirrored) {
     EXPECT_EQ(at(narrow, 0, 31), 0);
     EXPECT_EQ(at(narrow, 21, 0), 0);
   }
-  EXPECT_NE(refusal<ParseError>("IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 2 2 0 0 0\n1 1 5\n0 90\n0\n1 1\n").find("line 6: there is"),
+  EXPECT_NE(refusal<ParseError>("IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 2 2 0 0 0\n1 1 5\n0 90\n0\n1 1\n")
+                .find("line 6: there is"),
             std::string::npos);
-  EXPECT_NE(refusal<ParseError>("IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 2 2 2 0 0 0\n1 1 5\n-90 90\n-95 90\n1 1 1 1\n").find("line 6"),
+  EXPECT_NE(refusal<ParseError>("IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 2 2 2 0 0 0\n1 1 5\n-90 90\n-95 90\n1 1 1 1\n")
+                .find("line 6"),
             std::string::npos);
 }
 

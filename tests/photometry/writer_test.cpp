@@ -47,13 +47,15 @@ TEST(Writer, EveryTestFileReadsBack) {
 }
 
 TEST(Writer, OpeningsOfAllCodesReadBack) {
-  const float sizes[][3] = {{.3f, .2f, .1f}, {.2f, .2f, .1f}, {.2f, .2f, .2f}, {.3f, .2f, 0}, {.2f, .2f, 0}, {0, .2f, .1f}};
+  const float sizes[][3] = {{.3f, .2f, .1f}, {.2f, .2f, .1f}, {.2f, .2f, .2f},
+                            {.3f, .2f, 0},   {.2f, .2f, 0},   {0, .2f, .1f}};
   for (OpeningShape shape : {OpeningShape::rectangle, OpeningShape::disc, OpeningShape::box, OpeningShape::cylinder,
                              OpeningShape::sphere})
     for (const auto& size : sizes)
       for (int axis = 0; axis < 3; ++axis)
         for (PhotometricType type : {PhotometricType::c, PhotometricType::b, PhotometricType::a}) {
-          const bool solid = size[0] > 0 && size[2] > 0, flat = shape == OpeningShape::rectangle || shape == OpeningShape::disc;
+          const bool solid = size[0] > 0 && size[2] > 0,
+                     flat = shape == OpeningShape::rectangle || shape == OpeningShape::disc;
           if (solid == flat || (axis != 2 && shape != OpeningShape::cylinder)) continue;
           if (type == PhotometricType::a && size[0] == 0) continue;  // a sheet edge-on to the aim has no code
           Photometry p{type == PhotometricType::c ? Distribution({0}, {0, 90}, {1, 1})
@@ -102,8 +104,8 @@ TEST(Writer, SymmetriesTakeTheFewestPlanes) {
 TEST(Writer, OddPlanesReadBack) {
   for (const Distribution& d :
        {Distribution({0, 120, 240}, {0, 90}, {1, 2, 1, 3, 1, 3}), Distribution({0, 180}, {0, 90}, {1, 2, 1, 3}),
-        Distribution({0, 359.9995}, {0, 0.0005, 90}, {1, 2, 3, 4, 5, 6}),
-        Distribution({0, 90}, {10, 20}, {1, 2, 3, 4}), Distribution({0, 90, 180, 270}, {90, 180}, {1, 2, 3, 4, 5, 6, 7, 8})}) {
+        Distribution({0, 359.9995}, {0, 0.0005, 90}, {1, 2, 3, 4, 5, 6}), Distribution({0, 90}, {10, 20}, {1, 2, 3, 4}),
+        Distribution({0, 90, 180, 270}, {90, 180}, {1, 2, 3, 4, 5, 6, 7, 8})}) {
     expect_same(again(write_ies(Photometry{d})).distribution, d);
     expect_same(again(write_eulumdat(Photometry{d})).distribution, d);
   }
@@ -117,7 +119,8 @@ TEST(Writer, TypesAAndBAreWrittenAsTheyAre) {
     EXPECT_EQ(q.distribution.band_flux_lm(), p.distribution.band_flux_lm());
   }
   for (PhotometricType type : {PhotometricType::a, PhotometricType::b}) {
-    const Photometry p{Distribution(type, {-90, 0, 90}, {-90, -30, 0, 30, 90}, {1, 2, 3, 2, 1, 4, 5, 6, 5, 4, 1, 2, 3, 2, 1})};
+    const Photometry p{
+        Distribution(type, {-90, 0, 90}, {-90, -30, 0, 30, 90}, {1, 2, 3, 2, 1, 4, 5, 6, 5, 4, 1, 2, 3, 2, 1})};
     const std::string text = write_ies(p);
     EXPECT_NE(text.find(type == PhotometricType::a ? " 3 2 3 2\r\n" : " 2 3 2 2\r\n"), std::string::npos) << text;
     expect_same(again(text).distribution, p.distribution);
@@ -142,7 +145,8 @@ TEST(Writer, KeywordsLampsAndCodesAreKept) {
   EXPECT_EQ(keyword(q, "MANUFAC"), "maker");
   EXPECT_EQ(keyword(q, "TEST"), "not stated");
   EXPECT_EQ(keyword(q, "OTHER"), "free text");
-  EXPECT_EQ(std::count_if(q.keywords.begin(), q.keywords.end(), [](const Keyword& k) { return k.name == "MANUFAC"; }), 2);
+  EXPECT_EQ(std::count_if(q.keywords.begin(), q.keywords.end(), [](const Keyword& k) { return k.name == "MANUFAC"; }),
+            2);
   EXPECT_EQ(q.lamp_sets[0].count, 2);
   EXPECT_EQ(q.rated_flux_lm, 1800);
   const Photometry r = again(write_eulumdat(own));

@@ -12,12 +12,14 @@ using namespace ups;
 TransportSettings settings(int32_t method, uint32_t techniques) {
   return settings_of({.method = method}, {method, techniques, {}, {}});
 }
-constexpr uint32_t hit = UPS_TECHNIQUE_EMITTER_HIT, light_sample = UPS_TECHNIQUE_LIGHT_SAMPLE, join = UPS_TECHNIQUE_CONNECT,
-                   splat = UPS_TECHNIQUE_SENSOR_CONNECT, merge = UPS_TECHNIQUE_MERGE, land = UPS_TECHNIQUE_SENSOR_HIT;
+constexpr uint32_t hit = UPS_TECHNIQUE_EMITTER_HIT, light_sample = UPS_TECHNIQUE_LIGHT_SAMPLE,
+                   join = UPS_TECHNIQUE_CONNECT, splat = UPS_TECHNIQUE_SENSOR_CONNECT, merge = UPS_TECHNIQUE_MERGE,
+                   land = UPS_TECHNIQUE_SENSOR_HIT;
 const TransportSettings pt = settings(UPS_METHOD_PATH_TRACING, hit | light_sample),
                         bpt = settings(UPS_METHOD_BIDIRECTIONAL, hit | light_sample | join | splat),
                         lt = settings(UPS_METHOD_LIGHT_TRACING, join | splat | land),
-                        ppm = settings(UPS_METHOD_PPM, hit | merge | land), sppm = settings(UPS_METHOD_SPPM, hit | merge | land),
+                        ppm = settings(UPS_METHOD_PPM, hit | merge | land),
+                        sppm = settings(UPS_METHOD_SPPM, hit | merge | land),
                         bpm = settings(UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING, hit | merge | land),
                         all = settings(UPS_METHOD_UPS, hit | light_sample | join | splat | merge | land);
 constexpr SourceKind hittable = SourceKind::hittable, punctual = SourceKind::punctual, rays = SourceKind::rays;
@@ -42,8 +44,8 @@ void expect_all_light(const TransportSettings& s) {
 
 TEST(Coverage, UnifiedPathSamplingHasATechniqueForAllLight) { expect_all_light(all); }
 
-// PPM merges at the first vertex that is not specular, and bidirectional photon mapping at all: they need extent only where
-// an emitter is seen directly.
+// PPM merges at the first vertex that is not specular, and bidirectional photon mapping at all: they need extent only
+// where an emitter is seen directly.
 TEST(Coverage, PhotonMappingHasATechniqueForAllLight) {
   expect_all_light(ppm);
   expect_all_light(bpm);

@@ -242,7 +242,8 @@ TEST(Prepare, TellsHowSmallThePatchesAreThatLightMeetsFirst) {
   near_a_wall.box(near_a_wall.material(UPS_MATERIAL_MATTE), {-1, -1, -1}, {1, 1, 1});
   near_a_wall.point_light({0, 0, 1 - h});
   const double expected = bounds * pi / (2 * h * h) / flux2;
-  EXPECT_GT(near_a_wall.build()->effects.concentration, 0.7 * expected);  // discs as large as the patch blur it a little
+  // Discs as large as the patch blur it a little.
+  EXPECT_GT(near_a_wall.build()->effects.concentration, 0.7 * expected);
   EXPECT_LT(near_a_wall.build()->effects.concentration, 1.3 * expected);
 }
 

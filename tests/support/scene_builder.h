@@ -1,5 +1,5 @@
 // Scenes in a few lines, for tests that go through the public C API alone. Every failing call throws with the library's
-// message, and so does a result that holds a non-finite value or left a sample out: no test can overlook either.
+// message; what a render gives back is checked by Result (result.h).
 //
 //   Scene scene;
 //   scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
@@ -8,22 +8,16 @@
 //   const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 64});
 //   result.readings(meters)[0].illuminance_lx
 #pragma once
+#include <array>
 #include <cmath>
-#include <cstring>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
+#include "result.h"
 #include "shapes.h"
 #include "ups/ups.h"
 
 namespace ups::test {
-
-inline void check(ups_status status, const char* call) {
-  if (status != UPS_OK)
-    throw std::runtime_error(std::string(call) + ": " + ups_status_name(status) + ": " + ups_last_error());
-}
 
 template <class Desc, class Init>
 Desc make_desc(Init init) {
@@ -59,144 +53,6 @@ inline ups_material_desc emitter(double luminance_cd_m2, double reflectance = 0)
   for (float& l : d.luminance_cd_m2) l = float(luminance_cd_m2);
   return d;
 }
-
-// ---- results --------------------------------------------------------------------------------------------------------
-
-struct Image {
-  uint32_t width = 0, height = 0;
-  std::vector<float> luminance, standard_error;  // rgb
-  std::vector<float> illuminance;                // lx; empty unless the camera has it
-};
-
-struct Sensor {
-  ups_sensor_id id{0};
-  uint32_t count = 0;              // meters
-  uint32_t width = 0, height = 0;  // camera
-  bool illuminance = false;
-  uint32_t planes = 0, gammas = 0;  // goniometer
-};
-
-class Result {
- public:
-  Result(ups_result* result, const std::vector<Sensor>& sensors) : result_(result, ups_result_destroy) {
-    if (info().dropped_samples != 0) throw std::runtime_error("dropped samples: " + text(UPS_TEXT_DROPPED));
-    for (const Sensor& s : sensors) {
-      if (s.count > 0)
-        readings(s);
-      else if (s.planes > 0)
-        intensities(s);
-      else
-        image(s);
-    }
-  }
-
-  ups_result_info info() const {
-    ups_result_info i{};
-    i.struct_size = sizeof i;
-    check(ups_result_get_info(result_.get(), &i), "ups_result_get_info");
-    require_finite({i.emitted_flux_lm, i.absorbed_flux_lm, i.escaped_flux_lm, i.elapsed_s}, "result info");
-    return i;
-  }
-  std::vector<ups_meter_reading> readings(const Sensor& meters) const {
-    std::vector<ups_meter_reading> out(meters.count);
-    check(ups_result_read_meters(result_.get(), meters.id, out.data(), out.size()), "ups_result_read_meters");
-    for (const auto& r : out)
-      require_finite({r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx},
-                     "meter reading");
-    return out;
-  }
-  std::vector<ups_source_info> sources() const {
-    uint32_t count = 0;
-    check(ups_result_get_source_count(result_.get(), &count), "ups_result_get_source_count");
-    std::vector<ups_source_info> all(count);
-    for (uint32_t i = 0; i < count; ++i) {
-      all[i].struct_size = sizeof all[i];
-      check(ups_result_get_source(result_.get(), i, &all[i]), "ups_result_get_source");
-    }
-    return all;
-  }
-  std::vector<ups_meter_reading> readings_of_source(uint32_t source, const Sensor& meters) const {
-    std::vector<ups_meter_reading> out(meters.count);
-    check(ups_result_read_source_meters(result_.get(), source, meters.id, out.data(), out.size()),
-          "ups_result_read_source_meters");
-    return out;
-  }
-  std::vector<ups_intensity_reading> intensities(const Sensor& goniometer) const {
-    std::vector<ups_intensity_reading> out(size_t(goniometer.planes) * goniometer.gammas);
-    check(ups_result_read_goniometer(result_.get(), goniometer.id, out.data(), out.size()), "ups_result_read_goniometer");
-    for (const auto& r : out)
-      require_finite({r.intensity_cd, r.standard_error_cd, r.bias_cd, r.error_bound_cd}, "goniometer");
-    return out;
-  }
-  ups_goniometer_info goniometer_info(const Sensor& goniometer) const {
-    ups_goniometer_info i{};
-    i.struct_size = sizeof i;
-    check(ups_result_get_goniometer_info(result_.get(), goniometer.id, &i), "ups_result_get_goniometer_info");
-    return i;
-  }
-  std::unique_ptr<ups_profile, decltype(&ups_profile_destroy)> goniometer_profile(const Sensor& goniometer) const {
-    ups_profile* profile = nullptr;
-    check(ups_result_get_goniometer_profile(result_.get(), goniometer.id, &profile), "ups_result_get_goniometer_profile");
-    return {profile, ups_profile_destroy};
-  }
-  ups_meter_statistics statistics(const Sensor& meters) const {
-    ups_meter_statistics s{};
-    s.struct_size = sizeof s;
-    check(ups_result_get_meter_statistics(result_.get(), meters.id, &s), "ups_result_get_meter_statistics");
-    require_finite({s.mean_lx, s.min_lx, s.max_lx, s.uniformity, s.mean_standard_error_lx}, "meter statistics");
-    return s;
-  }
-  Image image(const Sensor& camera) const {
-    return {camera.width, camera.height, read(camera, UPS_CHANNEL_LUMINANCE_RGB, 3),
-            read(camera, UPS_CHANNEL_STANDARD_ERROR_RGB, 3),
-            camera.illuminance ? read(camera, UPS_CHANNEL_ILLUMINANCE, 1) : std::vector<float>{}};
-  }
-  std::vector<float> technique(const Sensor& camera, uint32_t index, ups_contribution contribution) const {
-    std::vector<float> out(3 * size_t(camera.width) * camera.height);
-    check(ups_result_read_technique(result_.get(), camera.id, index, contribution, out.data(), 0, out.size() * sizeof(float)),
-          "ups_result_read_technique");
-    for (float v : out) require_finite({v}, "technique image");
-    return out;
-  }
-  // Over all pixels and channels.
-  double technique_mean(const Sensor& camera, uint32_t index, ups_contribution contribution) const {
-    double sum = 0;
-    for (float v : technique(camera, index, contribution)) sum += v;
-    return sum / (3.0 * camera.width * camera.height);
-  }
-  std::vector<ups_technique_info> techniques(const Sensor& camera) const {
-    uint32_t count = 0;
-    check(ups_result_get_technique_count(result_.get(), camera.id, &count), "ups_result_get_technique_count");
-    std::vector<ups_technique_info> all(count);
-    for (uint32_t i = 0; i < count; ++i) {
-      all[i].struct_size = sizeof all[i];
-      check(ups_result_get_technique(result_.get(), camera.id, i, &all[i]), "ups_result_get_technique");
-    }
-    return all;
-  }
-  std::vector<float> read(const Sensor& camera, ups_channel channel, size_t components) const {
-    std::vector<float> out(components * camera.width * camera.height);
-    check(ups_result_read_image(result_.get(), camera.id, channel, out.data(), 0, out.size() * sizeof(float)),
-          "ups_result_read_image");
-    for (float v : out) require_finite({v}, "image");
-    return out;
-  }
-  std::string text(ups_result_text topic) const {
-    size_t needed = 0;
-    ups_result_get_text(result_.get(), topic, nullptr, 0, &needed);
-    std::string out(needed, '\0');
-    if (needed > 0)
-      check(ups_result_get_text(result_.get(), topic, out.data(), needed, &needed), "ups_result_get_text");
-    return out.c_str();
-  }
-
- private:
-  static void require_finite(std::initializer_list<double> values, const char* what) {
-    for (double v : values)
-      if (!std::isfinite(v)) throw std::runtime_error(std::string("not finite: ") + what);
-  }
-  std::unique_ptr<ups_result, decltype(&ups_result_destroy)> result_;
-};
 
 // ---- scene ----------------------------------------------------------------------------------------------------------
 

@@ -120,7 +120,8 @@ class Info(test_program.ProgramTest):
         self.expect_failure("info", self.path("empty"), words=["empty", ".ies"])
 
     def test_a_tilt_file_is_found_beside_whatever_its_case(self):
-        lamp = "IESNA:LM-63-1995\n[TEST] none\n[MANUFAC] x\nTILT=Lamp.TLT\n1 -1 1 3 1 1 2 0 0 0\n1 1 10\n0 45 90\n0\n9 9 9\n"
+        lamp = ("IESNA:LM-63-1995\n[TEST] none\n[MANUFAC] x\nTILT=Lamp.TLT\n"
+                "1 -1 1 3 1 1 2 0 0 0\n1 1 10\n0 45 90\n0\n9 9 9\n")
         path = self.write("lamp.ies", lamp)
         (without,) = self.info(path)
         self.write("lamp.tlt", "1\n3\n0 45 90\n1 0.9 0.8\n")

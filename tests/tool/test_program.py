@@ -172,7 +172,8 @@ class BrokenFiles(ProgramTest):
         self.broken(extension, ["XYZ_fancy"], command="info")
 
     def test_out_that_is_a_file(self):
-        self.expect_failure("render", self.write("room.gltf", room()), "--out", self.path("room.gltf"), words=["room.gltf"])
+        self.expect_failure("render", self.write("room.gltf", room()), "--out", self.path("room.gltf"),
+                            words=["room.gltf"])
 
 
 class Render(ProgramTest):

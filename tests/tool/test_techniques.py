@@ -15,7 +15,8 @@ from exr import read_layers, read_rgb  # noqa: E402
 class Techniques(test_program.ProgramTest):
     def test_images_add_up_to_the_picture(self):
         out = self.path("out")
-        self.render("--method", "ups", "--iterations", 16, "--technique-images", 3, "--max-path-length", 3, "--out", out)
+        self.render("--method", "ups", "--iterations", 16, "--technique-images", 3, "--max-path-length", 3,
+                    "--out", out)
         picture = read_rgb(os.path.join(out, "view.exr"))
         layers = read_layers(os.path.join(out, "view_techniques.exr"))
         self.assertGreater(picture.max(), 0)
@@ -42,13 +43,19 @@ class Techniques(test_program.ProgramTest):
 
     def test_options_reach_the_method(self):
         def merges(*words):
-            return self.render("--method", "ppm", "--iterations", 32, "--light-paths", 4096, "--merge-radius", 0.2, *words)["work"]["merges"]
+            result = self.render("--method", "ppm", "--iterations", 32, "--light-paths", 4096, "--merge-radius", 0.2,
+                                 *words)
+            return result["work"]["merges"]
 
         slow, fast = merges("--alpha", 0.9), merges("--alpha", 0.3)
         self.assertGreater(slow, 1.3 * fast)
         self.assertGreater(merges(), fast)
-        point = self.render("--method", "pt", "--iterations", 64, "--merge-radius", 1)["meters"]["spot"]["mean_lx"]
-        disc = self.render("--method", "pt", "--iterations", 64, "--merge-radius", 1, "--perturbation", "actual")["meters"]["spot"]["mean_lx"]
+
+        def mean_lx(*words):
+            return self.render("--method", "pt", "--iterations", 64, "--merge-radius", 1,
+                               *words)["meters"]["spot"]["mean_lx"]
+
+        point, disc = mean_lx(), mean_lx("--perturbation", "actual")
         self.assertLess(disc, 0.97 * point)  # beneath the light, illuminance is greatest at the point
 
     def test_wrong_words_are_2_and_named(self):
@@ -61,7 +68,8 @@ class Techniques(test_program.ProgramTest):
                 done = self.run_program("render", scene, "--iterations", 1, option, value, code=2)
                 self.assertEqual(done.stdout, "")
                 self.assertIn(option, done.stderr)
-        done = self.run_program("render", scene, "--iterations", 1, "--method", "pt", "--perturbation", "actual", code=1)
+        done = self.run_program("render", scene, "--iterations", 1, "--method", "pt", "--perturbation", "actual",
+                                code=1)
         self.assertIn("merge_radius_m", done.stderr)
 
 

@@ -12,7 +12,8 @@ using namespace ups;
 
 Vec3 random_point(uint32_t i, float scale, float offset) {
   const auto bits = philox({i, 0, 0, 0}, {42, 0});
-  return {to_unit_float(bits[0]) * scale + offset, to_unit_float(bits[1]) * scale + offset, to_unit_float(bits[2]) * scale};
+  return {to_unit_float(bits[0]) * scale + offset, to_unit_float(bits[1]) * scale + offset,
+          to_unit_float(bits[2]) * scale};
 }
 
 void compare(const std::vector<LightVertex>& vertices, float radius, const std::vector<Vec3>& queries) {

@@ -38,7 +38,8 @@ TEST(Plan, CountsFollowTheTechniques) {
   plan.camera_subsets = 4;
   plan.meter_samples = 16;
   TransportSettings s;
-  s.techniques = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_SENSOR_HIT;
+  s.techniques =
+      UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_SENSOR_HIT;
   const mis::Counts c = camera_counts(plan, s, 0.25, 0.5);
   EXPECT_EQ(c.hit, 1);
   EXPECT_EQ(c.light_sample, 0);

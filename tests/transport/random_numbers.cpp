@@ -33,7 +33,8 @@ TEST(Sobol, FirstTwoDimensionsAreStratifiedTogether) {
   for (int a = 0; a <= 8; ++a) {
     std::vector<int> count(256);
     for (uint32_t i = 0; i < 256; ++i) {
-      const uint32_t x = a ? sobol_owen(i, 0, 77) >> (32 - a) : 0, y = a < 8 ? sobol_owen(i, 1, 78) >> (32 - (8 - a)) : 0;
+      const uint32_t x = a ? sobol_owen(i, 0, 77) >> (32 - a) : 0,
+                     y = a < 8 ? sobol_owen(i, 1, 78) >> (32 - (8 - a)) : 0;
       ++count[x << (8 - a) | y];
     }
     for (int c : count) ASSERT_EQ(c, 1) << "grid 2^" << a << " x 2^" << 8 - a;

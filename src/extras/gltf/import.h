@@ -1,5 +1,5 @@
-// The state of one import, shared by its parts: materials and textures, meshes, nodes, lights, meters, goniometers. import.cpp owns
-// the order of work; each part is a file of its own.
+// The state of one import, shared by its parts: materials and textures, meshes, nodes, lights, meters, goniometers.
+// import.cpp owns the order of work; each part is a file of its own.
 #pragma once
 #include <memory>
 #include <optional>

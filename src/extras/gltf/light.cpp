@@ -129,7 +129,8 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   luminaire.allow_only(
       {"file", "flux_lm", "dimming", "colour_temperature_k", "color", "opening", "tilt_deg", "lamp_set"});
   const std::string file = luminaire.text("file", "");
-  if (file.empty()) luminaire.fail("file", "is missing: the name of a file beside the scene, IES, EULUMDAT, TM-33 or rays");
+  if (file.empty())
+    luminaire.fail("file", "is missing: the name of a file beside the scene, IES, EULUMDAT, TM-33 or rays");
   const std::string where = luminaire.where() + ", file '" + file + "'";
   ups_luminaire_desc desc;
   ups_luminaire_desc_init(&desc, sizeof desc);

@@ -1,5 +1,5 @@
-// Photometric files of luminaires: each parsed once for the same tilt and lamp set, with the TILT file that an IES file may
-// name beside it. Called by light.cpp.
+// Photometric files of luminaires: each parsed once for the same tilt and lamp set, with the TILT file that an IES file
+// may name beside it. Called by light.cpp.
 #include "gltf/import.h"
 
 namespace ups::gltf {
@@ -21,8 +21,8 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// The file of that name in the folder, in any case; empty where there is none. Of a name with folders the last part alone:
-// they are of the machine that wrote it.
+// The file of that name in the folder, in any case; empty where there is none. Of a name with folders the last part
+// alone: they are of the machine that wrote it.
 std::filesystem::path file_beside(const std::filesystem::path& folder, const std::string& name) {
   const std::string wanted = lower_case(name.substr(name.find_last_of("/\\") + 1));
   std::error_code error;

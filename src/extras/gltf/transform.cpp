@@ -1,3 +1,5 @@
+// See transform.h: a node's matrix or its translation, rotation and scale, checked, and frames with their scale taken
+// out.
 #include "gltf/transform.h"
 
 #include <cmath>

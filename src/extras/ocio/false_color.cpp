@@ -1,3 +1,4 @@
+// See false_color.h: statistics of the values, a scale of round numbers, the colours, and the picture around them.
 #include "ocio/false_color.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the small files of the fuzz corpora that are not copies of the tests' data: every type, symmetry and odd range in
-few numbers. tests/fuzz/corpus/make_corpus.py writes beside itself."""
+"""Writes the small files of the fuzz corpora that are not copies of the tests' data: every type, symmetry and odd range
+in few numbers. tests/fuzz/corpus/make_corpus.py writes beside itself."""
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -16,7 +16,8 @@ def ies(version, kind, vertical, horizontal, tilt="NONE", opening=".2 .3 0", ext
             f"{table(len(horizontal), len(vertical))}\n")
 
 
-def eulumdat(isym, c_angles, stored, gamma, lamps=("1\nLED\n1000\n3000\n80\n10",), area="600\n300", heights="0\n0\n0\n0"):
+def eulumdat(isym, c_angles, stored, gamma, lamps=("1\nLED\n1000\n3000\n80\n10",), area="600\n300",
+             heights="0\n0\n0\n0"):
     head = f"maker\n1\n{isym}\n{len(c_angles)}\n0\n{len(gamma)}\n0\nreport\nname\nno\nfile\ndate\n600\n300\n50\n"
     values = [1 + (7 * i) % 11 for i in range(stored * len(gamma))]
     return (head + f"{area}\n{heights}\n100\n0\n1\n0\n{len(lamps)}\n" + "".join(lamp + "\n" for lamp in lamps) +

@@ -91,23 +91,27 @@ def emitter(intensity, more="", areas=""):
 
 low = [0, 45, 90, 180]
 bottom = ("<EmissionAreas><BottomFace><NumberBottom>1</NumberBottom><BottomArea><Length>1.2</Length><Width>0.3</Width>"
-          "<LengthOffset>0</LengthOffset><WidthOffset>0</WidthOffset><Circular>false</Circular></BottomArea></BottomFace>"
-          "<C0Face><C0Area><Length>1.2</Length><Height>0.1</Height></C0Area></C0Face></EmissionAreas>")
+          "<LengthOffset>0</LengthOffset><WidthOffset>0</WidthOffset><Circular>false</Circular></BottomArea>"
+          "</BottomFace><C0Face><C0Area><Length>1.2</Length><Height>0.1</Height></C0Area></C0Face></EmissionAreas>")
 write("tm33", "full.xml", tm33(emitter("<Symm>Symm_Full</Symm>" + values([0], low))))
-write("tm33", "none.xml", tm33(emitter("<Symm>Symm_None</Symm><NumberMeasured>16</NumberMeasured><NumberHorz>4</NumberHorz>"
-                                       "<NumberVert>4</NumberVert>" + values([0, 90, 180, 270], low), areas=bottom)))
+write("tm33", "none.xml", tm33(emitter("<Symm>Symm_None</Symm><NumberMeasured>16</NumberMeasured>"
+                                       "<NumberHorz>4</NumberHorz><NumberVert>4</NumberVert>" +
+                                       values([0, 90, 180, 270], low), areas=bottom)))
 write("tm33", "bi_0.xml", tm33(emitter("<Symm>Symm _ Bi _ 0</Symm>" + values([0, 90, 180], low))))
 write("tm33", "bi_90.xml", tm33(emitter("<Symm>Symm_Bi_90</Symm>" + values([90, 180, 270], low))))
 write("tm33", "quad.xml", tm33(emitter("<Symm>Symm_Quad</Symm>" + values([0, 30, 90], low))))
 write("tm33", "relative.xml", tm33(emitter("<AbsolutePhotometry>false</AbsolutePhotometry><Multiplier>2</Multiplier>" +
-                                           values([0], low), "<RatedLumens>2000</RatedLumens><InputWattage>20</InputWattage>"
-                                           "<BallastFactor>0.9</BallastFactor><ColorTemperature><FixedCCT>3000</FixedCCT>"
-                                           "</ColorTemperature>")))
+                                       values([0], low),
+                                       "<RatedLumens>2000</RatedLumens><InputWattage>20</InputWattage>"
+                                       "<BallastFactor>0.9</BallastFactor>"
+                                       "<ColorTemperature><FixedCCT>3000</FixedCCT></ColorTemperature>")))
 write("tm33", "two.xml", tm33(emitter(values([0, 180], [0, 90])) + emitter(values([0], [90, 135, 180]))))
 write("tm33", "type_b.xml", tm33(emitter(values([-90, 0, 90], [-90, 0, 90])), equipment="<Equipment><Gonioradiometer>"
                                  "<Type>IES_B</Type></Gonioradiometer></Equipment>"))
-write("tm33", "of_2018.xml", b"\xef\xbb\xbf<!DOCTYPE x [<!ENTITY y 'z'>]><!-- c --><t:LuminaireOpticalData version='1.0'>"
-      b"<Luminaire><LuminousOpening><Shape>Circular</Shape><Diameter>0.2</Diameter></LuminousOpening></Luminaire><Emitter>"
-      b"<IntensityDistribution><PhotometryType>C</PhotometryType><Metric>Luminous</Metric><Units><![CDATA[cd/klm]]></Units>"
+write("tm33", "of_2018.xml", b"\xef\xbb\xbf<!DOCTYPE x [<!ENTITY y 'z'>]><!-- c -->"
+      b"<t:LuminaireOpticalData version='1.0'>"
+      b"<Luminaire><LuminousOpening><Shape>Circular</Shape><Diameter>0.2</Diameter></LuminousOpening></Luminaire>"
+      b"<Emitter><IntensityDistribution><PhotometryType>C</PhotometryType><Metric>Luminous</Metric>"
+      b"<Units><![CDATA[cd/klm]]></Units>"
       + values([0], low, "IntensityData", ("horz", "vert")).encode() +
       b"</IntensityDistribution><RatedLumens>800</RatedLumens></Emitter></t:LuminaireOpticalData>")
