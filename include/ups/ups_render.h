@@ -169,8 +169,8 @@ typedef struct ups_goniometer_info {
   double outside_flux_lm;                  /* part of it beyond the range of gamma; in no reading */
   double emitted_flux_lm, absorbed_flux_lm; /* what the sources emit; emitted = absorbed + flux, but for noise */
   double light_output_ratio, light_output_ratio_standard_error; /* flux / emitted */
-  double worst_relative_error_bound, median_relative_error_bound; /* of bound / max(I, 5 % of the peak);
-                                                                   * < 0: not known */
+  double worst_relative_error_bound, median_relative_error_bound; /* of bound / max(I, 5 % of the peak), the median
+                                                                   * of nodes with light; < 0: not known */
 } ups_goniometer_info;
 typedef struct ups_intensity_reading { /* never grows; < 0 where not known */
   float intensity_cd;

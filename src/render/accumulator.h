@@ -45,6 +45,9 @@ class Accumulator {
   MeterSetReading read_meters(size_t set) const;  // without what is separated
   MeterSetReading read_meters_and_sources(size_t set) const;
   GoniometerReading read_goniometer(size_t goniometer) const;
+  std::string goniometer_asymmetry(size_t goniometer) const {
+    return goniometers_[goniometer].asymmetry(iterations_);
+  }
   ImageReading read_image(size_t camera) const;  // without its techniques
   ImageReading read_image_and_techniques(size_t camera) const;
   ErrorSummary summarize() const;

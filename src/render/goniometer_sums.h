@@ -1,5 +1,6 @@
 // Sums of one goniometer over iterations, and what can be said of their error. Kept by the accumulator.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "render/spread.h"
@@ -23,13 +24,15 @@ class GoniometerSums {
   // Noise of a node's intensity, 95 %, relative, in the mean over the light: what more iterations lessen, as they do
   // not lessen blur. Nodes without light do not count. 0 where no light was found; < 0: not known yet.
   double mean_noise(uint32_t iterations) const;
+  // What of the light, beyond noise, has not the symmetry that the goniometer was told, in words; empty: nothing.
+  std::string asymmetry(uint32_t iterations) const;
 
  private:
   ups_intensity_reading read_node(uint32_t node, uint32_t iterations) const;
 
   const Goniometer& goniometer_;
   std::vector<double> wide_, narrow_;  // batch_count a node
-  double flux_[batch_count] = {}, outside_ = 0;
+  double flux_[batch_count] = {}, outside_ = 0, moments_[4][batch_count] = {};
 };
 
 }  // namespace ups

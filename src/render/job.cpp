@@ -58,10 +58,10 @@ void check_memory(const Snapshot& scene, uint32_t technique_edges, size_t column
   const double needed = pixels * bytes_per_pixel + (meters * double(columns) + nodes) * bytes_per_reading;
   const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   if (needed > there)
-    throw Error(UPS_ERROR_OUT_OF_MEMORY, "the cameras' images, the meters' separate readings and the goniometers need " +
-                                             std::to_string(int64_t(needed / 1e9)) +
-                                             " GB while they are rendered, the machine has " +
-                                             std::to_string(int64_t(there / 1e9)));
+    throw Error(UPS_ERROR_OUT_OF_MEMORY,
+                "the cameras' images, the meters' separate readings and the goniometers need " +
+                    std::to_string(int64_t(needed / 1e9)) + " GB while they are rendered, the machine has " +
+                    std::to_string(int64_t(there / 1e9)));
 }
 
 }  // namespace
@@ -270,6 +270,11 @@ void RenderJob::add_warnings(RenderResult& r) const {
                     ": the render ended before eye paths were traced for " + std::to_string(n) + " of its " +
                     std::to_string(r.images[c].width * size_t(r.images[c].height)) +
                     " pixels; they show the mean of their neighbours\n";
+  for (size_t g = 0; g < r.goniometer_ids.size(); ++g)
+    if (const std::string what = sums_->goniometer_asymmetry(g); !what.empty())
+      r.warnings += "goniometer " + std::to_string(r.goniometer_ids[g]) + ": " + what +
+                    ", so the light has not the symmetry that was asked for: what it measures is a mean over " +
+                    "directions that differ\n";
   if (!(scene_->emitters.flux_lm() > 0)) return;
   for (size_t s = 0; s < r.meter_sets.size(); ++s)
     if (!(r.meter_sets[s].statistics.mean_lx > 0))

@@ -30,7 +30,7 @@ std::shared_ptr<const Snapshot> Builder::build() {
   add_sensors();
   find_media();
   out_->effects = find_effects(*out_);
-  out_->effects.concentration = first_light_concentration(*out_);
+  out_->effects.concentration = first_light_concentration(*out_, threads_);
   add_warnings();
   return out_;
 }

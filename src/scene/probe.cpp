@@ -6,7 +6,10 @@
 #include <limits>
 #include <vector>
 
+#include "base/frame.h"
+#include "base/parallel.h"
 #include "base/rng.h"
+#include "base/warp.h"
 
 namespace ups {
 
@@ -48,7 +51,8 @@ namespace {
 
 // Where light of the emitter meets a surface first; numbers of its own for each i.
 struct FirstLight {
-  double flux = 0;    // 0: nothing was emitted
+  double flux = 0;  // 0: nothing was emitted
+  Vec3 direction;
   bool hit = false;
   SurfacePoint surface;
 };
@@ -61,6 +65,7 @@ FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i
                                s))
     return out;
   out.flux = double(luminance(s.flux));
+  out.direction = s.direction;
   Hit hit;
   out.hit =
       scene.raytracer->intersect(s.p + s.n * (2 * s.error), s.direction, std::numeric_limits<float>::infinity(), hit);
@@ -86,28 +91,56 @@ float exposed_share(const Snapshot& scene, const Emitter& emitter) {
   return total > 0 ? float(exposed / total) : 1.0f;
 }
 
-// By pairs of points that lie within some distance r of each other: the mean of E^2 over discs of that size. The
-// largest over r, as long as there are pairs enough for a tenth's error.
-float first_light_concentration(const Snapshot& scene) {
-  constexpr uint32_t rays = 1024, least_pairs = 100;
+namespace {
+
+// Of one emitter. Pairs of points where its light arrives that lie within some distance r of each other give the mean of
+// E^2 over discs of that size: the largest over r, as long as there are pairs enough for a fifth's error. How far the
+// patches see is told by one bounce more.
+double concentration(const Snapshot& scene, const Emitter& emitter) {
+  constexpr uint32_t rays = 256, least_pairs = 25;
   std::vector<Vec3> points;
-  for (uint32_t i = 0; i < rays && scene.emitters.size() > 0; ++i) {
-    const EmitterSet::Choice choice = scene.emitters.choose_emission((float(i) + 0.5f) / rays);  // by flux
-    const FirstLight light = first_light(scene, scene.emitters[choice.index], i);
-    if (light.flux > 0 && light.hit && is_continuous(scene, light.surface)) points.push_back(light.surface.p);
+  double reach2 = 0;
+  uint32_t arrived = 0;
+  for (uint32_t i = 0; i < rays; ++i) {
+    const FirstLight light = first_light(scene, emitter, i);
+    if (!(light.flux > 0) || !light.hit || !is_continuous(scene, light.surface)) continue;
+    points.push_back(light.surface.p);
+    const auto u = philox({i, 2, 0, 0}, {0, 0});
+    const Vec3 up = dot(light.direction, light.surface.ng) < 0 ? light.surface.ng : -light.surface.ng;
+    const Vec3 onwards =
+        Frame(up).to_world(square_to_cosine_hemisphere({to_unit_float(u[0]), to_unit_float(u[1])}));
+    Hit hit;
+    if (!scene.raytracer->intersect(light.surface.ray_origin(onwards), onwards,
+                                    std::numeric_limits<float>::infinity(), hit))
+      continue;
+    reach2 += double(hit.t) * double(hit.t);
+    ++arrived;
   }
-  constexpr int sizes = 12;
-  uint32_t within[sizes] = {};  // pairs closer than 2^-k of the scene's radius
-  const float radius2 = scene.radius * scene.radius;
+  reach2 = arrived > 0 ? reach2 / arrived : double(scene.radius) * double(scene.radius);
+  constexpr int sizes = 16;
+  uint32_t within[sizes] = {};  // pairs closer than 2^-k of the reach
   for (size_t i = 0; i < points.size(); ++i)
     for (size_t j = 0; j < i; ++j) {
-      const float d2 = length2(points[i] - points[j]);
-      for (int k = 0; k < sizes && d2 < radius2 * std::ldexp(1.0f, -2 * k); ++k) ++within[k];
+      const double d2 = double(length2(points[i] - points[j]));
+      for (int k = 0; k < sizes && d2 < std::ldexp(reach2, -2 * k); ++k) ++within[k];
     }
   double most = 0;
-  for (int k = 0; k < sizes && within[k] >= least_pairs; ++k)  // area of the bounds 4 pi R^2, of a disc pi r^2
+  for (int k = 0; k < sizes && within[k] >= least_pairs; ++k)  // area within reach 4 pi D^2, of a disc pi r^2
     most = std::max(most, within[k] / (0.5 * rays * rays) * std::ldexp(4.0, 2 * k));
-  return float(most);
+  return most;
+}
+
+}  // namespace
+
+float first_light_concentration(const Snapshot& scene, int thread_count) {
+  constexpr double least_share = 1e-4;  // of all flux
+  double total = 0;
+  for (size_t i = 0; i < scene.emitters.size(); ++i) total += scene.emitters[i].flux_lm();
+  std::vector<double> found(scene.emitters.size());
+  parallel_for(thread_count, found.size(), [&](size_t i) {
+    if (scene.emitters[i].flux_lm() >= least_share * total) found[i] = concentration(scene, scene.emitters[i]);
+  });
+  return found.empty() ? 0 : float(*std::max_element(found.begin(), found.end()));
 }
 
 }  // namespace ups

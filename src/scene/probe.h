@@ -21,9 +21,9 @@ uint32_t medium_at(const Snapshot& scene, Vec3 p);
 // goes to mirrors and clear glass, where next-event estimation cannot pick it up. From a fixed set of directions.
 float exposed_share(const Snapshot& scene, const Emitter& emitter);
 
-// How much of the light first meets small patches of the surfaces: the integral of E^2 over the area of the scene's
-// bounds, relative to an even illuminance, from a fixed set of rays. Eye paths that scatter find such a patch by chance
-// alone, once in about so many.
-float first_light_concentration(const Snapshot& scene);
+// How small the patches are that an emitter's light meets first, of the emitter for which they are smallest: the integral
+// of E^2 over their area times the area that they can light, over the squared flux; from a fixed set of rays. About 2 in
+// a room that is lit evenly. Eye paths that scatter find such a patch by chance alone, once in about so many.
+float first_light_concentration(const Snapshot& scene, int thread_count);
 
 }  // namespace ups

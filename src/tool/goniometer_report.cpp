@@ -92,7 +92,7 @@ std::string to_text(const Measurement& m) {
     text += format("  beyond the range of gamma, in no reading: %.6g of what is out\n", info.outside_flux_lm);
   text += format("light output ratio: %s +- %s\n", percent_text(info.light_output_ratio).c_str(),
                  error_text(info.light_output_ratio_standard_error).c_str());
-  text += format("peak: %.6g cd +- %.2g at C %g deg, gamma %g deg\n", m.peak.intensity_cd, m.peak.standard_error_cd,
+  text += format("peak: %.6g cd, 95 %% within %.2g, at C %g deg, gamma %g deg\n", m.peak.intensity_cd, m.peak.error_bound_cd,
                  profile.peak_c_deg, profile.peak_gamma_deg);
   text += beams_text(m.profile);
   text += format("flux of the table: %.6g lm as interpolated, %.6g lm by the band rule of other programs\n",

@@ -124,6 +124,25 @@ TEST(Goniometer, SaysWhereItMeasuresNothing) {
   EXPECT_NE(result.text(UPS_TEXT_WARNINGS).find("traces no light paths"), std::string::npos);
 }
 
+// A round lamp that is aimed 15 degrees towards C0 is symmetric about the plane C0-C180 alone.
+TEST(Goniometer, WarnsOfLightWithoutTheSymmetryAskedFor) {
+  const auto law = [](double g) { return g < pi_d / 2 ? 500 * std::pow(std::cos(g), 2) : 0.0; };
+  const auto warned = [&](ups_profile_symmetry symmetry, double tilt) {
+    Scene scene;
+    const auto profile = parse(scene.context(), ies_text(law, 90, 0));
+    scene.add_luminaire(profile.get(), {0, 0, 0}, {std::sin(tilt), 0, -std::cos(tilt)}, false);
+    scene.add_goniometer(symmetry == UPS_SYMMETRY_AXIAL ? 1 : 8, 19, symmetry);
+    const Result result = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 16});
+    return result.text(UPS_TEXT_WARNINGS).find("has not the symmetry") != std::string::npos;
+  };
+  const double tilt = 15 * pi_d / 180;
+  for (const auto symmetry : {UPS_SYMMETRY_AXIAL, UPS_SYMMETRY_C90_C270, UPS_SYMMETRY_QUADRANTS}) {
+    EXPECT_TRUE(warned(symmetry, tilt)) << symmetry;
+    EXPECT_FALSE(warned(symmetry, 0)) << symmetry;  // six standard errors: once in 10,000 seeds
+  }
+  for (const auto symmetry : {UPS_SYMMETRY_NONE, UPS_SYMMETRY_C0_C180}) EXPECT_FALSE(warned(symmetry, tilt));
+}
+
 TEST(Goniometer, PlanesMustBeAsSymmetricAsAskedFor) {
   Scene scene;
   EXPECT_THROW(scene.add_goniometer(5, 19, UPS_SYMMETRY_QUADRANTS), std::runtime_error);

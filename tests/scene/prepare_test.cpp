@@ -226,7 +226,7 @@ TEST(Prepare, PathTracingIsCompleteWithoutDeltaSurfacesOrWithoutDeltaEmitters) {
   EXPECT_TRUE(area.build()->effects.sharp_caster);
 }
 
-// The integral of E^2 dA times 4 pi R^2 / flux^2.
+// The integral of E^2 dA times 4 pi D^2 / flux^2; in this box light goes D^2 = 2.5 m^2 in the mean from wall to wall.
 TEST(Prepare, TellsHowSmallThePatchesAreThatLightMeetsFirst) {
   Things even;
   even.box(even.material(UPS_MATERIAL_MATTE), {-1, -1, -1}, {1, 1, 1});
@@ -235,16 +235,16 @@ TEST(Prepare, TellsHowSmallThePatchesAreThatLightMeetsFirst) {
   for (int i = 0; i < 200; ++i)
     for (int k = 0; k < 200; ++k)
       face += 1e-4 / std::pow(1 + std::pow(i / 100.0 - 0.995, 2) + std::pow(k / 100.0 - 0.995, 2), 3);
-  const double bounds = 4 * pi * 3, flux2 = 16 * pi * pi;
-  EXPECT_NEAR(even.build()->effects.concentration, bounds * 6 * face / flux2, 0.3);  // 1024 rays: a tenth or two
+  const double bounds = 4 * pi * 2.5, flux2 = 16 * pi * pi;
+  EXPECT_NEAR(even.build()->effects.concentration, bounds * 6 * face / flux2, 0.5);  // 256 rays: a fifth or two
   Things near_a_wall;
   const double h = 0.01;  // E = h / (h^2 + r^2)^(3/2) on the wall, integral of E^2 dA = pi / (2 h^2)
   near_a_wall.box(near_a_wall.material(UPS_MATERIAL_MATTE), {-1, -1, -1}, {1, 1, 1});
   near_a_wall.point_light({0, 0, 1 - h});
   const double expected = bounds * pi / (2 * h * h) / flux2;
   // Discs as large as the patch blur it a little.
-  EXPECT_GT(near_a_wall.build()->effects.concentration, 0.7 * expected);
-  EXPECT_LT(near_a_wall.build()->effects.concentration, 1.3 * expected);
+  EXPECT_GT(near_a_wall.build()->effects.concentration, 0.6 * expected);
+  EXPECT_LT(near_a_wall.build()->effects.concentration, 1.5 * expected);
 }
 
 }  // namespace
