@@ -14,19 +14,18 @@ constexpr double faint = 0.005;  // of the peak: less above the horizon does not
 struct Sample {
   double angle_deg, value;  // gamma, negative on the far half plane
 };
+using Curve = std::vector<Sample>;
 
 // Of the plane C / C + 180: fine steps, and where a narrow lobe has its peak and edges.
-std::vector<Sample> curve_of(const ups_profile* profile, const ProfileReport& report, int plane) {
+Curve curve_of(const ups_profile* profile, const ProfileReport& report, const PlaneReport& plane) {
   std::vector<double> angles;
   for (int i = -1800; i <= 1800; ++i) angles.push_back(step_deg * i);
-  for (const ups_profile_beam* beam : {&report.beam[plane], &report.field[plane]})
+  for (const ups_profile_beam* beam : {&plane.beam, &plane.field})
     for (double a : {beam->peak_deg, beam->from_deg, beam->to_deg}) angles.push_back(std::remainder(a, 360));
   std::sort(angles.begin(), angles.end());
-  std::vector<std::pair<double, double>> places;
-  for (double a : angles) places.emplace_back(90 * plane + (a < 0 ? 180 : 0), std::abs(a));
-  const std::vector<float> values = intensities(profile, places);
+  const std::vector<float> values = intensities_in_plane(profile, plane.c_deg, angles);
   const double scale = is_per_kilolumen(report) ? 1000 / report.info.rated_flux_lm : 1;
-  std::vector<Sample> curve;
+  Curve curve;
   for (size_t i = 0; i < angles.size(); ++i) curve.push_back({angles[i], scale * values[i]});
   return curve;
 }
@@ -86,7 +85,7 @@ void draw_grid(Drawing& drawing, const Axes& axes) {
 }
 
 // Ring labels stand where the curves leave them most room.
-void draw_ring_labels(Drawing& drawing, const Axes& axes, const std::vector<Sample> (&curves)[2]) {
+void draw_ring_labels(Drawing& drawing, const Axes& axes, const std::vector<Curve>& curves) {
   double best = 15, least = INFINITY;
   for (double a = axes.full ? -165 : -75; a <= 165; a += 15) {
     if ((!axes.full && a > 75) || std::remainder(a, 30) == 0) continue;
@@ -112,16 +111,18 @@ void draw_ring_labels(Drawing& drawing, const Axes& axes, const std::vector<Samp
 }  // namespace
 
 bool shines_up(const ups_profile* profile, const ProfileReport& report) {
-  std::vector<std::pair<double, double>> places;
-  for (int c = 0; c < 360; c += 90) {
-    for (int gamma = 91; gamma <= 180; ++gamma) places.emplace_back(c, gamma);
+  std::vector<double> angles;
+  for (int angle = 91; angle <= 269; ++angle) angles.push_back(angle);
+  for (const PlaneReport& plane : drawn_planes(report)) {
+    const std::vector<float> values = intensities_in_plane(profile, plane.c_deg, angles);
+    if (*std::max_element(values.begin(), values.end()) > faint * report.info.peak_cd) return true;
   }
-  const std::vector<float> values = intensities(profile, places);
-  return *std::max_element(values.begin(), values.end()) > faint * report.info.peak_cd;
+  return false;
 }
 
 void draw_polar(Drawing& drawing, const Frame& frame, const ups_profile* profile, const ProfileReport& report) {
-  const std::vector<Sample> curves[2] = {curve_of(profile, report, 0), curve_of(profile, report, 1)};
+  std::vector<Curve> curves;
+  for (const PlaneReport& plane : drawn_planes(report)) curves.push_back(curve_of(profile, report, plane));
   double largest = 0;
   for (const auto& curve : curves)
     for (const Sample& s : curve) largest = std::max(largest, s.value);
@@ -137,7 +138,7 @@ void draw_polar(Drawing& drawing, const Frame& frame, const ups_profile* profile
 
   draw_grid(drawing, axes);
   draw_ring_labels(drawing, axes, curves);
-  for (const int plane : {0, 1}) {
+  for (size_t plane = 0; plane < curves.size(); ++plane) {
     std::vector<Point> points;
     const double end = axes.full ? 180 : 90;
     for (const Sample& s : curves[plane])

@@ -1,6 +1,7 @@
 // How photometric files are read and what is asked of their profiles.
 #include "tool/profile_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -83,6 +84,14 @@ ups_profile_beam beam_of(const ups_profile* profile, float c_deg, float fraction
   return beam;
 }
 
+std::optional<PlaneReport> peak_plane_of(const ups_profile* profile, const ProfileReport& report) {
+  constexpr double missed = 0.99;
+  const ups_profile_info& info = report.info;
+  if (!(std::max(report.beam[0].peak_cd, report.beam[1].peak_cd) < missed * info.peak_cd)) return std::nullopt;
+  const float c_deg = std::fmod(std::fmod(info.peak_c_deg, 180.f) + 180.f, 180.f);
+  return PlaneReport{c_deg, beam_of(profile, c_deg, 0.5f), beam_of(profile, c_deg, 0.1f)};
+}
+
 }  // namespace
 
 std::string lower_extension(const std::string& file) {
@@ -128,6 +137,15 @@ std::vector<float> intensities(const ups_profile* profile, const std::vector<std
   return values;
 }
 
+std::vector<float> intensities_in_plane(const ups_profile* profile, double c_deg, const std::vector<double>& angles) {
+  std::vector<std::pair<double, double>> c_gamma_deg;
+  for (const double angle : angles) {
+    const double signed_gamma = std::remainder(angle, 360);
+    c_gamma_deg.emplace_back(c_deg + (signed_gamma < 0 ? 180 : 0), std::abs(signed_gamma));
+  }
+  return intensities(profile, c_gamma_deg);
+}
+
 ProfileReport make_report(const std::string& file, const ups_profile* profile) {
   ProfileReport report{};
   report.file = file;
@@ -143,6 +161,7 @@ ProfileReport make_report(const std::string& file, const ups_profile* profile) {
     report.beam[plane] = beam_of(profile, 90.f * float(plane), 0.5f);
     report.field[plane] = beam_of(profile, 90.f * float(plane), 0.1f);
   }
+  report.peak_plane = peak_plane_of(profile, report);
   for (size_t i = 0; i < zones_deg.size(); ++i)
     check(ups_profile_get_zonal_flux(profile, zones_deg[i].data(), 2, &report.zonal_flux_lm[i]));
   for (size_t i = 0; i < luminance_c_deg.size(); ++i) {

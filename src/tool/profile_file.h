@@ -29,10 +29,17 @@ inline bool is_written_format(const std::string& file) {
 inline constexpr std::array<float, 4> luminance_c_deg = {0, 90, 180, 270}, luminance_gamma_deg = {45, 65, 75, 85};
 inline constexpr std::array<std::array<float, 2>, 5> zones_deg = {{{0, 30}, {0, 40}, {0, 60}, {0, 90}, {90, 180}}};
 
+// A plane C / C + 180, a full circle.
+struct PlaneReport {
+  double c_deg;
+  ups_profile_beam beam, field;  // of 50 % and 10 % of its peak
+};
+
 struct ProfileReport {
   std::string file, format;
   ups_profile_info info;
   ups_profile_beam beam[2], field[2];                   // of 50 % and 10 % of the peak in C0-C180 and C90-C270
+  std::optional<PlaneReport> peak_plane;                // of the peak, where those two miss it; c_deg in [0, 180)
   std::array<double, 5> zonal_flux_lm;                  // by the band rule
   std::array<std::array<float, 4>, 4> luminance_cd_m2;  // [c][gamma]; < 0: no opening, or seen edge on
   std::vector<std::pair<std::string, std::string>> keywords;
@@ -45,6 +52,8 @@ ProfileReport make_report(const std::string& file, const ups_profile* profile);
 
 // Intensity at (C, gamma) in degrees, cd.
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg);
+// The same in the plane C / C + 180: gamma on the side C, -gamma on the side C + 180, any angle.
+std::vector<float> intensities_in_plane(const ups_profile* profile, double c_deg, const std::vector<double>& angles);
 
 std::string beams_text(const ProfileReport& report);  // lines of beam and field angle
 const char* shape_word(ups_opening_shape shape);

@@ -9,6 +9,8 @@
 namespace ups::tool {
 namespace {
 
+constexpr double legend_row = 20;
+
 std::string keyword(const ProfileReport& report, const char* name) {
   for (const auto& [key, value] : report.keywords)
     if (key == name && !value.empty()) return value;
@@ -42,16 +44,25 @@ std::string facts(const ProfileReport& report) {
 }
 
 void draw_legend(Drawing& drawing, double x, double y, const ProfileReport& report) {
-  for (int plane = 0; plane < 2; ++plane) {
-    const double line = y + 20 * plane;
-    drawing.parts.push_back(Line{{{x, line - 4}, {x + 34, line - 4}}, plane_ink[plane], 2.2, plane_dash[plane]});
-    drawing.parts.push_back(Label{{x + 44, line}, plane_name[plane], 13, black, Anchor::start, true});
-    drawing.parts.push_back(Label{{x + 122, line}, "beam " + angle_text(report.beam[plane]), 13, black});
-    drawing.parts.push_back(Label{{x + 222, line}, "field " + angle_text(report.field[plane]), 13, black});
+  const std::vector<PlaneReport> planes = drawn_planes(report);
+  for (size_t i = 0; i < planes.size(); ++i) {
+    const double line = y + legend_row * double(i);
+    drawing.parts.push_back(Line{{{x, line - 4}, {x + 34, line - 4}}, plane_ink[i], 2.2, plane_dash[i]});
+    const std::string name = format("C%g-C%g", planes[i].c_deg, planes[i].c_deg + 180);
+    drawing.parts.push_back(Label{{x + 44, line}, name, 13, black, Anchor::start, true});
+    drawing.parts.push_back(Label{{x + 134, line}, "beam " + angle_text(planes[i].beam), 13, black});
+    drawing.parts.push_back(Label{{x + 234, line}, "field " + angle_text(planes[i].field), 13, black});
   }
 }
 
 }  // namespace
+
+std::vector<PlaneReport> drawn_planes(const ProfileReport& report) {
+  std::vector<PlaneReport> planes;
+  for (const int plane : {0, 1}) planes.push_back({90.0 * plane, report.beam[plane], report.field[plane]});
+  if (report.peak_plane) planes.push_back(*report.peak_plane);
+  return planes;
+}
 
 double round_step(double smallest) {
   if (!(smallest > 0)) return 1;
@@ -64,7 +75,8 @@ bool is_per_kilolumen(const ProfileReport& report) { return report.info.rated_fl
 
 Drawing plot_of(const ups_profile* profile, const ProfileReport& report) {
   constexpr double width = 1000, margin = 30, top = 100;
-  const double height = shines_up(profile, report) ? 640 : 500;
+  const double legend_height = legend_row * double(drawn_planes(report).size());
+  const double height = (shines_up(profile, report) ? 600 : 460) + legend_height;
   Drawing drawing{width, height, {}};
   const std::string name = report.file.substr(report.file.find_last_of('/') + 1);
   drawing.parts.push_back(Label{{margin, 40}, shortened(name, 22, 620), 22, black, Anchor::start, true});
@@ -75,8 +87,8 @@ Drawing plot_of(const ups_profile* profile, const ProfileReport& report) {
   drawing.parts.push_back(Line{{{margin, 74}, {width - margin, 74}}, pale, 1});
   drawing.parts.push_back(Label{{margin, height - 18}, facts(report), 13, black});
   drawing.parts.push_back(Line{{{margin, height - 40}, {width - margin, height - 40}}, pale, 1});
-  draw_polar(drawing, {margin, top - 10, 450, height - top - 92}, profile, report);
-  draw_legend(drawing, margin + 60, height - 74, report);
+  draw_polar(drawing, {margin, top - 10, 450, height - top - 52 - legend_height}, profile, report);
+  draw_legend(drawing, margin + 60, height - 34 - legend_height, report);
   draw_cone(drawing, {530, top - 10, width - margin - 530, height - top - 42}, profile, report);
   return drawing;
 }

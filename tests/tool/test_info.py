@@ -154,6 +154,12 @@ class Plots(test_program.ProgramTest):
     def texts(self, name):
         return ["".join(t.itertext()) for t in ElementTree.fromstring(self.read(name)).iter(SVG + "text")]
 
+    def paths(self, name, ink, width):
+        """Points of the lines of that ink and width, in the order they are drawn."""
+        return [[tuple(map(float, point.split())) for point in p.get("d")[1:].split("L")]
+                for p in ElementTree.fromstring(self.read(name)).iter(SVG + "path")
+                if p.get("stroke") == ink and p.get("stroke-width") == width]
+
     def test_svg_and_png(self):
         self.plot(os.path.join(PROFILES, "wall_washer.ies"), "washer.svg", "washer.png")
         root = ElementTree.fromstring(self.read("washer.svg"))
@@ -191,15 +197,32 @@ class Plots(test_program.ProgramTest):
         self.assertIn("a<b>&\"c\" \u00fc.ies", texts)
         self.assertIn("R&D <x> \u00e9", texts)
 
+    def test_the_plane_of_a_peak_beside_both_planes_is_drawn(self):
+        # C0, C30, ... C330; the light around C210, gamma 40 alone: rings reach its 1300 cd, no other curve leaves zero.
+        table = [[1300 if (c, g) == (210, 40) else 0 for g in range(0, 91, 10)] for c in range(0, 360, 30)]
+        table.append(table[0])
+        lamp = ("IESNA:LM-63-2002\n[TEST] none\n[MANUFAC] x\nTILT=NONE\n1 -1 1 10 13 1 2 0 0 0\n1 1 10\n"
+                "0 10 20 30 40 50 60 70 80 90\n0 30 60 90 120 150 180 210 240 270 300 330 360\n")
+        self.plot(self.write("aside.ies", lamp + "\n".join(" ".join(map(str, row)) for row in table) + "\n"),
+                  "aside.svg", "aside.png")
+        texts = self.texts("aside.svg")
+        self.assertIn("C30-C210", texts)
+        self.assertIn("1500", texts)
+        curve = self.paths("aside.svg", "#008060", "2.2")[0]
+        centre = self.paths("aside.svg", "#005caf", "2.2")[0][0]  # of a plane without light: a dot
+        radius = max(math.hypot(x - centre[0], y - centre[1]) for x, y in curve)
+        ring = max(math.hypot(x - centre[0], y - centre[1]) for x, y in self.paths("aside.svg", "#cdcdcd", "1.2")[0])
+        self.assertAlmostEqual(radius / ring, 1300 / 1500, delta=1e-3)
+        self.assertTrue(all(x <= centre[0] + 0.01 for x, y in curve))  # C210 is the far half: on the left
+        self.plot(self.write("lamp.ies", LAMBERTIAN), "lamp.svg")
+        self.assertEqual(self.paths("lamp.svg", "#008060", "2.2"), [])
+
     def test_a_needle_is_drawn_to_its_peak(self):
         self.plot(self.write("needle.ies", ies([0, 0.01, 0.02, 90], [900, 900, 0, 0])), "needle.svg")
-        root = ElementTree.fromstring(self.read("needle.svg"))
 
         def heights(ink, width):  # of the one path of more than two points: not the legend's
-            paths = [p.get("d")[1:].split("L") for p in root.iter(SVG + "path")
-                     if p.get("stroke") == ink and p.get("stroke-width") == width]
-            (points,) = [p for p in paths if len(p) > 2]
-            return [float(point.split()[1]) for point in points]
+            (points,) = [p for p in self.paths("needle.svg", ink, width) if len(p) > 2]
+            return [y for x, y in points]
 
         lowest = max(heights("#005caf", "2.2"))
         bottom, top = max(heights("#cdcdcd", "1.2")), min(heights("#cdcdcd", "1.2"))
