@@ -25,6 +25,13 @@ inline constexpr Ink black{25, 25, 25}, grey{105, 105, 105}, pale{205, 205, 205}
 // What the polar diagram draws and its legend names: two planes or, with that of the peak, three.
 std::vector<PlaneReport> drawn_planes(const ProfileReport& report);
 
+// Of the unit in which numbers up to `largest` need no exponent.
+struct Prefix {
+  double factor;
+  const char* sign;
+};
+Prefix prefix_of(double largest);
+
 // 1, 2 or 5 times a power of ten, at least `smallest`.
 double round_step(double smallest);
 
