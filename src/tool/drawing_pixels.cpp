@@ -1,11 +1,12 @@
 // A drawing as smoothed pixels. Lines cover a pixel by their distance from its centre, areas by the part of it that
 // lies inside. Letters are strokes between neighbouring dots of the 5x7 font.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
 
 #include "common/glyphs.h"
 #include "tool/drawing.h"
+#include "tool/fold.h"
 
 namespace ups::tool {
 namespace {
@@ -13,25 +14,39 @@ namespace {
 // Of the font, in ems: from dot to dot across and down, and between letters.
 constexpr double across = 0.105, down = 0.12, gap = 0.19, blank = 0.28;
 
-// UTF-8 to the font's letters; what it lacks is '?'.
+// What the font lacks is '?'.
 std::string letters_of(const std::string& text) {
   std::string out;
-  for (size_t i = 0; i < text.size(); ++i) {
-    if (text.compare(i, 2, "\xc2\xb0") == 0) {
-      out += extras::degree_sign;
-      ++i;
-    } else if (uint8_t(text[i]) < 0x80) {
-      out += text[i] == ' ' || extras::find_glyph(text[i]) ? text[i] : '?';
-    } else if ((uint8_t(text[i]) & 0xc0) != 0x80) {
-      out += '?';  // once for a sequence
-    }
-  }
+  for (const char c : folded(text)) out += c == ' ' || extras::find_glyph(c) ? c : '?';
   return out;
 }
 
-bool is_dot(const extras::Glyph& glyph, int row, int column) {
-  return row >= 0 && row < int(extras::glyph_height) && column >= 0 && column < 5 &&
-         (glyph.rows[row] >> (4 - column) & 1);
+constexpr int tall = int(extras::glyph_height) + 2;
+using Rows = std::array<uint8_t, tall>;  // as in Glyph, with two below the baseline
+
+// The font squeezes tails in above the baseline; here they hang below it.
+Rows rows_of(const extras::Glyph& glyph) {
+  switch (glyph.letter) {
+    case 'g':
+      return {0x00, 0x00, 0x0f, 0x11, 0x11, 0x11, 0x0f, 0x01, 0x0e};
+    case 'j':
+      return {0x02, 0x00, 0x06, 0x02, 0x02, 0x02, 0x02, 0x12, 0x0c};
+    case 'p':
+      return {0x00, 0x00, 0x1e, 0x11, 0x11, 0x11, 0x1e, 0x10, 0x10};
+    case 'q':
+      return {0x00, 0x00, 0x0f, 0x11, 0x11, 0x11, 0x0f, 0x01, 0x01};
+    case 'y':
+      return {0x00, 0x00, 0x11, 0x11, 0x11, 0x11, 0x0f, 0x01, 0x0e};
+    default: {
+      Rows rows{};
+      std::copy(std::begin(glyph.rows), std::end(glyph.rows), rows.begin());
+      return rows;
+    }
+  }
+}
+
+bool is_dot(const Rows& rows, int row, int column) {
+  return row >= 0 && row < tall && column >= 0 && column < 5 && (rows[row] >> (4 - column) & 1);
 }
 
 struct Columns {
@@ -40,10 +55,11 @@ struct Columns {
 // The columns that a letter fills; digits all fill five, so that numbers stand under one another.
 Columns columns_of(char letter, const extras::Glyph& glyph) {
   if (letter >= '0' && letter <= '9') return {0, 5};
+  const Rows rows = rows_of(glyph);
   int first = 5, last = -1;
   for (int column = 0; column < 5; ++column) {
-    for (int row = 0; row < int(extras::glyph_height); ++row) {
-      if (!is_dot(glyph, row, column)) continue;
+    for (int row = 0; row < tall; ++row) {
+      if (!is_dot(rows, row, column)) continue;
       first = std::min(first, column);
       last = std::max(last, column);
     }
@@ -60,6 +76,7 @@ double advance_of(char letter) {
 std::vector<std::vector<Point>> dashes_of(const Line& line) {
   if (line.dash <= 0) return {line.points};
   std::vector<std::vector<Point>> dashes;
+  const double drawn = std::max(line.dash - line.width, 0.1);  // and a round end on both sides
   const double period = (1 + Line::gap) * line.dash;
   double place = 0;  // along the line, within its period
   bool drawing = false;
@@ -67,8 +84,8 @@ std::vector<std::vector<Point>> dashes_of(const Line& line) {
     const Point a = line.points[i], b = line.points[i + 1];
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     for (double at = 0; at < length;) {
-      const bool on = place < line.dash;
-      const double step = std::min(length - at, (on ? line.dash : period) - place);
+      const bool on = place < drawn;
+      const double step = std::min(length - at, (on ? drawn : period) - place);
       const auto point = [&](double t) { return Point{a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t}; };
       if (on && !drawing) dashes.push_back({point(at / length)});
       if (on) dashes.back().push_back(point((at + step) / length));
@@ -119,8 +136,9 @@ class Canvas {
     for (const char letter : letters_of(label.text)) {
       if (const extras::Glyph* glyph = extras::find_glyph(letter)) {
         const int first = columns_of(letter, *glyph).first;
-        const double sunk = std::strchr(",;gjpqy", letter) ? down * em : 0;  // the font's rows end at the baseline
-        cover_glyph(*glyph, {x + (0.5 * gap - first * across) * em, label.at.y - 6 * down * em + sunk}, em, stroke);
+        const double sunk = letter == ',' || letter == ';' ? down * em : 0;  // the font's rows end at the baseline
+        const Point top_left{x + (0.5 * gap - first * across) * em, label.at.y - 6 * down * em + sunk};
+        cover_glyph(rows_of(*glyph), top_left, em, stroke);
       }
       x += advance_of(letter) * em;
     }
@@ -159,19 +177,19 @@ class Canvas {
   }
 
   // Dots side by side are joined; diagonally only where no dot between them already joins them.
-  void cover_glyph(const extras::Glyph& glyph, Point top_left, double em, double stroke) {
+  void cover_glyph(const Rows& rows, Point top_left, double em, double stroke) {
     const auto at = [&](int row, int column) {
       return Point{top_left.x + column * across * em, top_left.y + row * down * em};
     };
-    for (int row = 0; row < int(extras::glyph_height); ++row) {
+    for (int row = 0; row < tall; ++row) {
       for (int column = 0; column < 5; ++column) {
-        if (!is_dot(glyph, row, column)) continue;
-        const bool right = is_dot(glyph, row, column + 1), below = is_dot(glyph, row + 1, column);
+        if (!is_dot(rows, row, column)) continue;
+        const bool right = is_dot(rows, row, column + 1), below = is_dot(rows, row + 1, column);
         cover_stroke(at(row, column), at(row, column), stroke);
         if (right) cover_stroke(at(row, column), at(row, column + 1), stroke);
         if (below) cover_stroke(at(row, column), at(row + 1, column), stroke);
         for (const int side : {-1, 1}) {
-          if (!below && is_dot(glyph, row + 1, column + side) && !is_dot(glyph, row, column + side))
+          if (!below && is_dot(rows, row + 1, column + side) && !is_dot(rows, row, column + side))
             cover_stroke(at(row, column), at(row + 1, column + side), stroke);
         }
       }

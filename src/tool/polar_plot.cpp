@@ -14,19 +14,18 @@ constexpr double faint = 0.005;  // of the peak: less above the horizon does not
 struct Sample {
   double angle_deg, value;  // gamma, negative on the far half plane
 };
+using Curve = std::vector<Sample>;
 
 // Of the plane C / C + 180: fine steps, and where a narrow lobe has its peak and edges.
-std::vector<Sample> curve_of(const ups_profile* profile, const ProfileReport& report, int plane) {
+Curve curve_of(const ups_profile* profile, const ProfileReport& report, const PlaneReport& plane) {
   std::vector<double> angles;
   for (int i = -1800; i <= 1800; ++i) angles.push_back(step_deg * i);
-  for (const ups_profile_beam* beam : {&report.beam[plane], &report.field[plane]})
+  for (const ups_profile_beam* beam : {&plane.beam, &plane.field})
     for (double a : {beam->peak_deg, beam->from_deg, beam->to_deg}) angles.push_back(std::remainder(a, 360));
   std::sort(angles.begin(), angles.end());
-  std::vector<std::pair<double, double>> places;
-  for (double a : angles) places.emplace_back(90 * plane + (a < 0 ? 180 : 0), std::abs(a));
-  const std::vector<float> values = intensities(profile, places);
+  const std::vector<float> values = intensities_in_plane(profile, plane.c_deg, angles);
   const double scale = is_per_kilolumen(report) ? 1000 / report.info.rated_flux_lm : 1;
-  std::vector<Sample> curve;
+  Curve curve;
   for (size_t i = 0; i < angles.size(); ++i) curve.push_back({angles[i], scale * values[i]});
   return curve;
 }
@@ -85,43 +84,89 @@ void draw_grid(Drawing& drawing, const Axes& axes) {
   }
 }
 
-// Ring labels stand where the curves leave them most room.
-void draw_ring_labels(Drawing& drawing, const Axes& axes, const std::vector<Sample> (&curves)[2]) {
-  double best = 15, least = INFINITY;
-  for (double a = axes.full ? -165 : -75; a <= 165; a += 15) {
-    if ((!axes.full && a > 75) || std::remainder(a, 30) == 0) continue;
-    double reach = 0;
-    for (const auto& curve : curves) {
-      for (const Sample& s : curve)
-        if (std::abs(s.angle_deg - a) < 12) reach = std::max(reach, s.value);
+// Where a curve runs, close enough that no label between two of them is missed.
+std::vector<Point> places_of(const std::vector<std::vector<Point>>& lines) {
+  constexpr double spacing = 2;
+  std::vector<Point> places;
+  for (const auto& line : lines) {
+    for (size_t i = 0; i + 1 < line.size(); ++i) {
+      const Point a = line[i], b = line[i + 1];
+      const int pieces = 1 + int(std::hypot(b.x - a.x, b.y - a.y) / spacing);
+      for (int k = 0; k < pieces; ++k)
+        places.push_back({a.x + (b.x - a.x) * k / pieces, a.y + (b.y - a.y) * k / pieces});
     }
-    if (reach < least * 0.98) best = a, least = reach;
   }
-  constexpr double size = 11;
+  return places;
+}
+
+constexpr double ring_label_size = 11, ring_label_up = 7, ring_label_down = 6;
+
+// How far the nearest curve is beyond the label's edge, the larger of both axes; < 0: it runs through the label.
+double room_around(Point p, double half_width, const std::vector<Point>& places) {
+  double room = INFINITY;
+  for (const Point& q : places) {
+    const double above = p.y - ring_label_up - q.y, below = q.y - p.y - ring_label_down;
+    room = std::min(room, std::max({std::abs(q.x - p.x) - half_width, above, below}));
+  }
+  return room;
+}
+
+// Along the spoke where most of them are clear of the curves, on the side with most room; a label that is not clear
+// there stands elsewhere on its ring or, where a curve follows the ring, beside it.
+void draw_ring_labels(Drawing& drawing, const Axes& axes, const std::vector<std::vector<Point>>& lines) {
+  const std::vector<Point> places = places_of(lines);
+  const Prefix prefix = prefix_of(axes.rings * axes.step);
+  std::vector<double> spokes;
+  for (double a = axes.full ? -165 : -75; a <= (axes.full ? 165 : 75); a += 30) spokes.push_back(a);
+  const auto text = [&](int ring) { return format("%g", ring * axes.step / prefix.factor); };
+  const auto half = [&](int ring) { return 0.5 * width_of(text(ring), ring_label_size) + 2; };
+  const auto at = [&](double spoke, int ring, double beside) {
+    return axes.at(spoke, ring * axes.step * (1 + beside * axes.rings / (ring * axes.radius)));
+  };
+  const auto room = [&](double spoke, int ring, double beside) {
+    return room_around(at(spoke, ring, beside), half(ring), places);
+  };
+  double best = spokes.front(), most = -INFINITY;
+  for (const double spoke : spokes) {
+    double score = 0;
+    for (int ring = 1; ring <= axes.rings; ++ring) {
+      const double r = room(spoke, ring, 0);
+      score += r > 0 ? 100 + std::min(r, 20.0) : 0;
+    }
+    if (score > most + 1e-6) best = spoke, most = score;
+  }
   for (int ring = 1; ring <= axes.rings; ++ring) {
-    if (std::abs(least / (ring * axes.step) - 1) < 0.04) continue;  // a curve runs there
-    const Point p = axes.at(best, ring * axes.step);
-    const std::string text = format("%g", ring * axes.step);
-    const double half = 0.5 * width_of(text, size) + 2;
-    drawing.parts.push_back(Area{
-        {{p.x - half, p.y - 7}, {p.x + half, p.y - 7}, {p.x + half, p.y + 6}, {p.x - half, p.y + 6}}, {255, 255, 255}});
-    drawing.parts.push_back(Label{{p.x, p.y + 4}, text, size, grey, Anchor::middle});
+    Point p = at(best, ring, 0);
+    double free = room(best, ring, 0);
+    for (const double beside : {0.0, 13.0, -13.0}) {
+      for (size_t i = 0; free <= 0 && i < spokes.size(); ++i) {
+        free = room(spokes[i], ring, beside);
+        p = at(spokes[i], ring, beside);
+      }
+    }
+    if (free <= 0) continue;
+    const double h = half(ring), top = p.y - ring_label_up, bottom = p.y + ring_label_down;
+    drawing.parts.push_back(
+        Area{{{p.x - h, top}, {p.x + h, top}, {p.x + h, bottom}, {p.x - h, bottom}}, {255, 255, 255}});
+    drawing.parts.push_back(Label{{p.x, p.y + 4}, text(ring), ring_label_size, grey, Anchor::middle});
   }
 }
 
 }  // namespace
 
 bool shines_up(const ups_profile* profile, const ProfileReport& report) {
-  std::vector<std::pair<double, double>> places;
-  for (int c = 0; c < 360; c += 90) {
-    for (int gamma = 91; gamma <= 180; ++gamma) places.emplace_back(c, gamma);
+  std::vector<double> angles;
+  for (int angle = 91; angle <= 269; ++angle) angles.push_back(angle);
+  for (const PlaneReport& plane : drawn_planes(report)) {
+    const std::vector<float> values = intensities_in_plane(profile, plane.c_deg, angles);
+    if (*std::max_element(values.begin(), values.end()) > faint * report.info.peak_cd) return true;
   }
-  const std::vector<float> values = intensities(profile, places);
-  return *std::max_element(values.begin(), values.end()) > faint * report.info.peak_cd;
+  return false;
 }
 
 void draw_polar(Drawing& drawing, const Frame& frame, const ups_profile* profile, const ProfileReport& report) {
-  const std::vector<Sample> curves[2] = {curve_of(profile, report, 0), curve_of(profile, report, 1)};
+  std::vector<Curve> curves;
+  for (const PlaneReport& plane : drawn_planes(report)) curves.push_back(curve_of(profile, report, plane));
   double largest = 0;
   for (const auto& curve : curves)
     for (const Sample& s : curve) largest = std::max(largest, s.value);
@@ -136,20 +181,23 @@ void draw_polar(Drawing& drawing, const Frame& frame, const ups_profile* profile
   axes.centre = {frame.left + 0.5 * frame.width, axes.full ? frame.top + 0.5 * frame.height : frame.top + 56};
 
   draw_grid(drawing, axes);
-  draw_ring_labels(drawing, axes, curves);
-  for (const int plane : {0, 1}) {
-    std::vector<Point> points;
-    const double end = axes.full ? 180 : 90;
-    for (const Sample& s : curves[plane])
-      if (std::abs(s.angle_deg) <= end) points.push_back(axes.at(s.angle_deg, s.value));
-    drawing.parts.push_back(Line{thinned(points), plane_ink[plane], 2.2, plane_dash[plane]});
+  std::vector<std::vector<Point>> lines;
+  for (const Curve& curve : curves) {
+    lines.emplace_back();
+    for (const Sample& s : curve)
+      if (std::abs(s.angle_deg) <= (axes.full ? 180 : 90)) lines.back().push_back(axes.at(s.angle_deg, s.value));
   }
-  drawing.parts.push_back(Label{{frame.left, frame.top + 8},
-                                is_per_kilolumen(report) ? "Luminous intensity, cd/klm" : "Luminous intensity, cd",
-                                13,
-                                black,
-                                Anchor::start,
-                                true});
+  if (largest > 0) {
+    draw_ring_labels(drawing, axes, lines);
+  } else {
+    drawing.parts.push_back(Label{axes.at(0, 0.5), "no light", 13, grey, Anchor::middle});
+  }
+  for (size_t i = 0; i < lines.size(); ++i)
+    drawing.parts.push_back(Line{thinned(lines[i]), plane_ink[i], 2.2, plane_dash[i]});
+  const std::string unit =
+      std::string(prefix_of(axes.rings * axes.step).sign) + (is_per_kilolumen(report) ? "cd/klm" : "cd");
+  drawing.parts.push_back(
+      Label{{frame.left, frame.top + 8}, "Luminous intensity, " + unit, 13, black, Anchor::start, true});
 }
 
 }  // namespace ups::tool

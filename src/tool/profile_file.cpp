@@ -1,6 +1,7 @@
 // How photometric files are read and what is asked of their profiles.
 #include "tool/profile_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -83,6 +84,46 @@ ups_profile_beam beam_of(const ups_profile* profile, float c_deg, float fraction
   return beam;
 }
 
+// A ripple about the level is not a lobe: one rises to 60 % at least. Around the circle from the beam's end to its
+// start.
+std::vector<Lobe> other_lobes(const ups_profile* profile, double c_deg, const ups_profile_beam& beam) {
+  constexpr double level = 0.5, clearly = 0.6, step_deg = 0.1;
+  if (beam.angle_deg < 0) return {};
+  const double length = 360.0 - beam.angle_deg;
+  const int count = std::max(1, int(length / step_deg));
+  std::vector<double> angles;
+  for (int i = 0; i < count; ++i) angles.push_back(beam.to_deg + length * (i + 0.5) / count);
+  const std::vector<float> values = intensities_in_plane(profile, c_deg, angles);
+  const auto edge = [&](double inside, double outside) {
+    for (int i = 0; i < 30; ++i) {
+      const double middle = 0.5 * (inside + outside);
+      const bool above = intensities_in_plane(profile, c_deg, {middle})[0] >= level * beam.peak_cd;
+      (above ? inside : outside) = middle;
+    }
+    return inside;
+  };
+  std::vector<Lobe> lobes;
+  for (int i = 1; i + 1 < count; ++i) {
+    if (values[i] < level * beam.peak_cd) continue;
+    const int first = i;
+    while (i + 1 < count && values[i + 1] >= level * beam.peak_cd) ++i;
+    if (i + 1 == count) break;  // adjoins the beam
+    if (*std::max_element(&values[first], &values[i] + 1) < clearly * beam.peak_cd) continue;
+    const double from = edge(angles[first], angles[first - 1]), to = edge(angles[i], angles[i + 1]);
+    const double turn = 360 * std::round(0.5 * (from + to) / 360);
+    lobes.push_back({from - turn, to - turn});
+  }
+  return lobes;
+}
+
+std::optional<PlaneReport> peak_plane_of(const ups_profile* profile, const ProfileReport& report) {
+  constexpr double missed = 0.99;
+  const ups_profile_info& info = report.info;
+  if (!(std::max(report.beam[0].peak_cd, report.beam[1].peak_cd) < missed * info.peak_cd)) return std::nullopt;
+  const float c_deg = std::fmod(std::fmod(info.peak_c_deg, 180.f) + 180.f, 180.f);
+  return PlaneReport{c_deg, beam_of(profile, c_deg, 0.5f), beam_of(profile, c_deg, 0.1f)};
+}
+
 }  // namespace
 
 std::string lower_extension(const std::string& file) {
@@ -128,6 +169,15 @@ std::vector<float> intensities(const ups_profile* profile, const std::vector<std
   return values;
 }
 
+std::vector<float> intensities_in_plane(const ups_profile* profile, double c_deg, const std::vector<double>& angles) {
+  std::vector<std::pair<double, double>> c_gamma_deg;
+  for (const double angle : angles) {
+    const double signed_gamma = std::remainder(angle, 360);
+    c_gamma_deg.emplace_back(c_deg + (signed_gamma < 0 ? 180 : 0), std::abs(signed_gamma));
+  }
+  return intensities(profile, c_gamma_deg);
+}
+
 ProfileReport make_report(const std::string& file, const ups_profile* profile) {
   ProfileReport report{};
   report.file = file;
@@ -143,6 +193,15 @@ ProfileReport make_report(const std::string& file, const ups_profile* profile) {
     report.beam[plane] = beam_of(profile, 90.f * float(plane), 0.5f);
     report.field[plane] = beam_of(profile, 90.f * float(plane), 0.1f);
   }
+  for (int plane = 0; plane < 2; ++plane) {
+    for (ups_profile_beam* beam : {&report.beam[plane], &report.field[plane]}) {
+      if (report.is_lit(*beam)) continue;
+      beam->from_deg = beam->to_deg = beam->peak_deg;
+      beam->angle_deg = -1;
+    }
+    report.other_lobes[plane] = other_lobes(profile, 90.0 * plane, report.beam[plane]);
+  }
+  report.peak_plane = peak_plane_of(profile, report);
   for (size_t i = 0; i < zones_deg.size(); ++i)
     check(ups_profile_get_zonal_flux(profile, zones_deg[i].data(), 2, &report.zonal_flux_lm[i]));
   for (size_t i = 0; i < luminance_c_deg.size(); ++i) {

@@ -1,6 +1,7 @@
 // The sheet around the diagrams: title, facts, files.
 #include "tool/profile_plot.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/atomic_file.h"
@@ -8,6 +9,8 @@
 
 namespace ups::tool {
 namespace {
+
+constexpr double legend_row = 20;
 
 std::string keyword(const ProfileReport& report, const char* name) {
   for (const auto& [key, value] : report.keywords)
@@ -26,32 +29,65 @@ std::string shortened(std::string text, double size, double width) {
   return text + "...";
 }
 
-std::string angle_text(const ups_profile_beam& beam) {
-  return beam.angle_deg < 0 ? "none" : format("%.1f\u00b0", beam.angle_deg);
+std::string quantity_text(double value, const char* unit) {
+  const Prefix prefix = prefix_of(value);
+  return format("%.5g %s%s", value / prefix.factor, prefix.sign, unit);
 }
 
 std::string facts(const ProfileReport& report) {
   const ups_profile_info& info = report.info;
-  std::string text = format("flux %.5g lm", info.flux_lm);
-  if (report.info.light_output_ratio >= 0)
-    text += format(" (%.1f %% of %.5g lm)", 100 * report.info.light_output_ratio, info.rated_flux_lm);
-  text += format("    peak %.5g cd at C %g\u00b0, gamma %g\u00b0", info.peak_cd, info.peak_c_deg, info.peak_gamma_deg);
+  std::string text = "flux " + quantity_text(info.flux_lm, "lm");
+  if (report.info.light_output_ratio >= 0) {
+    text += format(" (%.1f %% of ", 100 * report.info.light_output_ratio);
+    text += quantity_text(info.rated_flux_lm, "lm") + ")";
+  }
+  text += "    peak " + quantity_text(info.peak_cd, "cd");
+  if (info.peak_cd > 0) text += format(" at C %g\u00b0, gamma %g\u00b0", info.peak_c_deg, info.peak_gamma_deg);
   if (report.efficacy_lm_per_w() >= 0)
-    text += format("    %.4g W, %.4g lm/W", info.input_power_w, report.efficacy_lm_per_w());
+    text += format("    %.6g W, %.4g lm/W", info.input_power_w, report.efficacy_lm_per_w());
   return text;
 }
 
+// Columns as wide as their widest text: the line, the plane, its beam, its field.
 void draw_legend(Drawing& drawing, double x, double y, const ProfileReport& report) {
-  for (int plane = 0; plane < 2; ++plane) {
-    const double line = y + 20 * plane;
-    drawing.parts.push_back(Line{{{x, line - 4}, {x + 34, line - 4}}, plane_ink[plane], 2.2, plane_dash[plane]});
-    drawing.parts.push_back(Label{{x + 44, line}, plane_name[plane], 13, black, Anchor::start, true});
-    drawing.parts.push_back(Label{{x + 122, line}, "beam " + angle_text(report.beam[plane]), 13, black});
-    drawing.parts.push_back(Label{{x + 222, line}, "field " + angle_text(report.field[plane]), 13, black});
+  constexpr double size = 12, least = 90, space = 12;
+  const std::vector<PlaneReport> planes = drawn_planes(report);
+  std::vector<std::string> columns[3];
+  for (size_t i = 0; i < planes.size(); ++i) {
+    const double line_y = y + legend_row * double(i) - 4;
+    drawing.parts.push_back(Line{{{x, line_y}, {x + 34, line_y}}, plane_ink[i], 2.2, plane_dash[i]});
+    const double c_deg = 0.1 * std::round(10 * planes[i].c_deg);  // of tables of type A and B any number
+    columns[0].push_back(format("C%g-C%g", c_deg, c_deg + 180));
+    columns[1].push_back("beam " + angle_text(report, planes[i].beam, "\u00b0"));
+    columns[2].push_back("field " + angle_text(report, planes[i].field, "\u00b0"));
+  }
+  double left = x + 42;
+  for (const auto& column : columns) {
+    double widest = &column == columns ? 0 : least;
+    for (size_t i = 0; i < column.size(); ++i) {
+      drawing.parts.push_back(
+          Label{{left, y + legend_row * double(i)}, column[i], size, black, Anchor::start, &column == columns});
+      widest = std::max(widest, width_of(column[i], size));
+    }
+    left += widest + space;
   }
 }
 
 }  // namespace
+
+std::vector<PlaneReport> drawn_planes(const ProfileReport& report) {
+  std::vector<PlaneReport> planes;
+  for (const int plane : {0, 1}) planes.push_back({90.0 * plane, report.beam[plane], report.field[plane]});
+  if (report.peak_plane) planes.push_back(*report.peak_plane);
+  return planes;
+}
+
+Prefix prefix_of(double largest) {
+  if (largest >= 1e6) return {1e6, "M"};
+  if (largest >= 1e5) return {1e3, "k"};
+  if (largest >= 0.1 || largest <= 0) return {1, ""};
+  return largest >= 1e-4 ? Prefix{1e-3, "m"} : Prefix{1e-6, "\u00b5"};
+}
 
 double round_step(double smallest) {
   if (!(smallest > 0)) return 1;
@@ -64,7 +100,8 @@ bool is_per_kilolumen(const ProfileReport& report) { return report.info.rated_fl
 
 Drawing plot_of(const ups_profile* profile, const ProfileReport& report) {
   constexpr double width = 1000, margin = 30, top = 100;
-  const double height = shines_up(profile, report) ? 640 : 500;
+  const double legend_height = legend_row * double(drawn_planes(report).size());
+  const double height = (shines_up(profile, report) ? 600 : 460) + legend_height;
   Drawing drawing{width, height, {}};
   const std::string name = report.file.substr(report.file.find_last_of('/') + 1);
   drawing.parts.push_back(Label{{margin, 40}, shortened(name, 22, 620), 22, black, Anchor::start, true});
@@ -75,8 +112,8 @@ Drawing plot_of(const ups_profile* profile, const ProfileReport& report) {
   drawing.parts.push_back(Line{{{margin, 74}, {width - margin, 74}}, pale, 1});
   drawing.parts.push_back(Label{{margin, height - 18}, facts(report), 13, black});
   drawing.parts.push_back(Line{{{margin, height - 40}, {width - margin, height - 40}}, pale, 1});
-  draw_polar(drawing, {margin, top - 10, 450, height - top - 92}, profile, report);
-  draw_legend(drawing, margin + 60, height - 74, report);
+  draw_polar(drawing, {margin, top - 10, 450, height - top - 52 - legend_height}, profile, report);
+  draw_legend(drawing, margin, height - 34 - legend_height, report);
   draw_cone(drawing, {530, top - 10, width - margin - 530, height - top - 42}, profile, report);
   return drawing;
 }

@@ -1,5 +1,5 @@
-// The diagrams of a data sheet: polar curves of the planes C0-C180 and C90-C270, and the cone below the luminaire with
-// its table. Called by the command info.
+// The diagrams of a data sheet: polar curves of the planes C0-C180 and C90-C270, and of that of the peak where both
+// miss it, and the cone below the luminaire with its table. Called by the commands info and goniometer.
 #pragma once
 #include "tool/drawing.h"
 #include "tool/profile_file.h"
@@ -17,10 +17,20 @@ bool is_plot_file(const std::string& path);  // by its extension
 struct Frame {
   double left, top, width, height;
 };
-inline constexpr Ink plane_ink[2] = {{0, 92, 175}, {214, 84, 10}};  // told apart by colour-blind people too
-inline constexpr double plane_dash[2] = {0, 7};
-inline constexpr const char* plane_name[2] = {"C0-C180", "C90-C270"};
+// The last are of the plane of the peak. Told apart by colour-blind people too.
+inline constexpr Ink plane_ink[3] = {{0, 92, 175}, {214, 84, 10}, {0, 128, 96}};
+inline constexpr double plane_dash[3] = {0, 7, 2.5};
 inline constexpr Ink black{25, 25, 25}, grey{105, 105, 105}, pale{205, 205, 205};
+
+// What the polar diagram draws and its legend names: two planes or, with that of the peak, three.
+std::vector<PlaneReport> drawn_planes(const ProfileReport& report);
+
+// Of the unit in which numbers up to `largest` need no exponent.
+struct Prefix {
+  double factor;
+  const char* sign;
+};
+Prefix prefix_of(double largest);
 
 // 1, 2 or 5 times a power of ten, at least `smallest`.
 double round_step(double smallest);

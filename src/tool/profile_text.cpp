@@ -1,5 +1,6 @@
 // What `ups info` prints of photometric files for people: a page for one, a table for many.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "tool/info_report.h"
@@ -29,16 +30,10 @@ std::string list_text(const char* title, const std::vector<std::string>& lines) 
   return text;
 }
 
-std::string angle_text(const ups_profile_beam& beam) {
-  if (beam.angle_deg < 0) return "none";
-  const bool centred = beam.from_deg == -beam.to_deg;
-  return centred ? format("%.1f deg", beam.angle_deg)
-                 : format("%.1f deg (%.1f to %.1f)", beam.angle_deg, beam.from_deg, beam.to_deg);
-}
-
-std::string planes_text(const char* title, const char* share, const ups_profile_beam (&beam)[2]) {
-  return format("%s (%s of the plane's peak): C0-C180 %s, C90-C270 %s\n", title, share, angle_text(beam[0]).c_str(),
-                angle_text(beam[1]).c_str());
+std::string plane_text(const ProfileReport& report, int plane) {
+  const size_t others = report.other_lobes[plane].size();
+  return angle_text(report, report.beam[plane], " deg") +
+         (others > 0 ? format(" in one of %zu lobes", others + 1) : "");
 }
 
 std::string luminance_text(const ProfileReport& report) {
@@ -124,8 +119,19 @@ const char* symmetry_word(ups_profile_symmetry symmetry) {
   return symmetry >= 0 && symmetry < int(std::size(words)) ? words[symmetry] : "unknown";
 }
 
+std::string angle_text(const ProfileReport& report, const ups_profile_beam& beam, const char* unit) {
+  if (!report.is_lit(beam)) return "no light";
+  if (beam.angle_deg < 0) return "none";
+  const bool centred = std::abs(beam.from_deg + beam.to_deg) < 0.05f;
+  return format("%.1f%s", beam.angle_deg, unit) +
+         (centred ? "" : format(" (%.1f to %.1f)", beam.from_deg, beam.to_deg));
+}
+
 std::string beams_text(const ProfileReport& report) {
-  return planes_text("beam angle", "50 %", report.beam) + planes_text("field angle", "10 %", report.field);
+  const char* pattern = "%s angle (%s of the plane's peak): C0-C180 %s, C90-C270 %s\n";
+  const auto field = [&](int plane) { return angle_text(report, report.field[plane], " deg"); };
+  return format(pattern, "beam", "50 %", plane_text(report, 0).c_str(), plane_text(report, 1).c_str()) +
+         format(pattern, "field", "10 %", field(0).c_str(), field(1).c_str());
 }
 
 std::string to_text(const ProfileReport& report) {

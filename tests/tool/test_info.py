@@ -154,6 +154,12 @@ class Plots(test_program.ProgramTest):
     def texts(self, name):
         return ["".join(t.itertext()) for t in ElementTree.fromstring(self.read(name)).iter(SVG + "text")]
 
+    def paths(self, name, ink, width):
+        """Points of the lines of that ink and width, in the order they are drawn."""
+        return [[tuple(map(float, point.split())) for point in p.get("d")[1:].split("L")]
+                for p in ElementTree.fromstring(self.read(name)).iter(SVG + "path")
+                if p.get("stroke") == ink and p.get("stroke-width") == width]
+
     def test_svg_and_png(self):
         self.plot(os.path.join(PROFILES, "wall_washer.ies"), "washer.svg", "washer.png")
         root = ElementTree.fromstring(self.read("washer.svg"))
@@ -182,7 +188,9 @@ class Plots(test_program.ProgramTest):
         self.plot(self.write("all.ies", ies([0, 90, 180], [7, 7, 7])), "all.svg", "all.png")
         self.assertTrue(any(t.startswith("No cone") for t in self.texts("all.svg")))
         self.plot(self.write("dark.ies", ies([0, 90, 180], [0, 0, 0])), "dark.svg", "dark.png")
-        self.assertTrue(any(t.startswith("No cone") for t in self.texts("dark.svg")))
+        texts = self.texts("dark.svg")
+        for words in ("No cone: no light.", "no light", "beam no light"):
+            self.assertIn(words, texts)
 
     def test_names_with_what_xml_reserves(self):
         lamp = self.write("a<b>&\"c\" \u00fc.ies", LAMBERTIAN.replace("this project", "R&D <x> \u00e9"))
@@ -191,15 +199,90 @@ class Plots(test_program.ProgramTest):
         self.assertIn("a<b>&\"c\" \u00fc.ies", texts)
         self.assertIn("R&D <x> \u00e9", texts)
 
+    def test_the_plane_of_a_peak_beside_both_planes_is_drawn(self):
+        # C0, C30, ... C330; the light around C210, gamma 40 alone: rings reach its 1300 cd, no other curve leaves zero.
+        table = [[1300 if (c, g) == (210, 40) else 0 for g in range(0, 91, 10)] for c in range(0, 360, 30)]
+        table.append(table[0])
+        lamp = ("IESNA:LM-63-2002\n[TEST] none\n[MANUFAC] x\nTILT=NONE\n1 -1 1 10 13 1 2 0 0 0\n1 1 10\n"
+                "0 10 20 30 40 50 60 70 80 90\n0 30 60 90 120 150 180 210 240 270 300 330 360\n")
+        self.plot(self.write("aside.ies", lamp + "\n".join(" ".join(map(str, row)) for row in table) + "\n"),
+                  "aside.svg", "aside.png")
+        texts = self.texts("aside.svg")
+        self.assertIn("C30-C210", texts)
+        self.assertIn("1500", texts)
+        curve = self.paths("aside.svg", "#008060", "2.2")[0]
+        centre = self.paths("aside.svg", "#005caf", "2.2")[0][0]  # of a plane without light: a dot
+        radius = max(math.hypot(x - centre[0], y - centre[1]) for x, y in curve)
+        ring = max(math.hypot(x - centre[0], y - centre[1]) for x, y in self.paths("aside.svg", "#cdcdcd", "1.2")[0])
+        self.assertAlmostEqual(radius / ring, 1300 / 1500, delta=1e-3)
+        self.assertTrue(all(x <= centre[0] + 0.01 for x, y in curve))  # C210 is the far half: on the left
+        self.plot(self.write("lamp.ies", LAMBERTIAN), "lamp.svg")
+        self.assertEqual(self.paths("lamp.svg", "#008060", "2.2"), [])
+
+    def test_both_wings_of_a_batwing(self):
+        wings = ies(range(0, 91, 5), [100 + 900 * math.sin(math.radians(2 * g)) ** 2 for g in range(0, 91, 5)])
+        lamp = self.write("wings.ies", wings)
+        text = self.run_program("info", lamp).stdout
+        self.assertRegex(text, r"C0-C180 \d+\.\d deg \(\d+\.\d to \d+\.\d\) in one of 2 lobes, C90")
+        self.plot(lamp, "wings.svg")
+        texts = self.texts("wings.svg")
+        beam = next(b for b in texts if b.startswith("beam ") and "(" in b)
+        start, end = beam[beam.index("(") + 1:-1].split(" to ")
+        self.assertIn(f"C0-C180 in the table: one of 2 lobes, from {start}\u00b0 to {end}\u00b0", texts)
+        edges = [line for line in self.paths("wings.svg", "#005caf", "2") if len(line) == 2]
+        apex = edges[0][1]
+        tangents = sorted((x - apex[0]) / (y - apex[1]) for line in edges for x, y in line if (x, y) != apex)
+        self.assertEqual(len(tangents), 4)
+        for left, right in zip(tangents[:2], reversed(tangents[2:])):
+            self.assertAlmostEqual(left, -right, delta=1e-3)
+        self.assertAlmostEqual(tangents[2] / tangents[3],
+                               math.tan(math.radians(float(start))) / math.tan(math.radians(float(end))), delta=2e-3)
+        # A ripple at half the peak is not a lobe; one lobe needs no note.
+        ripple = self.write("ripple.ies", ies([0, 20, 40, 45, 50, 60, 90], [1000, 1000, 480, 530, 480, 20, 0]))
+        self.assertNotIn("lobes", self.run_program("info", ripple).stdout)
+
+    def test_a_plane_with_dust_has_no_light(self):
+        planes = [[dust if c % 180 == 0 else 1000 if (c, g) == (90, 30) else 0 for g in range(0, 91, 10)]
+                  for c in range(0, 361, 90) for dust in [1e-30 if c == 180 else 0]]
+        lamp = ("IESNA:LM-63-2002\n[TEST] none\n[MANUFAC] x\nTILT=NONE\n1 -1 1 10 5 1 2 0 0 0\n1 1 10\n"
+                "0 10 20 30 40 50 60 70 80 90\n0 90 180 270 360\n")
+        lamp = self.write("dust.ies", lamp + "\n".join(" ".join(map(str, row)) for row in planes) + "\n")
+        self.assertIn("C0-C180 no light, C90-C270 10.0 deg (25.0 to 35.0)", self.run_program("info", lamp).stdout)
+        self.plot(lamp, "dust.svg")
+        texts = self.texts("dust.svg")
+        self.assertIn("beam no light", texts)
+        self.assertIn("beam 10.0\u00b0 (25.0 to 35.0)", texts)
+        self.assertEqual([p for p in self.paths("dust.svg", "#005caf", "2") if len(p) == 2], [])  # no cone of it
+
+    def test_large_and_small_numbers_have_no_exponent(self):
+        self.plot(self.write("pencil.ies", ies([0, 0.1, 0.2, 0.3, 90], [9e6, 5e6, 1e6, 0, 0])), "pencil.svg")
+        texts = self.texts("pencil.svg")
+        self.assertIn("Luminous intensity, Mcd", texts)
+        for ring in ("2", "4", "6", "8", "10"):
+            self.assertIn(ring, texts)
+        self.assertTrue(any("peak 9 Mcd at" in t for t in texts), msg=texts)
+        half = 0.1 + 0.1 * 0.5 / 4  # where 5e6 to 1e6 cd pass 4.5e6
+        self.assertIn(f"{2 * math.tan(math.radians(half)):.4f}", texts)  # width 1 m below
+        self.plot(self.write("faint.ies", ies([0, 90, 180], [2e-3, 2e-3, 2e-3])), "faint.svg")
+        self.assertIn("Luminous intensity, mcd", self.texts("faint.svg"))
+        for text in texts + self.texts("faint.svg"):
+            self.assertNotRegex(text, r"\de[+-]\d")
+
+    def test_pixels_drop_accents_alone(self):
+        for name, maker in (("a", "\u00dcn\u00efc\u00f6de Stra\u00dfe \u0141\u00f3d\u017a e\u0301"),
+                            ("b", "Unicode Strasse Lodz e"), ("c", "\u4f60 Strasse Lodz e")):
+            os.makedirs(self.path(name))
+            lamp = self.write(name + "/lamp.ies", LAMBERTIAN.replace("this project", maker))
+            self.plot(lamp, name + ".png")
+        self.assertEqual(self.read("a.png"), self.read("b.png"))
+        self.assertNotEqual(self.read("a.png"), self.read("c.png"))
+
     def test_a_needle_is_drawn_to_its_peak(self):
         self.plot(self.write("needle.ies", ies([0, 0.01, 0.02, 90], [900, 900, 0, 0])), "needle.svg")
-        root = ElementTree.fromstring(self.read("needle.svg"))
 
         def heights(ink, width):  # of the one path of more than two points: not the legend's
-            paths = [p.get("d")[1:].split("L") for p in root.iter(SVG + "path")
-                     if p.get("stroke") == ink and p.get("stroke-width") == width]
-            (points,) = [p for p in paths if len(p) > 2]
-            return [float(point.split()[1]) for point in points]
+            (points,) = [p for p in self.paths("needle.svg", ink, width) if len(p) > 2]
+            return [y for x, y in points]
 
         lowest = max(heights("#005caf", "2.2"))
         bottom, top = max(heights("#cdcdcd", "1.2")), min(heights("#cdcdcd", "1.2"))
