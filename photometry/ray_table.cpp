@@ -19,7 +19,7 @@ struct Oddities {
     if (count++ == 0) first_byte = byte;
   }
   void warn(Photometry& out, const char* one, const char* several) const {
-    if (count > 0) out.warnings.push_back(at_byte(first_byte, std::to_string(count) + (count == 1 ? one : several)));
+    if (count > 0) out.warnings.push_back(at_byte(first_byte, counted(count, one, several)));
   }
 };
 
@@ -73,6 +73,13 @@ double RayReader::efficacy(size_t index, size_t at) const {
 // What the rays' lumens are multiplied with, so that they add up to what the header states.
 double RayReader::scale(Photometry& out) const {
   const auto given = [](double total) { return std::isfinite(total) && total > 0; };
+  const auto warn = [&](double stated, const char* unit) {  // NaN and 0: not stated
+    if (stated < 0 || std::isinf(stated))
+      out.warnings.push_back("the header's flux is " + shown(stated) + " " + unit +
+                             "; it must be greater than 0, and the rays are not scaled to it");
+  };
+  warn(table_.total_lm, "lm");
+  warn(table_.total_units, table_.unit);
   const bool in_lm = given(table_.total_lm);
   if (!in_lm && !given(table_.total_units)) return 1;
   const double total = in_lm ? table_.total_lm : table_.total_units, sum = in_lm ? sum_lm_ : sum_units_;
@@ -104,10 +111,10 @@ void RayReader::read(Photometry& out) {
     flux.push_back(lumens);
     out.rays.push_back(ray);
   }
-  no_flux_.warn(out, " ray has a flux that is 0, negative or not finite; it is left out",
-                " rays have a flux that is 0, negative or not finite; they are left out");
-  not_unit_.warn(out, " direction is not of length 1; it is normalised",
-                 " directions are not of length 1; they are normalised");
+  no_flux_.warn(out, "ray has a flux that is 0, negative or not finite; it is left out",
+                "rays have a flux that is 0, negative or not finite; they are left out");
+  not_unit_.warn(out, "direction is not of length 1; it is normalised",
+                 "directions are not of length 1; they are normalised");
   const double factor = out.rays.empty() ? 1 : scale(out);
   if (!(sum_lm_ * factor <= largest_total_lm))
     fail_at_byte(table_.begin, "the rays' fluxes add up to " + shown(sum_lm_ * factor) + " lm, which is too much");

@@ -60,6 +60,11 @@ TEST(RayFile, Tm25ScalesToItsHeader) {
   expect_ray(p.rays[0], {0.001, -0.002, 0.003}, {0, 0, -1}, 25);
   EXPECT_NEAR(total(p), 100, 1e-4);
   EXPECT_TRUE(warned(p, "add up to 8 lm; they are scaled to the header's 100 lm"));
+  for (double odd : {-5.0, std::numeric_limits<double>::infinity()}) {
+    header.luminous_lm = odd;
+    EXPECT_NEAR(total(read(tm25_bytes(two_rays, header))), 8, 1e-6);
+    EXPECT_TRUE(warned(read(tm25_bytes(two_rays, header)), "the rays are not scaled to it")) << odd;
+  }
   header.luminous_lm = 8;
   EXPECT_EQ(read(tm25_bytes(two_rays, header)).warnings.size(), 1u);
 }
