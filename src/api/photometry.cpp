@@ -8,6 +8,7 @@
 #include "api/handles.h"
 #include "base/text.h"
 #include "photometry/metrics.h"
+#include "photometry/text_reader.h"
 #include "scene/check.h"
 
 using namespace ups;
@@ -118,8 +119,14 @@ std::string text_of(const photometry::Photometry& data, ups_profile_text topic) 
       for (const photometry::Keyword& k : data.keywords) text += k.name + "=" + k.value + "\n";
       return text;
     }
+    case UPS_PROFILE_TEXT_TILT_TABLE: {
+      std::string text;
+      for (size_t i = 0; i < data.tilt.angle_deg.size(); ++i)
+        text += photometry::shortest(data.tilt.angle_deg[i]) + " " + photometry::shortest(data.tilt.factor[i]) + "\n";
+      return text;
+    }
     default:
-      check::enumeration(topic, UPS_PROFILE_TEXT_TILT_FILE, "topic", "UPS_PROFILE_TEXT_*");
+      check::enumeration(topic, UPS_PROFILE_TEXT_TILT_TABLE, "topic", "UPS_PROFILE_TEXT_*");
       return {};
   }
 }

@@ -31,6 +31,7 @@ inline constexpr std::array<std::array<float, 2>, 5> zones_deg = {{{0, 30}, {0, 
 
 struct ProfileReport {
   std::string file, format;
+  std::string tilt_table;  // empty: none
   ups_profile_info info;
   ups_profile_beam beam[2], field[2];                   // of 50 % and 10 % of the peak in C0-C180 and C90-C270
   std::array<double, 5> zonal_flux_lm;                  // by the band rule
@@ -47,6 +48,7 @@ ProfileReport make_report(const std::string& file, const ups_profile* profile);
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg);
 
 std::string beams_text(const ProfileReport& report);  // lines of beam and field angle
+std::string opening_text(const ups_profile_info& info);  // shape and sizes
 const char* shape_word(ups_opening_shape shape);
 const char* symmetry_word(ups_profile_symmetry symmetry);
 
