@@ -106,6 +106,12 @@ INSTANTIATE_TEST_SUITE_P(
              "line 48: the C angles end with 360"}),
     case_name);
 
+TEST(EulumdatMalformed, ATiltChangesNothingAndSaysSo) {
+  ReadOptions options;
+  options.tilt_deg = 20;
+  EXPECT_TRUE(has_warning(read_text(EulumdatParts().text(), options), "line 25: there is no TILT table"));
+}
+
 TEST(EulumdatMalformed, LightOutputRatioWithinTwoPercentIsNoWarning) {
   EulumdatParts parts;
   const double percent = read_text(parts.text()).distribution.band_flux_lm() / 10;  // of 1000 lm

@@ -219,6 +219,13 @@ TEST(RayFile, LightTools) {
   expect_refused<ParseError>(lighttools(1, 0, 1, 0, "LTRFEN"), "no whole number of them");
 }
 
+TEST(RayFile, ATiltChangesNothingAndSaysSo) {
+  photometry::ReadOptions options;
+  options.tilt_deg = 20;
+  const Photometry p = photometry::test::read_text(tm25_bytes(two_rays), options);
+  EXPECT_TRUE(warned(p, "there is no TILT table; the tilt of 20 degrees changes nothing"));
+}
+
 TEST(RayFile, UnknownSignature) {
   EXPECT_FALSE(photometry::is_ray_file("TM2", 3));
   EXPECT_FALSE(photometry::is_ray_file(nullptr, 0));

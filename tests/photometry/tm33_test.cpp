@@ -88,6 +88,13 @@ TEST(Tm33, EverySymmetry) {
   expect_refused<ParseError>(file(emitter("<Symm>Symm_None</Symm>" + values({}, 0, 90))), "nothing is symmetric");
 }
 
+TEST(Tm33, ATiltChangesNothingAndSaysSo) {
+  photometry::ReadOptions options;
+  options.tilt_deg = 20;
+  const Photometry p = photometry::test::read_text(file(emitter("<Symm>Symm_Full</Symm>" + values({}, 0, 0))), options);
+  EXPECT_TRUE(warned(p, "there is no TILT table; the tilt of 20 degrees changes nothing"));
+}
+
 TEST(Tm33, UnitsAndWhatTheFileSays) {
   const Lamp lamp;
   const std::string rated =
