@@ -2,6 +2,7 @@
 // Licht '90): one field a line, intensities in cd per 1000 lm of the lamps. Wrong data are errors, odd ones warnings,
 // each with its line. Called by read.cpp and the API.
 #include <algorithm>
+#include <cmath>
 
 #include "photometry/eulumdat_text.h"
 #include "photometry/planes.h"
@@ -124,7 +125,12 @@ void EulumdatReader::read_ratios() {
     warn(in_.at(), "the conversion factor for the intensities is 0; taken as 1");
     conversion_ = 1;
   }
-  keep_number("_TILT_DEG", "the tilt during measurement");
+  const double tilt = in_.number_or_zero("the tilt during measurement", warnings_);
+  if (tilt != 0) {
+    keywords_.push_back({"_TILT_DEG", shortest(tilt)});
+    warn(in_.at(), "the tilt during measurement is " + shown(tilt) + " degrees; it is not applied");
+  }
+  if (options_.tilt_deg >= 0) warn(in_.at(), no_tilt_table(options_.tilt_deg));
 }
 
 // Some writers give all counts, then all types, and so on: known by numbers where those have theirs and texts where set
@@ -159,7 +165,9 @@ void EulumdatReader::read_lamps() {
   const auto rendering = [&](LampSet& s) { s.colour_rendering = in_.line("the lamps' colour rendering"); };
   const auto power = [&](LampSet& s) {
     const double watts = in_.number_or_zero("the lamps' power", warnings_);
-    s.power_w = watts > 0 ? watts : -1;
+    s.power_w = watts > 0 && std::isfinite(watts) ? watts : -1;
+    if (watts < 0 || !std::isfinite(watts))
+      warn(in_.at(), "the lamps' power is " + shown(watts) + " W; taken as not stated");
   };
   if (grouped_by_field(n)) {
     warn(lamp_line_, "the lamp sets are given field by field; read so");
@@ -262,10 +270,11 @@ void EulumdatReader::read_intensities(const std::vector<double>& stored) {
       planes_.back().intensity_cd.push_back(value + 0);  // no -0
     }
   }
-  if (negative > 0) warn(negative_line, std::to_string(negative) + " intensities are negative; taken as 0");
-  if (empties > 0) warn(empty_line, std::to_string(empties) + " intensities are empty lines; taken as 0");
+  if (negative > 0) warn(negative_line, counted(negative, "intensity is", "intensities are") + " negative; taken as 0");
+  if (empties > 0)
+    warn(empty_line, counted(empties, "intensity is an empty line", "intensities are empty lines") + "; taken as 0");
   if (const size_t more = in_.remaining())
-    warn(in_.at(), std::to_string(more) + " lines follow the intensities; they are ignored");
+    warn(in_.at(), counted(more, "line follows", "lines follow") + " the intensities; ignored");
 }
 
 void EulumdatReader::check_flux(const Distribution& distribution) {
@@ -309,6 +318,7 @@ Photometry EulumdatReader::read() {
   try {
     Photometry out{distribution_of(PhotometricType::c, std::move(planes_), std::move(gamma_deg_))};
     check_flux(out.distribution);
+    check_poles(out.distribution, table_line_, warnings_);
     const LampSet& lamps = lamps_[options_.lamp_set];
     out.opening = opening_;
     out.symmetry = symmetry;

@@ -14,7 +14,7 @@
 namespace photometry {
 namespace {
 
-constexpr double largest_intensity_cd = 1e12;
+constexpr double largest_intensity_cd = 1e12, most_ballast_factor = 2;
 
 class IesReader {
  public:
@@ -52,11 +52,16 @@ double IesReader::read_tilt() {
   const size_t line = header_.tilt_line;
   const std::string kind = upper_case(header_.tilt);
   if (in_.detect_decimal_commas()) warn(line + 1, "the numbers have decimal commas");
-  if (kind == "NONE") return 1;
+  if (kind == "NONE") {
+    if (options_.tilt_deg >= 0) warn(line, no_tilt_table(options_.tilt_deg));
+    return 1;
+  }
   if (kind == "INCLUDE") {
     tilt_ = read_tilt_table(in_, warnings_);
   } else {
     tilt_file_name_ = header_.tilt;
+    if (header_.edition == IesEdition::y2019)
+      warn(line, "TILT= names a file, which LM-63-2019 does not have; read as earlier editions mean it");
     const std::string name = "the TILT file \"" + header_.tilt + "\"";
     if (!options_.tilt_file) {
       warn(line, name + " is not read; taken as TILT=NONE");
@@ -146,7 +151,10 @@ void IesReader::read_opening() {
 
 // Ballast factor, the field whose meaning changed in 1995, watts. Returns what the candelas are multiplied with.
 double IesReader::read_factors() {
-  double scale = multiplier_ * number_or_one("the ballast factor");
+  const double ballast = number_or_one("the ballast factor");
+  if (ballast > most_ballast_factor)
+    warn(in_.line(), "a ballast factor of " + shown(ballast) + " is doubtful; it is applied");
+  double scale = multiplier_ * ballast;
   if (header_.edition <= IesEdition::y1991) {
     scale *= number_or_one("the ballast-lamp photometric factor");
   } else {
@@ -162,7 +170,8 @@ double IesReader::read_factors() {
   }
   const double watts = number("the input watts");
   if (watts > 0 && std::isfinite(watts)) input_power_w_ = watts;
-  if (watts < 0) warn(in_.line(), "the input power is negative; taken as not stated");
+  if (watts < 0 || !std::isfinite(watts))
+    warn(in_.line(), "the input power is " + shown(watts) + " W; taken as not stated");
   return scale;
 }
 
@@ -197,7 +206,8 @@ void IesReader::read_candelas(double scale) {
       table_.planes[h].intensity_cd.push_back(value + 0);  // no -0
     }
   }
-  if (negative > 0) warn(negative_line, std::to_string(negative) + " candelas are negative or NaN; taken as 0");
+  if (negative > 0)
+    warn(negative_line, counted(negative, "candela value is", "candela values are") + " negative or NaN; taken as 0");
 }
 
 void IesReader::check_flux(const Photometry& photometry) {

@@ -104,6 +104,7 @@ IesHeader read_ies_header(TextReader& in, std::vector<std::string>& warnings) {
   IesHeader header;
   const TextReader::Mark start = in.mark();
   std::string_view line, tilt;
+  std::vector<size_t> lines;  // of the keywords
   bool first = true;
   while (in.next_line(line)) {
     if (is_tilt_line(line, tilt)) {
@@ -117,7 +118,10 @@ IesHeader read_ies_header(TextReader& in, std::vector<std::string>& warnings) {
     } else {
       const size_t before = header.keywords.size();
       add_label_line(line, header.keywords);
-      if (header.keywords.size() > before) check_unit(header.keywords.back(), in.line(), warnings);
+      if (header.keywords.size() > before) {
+        lines.push_back(in.line());
+        check_unit(header.keywords.back(), in.line(), warnings);
+      }
     }
     first = false;
   }
@@ -126,6 +130,11 @@ IesHeader read_ies_header(TextReader& in, std::vector<std::string>& warnings) {
   if (!find_numbers_without_tilt(in, warnings))
     fail_at(last,
             "the file ends without a TILT= line; an IES LM-63 file has TILT=NONE (or another) before its numbers");
+  // The numbers were taken for label lines.
+  while (!lines.empty() && lines.back() > in.line()) {
+    lines.pop_back();
+    header.keywords.pop_back();
+  }
   header.tilt = "NONE";
   header.tilt_line = in.line();
   return header;

@@ -66,7 +66,9 @@ Distribution arrange_c(IesTable table, const Context& context, Symmetry& symmetr
                    "; read as mirrored about the plane 90-270, as in 1995");
   }
   complete_circle(planes, symmetry);
-  return distribution_of(PhotometricType::c, std::move(planes), std::move(vertical));
+  Distribution out = distribution_of(PhotometricType::c, std::move(planes), std::move(vertical));
+  check_poles(out, context.lines.horizontal, context.warnings);
+  return out;
 }
 
 // Whether the angles state one half of what is mirrored about 0. Warns about what is not -90 or 0 to 90.

@@ -130,6 +130,16 @@ double flux_of_rings(const Distribution& d, double from_deg, double to_deg, Flux
   return flux;
 }
 
+// from <= gamma < to; 180 belongs to the last zone.
+double flux_of_rays(const std::vector<Ray>& rays, double from_deg, double to_deg) {
+  double flux = 0;
+  for (const Ray& r : rays) {
+    const double gamma = std::atan2(std::hypot(double(r.direction[0]), r.direction[1]), -r.direction[2]) / pi * 180;
+    if (gamma >= from_deg && (gamma < to_deg || to_deg >= 180)) flux += r.flux_lm;
+  }
+  return flux;
+}
+
 // Midpoint rule over gamma and C, not scaled: for shares alone.
 double quadrature(const Distribution& d, double from_deg, double to_deg) {
   const int rows = std::max(1, int(std::ceil(2 * (to_deg - from_deg)))), columns = 360;
@@ -161,8 +171,14 @@ Beam beam_of(const Photometry& photometry, double c_deg, double fraction) {
   return beam;
 }
 
+double flux_lm(const Photometry& photometry) {
+  const Distribution& d = photometry.distribution;
+  return photometry.rays.empty() ? d.band_flux_lm() : d.interpolated_flux_lm();
+}
+
 double zonal_flux_lm(const Photometry& photometry, double from_deg, double to_deg, FluxRule rule) {
   const Distribution& d = photometry.distribution;
+  if (rule == FluxRule::band && !photometry.rays.empty()) return flux_of_rays(photometry.rays, from_deg, to_deg);
   if (is_c_gamma(photometry)) return flux_of_rings(d, from_deg, to_deg, rule);
   const double zone = quadrature(d, from_deg, to_deg);
   const double all = quadrature(d, 0, from_deg) + zone + quadrature(d, to_deg, 180);
@@ -214,7 +230,7 @@ Metrics metrics_of(const Photometry& photometry) {
   m.up_flux_lm = m.zonal_flux_lm[4];
   m.interpolated_down_flux_lm = zonal_flux_lm(photometry, 0, 90, FluxRule::interpolated);
   m.interpolated_up_flux_lm = zonal_flux_lm(photometry, 90, 180, FluxRule::interpolated);
-  const double flux = photometry.distribution.band_flux_lm();
+  const double flux = flux_lm(photometry);
   if (photometry.rated_flux_lm > 0) m.light_output_ratio = flux / photometry.rated_flux_lm;
   if (photometry.input_power_w > 0) m.efficacy_lm_per_w = flux / photometry.input_power_w;
   for (int i = 0; i < 4; ++i) {

@@ -22,9 +22,12 @@ struct Beam {
 Beam beam_of(const Photometry& photometry, double c_deg, double fraction);
 
 enum class FluxRule {
-  band,         // 2 pi (cos a - cos b) (I_a + I_b) / 2 a band; a band across an edge is parted by solid angle
+  band,         // 2 pi (cos a - cos b) (I_a + I_b) / 2 a band; a band across an edge is parted by solid angle. Where
+                // there are rays, their sum.
   interpolated  // integral of the interpolated intensity
 };
+// By the band rule; of rays their sum, which their table has as it is interpolated.
+double flux_lm(const Photometry& photometry);
 // Flux between two gamma angles, degrees, lm; 0 <= from <= to <= 180. Over the whole sphere it is the distribution's
 // flux by that rule. Tables of type A and B have no bands about the vertical: their flux by either rule is parted as a
 // quadrature of the interpolated intensity is (half a degree of gamma, one of C).

@@ -97,6 +97,25 @@ void join_ends(Planes& planes, size_t line, std::vector<std::string>& warnings) 
                                          " % of the peak; their mean is taken"));
 }
 
+void check_poles(const Distribution& d, size_t line, std::vector<std::string>& warnings) {
+  const struct {
+    size_t row;
+    double gamma_deg;
+    const char* name;
+  } poles[] = {{0, 0, "nadir"}, {d.gamma_deg().size() - 1, 180, "zenith"}};
+  if (d.type() != PhotometricType::c) return;
+  for (const auto& pole : poles) {
+    if (d.gamma_deg()[pole.row] != pole.gamma_deg) continue;
+    double low = d.at(0, pole.row), high = low;
+    for (size_t i = 1; i < d.c_deg().size(); ++i)
+      low = std::min(low, d.at(i, pole.row)), high = std::max(high, d.at(i, pole.row));
+    if (high - low > 0.01 * d.peak_cd())
+      warnings.push_back(at_line(line, std::string("at the ") + pole.name +
+                                           ", which is one direction, the planes are from " + shown(low) + " to " +
+                                           shown(high) + " cd; they are used as they are"));
+  }
+}
+
 Distribution distribution_of(PhotometricType type, Planes planes, std::vector<double> row_deg) {
   std::vector<double> plane_deg, table;
   for (const Plane& p : planes) {

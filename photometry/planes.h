@@ -23,6 +23,10 @@ void complete_circle(std::vector<Plane>& planes, Symmetry symmetry);
 // than 1 % of the peak.
 void join_ends(std::vector<Plane>& planes, size_t line, std::vector<std::string>& warnings);
 
+// At the nadir and at the zenith all planes of a type C table are one direction: warns where they differ there by more
+// than 1 % of the peak.
+void check_poles(const Distribution& distribution, size_t line, std::vector<std::string>& warnings);
+
 // Of a type C table, or of a table of type A or B, planes of ascending angle and their rows.
 Distribution distribution_of(PhotometricType type, std::vector<Plane> planes, std::vector<double> row_deg);
 

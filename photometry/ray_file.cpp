@@ -144,10 +144,12 @@ Photometry read_ray_file(const void* bytes, size_t size, const ReadOptions& opti
   if (options.lamp_set != 0)
     throw std::invalid_argument("lamp_set is " + std::to_string(options.lamp_set) + "; a ray file has one, 0");
   const FileBytes f(bytes, size);
-  if (f.starts_with("TM25")) return read_tm25(f);
-  if (f.starts_with("LTRF")) return read_lighttools(f);
-  if (is_zemax(f)) return read_zemax(f);
-  fail_at_byte(0, "not a ray file: it must start with TM25 (IES TM-25), LTRF (LightTools) or the number 1010 (Zemax)");
+  if (!is_ray_file(bytes, size))
+    fail_at_byte(0,
+                 "not a ray file: it must start with TM25 (IES TM-25), LTRF (LightTools) or the number 1010 (Zemax)");
+  Photometry out = f.starts_with("TM25") ? read_tm25(f) : f.starts_with("LTRF") ? read_lighttools(f) : read_zemax(f);
+  if (options.tilt_deg >= 0) out.warnings.push_back(no_tilt_table(options.tilt_deg));
+  return out;
 }
 
 }  // namespace photometry

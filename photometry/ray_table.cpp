@@ -18,8 +18,8 @@ struct Oddities {
   void add(size_t byte) {
     if (count++ == 0) first_byte = byte;
   }
-  void warn(Photometry& out, const std::string& what) const {
-    if (count > 0) out.warnings.push_back(at_byte(first_byte, std::to_string(count) + what));
+  void warn(Photometry& out, const char* one, const char* several) const {
+    if (count > 0) out.warnings.push_back(at_byte(first_byte, counted(count, one, several)));
   }
 };
 
@@ -73,6 +73,13 @@ double RayReader::efficacy(size_t index, size_t at) const {
 // What the rays' lumens are multiplied with, so that they add up to what the header states.
 double RayReader::scale(Photometry& out) const {
   const auto given = [](double total) { return std::isfinite(total) && total > 0; };
+  const auto warn = [&](double stated, const char* unit) {  // NaN and 0: not stated
+    if (stated < 0 || std::isinf(stated))
+      out.warnings.push_back("the header's flux is " + shown(stated) + " " + unit +
+                             "; it must be greater than 0, and the rays are not scaled to it");
+  };
+  warn(table_.total_lm, "lm");
+  warn(table_.total_units, table_.unit);
   const bool in_lm = given(table_.total_lm);
   if (!in_lm && !given(table_.total_units)) return 1;
   const double total = in_lm ? table_.total_lm : table_.total_units, sum = in_lm ? sum_lm_ : sum_units_;
@@ -104,8 +111,10 @@ void RayReader::read(Photometry& out) {
     flux.push_back(lumens);
     out.rays.push_back(ray);
   }
-  no_flux_.warn(out, " rays have a flux that is 0, negative or not finite; they are left out");
-  not_unit_.warn(out, " directions are not of length 1; they are normalised");
+  no_flux_.warn(out, "ray has a flux that is 0, negative or not finite; it is left out",
+                "rays have a flux that is 0, negative or not finite; they are left out");
+  not_unit_.warn(out, "direction is not of length 1; it is normalised",
+                 "directions are not of length 1; they are normalised");
   const double factor = out.rays.empty() ? 1 : scale(out);
   if (!(sum_lm_ * factor <= largest_total_lm))
     fail_at_byte(table_.begin, "the rays' fluxes add up to " + shown(sum_lm_ * factor) + " lm, which is too much");
@@ -149,7 +158,12 @@ void read_rays(const FileBytes& file, const RayTable& table, Photometry& out) {
   RayReader(file, table).read(out);
   if (out.rays.empty()) return;
   try {
-    out.distribution = far_field(out.rays);
+    FarField field = far_field(out.rays);
+    out.distribution = std::move(field.distribution);
+    if (out.distribution.c_deg().size() == 1) out.symmetry = Symmetry::axial;
+    const std::string rays = out.rays.size() == 1 ? "one ray" : std::to_string(out.rays.size()) + " rays";
+    out.warnings.push_back("the table of intensities is a sample of " + rays + ", with a noise of about " +
+                           shown(std::ceil(1000 * field.noise) / 10) + " % a node");
   } catch (const std::invalid_argument& e) {
     fail_at_byte(table.begin, std::string("the rays' far field: ") + e.what());
   }

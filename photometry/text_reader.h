@@ -50,6 +50,16 @@ inline std::string shown(double value) {
   return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr);
 }
 
+// "1 value is", "2 values are"; for messages.
+inline std::string counted(size_t n, const char* one, const char* several) {
+  return std::to_string(n) + " " + (n == 1 ? one : several);
+}
+
+// The warning where ReadOptions::tilt_deg asks for what the file does not have.
+inline std::string no_tilt_table(double tilt_deg) {
+  return "there is no TILT table; the tilt of " + shown(tilt_deg) + " degrees changes nothing";
+}
+
 // The character's UTF-8; U+FFFD for what is none.
 void append_utf8(std::string& out, uint32_t c);
 

@@ -76,6 +76,7 @@ Distribution Tm33Light::distribution_of_emitter(Tm33Emitter& e, Symmetry& symmet
   }
   Distribution d = table_of(std::move(e.intensity.values), file_.type, e.intensity.line, symmetry, file_.warnings);
   check_symmetry(e.intensity, symmetry);
+  check_poles(d, e.intensity.line, file_.warnings);
   const double flux = d.band_flux_lm();
   if (e.lamp.flux_lm > 0 && flux > 1.05 * e.lamp.flux_lm)
     warn(e.intensity.line,
@@ -162,7 +163,9 @@ Photometry read_tm33(const void* bytes, size_t size, const ReadOptions& options)
   if (options.lamp_set != 0)
     throw std::invalid_argument("lamp_set is " + std::to_string(options.lamp_set) +
                                 "; the emitters of a TM-33 file shine together, so that it must be 0");
-  return Tm33Light(read_tm33_elements(decode_text(bytes, size))).photometry();
+  Photometry out = Tm33Light(read_tm33_elements(decode_text(bytes, size))).photometry();
+  if (options.tilt_deg >= 0) out.warnings.push_back(no_tilt_table(options.tilt_deg));
+  return out;
 }
 
 }  // namespace photometry

@@ -108,7 +108,8 @@ enum {
   UPS_PROFILE_TEXT_WARNINGS = 0,
   UPS_PROFILE_TEXT_KEYWORDS = 1, /* "MANUFAC=...\n"; those of EULUMDAT have the names of LM-63 where there is one */
   UPS_PROFILE_TEXT_FORMAT = 2,   /* "IES LM-63-2002" */
-  UPS_PROFILE_TEXT_TILT_FILE = 3 /* the name that TILT= has; empty: no file */
+  UPS_PROFILE_TEXT_TILT_FILE = 3, /* the name that TILT= has; empty: no file */
+  UPS_PROFILE_TEXT_TILT_TABLE = 4 /* "15 0.95\n": degrees and the factor there, not applied; empty: no table */
 };
 
 UPS_API void ups_profile_desc_init(ups_profile_desc *desc, uint32_t struct_size);

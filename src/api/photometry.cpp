@@ -8,6 +8,7 @@
 #include "api/handles.h"
 #include "base/text.h"
 #include "photometry/metrics.h"
+#include "photometry/text_reader.h"
 #include "scene/check.h"
 
 using namespace ups;
@@ -118,8 +119,14 @@ std::string text_of(const photometry::Photometry& data, ups_profile_text topic) 
       for (const photometry::Keyword& k : data.keywords) text += k.name + "=" + k.value + "\n";
       return text;
     }
+    case UPS_PROFILE_TEXT_TILT_TABLE: {
+      std::string text;
+      for (size_t i = 0; i < data.tilt.angle_deg.size(); ++i)
+        text += photometry::shortest(data.tilt.angle_deg[i]) + " " + photometry::shortest(data.tilt.factor[i]) + "\n";
+      return text;
+    }
     default:
-      check::enumeration(topic, UPS_PROFILE_TEXT_TILT_FILE, "topic", "UPS_PROFILE_TEXT_*");
+      check::enumeration(topic, UPS_PROFILE_TEXT_TILT_TABLE, "topic", "UPS_PROFILE_TEXT_*");
       return {};
   }
 }
@@ -128,7 +135,7 @@ ups_profile_info info_of(const photometry::Photometry& data) {
   const photometry::Distribution& d = data.distribution;
   ups_profile_info info{};
   info.warning_count = uint32_t(data.warnings.size());
-  info.flux_lm = data.rays.empty() ? d.band_flux_lm() : d.interpolated_flux_lm();
+  info.flux_lm = photometry::flux_lm(data);
   info.interpolated_flux_lm = d.interpolated_flux_lm();
   info.rated_flux_lm = data.rated_flux_lm;
   info.input_power_w = data.input_power_w;
@@ -144,7 +151,7 @@ ups_profile_info info_of(const photometry::Photometry& data) {
   info.ray_count = uint32_t(data.rays.size());
   info.down_flux_lm = photometry::zonal_flux_lm(data, 0, 90, photometry::FluxRule::band);
   info.up_flux_lm = std::max(0.0, info.flux_lm - info.down_flux_lm);
-  info.light_output_ratio = data.rated_flux_lm > 0 ? d.band_flux_lm() / data.rated_flux_lm : -1;
+  info.light_output_ratio = data.rated_flux_lm > 0 ? info.flux_lm / data.rated_flux_lm : -1;
   for (int i = 0; i < 2; ++i) {
     info.beam_angle_deg[i] = float(photometry::beam_of(data, photometry::Metrics::plane_deg[i], 0.5).angle_deg);
     info.field_angle_deg[i] = float(photometry::beam_of(data, photometry::Metrics::plane_deg[i], 0.1).angle_deg);

@@ -1,10 +1,41 @@
-// ups convert: a photometric file in the other format.
+// ups convert: a photometric file in the other format, and on stderr what that format does not hold of it.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "tool/commands.h"
 #include "tool/profile_file.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
+namespace {
+
+// Up to what sizes in mm lose of sizes in m.
+bool same_opening(const ups_profile_info& a, const ups_profile_info& b) {
+  if (a.opening_shape != b.opening_shape) return false;
+  if (a.opening_shape == UPS_OPENING_CYLINDER && a.opening_axis != b.opening_axis) return false;
+  const auto same = [](float x, float y) { return std::abs(x - y) <= 1e-5f * std::max(x, y); };
+  return std::equal(std::begin(a.opening_m), std::end(a.opening_m), std::begin(b.opening_m), same);
+}
+
+// What the written file, read again, lacks.
+std::vector<std::string> losses(const ProfileReport& in, const ProfileReport& out) {
+  std::vector<std::string> lost;
+  const auto tell = [&](std::string text) { lost.push_back(std::move(text)); };
+  if (in.info.ray_count > 0)
+    tell(format("a far-field table of the %u rays is written; where they start is lost", in.info.ray_count));
+  if (in.info.photometric_type != out.info.photometric_type)
+    tell("the table of type " + std::string(in.info.photometric_type == UPS_PHOTOMETRIC_A ? "A" : "B") +
+         " is resampled onto C-planes");
+  if (!in.tilt_table.empty() && out.tilt_table.empty()) tell("the TILT table is lost");
+  if (!same_opening(in.info, out.info))
+    tell("the opening, " + opening_text(in.info) + ", is written as " + opening_text(out.info));
+  if (in.info.lamp_set_count > 1 && out.info.lamp_set_count < in.info.lamp_set_count)
+    tell(format("of %u lamp sets one is written", in.info.lamp_set_count));
+  return lost;
+}
+
+}  // namespace
 
 int convert(const std::string& in, const std::string& out) {
   if (!photometric_format(in))
@@ -12,8 +43,13 @@ int convert(const std::string& in, const std::string& out) {
   const Context context = make_context(1);
   const Profile profile = read_profile(context.get(), in);
   write_profile(out, profile.get());  // the command line admits .ies and .ldt alone
-  for (const std::string& warning : make_report(in, profile.get()).warnings)
-    std::fprintf(stderr, "ups: warning: %s: %s\n", in.c_str(), warning.c_str());
+  const ProfileReport report = make_report(in, profile.get());
+  const auto warn = [](const std::string& file, const std::string& what) {
+    std::fprintf(stderr, "ups: warning: %s: %s\n", file.c_str(), what.c_str());
+  };
+  for (const std::string& warning : report.warnings) warn(in, warning);
+  const Profile written = read_profile(context.get(), out);
+  for (const std::string& loss : losses(report, make_report(out, written.get()))) warn(out, loss);
   return exit_done;
 }
 

@@ -184,6 +184,7 @@ ProfileReport make_report(const std::string& file, const ups_profile* profile) {
   report.info.struct_size = sizeof report.info;
   check(ups_profile_get_info(profile, &report.info));
   report.format = text_of(profile, UPS_PROFILE_TEXT_FORMAT);
+  report.tilt_table = text_of(profile, UPS_PROFILE_TEXT_TILT_TABLE);
   report.warnings = lines_of(text_of(profile, UPS_PROFILE_TEXT_WARNINGS));
   for (const std::string& line : lines_of(text_of(profile, UPS_PROFILE_TEXT_KEYWORDS))) {
     const size_t equals = std::min(line.find('='), line.size());

@@ -41,6 +41,7 @@ struct Lobe {
 
 struct ProfileReport {
   std::string file, format;
+  std::string tilt_table;  // empty: none
   ups_profile_info info;
   ups_profile_beam beam[2], field[2];                   // of 50 % and 10 % of the peak in C0-C180 and C90-C270
   std::vector<Lobe> other_lobes[2];                     // where those planes rise clearly above 50 % once more
@@ -65,6 +66,7 @@ std::vector<float> intensities_in_plane(const ups_profile* profile, double c_deg
 // "48.8 deg (12.7 to 61.5)", "none" where nothing is below the level, "no light". unit: " deg" or its sign.
 std::string angle_text(const ProfileReport& report, const ups_profile_beam& beam, const char* unit);
 std::string beams_text(const ProfileReport& report);  // lines of beam and field angle
+std::string opening_text(const ups_profile_info& info);  // shape and sizes
 const char* shape_word(ups_opening_shape shape);
 const char* symmetry_word(ups_profile_symmetry symmetry);
 

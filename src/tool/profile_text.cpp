@@ -9,21 +9,6 @@
 namespace ups::tool {
 namespace {
 
-std::string opening_text(const ups_profile_info& info) {
-  std::string text = shape_word(info.opening_shape);
-  const float* m = info.opening_m;
-  switch (info.opening_shape) {
-    case UPS_OPENING_POINT:
-      return text;
-    case UPS_OPENING_RECTANGLE:
-    case UPS_OPENING_DISC:
-      if (m[2] == 0) return format("%s %g x %g m", text.c_str(), m[0], m[1]);
-      [[fallthrough]];  // upright
-    default:
-      return format("%s %g x %g x %g m", text.c_str(), m[0], m[1], m[2]);
-  }
-}
-
 std::string list_text(const char* title, const std::vector<std::string>& lines) {
   std::string text = format("%s:%s\n", title, lines.empty() ? " none" : "");
   for (const std::string& line : lines) text += "  " + line + "\n";
@@ -112,6 +97,22 @@ std::string beam_cell(const ups_profile_beam& beam) {
 const char* shape_word(ups_opening_shape shape) {
   constexpr const char* words[] = {"point", "rectangle", "disc", "box", "cylinder", "sphere"};
   return shape >= 0 && shape < int(std::size(words)) ? words[shape] : "unknown";
+}
+
+std::string opening_text(const ups_profile_info& info) {
+  const float* m = info.opening_m;
+  const bool ellipsoid = info.opening_shape == UPS_OPENING_SPHERE && (m[0] != m[1] || m[0] != m[2]);
+  const std::string text = ellipsoid ? "ellipsoid" : shape_word(info.opening_shape);
+  switch (info.opening_shape) {
+    case UPS_OPENING_POINT:
+      return text;
+    case UPS_OPENING_RECTANGLE:
+    case UPS_OPENING_DISC:
+      if (m[2] == 0) return format("%s %g x %g m", text.c_str(), m[0], m[1]);
+      [[fallthrough]];  // upright
+    default:
+      return format("%s %g x %g x %g m", text.c_str(), m[0], m[1], m[2]);
+  }
 }
 
 const char* symmetry_word(ups_profile_symmetry symmetry) {

@@ -70,8 +70,12 @@ TEST_F(Profile, TiltFileIsNamedReadAndApplied) {
   EXPECT_STREQ(name, "hid.tlt");
   d.tilt_file = tilt_table.data(), d.tilt_file_size = tilt_table.size();
   EXPECT_EQ(parse(d).flux_lm, flux) << "the table alone changes nothing";
+  EXPECT_OK(ups_profile_get_text(read, UPS_PROFILE_TEXT_TILT_TABLE, name, sizeof name, &needed));
+  EXPECT_STREQ(name, "0 1\n90 0.5\n");
   d.tilt_deg = 45;
   EXPECT_NEAR(parse(d).flux_lm, 0.75 * flux, 1e-9);
+  EXPECT_OK(ups_profile_get_text(read, UPS_PROFILE_TEXT_TILT_TABLE, name, sizeof name, &needed));
+  EXPECT_STREQ(name, "") << "it is applied";
   d.tilt_file = nullptr;
   expect_error(ups_profile_parse_with(context, &d, &read), UPS_ERROR_INVALID_ARGUMENT, {"tilt_file is NULL"});
   d = desc(ies_with_tilt), d.tilt_deg = NAN;

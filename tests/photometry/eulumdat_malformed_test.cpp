@@ -94,13 +94,23 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ratio", [](P& p) { p.lor = "50"; },
              "line 23: the light output ratio is 50 %, but the intensities add up to"},
         Case{"conversion", [](P& p) { p.conversion = "0"; }, "line 24: the conversion factor for the intensities is 0"},
-        Case{"negative", [](P& p) { p.intensity = {300, -2, 0}; }, "line 48: 1 intensities are negative"},
+        Case{"negative", [](P& p) { p.intensity = {300, -2, 0}; }, "line 48: 1 intensity is negative"},
+        Case{"tilt", [](P& p) { p.tilt = "15"; }, "line 25: the tilt during measurement is 15 degrees; it is not"},
+        Case{"power", [](P& p) { p.lamps = {"1\nLED\n1000\n3000\n80\n-7"}; }, "line 32: the lamps' power is -7 W"},
+        Case{"nadir", [](P& p) { p.isym = "0", p.c = {0, 180}, p.intensity = {300, 200, 0, 290, 200, 0}; },
+             "line 47: at the nadir, which is one direction, the planes are from 290 to 300 cd"},
         Case{"dark", [](P& p) { p.intensity = {0, 0, 0}; }, "line 46: all intensities are 0"},
         Case{"short_range", [](P& p) { p.gamma = {0, 45, 80}; }, "line 46: the angles gamma from 0 to 80"},
         Case{"trailing", [](P& p) { p.end = "5\n\n6\n"; }, "line 49: 2 lines follow the intensities"},
         Case{"closed", [](P& p) { p.isym = "0", p.c = {0, 180, 360}, p.intensity = {3, 2, 0, 3, 1, 0, 3, 2, 0}; },
              "line 48: the C angles end with 360"}),
     case_name);
+
+TEST(EulumdatMalformed, ATiltChangesNothingAndSaysSo) {
+  ReadOptions options;
+  options.tilt_deg = 20;
+  EXPECT_TRUE(has_warning(read_text(EulumdatParts().text(), options), "line 25: there is no TILT table"));
+}
 
 TEST(EulumdatMalformed, LightOutputRatioWithinTwoPercentIsNoWarning) {
   EulumdatParts parts;
@@ -116,7 +126,7 @@ TEST(EulumdatMalformed, EmptyIntensitiesAreZeroWithAWarning) {
   parts.intensity = {300, 200};
   const Photometry p = read_text(parts.text() + "\n" + "\n");
   ASSERT_EQ(p.warnings.size(), 1u);
-  EXPECT_EQ(p.warnings[0], "line 49: 1 intensities are empty lines; taken as 0");
+  EXPECT_EQ(p.warnings[0], "line 49: 1 intensity is an empty line; taken as 0");
 }
 
 // Any bytes give a distribution or one of the two errors. Fixed seed.

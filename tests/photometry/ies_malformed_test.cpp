@@ -11,7 +11,7 @@ using namespace test;
 // A valid file, one record a line from line 4, in which a record can be replaced.
 struct Parts {
   std::string version = "IESNA:LM-63-2002", tilt = "TILT=NONE", lamps = "1 -1 1 3 2 1 2 .1 .2 0", ballast = "1 1 10",
-              vertical = "0 45 90", horizontal = "0 90", first = "100 50 10", second = "100 60 20", more = "";
+              vertical = "0 45 90", horizontal = "0 90", first = "100 50 10", second = "100 60 10", more = "";
   std::string text() const {
     return version + "\n[TEST] x\n" + tilt + "\n" + lamps + "\n" + ballast + "\n" + vertical + "\n" + horizontal +
            "\n" + first + "\n" + second + "\n" + more;
@@ -76,14 +76,18 @@ TEST_P(Doubtful, IsReadWithAWarning) {
 
 INSTANTIATE_TEST_SUITE_P(
     Ies, Doubtful,
-    testing::Values(Case{"negative", &Parts::second, "100 -1 nan", "line 9: 2 candelas are negative or NaN"},
+    testing::Values(Case{"negative", &Parts::second, "100 -1 nan", "line 9: 2 candela values are negative or NaN"},
+                    Case{"one_negative", &Parts::second, "100 -1 20", "line 9: 1 candela value is negative or NaN"},
+                    Case{"nadir", &Parts::second, "97 60 20", "line 7: at the nadir, which is one direction"},
+                    Case{"ballast", &Parts::ballast, "2.5 1 10", "line 5: a ballast factor of 2.5 is doubtful"},
+                    Case{"power_nan", &Parts::ballast, "1 1 nan", "line 5: the input power is nan W; taken as not"},
                     Case{"multiplier", &Parts::lamps, "1 -1 0 3 2 1 2 .1 .2 0", "line 4: the candela multiplier is 0"},
                     Case{"lumens", &Parts::lamps, "1 0 1 3 2 1 2 .1 .2 0", "line 4: the rated flux is 1 x 0 lm"},
                     Case{"rated", &Parts::lamps, "1 50 1 3 2 1 2 .1 .2 0", "line 4: the candelas add up to"},
                     Case{"type", &Parts::lamps, "1 -1 1 3 2 0 2 .1 .2 0", "line 4: the photometric type is 0"},
                     Case{"size", &Parts::lamps, "1 -1 1 3 2 1 2 100 200 0", "line 4: a luminous opening of 200 m"},
                     Case{"reserved", &Parts::ballast, "1 0.9 10", "line 5: the field after the ballast factor is 0.9"},
-                    Case{"power", &Parts::ballast, "1 1 -5", "line 5: the input power is negative"},
+                    Case{"power", &Parts::ballast, "1 1 -5", "line 5: the input power is -5 W; taken as not stated"},
                     Case{"short_range", &Parts::vertical, "0 30 65", "line 6: vertical angles from 0 to 65"},
                     Case{"descending", &Parts::vertical, "90 45 0", "line 6: the vertical angles descend"},
                     Case{"trailing", &Parts::more, "1 2 3", "line 10: what follows the candelas is ignored"},
@@ -105,7 +109,7 @@ TEST(IesMalformed, SameDataInOtherWordsNeedsNoWarning) {
   parts.lamps = "1.0 -1 +1 3. 2.0 1 2 .1 .2 0.";
   parts.vertical = "0\t45;90";
   parts.first = "1.0E+0002 5e1\r\r\n10";
-  parts.second = "100 ,60, 20";
+  parts.second = "100 ,60, 10";
   parts.more = "\x1a junk";
   same(parts);
   Parts one_line;
@@ -119,7 +123,7 @@ TEST(IesMalformed, DescendingAnglesAreTurnedRound) {
   Parts parts;
   parts.vertical = "90 45 0";
   parts.first = "10 50 100";
-  parts.second = "20 60 100";
+  parts.second = "10 60 100";
   EXPECT_EQ(read_text(parts.text()).distribution.band_flux_lm(), read_text(Parts().text()).distribution.band_flux_lm());
 }
 
@@ -142,6 +146,8 @@ TEST(IesMalformed, MissingTiltLineIsFoundByTheNumbers) {
   EXPECT_EQ(p.distribution.band_flux_lm(), read_text(Parts().text()).distribution.band_flux_lm());
   ASSERT_EQ(p.warnings.size(), 1u);
   EXPECT_EQ(p.warnings[0], "line 4: no TILT= line before the numbers; read as TILT=NONE");
+  ASSERT_EQ(p.keywords.size(), 2u) << "the numbers are none";
+  EXPECT_EQ(p.keywords[1].name, "OTHER");
 }
 
 TEST(IesMalformed, WithoutTiltAndNumbersItIsNoIesFile) {

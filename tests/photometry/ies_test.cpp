@@ -143,6 +143,18 @@ TEST(Ies, ReadsATiltFileAndAppliesItWhereAsked) {
             0u);
 }
 
+TEST(Ies, ATiltWithoutATableIsAWarning) {
+  ReadOptions options;
+  options.tilt_deg = 30;
+  const std::string without = data("s03_lm63_1995.ies"), missing = data("s07_tilt_file.ies");
+  EXPECT_TRUE(warned(read_text(without, options), "there is no TILT table; the tilt of 30 degrees changes nothing"));
+  EXPECT_FALSE(warned(read_text(without), "TILT"));
+  EXPECT_TRUE(warned(read_text(missing, options), "is not read; taken as TILT=NONE"));
+  EXPECT_FALSE(warned(read_text(missing), "which LM-63-2019 does not have"));
+  const std::string of_2019 = "IES:LM-63-2019\n[TEST] x\nTILT=a.tlt\n1 -1 1 2 1 1 2 0 0 0\n1 1.1 9\n0 90\n0\n9 9\n";
+  EXPECT_TRUE(has_warning(read_text(of_2019), "line 3: TILT= names a file, which LM-63-2019 does not have"));
+}
+
 TEST(Ies, OtherUnitsThanCandelasAreAWarning) {
   EXPECT_TRUE(has_warning(read_text("IESNA:LM-63-2002\n[_INTENSITYUNITS] mW/sr\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0 1 1 5\n"
                                     "0 90 0 1 1\n"),

@@ -42,6 +42,23 @@ def png_size(data):
     return width, height
 
 
+def tm25(rays):
+    """A ray file of x, y, z in mm, a direction and lumens each."""
+    head = b"TM25" + struct.pack("<iiffQ", 2013, 0, math.nan, math.nan, len(rays)) + b"2026-01-01T00:00:00"
+    head = head.ljust(256, b"\0") + struct.pack("<8i", 1, 1, 0, 0, 1, 0, 0, 0)
+    return head.ljust(36288, b"\0") + b"".join(struct.pack("<7f", *ray) for ray in rays)
+
+
+def narrow_rays(count):
+    """100 lm evenly in a cone of 3 degrees about the nadir, by the golden angle: without chance."""
+    rays = []
+    for i in range(count):
+        z = 1 - (i + 0.5) / count * (1 - math.cos(math.radians(3)))
+        s, c = math.sqrt(1 - z * z), math.radians(137.50776405 * i)
+        rays.append((5 * math.cos(i), 5 * math.sin(i), 0, s * math.cos(c), s * math.sin(c), -z, 100 / count))
+    return rays
+
+
 class Info(test_program.ProgramTest):
     def info(self, *arguments, code=0):
         done = self.run_program("info", *arguments, "--json", code=code)
@@ -323,6 +340,38 @@ class Convert(test_program.ProgramTest):
                         self.assertAlmostEqual(second["beam"][plane]["angle_deg"], first["beam"][plane]["angle_deg"],
                                                delta=1e-4)
                     self.assertEqual(second["opening"], first["opening"])
+
+    def test_rays_become_their_far_field(self):
+        lamp = self.write("lamp.tm25ray", tm25(narrow_rays(5000)))
+        first = self.info(lamp)
+        self.assertAlmostEqual(first["flux_lm"], 100, delta=1e-4)
+        self.assertAlmostEqual(first["down_flux_lm"] + first["up_flux_lm"], first["flux_lm"], delta=1e-9)
+        self.assertTrue(any("is a sample of 5000 rays" in w for w in first["warnings"]))
+        peak = 100 / (2 * math.pi * (1 - math.cos(math.radians(3))))
+        self.assertAlmostEqual(first["peak_cd"] / peak, 1, delta=0.05)  # rays without chance; steps and edges remain
+        done = self.run_program("convert", lamp, self.path("lamp.ies"))
+        self.assertIn("lamp.ies: a far-field table of the 5000 rays is written; where they start is lost", done.stderr)
+        second = self.info(self.path("lamp.ies"))
+        self.assertAlmostEqual(second["flux_lm"], 100, delta=0.1)
+        for info in (first, second):
+            for plane in ("c0_c180", "c90_c270"):
+                self.assertAlmostEqual(info["beam"][plane]["angle_deg"], 6, delta=0.02)
+
+    def test_losses_are_told(self):
+        def told(source, target):
+            lines = self.run_program("convert", source, self.path(target)).stderr.splitlines()
+            return [line for line in lines if target in line]
+
+        tilted = os.path.join(DATA, "s06_tilt_include.ies")
+        self.assertEqual(len(told(tilted, "a.ldt")), 1)
+        self.assertIn("the TILT table is lost", told(tilted, "a.ldt")[0])
+        self.assertEqual(told(tilted, "a.ies"), [])
+        ball = self.write("ball.ies", ies([0, 90, 180], [7, 7, 7], "-0.2 -0.3 -0.4"))
+        self.assertIn("opening: ellipsoid 0.3 x 0.2 x 0.4 m", self.run_program("info", ball).stdout)
+        (line,) = told(ball, "b.ldt")
+        self.assertIn("the opening, ellipsoid 0.3 x 0.2 x 0.4 m, is written as box 0.3 x 0.2 x 0.4 m", line)
+        self.assertEqual(told(ball, "b.ies"), [])
+        self.assertEqual(told(self.write("lamp.ies", LAMBERTIAN), "c.ldt"), [])
 
     def test_errors(self):
         lamp = self.write("lamp.ies", LAMBERTIAN)
