@@ -68,6 +68,7 @@ namespace Ups
         Keywords = 1,
         Format = 2,
         TiltFile = 3,
+        TiltTable = 4,
     }
 
     public enum MaterialModel : int

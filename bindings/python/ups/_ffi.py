@@ -63,6 +63,7 @@ class ProfileText(enum.IntEnum):
     KEYWORDS = 1
     FORMAT = 2
     TILT_FILE = 3
+    TILT_TABLE = 4
 
 
 class MaterialModel(enum.IntEnum):
