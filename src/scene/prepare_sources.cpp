@@ -3,6 +3,7 @@
 #include "emitter/area.h"
 #include "emitter/point.h"
 #include "emitter/profile.h"
+#include "photometry/metrics.h"
 #include "scene/builder.h"
 #include "scene/check.h"
 #include "scene/probe.h"
@@ -91,10 +92,7 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   ++out_->luminaire_count;
   for (const std::string& text : luminaire.profile->warnings) warn(name + ": " + text);
   const photometry::Opening& opening = luminaire.profile->opening;
-  // A ray file's flux is that of its rays, and so is the interpolated one of their far field.
-  const photometry::Distribution& far_field = luminaire.profile->distribution;
-  const double file_flux =
-      luminaire.profile->rays.empty() ? far_field.band_flux_lm() : far_field.interpolated_flux_lm();
+  const double file_flux = photometry::flux_lm(*luminaire.profile);
   if (!(file_flux > 0)) return warn(name + ": its profile has no flux: it emits nothing");
   const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / file_flux : 1;
   const Rgb scale = luminaire.color * float(double(dimming) * double(luminaire.intensity_scale) * to_flux);
