@@ -2,6 +2,7 @@
 // prepare_sources.cpp (what emits).
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,7 @@ class Builder {
   std::vector<Vec3> emitter_probes_;  // a point of each, off any surface
   std::vector<DiscIndex::Disc> openings_;
   std::map<const photometry::Photometry*, std::shared_ptr<const RaySet>> ray_sets_;  // one a profile
+  std::set<const photometry::Photometry*> told_profiles_;                            // whose warnings are told
 };
 
 }  // namespace ups

@@ -90,7 +90,8 @@ void Builder::add_light(const std::string& name, const LightDescription& light, 
 
 void Builder::add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming) {
   ++out_->luminaire_count;
-  for (const std::string& text : luminaire.profile->warnings) warn(name + ": " + text);
+  if (told_profiles_.insert(luminaire.profile.get()).second)  // once, however many share it
+    for (const std::string& text : luminaire.profile->warnings) warn(name + ": " + text);
   const photometry::Opening& opening = luminaire.profile->opening;
   const double file_flux = photometry::flux_lm(*luminaire.profile);
   if (!(file_flux > 0)) return warn(name + ": its profile has no flux: it emits nothing");

@@ -177,6 +177,7 @@ TEST(Prepare, LuminairesShareTheirProfile) {
   t.box(t.material(UPS_MATERIAL_MATTE), {0, 0, 0}, {100, 40, 3});
   photometry::Photometry data{photometry::Distribution({0}, {0, 90}, {100, 0})};
   data.opening = {photometry::OpeningShape::box, {1.2f, 0.3f, 0.1f}};
+  data.warnings = {"odd"};
   const auto profile = std::make_shared<photometry::Photometry>(std::move(data));
   for (int i = 0; i < count; ++i) {
     ups_luminaire_desc d{};
@@ -191,6 +192,9 @@ TEST(Prepare, LuminairesShareTheirProfile) {
   EXPECT_EQ(s->emitters.size(), size_t(count));
   EXPECT_EQ(s->emitter_of_opening.size(), size_t(count));
   EXPECT_EQ(profile.use_count(), 1 + 2 * count);  // the emitters hold the same one
+  const auto odd = std::count_if(s->warnings.begin(), s->warnings.end(),
+                                 [](const std::string& w) { return w.find("odd") != w.npos; });
+  EXPECT_EQ(odd, 1) << "a profile's warnings are told once";
 }
 
 TEST(Prepare, FindsTheGlassThatThingsLieIn) {
