@@ -96,8 +96,8 @@ namespace {
 // Of one emitter. Pairs of points where its light arrives that lie within some distance r of each other give the mean of
 // E^2 over discs of that size: the largest over r, as long as there are pairs enough for a fifth's error. How far the
 // patches see is told by one bounce more.
-double concentration(const Snapshot& scene, const Emitter& emitter) {
-  constexpr uint32_t rays = 256, least_pairs = 25;
+double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t rays) {
+  constexpr uint32_t least_pairs = 25;
   std::vector<Vec3> points;
   double reach2 = 0;
   uint32_t arrived = 0;
@@ -118,11 +118,13 @@ double concentration(const Snapshot& scene, const Emitter& emitter) {
   }
   reach2 = arrived > 0 ? reach2 / arrived : double(scene.radius) * double(scene.radius);
   constexpr int sizes = 16;
+  double size2[sizes];
+  for (int k = 0; k < sizes; ++k) size2[k] = std::ldexp(reach2, -2 * k);
   uint32_t within[sizes] = {};  // pairs closer than 2^-k of the reach
   for (size_t i = 0; i < points.size(); ++i)
     for (size_t j = 0; j < i; ++j) {
       const double d2 = double(length2(points[i] - points[j]));
-      for (int k = 0; k < sizes && d2 < std::ldexp(reach2, -2 * k); ++k) ++within[k];
+      for (int k = 0; k < sizes && d2 < size2[k]; ++k) ++within[k];
     }
   double most = 0;
   for (int k = 0; k < sizes && within[k] >= least_pairs; ++k)  // area within reach 4 pi D^2, of a disc pi r^2
@@ -134,11 +136,16 @@ double concentration(const Snapshot& scene, const Emitter& emitter) {
 
 float first_light_concentration(const Snapshot& scene, int thread_count) {
   constexpr double least_share = 1e-4;  // of all flux
+  constexpr size_t few = 64, most = 1024;
+  const size_t count = scene.emitters.size(), stride = (count + most - 1) / most;  // beyond, every other stands for all
+  const uint32_t rays = count > few ? 64 : 256;
   double total = 0;
-  for (size_t i = 0; i < scene.emitters.size(); ++i) total += scene.emitters[i].flux_lm();
-  std::vector<double> found(scene.emitters.size());
+  for (size_t i = 0; i < count; ++i) total += scene.emitters[i].flux_lm();
+  std::vector<double> found(stride ? (count + stride - 1) / stride : 0);
   parallel_for(thread_count, found.size(), [&](size_t i) {
-    if (scene.emitters[i].flux_lm() >= least_share * total) found[i] = concentration(scene, scene.emitters[i]);
+    const Emitter& emitter = scene.emitters[i * stride];
+    if (emitter.flux_lm() >= std::min(least_share, 0.1 / double(count)) * total)
+      found[i] = concentration(scene, emitter, rays);
   });
   return found.empty() ? 0 : float(*std::max_element(found.begin(), found.end()));
 }
