@@ -93,9 +93,9 @@ float exposed_share(const Snapshot& scene, const Emitter& emitter) {
 
 namespace {
 
-// Of one emitter. Pairs of points where its light arrives that lie within some distance r of each other give the mean of
-// E^2 over discs of that size: the largest over r, as long as there are pairs enough for a fifth's error. How far the
-// patches see is told by one bounce more.
+// Of one emitter. Pairs of points where its light arrives that lie within some distance r of each other give the mean
+// of E^2 over discs of that size: the largest over r, as long as there are pairs enough for a fifth's error. How far
+// the patches see is told by one bounce more.
 double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t rays) {
   constexpr uint32_t least_pairs = 25;
   std::vector<Vec3> points;
