@@ -26,6 +26,16 @@ Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, float u, float v) 
 
 // ---- building ----
 
+// Points whose hull holds the surface.
+template <class Visit>
+void each_extreme(const Mesh& mesh, const Visit& visit) {
+  for (const Vec3& p : mesh.positions) visit(Vec3d(p));
+  if (!mesh.revolution) return;
+  for (const RevolutionBand& band : mesh.revolution->bands)
+    for (uint32_t column = 0; column < mesh.revolution->columns; ++column)
+      for (const Vec3d& p : hull(*mesh.revolution, band, column).p) visit(p);
+}
+
 // Largest over smallest stretch, at most: product of the Frobenius norms of the matrix and its inverse.
 double stretch(const Affine& m) {
   double forward = 0, cofactor = 0;
@@ -80,8 +90,8 @@ struct Raytracer::Impl {
   }
   void grow_bounds(const Placed& instance, const Box& mesh_box) {
     if (bounds.holds(mesh_box.transformed(instance.to_scene))) return;
-    const std::vector<Vec3>& positions = traced[instance.traced]->source->positions;
-    for (const Vec3& p : positions) bounds.grow(Vec3d(Vec3(instance.to_scene.point(Vec3d(p)))));
+    each_extreme(*traced[instance.traced]->source,
+                 [&](const Vec3d& p) { bounds.grow(Vec3d(Vec3(instance.to_scene.point(p)))); });
   }
   void place_baked(const Mesh& mesh, uint32_t id, Placed instance) {
     instance.traced = uint32_t(traced.size());
@@ -133,8 +143,7 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
   impl.top = std::make_unique<embree::Scene>(impl.device);
   tbb::task_arena arena(thread_count > 0 ? thread_count : tbb::task_arena::automatic);
   std::vector<Box> boxes(meshes.size());
-  for (size_t i = 0; i < meshes.size(); ++i)
-    for (const Vec3& p : meshes[i]->positions) boxes[i].grow(Vec3d(p));
+  for (size_t i = 0; i < meshes.size(); ++i) each_extreme(*meshes[i], [&](const Vec3d& p) { boxes[i].grow(p); });
   const std::vector<bool> baked = choose_baked(instances, boxes);
   std::vector<std::pair<RTCScene, uint32_t>> shared(meshes.size());  // a mesh's own scene, and its index in traced
   for (size_t i = 0; i < instances.size(); ++i) {
@@ -298,11 +307,20 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   point.u = u, point.v = v;
   point.material = mesh.material;
   point.uv = uv_at(mesh, primitive, u, v);
+  const float extent = max_abs(Vec3(triangle.at(u, v))) + float(std::sqrt(triangle.longest_edge2()));
+  point.error = gamma_error * (placed.error_scale * extent + placed.error_offset);
+  if (mesh.revolution) {
+    const RevolutionPoint at = point_at(*mesh.revolution, primitive, double(u), double(v), double(point.error));
+    const Vec3d n = placed.to_scene.normal(at.n) * placed.side;
+    const double size = length(n);
+    point.p = Vec3(placed.to_scene.point(at.p));
+    point.ng = size > 0 ? Vec3(n / size) : Vec3(0, 0, 1);
+    point.shading = Frame(point.ng);
+    return point;
+  }
   const Vec3d area_normal = triangle.area_normal() * placed.side;
   const double area = length(area_normal);
   point.ng = area > 0 ? Vec3(area_normal / area) : Vec3(0, 0, 1);
-  const float extent = max_abs(Vec3(triangle.at(u, v))) + float(std::sqrt(triangle.longest_edge2()));
-  point.error = gamma_error * (placed.error_scale * extent + placed.error_offset);
   point.p = Vec3(point_on(triangle, area, u, v, double(point.error)));
   Vec3 n = point.ng;
   impl_->normal_at(placed, point, triangle, n);

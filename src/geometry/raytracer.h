@@ -1,4 +1,4 @@
-// Triangle geometry and rays. Embree (3.13 or 4) stays within this folder's .cpp files, behind embree.h.
+// Triangles, surfaces of revolution, and rays. Embree (3.13 or 4) stays in this folder, behind embree.h.
 // Positions are floats relative to the scene's origin; the caller subtracts it in double before building.
 #pragma once
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/revolution.h"
 #include "geometry/surface.h"
 #include "geometry/texture.h"
 
@@ -17,6 +18,7 @@ struct Mesh {  // object space
   std::vector<float> tangents;           // empty or 4 a vertex
   std::vector<uint32_t> indices;         // 3 a triangle
   uint32_t material = 0;
+  std::shared_ptr<const Revolution> revolution;  // where there is one it is traced; the triangles give the addresses
   size_t triangle_count() const { return indices.size() / 3; }
 };
 
