@@ -463,6 +463,7 @@ namespace Ups
         public TextureId MetallicTexture;
         public TextureId NormalTexture;
         public TextureId AlphaTexture;
+        public int Priority;
         public float[] ReflectanceRgb
         {
             get { fixed (float* p = reflectanceRgb_) return Elements.Copy(p, 3); }
