@@ -93,11 +93,11 @@ ups_status ups_context_create(const ups_context_desc* desc, ups_context** out) {
     if (d.thread_count < 0 || d.thread_count > max_threads)
       fail_argument("thread_count is " + std::to_string(d.thread_count) +
                     "; it must be 0 (all hardware threads) to 1024");
-    *out = new ups_context{std::make_shared<ContextCore>(d.thread_count)};
+    *out = new ups_context{.core = std::make_shared<ContextCore>(d.thread_count)};
   });
 }
 
-void ups_context_destroy(ups_context* context) { delete context; }
+void ups_context_destroy(ups_context* context) { destroy(context); }
 
 ups_status ups_context_get_thread_count(const ups_context* context, int32_t* out) {
   return guard(__func__, [&] {

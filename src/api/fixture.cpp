@@ -168,7 +168,7 @@ ups_status ups_fixture_create(ups_context* context, ups_fixture** out) {
   });
 }
 
-void ups_fixture_destroy(ups_fixture* fixture) { delete fixture; }
+void ups_fixture_destroy(ups_fixture* fixture) { destroy(fixture); }
 
 ups_status ups_fixture_add_emitter(ups_fixture* fixture, const ups_fixture_emitter_desc* desc,
                                    ups_fixture_part_id* out) {
