@@ -126,12 +126,11 @@ struct Raytracer::Impl {
 };
 
 Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-                     const std::vector<SurfaceTexturing>& texturing, int thread_count)
+                     const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool)
     : impl_(std::make_unique<Impl>()) {
   Impl& impl = *impl_;
   impl.texturing = &texturing;
   impl.top = std::make_unique<embree::Scene>(impl.device);
-  tbb::task_arena arena(thread_count > 0 ? thread_count : tbb::task_arena::automatic);
   std::vector<Box> boxes(meshes.size());
   for (size_t i = 0; i < meshes.size(); ++i)
     for (const Vec3& p : meshes[i]->positions) boxes[i].grow(Vec3d(p));
@@ -152,7 +151,7 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
         impl.traced.push_back(make_traced_mesh(mesh, texturing, nullptr));
         impl.instanced.push_back(std::make_unique<embree::Scene>(impl.device));
         attach(impl.device, *impl.instanced.back(), *impl.traced.back(), 0);
-        impl.instanced.back()->commit(arena);
+        impl.instanced.back()->commit(pool);
         scene = *impl.instanced.back();
       }
       impl.place_instanced(scene, index, uint32_t(i), placed);
@@ -160,7 +159,7 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
     impl.grow_bounds(impl.placed.back(), boxes[instance.mesh]);
     impl.triangles += mesh.triangle_count();
   }
-  impl.top->commit(arena);
+  impl.top->commit(pool);
 }
 
 Raytracer::~Raytracer() = default;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel.h"
 #include "geometry/surface.h"
 #include "geometry/texture.h"
 
@@ -38,7 +39,7 @@ class Raytracer {
   // The meshes and texturing must outlive the ray tracer. texturing is indexed by Mesh::material.
   // Throws Error (OUT_OF_MEMORY, INTERNAL with Embree's message).
   Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-            const std::vector<SurfaceTexturing>& texturing, int thread_count);
+            const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool);
   ~Raytracer();
   Raytracer(const Raytracer&) = delete;
   Raytracer& operator=(const Raytracer&) = delete;
@@ -71,7 +72,7 @@ class DiscIndex {
     Vec3 center, normal;  // unit normal; (0, 0, 0) makes it a ball
     float radius;
   };
-  explicit DiscIndex(std::vector<Disc> discs, int thread_count);
+  explicit DiscIndex(std::vector<Disc> discs, ThreadPool& pool);
   ~DiscIndex();
   struct Crossing {
     uint32_t disc;

@@ -48,7 +48,7 @@ namespace {
 
 // What the pixel sees first that is not a mirror or clear glass, measured like a meter that faces the eye.
 float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3& d, EyeWalk::Sensor sensor,
-                        const PathSampler& rng, WorkCounts& work) {
+                        const PathSampler& rng, WorkCounts& work, EyeWalk::Scratch& scratch) {
   SurfacePoint surface;
   Vec3 direction;
   if (first_diffuse(in.scene, camera.position(), d, sensor.medium, surface, direction) <= 0) return 0;
@@ -60,7 +60,7 @@ float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3
   sensor.end = mis::sensor_end(sensor.counts, merges ? eta : 0, 0);
   const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
   ++work.eye_paths;
-  return luminance(EyeWalk(in, sensor, rng, work).from_surface(surface, frame).value);
+  return luminance(EyeWalk(in, sensor, rng, work, scratch).from_surface(surface, frame).value);
 }
 
 }  // namespace
@@ -73,6 +73,7 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
   std::vector<WorkCounts> work((pixels.size() + pixels_per_block - 1) / pixels_per_block);
   pool.for_blocks(pixels.size(), pixels_per_block, [&](size_t b, size_t begin, size_t end) {
     if (in.stop.load(std::memory_order_relaxed)) return;
+    EyeWalk::Scratch scratch;
     for (size_t i = begin; i < end; ++i) {
       const uint32_t pixel = pixels[i];
       EyeWalk::Sensor sensor;
@@ -91,11 +92,11 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
       const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
       ++work[b].eye_paths;
       tally.pixels[c][pixel] =
-          EyeWalk(in, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
+          EyeWalk(in, sensor, rng, work[b], scratch).from_camera(camera.position(), d, camera.pdf_w(d)).value;
       if (!camera.illuminance()) continue;
       const PathSampler own(in.settings.seed, first_illuminance_stream + c, key, in.camera_batch_visit, in.iteration,
                             pixel);
-      tally.illuminance[c][pixel] = pixel_illuminance(in, camera, d, sensor, own, work[b]);
+      tally.illuminance[c][pixel] = pixel_illuminance(in, camera, d, sensor, own, work[b], scratch);
     }
   });
   add_work(work, tally);
@@ -111,6 +112,7 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
   std::vector<WorkCounts> work((set.meters.size() + meters_per_block - 1) / meters_per_block);
   pool.for_blocks(set.meters.size(), meters_per_block, [&](size_t b, size_t begin, size_t end) {
     if (in.stop.load(std::memory_order_relaxed)) return;
+    EyeWalk::Scratch scratch;
     for (size_t m = begin; m < end; ++m) {
       const Meter& meter = set.meters[m];
       EyeWalk::Sensor sensor;
@@ -137,7 +139,7 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
                meter.frame.t * ((rng.get(0, Slot::cell_y) - 0.5f) * set.cell_height);
         ++work[b].eye_paths;
         const EyeTally found =
-            EyeWalk(in, sensor, rng, work[b]).from_meter(p, lifted(p, meter.frame.n, meter.error), meter.frame);
+            EyeWalk(in, sensor, rng, work[b], scratch).from_meter(p, lifted(p, meter.frame.n, meter.error), meter.frame);
         sum.value += luminance(found.value);
         sum.direct += found.direct;
         sum.bias += found.bias;

@@ -111,7 +111,7 @@ mis::EyeState EyeWalk::arrive(float cos_in, float distance) const {
 
 // Luminous openings block nothing: they are found beside the surfaces.
 void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
-  thread_local std::vector<DiscIndex::Crossing> crossings;
+  std::vector<DiscIndex::Crossing>& crossings = scratch_.crossings;
   crossings.clear();
   scene_.openings->intersect_all(origin_, direction_, distance, crossings);
   for (const DiscIndex::Crossing& c : crossings) {
@@ -192,7 +192,7 @@ void EyeWalk::sample_light(const Vertex& v, const Arrival& a) {
 
 // The light path's vertices as connections read them, made at the first that needs them.
 const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
-  thread_local std::vector<PreparedLight> prepared;
+  std::vector<PreparedLight>& prepared = scratch_.prepared;
   if (!light_is_prepared_) {
     prepared.clear();
     for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
@@ -209,7 +209,7 @@ const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
 // stands for their sum if its ray is free (Talbot et al. 2005, resampled importance sampling). `weigh` gives them.
 template <class Weigh>
 void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
-  thread_local std::vector<Connection> all;
+  std::vector<Connection>& all = scratch_.connections;
   all.clear();
   double sum = 0;
   for (const PreparedLight& light : prepared_light()) {

@@ -31,8 +31,10 @@ class EyeWalk {
     MeterTally* separated = nullptr;  // of the meter, a column of Plan::separation each, where asked for
     double share = 1;                 // of this eye path in the meter's reading
   };
-  EyeWalk(const EyePassInput& in, const Sensor& sensor, const PathSampler& rng, WorkCounts& work)
-      : in_(in), scene_(in.scene), sensor_(sensor), rng_(rng), work_(work), medium_(sensor.medium) {}
+  // What walks use one after another, so that not each has to allocate it.
+  class Scratch;
+  EyeWalk(const EyePassInput& in, const Sensor& sensor, const PathSampler& rng, WorkCounts& work, Scratch& scratch)
+      : in_(in), scene_(in.scene), sensor_(sensor), rng_(rng), work_(work), scratch_(scratch), medium_(sensor.medium) {}
 
   // pdf_w: density of the direction; throughput: what a unit of radiance along it is worth.
   EyeTally from_camera(const Vec3& p, const Vec3& direction, float pdf_w);
@@ -131,6 +133,7 @@ class EyeWalk {
   const Sensor& sensor_;
   PathSampler rng_;
   WorkCounts& work_;
+  Scratch& scratch_;
   EyeTally tally_;
 
   Vec3 origin_, direction_;
@@ -142,6 +145,13 @@ class EyeWalk {
   bool light_is_prepared_ = false;
   bool specular_ = false;  // a camera's path that scattered by delta lobes alone so far, in SPPM by glossy surfaces too
   uint32_t medium_;
+};
+
+class EyeWalk::Scratch {
+  friend class EyeWalk;
+  std::vector<DiscIndex::Crossing> crossings;
+  std::vector<PreparedLight> prepared;
+  std::vector<Connection> connections;
 };
 
 }  // namespace ups
