@@ -244,8 +244,8 @@ void Builder::add_warnings() {
            "depends on its grid, as it would be infinite");
 }
 
-std::shared_ptr<const Snapshot> prepare(const Description& description, int thread_count) {
-  return Builder(description, thread_count).build();
+std::shared_ptr<const Snapshot> prepare(const Description& description, ThreadPool& pool) {
+  return Builder(description, pool).build();
 }
 
 }  // namespace ups

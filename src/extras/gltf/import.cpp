@@ -62,7 +62,7 @@ namespace {
 
 using ups::extras::require;
 
-thread_local std::string last_error;
+ups::LastError last_error;
 
 template <class Body>
 ups_status guarded(Body&& body) {
@@ -141,4 +141,4 @@ ups_status ups_gltf_get_warnings(const ups_gltf_import* import_result, char* tex
   });
 }
 
-const char* ups_gltf_last_error(void) { return last_error.c_str(); }
+const char* ups_gltf_last_error(void) { return last_error.get(); }
