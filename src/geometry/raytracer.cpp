@@ -2,7 +2,9 @@
 // bound come from here, so that both walks of a path see the same point. Called by transport and by scene/prepare.
 #include "geometry/raytracer.h"
 
+#include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "geometry/box.h"
@@ -132,15 +134,16 @@ struct Raytracer::Impl {
     hit.u = float(weights[1] / sum);
     hit.v = float(weights[2] / sum);
   }
+  Hit to_hit(const RTCHit& hit, float t, const Vec3& o, const Vec3& d) const;
   bool normal_at(const Placed& instance, const SurfacePoint& point, const Triangle& triangle, Vec3& out) const;
 };
 
 Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-                     const std::vector<SurfaceTexturing>& texturing, int thread_count)
+                     const std::vector<SurfaceTexturing>& texturing, int thread_count, bool finds_all)
     : impl_(std::make_unique<Impl>()) {
   Impl& impl = *impl_;
   impl.texturing = &texturing;
-  impl.top = std::make_unique<embree::Scene>(impl.device);
+  impl.top = std::make_unique<embree::Scene>(impl.device, finds_all);
   tbb::task_arena arena(thread_count > 0 ? thread_count : tbb::task_arena::automatic);
   std::vector<Box> boxes(meshes.size());
   for (size_t i = 0; i < meshes.size(); ++i) each_extreme(*meshes[i], [&](const Vec3d& p) { boxes[i].grow(p); });
@@ -159,7 +162,7 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
       if (!scene) {
         index = uint32_t(impl.traced.size());
         impl.traced.push_back(make_traced_mesh(mesh, texturing, nullptr));
-        impl.instanced.push_back(std::make_unique<embree::Scene>(impl.device));
+        impl.instanced.push_back(std::make_unique<embree::Scene>(impl.device, finds_all));
         attach(impl.device, *impl.instanced.back(), *impl.traced.back(), 0);
         impl.instanced.back()->commit(arena);
         scene = *impl.instanced.back();
@@ -176,6 +179,18 @@ Raytracer::~Raytracer() = default;
 
 // ---- rays ----
 
+Hit Raytracer::Impl::to_hit(const RTCHit& from, float t, const Vec3& o, const Vec3& d) const {
+  const bool baked = from.instID[0] == RTC_INVALID_GEOMETRY_ID;
+  Hit hit;
+  hit.t = t;
+  hit.instance = baked ? from.geomID : from.instID[0];
+  hit.primitive = traced[placed[hit.instance].traced]->primitive(from.primID);
+  hit.u = from.u;
+  hit.v = from.v;
+  refine(o, d, hit);
+  return hit;
+}
+
 bool Raytracer::intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) const {
   embree::QueryContext context;
   embree::init(context);
@@ -184,14 +199,40 @@ bool Raytracer::intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) co
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(*impl_->top, context, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  const bool baked = query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
-  hit.t = query.ray.tfar;
-  hit.instance = baked ? query.hit.geomID : query.hit.instID[0];
-  hit.primitive = impl_->traced[impl_->placed[hit.instance].traced]->primitive(query.hit.primID);
-  hit.u = query.hit.u;
-  hit.v = query.hit.v;
-  impl_->refine(o, d, hit);
+  hit = impl_->to_hit(query.hit, query.ray.tfar, o, d);
   return true;
+}
+
+namespace {
+
+struct AllHits {
+  embree::QueryContext context;  // first: Embree hands back a pointer to it
+  std::vector<std::pair<RTCHit, float>> found;
+};
+
+// Rejects what it notes, so that Embree goes on to the next.
+void note_hit(const RTCFilterFunctionNArguments* args) {
+  if (args->valid[0] != -1) return;
+  AllHits& all = *reinterpret_cast<AllHits*>(args->context);
+  all.found.emplace_back(*reinterpret_cast<const RTCHit*>(args->hit), reinterpret_cast<const RTCRay*>(args->ray)->tfar);
+  args->valid[0] = 0;
+}
+
+}  // namespace
+
+void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Hit>& out) const {
+  thread_local AllHits all;
+  embree::init(all.context);
+  all.found.clear();
+  RTCRayHit query;
+  query.ray = embree::make_ray(o, d, tmax);
+  query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect(*impl_->top, all.context, query, &note_hit);
+  const size_t first = out.size();
+  for (const auto& [hit, t] : all.found) out.push_back(impl_->to_hit(hit, t, o, d));
+  const auto order = [](const Hit& h) { return std::make_tuple(h.t, h.instance, h.primitive); };
+  std::sort(out.begin() + ptrdiff_t(first), out.end(),
+            [&](const Hit& a, const Hit& b) { return order(a) < order(b); });
 }
 
 bool Raytracer::occluded(const Vec3& o, const Vec3& d, float tmax) const {

@@ -38,9 +38,10 @@ class Raytracer {
     Affine to_scene;  // object to the scene's own origin
   };
   // The meshes and texturing must outlive the ray tracer. texturing is indexed by Mesh::material.
+  // finds_all: intersect_all() may be asked, which costs the others a little.
   // Throws Error (OUT_OF_MEMORY, INTERNAL with Embree's message).
   Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-            const std::vector<SurfaceTexturing>& texturing, int thread_count);
+            const std::vector<SurfaceTexturing>& texturing, int thread_count, bool finds_all = false);
   ~Raytracer();
   Raytracer(const Raytracer&) = delete;
   Raytracer& operator=(const Raytracer&) = delete;
@@ -48,6 +49,8 @@ class Raytracer {
   // Closest hit with 0 < t < tmax; d is unit. Safe from any thread.
   bool intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) const;
   bool occluded(const Vec3& o, const Vec3& d, float tmax) const;
+  // All hits with 0 < t < tmax, those of surfaces that lie on one another too; near ones first, then by instance.
+  void intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Hit>& out) const;
   SurfacePoint surface_at(const Hit& hit) const;
   // The same point from its address, for stored vertices.
   SurfacePoint surface_at(uint32_t instance, uint32_t primitive, float u, float v) const;

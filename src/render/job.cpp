@@ -15,7 +15,6 @@ namespace ups {
 namespace {
 
 constexpr uint32_t flux_paths = 65536;  // of the separate pass that books flux for methods without light paths
-constexpr uint32_t flux_iteration = 0xfffffffeu;
 
 void check(const ups_render_desc& d) {
   if (!(d.time_limit_s >= 0) || !std::isfinite(d.time_limit_s))
@@ -164,8 +163,7 @@ void RenderJob::count_flux() {
     plan.light_paths = flux_paths;
     IterationTally tally;
     const SensorIndex no_sensors(*scene_, plan, s, 0, 1);
-    trace_light_paths({*scene_, plan, s, flux_iteration, flux_iteration, 0, 1.0, 0.0, false, stop_}, no_sensors, *pool_,
-                      tally);
+    trace_light_paths({*scene_, plan, s, 0, 0, 0, 1.0, 0.0, false, stop_, Stream::flux}, no_sensors, *pool_, tally);
     if (stop_.load()) return;  // incomplete; both stay unknown
     work = tally.work;
   }

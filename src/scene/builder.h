@@ -55,6 +55,7 @@ class Builder {
   void add_sensors();
   MeterSet make_meters(const MetersDescription& meters) const;
   void find_media();
+  void warn_of_overlaps();
   void add_warnings();
 
   Affine to_scene(Affine m) const {
