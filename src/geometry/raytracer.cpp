@@ -36,7 +36,7 @@ void each_extreme(const Mesh& mesh, const Visit& visit) {
   if (!mesh.revolution) return;
   for (const RevolutionBand& band : mesh.revolution->bands)
     for (uint32_t column = 0; column < mesh.revolution->columns; ++column)
-      for (const Vec3d& p : hull(*mesh.revolution, band, column).p) visit(p);
+      for (const Vec3d& p : hull(*mesh.revolution, band, column, mesh.revolution->columns).p) visit(p);
 }
 
 // Largest over smallest stretch, at most: product of the Frobenius norms of the matrix and its inverse.
