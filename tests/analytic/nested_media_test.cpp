@@ -2,6 +2,8 @@
 // through indices, and scenes that a medium around everything must not change. Seeds are fixed (expect_lx.h).
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "../support/expect_lx.h"
 
 namespace ups::test {
@@ -326,7 +328,9 @@ TEST(NestedMedia, ABubbleInAFurnaceHasTheRadianceOfItsIndex) {
       scene.add(box({-1, -1, -1}, {1, 1, 1}).flipped(), emitter(luminance));
       scene.add(icosphere({0, 0, 0}, 0.5, 2), glass(1, roughness));
       const Sensor meters = scene.add_meters({{0.1, 0, 0.1}, {0.8, 0, 0}}, {0, 0, 1});
-      const auto readings = scene.render({.method = method, .iterations = 64, .light_paths = 1024}).readings(meters);
+      const Sensor camera = scene.add_camera({0, 0.1, 0}, {1, 0.2, 0.3}, 8, 8, 0.8);
+      const Result result = scene.render({.method = method, .iterations = 64, .light_paths = 1024});
+      const auto readings = result.readings(meters);
       const std::string what = std::string(method_name(method)) + ", roughness " + std::to_string(roughness);
       // Rough glass closes its balance within 1.3 % (bsdf/albedo.h).
       const double tolerance = roughness > 0 ? 0.013 : 0;
@@ -337,6 +341,9 @@ TEST(NestedMedia, ABubbleInAFurnaceHasTheRadianceOfItsIndex) {
                   tolerance * expected + std::max(relative_tolerance * expected, sigmas * readings[i].standard_error_lx))
             << what << ", meter " << i << ": " << readings[i].illuminance_lx << ", expected " << expected;
       }
+      const std::vector<float> pixels = result.image(camera).luminance;
+      const double seen = std::accumulate(pixels.begin(), pixels.end(), 0.0) / double(pixels.size());
+      EXPECT_NEAR(seen * n * n / luminance, 1, 0.005 + tolerance) << what << ", camera";
     }
 }
 
