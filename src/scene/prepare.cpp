@@ -225,7 +225,7 @@ void Builder::warn_of_overlaps() {
 
 void Builder::add_warnings() {
   warn_of_overlaps();
-  const Duplicates duplicates = find_duplicates(out_->meshes, instances_);
+  const Duplicates duplicates = find_duplicates(out_->meshes, instances_, out_->media);
   if (duplicates.count > 0) {
     const auto name = [&](const Duplicates::Triangle& t) {
       return "triangle " + std::to_string(t.primitive) + " of instance " + std::to_string(instance_ids_[t.instance]);
