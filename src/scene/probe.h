@@ -17,6 +17,17 @@ Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n);
 // The material of the solid glass that p lies in, or none: the first glass surface in some direction tells by its side.
 uint32_t medium_at(const Snapshot& scene, Vec3 p);
 
+// Where light of an emitter meets a surface first; numbers of its own for each i.
+struct FirstLight {
+  double flux = 0;          // 0: nothing was emitted
+  double intensity_cd = 0;  // of the whole emitter, towards where it went
+  Vec3 origin, direction;
+  float lift = 0;  // of the origin off the emitter
+  bool hit = false;
+  SurfacePoint surface;
+};
+FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i);
+
 // The share of an emitter's flux that meets a surface with a diffuse or glossy lobe first, or none at all: what is left
 // goes to mirrors and clear glass, where next-event estimation cannot pick it up. From a fixed set of directions.
 float exposed_share(const Snapshot& scene, const Emitter& emitter);
