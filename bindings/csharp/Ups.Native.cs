@@ -69,6 +69,9 @@ namespace Ups
         Format = 2,
         TiltFile = 3,
         TiltTable = 4,
+        LampTypes = 5,
+        LampColours = 6,
+        LampRenderings = 7,
     }
 
     public enum MaterialModel : int
@@ -403,6 +406,22 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ProfileLampSet
+    {
+        public uint StructSize;
+        public int Count;
+        public double FluxLm;
+        public float InputPowerW;
+        public float ColourTemperatureK;
+        public float ColourRenderingIndex;
+        public int Chosen;
+        internal static ProfileLampSet Sized()
+        {
+            return new ProfileLampSet { StructSize = (uint)sizeof(ProfileLampSet) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct TextureDesc
     {
         public uint StructSize;
@@ -444,6 +463,7 @@ namespace Ups
         public TextureId MetallicTexture;
         public TextureId NormalTexture;
         public TextureId AlphaTexture;
+        public int Priority;
         public float[] ReflectanceRgb
         {
             get { fixed (float* p = reflectanceRgb_) return Elements.Copy(p, 3); }
@@ -1177,7 +1197,12 @@ namespace Ups
         internal static extern Status ups_profile_write(ProfileHandle profile, ProfileFormat format, byte* bytes,
             UIntPtr capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_write_warnings(ProfileHandle profile, ProfileFormat format, byte*
+            text, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_get_info(ProfileHandle profile, ProfileInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_lamp_set(ProfileHandle profile, uint index, ProfileLampSet* set);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_get_text(ProfileHandle profile, ProfileText topic, byte* text, UIntPtr
             capacity, UIntPtr* needed);

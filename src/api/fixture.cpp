@@ -72,7 +72,7 @@ ups_mesh_id add_mesh(Description& scene, const FixturePart& part, ups_material_i
   d.positions_m = part.mesh.positions.data();
   d.normals = part.mesh.normals.empty() ? nullptr : part.mesh.normals.data();
   d.indices = part.mesh.indices.data();
-  return scene.add_mesh(d);
+  return scene.add_mesh(d, part.revolution);
 }
 
 // Emitters have a mesh and a material of their own each time, as their luminance is that of one placement.

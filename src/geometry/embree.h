@@ -36,11 +36,26 @@ inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) {
   arguments.context = &context;
   rtcOccluded1(scene, &ray, &arguments);
 }
+inline constexpr int with_query_filters = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+// `filter` sees every hit of every geometry, after the geometry's own filter; it finds the context as args->context.
+inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray, RTCFilterFunctionN filter) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  arguments.filter = filter;
+  arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  rtcIntersect1(scene, &ray, &arguments);
+}
 #else
 using QueryContext = RTCIntersectContext;
 inline void init(QueryContext& context) { rtcInitIntersectContext(&context); }
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
 inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
+inline constexpr int with_query_filters = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray, RTCFilterFunctionN filter) {
+  context.filter = filter;
+  rtcIntersect1(scene, &context, &ray);
+}
 #endif
 
 inline RTCRay make_ray(const Vec3& o, const Vec3& d, float tmax) {
@@ -85,12 +100,14 @@ class Device {
   std::string message_;
 };
 
-// Owns a scene. Robust: rays do not slip between triangles that share an edge.
+// Owns a scene. Robust: rays do not slip between triangles that share an edge. query_filters: for intersect() with a
+// filter; other queries are a little slower then.
 class Scene {
  public:
-  explicit Scene(Device& device) : device_(&device), scene_(rtcNewScene(device)) {
+  explicit Scene(Device& device, bool query_filters = false) : device_(&device), scene_(rtcNewScene(device)) {
     device.check();
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene_, query_filters ? RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | with_query_filters)
+                                           : RTC_SCENE_FLAG_ROBUST);
   }
   ~Scene() { rtcReleaseScene(scene_); }
   Scene(const Scene&) = delete;

@@ -57,6 +57,7 @@ class Builder {
   MeterSet make_meters(const MetersDescription& meters) const;
   void find_media();
   void add_warnings();
+  void warn_of_overlaps();
   void warn_of_triangles();
   void warn_of_swallowed_light();
   void warn_of_unit();

@@ -146,7 +146,7 @@ void Description::set_material(ups_material_id id, const ups_material_desc& d) {
   old = d;
 }
 
-ups_mesh_id Description::add_mesh(const ups_mesh_desc& d) {
+ups_mesh_id Description::add_mesh(const ups_mesh_desc& d, std::shared_ptr<const Revolution> revolution) {
   check_count(d.vertex_count, 1, 0xfffffffe, "vertex_count");
   check_count(d.triangle_count, 1, 0xfffffffe, "triangle_count");
   check::require(d.material.v != 0, "material is 0; a mesh needs one");
@@ -174,6 +174,7 @@ ups_mesh_id Description::add_mesh(const ups_mesh_desc& d) {
   for (size_t i = 0; i < tangents.count; ++i)
     mesh->tangents.insert(mesh->tangents.end(), tangents.at(i), tangents.at(i) + 4);
   mesh->indices.assign(d.indices, d.indices + index_count);
+  mesh->revolution = std::move(revolution);
   return {meshes_.add(std::move(mesh))};
 }
 

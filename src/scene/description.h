@@ -108,7 +108,7 @@ class Description {
   // names the field and element.
   ups_texture_id add_texture(const ups_texture_desc& desc);
   ups_material_id add_material(const ups_material_desc& desc);
-  ups_mesh_id add_mesh(const ups_mesh_desc& desc);
+  ups_mesh_id add_mesh(const ups_mesh_desc& desc, std::shared_ptr<const Revolution> revolution = nullptr);
   ups_instance_id add_instance(const ups_instance_desc& desc);
   ups_luminaire_id add_light(const ups_light_desc& desc);
   ups_luminaire_id add_luminaire(const ups_luminaire_desc& desc, std::shared_ptr<const photometry::Photometry> profile);

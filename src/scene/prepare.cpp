@@ -106,6 +106,7 @@ void Builder::add_materials() {
     m.roughness = d.roughness, m.ior = d.ior, m.metallic = d.metallic;
     m.ior_rgb = to_rgb(d.ior_rgb), m.ior_k_rgb = to_rgb(d.ior_k_rgb);
     m.absorption_per_m = to_rgb(d.absorption_per_m_rgb);
+    m.priority = d.priority;
     m.reflectance_texture = texture(d.reflectance_texture);
     m.roughness_texture = texture(d.roughness_texture);
     m.metallic_texture = texture(d.metallic_texture);
@@ -133,7 +134,9 @@ void Builder::add_geometry() {
     instance_ids_.push_back(id);
     out_->material_used[out_->meshes[i.mesh - 1]->material] = true;
   });
-  out_->raytracer = std::make_unique<Raytracer>(out_->meshes, instances_, out_->texturing, threads_);
+  out_->media = rank_media(out_->meshes, instances_, out_->materials, out_->texturing);
+  out_->raytracer =
+      std::make_unique<Raytracer>(out_->meshes, instances_, out_->texturing, threads_, out_->media.nest);
 }
 
 // ---- sensors ----
@@ -177,21 +180,30 @@ void Builder::add_sensors() {
 
 // ---- media ----
 
+// Where there is glass that attenuates, or bends light by what lies around it.
 void Builder::find_media() {
-  bool absorbs = false;
-  for (size_t i = 0; i < out_->materials.size(); ++i)
-    absorbs |= out_->material_used[i] && out_->materials[i].model == MaterialModel::glass &&
-               !is_black(out_->materials[i].absorption_per_m);
-  const auto find = [&](const Vec3& p) { return absorbs ? medium_at(*out_, p) : none; };
-  for (const Camera& camera : out_->cameras) out_->medium_of_camera.push_back(find(camera.position()));
-  for (const Vec3& p : emitter_probes_) out_->medium_of_emitter.push_back(find(p));
+  bool wanted = out_->media.nest;
+  for (const Medium& m : out_->media.by_rank) wanted |= !is_black(out_->materials[m.material].absorption_per_m);
+  std::vector<MediaStack>& stacks = out_->media_stacks;
+  stacks.assign(1, MediaStack());
+  const auto number = [&](const MediaStack& stack) {
+    const auto at = std::find(stacks.begin(), stacks.end(), stack);
+    if (at != stacks.end()) return uint32_t(at - stacks.begin());
+    stacks.push_back(stack);
+    return uint32_t(stacks.size() - 1);
+  };
+  const auto find = [&](const Vec3& p) { return wanted ? number(media_at(*out_, p)) : 0; };
+  for (const Camera& camera : out_->cameras) out_->media_of_camera.push_back(find(camera.position()));
+  for (const Vec3& p : emitter_probes_) out_->media_of_emitter.push_back(find(p));
   for (const MeterSet& set : out_->meter_sets) {
-    std::vector<uint32_t>& media = out_->medium_of_meter.emplace_back(set.meters.size(), none);
-    if (!absorbs) continue;
+    std::vector<uint32_t>& media = out_->media_of_meter.emplace_back(set.meters.size(), 0);
+    if (!wanted) continue;
+    std::vector<MediaStack> found(set.meters.size());
     parallel_for(threads_, set.meters.size(), [&](size_t i) {
       const Meter& meter = set.meters[i];
-      media[i] = find(meter.p + meter.frame.n * (2 * meter.error));
+      found[i] = media_at(*out_, meter.p + meter.frame.n * (2 * meter.error));
     });
+    for (size_t i = 0; i < found.size(); ++i) media[i] = number(found[i]);
   }
 }
 

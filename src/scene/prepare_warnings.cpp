@@ -28,6 +28,7 @@ std::string length_text(double m) {
 }  // namespace
 
 void Builder::add_warnings() {
+  warn_of_overlaps();
   warn_of_triangles();
   if (out_->emitters.size() == 0) warn("nothing in the scene emits light");
   if (out_->cameras.empty() && out_->meter_sets.empty() && out_->goniometers.empty())
@@ -40,6 +41,18 @@ void Builder::add_warnings() {
   warn_of_swallowed_light();
   warn_of_unit();
   for (const auto& [what, ids] : shared_warnings_) warn(listed(what.first, ids) + ": " + what.second);
+}
+
+void Builder::warn_of_overlaps() {
+  constexpr size_t most_named = 8;
+  const std::vector<PartialOverlap> overlaps = find_partial_overlaps(*out_, instances_, threads_);
+  for (size_t i = 0; i < std::min(overlaps.size(), most_named); ++i)
+    warn("instances " + std::to_string(instance_ids_[overlaps[i].instance_a]) + " and " +
+         std::to_string(instance_ids_[overlaps[i].instance_b]) +
+         " are glass of different index and overlap in part: where they do the smaller one counts; give the material "
+         "of the one that should a higher priority");
+  if (overlaps.size() > most_named)
+    warn(std::to_string(overlaps.size() - most_named) + " more pairs of glass instances overlap in part");
 }
 
 void Builder::warn_of_triangles() {

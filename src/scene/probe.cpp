@@ -35,18 +35,6 @@ Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n) {
   return error > free_error(p) ? p + n * (2 * error) : p;
 }
 
-uint32_t medium_at(const Snapshot& scene, Vec3 p) {
-  const Vec3 d = normalize(Vec3(0.0123f, 0.0071f, 1.0f));  // along no wall
-  Hit hit;
-  for (int crossings = 0; crossings < 10'000; ++crossings) {
-    if (!scene.raytracer->intersect(p, d, INFINITY, hit)) return none;
-    const SurfacePoint s = scene.raytracer->surface_at(hit);
-    if (scene.materials[s.material].model == MaterialModel::glass) return dot(d, s.ng) > 0 ? s.material : none;
-    p = s.ray_origin(d);
-  }
-  return none;
-}
-
 FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i) {
   const auto a = philox({i, 0, 0, 0}, {0, 0}), b = philox({i, 1, 0, 0}, {0, 0});
   FirstLight out;

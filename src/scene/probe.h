@@ -1,4 +1,4 @@
-// Where does a point stand that is no surface's own: off which surface, in which glass? And what does the emitters'
+// Where does a point stand that is no surface's own: off which surface? And what does the emitters'
 // light meet first? Asked at commit by scene/prepare, for meters, cameras and luminaires.
 #pragma once
 #include "scene/snapshot.h"
@@ -14,8 +14,6 @@ float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n);
 float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& half_a, const Vec3& half_b);
 // A source without extent that lies on a surface shines from the side that n points to.
 Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n);
-// The material of the solid glass that p lies in, or none: the first glass surface in some direction tells by its side.
-uint32_t medium_at(const Snapshot& scene, Vec3 p);
 
 // Where light of an emitter meets a surface first; numbers of its own for each i.
 struct FirstLight {

@@ -10,6 +10,7 @@
 #include "emitter/emitter_set.h"
 #include "geometry/raytracer.h"
 #include "photometry/photometry.h"
+#include "scene/media.h"
 #include "sensor/camera.h"
 #include "sensor/goniometer.h"
 #include "sensor/meters.h"
@@ -17,7 +18,6 @@
 
 namespace ups {
 
-inline constexpr uint32_t none = 0xffffffffu;
 inline constexpr float largest_meter_disc = 0.1f;  // radius within which a point meter merges photons, of the scene's
 
 struct SceneEffects {
@@ -63,10 +63,12 @@ struct Snapshot {
   std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;  // ups_sensor_id of each
   std::vector<photometry::Opening> goniometer_openings;  // that their distributions are given
 
-  // The glass whose inside a free-standing thing lies in, as found by a probe ray at commit; none: air.
-  std::vector<uint32_t> medium_of_camera;
-  std::vector<std::vector<uint32_t>> medium_of_meter;
-  std::vector<uint32_t> medium_of_emitter;
+  Media media;
+  // What free-standing things lie in, as found by a probe ray at commit: indices into media_stacks, 0: air.
+  std::vector<MediaStack> media_stacks;
+  std::vector<uint32_t> media_of_camera;
+  std::vector<std::vector<uint32_t>> media_of_meter;
+  std::vector<uint32_t> media_of_emitter;
 
   SceneEffects effects;
   std::vector<std::string> warnings;
