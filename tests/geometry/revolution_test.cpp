@@ -49,7 +49,8 @@ struct Rig {
   Rig(std::shared_ptr<const Mesh> mesh, const std::vector<Affine>& places) : meshes{std::move(mesh)} {
     std::vector<Raytracer::Instance> instances;
     for (const Affine& a : places) instances.push_back({0, a});
-    tracer = std::make_unique<Raytracer>(meshes, instances, texturing, 2);
+    ThreadPool pool(2);
+    tracer = std::make_unique<Raytracer>(meshes, instances, texturing, pool);
   }
 };
 
