@@ -151,7 +151,7 @@ Profile read_profile(ups_context* context, const std::string& file) {
   return profile;
 }
 
-void write_profile(const std::string& file, const ups_profile* profile) {
+std::string write_profile(const std::string& file, const ups_profile* profile) {
   std::string bytes;
   try {
     bytes = read_text([&](char* to, size_t capacity, size_t* needed) {
@@ -161,6 +161,7 @@ void write_profile(const std::string& file, const ups_profile* profile) {
     throw Failure(file + ": " + e.what());
   }
   extras::write_file(file, bytes.data(), bytes.size());
+  return bytes;
 }
 
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg) {
