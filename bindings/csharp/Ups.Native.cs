@@ -1277,6 +1277,9 @@ namespace Ups
         internal static extern Status ups_scene_add_fixture(SceneHandle scene, FixtureHandle fixture,
             FixtureInstanceDesc* desc, FixtureId* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_fixture_instance(SceneHandle scene, FixtureId id, FixturePartId
+            part, InstanceId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_fixture_dimming(SceneHandle scene, FixtureId id, float dimming);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_fixture_transform(SceneHandle scene, FixtureId id, double*

@@ -230,6 +230,18 @@ ups_status ups_scene_add_fixture(ups_scene* scene, const ups_fixture* fixture, c
   });
 }
 
+ups_status ups_scene_get_fixture_instance(const ups_scene* scene, ups_fixture_id id, ups_fixture_part_id part,
+                                          ups_instance_id* out) {
+  return guard(__func__, [&] {
+    const PlacedFixture& fixture = require(scene, "scene").fixtures.get(id.v, "fixture");
+    require(out, "out");
+    check::require(part.v >= 1 && part.v <= fixture.parts.size(),
+                   "part " + std::to_string(part.v) + " is not of this fixture; it was placed with " +
+                       std::to_string(fixture.parts.size()) + " parts, counted from 1");
+    *out = fixture.parts[part.v - 1].instance;
+  });
+}
+
 ups_status ups_scene_set_fixture_dimming(ups_scene* scene, ups_fixture_id id, float dimming) {
   return change(__func__, scene, id, [&](ups_scene& s, PlacedFixture& fixture) {
     check::at_least(double(dimming), 0, "dimming");

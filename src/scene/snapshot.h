@@ -52,6 +52,7 @@ struct Snapshot {
 
   EmitterSet emitters;
   std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": by their numbers
+  std::vector<float> emitter_sizes;             // m; smallest extent of a luminaire's opening, used or not; 0: unknown
   std::vector<Source> sources;                  // all, in the order of their kinds and ids
   std::vector<uint32_t> source_of_emitter;      // index into sources
   std::vector<uint32_t> emitter_of_instance;    // none: does not emit

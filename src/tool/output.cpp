@@ -192,10 +192,10 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
         ups_gltf_last_error);
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
   attempt(written, base + ".csv", [&](const std::string& path) { write_csv(path, table); });
-  if (const auto names = source_names(result); !names.empty()) {
-    const bool groups = names[0].rfind("group_", 0) == 0;
+  if (const auto sources = sources_of(scene, result); !sources.empty()) {
+    const bool groups = sources[0].info.kind == UPS_SOURCE_GROUP;
     attempt(written, base + (groups ? "_groups.csv" : "_luminaires.csv"),
-            [&](const std::string& path) { write_sources_csv(path, table.positions, meters, result); });
+            [&](const std::string& path) { write_sources_csv(path, table.positions, meters, sources, result); });
   }
   if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
 }

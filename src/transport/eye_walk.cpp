@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/per_thread.h"
 #include "base/warp.h"
 #include "emitter/profile.h"
 
@@ -64,7 +65,7 @@ void EyeWalk::walk() {
     if (!met_.found) return;
     const SurfacePoint& surface = met_.surface;
     const float distance = met_.distance;
-    throughput_ *= met_.transmittance(scene_, distance);
+    if (!pass_on(met_.transmittance(scene_, distance))) return;
     const float cos_in = std::abs(dot(direction_, surface.ng));
     if (cos_in < min_cosine) return;
     const uint32_t emitter = scene_.emitter_of_instance[surface.instance];
@@ -90,6 +91,13 @@ void EyeWalk::walk() {
   }
 }
 
+bool EyeWalk::pass_on(const Rgb& share) {
+  throughput_ *= share;
+  if (is_finite(throughput_)) return true;
+  work_.drop(Drop::eye_walk);
+  return false;
+}
+
 mis::EyeState EyeWalk::arrive(float cos_in, float distance) const {
   const double d2 = double(distance) * distance;
   switch (edge_.kind) {
@@ -104,7 +112,8 @@ mis::EyeState EyeWalk::arrive(float cos_in, float distance) const {
 
 // Luminous openings block nothing: they are found beside the surfaces.
 void EyeWalk::hit_openings(uint32_t edges) {
-  thread_local std::vector<DiscIndex::Crossing> crossings;
+  static const PerThread<std::vector<DiscIndex::Crossing>> kept;
+  std::vector<DiscIndex::Crossing>& crossings = kept.get();
   crossings.clear();
   scene_.openings->intersect_all(origin_, direction_, met_.distance, crossings);
   for (const DiscIndex::Crossing& c : crossings) {
@@ -188,7 +197,8 @@ void EyeWalk::sample_light(const Vertex& v, const Arrival& a) {
 
 // The light path's vertices as connections read them, made at the first that needs them.
 const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
-  thread_local std::vector<PreparedLight> prepared;
+  static const PerThread<std::vector<PreparedLight>> kept;
+  std::vector<PreparedLight>& prepared = kept.get();
   if (!light_is_prepared_) {
     prepared.clear();
     for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
@@ -205,13 +215,14 @@ const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
 // stands for their sum if its ray is free (Talbot et al. 2005, resampled importance sampling). `weigh` gives them.
 template <class Weigh>
 void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
-  thread_local std::vector<Connection> all;
+  static const PerThread<std::vector<Connection>> kept;
+  std::vector<Connection>& all = kept.get();
   all.clear();
   double sum = 0;
   for (const PreparedLight& light : prepared_light()) {
     const Connection c = weigh(light);
     const float size = luminance(c.value);
-    if (!is_finite(c.value)) ++work_.dropped[size_t(Drop::connect)];
+    if (!is_finite(c.value)) work_.drop(Drop::connect);
     if (!(size > 0) || !is_finite(c.value)) continue;
     sum += size;
     all.push_back(c);
@@ -324,10 +335,10 @@ bool EyeWalk::scatter(const Vertex& v) {
   if (in_.settings.photon_mapping && !s.delta && !v.passes) return false;  // its continuous part was merged
   const Vec3 wi = v.surface.shading.to_world(s.wi);
   if (!consistent_side(v.surface, wi, s.wi)) return false;
-  throughput_ *= s.delta ? s.weight : s.weight * terminator(v.surface, wi);
+  if (!pass_on(s.delta ? s.weight : s.weight * terminator(v.surface, wi))) return false;
   const bool lossless = s.delta && max_component(s.weight) > 0.9f;
   const float q = survival(throughput_, start_throughput_, v.edges, lossless);
-  if (is_black(throughput_) || !is_finite(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
+  if (is_black(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
   throughput_ *= 1 / q;
   specular_ = specular_ && (s.delta || v.passes);
   edge_.kind = s.delta ? Edge::delta : Edge::continuous;

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/floating_point.h"
+#include "base/last_error.h"
 #include "ups/ups_base.h"
 
 namespace ups::extras {
@@ -24,28 +26,26 @@ inline void require(bool condition, const char* message) {
   if (!condition) throw Error(UPS_ERROR_INVALID_ARGUMENT, message);
 }
 
-// Runs body; what it throws becomes the status, the text goes to message.
+// Runs body in the floating-point environment that results are computed in; what it throws becomes the status, the text
+// goes to last_error.
 template <class Body>
-ups_status guarded(std::string& message, Body&& body) noexcept {
+ups_status guarded(LastError& last_error, Body&& body) noexcept {
+  const DefaultFloatingPoint environment;
   try {
-    try {
-      body();
-      return UPS_OK;
-    } catch (const Error& e) {
-      message = e.what();
-      return e.status();
-    } catch (const std::bad_alloc&) {
-      message = "out of memory";
-      return UPS_ERROR_OUT_OF_MEMORY;
-    } catch (const std::exception& e) {
-      message = std::string("internal error: ") + e.what();
-      return UPS_ERROR_INTERNAL;
-    } catch (...) {
-      message = "internal error of an unknown kind";
-      return UPS_ERROR_INTERNAL;
-    }
-  } catch (...) {  // not even the message could be stored
+    body();
+    return UPS_OK;
+  } catch (const Error& e) {
+    last_error.set("", e.what());
+    return e.status();
+  } catch (const std::bad_alloc&) {
+    last_error.set("", "out of memory");
     return UPS_ERROR_OUT_OF_MEMORY;
+  } catch (const std::exception& e) {
+    last_error.set("internal error", e.what());
+    return UPS_ERROR_INTERNAL;
+  } catch (...) {
+    last_error.set("", "internal error of an unknown kind");
+    return UPS_ERROR_INTERNAL;
   }
 }
 

@@ -13,7 +13,7 @@ using ups::extras::require;
 
 constexpr uint32_t max_side = 16384;
 
-thread_local std::string last_error;
+ups::LastError last_error;
 
 template <class Body>
 ups_status guarded(Body&& body) {
@@ -90,4 +90,4 @@ ups_status ups_ocio_write_pixels_png(const char* path, const uint8_t* rgb, uint3
   });
 }
 
-const char* ups_ocio_last_error(void) { return last_error.c_str(); }
+const char* ups_ocio_last_error(void) { return last_error.get(); }
