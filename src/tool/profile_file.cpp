@@ -214,7 +214,7 @@ std::vector<std::string> write_warnings(const std::string& file, const ups_profi
   }));
 }
 
-void write_profile(const std::string& file, const ups_profile* profile) {
+std::string write_profile(const std::string& file, const ups_profile* profile) {
   std::string bytes;
   try {
     bytes = read_text([&](char* to, size_t capacity, size_t* needed) {
@@ -224,6 +224,7 @@ void write_profile(const std::string& file, const ups_profile* profile) {
     throw Failure(file + ": " + e.what());
   }
   extras::write_file(file, bytes.data(), bytes.size());
+  return bytes;
 }
 
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg) {

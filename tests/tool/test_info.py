@@ -447,6 +447,20 @@ class Convert(test_program.ProgramTest):
                                                delta=1e-4)
                     self.assertEqual(second["opening"], first["opening"])
 
+    def test_links_stay_and_lead_to_files_or_to_the_output(self):
+        source = os.path.join(DATA, "s08_typeC_asym.ies")
+        os.mkdir(self.path("there"))
+        os.symlink(os.path.join("there", "lamp.ldt"), self.path("link.ldt"))
+        os.symlink("/dev/stdout", self.path("output.ldt"))
+        for _ in range(2):  # the file is not there yet; it is
+            self.run_program("convert", source, self.path("link.ldt"))
+            self.assertTrue(os.path.islink(self.path("link.ldt")))
+            self.assertEqual(os.listdir(self.path("there")), ["lamp.ldt"])
+        printed = self.run_program("convert", source, self.path("output.ldt")).stdout
+        with open(self.path("there/lamp.ldt"), encoding="latin-1", newline="") as file:
+            self.assertEqual(printed.splitlines(), file.read().splitlines())
+        self.assertTrue(os.path.islink(self.path("output.ldt")))
+
     def test_rays_become_their_far_field(self):
         lamp = self.write("lamp.tm25ray", tm25(narrow_rays(5000)))
         first = self.info(lamp)
