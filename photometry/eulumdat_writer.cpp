@@ -133,7 +133,7 @@ double downward_percent(const Distribution& d) {
 
 }  // namespace
 
-std::string write_eulumdat(const Photometry& p) {
+std::string write_eulumdat(const Photometry& p, std::vector<std::string>* warnings) {
   const Distribution d = p.distribution.in_c_gamma();
   const StoredPlanes planes = stored_planes(d);
   bool absolute;
@@ -167,7 +167,9 @@ std::string write_eulumdat(const Photometry& p) {
   out.numbers(d.gamma_deg());
   for (size_t i : planes.index)
     for (size_t j = 0; j < d.gamma_deg().size(); ++j) out.number(d.at(i, j) * 1000 / flux);
-  return in_latin_1(std::move(out).all());
+  std::string text = in_latin_1(std::move(out).all());
+  if (warnings) check_written(p, text, *warnings);
+  return text;
 }
 
 }  // namespace photometry

@@ -142,7 +142,7 @@ std::string tilt_lines(const Tilt& tilt) {
 
 }  // namespace
 
-std::string write_ies(const Photometry& p) {
+std::string write_ies(const Photometry& p, std::vector<std::string>* warnings) {
   const Distribution& d = p.distribution;
   std::vector<double> vertical, horizontal, table;
   (d.type() == PhotometricType::c ? add_table_c : add_table_a_or_b)(d, vertical, horizontal, table);
@@ -158,8 +158,10 @@ std::string write_ies(const Photometry& p) {
     for (size_t j = 0; j < vertical.size(); ++j) numbers.add(table[i * vertical.size() + j]);
     numbers.end();
   }
-  return "IES:LM-63-2019\r\n" + keyword_lines(p.keywords) + tilt_lines(p.tilt) + std::move(head).text() +
+  std::string text = "IES:LM-63-2019\r\n" + keyword_lines(p.keywords) + tilt_lines(p.tilt) + std::move(head).text() +
          opening_line(p) + std::move(factors).text() + std::move(numbers).text();
+  if (warnings) check_written(p, text, *warnings);
+  return text;
 }
 
 }  // namespace photometry

@@ -126,6 +126,7 @@ Photometry Tm33Light::sum_of_emitters() {
   out.format = file_.format;
   out.keywords = std::move(file_.keywords);
   out.lamp_sets = std::move(lamps);
+  out.lamps_shine_together = true;
   return out;
 }
 

@@ -112,6 +112,29 @@ optics::Mesh triangles(const optics::Profile& profile, double chord, double norm
                             {chord == 0 ? default_chord * size : chord, normal == 0 ? default_normal : normal});
 }
 
+// What the bands of a round mesh are to the ray tracer; null where it has none.
+std::shared_ptr<const Revolution> revolution(const optics::Mesh& mesh) {
+  if (mesh.bands.empty()) return nullptr;
+  auto out = std::make_shared<Revolution>();
+  out->columns = mesh.columns;
+  double size = 0;
+  size_t triangle = 0;
+  for (const optics::Band& b : mesh.bands) {
+    for (const double v : {b.from.r, b.from.z, b.to.r, b.to.z}) size = std::max(size, std::abs(v));
+    out->bands.push_back({b.from.r, b.from.z, b.to.r, b.to.z, b.square_r, b.square_z, b.linear, b.bulge,
+                          uint32_t(triangle)});
+    triangle += mesh.columns * (b.from.r == 0 || b.to.r == 0 ? 1 : 2);
+  }
+  out->margin = 1e-10 * size;
+  return out;
+}
+
+// Of a part that is traced as the shape that it is.
+void set_shape(FixturePart& part, const optics::Profile& profile, double chord, double normal, double size) {
+  part.mesh = triangles(profile, chord, normal, size);
+  part.revolution = revolution(part.mesh);
+}
+
 std::vector<optics::Point> points(const double* rz, uint32_t count, const char* field, const char* count_field) {
   check::require(count >= 2 && count <= 100'000,
                  std::string(count_field) + " is " + std::to_string(count) + "; it must be 2 to 100000");
@@ -125,13 +148,6 @@ std::vector<optics::Point> points(const double* rz, uint32_t count, const char* 
 void unused(double value, const char* field, const char* kind) {
   check::require(value == 0,
                  std::string(field) + " is " + check::text(value) + "; " + kind + " has none, it must be 0");
-}
-
-double largest_radius(const optics::Profile& profile) {
-  double r = 0;
-  for (const optics::Section& section : profile.sections)
-    for (int i = 0; i <= 64; ++i) r = std::max(r, section.at(i / 64.0).r);
-  return r;
 }
 
 }  // namespace
@@ -156,7 +172,7 @@ namespace {
 optics::Mesh emitter_mesh(const ups_fixture_emitter_desc& d) {
   const auto mesh = [&](const optics::Profile& profile) {
     // Normals are not used: the emission is that of the flat triangles.
-    return triangles(profile, d.chord_tolerance_m, optics::pi, largest_radius(profile));
+    return triangles(profile, d.chord_tolerance_m, optics::pi, optics::largest_radius(profile));
   };
   switch (d.shape) {
     case UPS_EMITTER_RECTANGLE:
@@ -243,7 +259,7 @@ FixturePart make_part(const ups_reflector_desc& d) {
   optics::Profile profile = reflector_profile(d);
   profile.facets_around = d.facets_around;
   if (d.facets_along > 0) profile.sections.front().facets_along = d.facets_along;
-  part.mesh = triangles(profile, d.chord_tolerance_m, d.normal_tolerance_rad, largest_radius(profile));
+  set_shape(part, profile, d.chord_tolerance_m, d.normal_tolerance_rad, optics::largest_radius(profile));
   return part;
 }
 
@@ -261,7 +277,7 @@ FixturePart make_part(const ups_lens_desc& d) {
   std::copy(std::begin(d.exit_coefficients), std::end(d.exit_coefficients), exit.coefficients.begin());
   optics::Profile profile = optics::lens(entry, exit, d.radius_m, d.thickness_m);
   profile.facets_around = d.facets_around;
-  part.mesh = triangles(profile, d.chord_tolerance_m, d.normal_tolerance_rad, d.radius_m);
+  set_shape(part, profile, d.chord_tolerance_m, d.normal_tolerance_rad, d.radius_m);
   return part;
 }
 
@@ -288,7 +304,7 @@ FixturePart make_part(const ups_collimator_desc& d) {
   c.exit = {d.exit_radius_m, d.exit_conic, {}};
   c.exit_facets_along = d.exit_facets_along, c.facets_around = d.facets_around;
   const optics::Profile profile = optics::collimator(c);
-  part.mesh = triangles(profile, d.chord_tolerance_m, d.normal_tolerance_rad, largest_radius(profile));
+  set_shape(part, profile, d.chord_tolerance_m, d.normal_tolerance_rad, optics::largest_radius(profile));
   return part;
 }
 static_assert(int(optics::Collimator::Wall::polyline) == UPS_COLLIMATOR_POLYLINE);

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/per_thread.h"
 #include "geometry/box.h"
 #include "scene/snapshot.h"
 
@@ -109,8 +110,7 @@ Media rank_media(const std::vector<std::shared_ptr<const Mesh>>& meshes,
     if (m.is_open()) continue;
     const Raytracer::Instance& instance = instances[m.instance];
     Box& box = boxes[instance.mesh];
-    if (box.empty())
-      for (const Vec3& p : meshes[instance.mesh]->positions) box.grow(Vec3d(p));
+    if (box.empty()) box = bounding_box(*meshes[instance.mesh]);
     extents.push_back({padded(box.transformed(instance.to_scene)), media.of_instance[m.instance]});
   }
   mark_meetings(std::move(extents), media);
@@ -140,7 +140,8 @@ MediaStack open_medium_at(const Snapshot& scene, Vec3 p, const Vec3& d) {
 MediaStack media_at(const Snapshot& scene, const Vec3& p) {
   const Vec3 d = normalize(Vec3(0.0123f, 0.0071f, 1.0f));  // along no wall
   if (!scene.media.nest) return open_medium_at(scene, p, d);
-  thread_local std::vector<Hit> hits;
+  static const PerThread<std::vector<Hit>> kept;
+  std::vector<Hit>& hits = kept.get();
   hits.clear();
   scene.raytracer->intersect_all(p, d, INFINITY, hits);
   MediaStack stack;

@@ -35,8 +35,7 @@ class Overlaps {
     std::vector<uint32_t> solids;
     for (uint32_t m = 0; m < media.size(); ++m)
       if (media[m].meets_others) {
-        points_[m].box = Box();
-        for (const Vec3& p : mesh_of(m).positions) points_[m].box.grow(to_scene(m).point(Vec3d(p)));
+        points_[m].box = bounding_box(mesh_of(m)).transformed(to_scene(m));
         solids.push_back(m);
       }
     std::sort(solids.begin(), solids.end(),
@@ -133,12 +132,12 @@ class Overlaps {
 
 std::vector<PartialOverlap> find_partial_overlaps(const Snapshot& scene,
                                                   const std::vector<Raytracer::Instance>& instances,
-                                                  int thread_count) {
+                                                  ThreadPool& pool) {
   Overlaps overlaps(scene, instances);
   const std::vector<Overlaps::Pair> pairs = overlaps.candidates();
   overlaps.sample_surfaces(pairs);
   std::vector<char> found(pairs.size());
-  parallel_for(thread_count, pairs.size(), [&](size_t i) { found[i] = overlaps.overlap_in_part(pairs[i]); });
+  parallel_for(pool, pairs.size(), [&](size_t i) { found[i] = overlaps.overlap_in_part(pairs[i]); });
   std::vector<PartialOverlap> out;
   for (size_t i = 0; i < pairs.size(); ++i)
     if (found[i]) {

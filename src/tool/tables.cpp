@@ -13,10 +13,12 @@ std::vector<std::string> source_names(const ups_result* result) {
     ups_source_info info{};
     info.struct_size = sizeof info;
     check(ups_result_get_source(result, i, &info));
-    const char* kind = info.kind == UPS_SOURCE_GROUP      ? "group_"
-                       : info.kind == UPS_SOURCE_INSTANCE ? "instance_"
-                                                          : "luminaire_";
-    names.push_back(kind + std::to_string(info.id));
+    constexpr uint32_t number_bits = 0xffffff;  // of an id; the rest tells the scene
+    if (info.kind == UPS_SOURCE_GROUP)
+      names.push_back("group_" + std::to_string(info.id));
+    else
+      names.push_back((info.kind == UPS_SOURCE_INSTANCE ? "instance_" : "luminaire_") +
+                      std::to_string(info.id & number_bits));
   }
   return names;
 }

@@ -9,15 +9,16 @@ namespace {
 
 constexpr size_t pixels_per_block = 256;
 constexpr size_t paths_per_block = 256;
-constexpr uint32_t first_camera_stream = 1, first_illuminance_stream = 1u << 15, first_meter_stream = 1u << 16;
 
 // Eye path j meets light path (odd j + shift) mod N. Both are new in each iteration: a pixel must not meet the same
 // stratum of the light paths again and again. N is a power of two, so every light path is met equally often.
 class Pairing {
  public:
-  Pairing(const EyePassInput& in)
-      : light_(in.light), odd_(uint32_t(mix64(in.settings.seed * 2 + in.iteration)) | 1u),
-        shift_(uint32_t(mix64(hash_combine(in.settings.seed, in.iteration)))) {}
+  Pairing(const EyePassInput& in) : light_(in.light) {
+    const auto numbers = Stream(Stream::pairing).numbers(in.settings.seed, in.iteration, 0, 0);
+    odd_ = numbers[0] | 1u;
+    shift_ = numbers[1];
+  }
   void assign(uint32_t path, EyeWalk::Sensor& sensor) const {
     if (light_.begin.size() < 2) return;
     const uint32_t n = uint32_t(light_.begin.size() - 1), i = (path * odd_ + shift_) & (n - 1);
@@ -89,13 +90,13 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
       sensor.pixel = pixel;
       pairing.assign(first_path + uint32_t(i), sensor);
       const uint64_t key = hash_combine(in.camera_batch, pixel);
-      PathSampler rng(in.settings.seed, first_camera_stream + c, key, in.camera_batch_visit, in.iteration, pixel);
+      PathSampler rng(in.settings.seed, {Stream::camera, c}, key, in.camera_batch_visit, in.iteration, pixel);
       const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
       ++work[b].eye_paths;
       tally.pixels[c][pixel] =
           EyeWalk(in, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
       if (!camera.illuminance()) continue;
-      const PathSampler own(in.settings.seed, first_illuminance_stream + c, key, in.camera_batch_visit, in.iteration,
+      const PathSampler own(in.settings.seed, {Stream::illuminance, c}, key, in.camera_batch_visit, in.iteration,
                             pixel);
       tally.illuminance[c][pixel] = pixel_illuminance(in, camera, d, sensor, own, work[b]);
     }
@@ -131,7 +132,7 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       for (uint32_t k = 0; k < samples; ++k) {
         const uint32_t path = uint32_t(m) * samples + k;
         pairing.assign(first_path + path, sensor);
-        PathSampler rng(in.settings.seed, first_meter_stream + s, hash_combine(in.meter_batch, m),
+        PathSampler rng(in.settings.seed, {Stream::meters, s}, hash_combine(in.meter_batch, m),
                         in.meter_batch_visit * samples + k, in.iteration, path);
         Vec3 p = meter.p;
         if (set.is_cell())

@@ -3,7 +3,6 @@
 
 #include <limits>
 
-#include "transport/sampler.h"
 #include "transport/walk.h"
 
 namespace ups {
@@ -49,7 +48,7 @@ class LightWalk {
  public:
   LightWalk(const LightPassInput& in, const SensorIndex& sensors, Block& block, uint32_t path)
       : in_(in), scene_(in.scene), sensors_(sensors), block_(block), counts_(common()),
-        rng_(in.settings.seed, 0, in.batch, in.batch_visit * in.plan.light_paths + path, in.iteration, path) {}
+        rng_(in.settings.seed, in.stream, in.batch, in.batch_visit * in.plan.light_paths + path, in.iteration, path) {}
 
   void run() {
     if (!emit()) return;

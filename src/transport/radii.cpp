@@ -12,7 +12,6 @@ namespace ups {
 
 namespace {
 
-constexpr uint32_t pilot_iteration = 0xffffffffu;  // its random numbers are nobody else's
 constexpr uint32_t meter_pilot_passes = 4;
 constexpr size_t walk_photons = 1;
 
@@ -71,7 +70,7 @@ void fix_radii(float radius, Plan& plan) {
 // its first pass.
 std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
                                    const std::vector<float>& spacings, const std::atomic<bool>& stop, Plan& plan) {
-  const SensorIndex sensors(scene, plan, settings, 0, pool.thread_count());
+  const SensorIndex sensors(scene, plan, settings, 0, pool);
   TransportSettings pilot = settings;
   pilot.photon_mapping = true;  // no weights are needed
   pilot.techniques &= ~uint32_t(UPS_TECHNIQUE_SENSOR_CONNECT);
@@ -79,7 +78,7 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
   std::vector<std::vector<PilotPaths::Crossing>> crossings;
   const uint32_t passes = sensors.empty() ? 1 : meter_pilot_passes;
   for (uint32_t k = 0; k < passes; ++k) {
-    const LightPassInput in{scene, plan, pilot, pilot_iteration - k, pilot_iteration, k, 1.0, 0.0, k == 0, stop};
+    const LightPassInput in{scene, plan, pilot, k, 0, k, 1.0, 0.0, k == 0, stop, Stream::pilot};
     PilotPaths paths = trace_pilot_paths(in, sensors, pool);
     if (k == 0) vertices = std::move(paths.vertices);
     if (crossings.size() < paths.crossings.size()) crossings.resize(paths.crossings.size());

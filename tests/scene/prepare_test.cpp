@@ -63,7 +63,10 @@ struct Things {
     d.flux_lm = flux_lm, d.dimming = 0.5f, d.intensity_scale = 0.8f;
     description.add_luminaire(d, std::make_shared<photometry::Photometry>(std::move(data)));
   }
-  std::shared_ptr<const Snapshot> build() const { return prepare(description, 2); }
+  std::shared_ptr<const Snapshot> build() const {
+    ThreadPool pool(2);
+    return prepare(description, pool);
+  }
 };
 
 TEST(Prepare, OriginIsTheCentre) {

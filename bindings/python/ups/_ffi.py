@@ -64,6 +64,9 @@ class ProfileText(enum.IntEnum):
     FORMAT = 2
     TILT_FILE = 3
     TILT_TABLE = 4
+    LAMP_TYPES = 5
+    LAMP_COLOURS = 6
+    LAMP_RENDERINGS = 7
 
 
 class MaterialModel(enum.IntEnum):
@@ -323,6 +326,18 @@ class ProfileBeam(Structure):
         ("from_deg", c_float),
         ("to_deg", c_float),
         ("angle_deg", c_float),
+    ]
+
+
+class ProfileLampSet(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("count", c_int32),
+        ("flux_lm", c_double),
+        ("input_power_w", c_float),
+        ("colour_temperature_k", c_float),
+        ("colour_rendering_index", c_float),
+        ("chosen", c_int32),
     ]
 
 
@@ -775,7 +790,9 @@ PROTOTYPES = {
     "ups_profile_parse_desc_init": (None, [POINTER(ProfileParseDesc), c_uint32]),
     "ups_profile_parse_with": (c_int32, [c_void_p, POINTER(ProfileParseDesc), POINTER(c_void_p)]),
     "ups_profile_write": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_profile_get_write_warnings": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_get_info": (c_int32, [c_void_p, POINTER(ProfileInfo)]),
+    "ups_profile_get_lamp_set": (c_int32, [c_void_p, c_uint32, POINTER(ProfileLampSet)]),
     "ups_profile_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_get_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_with_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, POINTER(c_void_p)]),

@@ -77,6 +77,7 @@ class Importer {
   void add_materials();
   Material add_material(const JsonReader& material);
   void read_core_material(const JsonReader& material, ups_material_desc& desc);
+  void reflect_all(const JsonReader& material, ups_material_desc& desc);
   void read_transmission(const JsonReader& material, ups_material_desc& desc);
   void read_emission(const JsonReader& material, ups_material_desc& desc);
   void read_alpha(const JsonReader& material, ups_material_desc& desc);

@@ -103,7 +103,7 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
   if (light.has("uri") == light.has("bufferView")) light.fail("uri", "or \"bufferView\" must be given, and not both");
   if (light.has("uri")) {
     const std::string uri = light.text("uri", "");
-    const bool embedded = uri.rfind("data:", 0) == 0;
+    const bool embedded = is_data_uri(uri);
     if (!embedded) where += ", file '" + uri + "'";
     const std::filesystem::path folder =
         embedded ? std::filesystem::path() : folder_of(document_.folder / utf8_path(percent_decoded(uri)));

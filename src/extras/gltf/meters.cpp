@@ -10,7 +10,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int64_t max_meters = 16777216;  // ups_meter_desc
-// File systems take 255; some are left for what follows: "_illuminance.png", a temporary file's suffix.
+// File systems take 255; some are left for what follows, such as "_illuminance.png".
 constexpr size_t max_name_bytes = 200;
 
 ups_meter_kind kind_of(const JsonReader& meters) {
