@@ -42,16 +42,37 @@ bool hit_band(const void* geometry, uint32_t primitive, const RTCRay& ray, Revol
   return intersect(shape, shape.bands[mesh.pieces[primitive].band], o, d, ray.tnear, ray.tfar, hit);
 }
 
+void note(const RTCIntersectFunctionNArguments* args, const RevolutionHit& from, RTCHit& hit) {
+  hit.primID = from.primitive;
+  hit.geomID = args->geomID;
+  hit.instID[0] = args->context->instID[0];
+  hit.u = from.u, hit.v = from.v;
+}
+
+// All points of the band along the ray to a filter that rejects them.
+void offer_all(const RTCIntersectFunctionNArguments* args, RTCRay ray, RTCFilterFunctionN filter) {
+  RTCHit found{};
+  for (RevolutionHit hit; hit_band(args->geometryUserPtr, args->primID, ray, hit);) {
+    RTCRay here = ray;
+    here.tfar = float(hit.t);
+    note(args, hit, found);
+    int valid = -1;
+    const RTCFilterFunctionNArguments offer{&valid, args->geometryUserPtr, args->context,
+                                            reinterpret_cast<RTCRayN*>(&here), reinterpret_cast<RTCHitN*>(&found), 1};
+    filter(&offer);
+    ray.tnear = std::nextafter(here.tfar, std::numeric_limits<float>::infinity());
+  }
+}
+
 void intersect_one(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
   RTCRayHit& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  const RTCFilterFunctionN filter = static_cast<const embree::QueryContext*>(args->context)->filter_of_all;
+  if (filter) return offer_all(args, query.ray, filter);
   RevolutionHit hit;
   if (!hit_band(args->geometryUserPtr, args->primID, query.ray, hit)) return;
   query.ray.tfar = float(hit.t);
-  query.hit.primID = hit.primitive;
-  query.hit.geomID = args->geomID;
-  query.hit.instID[0] = args->context->instID[0];
-  query.hit.u = hit.u, query.hit.v = hit.v;
+  note(args, hit, query.hit);
 }
 
 void occlude_one(const RTCOccludedFunctionNArguments* args) {
