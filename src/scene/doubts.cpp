@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
 #include "scene/probe.h"
 
 namespace ups {
@@ -19,11 +18,11 @@ bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 FlatTriangles find_flat_triangles(const Snapshot& scene, const std::vector<Raytracer::Instance>& instances,
-                                  int thread_count) {
+                                  ThreadPool& pool) {
   std::vector<bool> shown(scene.meshes.size());
   for (const Raytracer::Instance& i : instances) shown[i.mesh] = true;
   std::vector<FlatTriangles> found(scene.meshes.size());
-  parallel_for(thread_count, found.size(), [&](size_t m) {
+  parallel_for(pool, found.size(), [&](size_t m) {
     if (!shown[m]) return;
     const Mesh& mesh = *scene.meshes[m];
     for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {

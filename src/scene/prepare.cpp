@@ -16,6 +16,7 @@ constexpr double max_coordinate_m = 1e9;
 }  // namespace
 
 std::shared_ptr<const Snapshot> Builder::build() {
+  out_->tag = in_.tag();
   place();
   add_materials();
   add_geometry();
@@ -50,7 +51,7 @@ void Builder::place() {
   in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
     Box& mesh = mesh_boxes[i.mesh];
     if (mesh.empty())
-      for (const Vec3& p : in_.meshes().get(i.mesh, "mesh")->positions) mesh.grow(Vec3d(p));
+      for (const Vec3& p : in_.meshes().at(i.mesh)->positions) mesh.grow(Vec3d(p));
     for (int k = 0; k < 8; ++k) grow(i.to_world.point(mesh.corner(k)), "instance", id);
   });
   in_.sources().each([&](uint32_t id, const SourceDescription& s) {
@@ -94,7 +95,7 @@ void Builder::place() {
 
 void Builder::add_materials() {
   const auto texture = [&](ups_texture_id id) -> const Texture* {
-    return id.v ? out_->textures[id.v - 1].get() : nullptr;
+    return id.v ? out_->textures[number_of(id.v) - 1].get() : nullptr;
   };
   in_.textures().each([&](uint32_t, const TextureDescription& t) { out_->textures.push_back(t.texture); });
   in_.materials().each([&](uint32_t id, const ups_material_desc& d) {
@@ -207,8 +208,8 @@ void Builder::find_media() {
   }
 }
 
-std::shared_ptr<const Snapshot> prepare(const Description& description, int thread_count) {
-  return Builder(description, thread_count).build();
+std::shared_ptr<const Snapshot> prepare(const Description& description, ThreadPool& pool) {
+  return Builder(description, pool).build();
 }
 
 }  // namespace ups

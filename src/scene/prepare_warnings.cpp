@@ -56,7 +56,7 @@ void Builder::warn_of_overlaps() {
 }
 
 void Builder::warn_of_triangles() {
-  const Duplicates duplicates = find_duplicates(out_->meshes, instances_);
+  const Duplicates duplicates = find_duplicates(out_->meshes, instances_, out_->media);
   if (duplicates.count > 0) {
     const auto name = [&](const Duplicates::Triangle& t) {
       return "triangle " + std::to_string(t.primitive) + " of instance " + std::to_string(instance_ids_[t.instance]);

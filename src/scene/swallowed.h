@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/vec.h"
 #include "scene/snapshot.h"
 
@@ -22,6 +23,6 @@ struct SwallowedLight {
 };
 
 // By index of the emitter. The same for any number of threads.
-std::vector<SwallowedLight> find_swallowed_light(const Snapshot& scene, int thread_count);
+std::vector<SwallowedLight> find_swallowed_light(const Snapshot& scene, ThreadPool& pool);
 
 }  // namespace ups

@@ -55,7 +55,8 @@ std::shared_ptr<Snapshot> room(ups_material_model model) {
   meters.count = 2;
   meters.positions_m = positions, meters.normals = normals;
   description.add_meters(meters);
-  return std::const_pointer_cast<Snapshot>(prepare(description, 2));
+  ThreadPool pool(2);
+  return std::const_pointer_cast<Snapshot>(prepare(description, pool));
 }
 
 IterationTally run(std::shared_ptr<Snapshot> scene, uint32_t techniques) {
