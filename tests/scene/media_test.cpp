@@ -109,7 +109,8 @@ TEST(Media, AllHitsOfFacesThatCoincide) {
   s.cube(a, 0, 1);
   s.cube(a, 1, 1);
   s.cube(a, 1, 0.5);
-  const Raytracer tracer(s.meshes, s.instances, s.texturing, 1, true);
+  ThreadPool pool(1);
+  const Raytracer tracer(s.meshes, s.instances, s.texturing, pool, true);
   std::vector<Hit> hits;
   tracer.intersect_all({0.5f, 0.2f, 0.3f}, {1, 0, 0}, INFINITY, hits);
   ASSERT_EQ(hits.size(), 5u);
