@@ -42,13 +42,14 @@ int convert(const std::string& in, const std::string& out) {
     throw Failure(in + ": not a kind of file that is read here: .ies, .ldt or another photometric one");
   const Context context = make_context(1);
   const Profile profile = read_profile(context.get(), in);
-  write_profile(out, profile.get());  // the command line admits .ies and .ldt alone
+  // The command line admits .ies and .ldt alone.
+  const std::vector<std::string> lacks = write_profile(out, profile.get());
   const ProfileReport report = make_report(in, profile.get());
   const auto warn = [](const std::string& file, const std::string& what) {
     std::fprintf(stderr, "ups: warning: %s: %s\n", file.c_str(), what.c_str());
   };
   for (const std::string& warning : report.warnings) warn(in, warning);
-  for (const std::string& warning : write_warnings(out, profile.get())) warn(out, warning);
+  for (const std::string& lack : lacks) warn(out, lack);
   const Profile written = read_profile(context.get(), out);
   for (const std::string& loss : losses(report, make_report(out, written.get()))) warn(out, loss);
   return exit_done;

@@ -20,8 +20,9 @@ std::optional<ups_profile_format> photometric_format(const std::string& file);
 
 // Throws Failure that names the file.
 Profile read_profile(ups_context* context, const std::string& file);
-// As .ies or .ldt, by its name, whole or not at all. Throws Failure that names the file.
-void write_profile(const std::string& file, const ups_profile* profile);
+// As .ies or .ldt, by its name, whole or not at all. Returns what the file does not hold as the profile has it, such as
+// flux and peak where they part. Throws Failure that names the file.
+std::vector<std::string> write_profile(const std::string& file, const ups_profile* profile);
 inline bool is_written_format(const std::string& file) {
   return lower_extension(file) == ".ies" || lower_extension(file) == ".ldt";
 }
