@@ -72,7 +72,7 @@ ups_mesh_id add_mesh(Description& scene, const FixturePart& part, ups_material_i
   d.positions_m = part.mesh.positions.data();
   d.normals = part.mesh.normals.empty() ? nullptr : part.mesh.normals.data();
   d.indices = part.mesh.indices.data();
-  return scene.add_mesh(d);
+  return scene.add_mesh(d, part.revolution);
 }
 
 // Emitters have a mesh and a material of their own each time, as their luminance is that of one placement.
@@ -168,7 +168,7 @@ ups_status ups_fixture_create(ups_context* context, ups_fixture** out) {
   });
 }
 
-void ups_fixture_destroy(ups_fixture* fixture) { delete fixture; }
+void ups_fixture_destroy(ups_fixture* fixture) { destroy(fixture); }
 
 ups_status ups_fixture_add_emitter(ups_fixture* fixture, const ups_fixture_emitter_desc* desc,
                                    ups_fixture_part_id* out) {

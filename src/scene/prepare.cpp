@@ -17,6 +17,7 @@ constexpr double max_coordinate_m = 1e9;
 }  // namespace
 
 std::shared_ptr<const Snapshot> Builder::build() {
+  out_->tag = in_.tag();
   place();
   add_materials();
   add_geometry();
@@ -51,7 +52,7 @@ void Builder::place() {
   in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
     Box& mesh = mesh_boxes[i.mesh];
     if (mesh.empty())
-      for (const Vec3& p : in_.meshes().get(i.mesh, "mesh")->positions) mesh.grow(Vec3d(p));
+      for (const Vec3& p : in_.meshes().at(i.mesh)->positions) mesh.grow(Vec3d(p));
     for (int k = 0; k < 8; ++k) grow(i.to_world.point(mesh.corner(k)), "instance", id);
   });
   in_.sources().each([&](uint32_t id, const SourceDescription& s) {
@@ -95,7 +96,7 @@ void Builder::place() {
 
 void Builder::add_materials() {
   const auto texture = [&](ups_texture_id id) -> const Texture* {
-    return id.v ? out_->textures[id.v - 1].get() : nullptr;
+    return id.v ? out_->textures[number_of(id.v) - 1].get() : nullptr;
   };
   in_.textures().each([&](uint32_t, const TextureDescription& t) { out_->textures.push_back(t.texture); });
   in_.materials().each([&](uint32_t id, const ups_material_desc& d) {
@@ -107,6 +108,7 @@ void Builder::add_materials() {
     m.roughness = d.roughness, m.ior = d.ior, m.metallic = d.metallic;
     m.ior_rgb = to_rgb(d.ior_rgb), m.ior_k_rgb = to_rgb(d.ior_k_rgb);
     m.absorption_per_m = to_rgb(d.absorption_per_m_rgb);
+    m.priority = d.priority;
     m.reflectance_texture = texture(d.reflectance_texture);
     m.roughness_texture = texture(d.roughness_texture);
     m.metallic_texture = texture(d.metallic_texture);
@@ -134,7 +136,9 @@ void Builder::add_geometry() {
     instance_ids_.push_back(id);
     out_->material_used[out_->meshes[i.mesh - 1]->material] = true;
   });
-  out_->raytracer = std::make_unique<Raytracer>(out_->meshes, instances_, out_->texturing, threads_);
+  out_->media = rank_media(out_->meshes, instances_, out_->materials, out_->texturing);
+  out_->raytracer =
+      std::make_unique<Raytracer>(out_->meshes, instances_, out_->texturing, threads_, out_->media.nest);
 }
 
 // ---- sensors ----
@@ -178,28 +182,50 @@ void Builder::add_sensors() {
 
 // ---- media ----
 
+// Where there is glass that attenuates, or bends light by what lies around it.
 void Builder::find_media() {
-  bool absorbs = false;
-  for (size_t i = 0; i < out_->materials.size(); ++i)
-    absorbs |= out_->material_used[i] && out_->materials[i].model == MaterialModel::glass &&
-               !is_black(out_->materials[i].absorption_per_m);
-  const auto find = [&](const Vec3& p) { return absorbs ? medium_at(*out_, p) : none; };
-  for (const Camera& camera : out_->cameras) out_->medium_of_camera.push_back(find(camera.position()));
-  for (const Vec3& p : emitter_probes_) out_->medium_of_emitter.push_back(find(p));
+  bool wanted = out_->media.nest;
+  for (const Medium& m : out_->media.by_rank) wanted |= !is_black(out_->materials[m.material].absorption_per_m);
+  std::vector<MediaStack>& stacks = out_->media_stacks;
+  stacks.assign(1, MediaStack());
+  const auto number = [&](const MediaStack& stack) {
+    const auto at = std::find(stacks.begin(), stacks.end(), stack);
+    if (at != stacks.end()) return uint32_t(at - stacks.begin());
+    stacks.push_back(stack);
+    return uint32_t(stacks.size() - 1);
+  };
+  const auto find = [&](const Vec3& p) { return wanted ? number(media_at(*out_, p)) : 0; };
+  for (const Camera& camera : out_->cameras) out_->media_of_camera.push_back(find(camera.position()));
+  for (const Vec3& p : emitter_probes_) out_->media_of_emitter.push_back(find(p));
   for (const MeterSet& set : out_->meter_sets) {
-    std::vector<uint32_t>& media = out_->medium_of_meter.emplace_back(set.meters.size(), none);
-    if (!absorbs) continue;
+    std::vector<uint32_t>& media = out_->media_of_meter.emplace_back(set.meters.size(), 0);
+    if (!wanted) continue;
+    std::vector<MediaStack> found(set.meters.size());
     parallel_for(threads_, set.meters.size(), [&](size_t i) {
       const Meter& meter = set.meters[i];
-      media[i] = find(meter.p + meter.frame.n * (2 * meter.error));
+      found[i] = media_at(*out_, meter.p + meter.frame.n * (2 * meter.error));
     });
+    for (size_t i = 0; i < found.size(); ++i) media[i] = number(found[i]);
   }
 }
 
 // ---- warnings ----
 
+void Builder::warn_of_overlaps() {
+  constexpr size_t most_named = 8;
+  const std::vector<PartialOverlap> overlaps = find_partial_overlaps(*out_, instances_, threads_);
+  for (size_t i = 0; i < std::min(overlaps.size(), most_named); ++i)
+    warn("instances " + std::to_string(instance_ids_[overlaps[i].instance_a]) + " and " +
+         std::to_string(instance_ids_[overlaps[i].instance_b]) +
+         " are glass of different index and overlap in part: where they do the smaller one counts; give the material "
+         "of the one that should a higher priority");
+  if (overlaps.size() > most_named)
+    warn(std::to_string(overlaps.size() - most_named) + " more pairs of glass instances overlap in part");
+}
+
 void Builder::add_warnings() {
-  const Duplicates duplicates = find_duplicates(out_->meshes, instances_);
+  warn_of_overlaps();
+  const Duplicates duplicates = find_duplicates(out_->meshes, instances_, out_->media);
   if (duplicates.count > 0) {
     const auto name = [&](const Duplicates::Triangle& t) {
       return "triangle " + std::to_string(t.primitive) + " of instance " + std::to_string(instance_ids_[t.instance]);
@@ -218,8 +244,8 @@ void Builder::add_warnings() {
            "depends on its grid, as it would be infinite");
 }
 
-std::shared_ptr<const Snapshot> prepare(const Description& description, int thread_count) {
-  return Builder(description, thread_count).build();
+std::shared_ptr<const Snapshot> prepare(const Description& description, ThreadPool& pool) {
+  return Builder(description, pool).build();
 }
 
 }  // namespace ups

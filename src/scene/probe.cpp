@@ -35,18 +35,6 @@ Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n) {
   return error > free_error(p) ? p + n * (2 * error) : p;
 }
 
-uint32_t medium_at(const Snapshot& scene, Vec3 p) {
-  const Vec3 d = normalize(Vec3(0.0123f, 0.0071f, 1.0f));  // along no wall
-  Hit hit;
-  for (int crossings = 0; crossings < 10'000; ++crossings) {
-    if (!scene.raytracer->intersect(p, d, INFINITY, hit)) return none;
-    const SurfacePoint s = scene.raytracer->surface_at(hit);
-    if (scene.materials[s.material].model == MaterialModel::glass) return dot(d, s.ng) > 0 ? s.material : none;
-    p = s.ray_origin(d);
-  }
-  return none;
-}
-
 namespace {
 
 // Where light of the emitter meets a surface first; numbers of its own for each i.
@@ -134,7 +122,7 @@ double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t ray
 
 }  // namespace
 
-float first_light_concentration(const Snapshot& scene, int thread_count) {
+float first_light_concentration(const Snapshot& scene, ThreadPool& pool) {
   constexpr double least_share = 1e-4;  // of all flux
   constexpr size_t few = 64, most = 1024;
   const size_t count = scene.emitters.size(), stride = (count + most - 1) / most;  // beyond, every other stands for all
@@ -142,7 +130,7 @@ float first_light_concentration(const Snapshot& scene, int thread_count) {
   double total = 0;
   for (size_t i = 0; i < count; ++i) total += scene.emitters[i].flux_lm();
   std::vector<double> found(stride ? (count + stride - 1) / stride : 0);
-  parallel_for(thread_count, found.size(), [&](size_t i) {
+  parallel_for(pool, found.size(), [&](size_t i) {
     const Emitter& emitter = scene.emitters[i * stride];
     if (emitter.flux_lm() >= std::min(least_share, 0.1 / double(count)) * total)
       found[i] = concentration(scene, emitter, rays);

@@ -2,15 +2,13 @@
 // folders and files tried out before a render.
 #include "tool/output.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
+#include "common/atomic_file.h"
 #include "tool/csv.h"
 #include "tool/report.h"
 #include "tool/tables.h"
@@ -203,13 +201,9 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
 }
 
 void probe_folder(const std::string& option, const std::string& folder) {
-  const auto probe = std::filesystem::path(folder) / ("ups-probe." + std::to_string(::getpid()) + ".tmp");
-  std::FILE* file = std::fopen(probe.c_str(), "wb");
-  const int open_errno = errno;
-  if (!file) throw Failure(option + ": cannot write into the folder '" + folder + "': " + std::strerror(open_errno));
-  std::fclose(file);
-  std::error_code ignored;
-  std::filesystem::remove(probe, ignored);
+  const extras::TemporaryFile probe(folder);
+  if (!probe.descriptor.is_open())
+    throw Failure(option + ": cannot write into the folder '" + folder + "': " + std::strerror(errno));
 }
 
 }  // namespace
@@ -232,12 +226,13 @@ void prepare_folder(const std::string& folder) {
 
 void prepare_file(const std::string& option, const std::string& path) {
   std::error_code error;
-  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-  const std::string folder = parent.empty() ? "." : parent.string();
-  if (!std::filesystem::is_directory(folder, error))
-    throw Failure(option + ": cannot write '" + path + "': there is no folder '" + folder + "'; make it first");
   if (std::filesystem::is_directory(path, error))
     throw Failure(option + ": '" + path + "' is a folder; it must be the name of a file");
+  const extras::Destination to = extras::destination_of(path);
+  if (!to.replaceable) return;
+  const std::string folder = to.folder().string();
+  if (!std::filesystem::is_directory(folder, error))
+    throw Failure(option + ": cannot write '" + path + "': there is no folder '" + folder + "'; make it first");
   probe_folder(option, folder);
 }
 

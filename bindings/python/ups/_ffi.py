@@ -375,6 +375,7 @@ class MaterialDesc(Structure):
         ("metallic_texture", TextureId),
         ("normal_texture", TextureId),
         ("alpha_texture", TextureId),
+        ("priority", c_int32),
     ]
 
 

@@ -71,7 +71,7 @@ namespace {
 
 using ups::extras::require;
 
-thread_local std::string last_error;
+ups::LastError last_error;
 
 template <class Body>
 ups_status guarded(Body&& body) {
@@ -89,10 +89,7 @@ ups_gltf_import_desc default_desc() { return {sizeof(ups_gltf_import_desc), 0, 0
 }  // namespace
 
 void ups_gltf_import_desc_init(ups_gltf_import_desc* desc, uint32_t struct_size) {
-  if (!desc || struct_size < sizeof(uint32_t)) return;
-  ups_gltf_import_desc defaults = default_desc();
-  defaults.struct_size = struct_size;
-  std::memcpy(static_cast<void*>(desc), &defaults, std::min<size_t>(struct_size, sizeof defaults));
+  ups::extras::write_defaults(desc, struct_size, default_desc());
 }
 
 ups_status ups_gltf_import_file(ups_context* context, const char* path, const ups_gltf_import_desc* desc,
@@ -163,4 +160,4 @@ ups_status ups_gltf_get_warnings(const ups_gltf_import* import_result, char* tex
   });
 }
 
-const char* ups_gltf_last_error(void) { return last_error.c_str(); }
+const char* ups_gltf_last_error(void) { return last_error.get(); }
