@@ -192,12 +192,13 @@ Profile read_profile(ups_context* context, const std::string& file) {
   const std::string by_content = without_functions(ups_last_error());
   const auto named = photometric_format(file);
   if (!named)
-    throw Failure(file + ": neither a scene nor a photometric file that is known here, whose name would end in .gltf, .glb, " +
-                  known_extensions + "; read as photometry: " + by_content);
+    throw Failure(file + ": neither a scene nor a photometric file that is known here, whose name would end in " +
+                  ".gltf, .glb, " + known_extensions + "; read as photometry: " + by_content);
   if (parse(context, file, bytes, *named, profile) == UPS_OK) return profile;
   const std::string by_name = without_functions(ups_last_error());
   throw Failure(file + ": " + by_content +
-                (by_name == by_content ? "" : "; read as what its name says, " + lower_extension(file) + ": " + by_name));
+                (by_name == by_content ? ""
+                                       : "; read as what its name says, " + lower_extension(file) + ": " + by_name));
 }
 
 bool is_scene_file(const std::string& file) {
