@@ -22,8 +22,14 @@
 namespace ups::embree {
 
 #if UPS_EMBREE_MAJOR >= 4
-using QueryContext = RTCRayQueryContext;
-inline void init(QueryContext& context) { rtcInitRayQueryContext(&context); }
+struct QueryContext : RTCRayQueryContext {
+  RTCFilterFunctionN filter;  // Embree calls it for triangles alone, user geometry has to ask
+};
+inline void init(QueryContext& context) {
+  rtcInitRayQueryContext(&context);
+  context.filter = nullptr;
+}
+inline RTCFilterFunctionN filter_of(RTCRayQueryContext* context) { return static_cast<QueryContext*>(context)->filter; }
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
@@ -42,13 +48,14 @@ inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray, RTC
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.context = &context;
-  arguments.filter = filter;
+  arguments.filter = context.filter = filter;
   arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
   rtcIntersect1(scene, &ray, &arguments);
 }
 #else
 using QueryContext = RTCIntersectContext;
 inline void init(QueryContext& context) { rtcInitIntersectContext(&context); }
+inline RTCFilterFunctionN filter_of(RTCIntersectContext* context) { return context->filter; }
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
 inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
 inline constexpr int with_query_filters = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
