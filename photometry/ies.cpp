@@ -234,7 +234,12 @@ Photometry IesReader::read() {
   table_line_ = in_.line();
   read_candelas(scale);
   std::string_view token;
-  if (in_.next_token(token)) warn(in_.line(), "what follows the candelas is ignored");
+  if (in_.next_token(token)) {
+    if (double surplus; parse_number(token, surplus))
+      fail_at(in_.line(), "numbers go on after the last of " + std::to_string(horizontal_count_ * vertical_count_) +
+                              " candela values; a value before, or the count of angles, is wrong");
+    warn(in_.line(), "what follows the candelas is ignored");
+  }
   if (vertical_descends) {
     std::reverse(table_.vertical_deg.begin(), table_.vertical_deg.end());
     for (Plane& p : table_.planes) std::reverse(p.intensity_cd.begin(), p.intensity_cd.end());

@@ -12,7 +12,6 @@ struct FoundNumber {
 };
 
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::vector<FoundNumber> numbers_in(const std::string& given) {
   std::string text;

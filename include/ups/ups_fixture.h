@@ -218,6 +218,10 @@ UPS_API ups_status ups_fixture_get_info(const ups_fixture *fixture, ups_fixture_
  * its triangles). The scene keeps what it needs: the fixture may be changed or destroyed afterwards. */
 UPS_API ups_status ups_scene_add_fixture(ups_scene *scene, const ups_fixture *fixture,
                                          const ups_fixture_instance_desc *desc, ups_fixture_id *out);
+/* The instance that a part became: what ups_source_info tells of its light. Errors: INVALID_ARGUMENT where the fixture
+ * had no such part when it was placed. */
+UPS_API ups_status ups_scene_get_fixture_instance(const ups_scene *scene, ups_fixture_id id, ups_fixture_part_id part,
+                                                  ups_instance_id *out);
 /* Changes take effect at the next commit. */
 UPS_API ups_status ups_scene_set_fixture_dimming(ups_scene *scene, ups_fixture_id id, float dimming);
 UPS_API ups_status ups_scene_set_fixture_transform(ups_scene *scene, ups_fixture_id id, const double to_world[12]);

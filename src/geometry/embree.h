@@ -11,12 +11,12 @@
 #else
 #include <embree3/rtcore.h>
 #endif
-#include <tbb/task_arena.h>
-
+#include <cstdio>
 #include <mutex>
 #include <string>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/vec.h"
 
 namespace ups::embree {
@@ -77,8 +77,11 @@ inline RTCRay make_ray(const Vec3& o, const Vec3& d, float tmax) {
 class Device {
  public:
   Device() : device_(rtcNewDevice(nullptr)) {
-    if (!device_)
-      throw Error(UPS_ERROR_INTERNAL, "Embree: no device, error " + std::to_string(rtcGetDeviceError(nullptr)));
+    if (!device_) {
+      const RTCError code = rtcGetDeviceError(nullptr);
+      if (code == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+      throw Error(UPS_ERROR_INTERNAL, "Embree: no device, error " + std::to_string(code));
+    }
     rtcSetDeviceErrorFunction(device_, &Device::on_error, this);
   }
   ~Device() { rtcReleaseDevice(device_); }
@@ -90,7 +93,7 @@ class Device {
     const std::lock_guard lock(mutex_);
     if (code_ == RTC_ERROR_NONE) return;
     const ups_status status = code_ == RTC_ERROR_OUT_OF_MEMORY ? UPS_ERROR_OUT_OF_MEMORY : UPS_ERROR_INTERNAL;
-    throw Error(status, "Embree: " + message_);
+    throw Error(status, std::string("Embree: ") + message_);
   }
 
  private:
@@ -99,12 +102,12 @@ class Device {
     const std::lock_guard lock(device.mutex_);
     if (device.code_ != RTC_ERROR_NONE) return;
     device.code_ = code;
-    device.message_ = text ? text : "unknown error";
+    std::snprintf(device.message_, sizeof device.message_, "%s", text ? text : "unknown error");
   }
   RTCDevice device_;
   std::mutex mutex_;
   RTCError code_ = RTC_ERROR_NONE;
-  std::string message_;
+  char message_[256] = "";  // no string: Embree may be calling because memory is exhausted
 };
 
 // Owns a scene. Robust: rays do not slip between triangles that share an edge. query_filters: for intersect() with a
@@ -129,8 +132,8 @@ class Scene {
     device_->check();
   }
   // Embree builds in the arena of its caller: a device's own thread setting would change the whole process.
-  void commit(tbb::task_arena& arena) {
-    arena.execute([&] { rtcCommitScene(scene_); });
+  void commit(ThreadPool& pool) {
+    pool.run_tasks([&] { rtcCommitScene(scene_); });
     device_->check();
   }
 

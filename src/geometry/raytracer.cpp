@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/per_thread.h"
 #include "geometry/box.h"
 #include "geometry/traced_mesh.h"
 
@@ -139,12 +140,11 @@ struct Raytracer::Impl {
 };
 
 Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-                     const std::vector<SurfaceTexturing>& texturing, int thread_count, bool finds_all)
+                     const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, bool finds_all)
     : impl_(std::make_unique<Impl>()) {
   Impl& impl = *impl_;
   impl.texturing = &texturing;
   impl.top = std::make_unique<embree::Scene>(impl.device, finds_all);
-  tbb::task_arena arena(thread_count > 0 ? thread_count : tbb::task_arena::automatic);
   std::vector<Box> boxes(meshes.size());
   for (size_t i = 0; i < meshes.size(); ++i) each_extreme(*meshes[i], [&](const Vec3d& p) { boxes[i].grow(p); });
   const std::vector<bool> baked = choose_baked(instances, boxes);
@@ -164,7 +164,7 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
         impl.traced.push_back(make_traced_mesh(mesh, texturing, nullptr));
         impl.instanced.push_back(std::make_unique<embree::Scene>(impl.device, finds_all));
         attach(impl.device, *impl.instanced.back(), *impl.traced.back(), 0);
-        impl.instanced.back()->commit(arena);
+        impl.instanced.back()->commit(pool);
         scene = *impl.instanced.back();
       }
       impl.place_instanced(scene, index, uint32_t(i), placed);
@@ -172,7 +172,7 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
     impl.grow_bounds(impl.placed.back(), boxes[instance.mesh]);
     impl.triangles += mesh.triangle_count();
   }
-  impl.top->commit(arena);
+  impl.top->commit(pool);
 }
 
 Raytracer::~Raytracer() = default;
@@ -208,26 +208,35 @@ namespace {
 struct AllHits {
   embree::QueryContext context;  // first: Embree hands back a pointer to it
   std::vector<std::pair<RTCHit, float>> found;
+  bool out_of_memory;
 };
 
 // Rejects what it notes, so that Embree goes on to the next.
 void note_hit(const RTCFilterFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
   AllHits& all = *reinterpret_cast<AllHits*>(args->context);
-  all.found.emplace_back(*reinterpret_cast<const RTCHit*>(args->hit), reinterpret_cast<const RTCRay*>(args->ray)->tfar);
+  try {
+    all.found.emplace_back(*reinterpret_cast<const RTCHit*>(args->hit),
+                           reinterpret_cast<const RTCRay*>(args->ray)->tfar);
+  } catch (...) {  // must not pass through Embree, which would keep it to itself
+    all.out_of_memory = true;
+  }
   args->valid[0] = 0;
 }
 
 }  // namespace
 
 void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Hit>& out) const {
-  thread_local AllHits all;
+  static const PerThread<AllHits> kept;
+  AllHits& all = kept.get();
   embree::init(all.context);
   all.found.clear();
+  all.out_of_memory = false;
   RTCRayHit query;
   query.ray = embree::make_ray(o, d, tmax);
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(*impl_->top, all.context, query, &note_hit);
+  if (all.out_of_memory) throw std::bad_alloc();
   const size_t first = out.size();
   for (const auto& [hit, t] : all.found) out.push_back(impl_->to_hit(hit, t, o, d));
   const auto order = [](const Hit& h) { return std::make_tuple(h.t, h.instance, h.primitive); };

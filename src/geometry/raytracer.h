@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel.h"
 #include "geometry/revolution.h"
 #include "geometry/surface.h"
 #include "geometry/texture.h"
@@ -41,7 +42,7 @@ class Raytracer {
   // finds_all: intersect_all() may be asked, which costs the others a little.
   // Throws Error (OUT_OF_MEMORY, INTERNAL with Embree's message).
   Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-            const std::vector<SurfaceTexturing>& texturing, int thread_count, bool finds_all = false);
+            const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, bool finds_all = false);
   ~Raytracer();
   Raytracer(const Raytracer&) = delete;
   Raytracer& operator=(const Raytracer&) = delete;
@@ -76,7 +77,7 @@ class DiscIndex {
     Vec3 center, normal;  // unit normal; (0, 0, 0) makes it a ball
     float radius;
   };
-  explicit DiscIndex(std::vector<Disc> discs, int thread_count);
+  explicit DiscIndex(std::vector<Disc> discs, ThreadPool& pool);
   ~DiscIndex();
   struct Crossing {
     uint32_t disc;

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/thread.h"
 #include "transport/light_pass.h"
 
 namespace ups {
@@ -86,27 +87,35 @@ RenderJob::~RenderJob() {
   if (thread_.joinable()) thread_.join();
 }
 
-void RenderJob::start() { thread_ = std::thread([this] { run(); }); }
+void RenderJob::start() {
+  thread_ = start_thread("job", [this] { run(); });
+}
 
 void RenderJob::run() {
   ups_status status = UPS_OK;
   std::string message;
+  constexpr const char* short_text = "out of memory";  // fits into a string that allocates nothing
+  const auto keep = [&](ups_status code, const char* text) {
+    status = code;
+    try {
+      message = text;
+    } catch (const std::bad_alloc&) {
+      message = short_text;
+    }
+  };
   try {
     iterate();
     count_flux();
   } catch (const Error& e) {
-    status = e.status();
-    message = e.what();
+    keep(e.status(), e.what());
   } catch (const std::bad_alloc&) {
-    status = UPS_ERROR_OUT_OF_MEMORY;
-    message = "out of memory while rendering";
+    keep(UPS_ERROR_OUT_OF_MEMORY, short_text);
   } catch (const std::exception& e) {
-    status = UPS_ERROR_INTERNAL;
-    message = e.what();
+    keep(UPS_ERROR_INTERNAL, e.what());
   }
   const std::lock_guard lock(mutex_);
   error_ = status;
-  error_message_ = message;
+  error_message_.swap(message);
   state_ = status != UPS_OK ? UPS_JOB_FAILED : stop_.load() ? UPS_JOB_CANCELLED : UPS_JOB_FINISHED;
   changed_.notify_all();
 }
@@ -162,7 +171,7 @@ void RenderJob::count_flux() {
     Plan plan;
     plan.light_paths = flux_paths;
     IterationTally tally;
-    const SensorIndex no_sensors(*scene_, plan, s, 0, 1);
+    const SensorIndex no_sensors(*scene_, plan, s, 0, *pool_);
     trace_light_paths({*scene_, plan, s, 0, 0, 0, 1.0, 0.0, false, stop_, Stream::flux}, no_sensors, *pool_, tally);
     if (stop_.load()) return;  // incomplete; both stay unknown
     work = tally.work;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/parallel.h"
 #include "emitter/emitter.h"
 #include "emitter/rays.h"
 #include "scene/description.h"
@@ -35,8 +36,8 @@ void in_context(const std::string& name, const Build& build) {
 
 class Builder {
  public:
-  Builder(const Description& description, int thread_count)
-      : in_(description), threads_(thread_count), out_(std::make_shared<Snapshot>()) {}
+  Builder(const Description& description, ThreadPool& threads)
+      : in_(description), threads_(threads), out_(std::make_shared<Snapshot>()) {}
 
   std::shared_ptr<const Snapshot> build();
 
@@ -66,7 +67,7 @@ class Builder {
   void warn(std::string text) { out_->warnings.push_back(std::move(text)); }
 
   const Description& in_;
-  int threads_;
+  ThreadPool& threads_;
   std::shared_ptr<Snapshot> out_;
   std::vector<Raytracer::Instance> instances_;
   std::vector<uint32_t> instance_ids_;

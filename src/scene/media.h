@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/parallel.h"
 #include "bsdf/material.h"
 #include "geometry/raytracer.h"
 
@@ -80,6 +81,6 @@ struct PartialOverlap {
   uint32_t instance_a, instance_b;
 };
 std::vector<PartialOverlap> find_partial_overlaps(const Snapshot& scene,
-                                                  const std::vector<Raytracer::Instance>& instances, int thread_count);
+                                                  const std::vector<Raytracer::Instance>& instances, ThreadPool& pool);
 
 }  // namespace ups

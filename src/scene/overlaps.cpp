@@ -133,12 +133,12 @@ class Overlaps {
 
 std::vector<PartialOverlap> find_partial_overlaps(const Snapshot& scene,
                                                   const std::vector<Raytracer::Instance>& instances,
-                                                  int thread_count) {
+                                                  ThreadPool& pool) {
   Overlaps overlaps(scene, instances);
   const std::vector<Overlaps::Pair> pairs = overlaps.candidates();
   overlaps.sample_surfaces(pairs);
   std::vector<char> found(pairs.size());
-  parallel_for(thread_count, pairs.size(), [&](size_t i) { found[i] = overlaps.overlap_in_part(pairs[i]); });
+  parallel_for(pool, pairs.size(), [&](size_t i) { found[i] = overlaps.overlap_in_part(pairs[i]); });
   std::vector<PartialOverlap> out;
   for (size_t i = 0; i < pairs.size(); ++i)
     if (found[i]) {

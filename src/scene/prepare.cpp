@@ -17,6 +17,7 @@ constexpr double max_coordinate_m = 1e9;
 }  // namespace
 
 std::shared_ptr<const Snapshot> Builder::build() {
+  out_->tag = in_.tag();
   place();
   add_materials();
   add_geometry();
@@ -51,7 +52,7 @@ void Builder::place() {
   in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
     Box& mesh = mesh_boxes[i.mesh];
     if (mesh.empty())
-      for (const Vec3& p : in_.meshes().get(i.mesh, "mesh")->positions) mesh.grow(Vec3d(p));
+      for (const Vec3& p : in_.meshes().at(i.mesh)->positions) mesh.grow(Vec3d(p));
     for (int k = 0; k < 8; ++k) grow(i.to_world.point(mesh.corner(k)), "instance", id);
   });
   in_.sources().each([&](uint32_t id, const SourceDescription& s) {
@@ -95,7 +96,7 @@ void Builder::place() {
 
 void Builder::add_materials() {
   const auto texture = [&](ups_texture_id id) -> const Texture* {
-    return id.v ? out_->textures[id.v - 1].get() : nullptr;
+    return id.v ? out_->textures[number_of(id.v) - 1].get() : nullptr;
   };
   in_.textures().each([&](uint32_t, const TextureDescription& t) { out_->textures.push_back(t.texture); });
   in_.materials().each([&](uint32_t id, const ups_material_desc& d) {
@@ -224,7 +225,7 @@ void Builder::warn_of_overlaps() {
 
 void Builder::add_warnings() {
   warn_of_overlaps();
-  const Duplicates duplicates = find_duplicates(out_->meshes, instances_);
+  const Duplicates duplicates = find_duplicates(out_->meshes, instances_, out_->media);
   if (duplicates.count > 0) {
     const auto name = [&](const Duplicates::Triangle& t) {
       return "triangle " + std::to_string(t.primitive) + " of instance " + std::to_string(instance_ids_[t.instance]);
@@ -243,8 +244,8 @@ void Builder::add_warnings() {
            "depends on its grid, as it would be infinite");
 }
 
-std::shared_ptr<const Snapshot> prepare(const Description& description, int thread_count) {
-  return Builder(description, thread_count).build();
+std::shared_ptr<const Snapshot> prepare(const Description& description, ThreadPool& pool) {
+  return Builder(description, pool).build();
 }
 
 }  // namespace ups

@@ -26,7 +26,7 @@ void Builder::add_emissive_instances() {
   out_->emitter_of_instance.assign(instances_.size(), none);
   for (uint32_t i = 0; i < instances_.size(); ++i) {
     const Mesh& mesh = *out_->meshes[instances_[i].mesh];
-    const ups_material_desc& material = in_.materials().get(mesh.material + 1, "material");
+    const ups_material_desc& material = in_.materials().at(mesh.material + 1);
     const Rgb radiance = to_rgb(material.luminance_cd_m2);
     if (is_black(radiance)) continue;
     const Affine& m = instances_[i].to_scene;
@@ -41,8 +41,7 @@ void Builder::add_emissive_instances() {
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     const std::string name = "instance " + std::to_string(instance_ids_[i]);
-    out_->sources.push_back(
-        {UPS_SOURCE_INSTANCE, instance_ids_[i], in_.instances().get(instance_ids_[i], "instance").group});
+    out_->sources.push_back({UPS_SOURCE_INSTANCE, instance_ids_[i], in_.instances().at(instance_ids_[i]).group});
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;
     in_context(name, [&] {

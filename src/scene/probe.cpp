@@ -122,7 +122,7 @@ double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t ray
 
 }  // namespace
 
-float first_light_concentration(const Snapshot& scene, int thread_count) {
+float first_light_concentration(const Snapshot& scene, ThreadPool& pool) {
   constexpr double least_share = 1e-4;  // of all flux
   constexpr size_t few = 64, most = 1024;
   const size_t count = scene.emitters.size(), stride = (count + most - 1) / most;  // beyond, every other stands for all
@@ -130,7 +130,7 @@ float first_light_concentration(const Snapshot& scene, int thread_count) {
   double total = 0;
   for (size_t i = 0; i < count; ++i) total += scene.emitters[i].flux_lm();
   std::vector<double> found(stride ? (count + stride - 1) / stride : 0);
-  parallel_for(thread_count, found.size(), [&](size_t i) {
+  parallel_for(pool, found.size(), [&](size_t i) {
     const Emitter& emitter = scene.emitters[i * stride];
     if (emitter.flux_lm() >= std::min(least_share, 0.1 / double(count)) * total)
       found[i] = concentration(scene, emitter, rays);

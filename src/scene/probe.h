@@ -1,6 +1,7 @@
 // Where does a point stand that is no surface's own: off which surface? And what does the emitters'
 // light meet first? Asked at commit by scene/prepare, for meters, cameras and luminaires.
 #pragma once
+#include "base/parallel.h"
 #include "scene/snapshot.h"
 
 namespace ups {
@@ -22,6 +23,6 @@ float exposed_share(const Snapshot& scene, const Emitter& emitter);
 // How small the patches are that an emitter's light meets first, of the emitter for which they are smallest: the integral
 // of E^2 over their area times the area that they can light, over the squared flux; from a fixed set of rays. About 2 in
 // a room that is lit evenly. Eye paths that scatter find such a patch by chance alone, once in about so many.
-float first_light_concentration(const Snapshot& scene, int thread_count);
+float first_light_concentration(const Snapshot& scene, ThreadPool& pool);
 
 }  // namespace ups

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/per_thread.h"
+
 namespace ups {
 
 Rgb Encounter::transmittance_of_stretches(const Snapshot& scene, float t) const {
@@ -60,7 +62,8 @@ Face face_of(const Snapshot& scene, const SurfacePoint& s, const Vec3& d) {
 // The other faces that lie within rounding of the one at e.surface. The strongest solid's stands for all, whichever a
 // walk met, so that both walks of a path scatter at the same.
 void gather_faces(const Snapshot& scene, const Vec3& d, Encounter& e, std::vector<Face>& faces) {
-  thread_local std::vector<Hit> hits;
+  static const PerThread<std::vector<Hit>> kept;
+  std::vector<Hit>& hits = kept.get();
   hits.clear();
   const Vec3 across = dot(d, e.surface.ng) < 0 ? -e.surface.ng : e.surface.ng;
   const float reach = 2 * e.surface.error;  // as ray_origin() leaves the surface
@@ -99,7 +102,8 @@ void find_nested_sides(const Snapshot& scene, const Vec3& d, Encounter& e) {
     e.front = e.back = e.media;
     return;
   }
-  thread_local std::vector<Face> faces;
+  static const PerThread<std::vector<Face>> kept;
+  std::vector<Face>& faces = kept.get();
   faces.assign(1, own);
   if (scene.media.by_rank[own.medium].meets_others) gather_faces(scene, d, e, faces);
   for (const Face& f : faces) before(scene, f, e.media);
@@ -150,7 +154,8 @@ namespace {
 // Up to `length` from a along d.
 bool is_free_through_media(const Snapshot& scene, const MediaStack& media, const Vec3& a, const Vec3& d, float length,
                            WorkCounts& work, Rgb& transmittance) {
-  thread_local Encounter e;
+  static const PerThread<Encounter> kept;
+  Encounter& e = kept.get();
   e.media = media;
   e.relative_ior = 1;
   transmittance = Rgb(1.0f);

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/per_thread.h"
 #include "base/warp.h"
 #include "emitter/profile.h"
 
@@ -104,7 +105,8 @@ mis::EyeState EyeWalk::arrive(float cos_in, float distance) const {
 
 // Luminous openings block nothing: they are found beside the surfaces.
 void EyeWalk::hit_openings(uint32_t edges) {
-  thread_local std::vector<DiscIndex::Crossing> crossings;
+  static const PerThread<std::vector<DiscIndex::Crossing>> kept;
+  std::vector<DiscIndex::Crossing>& crossings = kept.get();
   crossings.clear();
   scene_.openings->intersect_all(origin_, direction_, met_.distance, crossings);
   for (const DiscIndex::Crossing& c : crossings) {
@@ -188,7 +190,8 @@ void EyeWalk::sample_light(const Vertex& v, const Arrival& a) {
 
 // The light path's vertices as connections read them, made at the first that needs them.
 const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
-  thread_local std::vector<PreparedLight> prepared;
+  static const PerThread<std::vector<PreparedLight>> kept;
+  std::vector<PreparedLight>& prepared = kept.get();
   if (!light_is_prepared_) {
     prepared.clear();
     for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
@@ -205,7 +208,8 @@ const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
 // stands for their sum if its ray is free (Talbot et al. 2005, resampled importance sampling). `weigh` gives them.
 template <class Weigh>
 void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
-  thread_local std::vector<Connection> all;
+  static const PerThread<std::vector<Connection>> kept;
+  std::vector<Connection>& all = kept.get();
   all.clear();
   double sum = 0;
   for (const PreparedLight& light : prepared_light()) {

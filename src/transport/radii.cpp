@@ -70,7 +70,7 @@ void fix_radii(float radius, Plan& plan) {
 // its first pass.
 std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
                                    const std::vector<float>& spacings, const std::atomic<bool>& stop, Plan& plan) {
-  const SensorIndex sensors(scene, plan, settings, 0, pool.thread_count());
+  const SensorIndex sensors(scene, plan, settings, 0, pool);
   TransportSettings pilot = settings;
   pilot.photon_mapping = true;  // no weights are needed
   pilot.techniques &= ~uint32_t(UPS_TECHNIQUE_SENSOR_CONNECT);

@@ -190,7 +190,8 @@ Material Importer::add_material(const JsonReader& material) {
   check(ups_scene_add_material(scene_, &desc, &id), material.where());
   const bool textured = desc.reflectance_texture.v || desc.roughness_texture.v || desc.metallic_texture.v ||
                         desc.normal_texture.v || desc.alpha_texture.v;
-  return {id, uv_set_of(material), textured};
+  const bool emits = desc.luminance_cd_m2[0] > 0 || desc.luminance_cd_m2[1] > 0 || desc.luminance_cd_m2[2] > 0;
+  return {id, uv_set_of(material), textured, emits};
 }
 
 void Importer::add_materials() {

@@ -65,7 +65,7 @@ Json* member(Json& object, std::string_view key) {
 }
 
 std::vector<Json>& items(Json& object, std::string_view key) {
-  static thread_local std::vector<Json> none;
+  static std::vector<Json> none;  // stays empty: items are changed, never added
   Json* array = member(object, key);
   return array ? array->items : none;
 }
