@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "base/parallel.h"
 #include "base/warp.h"
 #include "geometry/raytracer.h"
 #include "photometry/optics.h"
@@ -49,7 +50,8 @@ struct Rig {
   Rig(std::shared_ptr<const Mesh> mesh, const std::vector<Affine>& places) : meshes{std::move(mesh)} {
     std::vector<Raytracer::Instance> instances;
     for (const Affine& a : places) instances.push_back({0, a});
-    tracer = std::make_unique<Raytracer>(meshes, instances, texturing, 2, true);
+    ThreadPool pool(2);
+    tracer = std::make_unique<Raytracer>(meshes, instances, texturing, pool, true);
   }
 };
 
@@ -203,7 +205,7 @@ TEST(Revolution, GrazingLightKeepsItsChords) {
   const Rig rig(round_mesh(optics::sphere(r), coarse), {Affine()});
   SurfacePoint point;
   Vec3 o(0.2499999f, 0, 0), d(float(-std::sin(angle)), float(std::cos(angle)), 0);
-  for (int bounce = 0; bounce < 20; ++bounce) {
+  for (int bounce = 0; bounce < 15; ++bounce) {
     Hit hit;
     ASSERT_TRUE(rig.tracer->intersect(o, d, infinity, hit));
     point = rig.tracer->surface_at(hit);
