@@ -153,7 +153,7 @@ Outcome render_under(int threads, const std::function<void()>& set, const std::f
     set();
     Scene scene(threads);
     furnish(scene);
-    scene.add_meters({{0.5, 0.5, 0.75}, {3.1, 0.7, 0.75}, {1.7, 3.3, 0.1}}, {0, 0, 1});
+    const Sensor places = scene.add_meters({{0.5, 0.5, 0.75}, {3.1, 0.7, 0.75}, {1.7, 3.3, 0.1}}, {0, 0, 1});
     const Sensor camera = scene.add_camera({0.3, 0.3, 2}, {1, 1, -0.7}, 16, 12, 1, true);
     Outcome outcome{0xcbf29ce484222325u, 0};
     {
@@ -162,8 +162,9 @@ Outcome render_under(int threads, const std::function<void()>& set, const std::f
       ups_result* result = nullptr;
       if (ups_job_result(job.job, &result) != UPS_OK) _exit(1);
       ups_meter_reading meters[3];
-      if (ups_result_read_meters(result, {1}, meters, 3) != UPS_OK) _exit(1);
-      for (const ups_meter_reading& m : meters) outcome.bits = hash(hash(outcome.bits, m.illuminance_lx), m.error_bound_lx);
+      if (ups_result_read_meters(result, places.id, meters, 3) != UPS_OK) _exit(1);
+      for (const ups_meter_reading& m : meters)
+        outcome.bits = hash(hash(outcome.bits, m.illuminance_lx), m.error_bound_lx);
       float image[16 * 12 * 3];
       if (ups_result_read_image(result, camera.id, UPS_CHANNEL_LUMINANCE_RGB, image, 0, sizeof image) != UPS_OK)
         _exit(1);

@@ -1,6 +1,6 @@
 // Exhausted memory: every allocation of a call fails once, and all from one on. Each time the call must answer with a
-// status; nothing of it may be left behind, and the same call must work once there is memory. A hang is ended by ctest's
-// time limit. UPS_MEMORY_SWEEP=all tries every allocation; without it those of a render are sampled.
+// status; nothing of it may be left behind, and the same call must work once there is memory. A hang is ended by
+// ctest's time limit. UPS_MEMORY_SWEEP=all tries every allocation (tests/long.sh memory); without it they are sampled.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -31,6 +31,7 @@ constexpr long all_after = 1000000000;
 // enough for their index to be Embree's.
 struct Room {
   Scene scene;
+  Sensor meters;
   explicit Room(int threads) : scene(threads) {
     scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
     scene.add(box({1, 1, 0}, {2, 2, 0.5}), mirror(0.9));
@@ -38,7 +39,7 @@ struct Room {
     add_luminaire();
     std::vector<P3> places;
     for (int i = 0; i < 40; ++i) places.push_back({0.5 + 0.07 * i, 3, 0.75});
-    scene.add_meters(places, {0, 0, 1});
+    meters = scene.add_meters(places, {0, 0, 1});
     scene.add_camera({0.3, 0.3, 2}, {1, 1, -0.7}, 16, 12, 1);
   }
 
@@ -71,9 +72,9 @@ ups_render_desc short_render(float merge_radius_m) {
   return d;
 }
 
-std::vector<float> readings(ups_result* result) {
+std::vector<float> readings(ups_result* result, ups_sensor_id sensor) {
   std::vector<ups_meter_reading> meters(40);
-  EXPECT_EQ(ups_result_read_meters(result, {1}, meters.data(), meters.size()), UPS_OK) << ups_last_error();
+  EXPECT_EQ(ups_result_read_meters(result, sensor, meters.data(), meters.size()), UPS_OK) << ups_last_error();
   std::vector<float> out;
   for (const ups_meter_reading& m : meters) out.push_back(m.illuminance_lx);
   return out;
@@ -140,7 +141,7 @@ void sweep_renders(int threads, float merge_radius_m, long samples) {
     ups_result* result = nullptr;
     const ups_status status = ups_render(room.scene.get(), &desc, &result);
     EXPECT_EQ(result != nullptr, status == UPS_OK);
-    if (result && found.empty()) found = readings(result);  // of an unhindered render: the first
+    if (result && found.empty()) found = readings(result, room.meters.id);  // of an unhindered render: the first
     ups_result_destroy(result);
     return status;
   };
