@@ -21,9 +21,10 @@ class EulumdatReader {
  private:
   void warn(size_t line, const std::string& what) { warnings_.push_back(at_line(line, what)); }
   void keep(const char* keyword, const char* name);
-  void keep_number(const char* keyword, const char* name);
+  double keep_number(const char* keyword, const char* name);
   void read_head();
   void read_opening();
+  void check_unit();
   void read_ratios();
   void read_lamps();
   bool grouped_by_field(size_t sets);
@@ -39,7 +40,8 @@ class EulumdatReader {
   std::vector<std::string> warnings_;
   std::vector<Keyword> keywords_;
   size_t isym_ = 0, plane_count_ = 0, gamma_count_ = 0, lamp_line_ = 0, table_line_ = 0, ratio_line_ = 0;
-  size_t gamma_step_line_ = 0, down_line_ = 0;
+  size_t gamma_step_line_ = 0, down_line_ = 0, opening_line_ = 0;
+  double luminaire_mm_ = 0, opening_mm_ = 0;  // the longest of each
   Opening opening_;
   double light_output_percent_ = 0, conversion_ = 1, gamma_step_ = 0;
   double down_percent_ = -1;  // < 0: not stated
@@ -53,9 +55,10 @@ void EulumdatReader::keep(const char* keyword, const char* name) {
   if (!text.empty()) keywords_.push_back({keyword, std::string(text)});
 }
 
-void EulumdatReader::keep_number(const char* keyword, const char* name) {
+double EulumdatReader::keep_number(const char* keyword, const char* name) {
   const double value = in_.number_or_zero(name, warnings_);
   if (value != 0) keywords_.push_back({keyword, shortest(value)});
+  return value;
 }
 
 // Lines 1 to 15.
@@ -82,9 +85,9 @@ void EulumdatReader::read_head() {
   keep("LUMCAT", "the luminaire's number");
   keep("_FILENAME", "the file's name");
   keep("ISSUEDATE", "the date");
-  keep_number("_LENGTH_MM", "the luminaire's length");
-  keep_number("_WIDTH_MM", "the luminaire's width");
-  keep_number("_HEIGHT_MM", "the luminaire's height");
+  luminaire_mm_ = keep_number("_LENGTH_MM", "the luminaire's length");
+  luminaire_mm_ = std::max(luminaire_mm_, keep_number("_WIDTH_MM", "the luminaire's width"));
+  luminaire_mm_ = std::max(luminaire_mm_, keep_number("_HEIGHT_MM", "the luminaire's height"));
 }
 
 // Lines 16 to 21, mm. Length lies along C90-C270, width along C0-C180; without a width the length is a diameter.
@@ -117,6 +120,20 @@ void EulumdatReader::read_opening() {
   opening_.size_m[0] = float(0.001 * (round ? length : width));
   opening_.size_m[1] = float(0.001 * length);
   opening_.size_m[2] = float(0.001 * high);
+  opening_mm_ = std::max({length, width, high});
+  opening_line_ = in_.at();
+}
+
+// Metres where the format has millimetres: an opening a thousandth of its luminaire, or less than a millimetre and
+// nothing beside it; or a luminaire smaller than any of its flux.
+void EulumdatReader::check_unit() {
+  if (!(opening_mm_ > 0) || !(luminaire_mm_ > 0)) return;
+  const double ratio = luminaire_mm_ / opening_mm_;
+  const bool opening_in_metres = (opening_mm_ < 1 && ratio > 100) || (opening_mm_ < 5 && ratio > 900 && ratio < 5000),
+             all_in_metres = luminaire_mm_ < 2.5 && lamps_[options_.lamp_set].flux_lm > 300;
+  if (opening_in_metres || all_in_metres)
+    warn(opening_line_, "the luminous opening is " + shown(opening_mm_) + " mm at its longest, the luminaire " +
+                            shown(luminaire_mm_) + " mm; both fields are in millimetres: were metres meant?");
 }
 
 // Lines 22 to 25.
@@ -324,6 +341,7 @@ Photometry EulumdatReader::read() {
   read_ratios();
   read_lamps();
   choose_lamps();
+  check_unit();
   std::string direct_ratios;
   for (int i = 0; i < 10; ++i)
     direct_ratios.append(i ? " " : "").append(shortest(in_.number_or_zero("a direct ratio", warnings_)));

@@ -8,6 +8,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/thread.h"
+#include "render/radius_notice.h"
 #include "transport/light_pass.h"
 
 namespace ups {
@@ -15,7 +17,6 @@ namespace ups {
 namespace {
 
 constexpr uint32_t flux_paths = 65536;  // of the separate pass that books flux for methods without light paths
-constexpr uint32_t flux_iteration = 0xfffffffeu;
 
 void check(const ups_render_desc& d) {
   if (!(d.time_limit_s >= 0) || !std::isfinite(d.time_limit_s))
@@ -87,27 +88,35 @@ RenderJob::~RenderJob() {
   if (thread_.joinable()) thread_.join();
 }
 
-void RenderJob::start() { thread_ = std::thread([this] { run(); }); }
+void RenderJob::start() {
+  thread_ = start_thread("job", [this] { run(); });
+}
 
 void RenderJob::run() {
   ups_status status = UPS_OK;
   std::string message;
+  constexpr const char* short_text = "out of memory";  // fits into a string that allocates nothing
+  const auto keep = [&](ups_status code, const char* text) {
+    status = code;
+    try {
+      message = text;
+    } catch (const std::bad_alloc&) {
+      message = short_text;
+    }
+  };
   try {
     iterate();
     count_flux();
   } catch (const Error& e) {
-    status = e.status();
-    message = e.what();
+    keep(e.status(), e.what());
   } catch (const std::bad_alloc&) {
-    status = UPS_ERROR_OUT_OF_MEMORY;
-    message = "out of memory while rendering";
+    keep(UPS_ERROR_OUT_OF_MEMORY, short_text);
   } catch (const std::exception& e) {
-    status = UPS_ERROR_INTERNAL;
-    message = e.what();
+    keep(UPS_ERROR_INTERNAL, e.what());
   }
   const std::lock_guard lock(mutex_);
   error_ = status;
-  error_message_ = message;
+  error_message_.swap(message);
   state_ = status != UPS_OK ? UPS_JOB_FAILED : stop_.load() ? UPS_JOB_CANCELLED : UPS_JOB_FINISHED;
   changed_.notify_all();
 }
@@ -163,9 +172,8 @@ void RenderJob::count_flux() {
     Plan plan;
     plan.light_paths = flux_paths;
     IterationTally tally;
-    const SensorIndex no_sensors(*scene_, plan, s, 0, 1);
-    trace_light_paths({*scene_, plan, s, flux_iteration, flux_iteration, 0, 1.0, 0.0, false, stop_}, no_sensors, *pool_,
-                      tally);
+    const SensorIndex no_sensors(*scene_, plan, s, 0, *pool_);
+    trace_light_paths({*scene_, plan, s, 0, 0, 0, 1.0, 0.0, false, stop_, Stream::flux}, no_sensors, *pool_, tally);
     if (stop_.load()) return;  // incomplete; both stay unknown
     work = tally.work;
   }
@@ -275,6 +283,7 @@ void RenderJob::add_warnings(RenderResult& r) const {
       r.warnings += "goniometer " + std::to_string(r.goniometer_ids[g]) + ": " + what +
                     ", so the light has not the symmetry that was asked for: what it measures is a mean over " +
                     "directions that differ\n";
+  r.warnings += radius_notice(*integrator_, sums_->iterations());
   if (!(scene_->emitters.flux_lm() > 0)) return;
   for (size_t s = 0; s < r.meter_sets.size(); ++s)
     if (!(r.meter_sets[s].statistics.mean_lx > 0))

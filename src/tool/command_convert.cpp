@@ -1,7 +1,6 @@
 // ups convert: a photometric file in the other format, and on stderr what that format does not hold of it.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "tool/commands.h"
 #include "tool/profile_file.h"
@@ -38,20 +37,16 @@ std::vector<std::string> losses(const ProfileReport& in, const ProfileReport& ou
 }  // namespace
 
 int convert(const std::string& in, const std::string& out) {
-  if (!photometric_format(in))
-    throw Failure(in + ": not a kind of file that is read here: .ies, .ldt or another photometric one");
+  if (is_scene_file(in)) throw Failure(in + ": a scene; a photometric file can be converted");
   const Context context = make_context(1);
   const Profile profile = read_profile(context.get(), in);
-  // The command line admits .ies and .ldt alone.
-  const std::vector<std::string> lacks = write_profile(out, profile.get());
-  const ProfileReport report = make_report(in, profile.get());
-  const auto warn = [](const std::string& file, const std::string& what) {
-    std::fprintf(stderr, "ups: warning: %s: %s\n", file.c_str(), what.c_str());
-  };
-  for (const std::string& warning : report.warnings) warn(in, warning);
-  for (const std::string& lack : lacks) warn(out, lack);
+  write_profile(out, profile.get());  // the command line admits .ies and .ldt alone
+  const ProfileReport report = report_of_file(in, profile.get());
+  for (const std::string& warning : report.warnings) put_warning(in + ": " + warning);
   const Profile written = read_profile(context.get(), out);
-  for (const std::string& loss : losses(report, make_report(out, written.get()))) warn(out, loss);
+  std::vector<std::string> lacks = losses(report, make_report(out, written.get()));
+  append_once(lacks, write_warnings(out, profile.get()));
+  for (const std::string& lack : lacks) put_warning(out + ": " + lack);
   return exit_done;
 }
 

@@ -9,15 +9,16 @@ namespace {
 
 constexpr size_t pixels_per_block = 256;
 constexpr size_t paths_per_block = 256;
-constexpr uint32_t first_camera_stream = 1, first_illuminance_stream = 1u << 15, first_meter_stream = 1u << 16;
 
 // Eye path j meets light path (odd j + shift) mod N. Both are new in each iteration: a pixel must not meet the same
 // stratum of the light paths again and again. N is a power of two, so every light path is met equally often.
 class Pairing {
  public:
-  Pairing(const EyePassInput& in)
-      : light_(in.light), odd_(uint32_t(mix64(in.settings.seed * 2 + in.iteration)) | 1u),
-        shift_(uint32_t(mix64(hash_combine(in.settings.seed, in.iteration)))) {}
+  Pairing(const EyePassInput& in) : light_(in.light) {
+    const auto numbers = Stream(Stream::pairing).numbers(in.settings.seed, in.iteration, 0, 0);
+    odd_ = numbers[0] | 1u;
+    shift_ = numbers[1];
+  }
   void assign(uint32_t path, EyeWalk::Sensor& sensor) const {
     if (light_.begin.size() < 2) return;
     const uint32_t n = uint32_t(light_.begin.size() - 1), i = (path * odd_ + shift_) & (n - 1);
@@ -49,16 +50,18 @@ namespace {
 // What the pixel sees first that is not a mirror or clear glass, measured like a meter that faces the eye.
 float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3& d, EyeWalk::Sensor sensor,
                         const PathSampler& rng, WorkCounts& work) {
-  SurfacePoint surface;
+  Encounter seen;
   Vec3 direction;
-  if (first_diffuse(in.scene, camera.position(), d, sensor.medium, surface, direction) <= 0) return 0;
+  if (first_diffuse(in.scene, camera.position(), d, sensor.media, seen, direction) <= 0) return 0;
+  const SurfacePoint& surface = seen.surface;
   sensor.camera = false;
   sensor.techniques = nullptr;
   const double eta = sensor.counts.eta_first;
   sensor.counts = meter_counts(in.plan, in.settings, false, in.walk_radius2);
-  const bool merges = merge_gate(Bsdf(in.scene.materials[surface.material], surface.uv));
+  const bool merges = merge_gate(seen.bsdf(in.scene));
   sensor.end = mis::sensor_end(sensor.counts, merges ? eta : 0, 0);
   const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
+  sensor.media = seen.media;
   ++work.eye_paths;
   return luminance(EyeWalk(in, sensor, rng, work).from_surface(surface, frame).value);
 }
@@ -82,18 +85,18 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
       sensor.counts = camera_counts(in.plan, in.settings, radius2, in.walk_radius2);
       sensor.first = {float(std::sqrt(radius2)), &in.pixel_photons};
       sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
-      sensor.medium = in.scene.medium_of_camera[c];
+      sensor.media = in.scene.media_stacks[in.scene.media_of_camera[c]];
       sensor.techniques = tally.techniques.empty() ? nullptr : &tally.techniques[c];
       sensor.pixel = pixel;
       pairing.assign(first_path + uint32_t(i), sensor);
       const uint64_t key = hash_combine(in.camera_batch, pixel);
-      PathSampler rng(in.settings.seed, first_camera_stream + c, key, in.camera_batch_visit, in.iteration, pixel);
+      PathSampler rng(in.settings.seed, {Stream::camera, c}, key, in.camera_batch_visit, in.iteration, pixel);
       const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
       ++work[b].eye_paths;
       tally.pixels[c][pixel] =
           EyeWalk(in, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
       if (!camera.illuminance()) continue;
-      const PathSampler own(in.settings.seed, first_illuminance_stream + c, key, in.camera_batch_visit, in.iteration,
+      const PathSampler own(in.settings.seed, {Stream::illuminance, c}, key, in.camera_batch_visit, in.iteration,
                             pixel);
       tally.illuminance[c][pixel] = pixel_illuminance(in, camera, d, sensor, own, work[b]);
     }
@@ -121,7 +124,7 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), in.walk_radius2);
       sensor.end = mis::sensor_end(sensor.counts, set.is_cell() ? 0 : eta / samples, set.cell_area());
       sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
-      sensor.medium = in.scene.medium_of_meter[s][m];
+      sensor.media = in.scene.media_stacks[in.scene.media_of_meter[s][m]];
       MeterTally sum;
       const size_t columns = in.plan.separation.columns.size();
       sensor.separated = columns ? &tally.separated[s][m * columns] : nullptr;
@@ -129,7 +132,7 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       for (uint32_t k = 0; k < samples; ++k) {
         const uint32_t path = uint32_t(m) * samples + k;
         pairing.assign(first_path + path, sensor);
-        PathSampler rng(in.settings.seed, first_meter_stream + s, hash_combine(in.meter_batch, m),
+        PathSampler rng(in.settings.seed, {Stream::meters, s}, hash_combine(in.meter_batch, m),
                         in.meter_batch_visit * samples + k, in.iteration, path);
         Vec3 p = meter.p;
         if (set.is_cell())

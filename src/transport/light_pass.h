@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "transport/light_vertex.h"
+#include "transport/sampler.h"
 #include "transport/sensor_index.h"
 #include "transport/tally.h"
 
@@ -21,6 +22,7 @@ struct LightPassInput {
   double walk_radius2;          // of merges beyond the first vertex
   bool store_vertices;
   const std::atomic<bool>& stop;  // when set, what is found is incomplete and to be thrown away
+  Stream stream = Stream::light;
 };
 
 // Adds to tally.splats, tally.meters, tally.work; the same bits for any number of threads.

@@ -12,21 +12,22 @@ namespace ups {
 
 namespace {
 
-constexpr uint32_t pilot_iteration = 0xffffffffu;  // its random numbers are nobody else's
 constexpr uint32_t meter_pilot_passes = 4;
 constexpr size_t walk_photons = 1;
 
 // r_1 = 1.5 sqrt(A / pi), A the pixel's footprint at the first diffuse point.
-std::vector<float> pixel_radii(const Snapshot& scene, const Camera& camera, ThreadPool& pool) {
+std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool) {
+  const Camera& camera = scene.cameras[c];
+  const MediaStack& media = scene.media_stacks[scene.media_of_camera[c]];
   std::vector<float> radii(camera.pixel_count());
   pool.for_blocks(radii.size(), 1024, [&](size_t, size_t begin, size_t end) {
     for (size_t p = begin; p < end; ++p) {
       const Vec3 d = camera.ray(uint32_t(p) % camera.width(), uint32_t(p) / camera.width(), {0.5f, 0.5f});
-      SurfacePoint s;
+      Encounter seen;
       Vec3 direction = d;
-      uint32_t medium = none;
-      const float distance = first_diffuse(scene, camera.position(), d, medium, s, direction);
-      const float area = distance * distance / (camera.pdf_w(d) * std::max(std::abs(dot(direction, s.ng)), 0.1f));
+      const float distance = first_diffuse(scene, camera.position(), d, media, seen, direction);
+      const float cosine = std::abs(dot(direction, seen.surface.ng));
+      const float area = distance * distance / (camera.pdf_w(d) * std::max(cosine, 0.1f));
       radii[p] = 1.5f * std::sqrt(area * inv_pi);
     }
   });
@@ -69,7 +70,7 @@ void fix_radii(float radius, Plan& plan) {
 // its first pass.
 std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
                                    const std::vector<float>& spacings, const std::atomic<bool>& stop, Plan& plan) {
-  const SensorIndex sensors(scene, plan, settings, 0, pool.thread_count());
+  const SensorIndex sensors(scene, plan, settings, 0, pool);
   TransportSettings pilot = settings;
   pilot.photon_mapping = true;  // no weights are needed
   pilot.techniques &= ~uint32_t(UPS_TECHNIQUE_SENSOR_CONNECT);
@@ -77,7 +78,7 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
   std::vector<std::vector<PilotPaths::Crossing>> crossings;
   const uint32_t passes = sensors.empty() ? 1 : meter_pilot_passes;
   for (uint32_t k = 0; k < passes; ++k) {
-    const LightPassInput in{scene, plan, pilot, pilot_iteration - k, pilot_iteration, k, 1.0, 0.0, k == 0, stop};
+    const LightPassInput in{scene, plan, pilot, k, 0, k, 1.0, 0.0, k == 0, stop, Stream::pilot};
     PilotPaths paths = trace_pilot_paths(in, sensors, pool);
     if (k == 0) vertices = std::move(paths.vertices);
     if (crossings.size() < paths.crossings.size()) crossings.resize(paths.crossings.size());
@@ -93,7 +94,7 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
 void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
                   const std::atomic<bool>& stop, Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE) && !settings.actual_perturbation) return;
-  for (const Camera& camera : scene.cameras) plan.pixel_radius.push_back(pixel_radii(scene, camera, pool));
+  for (size_t c = 0; c < scene.cameras.size(); ++c) plan.pixel_radius.push_back(pixel_radii(scene, c, pool));
   std::vector<float> spacings;
   for (const MeterSet& set : scene.meter_sets) {
     spacings.push_back(meter_spacing(set));

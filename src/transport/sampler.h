@@ -1,5 +1,5 @@
-// Random numbers of one path by fixed addresses (vertex, slot): scrambled Sobol points for the first vertices, Philox
-// for the rest. A switched-off effect never shifts the numbers of another.
+// The streams of random numbers of a render, and those of one path by fixed addresses (vertex, slot): scrambled Sobol
+// points for the first vertices, Philox for the rest. A switched-off effect never shifts the numbers of another.
 #pragma once
 #include "base/rng.h"
 #include "transport/sobol.h"
@@ -16,17 +16,45 @@ enum class Slot {
   count
 };
 
+// All that draws numbers of its own. Two streams share none, whatever their seeds: the seed alone is Philox's key, by a
+// one-to-one mix, and the stream is a word of its counter.
+class Stream {
+ public:
+  enum Kind : uint32_t {
+    light,        // light paths
+    pilot,        // those that the merge radii are fitted to
+    flux,         // those that only book flux
+    camera,       // eye paths, by camera
+    illuminance,  // those from what a camera's pixels see, by camera
+    meters,       // eye paths, by set of meters
+    pairing,      // which light path an eye path meets
+    kinds
+  };
+  Stream(Kind kind, uint32_t index = 0) : word_(index * kinds + kind) {}
+  std::array<uint32_t, 4> numbers(uint64_t seed, uint32_t a, uint32_t b, uint32_t c) const {
+    const uint64_t key = hash_combine(seed, 0);
+    return philox({a, b, c, word_}, {uint32_t(key), uint32_t(key >> 32)});
+  }
+  uint64_t scramble(uint64_t seed, uint64_t key) const {
+    return hash_combine(hash_combine(hash_combine(seed, 0), word_), key);
+  }
+
+ private:
+  uint32_t word_;
+};
+
 class PathSampler {
  public:
-  // stream: which family of paths (light, camera, meter). key: which member of it (batch and pixel or meter), so that
-  // each has its own scrambling. index: the running number of the sample within the batch.
+  // key: which member of the stream (batch and pixel or meter), so that each has its own scrambling. index: the running
+  // number of the sample within the batch.
   // iteration, path: address of the independent numbers beyond the stratified ones.
-  PathSampler(uint64_t seed, uint32_t stream, uint64_t key, uint32_t index, uint32_t iteration, uint32_t path)
-      : scramble_(hash_combine(hash_combine(seed, stream), key)),
+  PathSampler(uint64_t seed, Stream stream, uint64_t key, uint32_t index, uint32_t iteration, uint32_t path)
+      : seed_(seed),
+        stream_(stream),
+        scramble_(stream.scramble(seed, key)),
         index_(index),
         iteration_(iteration),
-        path_(path),
-        philox_key_{uint32_t(mix64(seed ^ stream)), uint32_t(mix64(seed ^ stream) >> 32)} {}
+        path_(path) {}
 
   float get(uint32_t vertex, Slot slot) {
     const int dimension = sobol_dimension(vertex, slot);
@@ -36,7 +64,7 @@ class PathSampler {
     }
     const uint32_t address = vertex * 3 + uint32_t(slot) / 4;
     if (address != cached_address_) {
-      cached_ = philox({iteration_, path_, address, 0}, philox_key_);
+      cached_ = stream_.numbers(seed_, iteration_, path_, address);
       cached_address_ = address;
     }
     return to_unit_float(cached_[uint32_t(slot) % 4]);
@@ -53,9 +81,10 @@ class PathSampler {
     return vertex < 3 ? table[vertex][int(slot)] : -1;
   }
 
+  uint64_t seed_;
+  Stream stream_;
   uint64_t scramble_;
   uint32_t index_, iteration_, path_;
-  std::array<uint32_t, 2> philox_key_;
   uint32_t cached_address_ = 0xffffffffu;
   std::array<uint32_t, 4> cached_{};
 };

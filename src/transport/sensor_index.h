@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel.h"
 #include "scene/snapshot.h"
 #include "transport/plan.h"
 
@@ -12,7 +13,8 @@ namespace ups {
 class SensorIndex {
  public:
   // For one iteration's radii. Holds point meters where merging is on and cells where landing is on.
-  SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t visits, int threads);
+  SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t visits,
+              ThreadPool& pool);
 
   struct Entry {
     uint32_t set, meter;

@@ -255,6 +255,8 @@ TEST_F(BrokenFile, MaterialExtras) {
       {"index without k", {{"model", "metal"}, {"ior", 1}}, {"k"}},
       {"creates light", {{"model", "diffuser"}, {"reflectance", 0.6}, {"transmittance", 0.5}}, {"transmittance"}},
       {"ior below 1", {{"model", "glass"}, {"ior", 0.5}}, {"ior"}},
+      {"priority of half", {{"model", "glass"}, {"priority", 0.5}}, {"priority"}},
+      {"priority of a pane", {{"model", "glazing"}, {"priority", 1}}, {"priority"}},
       {"no object", 3, {"object"}}};
   for (const BadExtras& c : cases) {
     SCOPED_TRACE(c.name);

@@ -90,6 +90,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"type", [](P& p) { p.type = "7"; }, "line 2: the type indicator Ityp is 7"},
         Case{"type_text", [](P& p) { p.type = "point"; }, "line 2: the type indicator Ityp is \"point\""},
+        Case{"opening_in_metres", [](P& p) { p.area = "0.6\n0.3"; },
+             "line 21: the luminous opening is 0.6 mm at its longest, the luminaire 600 mm"},
+        Case{"long_opening_in_metres", [](P& p) { p.size = "1580\n60\n60", p.area = "1.5\n0.05"; },
+             "line 21: the luminous opening is 1.5 mm at its longest, the luminaire 1580 mm"},
+        Case{"tiny_opening", [](P& p) { p.size = "90\n0\n100", p.area = "0.08\n0"; },
+             "line 21: the luminous opening is 0.08 mm at its longest, the luminaire 100 mm"},
+        Case{"all_in_metres", [](P& p) { p.size = "1.2\n0.3\n0.08", p.area = "1.15\n0.25"; },
+             "line 21: the luminous opening is 1.15 mm at its longest, the luminaire 1.2 mm"},
         Case{"fraction_text", [](P& p) { p.dff = "100 %"; }, "line 22: the downward flux fraction is \"100 %\""},
         Case{"fraction", [](P& p) { p.dff = "0"; },
              "line 22: the downward flux fraction is 0 %, but of the intensities' light 100 % goes down"},
@@ -113,6 +121,17 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"closed", [](P& p) { p.isym = "0", p.c = {0, 180, 360}, p.intensity = {3, 2, 0, 3, 1, 0, 3, 2, 0}; },
              "line 48: the C angles end with 360"}),
     case_name);
+
+// A narrow slot, a pinhole in a spotlight, a light-emitting diode.
+TEST(EulumdatMalformed, SmallOpeningsInMillimetresNeedNoWarning) {
+  EulumdatParts parts;
+  for (const auto& [size, area] : {std::pair{"1200\n60\n60", "1150\n0.8"}, std::pair{"120\n0\n150", "4\n0"},
+                                   std::pair{"3.5\n2.8\n0.7", "1\n1"}, std::pair{"0\n0\n0", "0.6\n0.3"},
+                                   std::pair{"600\n600\n80", "0\n0"}}) {
+    parts.size = size, parts.area = area;
+    EXPECT_TRUE(read_text(parts.text()).warnings.empty()) << size << ", " << area;
+  }
+}
 
 TEST(EulumdatMalformed, ATiltChangesNothingAndSaysSo) {
   ReadOptions options;

@@ -1,6 +1,8 @@
 // Are the random numbers what they claim: Philox's known answers, stratified Sobol points, fixed addresses?
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "transport/sampler.h"
@@ -42,7 +44,7 @@ TEST(Sobol, FirstTwoDimensionsAreStratifiedTogether) {
 }
 
 TEST(PathSampler, NumbersDependOnTheirAddressAlone) {
-  PathSampler a(1, 2, 3, 4, 5, 6), b(1, 2, 3, 4, 5, 6);
+  PathSampler a(1, {Stream::camera, 2}, 3, 4, 5, 6), b(1, {Stream::camera, 2}, 3, 4, 5, 6);
   std::vector<float> first;
   for (uint32_t v = 0; v < 12; ++v)
     for (int s = 0; s < int(Slot::count); ++s) first.push_back(a.get(v, Slot(s)));
@@ -52,7 +54,7 @@ TEST(PathSampler, NumbersDependOnTheirAddressAlone) {
 }
 
 TEST(PathSampler, AddressesDoNotCollide) {
-  PathSampler a(1, 2, 3, 4, 5, 6);
+  PathSampler a(1, {Stream::camera, 2}, 3, 4, 5, 6);
   std::vector<float> all;
   for (uint32_t v = 0; v < 64; ++v)
     for (int s = 0; s < int(Slot::count); ++s) all.push_back(a.get(v, Slot(s)));
@@ -60,6 +62,61 @@ TEST(PathSampler, AddressesDoNotCollide) {
   int equal = 0;
   for (size_t i = 1; i < all.size(); ++i) equal += all[i] == all[i - 1];
   EXPECT_LE(equal, 1);  // 576 numbers of 24 bits: 0.01 expected pairs
+}
+
+// Seeds as people and programs choose them: small ones, powers of two, steps of the constant that hashes are made of.
+std::vector<uint64_t> related_seeds() {
+  std::vector<uint64_t> seeds;
+  for (uint64_t i = 0; i < 64; ++i) seeds.insert(seeds.end(), {i, ~i, i * 0x9e3779b97f4a7c15ull, 1ull << i});
+  std::sort(seeds.begin(), seeds.end());
+  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+  return seeds;
+}
+std::vector<Stream> streams() {
+  std::vector<Stream> all;
+  for (uint32_t kind = 0; kind < Stream::kinds; ++kind)
+    for (const uint32_t index : {0u, 1u, 2u, 3u, 7u, 8u, 255u, 65535u, 65536u})
+      all.push_back({Stream::Kind(kind), index});
+  return all;
+}
+
+// 15000 pairs of 64 bits each: equal ones by chance 6e-12.
+TEST(Stream, NoTwoOfAnySeedsShareNumbers) {
+  std::vector<uint64_t> numbers, scrambles;
+  for (const uint64_t seed : related_seeds())
+    for (const Stream& s : streams()) {
+      const auto n = s.numbers(seed, 0, 0, 0);
+      numbers.push_back(uint64_t(n[0]) << 32 | n[1]);
+      scrambles.push_back(s.scramble(seed, 0));
+    }
+  for (auto* all : {&numbers, &scrambles}) {
+    EXPECT_GT(all->size(), 15000u);
+    std::sort(all->begin(), all->end());
+    EXPECT_EQ(std::adjacent_find(all->begin(), all->end()), all->end());
+  }
+}
+
+// 2016 pairs of (seed, stream), each by 4096 paths' numbers beyond the stratified ones: the correlation of independent
+// numbers has a standard deviation of 1/64; 5.5 of them are passed by chance with probability 2016 * 3.8e-8 = 8e-5.
+TEST(Stream, NumbersOfRelatedSeedsAndStreamsAreUncorrelated) {
+  constexpr uint32_t paths = 4096;
+  std::vector<std::vector<double>> rows;
+  for (uint64_t seed = 0; seed < 8; ++seed)
+    for (uint32_t i = 0; i < 8; ++i) {
+      std::vector<double>& row = rows.emplace_back();
+      for (uint32_t path = 0; path < paths; ++path) {
+        PathSampler rng(seed, {i % 2 ? Stream::camera : Stream::light, i / 2}, path, 0, 0, path);
+        row.push_back((double(rng.get(4, Slot::direction_x)) - 0.5) * std::sqrt(12.0));
+      }
+    }
+  double largest = 0;
+  for (size_t a = 0; a < rows.size(); ++a)
+    for (size_t b = 0; b < a; ++b) {
+      double r = 0;
+      for (uint32_t path = 0; path < paths; ++path) r += rows[a][path] * rows[b][path] / paths;
+      largest = std::max(largest, std::abs(r));
+    }
+  EXPECT_LT(largest, 5.5 / std::sqrt(double(paths)));
 }
 
 }  // namespace
