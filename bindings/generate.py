@@ -104,7 +104,7 @@ def csharp_array_type(kind, count):
 
 
 def csharp_array(kind, count):
-    """An array inside a struct. It is a struct itself and stands in a field, so an element that is set is set in place."""
+    """An array inside a struct: a struct itself, which stands in a field, so that its elements are set in place."""
     name = csharp_array_type(kind, count)
     pin = f"fixed ({kind}* p = values_)"
     return ["/// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole."

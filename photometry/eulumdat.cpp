@@ -40,7 +40,7 @@ class EulumdatReader {
   std::vector<std::string> warnings_;
   std::vector<Keyword> keywords_;
   size_t isym_ = 0, plane_count_ = 0, gamma_count_ = 0, lamp_line_ = 0, table_line_ = 0, ratio_line_ = 0;
-  size_t gamma_step_line_ = 0, down_line_ = 0, opening_line_ = 0;
+  size_t opening_line_ = 0, gamma_step_line_ = 0, down_line_ = 0;
   double luminaire_mm_ = 0, opening_mm_ = 0;  // the longest of each
   Opening opening_;
   double light_output_percent_ = 0, conversion_ = 1, gamma_step_ = 0;

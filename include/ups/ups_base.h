@@ -7,10 +7,10 @@
  *   - A function that can fail returns ups_status; outputs come last and are untouched on failure.
  *   - No function calls back into the application.
  *   - Zero is the null id. An id belongs to the scene that handed it out: its low 24 bits number the things of a kind
- *     from 1, in the order in which they were added, which is how messages name them ("luminaire 3"); the bits above tell
- *     the scene. Other scenes, and results of other scenes, refuse it with UPS_ERROR_INVALID_ARGUMENT. Scenes that exist
- *     at the same time never share those bits, while there are at most 255 of them; then an id of one may pass for that
- *     of another. A scene holds at most 2^24 - 1 things of a kind (UPS_ERROR_UNSUPPORTED).
+ *     from 1, in the order in which they were added, which is how messages name them ("luminaire 3"); the bits above
+ *     tell the scene. Other scenes, and results of other scenes, refuse it with UPS_ERROR_INVALID_ARGUMENT. Scenes that
+ *     exist at the same time, or of which a result does, share those bits only when there are more than 255; then an id
+ *     of one may pass for that of another. A scene holds at most 2^24 - 1 things of a kind (UPS_ERROR_UNSUPPORTED).
  *   - A handle that another copy of the library made, loaded into the same process, is refused with
  *     UPS_ERROR_INVALID_ARGUMENT; functions that return nothing leave it alone. So are handles that were destroyed, as
  *     far as their memory still tells: do not rely on it.

@@ -18,11 +18,11 @@ bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 FlatTriangles find_flat_triangles(const Snapshot& scene, const std::vector<Raytracer::Instance>& instances,
-                                  ThreadPool& threads) {
+                                  ThreadPool& pool) {
   std::vector<bool> shown(scene.meshes.size());
   for (const Raytracer::Instance& i : instances) shown[i.mesh] = true;
   std::vector<FlatTriangles> found(scene.meshes.size());
-  parallel_for(threads, found.size(), [&](size_t m) {
+  parallel_for(pool, found.size(), [&](size_t m) {
     if (!shown[m]) return;
     const Mesh& mesh = *scene.meshes[m];
     for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {

@@ -14,7 +14,7 @@ struct FlatTriangles {
   uint32_t mesh = none, triangle = 0;  // the first
 };
 FlatTriangles find_flat_triangles(const Snapshot& scene, const std::vector<Raytracer::Instance>& instances,
-                                  ThreadPool& threads);
+                                  ThreadPool& pool);
 
 // Illuminance, lx, where the light of luminaires and lights is brightest of what it meets first, from a few rays of
 // each; < 0: there are none, or their light meets nothing. Emissive surfaces and directional lights do not count: what

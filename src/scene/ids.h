@@ -15,8 +15,8 @@ inline constexpr int id_number_bits = 24;
 inline constexpr uint32_t max_id_number = (1u << id_number_bits) - 1;
 
 // Differs between scenes that exist at the same time, as long as there are no more than 255; beyond, a tag that the
-// fewest have is shared. Tags are handed out in turn, so that one comes back as late as possible. None is 0: not even the
-// first scene takes a mere number for an id.
+// fewest have is shared. Tags are handed out in turn, so that one comes back as late as possible. None is 0: not even
+// the first scene takes a mere number for an id.
 class SceneTag {
  public:
   SceneTag();
@@ -61,8 +61,8 @@ class IdTable {
   const T& get(uint32_t id, const char* noun) const {
     const uint32_t number = own_number_of(id, tag_bits_, noun);
     if (number == 0 || number > items_.size())
-      fail_argument(std::string(noun) + " id " + std::to_string(number) + " is not of this scene; it has numbers 1 to " +
-                    std::to_string(items_.size()));
+      fail_argument(std::string(noun) + " id " + std::to_string(number) +
+                    " is not of this scene; it has numbers 1 to " + std::to_string(items_.size()));
     if (!items_[number - 1]) fail_argument(std::string(noun) + " id " + std::to_string(number) + " was removed");
     return *items_[number - 1];
   }

@@ -110,8 +110,7 @@ Media rank_media(const std::vector<std::shared_ptr<const Mesh>>& meshes,
     if (m.is_open()) continue;
     const Raytracer::Instance& instance = instances[m.instance];
     Box& box = boxes[instance.mesh];
-    if (box.empty())
-      for (const Vec3& p : meshes[instance.mesh]->positions) box.grow(Vec3d(p));
+    if (box.empty()) box = bounding_box(*meshes[instance.mesh]);
     extents.push_back({padded(box.transformed(instance.to_scene)), media.of_instance[m.instance]});
   }
   mark_meetings(std::move(extents), media);

@@ -133,12 +133,12 @@ class Suspect {
 
 }  // namespace
 
-std::vector<SwallowedLight> find_swallowed_light(const Snapshot& scene, ThreadPool& threads) {
+std::vector<SwallowedLight> find_swallowed_light(const Snapshot& scene, ThreadPool& pool) {
   const size_t count = scene.emitters.size();
   std::vector<SwallowedLight> found(count);
   if (count == 0) return found;
   const auto paths = uint32_t(std::clamp<size_t>((size_t(1) << 17) / count, 32, 128));
-  parallel_for(threads, count, [&](size_t i) {
+  parallel_for(pool, count, [&](size_t i) {
     if (!scene.emitters[i].is_directional()) found[i] = Suspect(scene, uint32_t(i)).judge(paths);
   });
   return found;

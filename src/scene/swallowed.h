@@ -23,6 +23,6 @@ struct SwallowedLight {
 };
 
 // By index of the emitter. The same for any number of threads.
-std::vector<SwallowedLight> find_swallowed_light(const Snapshot& scene, ThreadPool& threads);
+std::vector<SwallowedLight> find_swallowed_light(const Snapshot& scene, ThreadPool& pool);
 
 }  // namespace ups

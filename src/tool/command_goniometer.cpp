@@ -89,8 +89,7 @@ Written write_files(const GoniometerOptions& options, const SensorEntry& goniome
   Written written;
   if (!options.out.empty())
     attempt(written, options.out, [&](const std::string& path) {
-      write_profile(path, profile);
-      for (const std::string& lack : write_warnings(path, profile)) put_warning(path + ": " + lack);
+      for (const std::string& lack : write_profile(path, profile).lacks) put_warning(path + ": " + lack);
     });
   if (!options.errors.empty())
     attempt(written, options.errors, [&](const std::string& path) { write_goniometer_csv(path, goniometer, result); });

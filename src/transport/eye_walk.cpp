@@ -334,7 +334,7 @@ bool EyeWalk::scatter(const Vertex& v) {
     return false;
   if (in_.settings.photon_mapping && !s.delta && !v.passes) return false;  // its continuous part was merged
   const Vec3 wi = v.surface.shading.to_world(s.wi);
-  if (!consistent_side(v.surface, wi, s.wi)) return false;
+  if (is_finite(s.weight) && !consistent_side(v.surface, wi, s.wi)) return false;
   if (!pass_on(s.delta ? s.weight : s.weight * terminator(v.surface, wi))) return false;
   const bool lossless = s.delta && max_component(s.weight) > 0.9f;
   const float q = survival(throughput_, start_throughput_, v.edges, lossless);

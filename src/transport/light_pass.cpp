@@ -69,12 +69,14 @@ class LightWalk {
  private:
   mis::Counts common() const { return meter_counts(in_.plan, in_.settings, false, 0); }
 
+  bool drop(Drop where) {
+    block_.work.drop(where);
+    return false;
+  }
+
   // False where the path ends as what is left is not finite; the books then lack its flux.
   bool absorb(const Rgb& after) {
-    if (!is_finite(after)) {
-      block_.work.drop(Drop::light_walk);
-      return false;
-    }
+    if (!is_finite(after)) return drop(Drop::light_walk);
     block_.work.absorbed_lm += double(luminance(flux_)) - double(luminance(after));
     flux_ = after;
     return true;
@@ -89,10 +91,7 @@ class LightWalk {
     emitter_ = &scene_.emitters[choice.index];
     if (!emitter_->sample_emission(rng_.position(0), rng_.direction(0), start_)) return false;
     flux_ = start_flux_ = start_.flux / choice.probability;
-    if (!is_finite(flux_)) {
-      block_.work.drop(Drop::emission);
-      return false;
-    }
+    if (!is_finite(flux_)) return drop(Drop::emission);
     if (is_black(flux_)) return false;
     origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     direction_ = start_.direction;
@@ -246,6 +245,7 @@ class LightWalk {
       absorb(Rgb(0.0f));
       return false;
     }
+    if (!is_finite(s.weight)) return drop(Drop::light_walk);
     const Vec3 wi = surface_.shading.to_world(s.wi);
     if (!consistent_side(surface_, wi, s.wi)) {
       absorb(Rgb(0.0f));

@@ -157,7 +157,7 @@ class Info(test_program.ProgramTest):
             new = other["warnings"][len(right["warnings"]):]
             self.assertEqual(len(new), warnings)
             for warning in new:
-                self.assertIn(f"its name ends in {os.path.splitext(name)[1]}, but it is EULUMDAT by its content", warning)
+                self.assertIn(f"its name ends in {name[1:]}, but it is EULUMDAT by its content", warning)
         (lamp,) = self.info(self.write("lamp.ldt", LAMBERTIAN))
         self.assertEqual(lamp["format"], "IES LM-63-2002")
         (scene,) = self.info(self.write("scene.json", test_program.room()))
@@ -208,7 +208,8 @@ class Info(test_program.ProgramTest):
         text = self.run_program("info", two).stdout
         self.assertIn("lamp sets: 2, alternatives\n  1: 1 x LED, 1000 lm, 11.5 W, 3000 K, CRI 80 (taken)\n"
                       "  2: 2 x T5 lamp, 5000 lm, 60 W, colour warm white, colour rendering 1B\n", text)
-        self.assertIn("lamps: 1 x lamp, 4000 lm, 10 W\n", self.run_program("info", self.write("a.ies", LAMBERTIAN)).stdout)
+        text = self.run_program("info", self.write("a.ies", LAMBERTIAN)).stdout
+        self.assertIn("lamps: 1 x lamp, 4000 lm, 10 W\n", text)
 
     def test_axes_of_openings(self):
         # LM-63-2002, table 1: width along C90, length along C0, height; -: a curved side.
@@ -447,6 +448,20 @@ class Convert(test_program.ProgramTest):
                         self.assertAlmostEqual(second["beam"][plane]["angle_deg"], first["beam"][plane]["angle_deg"],
                                                delta=0.01)
                     self.assertEqual(second["opening"], first["opening"])
+
+    def test_links_stay_and_lead_to_files_or_to_the_output(self):
+        source = os.path.join(DATA, "s08_typeC_asym.ies")
+        os.mkdir(self.path("there"))
+        os.symlink(os.path.join("there", "lamp.ldt"), self.path("link.ldt"))
+        os.symlink("/dev/stdout", self.path("output.ldt"))
+        for _ in range(2):  # the file is not there yet; it is
+            self.run_program("convert", source, self.path("link.ldt"))
+            self.assertTrue(os.path.islink(self.path("link.ldt")))
+            self.assertEqual(os.listdir(self.path("there")), ["lamp.ldt"])
+        printed = self.run_program("convert", source, self.path("output.ldt")).stdout
+        with open(self.path("there/lamp.ldt"), encoding="latin-1", newline="") as file:
+            self.assertEqual(printed.splitlines(), file.read().splitlines())
+        self.assertTrue(os.path.islink(self.path("output.ldt")))
 
     def test_rays_become_their_far_field(self):
         lamp = self.write("lamp.tm25ray", tm25(narrow_rays(5000)))

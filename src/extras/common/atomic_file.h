@@ -129,7 +129,8 @@ inline void write_file(const std::string& path, const void* bytes, size_t size) 
   const Destination to = destination_of(path);
   if (!to.replaceable) {
     std::fflush(stdout);  // what was printed before comes first, should the path be standard output
-    Descriptor out(to.descriptor >= 0 ? ::dup(to.descriptor) : ::open(to.file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+    const int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY;
+    Descriptor out(to.descriptor >= 0 ? ::dup(to.descriptor) : ::open(to.file.c_str(), flags));
     if (!out.is_open() || !out.write(bytes, size) || !out.close()) fail_to_write(path, errno);
     return;
   }

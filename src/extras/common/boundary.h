@@ -59,8 +59,8 @@ void write_defaults(Desc* desc, uint32_t struct_size, Desc defaults) {
     std::memset(reinterpret_cast<char*>(desc) + sizeof(Desc), 0, struct_size - sizeof(Desc));
 }
 
-// The caller's desc over this version's defaults. Where it is longer, the fields that this version does not know must be
-// 0: they would be ignored.
+// The caller's desc over this version's defaults. Where it is longer, the fields that this version does not know must
+// be 0: they would be ignored.
 template <class Desc>
 Desc read_desc(const Desc* given, Desc defaults) {
   if (!given) return defaults;
