@@ -28,7 +28,7 @@ struct Point {
 struct Band {
   Point from, to;
   double square_r = 0, square_z = 0, linear = 0;  // the gradient points to the front
-  double bulge = 0;                               // largest distance of the curve from its chord
+  double bulge = 0;                               // the curve is no farther from its chord
 
   double value(double r, double z) const;
   void gradient(double r, double z, double& along_r, double& along_z) const;

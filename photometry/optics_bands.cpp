@@ -14,6 +14,7 @@ constexpr double max_distance = 1e-7, max_angle = 1e-4;
 constexpr double max_turn = 0.8;
 constexpr double shortest = 1e-6;  // no quadric follows a curve that is level off the axis: its bands end here
 constexpr int steps = 8;
+constexpr double between_steps = 1.25;  // the largest distance from the chord, which lies between two of them
 
 double turn(const ProfilePoint& a, const ProfilePoint& b) {
   return std::abs(std::atan2(a.normal_r * b.normal_z - a.normal_z * b.normal_r,
@@ -59,7 +60,8 @@ std::optional<Band> fit_band(const Section& section, double low, double high, do
     double r, z;
     band.gradient(p.r, p.z, r, z);
     const double rate = std::hypot(r, z);
-    band.bulge = std::max(band.bulge, std::abs((p.r - a.r) * (b.z - a.z) - (p.z - a.z) * (b.r - a.r)) / chord);
+    const double aside = std::abs((p.r - a.r) * (b.z - a.z) - (p.z - a.z) * (b.r - a.r)) / chord;
+    band.bulge = std::max(band.bulge, between_steps * aside);
     if (p.r <= max_distance * size || chord <= shortest * size) continue;  // the tip of a cone has no normal
     if (!(std::abs(band.value(p.r, p.z)) <= max_distance * size * rate)) return std::nullopt;
     const double cross = r * p.normal_z - z * p.normal_r, dot = r * p.normal_r + z * p.normal_z;

@@ -102,8 +102,9 @@ Photometry read(const void* bytes, size_t size, const ReadOptions& options = {})
 // LM-63-2019: reads back to the same bits; type A and B tables as they are; lamps, opening, keywords, TILT table;
 // absolute where no rated flux is known. File generation type: photometry.file_generation, or 1.00001 (undefined).
 std::string write_ies(const Photometry& photometry, std::vector<std::string>* warnings = nullptr);
-// EULUMDAT: type A and B tables resampled (Distribution::in_c_gamma), the chosen or first lamp set alone, no tilt
-// table; of the keywords those that have a line.
+// EULUMDAT: type A and B tables resampled (c_gamma.h), the chosen or first lamp set alone, no tilt table; of the
+// keywords those that have a line. Fields in the lengths of the format, angles and intensities in six characters: of
+// what is cut or does not fit there is a warning.
 std::string write_eulumdat(const Photometry& photometry, std::vector<std::string>* warnings = nullptr);
 
 }  // namespace photometry

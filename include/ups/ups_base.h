@@ -6,7 +6,23 @@
  *   - Pointers passed in are read during the call and never kept. Strings are UTF-8, zero-terminated.
  *   - A function that can fail returns ups_status; outputs come last and are untouched on failure.
  *   - No function calls back into the application.
- *   - Zero is the null id. 64-bit targets only, so every struct has one layout and no hidden padding.
+ *   - Zero is the null id. An id belongs to the scene that handed it out: its low 24 bits number the things of a kind
+ *     from 1, in the order in which they were added, which is how messages name them ("luminaire 3"); the bits above
+ *     tell the scene. Other scenes, and results of other scenes, refuse it with UPS_ERROR_INVALID_ARGUMENT. Scenes that
+ *     exist at the same time, or of which a result does, share those bits only when there are more than 255; then an id
+ *     of one may pass for that of another. A scene holds at most 2^24 - 1 things of a kind (UPS_ERROR_UNSUPPORTED).
+ *   - A handle that another copy of the library made, loaded into the same process, is refused with
+ *     UPS_ERROR_INVALID_ARGUMENT; functions that return nothing leave it alone. So are handles that were destroyed, as
+ *     far as their memory still tells: do not rely on it.
+ *   - Exhausted memory, or a thread that cannot be started, is UPS_ERROR_OUT_OF_MEMORY: nothing is held, and the call
+ *     works once there is memory again. Two things are beyond the library: oneTBB, which Embree builds with, ends the
+ *     process where it has no memory to note that an allocation within a build on several threads failed; and Linux
+ *     may grant memory that it does not have, and end the process that writes to it.
+ *   - The library prints nothing. Its threads are named "ups/...", block all signals but those of faults (SIGSEGV,
+ *     SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS), and end with the last handle that needs them.
+ *   - Results do not depend on the calling thread's rounding mode, nor on whether it flushes subnormal numbers to zero:
+ *     every call computes with C's default environment and gives the caller its own back.
+ *   - 64-bit targets only, so every struct has one layout and no hidden padding.
  *   - Destroying children and parents may happen in any order: a child keeps what it needs alive.
  */
 #ifndef UPS_BASE_H
@@ -74,11 +90,15 @@ UPS_API const char *ups_last_error(void);
 /* Every *_desc starts with struct_size and is filled with defaults by its *_init, which writes at most struct_size
  * bytes:
  *   ups_mesh_desc d; ups_mesh_desc_init(&d, sizeof d); d.positions_m = ...;
- * The library reads at most d.struct_size bytes and takes its own defaults for the rest. */
+ * The library reads at most d.struct_size bytes and takes its own defaults for the rest. A struct of a later version is
+ * longer than the library knows: what is beyond its own must be 0, as *_init leaves it; where it is not, a field is set
+ * that this version would ignore, and the call fails with UPS_ERROR_UNSUPPORTED. struct_size is at most 4096. */
 
 typedef struct ups_context_desc {
   uint32_t struct_size;
-  int32_t thread_count; /* 0: all hardware threads; at most 1024 */
+  int32_t thread_count; /* 0: as many as there are processors for this process; at most 1024. More than there are
+                         * processors: as many as these, which the log tells. A job has a thread of its own that works
+                         * with the context's others: a job alone keeps thread_count processors busy. */
 } ups_context_desc;
 
 typedef int32_t ups_log_level;
@@ -88,6 +108,7 @@ UPS_API void ups_context_desc_init(ups_context_desc *desc, uint32_t struct_size)
 /* desc may be NULL: all defaults. The caller owns *out. */
 UPS_API ups_status ups_context_create(const ups_context_desc *desc, ups_context **out);
 UPS_API void ups_context_destroy(ups_context *context); /* NULL ok */
+/* As many as run. */
 UPS_API ups_status ups_context_get_thread_count(const ups_context *context, int32_t *out);
 /* Takes the oldest log message. text may be NULL with capacity 0 to ask for the size: *needed gets the bytes with the
  * final zero, 0 when the log is empty. The message is removed only when it was copied whole. level may be NULL. */

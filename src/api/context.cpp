@@ -79,8 +79,8 @@ ups_status ups_context_create(const ups_context_desc* desc, ups_context** out) {
       fail_argument("thread_count is " + std::to_string(d.thread_count) +
                     "; it must be 0 (all hardware threads) to 1024");
     const int processors = processor_count();
-    auto context = std::make_unique<ups_context>(
-        ups_context{std::make_shared<ContextCore>(std::min<int>(d.thread_count, processors))});
+    std::unique_ptr<ups_context> context(
+        new ups_context{.core = std::make_shared<ContextCore>(std::min<int>(d.thread_count, processors))});
     if (d.thread_count > processors)
       context->core->log(UPS_LOG_INFO, "thread_count is " + std::to_string(d.thread_count) + ": there are " +
                                            std::to_string(processors) +
@@ -89,7 +89,7 @@ ups_status ups_context_create(const ups_context_desc* desc, ups_context** out) {
   });
 }
 
-void ups_context_destroy(ups_context* context) { delete context; }
+void ups_context_destroy(ups_context* context) { destroy(context); }
 
 ups_status ups_context_get_thread_count(const ups_context* context, int32_t* out) {
   return guard(__func__, [&] {

@@ -11,6 +11,8 @@ namespace ups::api {
 namespace {
 
 constexpr double default_chord = 1e-3, default_normal = 0.1 * optics::pi / 180;  // of the largest radius; rad
+// Of discs and cylinders that shine: these stay polygons, inside of what surrounds them, whose radius counts in a beam.
+constexpr double default_emitter_chord = 1e-4;
 constexpr uint32_t max_facets = 100'000;
 
 // ---- finishes ----
@@ -169,10 +171,20 @@ Affine rigid(const double (&m)[12], const std::string& field) {
 
 namespace {
 
+// As large as the sphere: so is what is seen of it, in the mean over directions (Cauchy: a quarter of the surface).
+optics::Mesh sphere_mesh(double radius, double chord) {
+  optics::Mesh mesh = triangles(optics::sphere(radius), chord, optics::pi, radius);
+  const double scale = std::sqrt(4 * optics::pi * radius * radius / optics::area(mesh));
+  if (std::isfinite(scale))
+    for (float& v : mesh.positions) v = float(double(v) * scale);
+  return mesh;
+}
+
+// Normals are not used: the emission is that of the flat triangles.
 optics::Mesh emitter_mesh(const ups_fixture_emitter_desc& d) {
   const auto mesh = [&](const optics::Profile& profile) {
-    // Normals are not used: the emission is that of the flat triangles.
-    return triangles(profile, d.chord_tolerance_m, optics::pi, optics::largest_radius(profile));
+    const double chord = d.chord_tolerance_m == 0 ? default_emitter_chord * d.radius_m : d.chord_tolerance_m;
+    return triangles(profile, chord, optics::pi, optics::largest_radius(profile));
   };
   switch (d.shape) {
     case UPS_EMITTER_RECTANGLE:
@@ -184,7 +196,8 @@ optics::Mesh emitter_mesh(const ups_fixture_emitter_desc& d) {
     default:
       unused(d.width_m, "width_m", "a disc or a sphere");
       unused(d.length_m, "length_m", "a disc or a sphere");
-      return mesh(d.shape == UPS_EMITTER_DISC ? optics::disc(d.radius_m) : optics::sphere(d.radius_m));
+      return d.shape == UPS_EMITTER_DISC ? mesh(optics::disc(d.radius_m))
+                                         : sphere_mesh(d.radius_m, d.chord_tolerance_m);
   }
 }
 

@@ -315,7 +315,7 @@ ups_status ups_profile_with_keyword(const ups_profile* profile, const char* name
     require(out, "out");
     auto copy = std::make_shared<photometry::Photometry>(data);
     set_keyword(*copy, key, text);
-    *out = new ups_profile{std::move(copy)};
+    *out = new ups_profile{.data = std::move(copy)};
   });
 }
 
@@ -372,4 +372,4 @@ ups_status ups_profile_get_beam(const ups_profile* profile, float c_deg, float f
   });
 }
 
-void ups_profile_destroy(ups_profile* profile) { delete profile; }
+void ups_profile_destroy(ups_profile* profile) { destroy(profile); }

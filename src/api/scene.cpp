@@ -116,7 +116,7 @@ ups_status ups_scene_create(ups_context* context, ups_scene** out) {
   });
 }
 
-void ups_scene_destroy(ups_scene* scene) { delete scene; }
+void ups_scene_destroy(ups_scene* scene) { destroy(scene); }
 
 ups_status ups_scene_add_texture(ups_scene* scene, const ups_texture_desc* desc, ups_texture_id* out) {
   return add(__func__, scene, desc, &ups_texture_desc_init, out,

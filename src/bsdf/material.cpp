@@ -165,7 +165,7 @@ bool Bsdf::sample(const Vec3& wo, float u_lobe, const Vec2& u, TransportMode mod
   if (sampled != Sampled::direction) return sampled == Sampled::delta;
   const Vec3 wi = out.wi;
   const Scattering s = evaluate_model(p_, wo, wi);
-  if (!(s.pdf > 0)) return false;
+  if (s.pdf <= 0) return false;  // a density that is no number makes a weight that is none, which the walks count
   out = {wi, s.value * (radiance_scale(p_, wo, wi, mode) / s.pdf), s.pdf, s.pdf_reverse};
   out.transmitted = wo.z * wi.z < 0;
   return true;

@@ -110,7 +110,6 @@ void DiscIndex::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
   }
   const size_t first = out.size();
   Query query;
-  embree::init(query.context);
   query.o = Vec3d(o), query.d = Vec3d(d), query.tmax = tmax, query.out = &out;
   RTCRay ray = embree::make_ray(o, d, tmax);
   embree::occluded(*impl_->scene, query.context, ray);

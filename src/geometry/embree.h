@@ -22,8 +22,19 @@
 namespace ups::embree {
 
 #if UPS_EMBREE_MAJOR >= 4
-using QueryContext = RTCRayQueryContext;
-inline void init(QueryContext& context) { rtcInitRayQueryContext(&context); }
+using PlainContext = RTCRayQueryContext;
+inline void init(PlainContext& context) { rtcInitRayQueryContext(&context); }
+#else
+using PlainContext = RTCIntersectContext;
+inline void init(PlainContext& context) { rtcInitIntersectContext(&context); }
+#endif
+// Every query of this folder has one. User geometry must call the filter of its query itself.
+struct QueryContext : PlainContext {
+  RTCFilterFunctionN filter_of_all = nullptr;
+  QueryContext() { init(*this); }
+};
+
+#if UPS_EMBREE_MAJOR >= 4
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
@@ -42,18 +53,16 @@ inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray, RTC
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.context = &context;
-  arguments.filter = filter;
+  arguments.filter = context.filter_of_all = filter;
   arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
   rtcIntersect1(scene, &ray, &arguments);
 }
 #else
-using QueryContext = RTCIntersectContext;
-inline void init(QueryContext& context) { rtcInitIntersectContext(&context); }
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
 inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
 inline constexpr int with_query_filters = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray, RTCFilterFunctionN filter) {
-  context.filter = filter;
+  context.filter = context.filter_of_all = filter;
   rtcIntersect1(scene, &context, &ray);
 }
 #endif

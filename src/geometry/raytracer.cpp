@@ -36,7 +36,7 @@ void each_extreme(const Mesh& mesh, const Visit& visit) {
   if (!mesh.revolution) return;
   for (const RevolutionBand& band : mesh.revolution->bands)
     for (uint32_t column = 0; column < mesh.revolution->columns; ++column)
-      for (const Vec3d& p : hull(*mesh.revolution, band, column).p) visit(p);
+      for (const Vec3d& p : hull(*mesh.revolution, band, column, mesh.revolution->columns).p) visit(p);
 }
 
 // Largest over smallest stretch, at most: product of the Frobenius norms of the matrix and its inverse.
@@ -67,6 +67,12 @@ std::vector<bool> choose_baked(const std::vector<Raytracer::Instance>& instances
 }
 
 }  // namespace
+
+Box bounding_box(const Mesh& mesh) {
+  Box box;
+  each_extreme(mesh, [&](const Vec3d& p) { box.grow(p); });
+  return box;
+}
 
 struct Raytracer::Impl {
   struct Placed {
@@ -145,8 +151,8 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
   Impl& impl = *impl_;
   impl.texturing = &texturing;
   impl.top = std::make_unique<embree::Scene>(impl.device, finds_all);
-  std::vector<Box> boxes(meshes.size());
-  for (size_t i = 0; i < meshes.size(); ++i) each_extreme(*meshes[i], [&](const Vec3d& p) { boxes[i].grow(p); });
+  std::vector<Box> boxes;
+  for (const auto& mesh : meshes) boxes.push_back(bounding_box(*mesh));
   const std::vector<bool> baked = choose_baked(instances, boxes);
   std::vector<std::pair<RTCScene, uint32_t>> shared(meshes.size());  // a mesh's own scene, and its index in traced
   for (size_t i = 0; i < instances.size(); ++i) {
@@ -193,7 +199,6 @@ Hit Raytracer::Impl::to_hit(const RTCHit& from, float t, const Vec3& o, const Ve
 
 bool Raytracer::intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) const {
   embree::QueryContext context;
-  embree::init(context);
   RTCRayHit query;
   query.ray = embree::make_ray(o, d, tmax);
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -229,7 +234,7 @@ void note_hit(const RTCFilterFunctionNArguments* args) {
 void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Hit>& out) const {
   static const PerThread<AllHits> kept;
   AllHits& all = kept.get();
-  embree::init(all.context);
+  all.context = {};
   all.found.clear();
   all.out_of_memory = false;
   RTCRayHit query;
@@ -242,11 +247,14 @@ void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
   const auto order = [](const Hit& h) { return std::make_tuple(h.t, h.instance, h.primitive); };
   std::sort(out.begin() + ptrdiff_t(first), out.end(),
             [&](const Hit& a, const Hit& b) { return order(a) < order(b); });
+  // A surface of revolution may be offered several times.
+  out.erase(std::unique(out.begin() + ptrdiff_t(first), out.end(),
+                        [&](const Hit& a, const Hit& b) { return order(a) == order(b); }),
+            out.end());
 }
 
 bool Raytracer::occluded(const Vec3& o, const Vec3& d, float tmax) const {
   embree::QueryContext context;
-  embree::init(context);
   RTCRay ray = embree::make_ray(o, d, tmax);
   embree::occluded(*impl_->top, context, ray);
   return ray.tfar < 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "geometry/box.h"
 #include "geometry/revolution.h"
 #include "geometry/surface.h"
 #include "geometry/texture.h"
@@ -22,6 +23,8 @@ struct Mesh {  // object space
   std::shared_ptr<const Revolution> revolution;  // where there is one it is traced; the triangles give the addresses
   size_t triangle_count() const { return indices.size() / 3; }
 };
+
+Box bounding_box(const Mesh& mesh);  // of its surface as it is traced
 
 // What the ray tracer must know of a material: holes and bumps.
 struct SurfaceTexturing {

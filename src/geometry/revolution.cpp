@@ -14,7 +14,7 @@ constexpr double two_pi = 6.283185307179586;
 // In the (r, z) half-plane.
 struct Chord {
   double r, z, length;  // direction, of length 1
-  explicit Chord(const RevolutionBand& b) : r(b.to_r - b.from_r), z(b.to_z - b.from_z), length(std::hypot(r, z)) {
+  explicit Chord(const RevolutionBand& b) : r(b.to_r - b.from_r), z(b.to_z - b.from_z), length(b.length()) {
     r /= length, z /= length;
   }
 };
@@ -85,7 +85,9 @@ bool intersect(const Revolution& shape, const RevolutionBand& band, const Vec3d&
   const double a = band.square_r * (d.x * d.x + d.y * d.y) + band.square_z * d.z * d.z;
   const double b = band.square_r * (p.x * d.x + p.y * d.y) + (band.square_z * h + 0.5 * band.linear) * d.z;
   double t[2];
-  const int count = solve(a, b, value(band, std::hypot(p.x, p.y), p.z), t);
+  const double c = band.square_r * (p.x * p.x + p.y * p.y - band.from_r * band.from_r) +
+                   h * (band.square_z * h + band.linear);
+  const int count = solve(a, b, c, t);
   if (count == 0) return false;
   const Chord chord(band);
   for (int i = 0; i < count; ++i) {
@@ -122,16 +124,16 @@ RevolutionPoint point_at(const Revolution& shape, uint32_t primitive, double u, 
   return {{r * c, r * s, z}, {along_r * c, along_r * s, along_z}};
 }
 
-RevolutionHull hull(const Revolution& shape, const RevolutionBand& band, uint32_t column) {
+RevolutionHull hull(const Revolution& shape, const RevolutionBand& band, uint32_t sector, uint32_t sectors) {
   const Chord chord(band);
-  const double half = 0.5 * two_pi / shape.columns, beyond = shape.margin, aside = band.bulge + shape.margin;
+  const double half = 0.5 * two_pi / sectors, beyond = shape.margin, aside = band.bulge + shape.margin;
   RevolutionHull out;
   int n = 0;
   for (const double y : {-aside, aside})
     for (const double end : {-beyond, chord.length + beyond}) {
       const double r = band.from_r + chord.r * end - chord.z * y, z = band.from_z + chord.z * end + chord.r * y;
       for (int k = 0; k < 3; ++k) {  // the ends of the arc, and where its tangents there meet
-        const double angle = (2 * column + k) * half, at = k == 1 ? r / std::cos(half) : r;
+        const double angle = (2 * sector + k) * half, at = k == 1 ? r / std::cos(half) : r;
         out.p[n++] = {at * std::cos(angle), at * std::sin(angle), z};
       }
     }

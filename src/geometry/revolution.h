@@ -13,9 +13,9 @@ namespace ups {
 struct RevolutionBand {
   double from_r, from_z, to_r, to_z;
   double square_r, square_z, linear;
-  double bulge;             // largest distance of the curve from its chord
+  double bulge;             // the curve is no farther from its chord
   uint32_t first_triangle;  // of `columns` triangles where an end is on the axis, else of 2 a column
-
+  double length() const { return std::hypot(to_r - from_r, to_z - from_z); }  // of the chord
   bool pole_first() const { return from_r == 0; }
   bool pole_last() const { return !pole_first() && to_r == 0; }
 };
@@ -41,10 +41,10 @@ struct RevolutionPoint {
 // From an address, kept off the band's ends by `inset`.
 RevolutionPoint point_at(const Revolution& shape, uint32_t primitive, double u, double v, double inset);
 
-// Points whose hull holds one column of a band.
+// Points whose hull holds one of so many equal sectors of a band.
 struct RevolutionHull {
   Vec3d p[12];
 };
-RevolutionHull hull(const Revolution& shape, const RevolutionBand& band, uint32_t column);
+RevolutionHull hull(const Revolution& shape, const RevolutionBand& band, uint32_t sector, uint32_t sectors);
 
 }  // namespace ups

@@ -29,7 +29,13 @@ struct TracedMesh {
   std::vector<uint32_t> primitives;  // their numbers in the mesh
   std::vector<uint32_t> indices;     // their vertices
   bool has_thin = false;             // some triangle is so thin that Embree's hits of it are checked
-  Affine to_frame, from_frame;       // of a surface of revolution: from its own frame to Embree's, and back
+
+  // Of a surface of revolution: from its own frame to Embree's and back, and what has a box of its own.
+  struct Piece {
+    uint32_t band, sector, sectors;
+  };
+  Affine to_frame, from_frame;
+  std::vector<Piece> pieces;
 
   uint32_t primitive(uint32_t embree_primitive) const {
     return complete ? embree_primitive : primitives[embree_primitive];

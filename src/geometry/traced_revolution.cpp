@@ -1,5 +1,5 @@
-// Surfaces of revolution as Embree's user geometry: a primitive is a column of a band, so that its box is small; a ray
-// that enters the box is tried against the whole band, so that none slips through between two columns.
+// Surfaces of revolution as Embree's user geometry: a primitive is a sector of a band, so that its box is small; a ray
+// that enters the box is tried against the whole band, so that none slips through between two sectors.
 #include <limits>
 
 #include "geometry/traced_mesh.h"
@@ -7,13 +7,19 @@
 namespace ups {
 namespace {
 
-const Revolution& shape_of(const void* mesh) { return *static_cast<const TracedMesh*>(mesh)->source->revolution; }
+// About as wide as long, so that boxes overlap little; round ones are kept narrower, so that little of a box is empty.
+uint32_t sector_count(const RevolutionBand& band) {
+  constexpr double least_flat = 4, least_round = 16, most = 256;
+  const double least = band.from_z == band.to_z ? least_flat : least_round;
+  const double aspect = 3.14159265 * (band.from_r + band.to_r) / band.length();
+  return 4 * uint32_t(std::ceil(std::clamp(aspect, least, most) / 4));
+}
 
 void bounds(const RTCBoundsFunctionArguments* args) {
-  const Revolution& shape = shape_of(args->geometryUserPtr);
-  const Affine& to_frame = static_cast<const TracedMesh*>(args->geometryUserPtr)->to_frame;
-  const RevolutionHull h =
-      hull(shape, shape.bands[args->primID / shape.columns], uint32_t(args->primID % shape.columns));
+  const TracedMesh& mesh = *static_cast<const TracedMesh*>(args->geometryUserPtr);
+  const Revolution& shape = *mesh.source->revolution;
+  const TracedMesh::Piece& piece = mesh.pieces[args->primID];
+  const RevolutionHull h = hull(shape, shape.bands[piece.band], piece.sector, piece.sectors);
   RTCBounds& out = *args->bounds_o;
   out.lower_x = out.lower_y = out.lower_z = INFINITY;
   out.upper_x = out.upper_y = out.upper_z = -INFINITY;
@@ -21,31 +27,52 @@ void bounds(const RTCBoundsFunctionArguments* args) {
   const auto below = [](double v) { return std::nextafter(float(v), -INFINITY); };
   const auto above = [](double v) { return std::nextafter(float(v), INFINITY); };
   for (const Vec3d& corner : h.p) {
-    const Vec3d p = to_frame.point(corner);
+    const Vec3d p = mesh.to_frame.point(corner);
     out.lower_x = std::min(out.lower_x, below(p.x)), out.upper_x = std::max(out.upper_x, above(p.x));
     out.lower_y = std::min(out.lower_y, below(p.y)), out.upper_y = std::max(out.upper_y, above(p.y));
     out.lower_z = std::min(out.lower_z, below(p.z)), out.upper_z = std::max(out.upper_z, above(p.z));
   }
 }
 
-bool hit_band(const void* mesh, uint32_t primitive, const RTCRay& ray, RevolutionHit& hit) {
-  const Revolution& shape = shape_of(mesh);
-  const Affine& from_frame = static_cast<const TracedMesh*>(mesh)->from_frame;
-  const Vec3d o = from_frame.point({ray.org_x, ray.org_y, ray.org_z});
-  const Vec3d d = from_frame.vector({ray.dir_x, ray.dir_y, ray.dir_z});
-  return intersect(shape, shape.bands[primitive / shape.columns], o, d, ray.tnear, ray.tfar, hit);
+bool hit_band(const void* geometry, uint32_t primitive, const RTCRay& ray, RevolutionHit& hit) {
+  const TracedMesh& mesh = *static_cast<const TracedMesh*>(geometry);
+  const Revolution& shape = *mesh.source->revolution;
+  const Vec3d o = mesh.from_frame.point({ray.org_x, ray.org_y, ray.org_z});
+  const Vec3d d = mesh.from_frame.vector({ray.dir_x, ray.dir_y, ray.dir_z});
+  return intersect(shape, shape.bands[mesh.pieces[primitive].band], o, d, ray.tnear, ray.tfar, hit);
+}
+
+void note(const RTCIntersectFunctionNArguments* args, const RevolutionHit& from, RTCHit& hit) {
+  hit.primID = from.primitive;
+  hit.geomID = args->geomID;
+  hit.instID[0] = args->context->instID[0];
+  hit.u = from.u, hit.v = from.v;
+}
+
+// All points of the band along the ray to a filter that rejects them.
+void offer_all(const RTCIntersectFunctionNArguments* args, RTCRay ray, RTCFilterFunctionN filter) {
+  RTCHit found{};
+  for (RevolutionHit hit; hit_band(args->geometryUserPtr, args->primID, ray, hit);) {
+    RTCRay here = ray;
+    here.tfar = float(hit.t);
+    note(args, hit, found);
+    int valid = -1;
+    const RTCFilterFunctionNArguments offer{&valid, args->geometryUserPtr, args->context,
+                                            reinterpret_cast<RTCRayN*>(&here), reinterpret_cast<RTCHitN*>(&found), 1};
+    filter(&offer);
+    ray.tnear = std::nextafter(here.tfar, std::numeric_limits<float>::infinity());
+  }
 }
 
 void intersect_one(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
   RTCRayHit& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  const RTCFilterFunctionN filter = static_cast<const embree::QueryContext*>(args->context)->filter_of_all;
+  if (filter) return offer_all(args, query.ray, filter);
   RevolutionHit hit;
   if (!hit_band(args->geometryUserPtr, args->primID, query.ray, hit)) return;
   query.ray.tfar = float(hit.t);
-  query.hit.primID = hit.primitive;
-  query.hit.geomID = args->geomID;
-  query.hit.instID[0] = args->context->instID[0];
-  query.hit.u = hit.u, query.hit.v = hit.v;
+  note(args, hit, query.hit);
 }
 
 void occlude_one(const RTCOccludedFunctionNArguments* args) {
@@ -59,9 +86,13 @@ void occlude_one(const RTCOccludedFunctionNArguments* args) {
 
 void attach_revolution(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id) {
   const Revolution& shape = *mesh.source->revolution;
+  for (uint32_t band = 0; band < shape.bands.size(); ++band) {
+    const uint32_t sectors = sector_count(shape.bands[band]);
+    for (uint32_t sector = 0; sector < sectors; ++sector) mesh.pieces.push_back({band, sector, sectors});
+  }
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   device.check();
-  rtcSetGeometryUserPrimitiveCount(geometry, unsigned(shape.bands.size() * shape.columns));
+  rtcSetGeometryUserPrimitiveCount(geometry, unsigned(mesh.pieces.size()));
   rtcSetGeometryUserData(geometry, &mesh);
   rtcSetGeometryBoundsFunction(geometry, &bounds, &mesh);
   rtcSetGeometryIntersectFunction(geometry, &intersect_one);

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/thread.h"
+#include "render/radius_notice.h"
 #include "transport/light_pass.h"
 
 namespace ups {
@@ -282,6 +283,7 @@ void RenderJob::add_warnings(RenderResult& r) const {
       r.warnings += "goniometer " + std::to_string(r.goniometer_ids[g]) + ": " + what +
                     ", so the light has not the symmetry that was asked for: what it measures is a mean over " +
                     "directions that differ\n";
+  r.warnings += radius_notice(*integrator_, sums_->iterations());
   if (!(scene_->emitters.flux_lm() > 0)) return;
   for (size_t s = 0; s < r.meter_sets.size(); ++s)
     if (!(r.meter_sets[s].statistics.mean_lx > 0))

@@ -11,23 +11,31 @@
 namespace ups {
 namespace {
 
-// Over the surface of a closed mesh the sum of n dA is 0; it may be off by this share of the area.
+// Integrals over a closed surface: of n 0, of x_i n_j the volume for i = j, else 0. What is missing of them comes from
+// holes and open ends; this share of the area (times the extent) may be cracks.
 constexpr double closed_within = 1e-4;
 
 // What a mesh encloses, front outwards; infinite where it does not.
 double enclosed_volume(const Mesh& mesh) {
   if (mesh.positions.empty()) return INFINITY;
   const Vec3d o(mesh.positions[0]);
-  Vec3d sum;
-  double area = 0, volume = 0;
+  Vec3d sum, moment[3];  // of n; of n times x, y, z
+  double area = 0, extent = 0;
   for (size_t t = 0; t < mesh.indices.size(); t += 3) {
-    const Vec3d a = Vec3d(mesh.positions[mesh.indices[t]]) - o, b = Vec3d(mesh.positions[mesh.indices[t + 1]]) - o;
-    const Vec3d c = Vec3d(mesh.positions[mesh.indices[t + 2]]) - o, twice_area = cross(b - a, c - a);
-    sum = sum + twice_area;
-    area += length(twice_area);
-    volume += dot(a, cross(b, c)) / 6;
+    Vec3d p[3];
+    for (size_t k = 0; k < 3; ++k) p[k] = Vec3d(mesh.positions[mesh.indices[t + k]]) - o;
+    const Vec3d normal = cross(p[1] - p[0], p[2] - p[0]) * 0.5, middle = (p[0] + p[1] + p[2]) * (1 / 3.0);
+    sum = sum + normal;
+    moment[0] = moment[0] + normal * middle.x, moment[1] = moment[1] + normal * middle.y;
+    moment[2] = moment[2] + normal * middle.z;
+    area += length(normal);
+    extent = std::max(extent, max_abs(middle));
   }
-  return length(sum) <= closed_within * area && volume > 0 ? volume : INFINITY;
+  const double volume = (moment[0].x + moment[1].y + moment[2].z) / 3;
+  moment[0].x -= volume, moment[1].y -= volume, moment[2].z -= volume;
+  const double excess = std::max({max_abs(moment[0]), max_abs(moment[1]), max_abs(moment[2])});
+  const bool closed = length(sum) <= closed_within * area && excess <= closed_within * area * extent;
+  return closed && volume > 0 ? volume : INFINITY;
 }
 
 struct Extent {
@@ -102,8 +110,7 @@ Media rank_media(const std::vector<std::shared_ptr<const Mesh>>& meshes,
     if (m.is_open()) continue;
     const Raytracer::Instance& instance = instances[m.instance];
     Box& box = boxes[instance.mesh];
-    if (box.empty())
-      for (const Vec3& p : meshes[instance.mesh]->positions) box.grow(Vec3d(p));
+    if (box.empty()) box = bounding_box(*meshes[instance.mesh]);
     extents.push_back({padded(box.transformed(instance.to_scene)), media.of_instance[m.instance]});
   }
   mark_meetings(std::move(extents), media);

@@ -35,8 +35,7 @@ class Overlaps {
     std::vector<uint32_t> solids;
     for (uint32_t m = 0; m < media.size(); ++m)
       if (media[m].meets_others) {
-        points_[m].box = Box();
-        for (const Vec3& p : mesh_of(m).positions) points_[m].box.grow(to_scene(m).point(Vec3d(p)));
+        points_[m].box = bounding_box(mesh_of(m)).transformed(to_scene(m));
         solids.push_back(m);
       }
     std::sort(solids.begin(), solids.end(),

@@ -5,7 +5,6 @@
 #include "geometry/box.h"
 #include "scene/builder.h"
 #include "scene/check.h"
-#include "scene/duplicates.h"
 #include "scene/effects.h"
 #include "scene/probe.h"
 
@@ -17,6 +16,7 @@ constexpr double max_coordinate_m = 1e9;
 }  // namespace
 
 std::shared_ptr<const Snapshot> Builder::build() {
+  out_->tag = in_.tag();
   place();
   add_materials();
   add_geometry();
@@ -51,7 +51,7 @@ void Builder::place() {
   in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
     Box& mesh = mesh_boxes[i.mesh];
     if (mesh.empty())
-      for (const Vec3& p : in_.meshes().get(i.mesh, "mesh")->positions) mesh.grow(Vec3d(p));
+      for (const Vec3& p : in_.meshes().at(i.mesh)->positions) mesh.grow(Vec3d(p));
     for (int k = 0; k < 8; ++k) grow(i.to_world.point(mesh.corner(k)), "instance", id);
   });
   in_.sources().each([&](uint32_t id, const SourceDescription& s) {
@@ -95,7 +95,7 @@ void Builder::place() {
 
 void Builder::add_materials() {
   const auto texture = [&](ups_texture_id id) -> const Texture* {
-    return id.v ? out_->textures[id.v - 1].get() : nullptr;
+    return id.v ? out_->textures[number_of(id.v) - 1].get() : nullptr;
   };
   in_.textures().each([&](uint32_t, const TextureDescription& t) { out_->textures.push_back(t.texture); });
   in_.materials().each([&](uint32_t id, const ups_material_desc& d) {
@@ -121,7 +121,7 @@ void Builder::add_materials() {
     if (d.alpha_mode == UPS_ALPHA_BLEND && (t.alpha || t.alpha_factor < 1)) t.alpha_mode = SurfaceTexturing::blend;
     if (t.alpha_mode != SurfaceTexturing::opaque && !is_black(to_rgb(d.luminance_cd_m2))) {
       t.alpha_mode = SurfaceTexturing::opaque;  // holes in an emitter would have to be left out of its sampling too
-      warn("material " + std::to_string(id) + " emits light: its alpha is ignored, so its surface has no holes");
+      warn_of("material", id, "emits light: the alpha is ignored, so there are no holes in what bears it");
     }
     out_->texturing.push_back(t);
   });
@@ -206,41 +206,6 @@ void Builder::find_media() {
     });
     for (size_t i = 0; i < found.size(); ++i) media[i] = number(found[i]);
   }
-}
-
-// ---- warnings ----
-
-void Builder::warn_of_overlaps() {
-  constexpr size_t most_named = 8;
-  const std::vector<PartialOverlap> overlaps = find_partial_overlaps(*out_, instances_, threads_);
-  for (size_t i = 0; i < std::min(overlaps.size(), most_named); ++i)
-    warn("instances " + std::to_string(instance_ids_[overlaps[i].instance_a]) + " and " +
-         std::to_string(instance_ids_[overlaps[i].instance_b]) +
-         " are glass of different index and overlap in part: where they do the smaller one counts; give the material "
-         "of the one that should a higher priority");
-  if (overlaps.size() > most_named)
-    warn(std::to_string(overlaps.size() - most_named) + " more pairs of glass instances overlap in part");
-}
-
-void Builder::add_warnings() {
-  warn_of_overlaps();
-  const Duplicates duplicates = find_duplicates(out_->meshes, instances_);
-  if (duplicates.count > 0) {
-    const auto name = [&](const Duplicates::Triangle& t) {
-      return "triangle " + std::to_string(t.primitive) + " of instance " + std::to_string(instance_ids_[t.instance]);
-    };
-    warn(std::to_string(duplicates.count) + (duplicates.count == 1 ? " triangle lies" : " triangles lie") +
-         " exactly on another, such as " + name(duplicates.second) + " on " + name(duplicates.first) +
-         ": rounding decides which of them a ray hits");
-  }
-  if (out_->emitters.size() == 0) warn("nothing in the scene emits light");
-  if (out_->cameras.empty() && out_->meter_sets.empty() && out_->goniometers.empty())
-    warn("the scene has no camera, no meters and no goniometer: there is nothing to measure");
-  for (size_t i = 0; !out_->goniometers.empty() && i < out_->emitters.size(); ++i)
-    if (out_->emitters[i].is_directional())
-      warn(out_->emitter_names[i] +
-           " shines in parallel: where that light leaves the scene, a goniometer's intensity " +
-           "depends on its grid, as it would be infinite");
 }
 
 std::shared_ptr<const Snapshot> prepare(const Description& description, ThreadPool& pool) {

@@ -35,16 +35,6 @@ Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n) {
   return error > free_error(p) ? p + n * (2 * error) : p;
 }
 
-namespace {
-
-// Where light of the emitter meets a surface first; numbers of its own for each i.
-struct FirstLight {
-  double flux = 0;  // 0: nothing was emitted
-  Vec3 direction;
-  bool hit = false;
-  SurfacePoint surface;
-};
-
 FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i) {
   const auto a = philox({i, 0, 0, 0}, {0, 0}), b = philox({i, 1, 0, 0}, {0, 0});
   FirstLight out;
@@ -53,13 +43,17 @@ FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i
                                s))
     return out;
   out.flux = double(luminance(s.flux));
+  out.intensity_cd = out.flux * double(s.pdf_direction_w);
+  out.lift = length(s.n) * (2 * s.error);
+  out.origin = s.p + s.n * (2 * s.error);
   out.direction = s.direction;
   Hit hit;
-  out.hit =
-      scene.raytracer->intersect(s.p + s.n * (2 * s.error), s.direction, std::numeric_limits<float>::infinity(), hit);
+  out.hit = scene.raytracer->intersect(out.origin, s.direction, std::numeric_limits<float>::infinity(), hit);
   if (out.hit) out.surface = scene.raytracer->surface_at(hit);
   return out;
 }
+
+namespace {
 
 bool is_continuous(const Snapshot& scene, const SurfacePoint& s) {
   return Bsdf(scene.materials[s.material], s.uv).has_continuous();

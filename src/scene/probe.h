@@ -16,6 +16,17 @@ float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& 
 // A source without extent that lies on a surface shines from the side that n points to.
 Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n);
 
+// Where light of an emitter meets a surface first; numbers of its own for each i.
+struct FirstLight {
+  double flux = 0;          // 0: nothing was emitted
+  double intensity_cd = 0;  // of the whole emitter, towards where it went
+  Vec3 origin, direction;
+  float lift = 0;  // of the origin off the emitter
+  bool hit = false;
+  SurfacePoint surface;
+};
+FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i);
+
 // The share of an emitter's flux that meets a surface with a diffuse or glossy lobe first, or none at all: what is left
 // goes to mirrors and clear glass, where next-event estimation cannot pick it up. From a fixed set of directions.
 float exposed_share(const Snapshot& scene, const Emitter& emitter);

@@ -65,7 +65,7 @@ void EyeWalk::walk() {
     if (!met_.found) return;
     const SurfacePoint& surface = met_.surface;
     const float distance = met_.distance;
-    throughput_ *= met_.transmittance(scene_, distance);
+    if (!pass_on(met_.transmittance(scene_, distance))) return;
     const float cos_in = std::abs(dot(direction_, surface.ng));
     if (cos_in < min_cosine) return;
     const uint32_t emitter = scene_.emitter_of_instance[surface.instance];
@@ -89,6 +89,13 @@ void EyeWalk::walk() {
     }
     if (!scatter(v)) return;
   }
+}
+
+bool EyeWalk::pass_on(const Rgb& share) {
+  throughput_ *= share;
+  if (is_finite(throughput_)) return true;
+  work_.drop(Drop::eye_walk);
+  return false;
 }
 
 mis::EyeState EyeWalk::arrive(float cos_in, float distance) const {
@@ -215,7 +222,7 @@ void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
   for (const PreparedLight& light : prepared_light()) {
     const Connection c = weigh(light);
     const float size = luminance(c.value);
-    if (!is_finite(c.value)) ++work_.dropped[size_t(Drop::connect)];
+    if (!is_finite(c.value)) work_.drop(Drop::connect);
     if (!(size > 0) || !is_finite(c.value)) continue;
     sum += size;
     all.push_back(c);
@@ -327,11 +334,11 @@ bool EyeWalk::scatter(const Vertex& v) {
     return false;
   if (in_.settings.photon_mapping && !s.delta && !v.passes) return false;  // its continuous part was merged
   const Vec3 wi = v.surface.shading.to_world(s.wi);
-  if (!consistent_side(v.surface, wi, s.wi)) return false;
-  throughput_ *= s.delta ? s.weight : s.weight * terminator(v.surface, wi);
+  if (is_finite(s.weight) && !consistent_side(v.surface, wi, s.wi)) return false;
+  if (!pass_on(s.delta ? s.weight : s.weight * terminator(v.surface, wi))) return false;
   const bool lossless = s.delta && max_component(s.weight) > 0.9f;
   const float q = survival(throughput_, start_throughput_, v.edges, lossless);
-  if (is_black(throughput_) || !is_finite(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
+  if (is_black(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
   throughput_ *= 1 / q;
   specular_ = specular_ && (s.delta || v.passes);
   edge_.kind = s.delta ? Edge::delta : Edge::continuous;

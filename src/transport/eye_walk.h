@@ -61,6 +61,7 @@ class EyeWalk {
   };
 
   void walk();
+  bool pass_on(const Rgb& share);  // false where the path ends as its throughput is no longer finite
   mis::EyeState arrive(float cos_in, float distance) const;
   void hit_openings(uint32_t edges);
   void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
@@ -112,7 +113,7 @@ class EyeWalk {
   }
   bool add(const Found& found, const Rgb& value, const Rgb& unweighted, Drop drop) {
     if (!is_finite(value)) {
-      ++work_.dropped[size_t(drop)];
+      work_.drop(drop);
       return false;
     }
     const bool is_direct = found.technique.edges == 1;

@@ -62,17 +62,24 @@ class LightWalk {
         if (!scene_.goniometers.empty()) block_.escapes.push_back({direction_, luminance(flux_)});
         return;
       }
-      absorb(flux_ * met_.transmittance(scene_, met_.distance));
-      if (!scatter(a)) return;
+      if (!absorb(flux_ * met_.transmittance(scene_, met_.distance)) || !scatter(a)) return;
     }
   }
 
  private:
   mis::Counts common() const { return meter_counts(in_.plan, in_.settings, false, 0); }
 
-  void absorb(const Rgb& after) {
+  bool drop(Drop where) {
+    block_.work.drop(where);
+    return false;
+  }
+
+  // False where the path ends as what is left is not finite; the books then lack its flux.
+  bool absorb(const Rgb& after) {
+    if (!is_finite(after)) return drop(Drop::light_walk);
     block_.work.absorbed_lm += double(luminance(flux_)) - double(luminance(after));
     flux_ = after;
+    return true;
   }
 
   bool emit() {
@@ -84,7 +91,8 @@ class LightWalk {
     emitter_ = &scene_.emitters[choice.index];
     if (!emitter_->sample_emission(rng_.position(0), rng_.direction(0), start_)) return false;
     flux_ = start_flux_ = start_.flux / choice.probability;
-    if (!is_finite(flux_) || is_black(flux_)) return false;
+    if (!is_finite(flux_)) return drop(Drop::emission);
+    if (is_black(flux_)) return false;
     origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     direction_ = start_.direction;
     media_ = scene_.media_stacks[scene_.media_of_emitter[choice.index]];
@@ -146,10 +154,7 @@ class LightWalk {
                : mis::weight_merge_at_sensor(s, e.counts, e.eta, reverse);
     }
     const double value = unweighted * w;
-    if (!std::isfinite(value)) {
-      ++block_.work.dropped[size_t(cell ? Drop::sensor_hit : Drop::merge)];
-      return;
-    }
+    if (!std::isfinite(value)) return block_.work.drop(cell ? Drop::sensor_hit : Drop::merge);
     const float d2 = length2(offset);
     // The disc of half the area: its photons count twice,
     // so that the difference sees the curvature of illuminance alone.
@@ -222,16 +227,15 @@ class LightWalk {
     const MediaStack& media = met_.beyond(d);
     const Rgb unweighted =
         flux_ * f * attenuation_ahead(scene_, media, std::sqrt(d2)) * float(pdf_w / (double(d2) * in_.plan.light_paths));
-    const Rgb value = unweighted * float(w);
-    if (!is_finite(value)) {
-      ++block_.work.dropped[size_t(Drop::sensor_connect)];
-      return;
-    }
+    Rgb value = unweighted * float(w);
+    if (is_black(value)) return;
     Rgb passed(1.0f);
-    if (is_black(value) ||
+    if (is_finite(value) &&
         !segment_free(scene_, media, surface_.ray_origin(d), camera.position(), block_.work, passed))
       return;
-    block_.splats.push_back({c, *pixel, value * passed, unweighted * passed, a + 1});
+    value *= passed;
+    if (!is_finite(value)) return block_.work.drop(Drop::sensor_connect);
+    block_.splats.push_back({c, *pixel, value, unweighted * passed, a + 1});
   }
 
   bool continue_walk(uint32_t a, const Bsdf& bsdf, const Vec3& wo, const Vec3& local_wo, const mis::LightState& state,
@@ -241,15 +245,17 @@ class LightWalk {
       absorb(Rgb(0.0f));
       return false;
     }
+    if (!is_finite(s.weight)) return drop(Drop::light_walk);
     const Vec3 wi = surface_.shading.to_world(s.wi);
     if (!consistent_side(surface_, wi, s.wi)) {
       absorb(Rgb(0.0f));
       return false;
     }
-    absorb(flux_ * s.weight * (s.delta ? shading_correction(surface_, wo, wi) : light_correction(surface_, wo, wi)));
+    const float correction = s.delta ? shading_correction(surface_, wo, wi) : light_correction(surface_, wo, wi);
+    if (!absorb(flux_ * s.weight * correction)) return false;
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
     const float q = survival(flux_, start_flux_, a, lossless);
-    if (is_black(flux_) || !is_finite(flux_) || rng_.get(a, Slot::roulette) >= q) return false;
+    if (is_black(flux_) || rng_.get(a, Slot::roulette) >= q) return false;
     flux_ *= 1 / q;
     edge_.kind = s.delta ? LightEdge::delta : LightEdge::continuous;
     edge_.state = state;

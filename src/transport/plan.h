@@ -57,6 +57,12 @@ struct Plan {
   double radius2(double radius_1, double factor) const {
     return radius_1 > 0 ? std::max(radius_1 * radius_1 * factor, double(min_radius) * min_radius) : 0.0;
   }
+  // How many of the radii stand at min_radius after `visits` earlier iterations or passes, and since which.
+  struct AtFloor {
+    size_t count = 0;
+    uint32_t since = 0;
+  };
+  AtFloor at_floor(const std::vector<float>& radii, uint32_t visits, double alpha) const;
   bool visits_pixel(uint32_t iteration, uint32_t width, uint32_t pixel) const {
     const uint32_t x = pixel % width, y = pixel / width;
     return (x + y * subset_shift()) % camera_subsets == iteration % camera_subsets;

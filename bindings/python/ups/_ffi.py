@@ -839,6 +839,7 @@ PROTOTYPES = {
     "ups_fixture_add_part": (c_int32, [c_void_p, POINTER(FixturePartDesc), POINTER(FixturePartId)]),
     "ups_fixture_get_info": (c_int32, [c_void_p, POINTER(FixtureInfo)]),
     "ups_scene_add_fixture": (c_int32, [c_void_p, c_void_p, POINTER(FixtureInstanceDesc), POINTER(FixtureId)]),
+    "ups_scene_get_fixture_instance": (c_int32, [c_void_p, FixtureId, FixturePartId, POINTER(InstanceId)]),
     "ups_scene_set_fixture_dimming": (c_int32, [c_void_p, FixtureId, c_float]),
     "ups_scene_set_fixture_transform": (c_int32, [c_void_p, FixtureId, POINTER(c_double)]),
     "ups_scene_remove_fixture": (c_int32, [c_void_p, FixtureId]),

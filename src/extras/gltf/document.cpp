@@ -1,5 +1,5 @@
-// Loads a .gltf or .glb file: container, JSON, the files it names. tinygltf (model.cpp) trusts much of what it reads, so
-// what it does not check is checked here first, with messages that say where; see also accessor.cpp.
+// Loads a .gltf or .glb file: container, JSON, the files it names. tinygltf (model.cpp) trusts much of what it reads,
+// so what it does not check is checked here first, with messages that say where; see also accessor.cpp.
 #include "gltf/document.h"
 
 #include <algorithm>
@@ -26,8 +26,8 @@ uint32_t little_endian(const unsigned char* bytes) {
 
 bool is_binary(const Bytes& file) { return file.size() >= 4 && std::memcmp(file.data(), "glTF", 4) == 0; }
 
-// glTF 2.0, section 4.4: a 12-byte header, then chunks of length, type, data; the first one is JSON, the second, if any,
-// the first buffer.
+// glTF 2.0, section 4.4: a 12-byte header, then chunks of length, type, data; the first one is JSON, the second, if
+// any, the first buffer.
 struct Chunks {
   ByteRange json, binary;  // binary.data: null where there is none
 };
@@ -182,6 +182,8 @@ JsonReader Document::element(const char* array, size_t index, const std::string&
   return JsonReader(items->items[index], where);
 }
 
+namespace {
+
 Bytes read_file(const std::filesystem::path& path, const std::string& where) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
@@ -194,11 +196,31 @@ Bytes read_file(const std::filesystem::path& path, const std::string& where) {
   return bytes;
 }
 
+// Links are followed first: what counts is where the bytes lie. A path that does not resolve is no file.
+bool lies_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto root = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+  if (error) return true;
+  const auto file = std::filesystem::weakly_canonical(path, error);
+  return error || std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+}
+
+}  // namespace
+
+Bytes read_beside(const Document& document, const std::filesystem::path& path, const std::string& where) {
+  if (!document.allow_outside && !lies_within(path, document.folder)) {
+    throw Error(UPS_ERROR_IO, where + ": the file '" + path.string() +
+                                  "' lies outside the scene's folder; move it there, or allow files outside "
+                                  "(--allow-outside; ups_gltf_import_desc.allow_outside)");
+  }
+  return read_file(path, where);
+}
+
 bool is_data_uri(const std::string& uri) { return uri.rfind("data:", 0) == 0; }
 
 // RFC 2397: data:[type][;base64],data. The type does not matter here, though tinygltf decodes some alone.
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where) {
-  if (!is_data_uri(uri)) return read_file(document.folder / utf8_path(percent_decoded(uri)), where);
+  if (!is_data_uri(uri)) return read_beside(document, document.folder / utf8_path(percent_decoded(uri)), where);
   const size_t comma = uri.find(',');
   if (comma == std::string::npos) fail_parse(where + ": a data URI must have a comma before its data");
   const std::string data = percent_decoded(uri.substr(comma + 1)), marker = ";base64";
@@ -211,7 +233,7 @@ Bytes read_uri(const Document& document, const std::string& uri, const std::stri
   return bytes;
 }
 
-Document load_document(const std::string& path, std::vector<std::string>& warnings) {
+Document load_document(const std::string& path, bool allow_outside, std::vector<std::string>& warnings) {
   const std::filesystem::path file_path = utf8_path(path);
   const Bytes file = read_file(file_path, "glTF");
   if (file.size() > std::numeric_limits<uint32_t>::max()) throw Error(UPS_ERROR_UNSUPPORTED, "larger than 4 GiB");
@@ -221,6 +243,7 @@ Document load_document(const std::string& path, std::vector<std::string>& warnin
 
   Document document;
   document.folder = file_path.parent_path();
+  document.allow_outside = allow_outside;
   document.json = parse_json(text, text + chunks.json.size);
   const JsonReader root(document.json, "the file");
   check_version(root);

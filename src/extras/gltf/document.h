@@ -21,6 +21,7 @@ struct ByteRange {
 
 struct Document {
   std::filesystem::path folder;  // that relative names in the file start from
+  bool allow_outside = false;    // of files that it names: they may lie outside that folder
   Json json;
   tinygltf::Model model;  // images hold their encoded bytes (PNG, JPEG), not pixels
 
@@ -30,7 +31,7 @@ struct Document {
 
 // Reads and checks the file. Throws extras::Error: IO, PARSE, UNSUPPORTED (unknown required extensions, glTF 1).
 // Extensions that are used, not required and not known become warnings.
-Document load_document(const std::string& path, std::vector<std::string>& warnings);
+Document load_document(const std::string& path, bool allow_outside, std::vector<std::string>& warnings);
 
 bool is_known_extension(const std::string& name);
 
@@ -45,7 +46,8 @@ bool is_data_uri(const std::string& uri);
 std::string percent_decoded(const std::string& uri);
 // A file beside the scene, or what a data URI holds. where: who asks, for messages.
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where);
-Bytes read_file(const std::filesystem::path& path, const std::string& where);
+// A file that the scene names. Throws (IO) also where it lies outside the scene's folder, unless that is allowed.
+Bytes read_beside(const Document& document, const std::filesystem::path& path, const std::string& where);
 
 // Bytes of a buffer view; throws where its range is not inside its buffer.
 ByteRange buffer_view(const Document& document, int index, const std::string& where);

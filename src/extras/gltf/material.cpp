@@ -80,8 +80,8 @@ void Importer::read_core_material(const JsonReader& material, ups_material_desc&
   if (all_metal) desc.metallic = 0;
 }
 
-// What is no metal becomes one of F0 1: no light reaches its base. Schlick's reflectance is linear in F0, so a mixture is
-// one metal too.
+// What is no metal becomes one of F0 1: no light reaches its base. Schlick's reflectance is linear in F0, so a mixture
+// is one metal too.
 void Importer::reflect_all(const JsonReader& material, ups_material_desc& desc) {
   if (material.extension("KHR_materials_specular"))
     warn(material.where() + ": an \"ior\" of 0 reflects all light, as KHR_materials_specular is skipped");
@@ -190,7 +190,8 @@ Material Importer::add_material(const JsonReader& material) {
   check(ups_scene_add_material(scene_, &desc, &id), material.where());
   const bool textured = desc.reflectance_texture.v || desc.roughness_texture.v || desc.metallic_texture.v ||
                         desc.normal_texture.v || desc.alpha_texture.v;
-  return {id, uv_set_of(material), textured};
+  const bool emits = desc.luminance_cd_m2[0] > 0 || desc.luminance_cd_m2[1] > 0 || desc.luminance_cd_m2[2] > 0;
+  return {id, uv_set_of(material), textured, emits};
 }
 
 void Importer::add_materials() {
