@@ -14,6 +14,14 @@
  *   - A handle that another copy of the library made, loaded into the same process, is refused with
  *     UPS_ERROR_INVALID_ARGUMENT; functions that return nothing leave it alone. So are handles that were destroyed, as
  *     far as their memory still tells: do not rely on it.
+ *   - Exhausted memory, or a thread that cannot be started, is UPS_ERROR_OUT_OF_MEMORY: nothing is held, and the call
+ *     works once there is memory again. Two things are beyond the library: oneTBB, which Embree builds with, ends the
+ *     process where it has no memory to note that an allocation within a build on several threads failed; and Linux
+ *     may grant memory that it does not have, and end the process that writes to it.
+ *   - The library prints nothing. Its threads are named "ups/...", block all signals but those of faults (SIGSEGV,
+ *     SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS), and end with the last handle that needs them.
+ *   - Results do not depend on the calling thread's rounding mode, nor on whether it flushes subnormal numbers to zero:
+ *     every call computes with C's default environment and gives the caller its own back.
  *   - 64-bit targets only, so every struct has one layout and no hidden padding.
  *   - Destroying children and parents may happen in any order: a child keeps what it needs alive.
  */
@@ -88,7 +96,9 @@ UPS_API const char *ups_last_error(void);
 
 typedef struct ups_context_desc {
   uint32_t struct_size;
-  int32_t thread_count; /* 0: all hardware threads; at most 1024 */
+  int32_t thread_count; /* 0: as many as there are processors for this process; at most 1024. More than there are
+                         * processors: as many as these, which the log tells. A job has a thread of its own that works
+                         * with the context's others: a job alone keeps thread_count processors busy. */
 } ups_context_desc;
 
 typedef int32_t ups_log_level;
@@ -98,6 +108,7 @@ UPS_API void ups_context_desc_init(ups_context_desc *desc, uint32_t struct_size)
 /* desc may be NULL: all defaults. The caller owns *out. */
 UPS_API ups_status ups_context_create(const ups_context_desc *desc, ups_context **out);
 UPS_API void ups_context_destroy(ups_context *context); /* NULL ok */
+/* As many as run. */
 UPS_API ups_status ups_context_get_thread_count(const ups_context *context, int32_t *out);
 /* Takes the oldest log message. text may be NULL with capacity 0 to ask for the size: *needed gets the bytes with the
  * final zero, 0 when the log is empty. The message is removed only when it was copied whole. level may be NULL. */

@@ -1,6 +1,7 @@
 // Exhausted memory: every allocation of a call fails once, and all from one on. Each time the call must answer with a
 // status; nothing of it may be left behind, and the same call must work once there is memory. A hang is ended by
-// ctest's time limit. UPS_MEMORY_SWEEP=all tries every allocation (tests/long.sh memory); without it they are sampled.
+// ctest's time limit. The environment variable UPS_MEMORY_SWEEP=all tries every allocation, in minutes; without it they
+// are sampled.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -82,6 +83,11 @@ std::vector<float> readings(ups_result* result, ups_sensor_id sensor) {
 
 using Call = std::function<ups_status()>;
 
+void begin_watch() {
+  watch_library();
+  ups_context_create(nullptr, nullptr);  // fails: the room for this thread's messages stays
+}
+
 // Runs `call` with failing memory, then without; what both leave behind is `held` allocations. False where it makes
 // fewer calls than `first`.
 bool try_failing(const Call& call, long first, long count) {
@@ -118,7 +124,7 @@ long count_calls(const Call& call) {
 class Memory : public testing::TestWithParam<int> {};
 
 TEST_P(Memory, Commit) {
-  watch_library();
+  begin_watch();
   Room room(GetParam());
   const Call commit = [&] { return ups_scene_commit(room.scene.get()); };
   ASSERT_EQ(commit(), UPS_OK) << ups_last_error();  // tables that the process makes once
@@ -132,7 +138,7 @@ TEST_P(Memory, Commit) {
 }
 
 void sweep_renders(int threads, float merge_radius_m, long samples) {
-  watch_library();
+  begin_watch();
   Room room(threads);
   ASSERT_EQ(ups_scene_commit(room.scene.get()), UPS_OK) << ups_last_error();
   const ups_render_desc desc = short_render(merge_radius_m);
@@ -164,7 +170,7 @@ TEST_P(Memory, Render) { sweep_renders(GetParam(), 0.1f, 60); }
 TEST_P(Memory, RenderThatFindsItsRadius) { sweep_renders(GetParam(), 0, 5); }
 
 TEST_P(Memory, JobThatIsCancelled) {
-  watch_library();
+  begin_watch();
   Room room(GetParam());
   ASSERT_EQ(ups_scene_commit(room.scene.get()), UPS_OK) << ups_last_error();
   auto desc = short_render(0.1f);
@@ -193,7 +199,7 @@ TEST_P(Memory, JobThatIsCancelled) {
 }
 
 TEST_P(Memory, Context) {
-  watch_library();
+  begin_watch();
   const Call create = [&] {
     auto d = make_desc<ups_context_desc>(ups_context_desc_init);
     d.thread_count = GetParam();
