@@ -168,6 +168,14 @@ namespace Ups
             Library.Check(Native.ups_scene_set_fixture_dimming(Handle, id, dimming));
         }
 
+        /// <summary>The instance that a part of a placed fixture became.</summary>
+        public InstanceId FixtureInstance(FixtureId id, FixturePartId part)
+        {
+            InstanceId instance;
+            Library.Check(Native.ups_scene_get_fixture_instance(Handle, id, part, &instance));
+            return instance;
+        }
+
         public void Remove(InstanceId id) { Library.Check(Native.ups_scene_remove_instance(Handle, id)); }
         public void Remove(LuminaireId id) { Library.Check(Native.ups_scene_remove_luminaire(Handle, id)); }
         public void Remove(FixtureId id) { Library.Check(Native.ups_scene_remove_fixture(Handle, id)); }

@@ -29,14 +29,17 @@ Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, float u, float v) 
 
 // ---- building ----
 
-// Points whose hull holds the surface.
+// Points of the surface, among them those that lie farthest along the axes that `to` leads to.
 template <class Visit>
-void each_extreme(const Mesh& mesh, const Visit& visit) {
-  for (const Vec3& p : mesh.positions) visit(Vec3d(p));
-  if (!mesh.revolution) return;
-  for (const RevolutionBand& band : mesh.revolution->bands)
-    for (uint32_t column = 0; column < mesh.revolution->columns; ++column)
-      for (const Vec3d& p : hull(*mesh.revolution, band, column, mesh.revolution->columns).p) visit(p);
+void each_extreme(const Mesh& mesh, const Affine& to, const Visit& visit) {
+  if (!mesh.revolution) {
+    for (const Vec3& p : mesh.positions) visit(Vec3d(p));
+    return;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3d row(to.m[4 * axis], to.m[4 * axis + 1], to.m[4 * axis + 2]);
+    visit(farthest(*mesh.revolution, row)), visit(farthest(*mesh.revolution, -row));
+  }
 }
 
 // Largest over smallest stretch, at most: product of the Frobenius norms of the matrix and its inverse.
@@ -70,7 +73,7 @@ std::vector<bool> choose_baked(const std::vector<Raytracer::Instance>& instances
 
 Box bounding_box(const Mesh& mesh) {
   Box box;
-  each_extreme(mesh, [&](const Vec3d& p) { box.grow(p); });
+  each_extreme(mesh, Affine{}, [&](const Vec3d& p) { box.grow(p); });
   return box;
 }
 
@@ -99,7 +102,7 @@ struct Raytracer::Impl {
   }
   void grow_bounds(const Placed& instance, const Box& mesh_box) {
     if (bounds.holds(mesh_box.transformed(instance.to_scene))) return;
-    each_extreme(*traced[instance.traced]->source,
+    each_extreme(*traced[instance.traced]->source, instance.to_scene,
                  [&](const Vec3d& p) { bounds.grow(Vec3d(Vec3(instance.to_scene.point(p)))); });
   }
   void place_baked(const Mesh& mesh, uint32_t id, Placed instance) {
@@ -247,7 +250,7 @@ void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
   const auto order = [](const Hit& h) { return std::make_tuple(h.t, h.instance, h.primitive); };
   std::sort(out.begin() + ptrdiff_t(first), out.end(),
             [&](const Hit& a, const Hit& b) { return order(a) < order(b); });
-  // A surface of revolution may be offered several times.
+  // Each sector of a band finds all hits of it.
   out.erase(std::unique(out.begin() + ptrdiff_t(first), out.end(),
                         [&](const Hit& a, const Hit& b) { return order(a) == order(b); }),
             out.end());

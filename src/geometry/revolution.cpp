@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ups {
@@ -61,6 +62,16 @@ double offset(const RevolutionBand& b, const Chord& chord, double r, double z) {
   return sum == 0 ? 0 : std::clamp(-rest / sum, -b.bulge, b.bulge);
 }
 
+// The curve beside the place so far along the chord.
+struct MeridianPoint {
+  double r, z;
+};
+MeridianPoint meridian_at(const RevolutionBand& band, const Chord& chord, double along) {
+  const double r = band.from_r + chord.r * along, z = band.from_z + chord.z * along;
+  const double y = offset(band, chord, r, z);
+  return {r - chord.z * y, z + chord.r * y};
+}
+
 // Real roots of a t^2 + 2 b t + c, the lower one first; their number.
 int solve(double a, double b, double c, double (&t)[2]) {
   const double root = b * b - a * c;
@@ -116,12 +127,37 @@ RevolutionPoint point_at(const Revolution& shape, uint32_t primitive, double u, 
   const Quad q = to_quad(band, primitive, u, v);
   const double kept = std::min(inset, 0.125 * chord.length);
   const double along = std::clamp(q.s * chord.length, kept, chord.length - kept);
-  double r = band.from_r + chord.r * along, z = band.from_z + chord.z * along;
-  const double y = offset(band, chord, r, z);
-  r -= chord.z * y, z += chord.r * y;
+  const auto [r, z] = meridian_at(band, chord, along);
   const double angle = two_pi * (q.column + q.w) / shape.columns, c = std::cos(angle), s = std::sin(angle);
   const double along_r = 2 * band.square_r * r, along_z = 2 * band.square_z * (z - band.from_z) + band.linear;
   return {{r * c, r * s, z}, {along_r * c, along_r * s, along_z}};
+}
+
+Vec3d farthest(const Revolution& shape, const Vec3d& d) {
+  const double outwards = std::hypot(d.x, d.y);
+  MeridianPoint best{};
+  double most = -std::numeric_limits<double>::infinity();
+  for (const RevolutionBand& band : shape.bands) {
+    const Chord chord(band);
+    const auto consider = [&](double along) {
+      const MeridianPoint p = meridian_at(band, chord, along);
+      const double value = outwards * p.r + d.z * p.z;
+      if (value > most) most = value, best = p;
+      return value;
+    };
+    double low = 0, high = chord.length;
+    consider(low), consider(high);
+    constexpr int thirds = 60;  // (2/3)^60 of the chord is 3e-11; an arc of a conic has one summit at most between ends
+    for (int i = 0; i < thirds; ++i) {
+      const double third = (high - low) / 3;
+      if (consider(low + third) < consider(high - third))
+        low += third;
+      else
+        high -= third;
+    }
+  }
+  const double along_x = outwards > 0 ? d.x / outwards : 1, along_y = outwards > 0 ? d.y / outwards : 0;
+  return {best.r * along_x, best.r * along_y, best.z};
 }
 
 RevolutionHull hull(const Revolution& shape, const RevolutionBand& band, uint32_t sector, uint32_t sectors) {

@@ -41,6 +41,9 @@ struct RevolutionPoint {
 // From an address, kept off the band's ends by `inset`.
 RevolutionPoint point_at(const Revolution& shape, uint32_t primitive, double u, double v, double inset);
 
+// The point of the surface that lies farthest towards d.
+Vec3d farthest(const Revolution& shape, const Vec3d& d);
+
 // Points whose hull holds one of so many equal sectors of a band.
 struct RevolutionHull {
   Vec3d p[12];

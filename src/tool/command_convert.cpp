@@ -9,11 +9,11 @@
 namespace ups::tool {
 namespace {
 
-// Up to what sizes in mm lose of sizes in m.
+// Up to what sizes lose in the four characters that EULUMDAT has for mm.
 bool same_opening(const ups_profile_info& a, const ups_profile_info& b) {
   if (a.opening_shape != b.opening_shape) return false;
   if (a.opening_shape == UPS_OPENING_CYLINDER && a.opening_axis != b.opening_axis) return false;
-  const auto same = [](float x, float y) { return std::abs(x - y) <= 1e-5f * std::max(x, y); };
+  const auto same = [](float x, float y) { return std::abs(x - y) <= 1e-3f * std::max(x, y); };
   return std::equal(std::begin(a.opening_m), std::end(a.opening_m), std::begin(b.opening_m), same);
 }
 

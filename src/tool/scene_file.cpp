@@ -46,12 +46,11 @@ std::vector<std::string> lines_of(const std::string& text) {
 namespace {
 
 // What is wrong with a photometric file the import tells of the file, "a.ies: ...", and the commit of whoever has it,
-// "luminaire 2: ...".
+// "luminaire 2: ...", "luminaires 1 and 2: ...".
 bool is_told(const std::vector<std::string>& lines, const std::string& line) {
-  constexpr std::string_view luminaire = "luminaire ";
   const size_t colon = line.find(": ");
   const bool of_luminaire =
-      line.rfind(luminaire, 0) == 0 && colon == line.find_first_not_of("0123456789", luminaire.size());
+      colon != std::string::npos && (line.rfind("luminaire ", 0) == 0 || line.rfind("luminaires ", 0) == 0);
   const std::string rest = of_luminaire ? line.substr(colon) : "";
   return std::any_of(lines.begin(), lines.end(), [&](const std::string& told) {
     return told == line || (of_luminaire && told.size() > rest.size() &&

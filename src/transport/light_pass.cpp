@@ -58,6 +58,7 @@ class LightWalk {
       meet(scene_, origin_, direction_, media_, block_.work, met_);
       if (!sensors_.empty()) cross_sensors(a);
       if (!met_.found) {
+        if (!absorb(flux_ * met_.transmittance_of_earlier(scene_))) return;
         block_.work.escaped_lm += luminance(flux_);
         if (!scene_.goniometers.empty()) block_.escapes.push_back({direction_, luminance(flux_)});
         return;

@@ -196,8 +196,8 @@ TEST_F(Api, ProfileFromATable) {
   size_t needed = 0;
   EXPECT_OK(ups_profile_get_text(profile, UPS_PROFILE_TEXT_FORMAT, text, sizeof text, &needed));
   EXPECT_STREQ(text, "table");
-  expect_error(ups_profile_get_text(profile, 7, text, sizeof text, &needed), UPS_ERROR_INVALID_ARGUMENT,
-               {"topic is 7"});
+  expect_error(ups_profile_get_text(profile, 8, text, sizeof text, &needed), UPS_ERROR_INVALID_ARGUMENT,
+               {"topic is 8"});
 }
 
 TEST_F(Api, ProfileErrorsNameTheirField) {

@@ -59,6 +59,12 @@ class Scene(Handle):
         check(lib.ups_scene_add_fixture(self, fixture, byref(desc), byref(out)))
         return out
 
+    def fixture_instance(self, fixture, part):
+        """The instance that a part of a placed fixture became; part: what Fixture.add_* returned."""
+        out = _ffi.InstanceId()
+        check(lib.ups_scene_get_fixture_instance(self, fixture, part, byref(out)))
+        return out
+
     def add_camera(self, width, height, **fields):
         desc = describe(_ffi.CameraDesc, {"width": width, "height": height, **fields})
         sensor = self._add(lib.ups_scene_add_camera, _ffi.SensorId, desc)
