@@ -16,8 +16,9 @@
  *     far as their memory still tells: do not rely on it.
  *   - Exhausted memory, or a thread that cannot be started, is UPS_ERROR_OUT_OF_MEMORY: nothing is held, and the call
  *     works once there is memory again. Two things are beyond the library: oneTBB, which Embree builds with, ends the
- *     process where it has no memory to note that an allocation within a build on several threads failed; and Linux
- *     may grant memory that it does not have, and end the process that writes to it.
+ *     process where it has no memory to note that an allocation within a build failed; to be safe have its allocator
+ *     library libtbbmalloc installed, which it loads by itself and takes such memory from. And Linux may grant memory
+ *     that it does not have, and end the process that writes to it.
  *   - The library prints nothing. Its threads are named "ups/...", block all signals but those of faults (SIGSEGV,
  *     SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS), and end with the last handle that needs them.
  *   - Results do not depend on the calling thread's rounding mode, nor on whether it flushes subnormal numbers to zero:
