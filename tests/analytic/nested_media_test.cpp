@@ -225,7 +225,7 @@ void expect_doublet(const std::vector<Part>& parts, const std::string& what) {
   h += to * u;
   double passed = 1;
   for (const auto& [a, b] : {std::pair(1.0, crown), {crown, flint}, {flint, 1.0}}) passed *= 1 - fresnel(1, a, b);
-  const Result result = scene.render({.iterations = 16, .light_paths = 8192});
+  const Result result = scene.render({.iterations = 32, .light_paths = 16384});
   expect_lx(result.readings(cells)[0], 1000 * passed / (h * h), 0.005, what);
 }
 
