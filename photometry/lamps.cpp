@@ -8,28 +8,27 @@ namespace {
 
 struct FoundNumber {
   double value;
-  std::string before, after;  // the letters that touch it, blanks between left out; capitals
+  std::string before, after;  // the words beside it, in capitals
 };
 
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 
 std::vector<FoundNumber> numbers_in(const std::string& given) {
-  std::string text;
-  for (char c : upper_case(given))
-    if (c != ' ') text += c;
+  const std::string text = upper_case(given);
   std::vector<FoundNumber> out;
   for (size_t i = 0; i < text.size();) {
     if (!is_digit(text[i])) {
       ++i;
       continue;
     }
-    size_t first = i, end = i;
-    while (end < text.size() && (is_digit(text[end]) || text[end] == '.')) ++end;
+    const size_t first = i;
+    while (i < text.size() && (is_digit(text[i]) || text[i] == '.')) ++i;
     FoundNumber number{};
-    parse_number(std::string_view(text).substr(i, end - i), number.value);
-    while (first > 0 && (text[first - 1] == '>' || text[first - 1] == '=' || text[first - 1] == ':')) --first;
-    for (size_t k = first; k > 0 && is_letter(text[k - 1]); --k) number.before.insert(0, 1, text[k - 1]);
-    for (i = end; i < text.size() && is_letter(text[i]); ++i) number.after += text[i];
+    parse_number(std::string_view(text).substr(first, i - first), number.value);
+    const size_t word_end = text.find_last_not_of(" >=:", first > 0 ? first - 1 : text.npos);
+    for (size_t k = word_end + 1; first > 0 && k > 0 && is_letter(text[k - 1]); --k)
+      number.before.insert(0, 1, text[k - 1]);
+    for (size_t k = text.find_first_not_of(' ', i); k < text.size() && is_letter(text[k]); ++k) number.after += text[k];
     out.push_back(std::move(number));
   }
   return out;
@@ -62,7 +61,7 @@ double colour_temperature_k(const LampSet& lamps) {
   if (code.size() == 3 && parse_number(code, value) && value >= 500 && value == double(int(value)))
     return 100 * double(int(value) % 100);
   return lamps.colour.empty() ? only_number(lamps.type, [&](const FoundNumber& n) {
-    return is_kelvin(n) && n.after.rfind('K', 0) == 0 && n.after.size() == 1;
+    return is_kelvin(n) && n.after == "K";
   }) : -1;
 }
 

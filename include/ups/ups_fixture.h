@@ -54,17 +54,17 @@ enum {
  *   finish, finish_*       < 0: the finish's own number; >= 0: in its place, where it has one (reflectance: sheets but
  *                          BLACK; transmittance: OPAL; roughness: SEMI_SPECULAR_ALUMINIUM, FROSTED_PMMA; absorption and
  *                          index: solids; CUSTOM: none)
- *   chord_tolerance_m      largest distance of the triangles from the shape; 0: 0.1 % of the largest radius, of emitters
- *                          but spheres 0.01 %
- *   normal_tolerance_rad   largest angle of the interpolated normals from the shape's; 0: 0.1 degrees
+ *   chord_tolerance_m      largest distance of the triangles from the shape; 0: 0.1 % of the largest radius; of
+ *                          emitters but spheres 0.01 %
+ *   normal_tolerance_rad   largest angle of the interpolated normals from the shape's; 0: 0.1 degrees, round: 10
  *   facets_around          0: round; else so many sides, 3 to 100,000, flat around, their corners on the round shape
  *   facets_along           0: smooth; else so many straight bands along the profile, at most 100,000
  * A part needs at most 4,000,000 triangles: finer tolerances fail.
  * Light meets round parts (facets_around 0) in the shape itself whatever the tolerances: in quadrics of revolution that
  * cones, cylinders, spheres, paraboloids, ellipsoids and conic lens faces are, and that other profiles are replaced by
  * to 1e-7 of their largest radius and 1e-4 rad. Their triangles only number the places. Emitters and faceted parts are
- * triangles: discs and cylinders have their corners on the round shape, spheres the sphere's area. What an emitter's
- * triangles cost a light output ratio is below 1e-6 by default. */
+ * triangles: discs and cylinders have their corners on the round shape, spheres the sphere's area. By default that
+ * changes a light output ratio by some 1e-6. */
 
 typedef int32_t ups_emitter_shape;
 enum {

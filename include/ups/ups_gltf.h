@@ -38,7 +38,8 @@ UPS_API void ups_gltf_import_desc_init(ups_gltf_import_desc *desc, uint32_t stru
 
 /* Adds everything in the file to the scene; the caller commits it. desc may be NULL: all defaults.
  * The caller owns *out.
- * Errors: IO (a file cannot be read, or lies outside the scene's folder), PARSE (malformed), UNSUPPORTED (names what is not built), and those of the core.
+ * Errors: IO (a file cannot be read, or lies outside the scene's folder), PARSE (malformed), UNSUPPORTED (names what
+ * is not built), and those of the core.
  * The message names the file and the node, mesh, material or accessor. After an error the scene holds part of the
  * file: destroy it. */
 UPS_API ups_status ups_gltf_import_file(ups_context *context, const char *path, const ups_gltf_import_desc *desc,

@@ -11,6 +11,7 @@ namespace ups::api {
 namespace {
 
 constexpr double default_chord = 1e-3, default_normal = 0.1 * optics::pi / 180;  // of the largest radius; rad
+constexpr double default_round_normal = 10 * optics::pi / 180;  // not the triangles' normals are traced there
 // Of discs and cylinders that shine: these stay polygons, inside of what surrounds them, whose radius counts in a beam.
 constexpr double default_emitter_chord = 1e-4;
 constexpr uint32_t max_facets = 100'000;
@@ -110,8 +111,8 @@ void facets(uint32_t count, uint32_t low, const char* field) {
 }
 
 optics::Mesh triangles(const optics::Profile& profile, double chord, double normal, double size) {
-  return optics::tessellate(profile,
-                            {chord == 0 ? default_chord * size : chord, normal == 0 ? default_normal : normal});
+  const double usual = profile.facets_around > 0 ? default_normal : default_round_normal;
+  return optics::tessellate(profile, {chord == 0 ? default_chord * size : chord, normal == 0 ? usual : normal});
 }
 
 // What the bands of a round mesh are to the ray tracer; null where it has none.

@@ -1,5 +1,5 @@
-// A thread's last error, kept where exhausted memory cannot hurt: not thread_local, whose first use in a thread may need
-// memory and ends the process where there is none. Needs the standard library and POSIX alone: included by the
+// A thread's last error, kept where exhausted memory cannot hurt: not thread_local, whose first use in a thread may
+// need memory and ends the process where there is none. Needs the standard library and POSIX alone: included by the
 // boundaries of the core and of the extras, each of which has one.
 #pragma once
 #include <pthread.h>

@@ -33,6 +33,9 @@ struct QueryContext : PlainContext {
   RTCFilterFunctionN filter_of_all = nullptr;
   QueryContext() { init(*this); }
 };
+inline RTCFilterFunctionN filter_of(const PlainContext* context) {
+  return static_cast<const QueryContext*>(context)->filter_of_all;
+}
 
 #if UPS_EMBREE_MAJOR >= 4
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {

@@ -247,7 +247,7 @@ void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
   const auto order = [](const Hit& h) { return std::make_tuple(h.t, h.instance, h.primitive); };
   std::sort(out.begin() + ptrdiff_t(first), out.end(),
             [&](const Hit& a, const Hit& b) { return order(a) < order(b); });
-  // A surface of revolution may be offered several times.
+  // Each sector of a band finds all hits of it.
   out.erase(std::unique(out.begin() + ptrdiff_t(first), out.end(),
                         [&](const Hit& a, const Hit& b) { return order(a) == order(b); }),
             out.end());

@@ -34,52 +34,53 @@ void bounds(const RTCBoundsFunctionArguments* args) {
   }
 }
 
-bool hit_band(const void* geometry, uint32_t primitive, const RTCRay& ray, RevolutionHit& hit) {
+bool hit_band(const void* geometry, uint32_t primitive, const RTCRay& ray, double near, RevolutionHit& hit) {
   const TracedMesh& mesh = *static_cast<const TracedMesh*>(geometry);
   const Revolution& shape = *mesh.source->revolution;
   const Vec3d o = mesh.from_frame.point({ray.org_x, ray.org_y, ray.org_z});
   const Vec3d d = mesh.from_frame.vector({ray.dir_x, ray.dir_y, ray.dir_z});
-  return intersect(shape, shape.bands[mesh.pieces[primitive].band], o, d, ray.tnear, ray.tfar, hit);
+  return intersect(shape, shape.bands[mesh.pieces[primitive].band], o, d, near, ray.tfar, hit);
 }
 
-void note(const RTCIntersectFunctionNArguments* args, const RevolutionHit& from, RTCHit& hit) {
-  hit.primID = from.primitive;
-  hit.geomID = args->geomID;
-  hit.instID[0] = args->context->instID[0];
-  hit.u = from.u, hit.v = from.v;
-}
-
-// All points of the band along the ray to a filter that rejects them.
-void offer_all(const RTCIntersectFunctionNArguments* args, RTCRay ray, RTCFilterFunctionN filter) {
-  RTCHit found{};
-  for (RevolutionHit hit; hit_band(args->geometryUserPtr, args->primID, ray, hit);) {
-    RTCRay here = ray;
-    here.tfar = float(hit.t);
-    note(args, hit, found);
-    int valid = -1;
-    const RTCFilterFunctionNArguments offer{&valid, args->geometryUserPtr, args->context,
-                                            reinterpret_cast<RTCRayN*>(&here), reinterpret_cast<RTCHitN*>(&found), 1};
-    filter(&offer);
-    ray.tnear = std::nextafter(here.tfar, std::numeric_limits<float>::infinity());
-  }
+// Does the query's own filter, if it has one, let the hit stand?
+bool stands(const RTCIntersectFunctionNArguments* args, RTCRayHit& query) {
+  const RTCFilterFunctionN filter = embree::filter_of(args->context);
+  if (!filter) return true;
+  int valid = -1;
+  RTCFilterFunctionNArguments asked;
+  asked.valid = &valid;
+  asked.geometryUserPtr = args->geometryUserPtr;
+  asked.context = args->context;
+  asked.ray = reinterpret_cast<RTCRayN*>(&query.ray);
+  asked.hit = reinterpret_cast<RTCHitN*>(&query.hit);
+  asked.N = 1;
+  filter(&asked);
+  return valid == -1;
 }
 
 void intersect_one(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
   RTCRayHit& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-  const RTCFilterFunctionN filter = static_cast<const embree::QueryContext*>(args->context)->filter_of_all;
-  if (filter) return offer_all(args, query.ray, filter);
+  const RTCRayHit before = query;
   RevolutionHit hit;
-  if (!hit_band(args->geometryUserPtr, args->primID, query.ray, hit)) return;
-  query.ray.tfar = float(hit.t);
-  note(args, hit, query.hit);
+  for (double near = before.ray.tnear; hit_band(args->geometryUserPtr, args->primID, before.ray, near, hit);
+       near = hit.t) {
+    query.ray.tfar = float(hit.t);
+    query.hit.primID = hit.primitive;
+    query.hit.geomID = args->geomID;
+    query.hit.instID[0] = args->context->instID[0];
+    query.hit.u = hit.u, query.hit.v = hit.v;
+    if (stands(args, query)) return;
+    query = before;
+  }
 }
 
 void occlude_one(const RTCOccludedFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
   RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
   RevolutionHit hit;
-  if (hit_band(args->geometryUserPtr, args->primID, ray, hit)) ray.tfar = -std::numeric_limits<float>::infinity();
+  if (hit_band(args->geometryUserPtr, args->primID, ray, ray.tnear, hit))
+    ray.tfar = -std::numeric_limits<float>::infinity();
 }
 
 }  // namespace

@@ -40,14 +40,14 @@ int convert(const std::string& in, const std::string& out) {
   if (is_scene_file(in)) throw Failure(in + ": a scene; a photometric file can be converted");
   const Context context = make_context(1);
   const Profile profile = read_profile(context.get(), in);
-  const std::string bytes = write_profile(out, profile.get());  // the command line admits .ies and .ldt alone
+  const WrittenProfile made = write_profile(out, profile.get());  // the command line admits .ies and .ldt alone
   const ProfileReport report = report_of_file(in, profile.get());
   for (const std::string& warning : report.warnings) put_warning(in + ": " + warning);
   ups_profile* again = nullptr;
-  check(ups_profile_parse(context.get(), bytes.data(), bytes.size(), *photometric_format(out), &again));
+  check(ups_profile_parse(context.get(), made.bytes.data(), made.bytes.size(), *photometric_format(out), &again));
   const Profile written(again);
   std::vector<std::string> lacks = losses(report, make_report(out, written.get()));
-  append_once(lacks, write_warnings(out, profile.get()));
+  append_once(lacks, made.lacks);
   for (const std::string& lack : lacks) put_warning(out + ": " + lack);
   return exit_done;
 }

@@ -88,7 +88,9 @@ Written write_files(const GoniometerOptions& options, const SensorEntry& goniome
                     const ups_profile* profile, const ProfileReport& report) {
   Written written;
   if (!options.out.empty())
-    attempt(written, options.out, [&](const std::string& path) { write_profile(path, profile); });
+    attempt(written, options.out, [&](const std::string& path) {
+      for (const std::string& lack : write_profile(path, profile).lacks) put_warning(path + ": " + lack);
+    });
   if (!options.errors.empty())
     attempt(written, options.errors, [&](const std::string& path) { write_goniometer_csv(path, goniometer, result); });
   for (const std::string& plot : options.plots)

@@ -20,7 +20,8 @@ std::string sensor_text(const SensorEntry& sensor) {
   const ups_gltf_sensor_info& info = sensor.info;
   const char* name = sensor.name.c_str();
   if (info.kind == UPS_GLTF_CAMERA)
-    return format("  camera %s: %u x %u%s\n", name, info.width, info.height, info.illuminance ? ", illuminance too" : "");
+    return format("  camera %s: %u x %u%s\n", name, info.width, info.height,
+                  info.illuminance ? ", illuminance too" : "");
   if (info.kind == UPS_GLTF_GONIOMETER)
     return format("  goniometer %s: %u planes of %u angles\n", name, info.columns, info.rows);
   if (info.columns > 0) return format("  meters %s: grid of %u x %u\n", name, info.columns, info.rows);

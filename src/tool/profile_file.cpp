@@ -192,12 +192,13 @@ Profile read_profile(ups_context* context, const std::string& file) {
   const std::string by_content = without_functions(ups_last_error());
   const auto named = photometric_format(file);
   if (!named)
-    throw Failure(file + ": neither a scene nor a photometric file that is known here, whose name would end in .gltf, .glb, " +
-                  known_extensions + "; read as photometry: " + by_content);
+    throw Failure(file + ": neither a scene nor a photometric file that is known here, whose name would end in " +
+                  ".gltf, .glb, " + known_extensions + "; read as photometry: " + by_content);
   if (parse(context, file, bytes, *named, profile) == UPS_OK) return profile;
   const std::string by_name = without_functions(ups_last_error());
   throw Failure(file + ": " + by_content +
-                (by_name == by_content ? "" : "; read as what its name says, " + lower_extension(file) + ": " + by_name));
+                (by_name == by_content ? ""
+                                       : "; read as what its name says, " + lower_extension(file) + ": " + by_name));
 }
 
 bool is_scene_file(const std::string& file) {
@@ -208,23 +209,21 @@ bool is_scene_file(const std::string& file) {
   return std::equal(first, first + 4, "glTF") || (!photometric_format(file) && first[0] == '{');
 }
 
-std::vector<std::string> write_warnings(const std::string& file, const ups_profile* profile) {
-  return lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
-    return ups_profile_get_write_warnings(profile, *photometric_format(file), to, capacity, needed);
-  }));
-}
-
-std::string write_profile(const std::string& file, const ups_profile* profile) {
-  std::string bytes;
+WrittenProfile write_profile(const std::string& file, const ups_profile* profile) {
+  const ups_profile_format format = *photometric_format(file);
+  std::string bytes, lacks;
   try {
     bytes = read_text([&](char* to, size_t capacity, size_t* needed) {
-      return ups_profile_write(profile, *photometric_format(file), to, capacity, needed);
+      return ups_profile_write(profile, format, to, capacity, needed);
+    });
+    lacks = read_text([&](char* to, size_t capacity, size_t* needed) {
+      return ups_profile_get_write_warnings(profile, format, to, capacity, needed);
     });
   } catch (const Failure& e) {
     throw Failure(file + ": " + e.what());
   }
   extras::write_file(file, bytes.data(), bytes.size());
-  return bytes;
+  return {std::move(bytes), lines_of(lacks)};
 }
 
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg) {

@@ -22,11 +22,12 @@ bool is_scene_file(const std::string& file);  // by its name or its first bytes
 
 // By its content, whatever its name. Throws Failure that names the file.
 Profile read_profile(ups_context* context, const std::string& file);
-// As .ies or .ldt, by its name, whole or not at all; returns the bytes, as what is no file cannot be read again. Throws
-// Failure that names the file.
-std::string write_profile(const std::string& file, const ups_profile* profile);
-// What a file of that name would lack of the profile.
-std::vector<std::string> write_warnings(const std::string& file, const ups_profile* profile);
+struct WrittenProfile {
+  std::string bytes;               // as what is no file cannot be read again
+  std::vector<std::string> lacks;  // what the file does not hold as the profile has it, such as flux and peak
+};
+// As .ies or .ldt, by its name, whole or not at all. Throws Failure that names the file.
+WrittenProfile write_profile(const std::string& file, const ups_profile* profile);
 inline bool is_written_format(const std::string& file) {
   return lower_extension(file) == ".ies" || lower_extension(file) == ".ldt";
 }

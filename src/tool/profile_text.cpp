@@ -135,7 +135,8 @@ const char* opening_axis_word(const ups_profile_info& info) {
   if (info.opening_shape == UPS_OPENING_CYLINDER && info.opening_axis >= 0 && info.opening_axis < 3)
     return words[info.opening_axis];
   const auto* m = info.opening_m;
-  const bool line = info.opening_shape == UPS_OPENING_RECTANGLE && std::count_if(m, m + 3, [](float l) { return l > 0; }) == 1;
+  const bool line = info.opening_shape == UPS_OPENING_RECTANGLE &&
+                    std::count_if(m, m + 3, [](float length) { return length > 0; }) == 1;
   return line ? words[std::max_element(m, m + 3) - m] : "";
 }
 

@@ -1,9 +1,10 @@
-// Surfaces of revolution: hits, normals and addresses against closed forms in double; solids of them do not leak, alone,
-// tilted, far away and as instances; a point's address leads back to it.
+// Surfaces of revolution: hits, normals and addresses against closed forms in double; solids of them do not leak,
+// alone, tilted, far away and as instances; a point's address leads back to it; all hits of a ray are found, once.
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "base/parallel.h"
 #include "base/warp.h"
 #include "geometry/raytracer.h"
 #include "photometry/optics.h"
@@ -50,7 +51,7 @@ struct Rig {
     std::vector<Raytracer::Instance> instances;
     for (const Affine& a : places) instances.push_back({0, a});
     ThreadPool pool(2);
-    tracer = std::make_unique<Raytracer>(meshes, instances, texturing, pool);
+    tracer = std::make_unique<Raytracer>(meshes, instances, texturing, pool, true);
   }
 };
 
@@ -162,7 +163,8 @@ void expect_tight(const Rig& rig, const Affine& frame, const Vec3d& start, size_
   size_t escaped = 0, blocked = 0, rays = 0;
   while (rays < count) {
     Hit hit;
-    if (!rig.tracer->intersect(Vec3(frame.point(start)), square_to_sphere({uniform(rng), uniform(rng)}), infinity, hit)) {
+    const Vec3 first = square_to_sphere({uniform(rng), uniform(rng)});
+    if (!rig.tracer->intersect(Vec3(frame.point(start)), first, infinity, hit)) {
       ++escaped, ++rays;
       continue;
     }
@@ -203,7 +205,7 @@ TEST(Revolution, GrazingLightKeepsItsChords) {
   const Rig rig(round_mesh(optics::sphere(r), coarse), {Affine()});
   SurfacePoint point;
   Vec3 o(0.2499999f, 0, 0), d(float(-std::sin(angle)), float(std::cos(angle)), 0);
-  for (int bounce = 0; bounce < 20; ++bounce) {
+  for (int bounce = 0; bounce < 15; ++bounce) {
     Hit hit;
     ASSERT_TRUE(rig.tracer->intersect(o, d, infinity, hit));
     point = rig.tracer->surface_at(hit);
@@ -213,6 +215,27 @@ TEST(Revolution, GrazingLightKeepsItsChords) {
     ASSERT_NEAR(double(length(point.p)), r, 1e-7);
     d = normalize(d - point.ng * (2 * dot(d, point.ng)));
     o = point.ray_origin(d);
+  }
+}
+
+TEST(Revolution, AllHitsAreFoundOnce) {
+  const auto ball = round_mesh(optics::sphere(0.25), coarse);
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  for (const auto& places : {std::vector{Affine()}, std::vector{Affine(), placed(0, {3, 0, 0})},
+                             std::vector{Affine(), placed(0.3, {}), placed(0, {9, 0, 0})}}) {
+    const Rig rig(ball, places);
+    const size_t balls = places.size() == 3 ? 2 : 1;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 o = normalize(Vec3(uniform(rng), uniform(rng), uniform(rng)));
+      const Vec3 d = normalize(Vec3(uniform(rng), uniform(rng), uniform(rng)) * 0.14f - o);  // meets the ball
+      const double half = std::sqrt(0.0625 - length2(cross(Vec3d(o), Vec3d(d)))), middle = -dot(Vec3d(o), Vec3d(d));
+      std::vector<Hit> hits;
+      rig.tracer->intersect_all(o, d, 2, hits);
+      ASSERT_EQ(hits.size(), 2 * balls);
+      for (size_t k = 0; k < hits.size(); ++k)
+        EXPECT_NEAR(double(hits[k].t), middle + (k < balls ? -half : half), 1e-5);
+    }
   }
 }
 

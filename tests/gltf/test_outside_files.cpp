@@ -1,5 +1,5 @@
-// Files that a scene names lie in its folder or below it, unless the caller lets them lie anywhere: a scene that someone
-// else sent reads nothing else.
+// Files that a scene names lie in its folder or below it, unless the caller lets them lie anywhere: a scene that
+// someone else sent reads nothing else.
 #include <functional>
 
 #include "good_file.h"

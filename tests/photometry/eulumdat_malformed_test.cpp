@@ -99,6 +99,14 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"all_in_metres", [](P& p) { p.size = "1.2\n0.3\n0.08", p.area = "1.15\n0.25"; },
              "line 21: the luminous opening is 1.15 mm at its longest, the luminaire 1.2 mm"},
         Case{"fraction_text", [](P& p) { p.dff = "100 %"; }, "line 22: the downward flux fraction is \"100 %\""},
+        Case{"fraction", [](P& p) { p.dff = "0"; },
+             "line 22: the downward flux fraction is 0 %, but of the intensities' light 100 % goes down"},
+        Case{"fraction_of_half",
+             [](P& p) { p.dff = "53", p.gamma = {0, 90, 180}, p.intensity = {100, 100, 100}; },
+             "line 22: the downward flux fraction is 53 %, but of the intensities' light 50 % goes down"},
+        Case{"gamma_step", [](P& p) { p.dg = "30"; },
+             "line 7: the distance Dg of the intensities is 30 degrees, but the angles gamma have a step of 45"},
+        Case{"blank_symmetry", [](P& p) { p.isym = ""; }, "line 3: the symmetry indicator Isym is blank; taken as 0"},
         Case{"ratio", [](P& p) { p.lor = "50"; },
              "line 23: the light output ratio is 50 %, but the intensities add up to"},
         Case{"conversion", [](P& p) { p.conversion = "0"; }, "line 24: the conversion factor for the intensities is 0"},
@@ -138,6 +146,18 @@ TEST(EulumdatMalformed, LightOutputRatioWithinTwoPercentIsNoWarning) {
     parts.lor = std::to_string(percent / factor);
     EXPECT_EQ(read_text(parts.text()).warnings.size(), warnings) << factor;
   }
+}
+
+TEST(EulumdatMalformed, StatementsThatAgreeAreNoWarning) {
+  EulumdatParts parts;
+  for (const char* dff : {"", "100", "98.5"}) {
+    parts.dff = dff;
+    EXPECT_TRUE(read_text(parts.text()).warnings.empty()) << dff;
+  }
+  parts.dg = "45";
+  EXPECT_TRUE(read_text(parts.text()).warnings.empty());
+  parts.dg = "33.33", parts.gamma = {0, 33.33, 66.67}, parts.intensity = {300, 200, 0};
+  EXPECT_EQ(read_text(parts.text()).warnings.size(), 1u) << "that the angles end early, alone";
 }
 
 TEST(EulumdatMalformed, EmptyIntensitiesAreZeroWithAWarning) {

@@ -241,6 +241,27 @@ TEST(Writer, EveryEulumdatFieldHasItsLength) {
   }
 }
 
+TEST(Writer, LinesOfIesFilesAreShort) {
+  Photometry p{Distribution({0, 90}, steps(0, 90, 500), std::vector<double>(1002, 1 / 3.))};
+  std::string words;
+  for (int i = 0; i < 120; ++i) words += "word" + std::to_string(i) + " ";
+  words += "end";
+  p.keywords = {{"OTHER", words}, {"LUMCAT", std::string(600, 'x')}, {"LUMINAIRE", ""}};
+  for (int i = 0; i < 300; ++i) p.keywords[2].value += "\xC3\xA4";
+  const std::string text = write_ies(p);
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = text.find("\r\n", at);
+    ASSERT_NE(end, text.npos);
+    EXPECT_LE(end + 2 - at, 256u) << text.substr(at, end - at);
+    at = end + 2;
+  }
+  const Photometry q = again(text);
+  EXPECT_EQ(keyword(q, "OTHER"), words);
+  std::string catalogue = keyword(q, "LUMCAT");
+  EXPECT_EQ(std::count(catalogue.begin(), catalogue.end(), 'x'), 600) << "without blanks there is no place to part";
+  EXPECT_EQ(keyword(q, "LUMINAIRE").find("\xC3 "), std::string::npos) << "no character is parted";
+}
+
 TEST(Writer, KeywordsLampsAndCodesAreKept) {
   const Photometry p = read_file("s05_lm63_2019_filegen_1p1.ies");
   EXPECT_DOUBLE_EQ(p.file_generation, 1.1);

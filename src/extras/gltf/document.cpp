@@ -1,5 +1,5 @@
-// Loads a .gltf or .glb file: container, JSON, the files it names. tinygltf (model.cpp) trusts much of what it reads, so
-// what it does not check is checked here first, with messages that say where; see also accessor.cpp.
+// Loads a .gltf or .glb file: container, JSON, the files it names. tinygltf (model.cpp) trusts much of what it reads,
+// so what it does not check is checked here first, with messages that say where; see also accessor.cpp.
 #include "gltf/document.h"
 
 #include <algorithm>
@@ -26,8 +26,8 @@ uint32_t little_endian(const unsigned char* bytes) {
 
 bool is_binary(const Bytes& file) { return file.size() >= 4 && std::memcmp(file.data(), "glTF", 4) == 0; }
 
-// glTF 2.0, section 4.4: a 12-byte header, then chunks of length, type, data; the first one is JSON, the second, if any,
-// the first buffer.
+// glTF 2.0, section 4.4: a 12-byte header, then chunks of length, type, data; the first one is JSON, the second, if
+// any, the first buffer.
 struct Chunks {
   ByteRange json, binary;  // binary.data: null where there is none
 };

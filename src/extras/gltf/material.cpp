@@ -80,8 +80,8 @@ void Importer::read_core_material(const JsonReader& material, ups_material_desc&
   if (all_metal) desc.metallic = 0;
 }
 
-// What is no metal becomes one of F0 1: no light reaches its base. Schlick's reflectance is linear in F0, so a mixture is
-// one metal too.
+// What is no metal becomes one of F0 1: no light reaches its base. Schlick's reflectance is linear in F0, so a mixture
+// is one metal too.
 void Importer::reflect_all(const JsonReader& material, ups_material_desc& desc) {
   if (material.extension("KHR_materials_specular"))
     warn(material.where() + ": an \"ior\" of 0 reflects all light, as KHR_materials_specular is skipped");

@@ -1,6 +1,6 @@
-// Has tinygltf read the document's JSON. It knows some media types of data URIs alone, wants buffers to be of just their
-// byteLength and indices to have a buffer view, so it is given a text that leaves it no choice: each buffer is a file
-// whose bytes are here, indices without a buffer view are kept from it.
+// Has tinygltf read the document's JSON. It knows some media types of data URIs alone, wants buffers to be of just
+// their byteLength and indices to have a buffer view, so it is given a text that leaves it no choice: each buffer is a
+// file whose bytes are here, indices without a buffer view are kept from it.
 #include <algorithm>
 #include <limits>
 #include <map>
