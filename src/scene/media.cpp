@@ -1,7 +1,6 @@
 // See media.h: which meshes enclose a volume, the order of media, what a point lies in. Overlaps are in overlaps.cpp.
 #include "scene/media.h"
 
-#include <numeric>
 #include <tuple>
 
 #include "base/per_thread.h"
@@ -63,7 +62,7 @@ Box padded(Box box) {
   return box;
 }
 
-// The mediums of all glass instances, and of each instance its own; solids only where some are wanted.
+// The media of all glass instances, and of each instance its own; solids only where some are wanted.
 Media list(const std::vector<Medium>& of_glass, size_t instance_count, bool solids) {
   Media media;
   media.of_instance.assign(instance_count, none);

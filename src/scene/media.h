@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "base/parallel.h"
@@ -25,15 +24,15 @@ struct Snapshot;
 struct Medium {
   uint32_t material;
   int32_t priority;
-  double volume;            // m^3; infinite: open
-  uint32_t instance;        // of a solid
+  double volume;              // m^3; infinite: open
+  uint32_t instance;          // of a solid
   bool meets_others = false;  // its box meets that of another solid: their faces may coincide
   bool is_open() const { return volume == INFINITY; }
 };
 
 struct Media {
-  std::vector<Medium> by_rank;         // the strongest first
-  std::vector<uint32_t> of_instance;   // index into by_rank; none: not of glass
+  std::vector<Medium> by_rank;        // the strongest first
+  std::vector<uint32_t> of_instance;  // index into by_rank; none: not of glass
   // Solids may overlap, or have the index of air. Else every surface of glass is treated as an open one, which comes to
   // the same and costs less: its index counts against 1, whatever lies around it.
   bool nest = false;

@@ -204,7 +204,8 @@ const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
     for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
       const LightVertex& l = in_.light.vertices[i];
       const SurfacePoint surface = l.surface();
-      prepared.push_back({&l, surface, Bsdf(scene_.materials[l.material], l.uv, l.relative_ior), surface.shading.to_local(l.wo)});
+      const Bsdf bsdf(scene_.materials[l.material], l.uv, l.relative_ior);
+      prepared.push_back({&l, surface, bsdf, surface.shading.to_local(l.wo)});
     }
     light_is_prepared_ = true;
   }

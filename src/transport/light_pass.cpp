@@ -227,7 +227,8 @@ class LightWalk {
     }
     const MediaStack& media = met_.beyond(d);
     const Rgb unweighted =
-        flux_ * f * attenuation_ahead(scene_, media, std::sqrt(d2)) * float(pdf_w / (double(d2) * in_.plan.light_paths));
+        flux_ * f * attenuation_ahead(scene_, media, std::sqrt(d2)) *
+        float(pdf_w / (double(d2) * in_.plan.light_paths));
     Rgb value = unweighted * float(w);
     if (is_black(value)) return;
     Rgb passed(1.0f);

@@ -64,7 +64,7 @@ inline bool is_stopped(const std::atomic<bool>& stop, uint32_t edges) {
 }
 
 // The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe. Its
-// distance along the chain; 0: none. `media`: at the start; `e`: what was met at the end of the chain, along `direction`.
+// distance along the chain; 0: none. `media`: at the start; `e`: what was met at its end, along `direction`.
 inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, MediaStack media, Encounter& e, Vec3& direction) {
   float distance = 0;
   WorkCounts work;

@@ -59,8 +59,8 @@ struct Block {
   double lift = 0;  // by the instance's transform
 };
 
-// Parallel light through blocks with horizontal faces, on a large cell below. What enters by a side does not leave by the
-// bottom, but is reflected totally: cos(angle) / n < sqrt(1 - 1 / n^2), or the angle is 0.
+// Parallel light through blocks with horizontal faces, on a large cell below. What enters by a side does not leave by
+// the bottom, but is reflected totally: cos(angle) / n < sqrt(1 - 1 / n^2), or the angle is 0.
 void expect_layers(const std::vector<Block>& blocks, const std::vector<Layer>& layers, double angle_rad,
                    const std::string& what) {
   Scene scene;
@@ -196,7 +196,8 @@ Shape lens(double top_z, double top_curvature, double bottom_z, double bottom_cu
     const uint32_t a = uint32_t(2 * k), b = uint32_t(2 * ((k + 1) % segments));
     side.triangles.insert(side.triangles.end(), {{a, a + 1, b + 1}, {a, b + 1, b}});
   }
-  for (const Shape* part : {&bottom, &side}) s.normals.insert(s.normals.end(), part->normals.begin(), part->normals.end());
+  for (const Shape* part : {&bottom, &side})
+    s.normals.insert(s.normals.end(), part->normals.begin(), part->normals.end());
   s.append(bottom);
   s.append(side);
   return s;
@@ -225,7 +226,7 @@ void expect_doublet(const std::vector<Part>& parts, const std::string& what) {
   h += to * u;
   double passed = 1;
   for (const auto& [a, b] : {std::pair(1.0, crown), {crown, flint}, {flint, 1.0}}) passed *= 1 - fresnel(1, a, b);
-  const Result result = scene.render({.iterations = 16, .light_paths = 8192});
+  const Result result = scene.render({.iterations = 32, .light_paths = 16384});
   expect_lx(result.readings(cells)[0], 1000 * passed / (h * h), 0.005, what);
 }
 
@@ -337,8 +338,8 @@ TEST(NestedMedia, ABubbleInAFurnaceHasTheRadianceOfItsIndex) {
       for (size_t i = 0; i < 2; ++i) {
         const double expected = pi_d * luminance / (i == 0 ? n * n : 1);
         EXPECT_LE(readings[i].standard_error_lx, 0.006 * expected) << what;
-        EXPECT_LE(std::abs(readings[i].illuminance_lx - expected),
-                  tolerance * expected + std::max(relative_tolerance * expected, sigmas * readings[i].standard_error_lx))
+        const double noise = std::max(relative_tolerance * expected, sigmas * readings[i].standard_error_lx);
+        EXPECT_LE(std::abs(readings[i].illuminance_lx - expected), tolerance * expected + noise)
             << what << ", meter " << i << ": " << readings[i].illuminance_lx << ", expected " << expected;
       }
       const std::vector<float> pixels = result.image(camera).luminance;

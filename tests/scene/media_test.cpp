@@ -52,7 +52,8 @@ struct Solids {
   void cube(uint32_t material, double x, double size, size_t triangles = 12) {
     Mesh m;
     for (int k = 0; k < 8; ++k) m.positions.push_back(Vec3(float(k & 1), float(k >> 1 & 1), float(k >> 2)));
-    m.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    m.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
     m.indices.resize(3 * triangles);
     m.material = material;
     Affine place;
