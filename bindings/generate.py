@@ -99,26 +99,44 @@ def csharp_value_type(api, t, in_struct):
     return base + "*" * stars
 
 
+def csharp_array_type(kind, count):
+    return f"{pascal(kind)}{count}"
+
+
+def csharp_array(kind, count):
+    """An array inside a struct: a struct itself, which stands in a field, so that its elements are set in place."""
+    name = csharp_array_type(kind, count)
+    pin = f"fixed ({kind}* p = values_)"
+    return ["/// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole."
+            "</summary>",
+            "[StructLayout(LayoutKind.Sequential)]", f"public unsafe struct {name} : IEnumerable<{kind}>", "{",
+            f"    private fixed {kind} values_[{count}];",
+            f"    public int Length {{ get {{ return {count}; }} }}",
+            f"    public {kind} this[int index]", "    {",
+            f"        get {{ {pin} return p[Elements.Index(index, {count})]; }}",
+            f"        set {{ {pin} p[Elements.Index(index, {count})] = value; }}",
+            "    }",
+            f"    public {kind}[] ToArray() {{ {pin} return Elements.Copy(p, {count}); }}",
+            f"    public static implicit operator {kind}[]({name} from) {{ return from.ToArray(); }}",
+            f"    public static implicit operator {name}({kind}[] from)", "    {",
+            f"        var to = new {name}();",
+            f'        Elements.Set(to.values_, {count}, from, "{name}");',
+            "        return to;", "    }",
+            f"    public IEnumerator<{kind}> GetEnumerator() "
+            f"{{ return ((IEnumerable<{kind}>)ToArray()).GetEnumerator(); }}",
+            "    IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }", "}", ""]
+
+
 def csharp_struct(api, struct):
     name = pascal(struct.name)
     out = ["[StructLayout(LayoutKind.Sequential)]", f"public unsafe struct {name}", "{"]
-    properties = []
     for f in struct.fields:
         kind = csharp_value_type(api, f.type, in_struct=True)
         if not f.type.count:
             access = "internal" if f.type.pointers else "public"  # the written classes pin what an address is of
             out.append(f"    {access} {kind} {pascal(f.name)};")
             continue
-        member = pascal(f.name)
-        buffer = member[0].lower() + member[1:] + "_"
-        out.append(f"    private fixed {kind} {buffer}[{f.type.count}];")
-        properties += [
-            f"    public {kind}[] {member}", "    {",
-            f"        get {{ fixed ({kind}* p = {buffer}) return Elements.Copy(p, {f.type.count}); }}",
-            f"        set {{ fixed ({kind}* p = {buffer}) Elements.Set(p, {f.type.count}, value, "
-            f'"{name}.{member}"); }}',
-            "    }"]
-    out += properties
+        out.append(f"    public {csharp_array_type(kind, f.type.count)} {pascal(f.name)};")
     if api.function(struct.name + "_init"):
         out += ["    /// <summary>With the library's defaults.</summary>",
                 f"    public static {name} Create()", "    {", f"        var d = new {name}();",
@@ -137,12 +155,16 @@ def csharp_parameter(api, p, destroys):
 def csharp_source(api):
     v = api.version
     out = ["// The C API of UPS as P/Invoke. Written by bindings/generate.py from include/ups; do not edit.",
-           "using System;", "using System.Runtime.InteropServices;", "", "namespace Ups", "{"]
+           "using System;", "using System.Collections;", "using System.Collections.Generic;",
+           "using System.Runtime.InteropServices;", "", "namespace Ups", "{"]
     body = []
     for enum in api.enums:
         body += ["[Flags]"] if enum.name is None else []
         body += [f"public enum {enum_name(enum)} : {'int' if enum.name else 'uint'}", "{"]
         body += [f"    {pascal(name)} = {value}," for name, value in enum_members(enum)] + ["}", ""]
+    for kind, count in sorted({(csharp_value_type(api, f.type, in_struct=True), f.type.count)
+                               for struct in api.structs for f in struct.fields if f.type.count}):
+        body += csharp_array(kind, count)
     for struct in api.structs:
         body += csharp_struct(api, struct)
     for handle in api.handles:
@@ -150,7 +172,8 @@ def csharp_source(api):
         body += [f"public sealed class {name}Handle : NativeHandle", "{",
                  f"    protected override bool ReleaseHandle() {{ Native.{handle}_destroy(handle); return true; }}",
                  "}", ""]
-    body += ["internal static unsafe class Native", "{", '    private const string Library = "ups";',
+    soname = f"libups.so.{v['MAJOR']}" + (f".{v['MINOR']}" if v["MAJOR"] == 0 else "")
+    body += ["internal static unsafe class Native", "{", f'    private const string Library = "{soname}";',
              f"    internal const uint HeaderVersion = {v['MAJOR'] * 10000 + v['MINOR'] * 100 + v['PATCH']};", ""]
     for f in api.functions:
         destroys = any(f.name == h + "_destroy" for h in api.handles)

@@ -160,15 +160,19 @@ void Distribution::find_peak() {
   const size_t peak = size_t(std::max_element(table_.begin(), table_.end()) - table_.begin());
   const size_t plane = peak / gamma_deg_.size(), row = peak % gamma_deg_.size();
   peak_cd_ = table_[peak];
-  peak_c_deg_ = c_deg_[plane];
-  peak_gamma_deg_ = gamma_deg_[row];
+  node_direction(plane, row, peak_c_deg_, peak_gamma_deg_);
+}
+
+void Distribution::node_direction(size_t plane, size_t row, double& c_deg, double& gamma_deg) const {
+  c_deg = c_deg_[plane];
+  gamma_deg = gamma_deg_[row];
   if (type_ == PhotometricType::c) return;
   Direction d = from_native(type_, direction_of(c_rad_[plane], gamma_rad_[row]));
   for (double* component : {&d.x, &d.y, &d.z})
     if (std::abs(*component) < 1e-15) *component = 0;  // what rounding leaves of an axis
   const double c = std::atan2(d.y, d.x) / pi * 180;
-  peak_c_deg_ = c < 0 ? c + 360 : c;
-  peak_gamma_deg_ = std::atan2(std::hypot(d.x, d.y), -d.z) / pi * 180;
+  c_deg = c < 0 ? c + 360 : c;
+  gamma_deg = std::atan2(std::hypot(d.x, d.y), -d.z) / pi * 180;
 }
 
 Distribution Distribution::resampled(std::vector<double> grid_c_deg, std::vector<double> grid_gamma_deg) const {
@@ -181,19 +185,6 @@ Distribution Distribution::resampled(std::vector<double> grid_c_deg, std::vector
       table.push_back(eval(sine * cosine_deg(c), sine * cosine_deg(90 - c), -cosine_deg(g)));
     }
   return Distribution(std::move(grid_c_deg), std::move(grid_gamma_deg), std::move(table));
-}
-
-Distribution Distribution::in_c_gamma() const {
-  if (type_ == PhotometricType::c) return *this;
-  double finest = 90;
-  for (const std::vector<double>* angle : {&c_deg_, &gamma_deg_})
-    for (size_t i = 0; i + 1 < angle->size(); ++i) finest = std::min(finest, (*angle)[i + 1] - (*angle)[i]);
-  const double step = finest < 2.5 ? 1 : 2.5;
-  const double highest = c_deg_.front() < -90 || c_deg_.back() > 90 ? 180 : 90;
-  std::vector<double> c, gamma;
-  for (int i = 0; i * step < 360; ++i) c.push_back(i * step);
-  for (int i = 0; i * step <= highest; ++i) gamma.push_back(i * step);
-  return resampled(std::move(c), std::move(gamma));
 }
 
 void Distribution::build_sampling_tables() {

@@ -65,8 +65,8 @@ class Distribution {
   // The same intensities at the nodes of a C-gamma grid, as the first constructor takes it. Interpolated between the
   // grid's nodes it is not the same distribution where the grids differ.
   Distribution resampled(std::vector<double> grid_c_deg, std::vector<double> grid_gamma_deg) const;
-  // This distribution where it is of type C; else on a grid of 1 degree (where the table is as fine) or 2.5 degrees.
-  Distribution in_c_gamma() const;
+  // Where the value at(plane, row) of a table of any type lies, in C-gamma terms.
+  void node_direction(size_t plane, size_t row, double& c_deg, double& gamma_deg) const;
 
  private:
   PhotometricType type_ = PhotometricType::c;

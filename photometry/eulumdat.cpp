@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "photometry/eulumdat_text.h"
+#include "photometry/metrics.h"
 #include "photometry/planes.h"
 
 namespace photometry {
@@ -20,9 +21,10 @@ class EulumdatReader {
  private:
   void warn(size_t line, const std::string& what) { warnings_.push_back(at_line(line, what)); }
   void keep(const char* keyword, const char* name);
-  void keep_number(const char* keyword, const char* name);
+  double keep_number(const char* keyword, const char* name);
   void read_head();
   void read_opening();
+  void check_unit();
   void read_ratios();
   void read_lamps();
   bool grouped_by_field(size_t sets);
@@ -30,15 +32,19 @@ class EulumdatReader {
   std::vector<double> read_angles(const char* name, size_t n);
   std::vector<double> stored_planes(const std::vector<double>& c_deg);
   void read_intensities(const std::vector<double>& stored);
-  void check_flux(const Distribution& distribution);
+  void check_gamma_step();
+  void check_flux(const Photometry& photometry);
 
   EulumdatText in_;
   const ReadOptions& options_;
   std::vector<std::string> warnings_;
   std::vector<Keyword> keywords_;
   size_t isym_ = 0, plane_count_ = 0, gamma_count_ = 0, lamp_line_ = 0, table_line_ = 0, ratio_line_ = 0;
+  size_t opening_line_ = 0, gamma_step_line_ = 0, down_line_ = 0;
+  double luminaire_mm_ = 0, opening_mm_ = 0;  // the longest of each
   Opening opening_;
-  double light_output_percent_ = 0, conversion_ = 1;
+  double light_output_percent_ = 0, conversion_ = 1, gamma_step_ = 0;
+  double down_percent_ = -1;  // < 0: not stated
   std::vector<LampSet> lamps_;
   std::vector<double> gamma_deg_;
   std::vector<Plane> planes_;
@@ -49,9 +55,10 @@ void EulumdatReader::keep(const char* keyword, const char* name) {
   if (!text.empty()) keywords_.push_back({keyword, std::string(text)});
 }
 
-void EulumdatReader::keep_number(const char* keyword, const char* name) {
+double EulumdatReader::keep_number(const char* keyword, const char* name) {
   const double value = in_.number_or_zero(name, warnings_);
   if (value != 0) keywords_.push_back({keyword, shortest(value)});
+  return value;
 }
 
 // Lines 1 to 15.
@@ -61,22 +68,26 @@ void EulumdatReader::read_head() {
   if (!(type == 0 || type == 1 || type == 2 || type == 3))
     warn(in_.at(), "the type indicator Ityp is " + shown(type) + ", not 1, 2 or 3; it changes nothing");
   keywords_.push_back({"_ITYP", shortest(type)});
+  const std::vector<std::string_view> isym = in_.peek(1);
   isym_ = in_.count("the symmetry indicator Isym", 0, 4);
+  if (!isym.empty() && isym[0].empty())
+    warn(in_.at(), "the symmetry indicator Isym is blank; taken as 0, so that the table must have all C planes");
   plane_count_ = in_.count("the number Mc of C planes", 1, Distribution::max_values);
   in_.number_or_zero("the distance Dc of the C planes", warnings_);
   gamma_count_ = in_.count("the number Ng of intensities in a plane", 2, Distribution::max_values);
   if (plane_count_ > Distribution::max_values / gamma_count_)
     fail_at(in_.at(), std::to_string(plane_count_) + " x " + std::to_string(gamma_count_) +
                           " intensities are too many; at most 4000000 are read");
-  in_.number_or_zero("the distance Dg of the intensities", warnings_);
+  gamma_step_ = in_.number_or_zero("the distance Dg of the intensities", warnings_);
+  gamma_step_line_ = in_.at();
   keep("TEST", "the report's number");
   keep("LUMINAIRE", "the luminaire's name");
   keep("LUMCAT", "the luminaire's number");
   keep("_FILENAME", "the file's name");
   keep("ISSUEDATE", "the date");
-  keep_number("_LENGTH_MM", "the luminaire's length");
-  keep_number("_WIDTH_MM", "the luminaire's width");
-  keep_number("_HEIGHT_MM", "the luminaire's height");
+  luminaire_mm_ = keep_number("_LENGTH_MM", "the luminaire's length");
+  luminaire_mm_ = std::max(luminaire_mm_, keep_number("_WIDTH_MM", "the luminaire's width"));
+  luminaire_mm_ = std::max(luminaire_mm_, keep_number("_HEIGHT_MM", "the luminaire's height"));
 }
 
 // Lines 16 to 21, mm. Length lies along C90-C270, width along C0-C180; without a width the length is a diameter.
@@ -109,11 +120,30 @@ void EulumdatReader::read_opening() {
   opening_.size_m[0] = float(0.001 * (round ? length : width));
   opening_.size_m[1] = float(0.001 * length);
   opening_.size_m[2] = float(0.001 * high);
+  opening_mm_ = std::max({length, width, high});
+  opening_line_ = in_.at();
+}
+
+// Metres where the format has millimetres: an opening a thousandth of its luminaire, or less than a millimetre and
+// nothing beside it; or a luminaire smaller than any of its flux.
+void EulumdatReader::check_unit() {
+  if (!(opening_mm_ > 0) || !(luminaire_mm_ > 0)) return;
+  const double ratio = luminaire_mm_ / opening_mm_;
+  const bool opening_in_metres = (opening_mm_ < 1 && ratio > 100) || (opening_mm_ < 5 && ratio > 900 && ratio < 5000),
+             all_in_metres = luminaire_mm_ < 2.5 && lamps_[options_.lamp_set].flux_lm > 300;
+  if (opening_in_metres || all_in_metres)
+    warn(opening_line_, "the luminous opening is " + shown(opening_mm_) + " mm at its longest, the luminaire " +
+                            shown(luminaire_mm_) + " mm; both fields are in millimetres: were metres meant?");
 }
 
 // Lines 22 to 25.
 void EulumdatReader::read_ratios() {
-  keep_number("_DFF_PERCENT", "the downward flux fraction");
+  const std::vector<std::string_view> fraction = in_.peek(1);
+  const double down = in_.number_or_zero("the downward flux fraction", warnings_);
+  down_line_ = in_.at();
+  if (down != 0) keywords_.push_back({"_DFF_PERCENT", shortest(down)});
+  double stated;
+  if (!fraction.empty() && !fraction[0].empty() && parse_eulumdat_number(fraction[0], stated)) down_percent_ = down;
   light_output_percent_ = in_.number_or_zero("the light output ratio", warnings_);
   ratio_line_ = in_.at();
   if (light_output_percent_ != 0) keywords_.push_back({"_LORL_PERCENT", shortest(light_output_percent_)});
@@ -277,13 +307,32 @@ void EulumdatReader::read_intensities(const std::vector<double>& stored) {
     warn(in_.at(), counted(more, "line follows", "lines follow") + " the intensities; ignored");
 }
 
-void EulumdatReader::check_flux(const Distribution& distribution) {
-  if (distribution.band_flux_lm() == 0) warn(table_line_, "all intensities are 0");
-  const double percent = 100 * distribution.band_flux_lm() / lamps_[options_.lamp_set].flux_lm;
-  if (light_output_percent_ > 0 && std::abs(percent / light_output_percent_ - 1) > 0.02)
+// Dg is 0 where the steps differ.
+void EulumdatReader::check_gamma_step() {
+  constexpr double tolerance = 0.02;  // degrees: two angles and Dg, each to two decimals
+  if (gamma_step_ == 0) return;
+  for (size_t i = 0; i + 1 < gamma_deg_.size(); ++i) {
+    const double step = gamma_deg_[i + 1] - gamma_deg_[i];
+    if (std::abs(step - gamma_step_) <= tolerance) continue;
+    return warn(gamma_step_line_, "the distance Dg of the intensities is " + shown(gamma_step_) +
+                                      " degrees, but the angles gamma have a step of " + shown(step) +
+                                      "; they are used as they are");
+  }
+}
+
+void EulumdatReader::check_flux(const Photometry& p) {
+  constexpr double tolerance = 2;  // percent
+  const double flux = flux_lm(p);
+  if (flux == 0) return warn(table_line_, "all intensities are 0");
+  const double percent = 100 * flux / lamps_[options_.lamp_set].flux_lm;
+  if (light_output_percent_ > 0 && std::abs(percent / light_output_percent_ - 1) > 0.01 * tolerance)
     warn(ratio_line_, "the light output ratio is " + shown(light_output_percent_) +
                           " %, but the intensities add up to " + shown(percent) +
                           " % of the lamps' flux; they are used as they are");
+  const double down = 100 * zonal_flux_lm(p, 0, 90, FluxRule::band) / flux;
+  if (down_percent_ >= 0 && std::abs(down - down_percent_) > tolerance)
+    warn(down_line_, "the downward flux fraction is " + shown(down_percent_) + " %, but of the intensities' light " +
+                         shown(std::round(10 * down) / 10) + " % goes down; they are used as they are");
 }
 
 Photometry EulumdatReader::read() {
@@ -292,6 +341,7 @@ Photometry EulumdatReader::read() {
   read_ratios();
   read_lamps();
   choose_lamps();
+  check_unit();
   std::string direct_ratios;
   for (int i = 0; i < 10; ++i)
     direct_ratios.append(i ? " " : "").append(shortest(in_.number_or_zero("a direct ratio", warnings_)));
@@ -306,6 +356,7 @@ Photometry EulumdatReader::read() {
   if (!(gamma_deg_.front() == 0 || gamma_deg_.front() == 90) || !(gamma_deg_.back() == 90 || gamma_deg_.back() == 180))
     warn(table_line_, "the angles gamma from " + shown(gamma_deg_.front()) + " to " + shown(gamma_deg_.back()) +
                           " do not reach the poles or the horizon; nothing is emitted beyond them");
+  check_gamma_step();
   read_intensities(stored);
   if (planes_.size() > 1 && planes_.back().c_deg == 360) {
     warn(table_line_, "the C angles end with 360, which is C0 again");
@@ -317,7 +368,7 @@ Photometry EulumdatReader::read() {
   complete_circle(planes_, symmetry);
   try {
     Photometry out{distribution_of(PhotometricType::c, std::move(planes_), std::move(gamma_deg_))};
-    check_flux(out.distribution);
+    check_flux(out);
     check_poles(out.distribution, table_line_, warnings_);
     const LampSet& lamps = lamps_[options_.lamp_set];
     out.opening = opening_;

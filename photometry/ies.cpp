@@ -32,6 +32,7 @@ class IesReader {
   std::vector<double> read_angles(const char* kind, size_t n, bool& descending);
   void read_candelas(double scale);
   void check_flux(const Photometry& photometry);
+  void read_lamp_keywords(const std::vector<Keyword>& keywords);
   Photometry finish();
 
   TextReader in_;
@@ -234,13 +235,37 @@ Photometry IesReader::read() {
   table_line_ = in_.line();
   read_candelas(scale);
   std::string_view token;
-  if (in_.next_token(token)) warn(in_.line(), "what follows the candelas is ignored");
+  if (in_.next_token(token)) {
+    if (double surplus; parse_number(token, surplus))
+      fail_at(in_.line(), "numbers go on after the last of " + std::to_string(horizontal_count_ * vertical_count_) +
+                              " candela values; a value before, or the count of angles, is wrong");
+    warn(in_.line(), "what follows the candelas is ignored");
+  }
   if (vertical_descends) {
     std::reverse(table_.vertical_deg.begin(), table_.vertical_deg.end());
     for (Plane& p : table_.planes) std::reverse(p.intensity_cd.begin(), p.intensity_cd.end());
   }
   if (horizontal_descends) std::reverse(table_.planes.begin(), table_.planes.end());
   return finish();
+}
+
+// Colour has no keyword of the standard's; those of users begin with an underscore.
+void IesReader::read_lamp_keywords(const std::vector<Keyword>& keywords) {
+  static constexpr std::string_view temperatures[] = {"CCT", "COLORTEMP", "COLORTEMPERATURE", "COLOURTEMPERATURE",
+                                                      "COLOR", "COLOUR"};
+  static constexpr std::string_view renderings[] = {"CRI", "RA", "COLORRENDERING", "COLOURRENDERING",
+                                                    "COLORRENDERINGINDEX", "COLOURRENDERINGINDEX"};
+  for (const Keyword& k : keywords) {
+    if (k.name == "LAMP") lamps_.type = k.value;
+    std::string name;
+    for (char c : k.name)
+      if (c != '_' && c != ' ' && c != '-') name += c;
+    const auto is_one_of = [&](const auto& names) {
+      return std::find(std::begin(names), std::end(names), name) != std::end(names);
+    };
+    if (is_one_of(temperatures)) lamps_.colour = k.value;
+    if (is_one_of(renderings)) lamps_.colour_rendering = k.value;
+  }
 }
 
 Photometry IesReader::finish() {
@@ -260,8 +285,7 @@ Photometry IesReader::finish() {
     out.tilt = std::move(tilt_);
     out.tilt_file_name = std::move(tilt_file_name_);
     out.file_generation = file_generation_;
-    for (const Keyword& k : out.keywords)
-      if (k.name == "LAMP") lamps_.type = k.value;
+    read_lamp_keywords(out.keywords);
     lamps_.power_w = input_power_w_;
     out.lamp_sets = {std::move(lamps_)};
     out.warnings = std::move(warnings_);

@@ -31,12 +31,31 @@ class Numbers {
   std::string line_, text_;
 };
 
+// A keyword in lines of at most 256 bytes with their end, as LM-63-2002 has it (2019 has no limit): parted at blanks
+// where there are some, and gone on with [MORE].
+void add_keyword(const std::string& name, const std::string& value, std::string& text) {
+  constexpr size_t longest = 254;
+  std::string_view rest = value;
+  for (std::string head = "[" + name + "] ";; head = "[MORE] ") {
+    const size_t room = head.size() + 32 < longest ? longest - head.size() : rest.size();
+    size_t n = std::min(rest.size(), room);
+    if (n < rest.size()) {
+      const size_t blank = rest.rfind(' ', n);
+      if (blank != rest.npos && blank > 0) n = blank;
+      while (n > 1 && (rest[n] & 0xC0) == 0x80) --n;  // no character of UTF-8 is parted
+    }
+    text.append(head).append(rest.substr(0, n)).append("\r\n");
+    rest = trimmed(rest.substr(n));
+    if (rest.empty()) return;
+  }
+}
+
 // The keywords that LM-63-2019 requires come first, "not stated" where there is none; free lines become [OTHER].
 std::string keyword_lines(const std::vector<Keyword>& keywords) {
   std::string text;
   for (const char* required : {"TEST", "TESTLAB", "ISSUEDATE", "MANUFAC"}) {
     const std::string value = one_line(keyword_value(keywords, required));
-    text.append("[").append(required).append("] ").append(value.empty() ? "not stated" : value).append("\r\n");
+    add_keyword(required, value.empty() ? "not stated" : value, text);
   }
   std::vector<std::string> written = {"TEST", "TESTLAB", "ISSUEDATE", "MANUFAC"};
   for (const Keyword& k : keywords) {
@@ -46,7 +65,7 @@ std::string keyword_lines(const std::vector<Keyword>& keywords) {
       continue;
     }
     const bool free = k.name == "LABEL" || k.name == "MORE";
-    text.append("[").append(free ? "OTHER" : one_line(k.name)).append("] ").append(one_line(k.value)).append("\r\n");
+    add_keyword(free ? "OTHER" : one_line(k.name), one_line(k.value), text);
   }
   return text;
 }
@@ -142,7 +161,7 @@ std::string tilt_lines(const Tilt& tilt) {
 
 }  // namespace
 
-std::string write_ies(const Photometry& p) {
+std::string write_ies(const Photometry& p, std::vector<std::string>* warnings) {
   const Distribution& d = p.distribution;
   std::vector<double> vertical, horizontal, table;
   (d.type() == PhotometricType::c ? add_table_c : add_table_a_or_b)(d, vertical, horizontal, table);
@@ -158,8 +177,10 @@ std::string write_ies(const Photometry& p) {
     for (size_t j = 0; j < vertical.size(); ++j) numbers.add(table[i * vertical.size() + j]);
     numbers.end();
   }
-  return "IES:LM-63-2019\r\n" + keyword_lines(p.keywords) + tilt_lines(p.tilt) + std::move(head).text() +
+  std::string text = "IES:LM-63-2019\r\n" + keyword_lines(p.keywords) + tilt_lines(p.tilt) + std::move(head).text() +
          opening_line(p) + std::move(factors).text() + std::move(numbers).text();
+  if (warnings) check_written(p, text, *warnings);
+  return text;
 }
 
 }  // namespace photometry

@@ -18,16 +18,32 @@ namespace optics {
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr size_t max_triangles = 4'000'000;
 
+struct Point {
+  double r, z;
+};
+
+// What the triangles between two rings stand for: the quadric of revolution
+//   square_r (r^2 - from.r^2) + square_z h^2 + linear h = 0,   h = z - from.z,
+// from one circle to another; it is the profile's surface to 1e-7 of the largest radius and 1e-4 rad.
+struct Band {
+  Point from, to;
+  double square_r = 0, square_z = 0, linear = 0;  // the gradient points to the front
+  double bulge = 0;                               // the curve is no farther from its chord
+
+  double value(double r, double z) const;
+  void gradient(double r, double z, double& along_r, double& along_z) const;
+};
+
 // Front sides are counter-clockwise; the normals, of length 1, point to the front.
 struct Mesh {
   std::vector<float> positions, normals;  // 3 a vertex
   std::vector<uint32_t> indices;          // 3 a triangle
+  // Of a round shape; a band's triangles follow those of the one before: columns of them where an end is on the axis,
+  // else 2 a column, around from the x axis.
+  std::vector<Band> bands{};
+  uint32_t columns = 0;
 
   size_t triangle_count() const { return indices.size() / 3; }
-};
-
-struct Point {
-  double r, z;
 };
 
 struct ProfilePoint {
@@ -46,6 +62,8 @@ struct Profile {
   uint32_t facets_around = 0;  // > 0: flat around the axis between so many corners on the circle
 };
 
+double largest_radius(const Profile& profile);
+
 // Largest distance of the mesh from the surface, and angle between its interpolated normals and the surface's. A
 // surface with facets is the true one: its corners lie on the smooth surface. Within chord_m of the tip of a cone,
 // where there is no normal, the angle is not kept.
@@ -53,7 +71,7 @@ struct Tolerance {
   double chord_m, normal_rad;
 };
 
-// Fails where more than max_triangles would be needed.
+// Fails where more than max_triangles would be needed. Without facets around, the mesh has bands.
 Mesh tessellate(const Profile& profile, const Tolerance& tolerance);
 
 // ---- reflectors: open sheets, the front inside ----

@@ -1,5 +1,7 @@
-// What the profiles of optics.cpp and optics_collimator.cpp share: lens faces, straight pieces, checks.
+// What the optics_*.cpp and optics.cpp share: lens faces, straight pieces, checks, quadrics.
 #pragma once
+#include <optional>
+
 #include "photometry/optics.h"
 
 namespace optics {
@@ -16,5 +18,7 @@ void check_face(const Face& face, double radius, const char* name);
 Section face_section(const Face& face, double radius, double vertex_z, bool below, bool inwards);
 Section line(const Point& a, const Point& b);
 void positive(double value, const char* field);
+// Of the piece between two parameters, of a shape of this size; none where the piece is too long for a quadric.
+std::optional<Band> fit_band(const Section& section, double low, double high, double size);
 
 }  // namespace optics

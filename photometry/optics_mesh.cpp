@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "photometry/optics.h"
+#include "photometry/optics_face.h"
 
 namespace optics {
 namespace {
@@ -141,8 +141,10 @@ uint32_t column_count(const std::vector<Section>& sections, const Tolerance& tol
   return uint32_t(columns);
 }
 
-// Parameters of a section's rings: bisected until the quads between two of them are within the tolerance.
-std::vector<double> rings(const Section& section, double half, const Tolerance& tolerance, size_t max_count) {
+// Parameters of a section's rings: bisected until the quads between two of them are within the tolerance and, of a
+// round shape of some size, a quadric is the surface between them. Size 0: of a faceted one.
+std::vector<double> rings(const Section& section, double half, double size, const Tolerance& tolerance,
+                          size_t max_count) {
   std::vector<double> out{0};
   struct Piece {
     double low, high;
@@ -155,7 +157,8 @@ std::vector<double> rings(const Section& section, double half, const Tolerance& 
     const double ends[2] = {section.at(piece.low).r, section.at(piece.high).r};
     const bool tip = std::min(ends[0], ends[1]) == 0 && std::max(ends[0], ends[1]) <= tolerance.chord_m;
     const Deviation d = deviation(section, piece.low, piece.high, half);
-    if (d.distance <= tolerance.chord_m && (tip || d.angle <= tolerance.normal_rad)) {
+    if (d.distance <= tolerance.chord_m && (tip || d.angle <= tolerance.normal_rad) &&
+        (size == 0 || fit_band(section, piece.low, piece.high, size))) {
       out.push_back(piece.high);
       if (out.size() > max_count) too_fine(tolerance, "would need more than 4000000 triangles");
       continue;
@@ -229,6 +232,13 @@ class Writer {
 
 }  // namespace
 
+double largest_radius(const Profile& profile) {
+  double r = 0;
+  for (const Section& section : profile.sections)
+    for (int i = 0; i <= 64; ++i) r = std::max(r, section.at(i / 64.0).r);
+  return r;
+}
+
 Mesh tessellate(const Profile& profile, const Tolerance& tolerance) {
   if (!(tolerance.chord_m > 0 && std::isfinite(tolerance.chord_m)))
     fail("chord_tolerance_m", tolerance.chord_m, "above 0");
@@ -237,7 +247,7 @@ Mesh tessellate(const Profile& profile, const Tolerance& tolerance) {
   const std::vector<Section> sections = without_facets(profile);
   const bool faceted = profile.facets_around > 0;
   const uint32_t columns = faceted ? profile.facets_around : column_count(sections, tolerance);
-  const double half = pi / columns;
+  const double half = pi / columns, size = largest_radius(profile);
   Writer writer(columns, faceted);
   size_t ring_count = 0;
   std::optional<ProfilePoint> last;
@@ -245,7 +255,9 @@ Mesh tessellate(const Profile& profile, const Tolerance& tolerance) {
     const size_t left =
         max_triangles / (2 * size_t(columns)) - std::min(max_triangles / (2 * size_t(columns)), ring_count);
     const std::vector<double> ts =
-        faceted ? rings(strip(section, half), 0, tolerance, left) : rings(section, half, tolerance, left);
+        faceted ? rings(strip(section, half), 0, 0, tolerance, left) : rings(section, half, size, tolerance, left);
+    for (size_t i = 0; !faceted && i + 1 < ts.size(); ++i)
+      writer.mesh.bands.push_back(*fit_band(section, ts[i], ts[i + 1], size));
     std::vector<ProfilePoint> line;
     for (double t : ts) {
       ProfilePoint p = section.at(t);
@@ -260,6 +272,7 @@ Mesh tessellate(const Profile& profile, const Tolerance& tolerance) {
     ring_count += line.size();
     writer.add(line);
   }
+  if (!faceted) writer.mesh.columns = columns;
   return std::move(writer.mesh);
 }
 

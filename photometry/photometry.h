@@ -67,6 +67,7 @@ struct Photometry {
   std::vector<LampSet> lamp_sets;
   std::vector<Ray> rays;           // of a ray file; the distribution is then their far field, binned
   size_t lamp_set = 0;             // the set that the intensities hold for
+  bool lamps_shine_together = false;  // the intensities hold for all sets
   std::string tilt_file_name;      // that TILT= names; empty: none
   double file_generation = -1;     // "file generation type" of LM-63-2019, such as 1.0001 (simulation); < 0: not stated
 };
@@ -95,13 +96,15 @@ bool is_ray_file(const void* bytes, size_t size);
 // Recognises the format.
 Photometry read(const void* bytes, size_t size, const ReadOptions& options = {});
 
-// The bytes of a file that reads back as the same distribution. A symmetric table is written by the planes that the
-// format asks for. Throw std::invalid_argument for what the format cannot hold.
-// LM-63-2019: type A and B tables as they are; lamps, opening, keywords, TILT table; absolute where no rated flux is
-// known. File generation type: photometry.file_generation, or 1.00001 (undefined).
-std::string write_ies(const Photometry& photometry);
-// EULUMDAT: type A and B tables resampled (Distribution::in_c_gamma), the chosen or first lamp set alone, no tilt
-// table; of the keywords those that have a line.
-std::string write_eulumdat(const Photometry& photometry);
+// The bytes of a file of the same distribution. A symmetric table is written by the planes that the format asks for.
+// warnings: optional; added to what the file does not hold as the photometry has it, by reading it back: flux and peak
+// where they part by more than 0.1 %. Throw std::invalid_argument for what the format cannot hold.
+// LM-63-2019: reads back to the same bits; type A and B tables as they are; lamps, opening, keywords, TILT table;
+// absolute where no rated flux is known. File generation type: photometry.file_generation, or 1.00001 (undefined).
+std::string write_ies(const Photometry& photometry, std::vector<std::string>* warnings = nullptr);
+// EULUMDAT: type A and B tables resampled (c_gamma.h), the chosen or first lamp set alone, no tilt table; of the
+// keywords those that have a line. Fields in the lengths of the format, angles and intensities in six characters: of
+// what is cut or does not fit there is a warning.
+std::string write_eulumdat(const Photometry& photometry, std::vector<std::string>* warnings = nullptr);
 
 }  // namespace photometry

@@ -19,6 +19,80 @@ bool is_utf8(const unsigned char* s, size_t size) {
   return true;
 }
 
+// 1,000 or 12,345,678.
+bool has_thousands_marks(std::string_view number) {
+  if (!number.empty() && (number[0] == '-' || number[0] == '+')) number.remove_prefix(1);
+  const size_t first = number.find(',');
+  if (first == 0 || first > 3 || number[0] == '0') return false;
+  for (size_t i = first; i < number.size(); i += 4) {
+    if (number[i] != ',' || i + 4 > number.size()) return false;
+    for (size_t k = 1; k < 4; ++k)
+      if (!is_digit(number[i + k])) return false;
+  }
+  return true;
+}
+
+// What the commas of a text of numbers can be, line by line. Lines with other words tell nothing.
+class Commas {
+ public:
+  void add(std::string_view line, size_t number);
+  bool are_decimal() const;
+
+ private:
+  struct Place {
+    size_t line = 0;
+    std::string number;
+  };
+  void add_token(std::string_view token, size_t line);
+  bool points_ = false, only_decimal_ = true, only_thousands_ = true;
+  Place inner_, mixed_;  // the first number with a comma inside; the first in a line that also has blanks alone
+};
+
+void Commas::add(std::string_view line, size_t number) {
+  constexpr std::string_view blanks(" \t\v\f;\0", 6);
+  std::vector<std::string_view> tokens;
+  for (size_t at = line.find_first_not_of(blanks); at != line.npos; at = line.find_first_not_of(blanks, at)) {
+    const size_t end = std::min(line.find_first_of(blanks, at), line.size());
+    tokens.push_back(line.substr(at, end - at));
+    if (tokens.back().find_first_not_of("0123456789.,+-eE") != line.npos) return;
+    at = end;
+  }
+  bool blank_alone = false;
+  for (size_t i = 0; i < tokens.size(); ++i) {
+    blank_alone |= i > 0 && tokens[i - 1].back() != ',' && tokens[i].front() != ',';
+    add_token(tokens[i], number);
+  }
+  if (blank_alone && inner_.line == number && mixed_.line == 0) mixed_ = inner_;
+}
+
+void Commas::add_token(std::string_view token, size_t line) {
+  points_ |= token.find('.') != token.npos;
+  only_decimal_ &= token.front() != ',' && token.back() != ',';
+  const size_t first = token.find_first_not_of(','), last = token.find_last_not_of(',');
+  if (first == token.npos) return;
+  token = token.substr(first, last - first + 1);
+  const auto commas = std::count(token.begin(), token.end(), ',');
+  double value;
+  only_decimal_ &= commas < 2;
+  only_thousands_ &= commas > 0 ? has_thousands_marks(token) : !(parse_number(token, value) && value >= 1000);
+  if (commas > 0 && inner_.line != line) inner_ = {line, std::string(token.substr(0, 40))};
+}
+
+bool Commas::are_decimal() const {
+  const auto refuse = [](const Place& place, const char* why) {
+    fail_at(place.line, "\"" + place.number + "\" has a comma inside, " + why);
+  };
+  if (inner_.line == 0) return false;
+  if (!points_ && only_decimal_) {
+    if (only_thousands_) refuse(inner_, "which may be decimal or a thousands mark, as in all numbers that have one");
+    return true;
+  }
+  if (mixed_.line > 0)
+    refuse(mixed_, points_ ? "while blanks part others of its line, and other numbers have decimal points"
+                           : "while blanks part others of its line");
+  return false;
+}
+
 }  // namespace
 
 void append_utf8(std::string& out, uint32_t c) {
@@ -51,20 +125,15 @@ std::string decode_text(const void* bytes, size_t size) {
 }
 
 bool TextReader::detect_decimal_commas() {
-  const std::string_view rest = std::string_view(text_).substr(at_);
-  bool any = false;
-  size_t commas = 0;  // in the present token
-  for (size_t i = 0; i < rest.size() && rest[i] != end_of_text; ++i) {
-    const auto digit = [&](size_t k) { return k < rest.size() && rest[k] >= '0' && rest[k] <= '9'; };
-    if (rest[i] == '.') return false;
-    if (rest[i] == ',') {
-      if (++commas > 1 || i == 0 || !digit(i - 1) || !digit(i + 1)) return false;
-      any = true;
-    } else if (is_separator(rest[i])) {
-      commas = 0;
-    }
+  Commas commas;
+  const Mark start = mark();
+  for (std::string_view line; next_line(line);) {
+    const size_t end = line.find(end_of_text);
+    commas.add(line.substr(0, end), line_);
+    if (end != line.npos) break;
   }
-  return decimal_commas_ = any;
+  go_to(start);
+  return decimal_commas_ = commas.are_decimal();
 }
 
 // False with an empty token at the end of the text, with the token where it is no number.

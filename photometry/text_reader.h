@@ -24,6 +24,8 @@ inline std::string_view trimmed(std::string_view s) {
   return first == s.npos ? std::string_view() : s.substr(first, s.find_last_not_of(blank) - first + 1);
 }
 
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 inline std::string upper_case(std::string_view s) {
   std::string out(s);
   for (char& c : out)
@@ -87,8 +89,9 @@ class TextReader {
   Mark mark() const { return {at_, line_, next_line_}; }
   void go_to(const Mark& m) { at_ = m.at, line_ = m.line, next_line_ = m.next_line; }
 
-  // Decides whether commas in the rest of the text are decimal: no point anywhere, and no blank-separated token with
-  // more than one comma or a comma at its edge. (Separated by commas, a record of ten fields would have many.)
+  // Decides what commas in the rest of the text are: decimal where no number has a point and none more than one comma,
+  // else separators. Throws ParseError for a line that has a comma inside a number and blanks alone between others, and
+  // where all commas may be thousands marks. True: decimal.
   bool detect_decimal_commas();
 
   // The next blank- or comma-separated token, over line ends. False at the end or at Ctrl-Z.

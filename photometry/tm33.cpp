@@ -12,6 +12,7 @@ namespace photometry {
 namespace {
 
 constexpr double largest_intensity_cd = 1e12;
+constexpr double most_relative_lm = 1050;  // of a table per 1000 lm
 
 class Tm33Light {
  public:
@@ -84,6 +85,12 @@ Distribution Tm33Light::distribution_of_emitter(Tm33Emitter& e, Symmetry& symmet
              " lm; they are used as they are" +
              (e.intensity.photometry == Tm33Intensity::unstated ? " (AbsolutePhotometry is not stated; taken as true)"
                                                                 : ""));
+  if (e.intensity.photometry != Tm33Intensity::relative && flux < most_relative_lm && flux < 0.5 * e.lamp.flux_lm)
+    warn(e.intensity.line,
+         "the intensities add up to " + shown(flux) + " lm, far below RatedLumens, " + shown(e.lamp.flux_lm) +
+             " lm, as those in cd per 1000 lm do; they are used as they are" +
+             (e.intensity.photometry == Tm33Intensity::unstated ? " (AbsolutePhotometry is not stated; taken as true)"
+                                                                : ", as AbsolutePhotometry says"));
   return d;
 }
 
@@ -126,6 +133,7 @@ Photometry Tm33Light::sum_of_emitters() {
   out.format = file_.format;
   out.keywords = std::move(file_.keywords);
   out.lamp_sets = std::move(lamps);
+  out.lamps_shine_together = true;
   return out;
 }
 
@@ -133,9 +141,9 @@ Opening opening_of(const float (&size)[3], bool round) {
   Opening out;
   std::copy(std::begin(size), std::end(size), out.size_m);
   const int extents = (size[0] > 0) + (size[1] > 0) + (size[2] > 0);
-  if (extents < 2)
+  if (extents == 0)
     out = {};
-  else if (extents == 2)
+  else if (extents < 3)  // one extent: a line
     out.shape = round && size[2] == 0 ? OpeningShape::disc : OpeningShape::rectangle;
   else
     out.shape = round ? OpeningShape::cylinder : OpeningShape::box;

@@ -6,6 +6,7 @@
 // Length lies along C90-C270, local y, and Width along x. Metres.
 #include "photometry/tm33_elements.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "photometry/xml.h"
@@ -30,20 +31,25 @@ class Tm33Reader {
   void warn(size_t line, const std::string& what) { file_.warnings.push_back(at_line(line, what)); }
   double number();
   double positive_number(const char* what, double otherwise);
+  double factor(const char* what);
   double attribute(std::initializer_list<const char*> names);
   template <class Child>
   void children(const Child& child) {
     while (xml_.enter_child()) child(xml_.name());
   }
   void read_root();
+  void check_version(const std::string& version, size_t line);
   void read_header();
   void read_luminaire();
+  void check_dimensions();
   void read_type();
   void read_equipment();
   void read_emitter();
   void read_intensity(Tm33Intensity& out);
   void read_value(Tm33Intensity& out, size_t& negative);
   void read_areas();
+  std::string colour_temperature();
+  std::string colour_rendering();
   void read_area(int face);
   void add_keyword(const char* name) {
     const std::string value(trimmed(xml_.text()));
@@ -73,6 +79,15 @@ double Tm33Reader::positive_number(const char* what, double otherwise) {
   return otherwise;
 }
 
+// As in IES files: 0 is taken as 1, a negative one would turn light into darkness.
+double Tm33Reader::factor(const char* what) {
+  const size_t line = xml_.line();
+  const double value = number();
+  if (value < 0) fail_at(line, std::string(what) + " is " + shown(value) + "; it must be greater than 0");
+  if (value == 0) warn(line, std::string(what) + " is 0; taken as 1");
+  return value == 0 ? 1 : value;
+}
+
 double Tm33Reader::attribute(std::initializer_list<const char*> names) {
   const std::string element(xml_.name());
   for (const char* name : names)
@@ -88,15 +103,29 @@ double Tm33Reader::attribute(std::initializer_list<const char*> names) {
 
 void Tm33Reader::read_root() {
   xml_.enter_root();
-  const std::string root(xml_.name()), key = token(root);
-  if (key.rfind("IESTM33", 0) == 0)
+  const std::string root(xml_.name());
+  std::string key = token(root);
+  key.erase(std::remove(key.begin(), key.end(), '-'), key.end());
+  if (key == "IESTM3322" || key == "IESTM3323")
     file_.format = "IES TM-33-23";
-  else if (key == "LUMINAIREOPTICALDATA" || key == "UNI11733" || key == "ATLAS001")
+  else if (key == "IESTM33" || key == "IESTM3318" || key == "LUMINAIREOPTICALDATA" || key == "UNI11733" ||
+           key.rfind("ATLAS001", 0) == 0)
     file_.format = "IES TM-33-18";
+  else if (key.rfind("IESTM33", 0) == 0)
+    file_.format = "IES TM-33-23", warn(xml_.line(), "<" + root + "> is no known edition; read as TM-33-23");
   else
     throw UnsupportedError(at_line(xml_.line(), "an XML file whose first element is <" + root +
                                                     "> is not read; those of "
                                                     "TM-33 have <IESTM33-22> or <LuminaireOpticalData>"));
+  if (const std::string* version = xml_.attribute("version")) check_version(*version, xml_.line());
+}
+
+// 1.0 of 2018, 1.1 of 2023.
+void Tm33Reader::check_version(const std::string& version, size_t line) {
+  const std::string known = file_.format == "IES TM-33-18" ? "1.0" : "1.1";
+  if (token(version) != known && !(token(version) + ".0" == known))
+    warn(line, "the version is \"" + std::string(trimmed(version).substr(0, 40)) + "\"; read as " + known + " of " +
+                   file_.format);
 }
 
 void Tm33Reader::read_header() {
@@ -128,8 +157,22 @@ void Tm33Reader::read_header() {
 // LuminousOpening of some files of 2018; the housing's dimensions say nothing of the light.
 void Tm33Reader::read_luminaire() {
   children([&](std::string_view name) {
-    if (name != "LuminousOpening") return xml_.skip();
-    read_area(2);
+    if (name == "LuminousOpening") return read_area(2);
+    name == "Dimensions" ? check_dimensions() : xml_.skip();
+  });
+}
+
+void Tm33Reader::check_dimensions() {
+  constexpr double largest_m = 10;
+  children([&](std::string_view name) {
+    const std::string of = "the luminaire's " + std::string(name);
+    const size_t line = xml_.line();
+    const std::string text(trimmed(xml_.text()).substr(0, 40));
+    double value = 0;
+    if (!parse_number(text, value) || !(value >= 0) || !std::isfinite(value))
+      warn(line, of + " is \"" + text + "\"; it must be metres, and is not read");
+    else if (value > largest_m)
+      warn(line, of + " of " + shown(value) + " m is doubtful; are its units metres?");
   });
 }
 
@@ -168,7 +211,7 @@ void Tm33Reader::read_intensity(Tm33Intensity& out) {
   children([&](std::string_view name) {
     if (name == "IntData" || name == "IntensityData") return read_value(out, negative);
     if (name == "Multiplier") {
-      out.multiplier = positive_number("the Multiplier", 1);
+      out.multiplier = factor("the Multiplier");
     } else if (name == "AbsolutePhotometry") {
       const std::string flag = token(xml_.text());
       if (flag != "TRUE" && flag != "FALSE" && flag != "1" && flag != "0")
@@ -244,6 +287,24 @@ void Tm33Reader::read_areas() {
   });
 }
 
+// FixedCCT, or MinCCT and MaxCCT.
+std::string Tm33Reader::colour_temperature() {
+  std::string out;
+  children([&](std::string_view) {
+    const std::string text(trimmed(xml_.text()));
+    if (!text.empty()) out += (out.empty() ? "" : "-") + text;
+  });
+  return out;
+}
+
+// Ra, in CIE_CRI or by itself.
+std::string Tm33Reader::colour_rendering() {
+  std::string ra;
+  const auto take = [&](std::string_view name) { name == "Ra" ? void(ra = trimmed(xml_.text())) : xml_.skip(); };
+  children([&](std::string_view name) { token(std::string(name)) == "CIECRI" ? children(take) : take(name); });
+  return ra;
+}
+
 void Tm33Reader::read_emitter() {
   Tm33Emitter e;
   e.line = xml_.line();
@@ -261,11 +322,13 @@ void Tm33Reader::read_emitter() {
     } else if (name == "InputWattage" || name == "InputWatts") {
       e.lamp.power_w = positive_number("the input power", -1);
     } else if (name == "BallastFactor") {
-      e.ballast_factor = positive_number("the BallastFactor", 1);
+      e.ballast_factor = factor("the BallastFactor");
     } else if (name == "CCT") {
       e.lamp.colour = std::string(trimmed(xml_.text()));
     } else if (name == "ColorTemperature") {
-      children([&](std::string_view) { e.lamp.colour = std::string(trimmed(xml_.text())); });
+      e.lamp.colour = colour_temperature();
+    } else if (name == "ColorRendering") {
+      e.lamp.colour_rendering = colour_rendering();
     } else if (name == "TiltAngles") {
       warn(xml_.line(), "the TiltAngles are not applied");
       xml_.skip();
@@ -289,6 +352,8 @@ Tm33File Tm33Reader::read() {
   children([&](std::string_view name) {
     if (name == "Header")
       read_header();
+    else if (name == "Version")
+      check_version(xml_.text(), xml_.line());
     else if (name == "Luminaire")
       read_luminaire();
     else if (name == "Equipment")
@@ -298,6 +363,7 @@ Tm33File Tm33Reader::read() {
     else
       xml_.skip();
   });
+  if (xml_.has_more()) warn(xml_.line(), "more follows the end of the first element; it is not read");
   if (file_.emitters.empty()) fail_at(line, "the file has no <Emitter>; at least one is needed");
   return std::move(file_);
 }

@@ -26,4 +26,8 @@ inline double shorter(float value) {
   return out;
 }
 
+// Adds a warning where the flux or the peak of the file that was written of the photometry parts from its own by more
+// than 0.1 %.
+void check_written(const Photometry& photometry, const std::string& text, std::vector<std::string>& warnings);
+
 }  // namespace photometry

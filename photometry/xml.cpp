@@ -226,6 +226,12 @@ std::string XmlReader::text() {
   return out;
 }
 
+bool XmlReader::has_more() {
+  for (pass_blank(); starts_with("<!--") || starts_with("<?"); pass_blank())
+    starts_with("<?") ? up_to("?>", "a processing instruction") : up_to("-->", "a comment");
+  return at_ < text_.size();
+}
+
 const std::string* XmlReader::attribute(std::string_view name) const {
   for (const Keyword& a : attributes_)
     if (a.name == name) return &a.value;

@@ -26,6 +26,8 @@ class XmlReader {
   // All text up to the element's end, which leaves it; that of children is left out.
   std::string text();
   void skip() { text(); }
+  // After the root: whether anything but comments follows it, which line() then tells.
+  bool has_more();
 
   std::string_view name() const;  // of the element that was entered last; "" before the first and after the last
   // Its attribute, or null; good until the next element is entered.

@@ -1,5 +1,7 @@
 // The C API of UPS as P/Invoke. Written by bindings/generate.py from include/ups; do not edit.
 using System;
+using System.Collections;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 
 namespace Ups
@@ -69,6 +71,9 @@ namespace Ups
         Format = 2,
         TiltFile = 3,
         TiltTable = 4,
+        LampTypes = 5,
+        LampColours = 6,
+        LampRenderings = 7,
     }
 
     public enum MaterialModel : int
@@ -242,6 +247,121 @@ namespace Ups
         Dropped = 3,
     }
 
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Double3 : IEnumerable<double>
+    {
+        private fixed double values_[3];
+        public int Length { get { return 3; } }
+        public double this[int index]
+        {
+            get { fixed (double* p = values_) return p[Elements.Index(index, 3)]; }
+            set { fixed (double* p = values_) p[Elements.Index(index, 3)] = value; }
+        }
+        public double[] ToArray() { fixed (double* p = values_) return Elements.Copy(p, 3); }
+        public static implicit operator double[](Double3 from) { return from.ToArray(); }
+        public static implicit operator Double3(double[] from)
+        {
+            var to = new Double3();
+            Elements.Set(to.values_, 3, from, "Double3");
+            return to;
+        }
+        public IEnumerator<double> GetEnumerator() { return ((IEnumerable<double>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Double4 : IEnumerable<double>
+    {
+        private fixed double values_[4];
+        public int Length { get { return 4; } }
+        public double this[int index]
+        {
+            get { fixed (double* p = values_) return p[Elements.Index(index, 4)]; }
+            set { fixed (double* p = values_) p[Elements.Index(index, 4)] = value; }
+        }
+        public double[] ToArray() { fixed (double* p = values_) return Elements.Copy(p, 4); }
+        public static implicit operator double[](Double4 from) { return from.ToArray(); }
+        public static implicit operator Double4(double[] from)
+        {
+            var to = new Double4();
+            Elements.Set(to.values_, 4, from, "Double4");
+            return to;
+        }
+        public IEnumerator<double> GetEnumerator() { return ((IEnumerable<double>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Double12 : IEnumerable<double>
+    {
+        private fixed double values_[12];
+        public int Length { get { return 12; } }
+        public double this[int index]
+        {
+            get { fixed (double* p = values_) return p[Elements.Index(index, 12)]; }
+            set { fixed (double* p = values_) p[Elements.Index(index, 12)] = value; }
+        }
+        public double[] ToArray() { fixed (double* p = values_) return Elements.Copy(p, 12); }
+        public static implicit operator double[](Double12 from) { return from.ToArray(); }
+        public static implicit operator Double12(double[] from)
+        {
+            var to = new Double12();
+            Elements.Set(to.values_, 12, from, "Double12");
+            return to;
+        }
+        public IEnumerator<double> GetEnumerator() { return ((IEnumerable<double>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float2 : IEnumerable<float>
+    {
+        private fixed float values_[2];
+        public int Length { get { return 2; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 2)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 2)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 2); }
+        public static implicit operator float[](Float2 from) { return from.ToArray(); }
+        public static implicit operator Float2(float[] from)
+        {
+            var to = new Float2();
+            Elements.Set(to.values_, 2, from, "Float2");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float3 : IEnumerable<float>
+    {
+        private fixed float values_[3];
+        public int Length { get { return 3; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 3)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 3)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 3); }
+        public static implicit operator float[](Float3 from) { return from.ToArray(); }
+        public static implicit operator Float3(float[] from)
+        {
+            var to = new Float3();
+            Elements.Set(to.values_, 3, from, "Float3");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct TextureId
     {
@@ -303,14 +423,9 @@ namespace Ups
         internal float* GammaDeg;
         internal float* IntensityCd;
         public OpeningShape OpeningShape;
-        private fixed float openingM_[3];
+        public Float3 OpeningM;
         public int OpeningAxis;
         public float InputPowerW;
-        public float[] OpeningM
-        {
-            get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "ProfileDesc.OpeningM"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static ProfileDesc Create()
         {
@@ -352,7 +467,7 @@ namespace Ups
         public float PeakCd;
         public float PeakCDeg;
         public float PeakGammaDeg;
-        private fixed float openingM_[3];
+        public Float3 OpeningM;
         public OpeningShape OpeningShape;
         public ProfileSymmetry Symmetry;
         public uint CCount;
@@ -362,25 +477,10 @@ namespace Ups
         public double UpFluxLm;
         public double DownFluxLm;
         public double LightOutputRatio;
-        private fixed float beamAngleDeg_[2];
-        private fixed float fieldAngleDeg_[2];
+        public Float2 BeamAngleDeg;
+        public Float2 FieldAngleDeg;
         public int OpeningAxis;
         public uint LampSetCount;
-        public float[] OpeningM
-        {
-            get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "ProfileInfo.OpeningM"); }
-        }
-        public float[] BeamAngleDeg
-        {
-            get { fixed (float* p = beamAngleDeg_) return Elements.Copy(p, 2); }
-            set { fixed (float* p = beamAngleDeg_) Elements.Set(p, 2, value, "ProfileInfo.BeamAngleDeg"); }
-        }
-        public float[] FieldAngleDeg
-        {
-            get { fixed (float* p = fieldAngleDeg_) return Elements.Copy(p, 2); }
-            set { fixed (float* p = fieldAngleDeg_) Elements.Set(p, 2, value, "ProfileInfo.FieldAngleDeg"); }
-        }
         internal static ProfileInfo Sized()
         {
             return new ProfileInfo { StructSize = (uint)sizeof(ProfileInfo) };
@@ -399,6 +499,22 @@ namespace Ups
         internal static ProfileBeam Sized()
         {
             return new ProfileBeam { StructSize = (uint)sizeof(ProfileBeam) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ProfileLampSet
+    {
+        public uint StructSize;
+        public int Count;
+        public double FluxLm;
+        public float InputPowerW;
+        public float ColourTemperatureK;
+        public float ColourRenderingIndex;
+        public int Chosen;
+        internal static ProfileLampSet Sized()
+        {
+            return new ProfileLampSet { StructSize = (uint)sizeof(ProfileLampSet) };
         }
     }
 
@@ -425,18 +541,18 @@ namespace Ups
     {
         public uint StructSize;
         public MaterialModel Model;
-        private fixed float reflectanceRgb_[3];
-        private fixed float transmittanceRgb_[3];
+        public Float3 ReflectanceRgb;
+        public Float3 TransmittanceRgb;
         public float Roughness;
         public float Ior;
-        private fixed float iorRgb_[3];
-        private fixed float iorKRgb_[3];
-        private fixed float absorptionPerMRgb_[3];
+        public Float3 IorRgb;
+        public Float3 IorKRgb;
+        public Float3 AbsorptionPerMRgb;
         public float Metallic;
         public AlphaMode AlphaMode;
         public float Alpha;
         public float AlphaCutoff;
-        private fixed float luminanceCdM2_[3];
+        public Float3 LuminanceCdM2;
         public int EmitsBothSides;
         public float NormalScale;
         public TextureId ReflectanceTexture;
@@ -444,36 +560,7 @@ namespace Ups
         public TextureId MetallicTexture;
         public TextureId NormalTexture;
         public TextureId AlphaTexture;
-        public float[] ReflectanceRgb
-        {
-            get { fixed (float* p = reflectanceRgb_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = reflectanceRgb_) Elements.Set(p, 3, value, "MaterialDesc.ReflectanceRgb"); }
-        }
-        public float[] TransmittanceRgb
-        {
-            get { fixed (float* p = transmittanceRgb_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = transmittanceRgb_) Elements.Set(p, 3, value, "MaterialDesc.TransmittanceRgb"); }
-        }
-        public float[] IorRgb
-        {
-            get { fixed (float* p = iorRgb_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = iorRgb_) Elements.Set(p, 3, value, "MaterialDesc.IorRgb"); }
-        }
-        public float[] IorKRgb
-        {
-            get { fixed (float* p = iorKRgb_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = iorKRgb_) Elements.Set(p, 3, value, "MaterialDesc.IorKRgb"); }
-        }
-        public float[] AbsorptionPerMRgb
-        {
-            get { fixed (float* p = absorptionPerMRgb_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = absorptionPerMRgb_) Elements.Set(p, 3, value, "MaterialDesc.AbsorptionPerMRgb"); }
-        }
-        public float[] LuminanceCdM2
-        {
-            get { fixed (float* p = luminanceCdM2_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = luminanceCdM2_) Elements.Set(p, 3, value, "MaterialDesc.LuminanceCdM2"); }
-        }
+        public int Priority;
         /// <summary>With the library's defaults.</summary>
         public static MaterialDesc Create()
         {
@@ -513,14 +600,9 @@ namespace Ups
     {
         public uint StructSize;
         public MeshId Mesh;
-        private fixed double toWorld_[12];
+        public Double12 ToWorld;
         public uint Group;
         public uint Reserved;
-        public double[] ToWorld
-        {
-            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "InstanceDesc.ToWorld"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static InstanceDesc Create()
         {
@@ -535,21 +617,11 @@ namespace Ups
     {
         public uint StructSize;
         public LightKind Kind;
-        private fixed double toWorld_[12];
-        private fixed float intensityRgb_[3];
+        public Double12 ToWorld;
+        public Float3 IntensityRgb;
         public float InnerConeRad;
         public float OuterConeRad;
         public uint Group;
-        public double[] ToWorld
-        {
-            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "LightDesc.ToWorld"); }
-        }
-        public float[] IntensityRgb
-        {
-            get { fixed (float* p = intensityRgb_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = intensityRgb_) Elements.Set(p, 3, value, "LightDesc.IntensityRgb"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static LightDesc Create()
         {
@@ -565,23 +637,13 @@ namespace Ups
         public uint StructSize;
         public int UseOpening;
         internal IntPtr Profile;
-        private fixed double toWorld_[12];
-        private fixed float colorRgb_[3];
+        public Double12 ToWorld;
+        public Float3 ColorRgb;
         public float FluxLm;
         public float Dimming;
         public float IntensityScale;
         public uint Group;
         public uint Reserved;
-        public double[] ToWorld
-        {
-            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "LuminaireDesc.ToWorld"); }
-        }
-        public float[] ColorRgb
-        {
-            get { fixed (float* p = colorRgb_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = colorRgb_) Elements.Set(p, 3, value, "LuminaireDesc.ColorRgb"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static LuminaireDesc Create()
         {
@@ -605,18 +667,8 @@ namespace Ups
         public ulong MeterCount;
         public ulong PixelCount;
         public double EmittedFluxLm;
-        private fixed double boundsMinM_[3];
-        private fixed double boundsMaxM_[3];
-        public double[] BoundsMinM
-        {
-            get { fixed (double* p = boundsMinM_) return Elements.Copy(p, 3); }
-            set { fixed (double* p = boundsMinM_) Elements.Set(p, 3, value, "SceneInfo.BoundsMinM"); }
-        }
-        public double[] BoundsMaxM
-        {
-            get { fixed (double* p = boundsMaxM_) return Elements.Copy(p, 3); }
-            set { fixed (double* p = boundsMaxM_) Elements.Set(p, 3, value, "SceneInfo.BoundsMaxM"); }
-        }
+        public Double3 BoundsMinM;
+        public Double3 BoundsMaxM;
         internal static SceneInfo Sized()
         {
             return new SceneInfo { StructSize = (uint)sizeof(SceneInfo) };
@@ -640,25 +692,15 @@ namespace Ups
     {
         public uint StructSize;
         public EmitterShape Shape;
-        private fixed double toFixture_[12];
+        public Double12 ToFixture;
         public double RadiusM;
         public double WidthM;
         public double LengthM;
         public double ChordToleranceM;
         public float FluxLm;
-        private fixed float colorRgb_[3];
+        public Float3 ColorRgb;
         public float Reflectance;
         public float Reserved;
-        public double[] ToFixture
-        {
-            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "FixtureEmitterDesc.ToFixture"); }
-        }
-        public float[] ColorRgb
-        {
-            get { fixed (float* p = colorRgb_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = colorRgb_) Elements.Set(p, 3, value, "FixtureEmitterDesc.ColorRgb"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static FixtureEmitterDesc Create()
         {
@@ -673,7 +715,7 @@ namespace Ups
     {
         public uint StructSize;
         public ReflectorProfile Profile;
-        private fixed double toFixture_[12];
+        public Double12 ToFixture;
         public double FocalLengthM;
         public double SemiAxisM;
         public double HalfDistanceM;
@@ -692,11 +734,6 @@ namespace Ups
         public float FinishTransmittance;
         public float FinishRoughness;
         internal MaterialDesc* Material;
-        public double[] ToFixture
-        {
-            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "ReflectorDesc.ToFixture"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static ReflectorDesc Create()
         {
@@ -711,15 +748,15 @@ namespace Ups
     {
         public uint StructSize;
         public Finish Finish;
-        private fixed double toFixture_[12];
+        public Double12 ToFixture;
         public double RadiusM;
         public double ThicknessM;
         public double EntryRadiusM;
         public double EntryConic;
-        private fixed double entryCoefficients_[4];
+        public Double4 EntryCoefficients;
         public double ExitRadiusM;
         public double ExitConic;
-        private fixed double exitCoefficients_[4];
+        public Double4 ExitCoefficients;
         public double ChordToleranceM;
         public double NormalToleranceRad;
         public uint FacetsAround;
@@ -727,21 +764,6 @@ namespace Ups
         public float FinishAbsorptionPerM;
         public float FinishIor;
         internal MaterialDesc* Material;
-        public double[] ToFixture
-        {
-            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "LensDesc.ToFixture"); }
-        }
-        public double[] EntryCoefficients
-        {
-            get { fixed (double* p = entryCoefficients_) return Elements.Copy(p, 4); }
-            set { fixed (double* p = entryCoefficients_) Elements.Set(p, 4, value, "LensDesc.EntryCoefficients"); }
-        }
-        public double[] ExitCoefficients
-        {
-            get { fixed (double* p = exitCoefficients_) return Elements.Copy(p, 4); }
-            set { fixed (double* p = exitCoefficients_) Elements.Set(p, 4, value, "LensDesc.ExitCoefficients"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static LensDesc Create()
         {
@@ -756,7 +778,7 @@ namespace Ups
     {
         public uint StructSize;
         public Finish Finish;
-        private fixed double toFixture_[12];
+        public Double12 ToFixture;
         public double CavityRadiusM;
         public double CavityDepthM;
         public double LensRadiusM;
@@ -778,11 +800,6 @@ namespace Ups
         public float FinishAbsorptionPerM;
         public float FinishIor;
         internal MaterialDesc* Material;
-        public double[] ToFixture
-        {
-            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "CollimatorDesc.ToFixture"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static CollimatorDesc Create()
         {
@@ -797,7 +814,7 @@ namespace Ups
     {
         public uint StructSize;
         public Finish Finish;
-        private fixed double toFixture_[12];
+        public Double12 ToFixture;
         internal MeshDesc* Mesh;
         public float FinishReflectance;
         public float FinishTransmittance;
@@ -806,11 +823,6 @@ namespace Ups
         public float FinishIor;
         public float Reserved;
         internal MaterialDesc* Material;
-        public double[] ToFixture
-        {
-            get { fixed (double* p = toFixture_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toFixture_) Elements.Set(p, 12, value, "FixturePartDesc.ToFixture"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static FixturePartDesc Create()
         {
@@ -839,14 +851,9 @@ namespace Ups
     {
         public uint StructSize;
         public float Dimming;
-        private fixed double toWorld_[12];
+        public Double12 ToWorld;
         public float FluxLm;
         public uint Group;
-        public double[] ToWorld
-        {
-            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "FixtureInstanceDesc.ToWorld"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static FixtureInstanceDesc Create()
         {
@@ -863,14 +870,9 @@ namespace Ups
         public Projection Projection;
         public uint Width;
         public uint Height;
-        private fixed double toWorld_[12];
+        public Double12 ToWorld;
         public float VerticalFovRad;
         public int Illuminance;
-        public double[] ToWorld
-        {
-            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "CameraDesc.ToWorld"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static CameraDesc Create()
         {
@@ -888,14 +890,9 @@ namespace Ups
         internal double* PositionsM;
         internal float* Normals;
         internal float* Tangents;
-        private fixed float cellSizeM_[2];
+        public Float2 CellSizeM;
         public uint Count;
         public uint Reserved;
-        public float[] CellSizeM
-        {
-            get { fixed (float* p = cellSizeM_) return Elements.Copy(p, 2); }
-            set { fixed (float* p = cellSizeM_) Elements.Set(p, 2, value, "MeterDesc.CellSizeM"); }
-        }
         /// <summary>With the library's defaults.</summary>
         public static MeterDesc Create()
         {
@@ -914,19 +911,9 @@ namespace Ups
         internal float* GammaDeg;
         public uint CCount;
         public uint GammaCount;
-        private fixed double toWorld_[12];
+        public Double12 ToWorld;
         public OpeningShape OpeningShape;
-        private fixed float openingM_[3];
-        public double[] ToWorld
-        {
-            get { fixed (double* p = toWorld_) return Elements.Copy(p, 12); }
-            set { fixed (double* p = toWorld_) Elements.Set(p, 12, value, "GoniometerDesc.ToWorld"); }
-        }
-        public float[] OpeningM
-        {
-            get { fixed (float* p = openingM_) return Elements.Copy(p, 3); }
-            set { fixed (float* p = openingM_) Elements.Set(p, 3, value, "GoniometerDesc.OpeningM"); }
-        }
+        public Float3 OpeningM;
         /// <summary>With the library's defaults.</summary>
         public static GoniometerDesc Create()
         {
@@ -1141,7 +1128,7 @@ namespace Ups
 
     internal static unsafe class Native
     {
-        private const string Library = "ups";
+        private const string Library = "libups.so.0.1";
         internal const uint HeaderVersion = 100;
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1178,7 +1165,12 @@ namespace Ups
         internal static extern Status ups_profile_write(ProfileHandle profile, ProfileFormat format, byte* bytes,
             UIntPtr capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_write_warnings(ProfileHandle profile, ProfileFormat format, byte*
+            text, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_get_info(ProfileHandle profile, ProfileInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_lamp_set(ProfileHandle profile, uint index, ProfileLampSet* set);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_profile_get_text(ProfileHandle profile, ProfileText topic, byte* text, UIntPtr
             capacity, UIntPtr* needed);
@@ -1285,6 +1277,9 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_add_fixture(SceneHandle scene, FixtureHandle fixture,
             FixtureInstanceDesc* desc, FixtureId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_fixture_instance(SceneHandle scene, FixtureId id, FixturePartId
+            part, InstanceId* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_fixture_dimming(SceneHandle scene, FixtureId id, float dimming);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

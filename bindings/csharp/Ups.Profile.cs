@@ -98,11 +98,27 @@ namespace Ups
             return new Profile(handle);
         }
 
-        /// <summary>The bytes of a file, IesLm63 or Eulumdat, that parse to the same distribution.</summary>
+        /// <summary>The lamp set of that index, below Info.LampSetCount. Its texts: Text(ProfileText.LampTypes), a line
+        /// each set, and so on.</summary>
+        public ProfileLampSet LampSet(int index)
+        {
+            var lamps = ProfileLampSet.Sized();
+            Library.Check(Native.ups_profile_get_lamp_set(Handle, checked((uint)index), &lamps));
+            return lamps;
+        }
+
+        /// <summary>The bytes of a file, IesLm63 or Eulumdat, of the same distribution.</summary>
         public byte[] Write(ProfileFormat format = ProfileFormat.IesLm63)
         {
             return Library.Bytes((p, capacity, needed) =>
                 Native.ups_profile_write(Handle, format, p, capacity, needed));
+        }
+
+        /// <summary>What the file that Write makes does not hold as the profile has it, a line each.</summary>
+        public string WriteWarnings(ProfileFormat format = ProfileFormat.IesLm63)
+        {
+            return Library.Text((p, capacity, needed) =>
+                Native.ups_profile_get_write_warnings(Handle, format, p, capacity, needed)) ?? "";
         }
 
         /// <summary>cd, for directions xyz in the profile's frame: nadir -Z, C0 +X, C90 +Y.</summary>

@@ -1,7 +1,12 @@
 // UPS for C#: illuminance and luminance by Unified Path Sampling. Programs use the classes of this file and of
 // Ups.Profile.cs, Ups.Fixture.cs, Ups.Scene.cs, Ups.Result.cs; they call the raw layer in Ups.Native.cs, where the
 // descriptions (MaterialDesc.Create() and so on) and enumerations stand too. Names, units and defaults are those of the
-// C headers, where each function and field is described.
+// C headers, where each function and field is described. The library is loaded by its versioned name, libups.so.0.1, so
+// that a program runs where no development files are.
+//
+// Arrays inside a description are set by element, desc.ToWorld[3] = 2.5, or whole, desc.ToWorld = new double[12]. As of
+// any struct, that needs a variable: an element of what a property returns would be set in a copy, which is an error to
+// the compiler (CS1612; Mono's mcs misses it).
 //
 // Every failure throws UpsException. Everything that owns something is IDisposable; any order of disposal is right.
 // Language level: C# 6, .NET Framework 4.5 (Mono) and later; compile with -unsafe.
@@ -101,6 +106,12 @@ namespace Ups
         {
             Expect(values, count, name);
             Marshal.Copy(values, 0, (IntPtr)p, count);
+        }
+
+        internal static int Index(int index, int count)
+        {
+            if (index < 0 || index >= count) throw new IndexOutOfRangeException("index " + index + " of " + count);
+            return index;
         }
 
         internal static void Expect(Array values, long count, string name)

@@ -6,7 +6,15 @@
  *   - Pointers passed in are read during the call and never kept. Strings are UTF-8, zero-terminated.
  *   - A function that can fail returns ups_status; outputs come last and are untouched on failure.
  *   - No function calls back into the application.
- *   - Zero is the null id. 64-bit targets only, so every struct has one layout and no hidden padding.
+ *   - Zero is the null id. An id belongs to the scene that handed it out: its low 24 bits number the things of a kind
+ *     from 1, in the order in which they were added, which is how messages name them ("luminaire 3"); the bits above
+ *     tell the scene. Other scenes, and results of other scenes, refuse it with UPS_ERROR_INVALID_ARGUMENT. Scenes that
+ *     exist at the same time, or of which a result does, share those bits only when there are more than 255; then an id
+ *     of one may pass for that of another. A scene holds at most 2^24 - 1 things of a kind (UPS_ERROR_UNSUPPORTED).
+ *   - A handle that another copy of the library made, loaded into the same process, is refused with
+ *     UPS_ERROR_INVALID_ARGUMENT; functions that return nothing leave it alone. So are handles that were destroyed, as
+ *     far as their memory still tells: do not rely on it.
+ *   - 64-bit targets only, so every struct has one layout and no hidden padding.
  *   - Destroying children and parents may happen in any order: a child keeps what it needs alive.
  */
 #ifndef UPS_BASE_H
@@ -74,7 +82,9 @@ UPS_API const char *ups_last_error(void);
 /* Every *_desc starts with struct_size and is filled with defaults by its *_init, which writes at most struct_size
  * bytes:
  *   ups_mesh_desc d; ups_mesh_desc_init(&d, sizeof d); d.positions_m = ...;
- * The library reads at most d.struct_size bytes and takes its own defaults for the rest. */
+ * The library reads at most d.struct_size bytes and takes its own defaults for the rest. A struct of a later version is
+ * longer than the library knows: what is beyond its own must be 0, as *_init leaves it; where it is not, a field is set
+ * that this version would ignore, and the call fails with UPS_ERROR_UNSUPPORTED. struct_size is at most 4096. */
 
 typedef struct ups_context_desc {
   uint32_t struct_size;

@@ -1,7 +1,8 @@
 /* UPS: fixtures: luminaires modelled down to their emitters, with reflectors, lenses and collimators of a few numbers.
  *
  * A fixture has a frame of its own, in metres: light leaves along local -Z, and apertures open towards -Z. It is built
- * once and placed any number of times; the meshes of its parts are then shared. What it does to light is simulated.
+ * once and placed any number of times; the meshes of its parts are then shared. What it does to light is simulated:
+ * round reflectors, lenses and collimators are traced as the curved surfaces that they are, not as triangles.
  *
  *   ups_fixture_create(context, &fixture);
  *   ups_fixture_emitter_desc_init(&cob, sizeof cob);   cob.radius_m = 0.0045; cob.flux_lm = 1000;
@@ -53,11 +54,17 @@ enum {
  *   finish, finish_*       < 0: the finish's own number; >= 0: in its place, where it has one (reflectance: sheets but
  *                          BLACK; transmittance: OPAL; roughness: SEMI_SPECULAR_ALUMINIUM, FROSTED_PMMA; absorption and
  *                          index: solids; CUSTOM: none)
- *   chord_tolerance_m      largest distance of the triangles from the shape; 0: 0.1 % of the largest radius
- *   normal_tolerance_rad   largest angle of the interpolated normals from the shape's; 0: 0.1 degrees
+ *   chord_tolerance_m      largest distance of the triangles from the shape; 0: 0.1 % of the largest radius; of
+ *                          emitters but spheres 0.01 %
+ *   normal_tolerance_rad   largest angle of the interpolated normals from the shape's; 0: 0.1 degrees, round: 10
  *   facets_around          0: round; else so many sides, 3 to 100,000, flat around, their corners on the round shape
  *   facets_along           0: smooth; else so many straight bands along the profile, at most 100,000
- * A part needs at most 4,000,000 triangles: finer tolerances fail. */
+ * A part needs at most 4,000,000 triangles: finer tolerances fail.
+ * Light meets round parts (facets_around 0) in the shape itself whatever the tolerances: in quadrics of revolution that
+ * cones, cylinders, spheres, paraboloids, ellipsoids and conic lens faces are, and that other profiles are replaced by
+ * to 1e-7 of their largest radius and 1e-4 rad. Their triangles only number the places. Emitters and faceted parts are
+ * triangles: discs and cylinders have their corners on the round shape, spheres the sphere's area. By default that
+ * changes a light output ratio by some 1e-6. */
 
 typedef int32_t ups_emitter_shape;
 enum {
@@ -211,6 +218,10 @@ UPS_API ups_status ups_fixture_get_info(const ups_fixture *fixture, ups_fixture_
  * its triangles). The scene keeps what it needs: the fixture may be changed or destroyed afterwards. */
 UPS_API ups_status ups_scene_add_fixture(ups_scene *scene, const ups_fixture *fixture,
                                          const ups_fixture_instance_desc *desc, ups_fixture_id *out);
+/* The instance that a part became: what ups_source_info tells of its light. Errors: INVALID_ARGUMENT where the fixture
+ * had no such part when it was placed. */
+UPS_API ups_status ups_scene_get_fixture_instance(const ups_scene *scene, ups_fixture_id id, ups_fixture_part_id part,
+                                                  ups_instance_id *out);
 /* Changes take effect at the next commit. */
 UPS_API ups_status ups_scene_set_fixture_dimming(ups_scene *scene, ups_fixture_id id, float dimming);
 UPS_API ups_status ups_scene_set_fixture_transform(ups_scene *scene, ups_fixture_id id, const double to_world[12]);

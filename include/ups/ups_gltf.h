@@ -7,7 +7,7 @@
 #ifndef UPS_GLTF_H
 #define UPS_GLTF_H
 
-#include "ups_base.h"
+#include "ups_render.h"
 
 typedef struct ups_gltf_import ups_gltf_import; /* what the file named: sensors and warnings; immutable, thread-safe */
 
@@ -15,6 +15,8 @@ typedef struct ups_gltf_import_desc {
   uint32_t struct_size;
   uint32_t camera_width, camera_height; /* pixels of every camera; both 0: as the file says */
   uint32_t reserved;                    /* 0 */
+  int32_t allow_outside;                /* 1: files that the scene names may lie anywhere; 0 (default): only in the
+                                         * scene's folder and below it, symbolic links followed */
 } ups_gltf_import_desc;
 
 typedef int32_t ups_gltf_sensor_kind;
@@ -36,7 +38,8 @@ UPS_API void ups_gltf_import_desc_init(ups_gltf_import_desc *desc, uint32_t stru
 
 /* Adds everything in the file to the scene; the caller commits it. desc may be NULL: all defaults.
  * The caller owns *out.
- * Errors: IO (a file cannot be read), PARSE (malformed), UNSUPPORTED (names what is not built), and those of the core.
+ * Errors: IO (a file cannot be read, or lies outside the scene's folder), PARSE (malformed), UNSUPPORTED (names what
+ * is not built), and those of the core.
  * The message names the file and the node, mesh, material or accessor. After an error the scene holds part of the
  * file: destroy it. */
 UPS_API ups_status ups_gltf_import_file(ups_context *context, const char *path, const ups_gltf_import_desc *desc,
@@ -51,6 +54,11 @@ UPS_API ups_status ups_gltf_get_sensor(const ups_gltf_import *import_result, uin
  * give *needed (with the final zero), then the text. */
 UPS_API ups_status ups_gltf_get_sensor_name(const ups_gltf_import *import_result, uint32_t index, char *text,
                                             size_t capacity, size_t *needed);
+/* Name of a source as ups_result_get_source tells it (kind, id): that of its node, unique among the file's sources by
+ * _2, _3, and of [A-Za-z0-9._-], at most 200 bytes; of a node without a name "luminaire_1", "instance_1", "fixture_1",
+ * counted through the file. Two calls, as above. Errors: INVALID_ARGUMENT for a group, or what the file did not add. */
+UPS_API ups_status ups_gltf_get_source_name(const ups_gltf_import *import_result, ups_source_kind kind, uint32_t id,
+                                            char *text, size_t capacity, size_t *needed);
 /* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;
  * count must be the sensor's meter_count. */
 UPS_API ups_status ups_gltf_read_meters(const ups_gltf_import *import_result, uint32_t index, double *positions_m,

@@ -12,11 +12,13 @@
  * 0.26 / (geometric mean of the pixels' luminance between its 5th and 95th percentile, black pixels left out).
  * The view shows 0.26 as an 18 % grey.
  * The same image always gives the same factor; an image without light gives 1.
- * luminance_rgb: 3 floats a pixel, linear Rec.709, finite, row 0 at the top. */
+ * luminance_rgb: 3 floats a pixel, linear Rec.709, row 0 at the top; one that is not finite is
+ * UPS_ERROR_INVALID_ARGUMENT. */
 UPS_API ups_status ups_ocio_choose_exposure(const float *luminance_rgb, uint32_t width, uint32_t height, double *out);
 
 /* exposure as above; 0: chosen from the image. The view is OpenColorIO's built-in ACES output for SDR video, on an sRGB
- * display; no configuration file is read. The file appears whole or not at all. */
+ * display; no configuration file is read. The file appears whole or not at all, and links, devices and permissions are
+ * kept as by ups_exr_write. */
 UPS_API ups_status ups_ocio_write_png(const char *path, const float *luminance_rgb, uint32_t width, uint32_t height,
                                       double exposure);
 

@@ -79,7 +79,7 @@ typedef struct ups_profile_info {
   float peak_cd;
   float peak_c_deg, peak_gamma_deg;  /* direction of the peak */
   float opening_m[3];                /* luminous opening along local x, y, z; 0: point */
-  ups_opening_shape opening_shape;
+  ups_opening_shape opening_shape;   /* a rectangle of one extent alone is a line */
   ups_profile_symmetry symmetry;
   uint32_t c_count, gamma_count;     /* of the stored table, symmetry expanded; of type A planes H, rows V;
                                       * B planes V, rows H */
@@ -103,13 +103,28 @@ typedef struct ups_profile_beam {
   float angle_deg;             /* to_deg - from_deg; < 0: nowhere below the level, or no light in this plane */
 } ups_profile_beam;
 
+/* A set of lamps that the file states. Of an EULUMDAT file all sets, which are alternatives; of an IES file its lamps,
+ * one set; of a TM-33 file its emitters, which shine together. Their texts: UPS_PROFILE_TEXT_LAMP_*. */
+typedef struct ups_profile_lamp_set {
+  uint32_t struct_size;
+  int32_t count;                /* of lamps; < 0: EULUMDAT's mark of absolute photometry; 0: not stated */
+  double flux_lm;               /* of all its lamps; < 0: not stated */
+  float input_power_w;          /* with gear; < 0: not stated */
+  float colour_temperature_k;   /* correlated; < 0: the file states none */
+  float colour_rendering_index; /* Ra, 0 to 100; < 0: the file states none, or a group such as 1B alone */
+  int32_t chosen;               /* 1: the intensities hold for this set, else 0 */
+} ups_profile_lamp_set;
+
 typedef int32_t ups_profile_text;
 enum {
   UPS_PROFILE_TEXT_WARNINGS = 0,
   UPS_PROFILE_TEXT_KEYWORDS = 1, /* "MANUFAC=...\n"; those of EULUMDAT have the names of LM-63 where there is one */
   UPS_PROFILE_TEXT_FORMAT = 2,   /* "IES LM-63-2002" */
   UPS_PROFILE_TEXT_TILT_FILE = 3, /* the name that TILT= has; empty: no file */
-  UPS_PROFILE_TEXT_TILT_TABLE = 4 /* "15 0.95\n": degrees and the factor there, not applied; empty: no table */
+  UPS_PROFILE_TEXT_TILT_TABLE = 4, /* "15 0.95\n": degrees and the factor there, not applied; empty: no table */
+  UPS_PROFILE_TEXT_LAMP_TYPES = 5, /* as the file has them, a line each lamp set, which may be empty */
+  UPS_PROFILE_TEXT_LAMP_COLOURS = 6,   /* the same: colour appearance or temperature */
+  UPS_PROFILE_TEXT_LAMP_RENDERINGS = 7 /* the same: colour rendering, an index or a group */
 };
 
 UPS_API void ups_profile_desc_init(ups_profile_desc *desc, uint32_t struct_size);
@@ -121,13 +136,22 @@ UPS_API ups_status ups_profile_parse(ups_context *context, const void *bytes, si
 UPS_API void ups_profile_parse_desc_init(ups_profile_parse_desc *desc, uint32_t struct_size);
 /* The same with a TILT file, a tilt, a lamp set. Errors: INVALID_ARGUMENT also where the file has no such lamp set. */
 UPS_API ups_status ups_profile_parse_with(ups_context *context, const ups_profile_parse_desc *desc, ups_profile **out);
-/* The text of a photometric file that parses to the same distribution: IES_LM63 (LM-63-2019; types A and B as they are)
- * or EULUMDAT (types A and B resampled onto C-planes). Two calls, as for ups_profile_get_text; the final zero is no
- * part of the file. Errors: UNSUPPORTED for other formats. */
+/* The text of a photometric file of the same distribution: IES_LM63 (LM-63-2019; types A and B as they are; reads back
+ * to the same bits) or EULUMDAT (types A and B resampled onto C-planes; numbers and texts in the format's field lengths,
+ * intensities of five digits or six). Two calls, as for ups_profile_get_text; the final zero is no part of the file.
+ * Errors: UNSUPPORTED for other formats. */
 UPS_API ups_status ups_profile_write(const ups_profile *profile, ups_profile_format format, char *bytes,
                                      size_t capacity, size_t *needed);
+/* What the file that ups_profile_write makes does not hold as the profile has it, a line each, empty where there is
+ * nothing: flux and peak, with both figures, where they part by more than 0.1 %; texts and sizes that its fields cut.
+ * Two calls, as for ups_profile_get_text. Errors: UNSUPPORTED for formats that are not written. */
+UPS_API ups_status ups_profile_get_write_warnings(const ups_profile *profile, ups_profile_format format, char *text,
+                                                  size_t capacity, size_t *needed);
 /* info->struct_size must be set; at most that many bytes are written. */
 UPS_API ups_status ups_profile_get_info(const ups_profile *profile, ups_profile_info *info);
+/* The lamp set of that index, below lamp_set_count of ups_profile_info. set->struct_size must be set; at most that many
+ * bytes are written. Errors: INVALID_ARGUMENT where the file has no such lamp set. */
+UPS_API ups_status ups_profile_get_lamp_set(const ups_profile *profile, uint32_t index, ups_profile_lamp_set *set);
 /* Two calls: text NULL and capacity 0 give *needed (with the final zero), then the text. */
 UPS_API ups_status ups_profile_get_text(const ups_profile *profile, ups_profile_text topic, char *text, size_t capacity,
                                         size_t *needed);

@@ -162,7 +162,7 @@ enum { UPS_SOURCE_LUMINAIRE = 0 /* a luminaire or a light */, UPS_SOURCE_INSTANC
 typedef struct ups_source_info {
   uint32_t struct_size;
   ups_source_kind kind;
-  uint32_t id;       /* ups_luminaire_id, ups_instance_id, or the group */
+  uint32_t id;       /* the v of its ups_luminaire_id or ups_instance_id, or the group */
   uint32_t reserved; /* 0 */
   double flux_lm;    /* as it was rendered, dimming included */
 } ups_source_info;

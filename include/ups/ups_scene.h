@@ -46,6 +46,10 @@ typedef struct ups_material_desc {
   /* 0: none. A texture multiplies its factor; normal: tangent space, texel * 2 - 1; 1-channel ones read channel 0,
    * alpha reads the last channel. */
   ups_texture_id reflectance_texture, roughness_texture, metallic_texture, normal_texture, alpha_texture;
+  int32_t priority;                               /* GLASS, any integer (0): where solids overlap, or their faces
+                                                   * coincide, the medium of the highest counts; at equal priority
+                                                   * that of the instance of smallest volume. A solid is an instance
+                                                   * whose mesh is closed, its front outwards, without holes. */
 } ups_material_desc;
 
 /* Both sides of every surface block and scatter light; only emission has a side: front is counter-clockwise. */

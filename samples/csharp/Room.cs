@@ -37,7 +37,9 @@ internal static class Room
         using (var profile = Profile.Parse(context, Encoding.ASCII.GetBytes(DownlightIes)))
         {
             var luminaire = LuminaireDesc.Create();
-            luminaire.ToWorld = new double[] { 1, 0, 0, Size[0] / 2, 0, 1, 0, Size[1] / 2, 0, 0, 1, Size[2] - 0.1 };
+            luminaire.ToWorld[3] = Size[0] / 2;  // 3x4, row-major
+            luminaire.ToWorld[7] = Size[1] / 2;
+            luminaire.ToWorld[11] = Size[2] - 0.1;
             scene.AddLuminaire(profile, luminaire);
         }
     }

@@ -1,6 +1,8 @@
 // ups_base.h: version, status, last error, context and log.
 #include "api/desc.h"
 #include "api/handles.h"
+#include "base/last_error.h"
+#include "base/thread.h"
 
 namespace ups {
 
@@ -15,26 +17,12 @@ void ContextCore::log(ups_log_level level, std::string text) {
 namespace api {
 namespace {
 
-struct LastError {
-  std::string text;
-  bool lost = false;  // there was no memory for the text
-};
-LastError& last_error() {
-  thread_local LastError error;
-  return error;
-}
+LastError last_error;
 
 }  // namespace
 
 ups_status fail(ups_status status, const char* function, const char* message) noexcept {
-  LastError& error = last_error();
-  try {
-    std::string text = std::string(function) + ": " + message;
-    error.text.swap(text);
-    error.lost = false;
-  } catch (...) {
-    error.lost = true;
-  }
+  last_error.set(function, message);
   return status;
 }
 
@@ -75,10 +63,7 @@ const char* ups_status_name(ups_status status) {
   }
 }
 
-const char* ups_last_error(void) {
-  const LastError& error = last_error();
-  return error.lost ? "out of memory, even for a message" : error.text.c_str();
-}
+const char* ups_last_error(void) { return last_error.get(); }
 
 void ups_context_desc_init(ups_context_desc* desc, uint32_t struct_size) {
   write_defaults(desc, struct_size, ups_context_desc{});
@@ -93,11 +78,18 @@ ups_status ups_context_create(const ups_context_desc* desc, ups_context** out) {
     if (d.thread_count < 0 || d.thread_count > max_threads)
       fail_argument("thread_count is " + std::to_string(d.thread_count) +
                     "; it must be 0 (all hardware threads) to 1024");
-    *out = new ups_context{std::make_shared<ContextCore>(d.thread_count)};
+    const int processors = processor_count();
+    std::unique_ptr<ups_context> context(
+        new ups_context{.core = std::make_shared<ContextCore>(std::min<int>(d.thread_count, processors))});
+    if (d.thread_count > processors)
+      context->core->log(UPS_LOG_INFO, "thread_count is " + std::to_string(d.thread_count) + ": there are " +
+                                           std::to_string(processors) +
+                                           " processors for this process, and as many threads run");
+    *out = context.release();
   });
 }
 
-void ups_context_destroy(ups_context* context) { delete context; }
+void ups_context_destroy(ups_context* context) { destroy(context); }
 
 ups_status ups_context_get_thread_count(const ups_context* context, int32_t* out) {
   return guard(__func__, [&] {

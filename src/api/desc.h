@@ -1,5 +1,5 @@
 // Structs that cross the boundary with their size, and texts that are asked for twice. A caller built against another
-// version may have a shorter or longer struct: what it lacks gets the library's defaults, what is unknown is ignored.
+// version may have a shorter or longer struct: what it lacks gets the library's defaults, what is unknown must be 0.
 // Included by src/api alone.
 #pragma once
 #include <algorithm>
@@ -10,22 +10,34 @@
 
 namespace ups::api {
 
-// struct_size and one field; whole 4-byte units, as all fields are.
+// struct_size and one field; whole 4-byte units, as all fields are; no more than any version will need.
 inline uint32_t checked_size(const void* data, const char* argument) {
   uint32_t size;
   std::memcpy(&size, data, sizeof size);
-  if (size < 8 || size % 4 != 0)
+  if (size < 8 || size > 4096 || size % 4 != 0)
     fail_argument(std::string(argument) + "->struct_size is " + std::to_string(size) +
-                  "; it must be the struct's sizeof, which is a multiple of 4 and at least 8");
+                  "; it must be the struct's sizeof, which is a multiple of 4 from 8 to 4096");
   return size;
 }
 
-// For *_init: at most `size` bytes of the defaults.
+// For *_init: at most `size` bytes of the defaults, and 0 for what a later version's struct has beyond them.
 template <class Desc>
 void write_defaults(Desc* desc, uint32_t size, Desc defaults) {
   if (!desc || size < sizeof size) return;
   defaults.struct_size = size;
-  std::memcpy(desc, &defaults, std::min<size_t>(size, sizeof defaults));
+  std::memcpy(static_cast<void*>(desc), &defaults, std::min<size_t>(size, sizeof defaults));
+  if (size > sizeof defaults) std::memset(reinterpret_cast<char*>(desc) + sizeof defaults, 0, size - sizeof defaults);
+}
+
+// Throws where the caller's struct has more fields than this version's, `known` bytes, and one of them is set.
+inline void check_unknown_fields(const void* desc, uint32_t size, size_t known, const char* argument) {
+  const auto* bytes = static_cast<const unsigned char*>(desc);
+  for (size_t i = known; i < size; ++i)
+    if (bytes[i] != 0)
+      throw Error(UPS_ERROR_UNSUPPORTED,
+                  std::string(argument) + "->struct_size is " + std::to_string(size) + "; this version knows " +
+                      std::to_string(known) + " bytes, but byte " + std::to_string(i) +
+                      " is not 0: a field of a later version is set that would be ignored");
 }
 
 // A row-major 3x4 transform that changes nothing.
@@ -39,6 +51,7 @@ template <class Desc>
 Desc read_desc(const Desc* desc, void (*init)(Desc*, uint32_t)) {
   require(desc, "desc");
   const uint32_t size = checked_size(desc, "desc");
+  check_unknown_fields(desc, size, sizeof *desc, "desc");
   Desc whole;
   init(&whole, uint32_t(sizeof whole));
   std::memcpy(&whole, desc, std::min<size_t>(size, sizeof whole));

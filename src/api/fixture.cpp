@@ -72,7 +72,7 @@ ups_mesh_id add_mesh(Description& scene, const FixturePart& part, ups_material_i
   d.positions_m = part.mesh.positions.data();
   d.normals = part.mesh.normals.empty() ? nullptr : part.mesh.normals.data();
   d.indices = part.mesh.indices.data();
-  return scene.add_mesh(d);
+  return scene.add_mesh(d, part.revolution);
 }
 
 // Emitters have a mesh and a material of their own each time, as their luminance is that of one placement.
@@ -168,7 +168,7 @@ ups_status ups_fixture_create(ups_context* context, ups_fixture** out) {
   });
 }
 
-void ups_fixture_destroy(ups_fixture* fixture) { delete fixture; }
+void ups_fixture_destroy(ups_fixture* fixture) { destroy(fixture); }
 
 ups_status ups_fixture_add_emitter(ups_fixture* fixture, const ups_fixture_emitter_desc* desc,
                                    ups_fixture_part_id* out) {
@@ -227,6 +227,18 @@ ups_status ups_scene_add_fixture(ups_scene* scene, const ups_fixture* fixture, c
     for (const auto& part : f.parts) check_luminance(*part, scale);
     for (const auto& part : f.parts) placed.parts.push_back(place(s, part, to_world, scale, d.group));
     out->v = s.fixtures.add(std::move(placed));
+  });
+}
+
+ups_status ups_scene_get_fixture_instance(const ups_scene* scene, ups_fixture_id id, ups_fixture_part_id part,
+                                          ups_instance_id* out) {
+  return guard(__func__, [&] {
+    const PlacedFixture& fixture = require(scene, "scene").fixtures.get(id.v, "fixture");
+    require(out, "out");
+    check::require(part.v >= 1 && part.v <= fixture.parts.size(),
+                   "part " + std::to_string(part.v) + " is not of this fixture; it was placed with " +
+                       std::to_string(fixture.parts.size()) + " parts, counted from 1");
+    *out = fixture.parts[part.v - 1].instance;
   });
 }
 

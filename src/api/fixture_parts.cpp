@@ -11,6 +11,9 @@ namespace ups::api {
 namespace {
 
 constexpr double default_chord = 1e-3, default_normal = 0.1 * optics::pi / 180;  // of the largest radius; rad
+constexpr double default_round_normal = 10 * optics::pi / 180;  // not the triangles' normals are traced there
+// Of discs and cylinders that shine: these stay polygons, inside of what surrounds them, whose radius counts in a beam.
+constexpr double default_emitter_chord = 1e-4;
 constexpr uint32_t max_facets = 100'000;
 
 // ---- finishes ----
@@ -108,8 +111,31 @@ void facets(uint32_t count, uint32_t low, const char* field) {
 }
 
 optics::Mesh triangles(const optics::Profile& profile, double chord, double normal, double size) {
-  return optics::tessellate(profile,
-                            {chord == 0 ? default_chord * size : chord, normal == 0 ? default_normal : normal});
+  const double usual = profile.facets_around > 0 ? default_normal : default_round_normal;
+  return optics::tessellate(profile, {chord == 0 ? default_chord * size : chord, normal == 0 ? usual : normal});
+}
+
+// What the bands of a round mesh are to the ray tracer; null where it has none.
+std::shared_ptr<const Revolution> revolution(const optics::Mesh& mesh) {
+  if (mesh.bands.empty()) return nullptr;
+  auto out = std::make_shared<Revolution>();
+  out->columns = mesh.columns;
+  double size = 0;
+  size_t triangle = 0;
+  for (const optics::Band& b : mesh.bands) {
+    for (const double v : {b.from.r, b.from.z, b.to.r, b.to.z}) size = std::max(size, std::abs(v));
+    out->bands.push_back({b.from.r, b.from.z, b.to.r, b.to.z, b.square_r, b.square_z, b.linear, b.bulge,
+                          uint32_t(triangle)});
+    triangle += mesh.columns * (b.from.r == 0 || b.to.r == 0 ? 1 : 2);
+  }
+  out->margin = 1e-10 * size;
+  return out;
+}
+
+// Of a part that is traced as the shape that it is.
+void set_shape(FixturePart& part, const optics::Profile& profile, double chord, double normal, double size) {
+  part.mesh = triangles(profile, chord, normal, size);
+  part.revolution = revolution(part.mesh);
 }
 
 std::vector<optics::Point> points(const double* rz, uint32_t count, const char* field, const char* count_field) {
@@ -125,13 +151,6 @@ std::vector<optics::Point> points(const double* rz, uint32_t count, const char* 
 void unused(double value, const char* field, const char* kind) {
   check::require(value == 0,
                  std::string(field) + " is " + check::text(value) + "; " + kind + " has none, it must be 0");
-}
-
-double largest_radius(const optics::Profile& profile) {
-  double r = 0;
-  for (const optics::Section& section : profile.sections)
-    for (int i = 0; i <= 64; ++i) r = std::max(r, section.at(i / 64.0).r);
-  return r;
 }
 
 }  // namespace
@@ -153,10 +172,20 @@ Affine rigid(const double (&m)[12], const std::string& field) {
 
 namespace {
 
+// As large as the sphere: so is what is seen of it, in the mean over directions (Cauchy: a quarter of the surface).
+optics::Mesh sphere_mesh(double radius, double chord) {
+  optics::Mesh mesh = triangles(optics::sphere(radius), chord, optics::pi, radius);
+  const double scale = std::sqrt(4 * optics::pi * radius * radius / optics::area(mesh));
+  if (std::isfinite(scale))
+    for (float& v : mesh.positions) v = float(double(v) * scale);
+  return mesh;
+}
+
+// Normals are not used: the emission is that of the flat triangles.
 optics::Mesh emitter_mesh(const ups_fixture_emitter_desc& d) {
   const auto mesh = [&](const optics::Profile& profile) {
-    // Normals are not used: the emission is that of the flat triangles.
-    return triangles(profile, d.chord_tolerance_m, optics::pi, largest_radius(profile));
+    const double chord = d.chord_tolerance_m == 0 ? default_emitter_chord * d.radius_m : d.chord_tolerance_m;
+    return triangles(profile, chord, optics::pi, optics::largest_radius(profile));
   };
   switch (d.shape) {
     case UPS_EMITTER_RECTANGLE:
@@ -168,7 +197,8 @@ optics::Mesh emitter_mesh(const ups_fixture_emitter_desc& d) {
     default:
       unused(d.width_m, "width_m", "a disc or a sphere");
       unused(d.length_m, "length_m", "a disc or a sphere");
-      return mesh(d.shape == UPS_EMITTER_DISC ? optics::disc(d.radius_m) : optics::sphere(d.radius_m));
+      return d.shape == UPS_EMITTER_DISC ? mesh(optics::disc(d.radius_m))
+                                         : sphere_mesh(d.radius_m, d.chord_tolerance_m);
   }
 }
 
@@ -243,7 +273,7 @@ FixturePart make_part(const ups_reflector_desc& d) {
   optics::Profile profile = reflector_profile(d);
   profile.facets_around = d.facets_around;
   if (d.facets_along > 0) profile.sections.front().facets_along = d.facets_along;
-  part.mesh = triangles(profile, d.chord_tolerance_m, d.normal_tolerance_rad, largest_radius(profile));
+  set_shape(part, profile, d.chord_tolerance_m, d.normal_tolerance_rad, optics::largest_radius(profile));
   return part;
 }
 
@@ -261,7 +291,7 @@ FixturePart make_part(const ups_lens_desc& d) {
   std::copy(std::begin(d.exit_coefficients), std::end(d.exit_coefficients), exit.coefficients.begin());
   optics::Profile profile = optics::lens(entry, exit, d.radius_m, d.thickness_m);
   profile.facets_around = d.facets_around;
-  part.mesh = triangles(profile, d.chord_tolerance_m, d.normal_tolerance_rad, d.radius_m);
+  set_shape(part, profile, d.chord_tolerance_m, d.normal_tolerance_rad, d.radius_m);
   return part;
 }
 
@@ -288,7 +318,7 @@ FixturePart make_part(const ups_collimator_desc& d) {
   c.exit = {d.exit_radius_m, d.exit_conic, {}};
   c.exit_facets_along = d.exit_facets_along, c.facets_around = d.facets_around;
   const optics::Profile profile = optics::collimator(c);
-  part.mesh = triangles(profile, d.chord_tolerance_m, d.normal_tolerance_rad, largest_radius(profile));
+  set_shape(part, profile, d.chord_tolerance_m, d.normal_tolerance_rad, optics::largest_radius(profile));
   return part;
 }
 static_assert(int(optics::Collimator::Wall::polyline) == UPS_COLLIMATOR_POLYLINE);

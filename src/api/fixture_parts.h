@@ -14,6 +14,7 @@ namespace ups::api {
 
 struct FixturePart {
   optics::Mesh mesh;  // without normals where the caller's has none
+  std::shared_ptr<const Revolution> revolution;  // of round reflectors and solids: traced in place of the mesh
   Affine to_fixture;
   ups_material_desc material;
   double flux_lm = -1, area_m2 = 0;  // of emitters; < 0: no emitter

@@ -1,5 +1,6 @@
 // The boundary: every function of the C API runs its body in guard(), which turns exceptions into a status and this
-// thread's message. Nothing escapes. Included by src/api alone.
+// thread's message, in the floating-point environment that results are computed in. Nothing escapes. Included by
+// src/api alone.
 #pragma once
 #include <new>
 #include <stdexcept>
@@ -7,6 +8,7 @@
 #include <type_traits>
 
 #include "base/error.h"
+#include "base/floating_point.h"
 #include "photometry/photometry.h"
 
 namespace ups::api {
@@ -16,6 +18,7 @@ ups_status fail(ups_status status, const char* function, const char* message) no
 
 template <class Body>
 ups_status guard(const char* function, const Body& body) noexcept {
+  const DefaultFloatingPoint environment;
   try {
     if constexpr (std::is_same_v<std::invoke_result_t<Body>, ups_status>) {
       return body();  // with a status of its own, such as UPS_TIMEOUT

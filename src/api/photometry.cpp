@@ -7,8 +7,9 @@
 #include "api/desc.h"
 #include "api/handles.h"
 #include "base/text.h"
+#include "photometry/lamps.h"
 #include "photometry/metrics.h"
-#include "photometry/text_reader.h"
+#include "photometry/writer_text.h"
 #include "scene/check.h"
 
 using namespace ups;
@@ -106,6 +107,13 @@ std::string values_of(const photometry::Photometry& data, std::string name) {
   return text;
 }
 
+// One field of all lamp sets, a line each.
+std::string lamp_lines(const photometry::Photometry& data, std::string photometry::LampSet::*field) {
+  std::string text;
+  for (const photometry::LampSet& set : data.lamp_sets) text += photometry::one_line(set.*field) + "\n";
+  return text;
+}
+
 std::string text_of(const photometry::Photometry& data, ups_profile_text topic) {
   switch (topic) {
     case UPS_PROFILE_TEXT_WARNINGS:
@@ -125,10 +133,40 @@ std::string text_of(const photometry::Photometry& data, ups_profile_text topic) 
         text += photometry::shortest(data.tilt.angle_deg[i]) + " " + photometry::shortest(data.tilt.factor[i]) + "\n";
       return text;
     }
+    case UPS_PROFILE_TEXT_LAMP_TYPES:
+      return lamp_lines(data, &photometry::LampSet::type);
+    case UPS_PROFILE_TEXT_LAMP_COLOURS:
+      return lamp_lines(data, &photometry::LampSet::colour);
+    case UPS_PROFILE_TEXT_LAMP_RENDERINGS:
+      return lamp_lines(data, &photometry::LampSet::colour_rendering);
     default:
-      check::enumeration(topic, UPS_PROFILE_TEXT_TILT_TABLE, "topic", "UPS_PROFILE_TEXT_*");
+      check::enumeration(topic, UPS_PROFILE_TEXT_LAMP_RENDERINGS, "topic", "UPS_PROFILE_TEXT_*");
       return {};
   }
+}
+
+ups_profile_lamp_set lamp_set_of(const photometry::Photometry& data, uint32_t index) {
+  const size_t n = data.lamp_sets.size();
+  check::require(index < n, "index is " + std::to_string(index) + "; the file has " + std::to_string(n) +
+                                (n == 1 ? " lamp set, 0" : " lamp sets, from 0"));
+  const photometry::LampSet& lamps = data.lamp_sets[index];
+  ups_profile_lamp_set out{};
+  out.count = lamps.count;
+  out.flux_lm = lamps.flux_lm;
+  out.input_power_w = float(lamps.power_w);
+  out.colour_temperature_k = float(photometry::colour_temperature_k(lamps));
+  out.colour_rendering_index = float(photometry::colour_rendering_index(lamps));
+  out.chosen = data.lamps_shine_together || index == data.lamp_set;
+  return out;
+}
+
+std::string written(const photometry::Photometry& data, ups_profile_format format,
+                    std::vector<std::string>* warnings = nullptr) {
+  check::enumeration(format, UPS_PROFILE_LIGHTTOOLS_RAYS, "format", "UPS_PROFILE_*");
+  if (format != UPS_PROFILE_IES_LM63 && format != UPS_PROFILE_EULUMDAT)
+    throw Error(UPS_ERROR_UNSUPPORTED, "format: IES_LM63 and EULUMDAT are written, no other");
+  return format == UPS_PROFILE_EULUMDAT ? photometry::write_eulumdat(data, warnings)
+                                        : photometry::write_ies(data, warnings);
 }
 
 ups_profile_info info_of(const photometry::Photometry& data) {
@@ -235,16 +273,25 @@ ups_status ups_profile_write(const ups_profile* profile, ups_profile_format form
                              size_t* needed) {
   return guard(__func__, [&] {
     const photometry::Photometry& data = *require(profile, "profile").data;
-    check::enumeration(format, UPS_PROFILE_LIGHTTOOLS_RAYS, "format", "UPS_PROFILE_*");
-    if (format != UPS_PROFILE_IES_LM63 && format != UPS_PROFILE_EULUMDAT)
-      throw Error(UPS_ERROR_UNSUPPORTED, "format: IES_LM63 and EULUMDAT are written, no other");
-    copy_text(format == UPS_PROFILE_EULUMDAT ? photometry::write_eulumdat(data) : photometry::write_ies(data), bytes,
-              capacity, needed);
+    copy_text(written(data, format), bytes, capacity, needed);
+  });
+}
+
+ups_status ups_profile_get_write_warnings(const ups_profile* profile, ups_profile_format format, char* text,
+                                          size_t capacity, size_t* needed) {
+  return guard(__func__, [&] {
+    std::vector<std::string> warnings;
+    written(*require(profile, "profile").data, format, &warnings);
+    copy_text(lines(warnings), text, capacity, needed);
   });
 }
 
 ups_status ups_profile_get_info(const ups_profile* profile, ups_profile_info* info) {
   return guard(__func__, [&] { write_info(info, info_of(*require(profile, "profile").data), "info"); });
+}
+
+ups_status ups_profile_get_lamp_set(const ups_profile* profile, uint32_t index, ups_profile_lamp_set* set) {
+  return guard(__func__, [&] { write_info(set, lamp_set_of(*require(profile, "profile").data, index), "set"); });
 }
 
 ups_status ups_profile_get_text(const ups_profile* profile, ups_profile_text topic, char* text, size_t capacity,
@@ -268,7 +315,7 @@ ups_status ups_profile_with_keyword(const ups_profile* profile, const char* name
     require(out, "out");
     auto copy = std::make_shared<photometry::Photometry>(data);
     set_keyword(*copy, key, text);
-    *out = new ups_profile{std::move(copy)};
+    *out = new ups_profile{.data = std::move(copy)};
   });
 }
 
@@ -325,4 +372,4 @@ ups_status ups_profile_get_beam(const ups_profile* profile, float c_deg, float f
   });
 }
 
-void ups_profile_destroy(ups_profile* profile) { delete profile; }
+void ups_profile_destroy(ups_profile* profile) { destroy(profile); }

@@ -10,11 +10,13 @@ using namespace ups;
 using namespace ups::api;
 
 struct ups_job {
+  ups::api::Owner<ups_job> owner;
   std::shared_ptr<ContextCore> context;  // keeps threads and log alive
   std::unique_ptr<RenderJob> job;
 };
 
 struct ups_result {
+  ups::api::Owner<ups_result> owner;
   std::shared_ptr<const RenderResult> data;
 };
 
@@ -30,15 +32,16 @@ std::unique_ptr<ups_job> start(const ups_scene* scene, const ups_render_desc* de
   return job;
 }
 
-ups_result* wrap(std::shared_ptr<const RenderResult> data) { return new ups_result{std::move(data)}; }
+ups_result* wrap(std::shared_ptr<const RenderResult> data) { return new ups_result{.data = std::move(data)}; }
 
 const RenderResult& data_of(const ups_result* result) { return *require(result, "result").data; }
 
-size_t index_of(const std::vector<uint32_t>& ids, ups_sensor_id sensor, const char* noun) {
-  const auto it = std::find(ids.begin(), ids.end(), sensor.v);
-  if (it == ids.end())
-    fail_argument("sensor id " + std::to_string(sensor.v) + " is not a " + noun + " of the scene as it was committed");
-  return size_t(it - ids.begin());
+size_t index_of(const RenderResult& r, const std::vector<uint32_t>& numbers, ups_sensor_id sensor, const char* noun) {
+  const uint32_t number = own_number_of(sensor.v, r.scene->tag->bits(), "sensor");
+  const auto it = std::find(numbers.begin(), numbers.end(), number);
+  if (it == numbers.end())
+    fail_argument("sensor id " + std::to_string(number) + " is not a " + noun + " of the scene as it was committed");
+  return size_t(it - numbers.begin());
 }
 
 void copy_readings(const std::vector<ups_meter_reading>& meters, ups_meter_reading* out, size_t count) {
@@ -56,7 +59,7 @@ void check_source(const RenderResult& r, uint32_t index) {
 
 const GoniometerReading& goniometer_of(const ups_result* result, ups_sensor_id sensor) {
   const RenderResult& r = data_of(result);
-  return r.goniometers[index_of(r.goniometer_ids, sensor, "goniometer")];
+  return r.goniometers[index_of(r, r.goniometer_ids, sensor, "goniometer")];
 }
 
 struct Plane {
@@ -101,7 +104,7 @@ void copy_plane(const ImageReading& image, const Plane& plane, float* out, size_
 
 const ImageReading& image_of(const ups_result* result, ups_sensor_id camera) {
   const RenderResult& r = data_of(result);
-  return r.images[index_of(r.camera_ids, camera, "camera")];
+  return r.images[index_of(r, r.camera_ids, camera, "camera")];
 }
 
 const TechniqueReading& technique_of(const ImageReading& image, uint32_t index) {
@@ -172,7 +175,7 @@ ups_status ups_job_wait(const ups_job* job, uint32_t timeout_ms) {
 }
 
 void ups_job_cancel(ups_job* job) {
-  if (job) job->job->cancel();
+  if (job && job->owner.is_ours()) job->job->cancel();
 }
 
 ups_status ups_job_result(const ups_job* job, ups_result** out) {
@@ -182,7 +185,7 @@ ups_status ups_job_result(const ups_job* job, ups_result** out) {
   });
 }
 
-void ups_job_destroy(ups_job* job) { delete job; }
+void ups_job_destroy(ups_job* job) { destroy(job); }
 
 ups_status ups_result_get_info(const ups_result* result, ups_result_info* info) {
   return guard(__func__, [&] { write_info(info, data_of(result).info, "info"); });
@@ -192,7 +195,7 @@ ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor
                                   size_t count) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
-    copy_readings(r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")].meters, out, count);
+    copy_readings(r.meter_sets[index_of(r, r.meter_set_ids, sensor, "meter set")].meters, out, count);
   });
 }
 
@@ -204,7 +207,9 @@ ups_status ups_result_get_source(const ups_result* result, uint32_t index, ups_s
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
     check_source(r, index);
-    write_info(info, r.sources[index], "info");
+    ups_source_info source = r.sources[index];
+    if (source.kind != UPS_SOURCE_GROUP) source.id |= r.scene->tag->bits();
+    write_info(info, source, "info");
   });
 }
 
@@ -212,7 +217,7 @@ ups_status ups_result_read_source_meters(const ups_result* result, uint32_t sour
                                          ups_meter_reading* out, size_t count) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
-    const MeterSetReading& set = r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")];
+    const MeterSetReading& set = r.meter_sets[index_of(r, r.meter_set_ids, sensor, "meter set")];
     check_source(r, source);
     copy_readings(set.separated[source], out, count);
   });
@@ -221,7 +226,7 @@ ups_status ups_result_read_source_meters(const ups_result* result, uint32_t sour
 ups_status ups_result_get_meter_statistics(const ups_result* result, ups_sensor_id sensor, ups_meter_statistics* out) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
-    write_info(out, r.meter_sets[index_of(r.meter_set_ids, sensor, "meter set")].statistics, "out");
+    write_info(out, r.meter_sets[index_of(r, r.meter_set_ids, sensor, "meter set")].statistics, "out");
   });
 }
 
@@ -245,7 +250,7 @@ ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor
                                             size_t c_count, float* gamma_deg, size_t gamma_count) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
-    const Goniometer& g = r.scene->goniometers[index_of(r.goniometer_ids, sensor, "goniometer")];
+    const Goniometer& g = r.scene->goniometers[index_of(r, r.goniometer_ids, sensor, "goniometer")];
     require(c_deg, "c_deg");
     require(gamma_deg, "gamma_deg");
     if (c_count != g.c_deg().size() || gamma_count != g.gamma_deg().size())
@@ -261,7 +266,7 @@ ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor
 ups_status ups_result_get_goniometer_profile(const ups_result* result, ups_sensor_id sensor, ups_profile** out) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
-    const size_t index = index_of(r.goniometer_ids, sensor, "goniometer");
+    const size_t index = index_of(r, r.goniometer_ids, sensor, "goniometer");
     require(out, "out");
     const GoniometerReading& reading = r.goniometers[index];
     const Snapshot& scene = *r.scene;
@@ -274,7 +279,7 @@ ups_status ups_result_get_goniometer_profile(const ups_result* result, ups_senso
     data.rated_flux_lm = photometry::shorter(float(reading.info.emitted_flux_lm));
     data.format = "virtual goniophotometer";
     data.file_generation = 1.0001;  // LM-63-2019: a computer simulation
-    *out = new ups_profile{std::make_shared<const photometry::Photometry>(std::move(data))};
+    *out = new ups_profile{.data = std::make_shared<const photometry::Photometry>(std::move(data))};
   });
 }
 
@@ -329,4 +334,4 @@ ups_status ups_result_get_text(const ups_result* result, ups_result_text topic, 
   return guard(__func__, [&] { copy_text(text_of(data_of(result), topic), text, capacity, needed); });
 }
 
-void ups_result_destroy(ups_result* result) { delete result; }
+void ups_result_destroy(ups_result* result) { destroy(result); }

@@ -116,7 +116,7 @@ ups_status ups_scene_create(ups_context* context, ups_scene** out) {
   });
 }
 
-void ups_scene_destroy(ups_scene* scene) { delete scene; }
+void ups_scene_destroy(ups_scene* scene) { destroy(scene); }
 
 ups_status ups_scene_add_texture(ups_scene* scene, const ups_texture_desc* desc, ups_texture_id* out) {
   return add(__func__, scene, desc, &ups_texture_desc_init, out,
@@ -181,9 +181,7 @@ ups_status ups_scene_remove_sensor(ups_scene* scene, ups_sensor_id id) {
 ups_status ups_scene_commit(ups_scene* scene) {
   return guard(__func__, [&] {
     ups_scene& s = require(scene, "scene");
-    std::shared_ptr<const Snapshot> snapshot;
-    ThreadPool& pool = *s.context->pool;
-    pool.for_blocks(1, 1, [&](size_t, size_t, size_t) { snapshot = prepare(s.description, pool.thread_count()); });
+    std::shared_ptr<const Snapshot> snapshot = prepare(s.description, *s.context->pool);
     MethodChoice method = choose_method(*snapshot, {.method = UPS_METHOD_AUTO});
     for (const std::string& warning : snapshot->warnings) s.context->log(UPS_LOG_WARNING, "scene: " + warning);
     s.snapshot = std::move(snapshot);

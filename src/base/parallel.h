@@ -1,73 +1,72 @@
-// Threads: oneTBB's arena of a context. Work is cut into blocks of fixed size, so results keyed by block do not depend
-// on the number of threads.
+// Threads of a context. Work is cut into blocks of fixed size, so results keyed by block do not depend on the number of
+// threads. A loop takes no memory, so none can fail for the want of it.
 #pragma once
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include <algorithm>
+#include <condition_variable>
 #include <cstddef>
-#ifdef __SANITIZE_THREAD__
-#include <atomic>
-#include <exception>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
-#endif
 
 namespace ups {
 
-#ifdef __SANITIZE_THREAD__
-// oneTBB is built without the thread sanitizer, which so cannot see that tasks begin after the call that starts them
-// and end before it returns. Threads of our own, which it can follow, stand in for it. Items are not ordered among
-// themselves, so races between them show.
-template <class Body, class... Partitioner>
-void parallel_for(int threads, size_t count, const Body& body, const Partitioner&...) {
-  std::atomic<size_t> next{0};
-  std::mutex mutex;
-  std::exception_ptr error;
-  const auto work = [&] {
-    try {
-      for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) body(i);
-    } catch (...) {
-      next.store(count, std::memory_order_relaxed);
-      const std::lock_guard lock(mutex);
-      if (!error) error = std::current_exception();
-    }
-  };
-  std::vector<std::thread> others;
-  for (size_t t = 1; t < std::min(count, size_t(threads)); ++t) others.emplace_back(work);
-  work();
-  for (std::thread& t : others) t.join();
-  if (error) std::rethrow_exception(error);
-}
-#else
-// body(i) for every i below count, in any order, on the threads of the arena this is called in.
-template <class Body, class... Partitioner>
-void parallel_for(int, size_t count, const Body& body, const Partitioner&... partitioner) {
-  tbb::parallel_for(size_t(0), count, body, partitioner...);
-}
-#endif
-
 class ThreadPool {
  public:
-  explicit ThreadPool(int thread_count)
-      : count_(thread_count > 0 ? thread_count : tbb::this_task_arena::max_concurrency()), arena_(count_) {}
+  // The thread that calls counts as one of them. 0: as many as there are processors.
+  explicit ThreadPool(int thread_count);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
   int thread_count() const { return count_; }
-  // body(block, begin, end) for every block of `grain` items; blocks run in any order.
+
+  // body(block, begin, end) for every block of `grain` items; blocks run in any order. Where one throws, those that no
+  // thread has begun are left out and one of the exceptions is thrown on.
   template <class Body>
   void for_blocks(size_t count, size_t grain, const Body& body) {
-    const size_t blocks = (count + grain - 1) / grain;
-    const auto run = [&](size_t b) { body(b, b * grain, std::min(count, (b + 1) * grain)); };
-#ifdef __SANITIZE_THREAD__
-    parallel_for(count_, blocks, run);
-#else
-    arena_.execute([&] { parallel_for(count_, blocks, run, tbb::simple_partitioner{}); });
-#endif
+    const auto block = [&](size_t b) { body(b, b * grain, (b + 1) * grain < count ? (b + 1) * grain : count); };
+    run((count + grain - 1) / grain, Call(block));
+  }
+  // body() on the calling thread or another, with the others there for the tasks of oneTBB that it makes: for Embree,
+  // which builds with them. oneTBB's own threads stay out: they come when it pleases, by allocations that may fail.
+  template <class Body>
+  void run_tasks(const Body& body) {
+    const auto once = [&](size_t) { body(); };
+    run_tasks(Call(once));
   }
 
  private:
-  int count_;
-  tbb::task_arena arena_;
+  // What a loop calls with each index; refers to its argument.
+  struct Call {
+    template <class Body>
+    explicit Call(const Body& body)
+        : body_(&body), call_([](const void* b, size_t i) { (*static_cast<const Body*>(b))(i); }) {}
+    void operator()(size_t i) const { call_(body_, i); }
+
+   private:
+    const void* body_;
+    void (*call_)(const void*, size_t);
+  };
+  struct Loop;
+  struct TaskArena;
+  void run(size_t count, Call body);
+  void run_tasks(Call body);
+  void take_part(Loop& loop);
+  void work();
+  void end_workers();
+
+  const int count_;
+  std::mutex mutex_;  // guards what follows, and the loops
+  std::condition_variable wake_, left_;
+  Loop* first_ = nullptr;  // open loops, oldest first
+  bool ending_ = false;
+  std::unique_ptr<TaskArena> arena_;
+  std::vector<std::thread> workers_;
 };
+
+// body(i) for every i below count, in any order.
+template <class Body>
+void parallel_for(ThreadPool& pool, size_t count, const Body& body) {
+  pool.for_blocks(count, 1, [&](size_t i, size_t, size_t) { body(i); });
+}
 
 }  // namespace ups

@@ -62,8 +62,9 @@ Position alpha_position(float alpha) {
 }
 Position ior_position(float ior) {
   static const float a = ior_coordinate(min_ior), b = ior_coordinate(max_ior);
-  thread_local float last = 0;
-  thread_local Position found{};
+  // Of the kind that needs no memory at a thread's first use, which would end the process where there is none.
+  [[gnu::tls_model("initial-exec")]] thread_local float last = 0;
+  [[gnu::tls_model("initial-exec")]] thread_local Position found{};
   if (ior != last) {
     found = position((ior_coordinate(std::max(ior, min_ior)) - a) / (b - a), ior_count);
     last = ior;

@@ -16,7 +16,7 @@ bool is_smooth(float alpha, float ior) { return alpha * std::min(1.0f, 2 * (ior 
 
 void prepare(BsdfParameters& p) {
   if (!(p.alpha > 0)) return;
-  const float ior = p.material->ior, outside = dielectric_missing_average(p.alpha, ior, false);
+  const float ior = p.ior, outside = dielectric_missing_average(p.alpha, ior, false);
   const float inside = dielectric_missing_average(p.alpha, ior, true);
   const float crossing = 1 - diffuse_fresnel_reflectance(ior);  // from outside; from inside 1 / ior^2 of it
   p.missing_norm[0] = 1 / (pi * outside);
@@ -27,7 +27,7 @@ void prepare(BsdfParameters& p) {
 
 Scattering evaluate(const BsdfParameters& p, const Vec3& wo_, const Vec3& wi_) {
   if (!(p.alpha > 0)) return {};
-  const float ior = p.material->ior, alpha = p.alpha, sign = wo_.z > 0 ? 1.0f : -1.0f;
+  const float ior = p.ior, alpha = p.alpha, sign = wo_.z > 0 ? 1.0f : -1.0f;
   const bool inside_o = wo_.z < 0, inside_i = wi_.z < 0, reflected = inside_o == inside_i;
   const float eta = reflected ? 1.0f : inside_o ? 1 / ior : ior;  // n_i / n_o
   const float cos_o = std::abs(wo_.z), cos_i = std::abs(wi_.z);
@@ -73,7 +73,7 @@ Scattering evaluate(const BsdfParameters& p, const Vec3& wo_, const Vec3& wi_) {
 namespace {
 
 Sampled sample_smooth(const BsdfParameters& p, const Vec3& wo, float u_lobe, TransportMode mode, BsdfSample& out) {
-  const float eta = wo.z > 0 ? p.material->ior : 1 / p.material->ior, cos_o = std::abs(wo.z);
+  const float eta = wo.z > 0 ? p.ior : 1 / p.ior, cos_o = std::abs(wo.z);
   const float fresnel = fresnel_dielectric(cos_o, eta);
   if (u_lobe < fresnel) return mirrored(wo, Rgb(1.0f), fresnel, out);
   const float cos_i = refracted_cosine(cos_o, eta);
@@ -89,7 +89,7 @@ Sampled sample_smooth(const BsdfParameters& p, const Vec3& wo, float u_lobe, Tra
 
 // Relative to wo's side: z > 0 there.
 bool sample_rough(const BsdfParameters& p, const Vec3& wo, bool inside, float u_lobe, const Vec2& u, Vec3& wi) {
-  const float ior = p.material->ior, missing = dielectric_missing(wo.z, p.alpha, ior, inside);
+  const float ior = p.ior, missing = dielectric_missing(wo.z, p.alpha, ior, inside);
   if (u_lobe < missing) {
     wi = sample_missing_lobe(p.alpha, u);
     if (stretch(u_lobe, 0, missing) >= p.missing_reflected[inside]) wi.z = -wi.z;

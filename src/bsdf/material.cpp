@@ -21,9 +21,12 @@ Rgb pane_passage(const Material& m) {
           glazing::internal_transmittance(m.transmittance.b, m.ior)};
 }
 
-bool is_interface_smooth(const Material& m, float alpha) {
-  return m.model == MaterialModel::glass ? glass::is_smooth(alpha, m.ior) : alpha < min_alpha;
+bool is_interface_smooth(const Material& m, float alpha, float ior) {
+  return m.model == MaterialModel::glass ? glass::is_smooth(alpha, ior) : alpha < min_alpha;
 }
+
+// With the denser side behind. As a function of its own inverse it brings a result back, too.
+Vec3 turned(const BsdfParameters& p, const Vec3& w) { return p.flipped ? Vec3{w.x, w.y, -w.z} : w; }
 
 Scattering evaluate_model(const BsdfParameters& p, const Vec3& wo, const Vec3& wi) {
   if (grazing(wo) || grazing(wi)) return {};
@@ -35,7 +38,7 @@ Scattering evaluate_model(const BsdfParameters& p, const Vec3& wo, const Vec3& w
     case MaterialModel::metal:
       return glossy::evaluate(p, wo, wi);
     case MaterialModel::glass:
-      return glass::evaluate(p, wo, wi);
+      return glass::evaluate(p, turned(p, wo), turned(p, wi));
     case MaterialModel::glazing:
     case MaterialModel::mirror:
       break;
@@ -52,8 +55,11 @@ Sampled sample_model(const BsdfParameters& p, const Vec3& wo, float u_lobe, cons
     case MaterialModel::plastic:
     case MaterialModel::metal:
       return glossy::sample(p, wo, u_lobe, u, out);
-    case MaterialModel::glass:
-      return glass::sample(p, wo, u_lobe, u, mode, out);
+    case MaterialModel::glass: {
+      const Sampled sampled = glass::sample(p, turned(p, wo), u_lobe, u, mode, out);
+      out.wi = turned(p, out.wi);
+      return sampled;
+    }
     case MaterialModel::glazing:
       return glazing::sample(p, wo, u_lobe, out);
     case MaterialModel::mirror:
@@ -65,15 +71,15 @@ Sampled sample_model(const BsdfParameters& p, const Vec3& wo, float u_lobe, cons
 // Importance is carried unchanged through a refraction, radiance changes with n^2 (Veach 1997, 5.2).
 float radiance_scale(const BsdfParameters& p, const Vec3& wo, const Vec3& wi, TransportMode mode) {
   if (mode != TransportMode::radiance || p.material->model != MaterialModel::glass || wo.z * wi.z > 0) return 1;
-  const float n2 = p.material->ior * p.material->ior;
-  return wo.z > 0 ? 1 / n2 : n2;
+  const float n2 = p.ior * p.ior;
+  return turned(p, wo).z > 0 ? 1 / n2 : n2;
 }
 
 }  // namespace
 
 static_assert(std::is_trivially_copyable_v<Bsdf> && sizeof(Bsdf) <= 128);
 
-Bsdf::Bsdf(const Material& m, const Vec2& uv) {
+Bsdf::Bsdf(const Material& m, const Vec2& uv, float relative_ior) {
   p_.material = &m;
   p_.reflectance = unit(m.reflectance_texture ? m.reflectance * m.reflectance_texture->rgb(uv) : m.reflectance);
   p_.metallic = m.model == MaterialModel::metal ? 1 : 0;
@@ -96,7 +102,11 @@ Bsdf::Bsdf(const Material& m, const Vec2& uv) {
   }
   const float roughness = unit(m.roughness_texture ? m.roughness * m.roughness_texture->first(uv) : m.roughness);
   const float alpha = roughness * roughness;
-  p_.alpha = is_interface_smooth(m, alpha) ? 0 : alpha;
+  if (m.model == MaterialModel::glass) {
+    p_.flipped = relative_ior < 1;
+    p_.ior = p_.flipped ? 1 / relative_ior : relative_ior;
+  }
+  p_.alpha = is_interface_smooth(m, alpha, p_.ior) ? 0 : alpha;
   if (m.model == MaterialModel::glass)
     glass::prepare(p_);
   else
@@ -155,7 +165,7 @@ bool Bsdf::sample(const Vec3& wo, float u_lobe, const Vec2& u, TransportMode mod
   if (sampled != Sampled::direction) return sampled == Sampled::delta;
   const Vec3 wi = out.wi;
   const Scattering s = evaluate_model(p_, wo, wi);
-  if (!(s.pdf > 0)) return false;
+  if (s.pdf <= 0) return false;  // a density that is no number makes a weight that is none, which the walks count
   out = {wi, s.value * (radiance_scale(p_, wo, wi, mode) / s.pdf), s.pdf, s.pdf_reverse};
   out.transmitted = wo.z * wi.z < 0;
   return true;
@@ -178,8 +188,8 @@ AlphaRange alpha_range(const Material& m) {
 // The GGX lobe of a plastic, metal or glass.
 void add_interface(const Material& m, MaterialTraits& t) {
   const AlphaRange alpha = alpha_range(m);
-  t.delta = is_interface_smooth(m, alpha.smallest);
-  if (is_interface_smooth(m, alpha.largest)) return;
+  t.delta = is_interface_smooth(m, alpha.smallest, m.ior);
+  if (is_interface_smooth(m, alpha.largest, m.ior)) return;
   t.continuous = true;
   t.glossy = alpha.smallest < default_glossy_alpha;
 }

@@ -1,6 +1,8 @@
 // A material as the scene holds it, and the Bsdf built from it at one surface point.
 // Material is immutable after commit; Bsdf is a small value on the stack of a walk.
 #pragma once
+#include <cstdint>
+
 #include "bsdf/bsdf.h"
 #include "geometry/texture.h"
 
@@ -14,6 +16,7 @@ struct Material {
   float roughness = 0, ior = 1.5f, metallic = 0;
   Rgb ior_rgb{0.0f}, ior_k_rgb{0.0f};  // metal; all k 0: reflectance is F0
   Rgb absorption_per_m{0.0f};          // glass
+  int32_t priority = 0;                // glass: the higher one counts where solids overlap
   const Texture* reflectance_texture = nullptr;
   const Texture* roughness_texture = nullptr;
   const Texture* metallic_texture = nullptr;
@@ -39,6 +42,8 @@ struct BsdfParameters {
   Rgb transmittance;  // diffuser; glazing: of one passage through the pane at normal incidence
   float alpha = 0;    // of the interface; 0: smooth, its lobe is a delta lobe
   float metallic = 0;
+  float ior = 1;         // glass: of the denser side over the other one, so at least 1
+  bool flipped = false;  // glass: the denser side is in front
   // Lobes that close the energy balance of a rough interface, see bsdf/albedo.h.
   Rgb base, multiple;                   // share of the diffuse base; of light scattered repeatedly by metal
   float base_norm = 0;                  // 1 / (pi (1 - mean albedo of the coat))
@@ -50,7 +55,9 @@ struct BsdfParameters {
 // is coat + reflectance * (1 - coat).
 class Bsdf {
  public:
-  Bsdf(const Material& material, const Vec2& uv);
+  Bsdf(const Material& material, const Vec2& uv) : Bsdf(material, uv, material.ior) {}
+  // relative_ior: of what lies behind a surface of glass over what lies in front of it. Others do not read it.
+  Bsdf(const Material& material, const Vec2& uv, float relative_ior);
 
   bool has_delta() const;       // some lobe can only be sampled
   bool has_continuous() const;  // eval() is not always 0: the point can be connected to and merged at

@@ -24,7 +24,7 @@ Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi);
 Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, const Vec2& u, BsdfSample& out);
 }  // namespace glossy
 
-namespace glass {  // solid dielectric; wo.z > 0 is outside
+namespace glass {  // solid dielectric; wo.z > 0 is on the thin side
 bool is_smooth(float alpha, float ior);
 void prepare(BsdfParameters& p);
 Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi);

@@ -45,6 +45,7 @@ struct Query {
   Vec3d o, d;
   float tmax;
   std::vector<Crossing>* out;
+  bool out_of_memory = false;
 };
 
 void bounds(const RTCBoundsFunctionArguments* args) {
@@ -61,9 +62,14 @@ void bounds(const RTCBoundsFunctionArguments* args) {
 // Leaves the ray as it is, so that Embree goes on to the next disc.
 void collect(const RTCOccludedFunctionNArguments* args) {
   const Disc& disc = static_cast<const Disc*>(args->geometryUserPtr)[args->primID];
-  const Query& query = *reinterpret_cast<const Query*>(args->context);
+  Query& query = *reinterpret_cast<Query*>(args->context);
   float t;
-  if (cross(disc, query.o, query.d, query.tmax, t)) query.out->push_back({args->primID, t});
+  if (!cross(disc, query.o, query.d, query.tmax, t)) return;
+  try {
+    query.out->push_back({args->primID, t});
+  } catch (...) {  // must not pass through Embree, which would keep it to itself
+    query.out_of_memory = true;
+  }
 }
 
 }  // namespace
@@ -74,7 +80,7 @@ struct DiscIndex::Impl {
   std::unique_ptr<embree::Scene> scene;
 };
 
-DiscIndex::DiscIndex(std::vector<Disc> discs, int thread_count) : impl_(std::make_unique<Impl>()) {
+DiscIndex::DiscIndex(std::vector<Disc> discs, ThreadPool& pool) : impl_(std::make_unique<Impl>()) {
   impl_->discs = std::move(discs);
   if (impl_->discs.size() <= brute_force_count) return;
   impl_->device = std::make_unique<embree::Device>();
@@ -86,8 +92,7 @@ DiscIndex::DiscIndex(std::vector<Disc> discs, int thread_count) : impl_(std::mak
   rtcSetGeometryBoundsFunction(geometry, &bounds, nullptr);
   rtcSetGeometryOccludedFunction(geometry, &collect);
   impl_->scene->attach(geometry, 0);
-  tbb::task_arena arena(thread_count > 0 ? thread_count : tbb::task_arena::automatic);
-  impl_->scene->commit(arena);
+  impl_->scene->commit(pool);
 }
 
 DiscIndex::~DiscIndex() = default;
@@ -105,10 +110,10 @@ void DiscIndex::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
   }
   const size_t first = out.size();
   Query query;
-  embree::init(query.context);
   query.o = Vec3d(o), query.d = Vec3d(d), query.tmax = tmax, query.out = &out;
   RTCRay ray = embree::make_ray(o, d, tmax);
   embree::occluded(*impl_->scene, query.context, ray);
+  if (query.out_of_memory) throw std::bad_alloc();
   // A disc may be offered twice where the index split its box; its crossing is the same both times.
   const auto begin = out.begin() + ptrdiff_t(first);
   std::sort(begin, out.end(), [](const Crossing& a, const Crossing& b) { return a.disc < b.disc; });

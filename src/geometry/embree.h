@@ -11,19 +11,33 @@
 #else
 #include <embree3/rtcore.h>
 #endif
-#include <tbb/task_arena.h>
-
+#include <cstdio>
 #include <mutex>
 #include <string>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/vec.h"
 
 namespace ups::embree {
 
 #if UPS_EMBREE_MAJOR >= 4
-using QueryContext = RTCRayQueryContext;
-inline void init(QueryContext& context) { rtcInitRayQueryContext(&context); }
+using PlainContext = RTCRayQueryContext;
+inline void init(PlainContext& context) { rtcInitRayQueryContext(&context); }
+#else
+using PlainContext = RTCIntersectContext;
+inline void init(PlainContext& context) { rtcInitIntersectContext(&context); }
+#endif
+// Every query of this folder has one. User geometry must call the filter of its query itself.
+struct QueryContext : PlainContext {
+  RTCFilterFunctionN filter_of_all = nullptr;
+  QueryContext() { init(*this); }
+};
+inline RTCFilterFunctionN filter_of(const PlainContext* context) {
+  return static_cast<const QueryContext*>(context)->filter_of_all;
+}
+
+#if UPS_EMBREE_MAJOR >= 4
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
@@ -36,11 +50,24 @@ inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) {
   arguments.context = &context;
   rtcOccluded1(scene, &ray, &arguments);
 }
+inline constexpr int with_query_filters = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+// `filter` sees every hit of every geometry, after the geometry's own filter; it finds the context as args->context.
+inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray, RTCFilterFunctionN filter) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  arguments.filter = context.filter_of_all = filter;
+  arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  rtcIntersect1(scene, &ray, &arguments);
+}
 #else
-using QueryContext = RTCIntersectContext;
-inline void init(QueryContext& context) { rtcInitIntersectContext(&context); }
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
 inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
+inline constexpr int with_query_filters = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray, RTCFilterFunctionN filter) {
+  context.filter = context.filter_of_all = filter;
+  rtcIntersect1(scene, &context, &ray);
+}
 #endif
 
 inline RTCRay make_ray(const Vec3& o, const Vec3& d, float tmax) {
@@ -55,8 +82,11 @@ inline RTCRay make_ray(const Vec3& o, const Vec3& d, float tmax) {
 class Device {
  public:
   Device() : device_(rtcNewDevice(nullptr)) {
-    if (!device_)
-      throw Error(UPS_ERROR_INTERNAL, "Embree: no device, error " + std::to_string(rtcGetDeviceError(nullptr)));
+    if (!device_) {
+      const RTCError code = rtcGetDeviceError(nullptr);
+      if (code == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+      throw Error(UPS_ERROR_INTERNAL, "Embree: no device, error " + std::to_string(code));
+    }
     rtcSetDeviceErrorFunction(device_, &Device::on_error, this);
   }
   ~Device() { rtcReleaseDevice(device_); }
@@ -68,7 +98,7 @@ class Device {
     const std::lock_guard lock(mutex_);
     if (code_ == RTC_ERROR_NONE) return;
     const ups_status status = code_ == RTC_ERROR_OUT_OF_MEMORY ? UPS_ERROR_OUT_OF_MEMORY : UPS_ERROR_INTERNAL;
-    throw Error(status, "Embree: " + message_);
+    throw Error(status, std::string("Embree: ") + message_);
   }
 
  private:
@@ -77,20 +107,22 @@ class Device {
     const std::lock_guard lock(device.mutex_);
     if (device.code_ != RTC_ERROR_NONE) return;
     device.code_ = code;
-    device.message_ = text ? text : "unknown error";
+    std::snprintf(device.message_, sizeof device.message_, "%s", text ? text : "unknown error");
   }
   RTCDevice device_;
   std::mutex mutex_;
   RTCError code_ = RTC_ERROR_NONE;
-  std::string message_;
+  char message_[256] = "";  // no string: Embree may be calling because memory is exhausted
 };
 
-// Owns a scene. Robust: rays do not slip between triangles that share an edge.
+// Owns a scene. Robust: rays do not slip between triangles that share an edge. query_filters: for intersect() with a
+// filter; other queries are a little slower then.
 class Scene {
  public:
-  explicit Scene(Device& device) : device_(&device), scene_(rtcNewScene(device)) {
+  explicit Scene(Device& device, bool query_filters = false) : device_(&device), scene_(rtcNewScene(device)) {
     device.check();
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene_, query_filters ? RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | with_query_filters)
+                                           : RTC_SCENE_FLAG_ROBUST);
   }
   ~Scene() { rtcReleaseScene(scene_); }
   Scene(const Scene&) = delete;
@@ -105,8 +137,8 @@ class Scene {
     device_->check();
   }
   // Embree builds in the arena of its caller: a device's own thread setting would change the whole process.
-  void commit(tbb::task_arena& arena) {
-    arena.execute([&] { rtcCommitScene(scene_); });
+  void commit(ThreadPool& pool) {
+    pool.run_tasks([&] { rtcCommitScene(scene_); });
     device_->check();
   }
 

@@ -2,9 +2,12 @@
 // bound come from here, so that both walks of a path see the same point. Called by transport and by scene/prepare.
 #include "geometry/raytracer.h"
 
+#include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
+#include "base/per_thread.h"
 #include "geometry/box.h"
 #include "geometry/traced_mesh.h"
 
@@ -25,6 +28,16 @@ Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, float u, float v) 
 }
 
 // ---- building ----
+
+// Points whose hull holds the surface.
+template <class Visit>
+void each_extreme(const Mesh& mesh, const Visit& visit) {
+  for (const Vec3& p : mesh.positions) visit(Vec3d(p));
+  if (!mesh.revolution) return;
+  for (const RevolutionBand& band : mesh.revolution->bands)
+    for (uint32_t column = 0; column < mesh.revolution->columns; ++column)
+      for (const Vec3d& p : hull(*mesh.revolution, band, column, mesh.revolution->columns).p) visit(p);
+}
 
 // Largest over smallest stretch, at most: product of the Frobenius norms of the matrix and its inverse.
 double stretch(const Affine& m) {
@@ -55,6 +68,12 @@ std::vector<bool> choose_baked(const std::vector<Raytracer::Instance>& instances
 
 }  // namespace
 
+Box bounding_box(const Mesh& mesh) {
+  Box box;
+  each_extreme(mesh, [&](const Vec3d& p) { box.grow(p); });
+  return box;
+}
+
 struct Raytracer::Impl {
   struct Placed {
     uint32_t traced;  // index
@@ -80,8 +99,8 @@ struct Raytracer::Impl {
   }
   void grow_bounds(const Placed& instance, const Box& mesh_box) {
     if (bounds.holds(mesh_box.transformed(instance.to_scene))) return;
-    const std::vector<Vec3>& positions = traced[instance.traced]->source->positions;
-    for (const Vec3& p : positions) bounds.grow(Vec3d(Vec3(instance.to_scene.point(Vec3d(p)))));
+    each_extreme(*traced[instance.traced]->source,
+                 [&](const Vec3d& p) { bounds.grow(Vec3d(Vec3(instance.to_scene.point(p)))); });
   }
   void place_baked(const Mesh& mesh, uint32_t id, Placed instance) {
     instance.traced = uint32_t(traced.size());
@@ -122,19 +141,18 @@ struct Raytracer::Impl {
     hit.u = float(weights[1] / sum);
     hit.v = float(weights[2] / sum);
   }
+  Hit to_hit(const RTCHit& hit, float t, const Vec3& o, const Vec3& d) const;
   bool normal_at(const Placed& instance, const SurfacePoint& point, const Triangle& triangle, Vec3& out) const;
 };
 
 Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-                     const std::vector<SurfaceTexturing>& texturing, int thread_count)
+                     const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, bool finds_all)
     : impl_(std::make_unique<Impl>()) {
   Impl& impl = *impl_;
   impl.texturing = &texturing;
-  impl.top = std::make_unique<embree::Scene>(impl.device);
-  tbb::task_arena arena(thread_count > 0 ? thread_count : tbb::task_arena::automatic);
-  std::vector<Box> boxes(meshes.size());
-  for (size_t i = 0; i < meshes.size(); ++i)
-    for (const Vec3& p : meshes[i]->positions) boxes[i].grow(Vec3d(p));
+  impl.top = std::make_unique<embree::Scene>(impl.device, finds_all);
+  std::vector<Box> boxes;
+  for (const auto& mesh : meshes) boxes.push_back(bounding_box(*mesh));
   const std::vector<bool> baked = choose_baked(instances, boxes);
   std::vector<std::pair<RTCScene, uint32_t>> shared(meshes.size());  // a mesh's own scene, and its index in traced
   for (size_t i = 0; i < instances.size(); ++i) {
@@ -150,9 +168,9 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
       if (!scene) {
         index = uint32_t(impl.traced.size());
         impl.traced.push_back(make_traced_mesh(mesh, texturing, nullptr));
-        impl.instanced.push_back(std::make_unique<embree::Scene>(impl.device));
+        impl.instanced.push_back(std::make_unique<embree::Scene>(impl.device, finds_all));
         attach(impl.device, *impl.instanced.back(), *impl.traced.back(), 0);
-        impl.instanced.back()->commit(arena);
+        impl.instanced.back()->commit(pool);
         scene = *impl.instanced.back();
       }
       impl.place_instanced(scene, index, uint32_t(i), placed);
@@ -160,34 +178,83 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
     impl.grow_bounds(impl.placed.back(), boxes[instance.mesh]);
     impl.triangles += mesh.triangle_count();
   }
-  impl.top->commit(arena);
+  impl.top->commit(pool);
 }
 
 Raytracer::~Raytracer() = default;
 
 // ---- rays ----
 
+Hit Raytracer::Impl::to_hit(const RTCHit& from, float t, const Vec3& o, const Vec3& d) const {
+  const bool baked = from.instID[0] == RTC_INVALID_GEOMETRY_ID;
+  Hit hit;
+  hit.t = t;
+  hit.instance = baked ? from.geomID : from.instID[0];
+  hit.primitive = traced[placed[hit.instance].traced]->primitive(from.primID);
+  hit.u = from.u;
+  hit.v = from.v;
+  refine(o, d, hit);
+  return hit;
+}
+
 bool Raytracer::intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) const {
   embree::QueryContext context;
-  embree::init(context);
   RTCRayHit query;
   query.ray = embree::make_ray(o, d, tmax);
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(*impl_->top, context, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  const bool baked = query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
-  hit.t = query.ray.tfar;
-  hit.instance = baked ? query.hit.geomID : query.hit.instID[0];
-  hit.primitive = impl_->traced[impl_->placed[hit.instance].traced]->primitive(query.hit.primID);
-  hit.u = query.hit.u;
-  hit.v = query.hit.v;
-  impl_->refine(o, d, hit);
+  hit = impl_->to_hit(query.hit, query.ray.tfar, o, d);
   return true;
+}
+
+namespace {
+
+struct AllHits {
+  embree::QueryContext context;  // first: Embree hands back a pointer to it
+  std::vector<std::pair<RTCHit, float>> found;
+  bool out_of_memory;
+};
+
+// Rejects what it notes, so that Embree goes on to the next.
+void note_hit(const RTCFilterFunctionNArguments* args) {
+  if (args->valid[0] != -1) return;
+  AllHits& all = *reinterpret_cast<AllHits*>(args->context);
+  try {
+    all.found.emplace_back(*reinterpret_cast<const RTCHit*>(args->hit),
+                           reinterpret_cast<const RTCRay*>(args->ray)->tfar);
+  } catch (...) {  // must not pass through Embree, which would keep it to itself
+    all.out_of_memory = true;
+  }
+  args->valid[0] = 0;
+}
+
+}  // namespace
+
+void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Hit>& out) const {
+  static const PerThread<AllHits> kept;
+  AllHits& all = kept.get();
+  all.context = {};
+  all.found.clear();
+  all.out_of_memory = false;
+  RTCRayHit query;
+  query.ray = embree::make_ray(o, d, tmax);
+  query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect(*impl_->top, all.context, query, &note_hit);
+  if (all.out_of_memory) throw std::bad_alloc();
+  const size_t first = out.size();
+  for (const auto& [hit, t] : all.found) out.push_back(impl_->to_hit(hit, t, o, d));
+  const auto order = [](const Hit& h) { return std::make_tuple(h.t, h.instance, h.primitive); };
+  std::sort(out.begin() + ptrdiff_t(first), out.end(),
+            [&](const Hit& a, const Hit& b) { return order(a) < order(b); });
+  // Each sector of a band finds all hits of it.
+  out.erase(std::unique(out.begin() + ptrdiff_t(first), out.end(),
+                        [&](const Hit& a, const Hit& b) { return order(a) == order(b); }),
+            out.end());
 }
 
 bool Raytracer::occluded(const Vec3& o, const Vec3& d, float tmax) const {
   embree::QueryContext context;
-  embree::init(context);
   RTCRay ray = embree::make_ray(o, d, tmax);
   embree::occluded(*impl_->top, context, ray);
   return ray.tfar < 0;
@@ -298,11 +365,20 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   point.u = u, point.v = v;
   point.material = mesh.material;
   point.uv = uv_at(mesh, primitive, u, v);
+  const float extent = max_abs(Vec3(triangle.at(u, v))) + float(std::sqrt(triangle.longest_edge2()));
+  point.error = gamma_error * (placed.error_scale * extent + placed.error_offset);
+  if (mesh.revolution) {
+    const RevolutionPoint at = point_at(*mesh.revolution, primitive, double(u), double(v), double(point.error));
+    const Vec3d n = placed.to_scene.normal(at.n) * placed.side;
+    const double size = length(n);
+    point.p = Vec3(placed.to_scene.point(at.p));
+    point.ng = size > 0 ? Vec3(n / size) : Vec3(0, 0, 1);
+    point.shading = Frame(point.ng);
+    return point;
+  }
   const Vec3d area_normal = triangle.area_normal() * placed.side;
   const double area = length(area_normal);
   point.ng = area > 0 ? Vec3(area_normal / area) : Vec3(0, 0, 1);
-  const float extent = max_abs(Vec3(triangle.at(u, v))) + float(std::sqrt(triangle.longest_edge2()));
-  point.error = gamma_error * (placed.error_scale * extent + placed.error_offset);
   point.p = Vec3(point_on(triangle, area, u, v, double(point.error)));
   Vec3 n = point.ng;
   impl_->normal_at(placed, point, triangle, n);

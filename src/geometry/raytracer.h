@@ -1,4 +1,4 @@
-// Triangle geometry and rays. Embree (3.13 or 4) stays within this folder's .cpp files, behind embree.h.
+// Triangles, surfaces of revolution, and rays. Embree (3.13 or 4) stays in this folder, behind embree.h.
 // Positions are floats relative to the scene's origin; the caller subtracts it in double before building.
 #pragma once
 #include <cstdint>
@@ -6,6 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel.h"
+#include "geometry/box.h"
+#include "geometry/revolution.h"
 #include "geometry/surface.h"
 #include "geometry/texture.h"
 
@@ -17,8 +20,11 @@ struct Mesh {  // object space
   std::vector<float> tangents;           // empty or 4 a vertex
   std::vector<uint32_t> indices;         // 3 a triangle
   uint32_t material = 0;
+  std::shared_ptr<const Revolution> revolution;  // where there is one it is traced; the triangles give the addresses
   size_t triangle_count() const { return indices.size() / 3; }
 };
+
+Box bounding_box(const Mesh& mesh);  // of its surface as it is traced
 
 // What the ray tracer must know of a material: holes and bumps.
 struct SurfaceTexturing {
@@ -36,9 +42,10 @@ class Raytracer {
     Affine to_scene;  // object to the scene's own origin
   };
   // The meshes and texturing must outlive the ray tracer. texturing is indexed by Mesh::material.
+  // finds_all: intersect_all() may be asked, which costs the others a little.
   // Throws Error (OUT_OF_MEMORY, INTERNAL with Embree's message).
   Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-            const std::vector<SurfaceTexturing>& texturing, int thread_count);
+            const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, bool finds_all = false);
   ~Raytracer();
   Raytracer(const Raytracer&) = delete;
   Raytracer& operator=(const Raytracer&) = delete;
@@ -46,6 +53,8 @@ class Raytracer {
   // Closest hit with 0 < t < tmax; d is unit. Safe from any thread.
   bool intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) const;
   bool occluded(const Vec3& o, const Vec3& d, float tmax) const;
+  // All hits with 0 < t < tmax, those of surfaces that lie on one another too; near ones first, then by instance.
+  void intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Hit>& out) const;
   SurfacePoint surface_at(const Hit& hit) const;
   // The same point from its address, for stored vertices.
   SurfacePoint surface_at(uint32_t instance, uint32_t primitive, float u, float v) const;
@@ -71,7 +80,7 @@ class DiscIndex {
     Vec3 center, normal;  // unit normal; (0, 0, 0) makes it a ball
     float radius;
   };
-  explicit DiscIndex(std::vector<Disc> discs, int thread_count);
+  explicit DiscIndex(std::vector<Disc> discs, ThreadPool& pool);
   ~DiscIndex();
   struct Crossing {
     uint32_t disc;

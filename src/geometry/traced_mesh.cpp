@@ -29,6 +29,17 @@ Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v) {
 
 namespace {
 
+Affine inverse(const Affine& m) {
+  const double det = m.determinant();
+  Affine out;
+  for (int r = 0; r < 3; ++r) {
+    const Vec3d row = cross(m.column((r + 1) % 3), m.column((r + 2) % 3)) / det;
+    out.m[4 * r] = row.x, out.m[4 * r + 1] = row.y, out.m[4 * r + 2] = row.z;
+    out.m[4 * r + 3] = -dot(row, m.column(3));
+  }
+  return out;
+}
+
 // A triangle lower than this share of its longest edge can be "hit" far from where it is (Embree issue 387).
 constexpr double thin_share = 1e-3;
 
@@ -111,11 +122,15 @@ std::unique_ptr<TracedMesh> make_traced_mesh(const Mesh& mesh, const std::vector
   traced->positions.reserve(mesh.positions.size() + 1);
   for (const Vec3& p : mesh.positions) traced->positions.push_back(bake ? Vec3(bake->point(Vec3d(p))) : p);
   traced->positions.emplace_back();
-  sort_out_triangles(*traced);
+  if (!mesh.revolution)
+    sort_out_triangles(*traced);
+  else if (bake)
+    traced->to_frame = *bake, traced->from_frame = inverse(*bake);
   return traced;
 }
 
 void attach(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id) {
+  if (mesh.source->revolution) return attach_revolution(device, scene, mesh, id);
   const std::vector<uint32_t>& indices = mesh.complete ? mesh.source->indices : mesh.indices;
   if (indices.empty()) return;
   RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);

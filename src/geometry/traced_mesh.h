@@ -1,5 +1,5 @@
 // A mesh as Embree holds it: vertices of one frame, triangles without area left out, and a filter for holes and for
-// false hits. Built and read by raytracer.cpp.
+// false hits; or a surface of revolution, which has neither (traced_revolution.cpp). Built and read by raytracer.cpp.
 #pragma once
 #include <memory>
 #include <vector>
@@ -30,6 +30,13 @@ struct TracedMesh {
   std::vector<uint32_t> indices;     // their vertices
   bool has_thin = false;             // some triangle is so thin that Embree's hits of it are checked
 
+  // Of a surface of revolution: from its own frame to Embree's and back, and what has a box of its own.
+  struct Piece {
+    uint32_t band, sector, sectors;
+  };
+  Affine to_frame, from_frame;
+  std::vector<Piece> pieces;
+
   uint32_t primitive(uint32_t embree_primitive) const {
     return complete ? embree_primitive : primitives[embree_primitive];
   }
@@ -48,5 +55,6 @@ std::unique_ptr<TracedMesh> make_traced_mesh(const Mesh& mesh, const std::vector
                                              const Affine* bake);
 // Embree reads the mesh's own buffers as long as the scene lives.
 void attach(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id);
+void attach_revolution(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id);
 
 }  // namespace ups

@@ -29,7 +29,7 @@ void FluxPass::trace_part(const StopSignal& stop, WorkCounts& counts) {
   Plan plan;
   plan.light_paths = paths_of_part_;
   IterationTally tally;
-  const SensorIndex no_sensors(scene_, plan, s, 0, 1);
+  const SensorIndex no_sensors(scene_, plan, s, 0, pool_);
   trace_light_paths({scene_, plan, s, done_, 0, done_, 1.0, 0.0, false, stop, Stream::flux}, no_sensors, pool_, tally);
   if (stop.is_set()) return;
   counts.add(tally.work);

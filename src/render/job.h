@@ -68,6 +68,7 @@ class RenderJob {
   MethodChoice method_;
   std::unique_ptr<Integrator> integrator_;
   StopSignal stop_;
+  double reading_s_ = 0;  // of the time limit, kept for reading what was found
   const Clock::time_point start_ = Clock::now();
   std::thread thread_;
 

@@ -1,11 +1,12 @@
-// The making of a snapshot from a description, for prepare.cpp (surfaces, sensors, media, warnings) and
-// prepare_sources.cpp (what emits).
+// The making of a snapshot from a description, for prepare.cpp (surfaces, sensors, media),
+// prepare_sources.cpp (what emits) and prepare_warnings.cpp.
 #pragma once
 #include <map>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "emitter/emitter.h"
 #include "emitter/rays.h"
 #include "scene/description.h"
@@ -35,8 +36,8 @@ void in_context(const std::string& name, const Build& build) {
 
 class Builder {
  public:
-  Builder(const Description& description, int thread_count)
-      : in_(description), threads_(thread_count), out_(std::make_shared<Snapshot>()) {}
+  Builder(const Description& description, ThreadPool& threads)
+      : in_(description), threads_(threads), out_(std::make_shared<Snapshot>()) {}
 
   std::shared_ptr<const Snapshot> build();
 
@@ -51,11 +52,16 @@ class Builder {
   float opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const;
   std::shared_ptr<const RaySet> rays_of(const LuminaireDescription& luminaire);
   void add_rays(const std::string& name, const LuminaireDescription& luminaire, const Rgb& scale);
-  bool add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe);
+  // size: of Snapshot::emitter_sizes.
+  bool add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe, float size = 0);
   void add_sensors();
   MeterSet make_meters(const MetersDescription& meters) const;
   void find_media();
   void add_warnings();
+  void warn_of_overlaps();
+  void warn_of_triangles();
+  void warn_of_swallowed_light();
+  void warn_of_unit();
 
   Affine to_scene(Affine m) const {
     m.m[3] -= out_->origin.x, m.m[7] -= out_->origin.y, m.m[11] -= out_->origin.z;
@@ -63,9 +69,14 @@ class Builder {
   }
   Vec3 to_scene(const Vec3d& p) const { return Vec3(p - out_->origin); }
   void warn(std::string text) { out_->warnings.push_back(std::move(text)); }
+  // Told once for all of a kind that share the text.
+  void warn_of(const char* noun, uint32_t id, const std::string& text) { shared_warnings_[{noun, text}].push_back(id); }
+  void warn_of(const Source& source, const std::string& text) {
+    warn_of(source.kind == UPS_SOURCE_INSTANCE ? "instance" : "luminaire", source.id, text);
+  }
 
   const Description& in_;
-  int threads_;
+  ThreadPool& threads_;
   std::shared_ptr<Snapshot> out_;
   std::vector<Raytracer::Instance> instances_;
   std::vector<uint32_t> instance_ids_;
@@ -73,7 +84,7 @@ class Builder {
   std::vector<Vec3> emitter_probes_;  // a point of each, off any surface
   std::vector<DiscIndex::Disc> openings_;
   std::map<const photometry::Photometry*, std::shared_ptr<const RaySet>> ray_sets_;  // one a profile
-  std::set<const photometry::Photometry*> told_profiles_;                            // whose warnings are told
+  std::map<std::pair<std::string, std::string>, std::vector<uint32_t>> shared_warnings_;  // ids by noun and text
 };
 
 }  // namespace ups

@@ -110,7 +110,7 @@ void Description::check_material_textures(const ups_material_desc& d) const {
   const auto share = [&](ups_texture_id id, const char* field) {  // of light: more than 1 would create energy
     const TextureDescription* t = find(id, field);
     check::require(!t || (t->min >= 0 && t->max <= 1 + 1e-6f),
-                   std::string(field) + ": texture id " + std::to_string(id.v) + " has texels from " +
+                   std::string(field) + ": texture id " + std::to_string(number_of(id.v)) + " has texels from " +
                        (t ? check::text(double(t->min)) + " to " + check::text(double(t->max)) : "") +
                        "; they must lie in [0, 1]");
   };
@@ -119,7 +119,8 @@ void Description::check_material_textures(const ups_material_desc& d) const {
   share(d.metallic_texture, "metallic_texture");
   find(d.alpha_texture, "alpha_texture");
   const TextureDescription* normal = find(d.normal_texture, "normal_texture");
-  check::require(!normal || normal->channels >= 3, "normal_texture: texture id " + std::to_string(d.normal_texture.v) +
+  check::require(!normal || normal->channels >= 3, "normal_texture: texture id " +
+                                                       std::to_string(number_of(d.normal_texture.v)) +
                                                        " has 1 channel; it must have 3 or 4");
 }
 
@@ -146,7 +147,7 @@ void Description::set_material(ups_material_id id, const ups_material_desc& d) {
   old = d;
 }
 
-ups_mesh_id Description::add_mesh(const ups_mesh_desc& d) {
+ups_mesh_id Description::add_mesh(const ups_mesh_desc& d, std::shared_ptr<const Revolution> revolution) {
   check_count(d.vertex_count, 1, 0xfffffffe, "vertex_count");
   check_count(d.triangle_count, 1, 0xfffffffe, "triangle_count");
   check::require(d.material.v != 0, "material is 0; a mesh needs one");
@@ -167,13 +168,14 @@ ups_mesh_id Description::add_mesh(const ups_mesh_desc& d) {
       fail_argument("indices: element " + std::to_string(i) + " is " + std::to_string(d.indices[i]) +
                     "; it must be below vertex_count, " + std::to_string(d.vertex_count));
   auto mesh = std::make_shared<Mesh>();
-  mesh->material = d.material.v - 1;
+  mesh->material = number_of(d.material.v) - 1;
   mesh->positions = read_vectors(positions);
   mesh->normals = read_vectors(normals);
   for (size_t i = 0; i < uvs.count; ++i) mesh->uvs.push_back({uvs.at(i)[0], uvs.at(i)[1]});
   for (size_t i = 0; i < tangents.count; ++i)
     mesh->tangents.insert(mesh->tangents.end(), tangents.at(i), tangents.at(i) + 4);
   mesh->indices.assign(d.indices, d.indices + index_count);
+  mesh->revolution = std::move(revolution);
   return {meshes_.add(std::move(mesh))};
 }
 
@@ -182,7 +184,7 @@ ups_instance_id Description::add_instance(const ups_instance_desc& d) {
   meshes_.get(d.mesh.v, "mesh: mesh");
   check::transform(d.to_world, "to_world");
   check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
-  return {instances_.add({d.mesh.v, to_affine(d.to_world), d.group})};
+  return {instances_.add({number_of(d.mesh.v), to_affine(d.to_world), d.group})};
 }
 
 void Description::set_transform(ups_instance_id id, const double (&to_world)[12]) {

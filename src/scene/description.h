@@ -2,52 +2,17 @@
 // API, read by scene/prepare.
 #pragma once
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
-#include "base/error.h"
 #include "geometry/raytracer.h"
 #include "photometry/photometry.h"
+#include "scene/ids.h"
 #include "ups/ups_scene.h"
 #include "ups/ups_sensor.h"
 
 namespace ups {
-
-// Things by id. Ids start at 1; one that was removed never comes back.
-template <class T>
-class IdTable {
- public:
-  uint32_t add(T item) {
-    if (items_.size() >= 0xfffffffe) throw Error(UPS_ERROR_OUT_OF_MEMORY, "a scene holds at most 2^32 - 2 of a kind");
-    items_.emplace_back(std::move(item));
-    return uint32_t(items_.size());
-  }
-  void remove(uint32_t id, const char* noun) {
-    get(id, noun);
-    items_[id - 1].reset();
-  }
-  const T& get(uint32_t id, const char* noun) const {
-    if (id == 0 || id > items_.size())
-      fail_argument(std::string(noun) + " id " + std::to_string(id) + " is not of this scene; it has ids 1 to " +
-                    std::to_string(items_.size()));
-    if (!items_[id - 1]) fail_argument(std::string(noun) + " id " + std::to_string(id) + " was removed");
-    return *items_[id - 1];
-  }
-  T& get(uint32_t id, const char* noun) { return const_cast<T&>(std::as_const(*this).get(id, noun)); }
-  // visit(id, item) in the order of ids.
-  template <class Visit>
-  void each(const Visit& visit) const {
-    for (size_t i = 0; i < items_.size(); ++i)
-      if (items_[i]) visit(uint32_t(i + 1), *items_[i]);
-  }
-  size_t size() const { return items_.size(); }  // the largest id
-
- private:
-  std::vector<std::optional<T>> items_;
-};
 
 struct TextureDescription {
   std::shared_ptr<const Texture> texture;
@@ -56,7 +21,7 @@ struct TextureDescription {
 };
 
 struct InstanceDescription {
-  uint32_t mesh;  // id
+  uint32_t mesh;  // number
   Affine to_world;
   uint32_t group;
 };
@@ -104,11 +69,15 @@ struct GoniometerDescription {
 
 class Description {
  public:
+  // Without a tag: a scene of its own that hands out no ids.
+  explicit Description(std::shared_ptr<const SceneTag> tag = nullptr) : tag_(std::move(tag)) {}
+  const std::shared_ptr<const SceneTag>& tag() const { return tag_; }
+
   // Each takes a whole desc (the API fills in what an older caller's lacks) and throws Error (INVALID_ARGUMENT) that
   // names the field and element.
   ups_texture_id add_texture(const ups_texture_desc& desc);
   ups_material_id add_material(const ups_material_desc& desc);
-  ups_mesh_id add_mesh(const ups_mesh_desc& desc);
+  ups_mesh_id add_mesh(const ups_mesh_desc& desc, std::shared_ptr<const Revolution> revolution = nullptr);
   ups_instance_id add_instance(const ups_instance_desc& desc);
   ups_luminaire_id add_light(const ups_light_desc& desc);
   ups_luminaire_id add_luminaire(const ups_luminaire_desc& desc, std::shared_ptr<const photometry::Photometry> profile);
@@ -125,7 +94,7 @@ class Description {
 
   const IdTable<TextureDescription>& textures() const { return textures_; }
   const IdTable<ups_material_desc>& materials() const { return materials_; }
-  const IdTable<std::shared_ptr<const Mesh>>& meshes() const { return meshes_; }  // Mesh::material is the id - 1
+  const IdTable<std::shared_ptr<const Mesh>>& meshes() const { return meshes_; }  // Mesh::material is the number - 1
   const IdTable<InstanceDescription>& instances() const { return instances_; }
   const IdTable<SourceDescription>& sources() const { return sources_; }
   using Sensor = std::variant<CameraDescription, MetersDescription, GoniometerDescription>;
@@ -135,12 +104,14 @@ class Description {
   void check_material(const ups_material_desc& desc) const;
   void check_material_textures(const ups_material_desc& desc) const;
 
-  IdTable<TextureDescription> textures_;
-  IdTable<ups_material_desc> materials_;
-  IdTable<std::shared_ptr<const Mesh>> meshes_;
-  IdTable<InstanceDescription> instances_;
-  IdTable<SourceDescription> sources_;
-  IdTable<Sensor> sensors_;
+  std::shared_ptr<const SceneTag> tag_;
+  uint32_t tag_bits_ = tag_ ? tag_->bits() : 0;
+  IdTable<TextureDescription> textures_{tag_bits_};
+  IdTable<ups_material_desc> materials_{tag_bits_};
+  IdTable<std::shared_ptr<const Mesh>> meshes_{tag_bits_};
+  IdTable<InstanceDescription> instances_{tag_bits_};
+  IdTable<SourceDescription> sources_{tag_bits_};
+  IdTable<Sensor> sensors_{tag_bits_};
 };
 
 }  // namespace ups

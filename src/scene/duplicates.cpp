@@ -20,7 +20,7 @@ uint64_t corner_key(const Vec3& p) {
 }  // namespace
 
 Duplicates find_duplicates(const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                           const std::vector<Raytracer::Instance>& instances) {
+                           const std::vector<Raytracer::Instance>& instances, const Media& media) {
   size_t total = 0;
   for (const auto& i : instances) total += meshes[i.mesh]->triangle_count();
   if (total > max_triangles) return {};
@@ -43,9 +43,15 @@ Duplicates find_duplicates(const std::vector<std::shared_ptr<const Mesh>>& meshe
     }
   }
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+  const auto is_solid = [&](uint32_t instance) {
+    const uint32_t medium = media.of_instance[instance];
+    return medium != none && !media.by_rank[medium].is_open();
+  };
+  const auto shared = [&](uint32_t a, uint32_t b) { return a != b && is_solid(a) && is_solid(b); };
   Duplicates found;
   for (size_t i = 1; i < entries.size(); ++i)
-    if (entries[i].key == entries[i - 1].key && found.count++ == 0)
+    if (entries[i].key == entries[i - 1].key &&
+        !shared(entries[i].triangle.instance, entries[i - 1].triangle.instance) && found.count++ == 0)
       found.first = entries[i - 1].triangle, found.second = entries[i].triangle;
   return found;
 }

@@ -1,11 +1,12 @@
-// Do triangles lie exactly on one another? Then rounding decides which of the two a ray hits: worth a warning.
+// Do triangles lie exactly on one another? Then rounding decides which of the two a ray hits: worth a warning, but for
+// faces that two solids of glass share, which are one boundary.
 // Asked once, by scene/prepare.
 #pragma once
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "geometry/raytracer.h"
+#include "scene/media.h"
 
 namespace ups {
 
@@ -17,6 +18,6 @@ struct Duplicates {
 };
 
 Duplicates find_duplicates(const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                           const std::vector<Raytracer::Instance>& instances);
+                           const std::vector<Raytracer::Instance>& instances, const Media& media);
 
 }  // namespace ups

@@ -5,7 +5,6 @@
 #include "geometry/box.h"
 #include "scene/builder.h"
 #include "scene/check.h"
-#include "scene/duplicates.h"
 #include "scene/effects.h"
 #include "scene/probe.h"
 
@@ -17,6 +16,7 @@ constexpr double max_coordinate_m = 1e9;
 }  // namespace
 
 std::shared_ptr<const Snapshot> Builder::build() {
+  out_->tag = in_.tag();
   place();
   add_materials();
   add_geometry();
@@ -51,7 +51,7 @@ void Builder::place() {
   in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
     Box& mesh = mesh_boxes[i.mesh];
     if (mesh.empty())
-      for (const Vec3& p : in_.meshes().get(i.mesh, "mesh")->positions) mesh.grow(Vec3d(p));
+      for (const Vec3& p : in_.meshes().at(i.mesh)->positions) mesh.grow(Vec3d(p));
     for (int k = 0; k < 8; ++k) grow(i.to_world.point(mesh.corner(k)), "instance", id);
   });
   in_.sources().each([&](uint32_t id, const SourceDescription& s) {
@@ -95,7 +95,7 @@ void Builder::place() {
 
 void Builder::add_materials() {
   const auto texture = [&](ups_texture_id id) -> const Texture* {
-    return id.v ? out_->textures[id.v - 1].get() : nullptr;
+    return id.v ? out_->textures[number_of(id.v) - 1].get() : nullptr;
   };
   in_.textures().each([&](uint32_t, const TextureDescription& t) { out_->textures.push_back(t.texture); });
   in_.materials().each([&](uint32_t id, const ups_material_desc& d) {
@@ -107,6 +107,7 @@ void Builder::add_materials() {
     m.roughness = d.roughness, m.ior = d.ior, m.metallic = d.metallic;
     m.ior_rgb = to_rgb(d.ior_rgb), m.ior_k_rgb = to_rgb(d.ior_k_rgb);
     m.absorption_per_m = to_rgb(d.absorption_per_m_rgb);
+    m.priority = d.priority;
     m.reflectance_texture = texture(d.reflectance_texture);
     m.roughness_texture = texture(d.roughness_texture);
     m.metallic_texture = texture(d.metallic_texture);
@@ -120,7 +121,7 @@ void Builder::add_materials() {
     if (d.alpha_mode == UPS_ALPHA_BLEND && (t.alpha || t.alpha_factor < 1)) t.alpha_mode = SurfaceTexturing::blend;
     if (t.alpha_mode != SurfaceTexturing::opaque && !is_black(to_rgb(d.luminance_cd_m2))) {
       t.alpha_mode = SurfaceTexturing::opaque;  // holes in an emitter would have to be left out of its sampling too
-      warn("material " + std::to_string(id) + " emits light: its alpha is ignored, so its surface has no holes");
+      warn_of("material", id, "emits light: the alpha is ignored, so there are no holes in what bears it");
     }
     out_->texturing.push_back(t);
   });
@@ -134,7 +135,9 @@ void Builder::add_geometry() {
     instance_ids_.push_back(id);
     out_->material_used[out_->meshes[i.mesh - 1]->material] = true;
   });
-  out_->raytracer = std::make_unique<Raytracer>(out_->meshes, instances_, out_->texturing, threads_);
+  out_->media = rank_media(out_->meshes, instances_, out_->materials, out_->texturing);
+  out_->raytracer =
+      std::make_unique<Raytracer>(out_->meshes, instances_, out_->texturing, threads_, out_->media.nest);
 }
 
 // ---- sensors ----
@@ -178,48 +181,35 @@ void Builder::add_sensors() {
 
 // ---- media ----
 
+// Where there is glass that attenuates, or bends light by what lies around it.
 void Builder::find_media() {
-  bool absorbs = false;
-  for (size_t i = 0; i < out_->materials.size(); ++i)
-    absorbs |= out_->material_used[i] && out_->materials[i].model == MaterialModel::glass &&
-               !is_black(out_->materials[i].absorption_per_m);
-  const auto find = [&](const Vec3& p) { return absorbs ? medium_at(*out_, p) : none; };
-  for (const Camera& camera : out_->cameras) out_->medium_of_camera.push_back(find(camera.position()));
-  for (const Vec3& p : emitter_probes_) out_->medium_of_emitter.push_back(find(p));
+  bool wanted = out_->media.nest;
+  for (const Medium& m : out_->media.by_rank) wanted |= !is_black(out_->materials[m.material].absorption_per_m);
+  std::vector<MediaStack>& stacks = out_->media_stacks;
+  stacks.assign(1, MediaStack());
+  const auto number = [&](const MediaStack& stack) {
+    const auto at = std::find(stacks.begin(), stacks.end(), stack);
+    if (at != stacks.end()) return uint32_t(at - stacks.begin());
+    stacks.push_back(stack);
+    return uint32_t(stacks.size() - 1);
+  };
+  const auto find = [&](const Vec3& p) { return wanted ? number(media_at(*out_, p)) : 0; };
+  for (const Camera& camera : out_->cameras) out_->media_of_camera.push_back(find(camera.position()));
+  for (const Vec3& p : emitter_probes_) out_->media_of_emitter.push_back(find(p));
   for (const MeterSet& set : out_->meter_sets) {
-    std::vector<uint32_t>& media = out_->medium_of_meter.emplace_back(set.meters.size(), none);
-    if (!absorbs) continue;
+    std::vector<uint32_t>& media = out_->media_of_meter.emplace_back(set.meters.size(), 0);
+    if (!wanted) continue;
+    std::vector<MediaStack> found(set.meters.size());
     parallel_for(threads_, set.meters.size(), [&](size_t i) {
       const Meter& meter = set.meters[i];
-      media[i] = find(meter.p + meter.frame.n * (2 * meter.error));
+      found[i] = media_at(*out_, meter.p + meter.frame.n * (2 * meter.error));
     });
+    for (size_t i = 0; i < found.size(); ++i) media[i] = number(found[i]);
   }
 }
 
-// ---- warnings ----
-
-void Builder::add_warnings() {
-  const Duplicates duplicates = find_duplicates(out_->meshes, instances_);
-  if (duplicates.count > 0) {
-    const auto name = [&](const Duplicates::Triangle& t) {
-      return "triangle " + std::to_string(t.primitive) + " of instance " + std::to_string(instance_ids_[t.instance]);
-    };
-    warn(std::to_string(duplicates.count) + (duplicates.count == 1 ? " triangle lies" : " triangles lie") +
-         " exactly on another, such as " + name(duplicates.second) + " on " + name(duplicates.first) +
-         ": rounding decides which of them a ray hits");
-  }
-  if (out_->emitters.size() == 0) warn("nothing in the scene emits light");
-  if (out_->cameras.empty() && out_->meter_sets.empty() && out_->goniometers.empty())
-    warn("the scene has no camera, no meters and no goniometer: there is nothing to measure");
-  for (size_t i = 0; !out_->goniometers.empty() && i < out_->emitters.size(); ++i)
-    if (out_->emitters[i].is_directional())
-      warn(out_->emitter_names[i] +
-           " shines in parallel: where that light leaves the scene, a goniometer's intensity " +
-           "depends on its grid, as it would be infinite");
-}
-
-std::shared_ptr<const Snapshot> prepare(const Description& description, int thread_count) {
-  return Builder(description, thread_count).build();
+std::shared_ptr<const Snapshot> prepare(const Description& description, ThreadPool& pool) {
+  return Builder(description, pool).build();
 }
 
 }  // namespace ups

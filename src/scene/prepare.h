@@ -3,12 +3,13 @@
 #pragma once
 #include <memory>
 
+#include "base/parallel.h"
 #include "scene/description.h"
 #include "scene/snapshot.h"
 
 namespace ups {
 
 // Throws Error; the message names ids of the API. Renders that run keep the snapshot they started from.
-std::shared_ptr<const Snapshot> prepare(const Description& description, int thread_count);
+std::shared_ptr<const Snapshot> prepare(const Description& description, ThreadPool& pool);
 
 }  // namespace ups

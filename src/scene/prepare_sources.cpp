@@ -1,4 +1,6 @@
 // See builder.h: emissive surfaces, lights, luminaires with their openings or rays.
+#include <algorithm>
+
 #include "base/parallel.h"
 #include "emitter/area.h"
 #include "emitter/point.h"
@@ -9,15 +11,26 @@
 #include "scene/probe.h"
 
 namespace ups {
+namespace {
+
+float smallest_extent(const photometry::Opening& opening) {
+  float smallest = 0;
+  for (const float size : opening.size_m)
+    if (size > 0) smallest = smallest > 0 ? std::min(smallest, size) : size;
+  return smallest;
+}
+
+}  // namespace
 
 // Of the source that was begun last.
-bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe) {
+bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe, float size) {
   if (!(emitter->flux_lm() > 0)) return false;
   // Beyond it illuminance near by, or its square, would leave the range of a float.
   if (!(emitter->flux_lm() <= 1e20)) fail_argument("emits more than 1e20 lm");
   emitters_.push_back(std::move(emitter));
   emitter_probes_.push_back(probe);
   out_->emitter_names.push_back(name);
+  out_->emitter_sizes.push_back(size);
   out_->source_of_emitter.push_back(uint32_t(out_->sources.size() - 1));
   return true;
 }
@@ -26,7 +39,7 @@ void Builder::add_emissive_instances() {
   out_->emitter_of_instance.assign(instances_.size(), none);
   for (uint32_t i = 0; i < instances_.size(); ++i) {
     const Mesh& mesh = *out_->meshes[instances_[i].mesh];
-    const ups_material_desc& material = in_.materials().get(mesh.material + 1, "material");
+    const ups_material_desc& material = in_.materials().at(mesh.material + 1);
     const Rgb radiance = to_rgb(material.luminance_cd_m2);
     if (is_black(radiance)) continue;
     const Affine& m = instances_[i].to_scene;
@@ -41,14 +54,13 @@ void Builder::add_emissive_instances() {
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     const std::string name = "instance " + std::to_string(instance_ids_[i]);
-    out_->sources.push_back(
-        {UPS_SOURCE_INSTANCE, instance_ids_[i], in_.instances().get(instance_ids_[i], "instance").group});
+    out_->sources.push_back({UPS_SOURCE_INSTANCE, instance_ids_[i], in_.instances().at(instance_ids_[i]).group});
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;
     in_context(name, [&] {
       if (!add_emitter(name, std::make_unique<AreaEmitter>(std::move(triangles), radiance, both_sides, i),
                        s.ray_origin(s.ng)))
-        return warn(name + " has a luminance but no area: it emits nothing");
+        return warn_of(out_->sources.back(), "a luminance but no area: nothing is emitted");
       out_->emitter_of_instance[i] = index;
       ++out_->emissive_instance_count;
     });
@@ -90,11 +102,10 @@ void Builder::add_light(const std::string& name, const LightDescription& light, 
 
 void Builder::add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming) {
   ++out_->luminaire_count;
-  if (told_profiles_.insert(luminaire.profile.get()).second)  // once, however many share it
-    for (const std::string& text : luminaire.profile->warnings) warn(name + ": " + text);
+  for (const std::string& text : luminaire.profile->warnings) warn_of(out_->sources.back(), text);
   const photometry::Opening& opening = luminaire.profile->opening;
   const double file_flux = photometry::flux_lm(*luminaire.profile);
-  if (!(file_flux > 0)) return warn(name + ": its profile has no flux: it emits nothing");
+  if (!(file_flux > 0)) return warn_of(out_->sources.back(), "the profile has no flux: nothing is emitted");
   const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / file_flux : 1;
   const Rgb scale = luminaire.color * float(double(dimming) * double(luminaire.intensity_scale) * to_flux);
   if (is_black(scale)) return;
@@ -104,11 +115,12 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   const Frame frame = Axes(luminaire.to_world).frame();
   const Vec3 nadir = -frame.n, p = to_scene(luminaire.to_world.column(3));
   const bool has_area = LuminousBody::has_area(opening);
+  const float size = smallest_extent(opening);
   if (!luminaire.use_opening || !has_area) {
     if (luminaire.use_opening && opening.shape != photometry::OpeningShape::point)
-      warn(name + ": its opening has a single extent, so no area: it emits from a point");
+      warn_of(out_->sources.back(), "the opening has a single extent, so no area: light comes from a point");
     const Vec3 q = off_surface(*out_, p, nadir);
-    add_emitter(name, std::make_unique<ProfilePointEmitter>(distribution, frame, q, scale, free_error(q)), q);
+    add_emitter(name, std::make_unique<ProfilePointEmitter>(distribution, frame, q, scale, free_error(q)), q, size);
     return;
   }
   const float error = opening_error(p, frame, opening);
@@ -120,7 +132,7 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
           : DiscIndex::Disc{p, Vec3(), emitter->circumscribed_radius() + 4 * error};
   const Vec3 front = emitter->is_flat() ? disc.center : p + nadir * (0.5f * opening.size_m[2] + 2 * error);
   const auto index = uint32_t(emitters_.size());
-  if (!add_emitter(name, std::move(emitter), front)) return;
+  if (!add_emitter(name, std::move(emitter), front, size)) return;
   openings_.push_back(disc);
   out_->emitter_of_opening.push_back(index);
 }
@@ -152,11 +164,10 @@ std::shared_ptr<const RaySet> Builder::rays_of(const LuminaireDescription& lumin
 
 void Builder::add_rays(const std::string& name, const LuminaireDescription& luminaire, const Rgb& scale) {
   const auto rays = rays_of(luminaire);
-  warn(
-      name + ": its light is the " + std::to_string(rays->size()) +
-      " rays of a file, a sample with a noise of its own that no reported error contains: about 1 / sqrt(n) where n of "
-      "them arrive, " +
-      check::text(100 / std::sqrt(rays->effective_size())) + " % where all do");
+  warn_of(out_->sources.back(),
+          "the light is the " + std::to_string(rays->size()) +
+              " rays of a file, a sample with a noise of its own that no reported error contains: about 1 / sqrt(n) " +
+              "where n of them arrive, " + check::text(100 / std::sqrt(rays->effective_size())) + " % where all do");
   const Frame frame = Axes(luminaire.to_world).frame();
   auto emitter = std::make_unique<RayEmitter>(rays, frame, to_scene(luminaire.to_world.column(3)), scale);
   EmissionSample start;

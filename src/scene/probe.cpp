@@ -35,28 +35,6 @@ Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n) {
   return error > free_error(p) ? p + n * (2 * error) : p;
 }
 
-uint32_t medium_at(const Snapshot& scene, Vec3 p) {
-  const Vec3 d = normalize(Vec3(0.0123f, 0.0071f, 1.0f));  // along no wall
-  Hit hit;
-  for (int crossings = 0; crossings < 10'000; ++crossings) {
-    if (!scene.raytracer->intersect(p, d, INFINITY, hit)) return none;
-    const SurfacePoint s = scene.raytracer->surface_at(hit);
-    if (scene.materials[s.material].model == MaterialModel::glass) return dot(d, s.ng) > 0 ? s.material : none;
-    p = s.ray_origin(d);
-  }
-  return none;
-}
-
-namespace {
-
-// Where light of the emitter meets a surface first; numbers of its own for each i.
-struct FirstLight {
-  double flux = 0;  // 0: nothing was emitted
-  Vec3 direction;
-  bool hit = false;
-  SurfacePoint surface;
-};
-
 FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i) {
   const auto a = philox({i, 0, 0, 0}, {0, 0}), b = philox({i, 1, 0, 0}, {0, 0});
   FirstLight out;
@@ -65,13 +43,17 @@ FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i
                                s))
     return out;
   out.flux = double(luminance(s.flux));
+  out.intensity_cd = out.flux * double(s.pdf_direction_w);
+  out.lift = length(s.n) * (2 * s.error);
+  out.origin = s.p + s.n * (2 * s.error);
   out.direction = s.direction;
   Hit hit;
-  out.hit =
-      scene.raytracer->intersect(s.p + s.n * (2 * s.error), s.direction, std::numeric_limits<float>::infinity(), hit);
+  out.hit = scene.raytracer->intersect(out.origin, s.direction, std::numeric_limits<float>::infinity(), hit);
   if (out.hit) out.surface = scene.raytracer->surface_at(hit);
   return out;
 }
+
+namespace {
 
 bool is_continuous(const Snapshot& scene, const SurfacePoint& s) {
   return Bsdf(scene.materials[s.material], s.uv).has_continuous();
@@ -134,7 +116,7 @@ double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t ray
 
 }  // namespace
 
-float first_light_concentration(const Snapshot& scene, int thread_count) {
+float first_light_concentration(const Snapshot& scene, ThreadPool& pool) {
   constexpr double least_share = 1e-4;  // of all flux
   constexpr size_t few = 64, most = 1024;
   const size_t count = scene.emitters.size(), stride = (count + most - 1) / most;  // beyond, every other stands for all
@@ -142,7 +124,7 @@ float first_light_concentration(const Snapshot& scene, int thread_count) {
   double total = 0;
   for (size_t i = 0; i < count; ++i) total += scene.emitters[i].flux_lm();
   std::vector<double> found(stride ? (count + stride - 1) / stride : 0);
-  parallel_for(thread_count, found.size(), [&](size_t i) {
+  parallel_for(pool, found.size(), [&](size_t i) {
     const Emitter& emitter = scene.emitters[i * stride];
     if (emitter.flux_lm() >= std::min(least_share, 0.1 / double(count)) * total)
       found[i] = concentration(scene, emitter, rays);

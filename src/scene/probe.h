@@ -1,6 +1,7 @@
-// Where does a point stand that is no surface's own: off which surface, in which glass? And what does the emitters'
+// Where does a point stand that is no surface's own: off which surface? And what does the emitters'
 // light meet first? Asked at commit by scene/prepare, for meters, cameras and luminaires.
 #pragma once
+#include "base/parallel.h"
 #include "scene/snapshot.h"
 
 namespace ups {
@@ -14,8 +15,17 @@ float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n);
 float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& half_a, const Vec3& half_b);
 // A source without extent that lies on a surface shines from the side that n points to.
 Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n);
-// The material of the solid glass that p lies in, or none: the first glass surface in some direction tells by its side.
-uint32_t medium_at(const Snapshot& scene, Vec3 p);
+
+// Where light of an emitter meets a surface first; numbers of its own for each i.
+struct FirstLight {
+  double flux = 0;          // 0: nothing was emitted
+  double intensity_cd = 0;  // of the whole emitter, towards where it went
+  Vec3 origin, direction;
+  float lift = 0;  // of the origin off the emitter
+  bool hit = false;
+  SurfacePoint surface;
+};
+FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i);
 
 // The share of an emitter's flux that meets a surface with a diffuse or glossy lobe first, or none at all: what is left
 // goes to mirrors and clear glass, where next-event estimation cannot pick it up. From a fixed set of directions.
@@ -24,6 +34,6 @@ float exposed_share(const Snapshot& scene, const Emitter& emitter);
 // How small the patches are that an emitter's light meets first, of the emitter for which they are smallest: the integral
 // of E^2 over their area times the area that they can light, over the squared flux; from a fixed set of rays. About 2 in
 // a room that is lit evenly. Eye paths that scatter find such a patch by chance alone, once in about so many.
-float first_light_concentration(const Snapshot& scene, int thread_count);
+float first_light_concentration(const Snapshot& scene, ThreadPool& pool);
 
 }  // namespace ups

@@ -10,6 +10,8 @@
 #include "emitter/emitter_set.h"
 #include "geometry/raytracer.h"
 #include "photometry/photometry.h"
+#include "scene/ids.h"
+#include "scene/media.h"
 #include "sensor/camera.h"
 #include "sensor/goniometer.h"
 #include "sensor/meters.h"
@@ -17,7 +19,6 @@
 
 namespace ups {
 
-inline constexpr uint32_t none = 0xffffffffu;
 inline constexpr float largest_meter_disc = 0.1f;  // radius within which a point meter merges photons, of the scene's
 
 struct SceneEffects {
@@ -31,13 +32,14 @@ struct SceneEffects {
   std::string text;           // a line per effect, with its cause
 };
 
-// A luminaire, light or emissive instance as the program added it; it may emit nothing.
+// A luminaire, light or emissive instance as the program added it; it may emit nothing. Its id is without the tag.
 struct Source {
   ups_source_kind kind;
   uint32_t id, group;
 };
 
 struct Snapshot {
+  std::shared_ptr<const SceneTag> tag;  // of the ids that the program has; all below are without it
   Vec3d origin;
   float radius = 0;  // of the bounding sphere of geometry, emitters and sensors about the origin
 
@@ -49,7 +51,8 @@ struct Snapshot {
   std::unique_ptr<Raytracer> raytracer;         // never null; may hold no triangle
 
   EmitterSet emitters;
-  std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": ids of the API
+  std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": by their numbers
+  std::vector<float> emitter_sizes;             // m; smallest extent of a luminaire's opening, used or not; 0: unknown
   std::vector<Source> sources;                  // all, in the order of their kinds and ids
   std::vector<uint32_t> source_of_emitter;      // index into sources
   std::vector<uint32_t> emitter_of_instance;    // none: does not emit
@@ -59,13 +62,15 @@ struct Snapshot {
   std::vector<Camera> cameras;
   std::vector<MeterSet> meter_sets;
   std::vector<Goniometer> goniometers;
-  std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;  // ups_sensor_id of each
+  std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;  // numbers of each
   std::vector<photometry::Opening> goniometer_openings;  // that their distributions are given
 
-  // The glass whose inside a free-standing thing lies in, as found by a probe ray at commit; none: air.
-  std::vector<uint32_t> medium_of_camera;
-  std::vector<std::vector<uint32_t>> medium_of_meter;
-  std::vector<uint32_t> medium_of_emitter;
+  Media media;
+  // What free-standing things lie in, as found by a probe ray at commit: indices into media_stacks, 0: air.
+  std::vector<MediaStack> media_stacks;
+  std::vector<uint32_t> media_of_camera;
+  std::vector<std::vector<uint32_t>> media_of_meter;
+  std::vector<uint32_t> media_of_emitter;
 
   SceneEffects effects;
   std::vector<std::string> warnings;

@@ -8,6 +8,7 @@
 #include "tool/commands.h"
 #include "tool/handles.h"
 #include "tool/report.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
 
@@ -166,7 +167,7 @@ int compare(const std::string& a_path, const std::string& b_path, bool json) {
   }
   const Comparison c = compare_planes(a, b);
   if (json) {
-    std::fputs(to_json(c).c_str(), stdout);
+    put(stdout, to_json(c));
     return exit_done;
   }
   std::printf("RMSE: %.6g\n", c.rmse);

@@ -1,7 +1,6 @@
 // ups convert: a photometric file in the other format, and on stderr what that format does not hold of it.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "tool/commands.h"
 #include "tool/profile_file.h"
@@ -38,18 +37,18 @@ std::vector<std::string> losses(const ProfileReport& in, const ProfileReport& ou
 }  // namespace
 
 int convert(const std::string& in, const std::string& out) {
-  if (!photometric_format(in))
-    throw Failure(in + ": not a kind of file that is read here: .ies, .ldt or another photometric one");
+  if (is_scene_file(in)) throw Failure(in + ": a scene; a photometric file can be converted");
   const Context context = make_context(1);
   const Profile profile = read_profile(context.get(), in);
-  write_profile(out, profile.get());  // the command line admits .ies and .ldt alone
-  const ProfileReport report = make_report(in, profile.get());
-  const auto warn = [](const std::string& file, const std::string& what) {
-    std::fprintf(stderr, "ups: warning: %s: %s\n", file.c_str(), what.c_str());
-  };
-  for (const std::string& warning : report.warnings) warn(in, warning);
-  const Profile written = read_profile(context.get(), out);
-  for (const std::string& loss : losses(report, make_report(out, written.get()))) warn(out, loss);
+  const WrittenProfile made = write_profile(out, profile.get());  // the command line admits .ies and .ldt alone
+  const ProfileReport report = report_of_file(in, profile.get());
+  for (const std::string& warning : report.warnings) put_warning(in + ": " + warning);
+  ups_profile* again = nullptr;
+  check(ups_profile_parse(context.get(), made.bytes.data(), made.bytes.size(), *photometric_format(out), &again));
+  const Profile written(again);
+  std::vector<std::string> lacks = losses(report, make_report(out, written.get()));
+  append_once(lacks, made.lacks);
+  for (const std::string& lack : lacks) put_warning(out + ": " + lack);
   return exit_done;
 }
 

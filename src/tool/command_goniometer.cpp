@@ -1,6 +1,5 @@
 // ups goniometer: a fixture in, its luminous intensity distribution out: loads a scene, measures what leaves it, writes
 // .ies or .ldt, a table of errors and diagrams, prints the flux balance.
-#include <cstdio>
 #include <filesystem>
 
 #include "tool/commands.h"
@@ -10,6 +9,7 @@
 #include "tool/profile_plot.h"
 #include "tool/render_job.h"
 #include "tool/tables.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
 
@@ -59,7 +59,7 @@ SensorEntry add_own_goniometer(ups_scene* scene, const ups_goniometer_desc& grid
 
 // The scene with one goniometer and no other sensor.
 LoadedScene load(const GoniometerOptions& options) {
-  LoadedScene scene = import_scene(options.scene, options.threads, 0, 0);
+  LoadedScene scene = import_scene(options.scene, {options.threads, 0, 0, options.allow_outside});
   const SensorEntry* own = find_goniometer(scene, options);
   const SensorEntry chosen = own ? *own : add_own_goniometer(scene.scene.get(), options.grid);
   for (const SensorEntry& sensor : scene.sensors)
@@ -88,7 +88,9 @@ Written write_files(const GoniometerOptions& options, const SensorEntry& goniome
                     const ups_profile* profile, const ProfileReport& report) {
   Written written;
   if (!options.out.empty())
-    attempt(written, options.out, [&](const std::string& path) { write_profile(path, profile); });
+    attempt(written, options.out, [&](const std::string& path) {
+      for (const std::string& lack : write_profile(path, profile).lacks) put_warning(path + ": " + lack);
+    });
   if (!options.errors.empty())
     attempt(written, options.errors, [&](const std::string& path) { write_goniometer_csv(path, goniometer, result); });
   for (const std::string& plot : options.plots)
@@ -114,8 +116,8 @@ int goniometer(const GoniometerOptions& options) {
   const Measurement measurement =
       measure(options.out.empty() ? options.scene : options.out, sensor, result, profile.get(), std::move(render));
   const Written written = write_files(options, sensor, result, profile.get(), measurement.profile);
-  std::fputs((options.json ? to_json(measurement) : to_text(measurement)).c_str(), stdout);
-  for (const std::string& error : written.errors) std::fprintf(stderr, "ups: error: %s\n", error.c_str());
+  put(stdout, options.json ? to_json(measurement) : to_text(measurement));
+  for (const std::string& error : written.errors) put_error(error);
   return written.errors.empty() ? finished.exit_code() : exit_failed;
 }
 

@@ -1,35 +1,31 @@
 // ups info: what a scene file contains and calls for, what photometric files say: a page for one file, a table for many
 // or for a folder, one JSON object for programs.
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "tool/commands.h"
 #include "tool/handles.h"
 #include "tool/info_report.h"
 #include "tool/profile_plot.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
 
 namespace {
 
-void print_list(const char* title, const std::vector<std::string>& lines) {
-  std::printf("%s:%s\n", title, lines.empty() ? " none" : "");
-  for (const std::string& line : lines) std::printf("  %s\n", line.c_str());
-}
+namespace fs = std::filesystem;
 
-void print_sensor(const SensorEntry& sensor) {
+std::string sensor_text(const SensorEntry& sensor) {
   const ups_gltf_sensor_info& info = sensor.info;
-  if (info.kind == UPS_GLTF_CAMERA) {
-    std::printf("  camera %s: %u x %u%s\n", sensor.name.c_str(), info.width, info.height,
-                info.illuminance ? ", illuminance too" : "");
-  } else if (info.kind == UPS_GLTF_GONIOMETER) {
-    std::printf("  goniometer %s: %u planes of %u angles\n", sensor.name.c_str(), info.columns, info.rows);
-  } else if (info.columns > 0) {
-    std::printf("  meters %s: grid of %u x %u\n", sensor.name.c_str(), info.columns, info.rows);
-  } else {
-    std::printf("  meters %s: %u points\n", sensor.name.c_str(), info.meter_count);
-  }
+  const char* name = sensor.name.c_str();
+  if (info.kind == UPS_GLTF_CAMERA)
+    return format("  camera %s: %u x %u%s\n", name, info.width, info.height,
+                  info.illuminance ? ", illuminance too" : "");
+  if (info.kind == UPS_GLTF_GONIOMETER)
+    return format("  goniometer %s: %u planes of %u angles\n", name, info.columns, info.rows);
+  if (info.columns > 0) return format("  meters %s: grid of %u x %u\n", name, info.columns, info.rows);
+  return format("  meters %s: %u points\n", name, info.meter_count);
 }
 
 SceneReport scene_report_of(const std::string& file, const LoadedScene& scene) {
@@ -49,112 +45,148 @@ SceneReport scene_report_of(const std::string& file, const LoadedScene& scene) {
   return report;
 }
 
-void print_scene(const SceneReport& scene) {
+std::string scene_text(const SceneReport& scene) {
   const ups_scene_info& info = scene.info;
   const auto count = [](uint64_t n) { return static_cast<unsigned long long>(n); };
-  std::printf("%s\n", scene.file.c_str());
-  std::printf("triangles: %llu\n", count(info.triangle_count));
+  std::string text = scene.file + format("\ntriangles: %llu\n", count(info.triangle_count));
   if (info.bounds_min_m[0] <= info.bounds_max_m[0]) {
-    std::printf("bounds: (%g, %g, %g) to (%g, %g, %g) m\n", info.bounds_min_m[0], info.bounds_min_m[1],
-                info.bounds_min_m[2], info.bounds_max_m[0], info.bounds_max_m[1], info.bounds_max_m[2]);
+    text += format("bounds: (%g, %g, %g) to (%g, %g, %g) m\n", info.bounds_min_m[0], info.bounds_min_m[1],
+                   info.bounds_min_m[2], info.bounds_max_m[0], info.bounds_max_m[1], info.bounds_max_m[2]);
   }
-  std::printf("emitters: %llu luminaires, %llu lights, %llu emitting instances, together %.6g lm\n",
-              count(info.luminaire_count), count(info.light_count), count(info.emissive_instance_count),
-              info.emitted_flux_lm);
-  std::printf("sensors: %llu meters, %llu pixels\n", count(info.meter_count), count(info.pixel_count));
-  for (const SensorEntry& sensor : scene.sensors) print_sensor(sensor);
-  print_list("effects", scene.effects);
-  print_list("techniques", scene.techniques);
-  print_list("warnings", scene.warnings);
+  text += format("emitters: %llu luminaires, %llu lights, %llu emitting instances, together %.6g lm\n",
+                 count(info.luminaire_count), count(info.light_count), count(info.emissive_instance_count),
+                 info.emitted_flux_lm);
+  text += format("sensors: %llu meters, %llu pixels\n", count(info.meter_count), count(info.pixel_count));
+  for (const SensorEntry& sensor : scene.sensors) text += sensor_text(sensor);
+  return text + list_text("effects", scene.effects) + list_text("techniques", scene.techniques) +
+         list_text("warnings", scene.warnings);
 }
 
-// The photometric files of a folder, by name; other files as they are.
-std::vector<std::string> expand(const std::vector<std::string>& arguments) {
-  std::vector<std::string> files;
-  for (const std::string& argument : arguments) {
-    std::error_code error;
-    if (!std::filesystem::is_directory(argument, error)) {
-      files.push_back(argument);
-      continue;
-    }
-    std::vector<std::string> found;
-    for (auto entry = std::filesystem::directory_iterator(argument, error);
-         !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-      std::error_code ignored;
-      const std::string file = entry->path().string();
-      if (photometric_format(file) && !entry->is_directory(ignored)) found.push_back(file);
-    }
-    if (error) throw Failure("cannot read the folder '" + argument + "': " + error.message());
-    if (found.empty()) {
-      throw Failure("no photometric file in the folder '" + argument +
-                    "': its name would end in .ies, .ldt, .xml, .tm25ray, .sdf, .dat or .ray");
-    }
-    std::sort(found.begin(), found.end());
-    files.insert(files.end(), found.begin(), found.end());
-  }
-  return files;
-}
-
-// One file; what is wrong with it becomes the entry's error.
-InfoEntry read_entry(ups_context* context, const std::string& file, const std::vector<std::string>& plots) {
+InfoEntry failed(const std::string& file, const std::string& name, const std::string& error) {
   InfoEntry entry;
   entry.file = file;
-  try {
-    const std::string extension = lower_extension(file);
-    if (photometric_format(file)) {
-      const Profile profile = read_profile(context, file);
-      entry.profile = make_report(file, profile.get());
-      for (const std::string& plot : plots) write_plot(plot, profile.get(), *entry.profile);
-    } else if (extension == ".gltf" || extension == ".glb") {
-      if (!plots.empty()) throw Failure(file + ": --plot draws photometric files, not scenes");
-      entry.scene = scene_report_of(file, load_scene(file, 0, 0, 0));
+  entry.name = name;
+  entry.error = error;
+  return entry;
+}
+
+// The photometric files, by name, of a folder and of those below it, in the order of their paths. Links to folders are
+// not followed, so there is an end. A folder that cannot be read is an entry of its own.
+std::vector<InfoEntry> search(const std::string& top) {
+  std::vector<InfoEntry> found;
+  std::vector<fs::path> folders = {top};
+  while (!folders.empty()) {
+    const fs::path folder = std::move(folders.back());
+    folders.pop_back();
+    std::error_code error;
+    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+      std::error_code ignored;
+      const std::string file = entry->path().string();
+      if (entry->is_directory(ignored)) {
+        if (!entry->is_symlink(ignored)) folders.push_back(entry->path());
+      } else if (photometric_format(file)) {
+        found.push_back(failed(file, entry->path().lexically_relative(top).string(), ""));
+      }
+    }
+    if (!error) continue;
+    const std::string message = "cannot read the folder '" + folder.string() + "': " + error.message();
+    if (folder == fs::path(top)) throw Failure(message);
+    found.push_back(failed(folder.string(), folder.lexically_relative(top).string(), message));
+  }
+  if (found.empty())
+    throw Failure("no photometric file in the folder '" + top + "': its name would end in " + known_extensions);
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
+  return found;
+}
+
+std::vector<InfoEntry> expand(const std::vector<std::string>& arguments) {
+  std::vector<InfoEntry> entries;
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (fs::is_directory(argument, error)) {
+      const std::vector<InfoEntry> found = search(argument);
+      entries.insert(entries.end(), found.begin(), found.end());
     } else {
-      throw Failure(file +
-                    ": not a kind of file that is known here: .gltf, .glb, .ies, .ldt, .xml, .tm25ray, .sdf, "
-                    ".dat or .ray");
+      entries.push_back(failed(argument, fs::path(argument).filename().string(), ""));
+    }
+  }
+  return entries;
+}
+
+// Reads one file; what is wrong with it becomes the entry's error.
+void read_entry(ups_context* context, const InfoOptions& options, const std::vector<std::string>& plots,
+                InfoEntry& entry) {
+  if (!entry.error.empty()) return;  // a folder
+  try {
+    if (is_scene_file(entry.file)) {
+      if (!plots.empty()) throw Failure(entry.file + ": --plot draws photometric files, not scenes");
+      entry.scene = scene_report_of(entry.file, load_scene(entry.file, {0, 0, 0, options.allow_outside}));
+    } else {
+      const Profile profile = read_profile(context, entry.file);
+      entry.profile = report_of_file(entry.file, profile.get());
+      for (const std::string& plot : plots) write_plot(plot, profile.get(), *entry.profile);
     }
   } catch (const std::exception& e) {
     entry.error = e.what();
   }
-  return entry;
 }
 
-void print_table(const std::vector<InfoEntry>& entries) {
+// Where the plots of one of several files go: OUT.svg becomes OUT_NAME.svg, with NAME from the file's, each once.
+std::vector<std::string> plots_of(const InfoEntry& entry, const InfoOptions& options, bool several,
+                                  std::set<std::string>& taken) {
+  if (!several) return options.plots;
+  std::vector<std::string> plots;
+  for (const std::string& plot : options.plots) {
+    const fs::path out(plot);
+    std::string base = out.stem().string() + "_" + fs::path(entry.file).stem().string();
+    for (char& c : base)
+      if (uint8_t(c) < 0x20) c = '_';
+    const auto path_of = [&](const std::string& stem) {
+      return (out.parent_path() / (stem + out.extension().string())).string();
+    };
+    std::string path = path_of(base);
+    for (int i = 2; !taken.insert(path).second; ++i) path = path_of(base + "_" + std::to_string(i));
+    plots.push_back(path);
+  }
+  return plots;
+}
+
+std::string table_text(const std::vector<InfoEntry>& entries) {
   constexpr size_t widest = 48;
   size_t width = 4;
-  for (const InfoEntry& entry : entries)
-    width = std::max(width, std::filesystem::path(entry.file).filename().string().size());
+  for (const InfoEntry& entry : entries) width = std::max(width, printable(entry.name).size());
   width = std::min(width, widest);
-  std::fputs(table_head(width).c_str(), stdout);
+  std::string text = table_head(width);
   for (const InfoEntry& entry : entries) {
-    const std::string line = entry.profile ? table_line(*entry.profile, width)
-                             : entry.scene ? table_line(*entry.scene, width)
-                                           : table_error(entry.file, entry.error, width);
-    std::fputs(line.c_str(), stdout);
+    const std::string name = printable(entry.name);
+    text += entry.profile ? table_line(*entry.profile, name, width)
+            : entry.scene ? table_line(*entry.scene, name, width)
+                          : table_error(entry.file, entry.error, name, width);
   }
+  return text;
 }
 
 }  // namespace
 
 int info(const InfoOptions& options) {
-  const std::vector<std::string> files = expand(options.files);
-  if (!options.plots.empty() && files.size() != 1) throw Failure("--plot draws one photometric file at a time");
+  std::vector<InfoEntry> entries = expand(options.files);
   const Context context = make_context(1);
-  std::vector<InfoEntry> entries;
-  for (const std::string& file : files) entries.push_back(read_entry(context.get(), file, options.plots));
-  const bool single = files.size() == 1 && files == options.files;
+  std::set<std::string> taken;
+  for (InfoEntry& entry : entries)
+    read_entry(context.get(), options, plots_of(entry, options, entries.size() > 1, taken), entry);
+  const bool single = entries.size() == 1 && entries[0].file == options.files[0];
   if (options.json) {
-    std::fputs(to_json(entries).c_str(), stdout);
+    put(stdout, to_json(entries));
   } else if (!single) {
-    print_table(entries);
+    put(stdout, table_text(entries));
   } else if (entries[0].error.empty()) {
-    if (entries[0].scene) print_scene(*entries[0].scene);
-    if (entries[0].profile) std::fputs(to_text(*entries[0].profile).c_str(), stdout);
+    put(stdout, entries[0].scene ? scene_text(*entries[0].scene) : to_text(*entries[0].profile));
   }
   int code = exit_done;
   for (const InfoEntry& entry : entries) {
     if (entry.error.empty()) continue;
-    std::fprintf(stderr, "ups: error: %s\n", entry.error.c_str());
+    put_error(entry.error);
     code = exit_failed;
   }
   return code;

@@ -1,19 +1,19 @@
 // ups render: loads a scene, renders it as a job that Ctrl-C can stop, prints and writes what it found.
-#include <cstdio>
-
 #include "tool/commands.h"
 #include "tool/handles.h"
 #include "tool/interrupt.h"
 #include "tool/output.h"
 #include "tool/render_job.h"
 #include "tool/report.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
 
 int render(const RenderOptions& options) {
   install_interrupt_handler();
   if (!options.out.empty()) prepare_folder(options.out);
-  const LoadedScene scene = load_scene(options.scene, options.threads, options.width, options.height);
+  const LoadedScene scene =
+      load_scene(options.scene, {options.threads, options.width, options.height, options.allow_outside});
   if (scene.sensors.empty()) {
     throw Failure(options.scene + ": there is nothing to render; add a camera, or meters in a node's extras.ups");
   }
@@ -23,9 +23,9 @@ int render(const RenderOptions& options) {
   Report report = make_report(options.scene, scene, finished.result.get());
   Written written;
   if (!options.out.empty()) written = write_outputs(options.out, scene, finished.result.get());
-  report.warnings.insert(report.warnings.end(), written.warnings.begin(), written.warnings.end());
-  std::fputs((options.json ? to_json(report) : to_text(report)).c_str(), stdout);
-  for (const std::string& error : written.errors) std::fprintf(stderr, "ups: error: %s\n", error.c_str());
+  append_once(report.warnings, written.warnings);
+  put(stdout, options.json ? to_json(report) : to_text(report));
+  for (const std::string& error : written.errors) put_error(error);
   return written.errors.empty() ? finished.exit_code() : exit_failed;
 }
 

@@ -18,7 +18,7 @@ struct JobOptions {
   std::string scene;
   ups_render_desc desc;  // limits: 0 where not given
   int threads = 0;
-  bool json = false;
+  bool json = false, allow_outside = false;
 
   JobOptions() { ups_render_desc_init(&desc, sizeof desc); }
 };
@@ -43,7 +43,7 @@ struct GoniometerOptions : JobOptions {
 struct InfoOptions {
   std::vector<std::string> files;  // or folders
   std::vector<std::string> plots;  // .svg, .png
-  bool json = false;
+  bool json = false, allow_outside = false;
 };
 
 int render(const RenderOptions& options);

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "tool/drawing.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
 namespace {
@@ -23,18 +24,10 @@ std::string hex(const Ink& ink) {
 
 // Bytes of a UTF-8 sequence that XML allows at this place; 0: none does.
 size_t sequence(const std::string& text, size_t at) {
-  const auto byte = [&](size_t i) { return i < text.size() ? uint8_t(text[i]) : uint8_t(0); };
-  const uint8_t lead = byte(at);
-  if (lead < 0x80) return lead >= 0x20 || lead == '\t' ? 1 : 0;
-  const size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc2 || lead > 0xf4) return 0;
-  for (size_t i = 1; i < length; ++i)
-    if ((byte(at + i) & 0xc0) != 0x80) return 0;
-  uint32_t code = lead & (0xffu >> (length + 1));
-  for (size_t i = 1; i < length; ++i) code = code << 6 | (byte(at + i) & 0x3fu);
-  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool banned = (code >= 0xd800 && code <= 0xdfff) || code == 0xfffe || code == 0xffff || code > 0x10ffff;
-  return overlong || banned ? 0 : length;
+  const Utf8 character = utf8_at(text, at);
+  const bool banned = (character.code < 0x20 && character.code != '\t') || character.code == 0xfffe ||
+                      character.code == 0xffff;
+  return banned ? 0 : character.length;
 }
 
 std::string escaped(const std::string& text) {

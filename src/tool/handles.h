@@ -42,17 +42,19 @@ inline void check(ups_status status, const char* (*last_error)() = ups_last_erro
 
 // read(text, capacity, needed) is one of the API's two-call functions.
 template <class Read>
-std::string read_text(Read&& read) {
+std::string read_text(Read&& read, const char* (*last_error)() = ups_last_error) {
   size_t needed = 0;
-  check(read(nullptr, 0, &needed));
+  check(read(nullptr, 0, &needed), last_error);
   if (needed == 0) return {};
   std::string text(needed, '\0');
-  check(read(text.data(), needed, &needed));
+  check(read(text.data(), needed, &needed), last_error);
   text.resize(needed - 1);
   return text;
 }
 
 std::vector<std::string> lines_of(const std::string& text);  // without empty ones
+
+void append_once(std::vector<std::string>& to, const std::vector<std::string>& lines);
 
 struct SensorEntry {
   ups_gltf_sensor_info info;
@@ -65,13 +67,19 @@ struct LoadedScene {
   Scene scene;
   Import import_result;
   std::vector<SensorEntry> sensors;
-  std::vector<std::string> warnings;  // of the import and of the commit
+  std::vector<std::string> warnings;  // of the import and of the commit, each once
+};
+
+struct SceneOptions {
+  int threads = 0;
+  uint32_t camera_width = 0, camera_height = 0;  // 0: as the file says
+  bool allow_outside = false;                    // files that the scene names may lie outside its folder
 };
 
 Context make_context(int threads);
 // In two steps for those who change the scene in between; path: of the file.
-LoadedScene import_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height);
+LoadedScene import_scene(const std::string& path, const SceneOptions& options);
 void commit_scene(LoadedScene& scene, const std::string& path);
-LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height);
+LoadedScene load_scene(const std::string& path, const SceneOptions& options);
 
 }  // namespace ups::tool

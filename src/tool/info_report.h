@@ -15,11 +15,13 @@ struct SceneReport {
 
 struct InfoEntry {
   std::string file, error;  // error: empty where the file could be read and its plots written
+  std::string name;         // in the table: of the file, of one in a folder with the folders below that
   std::optional<ProfileReport> profile;
   std::optional<SceneReport> scene;
 };
 
-std::string table_line(const SceneReport& report, size_t name_width);
+std::string list_text(const char* title, const std::vector<std::string>& lines);
+std::string table_line(const SceneReport& report, const std::string& name, size_t name_width);
 std::string to_json(const std::vector<InfoEntry>& entries);
 
 }  // namespace ups::tool

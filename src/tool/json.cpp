@@ -6,6 +6,7 @@
 #include "tool/goniometer_report.h"
 #include "tool/info_report.h"
 #include "tool/report.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
 
@@ -25,7 +26,7 @@ double number(float value) {
 }
 
 std::string dump(const ordered_json& json) {
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return printable_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace
@@ -130,6 +131,29 @@ ordered_json array_json(const Values& values) {
   return array;
 }
 
+// axis: of what has one, a cylinder or a line.
+ordered_json opening_json(const ups_profile_info& info) {
+  ordered_json opening = {{"shape", shape_word(info.opening_shape)}, {"size_m", array_json(info.opening_m)}};
+  if (const char* axis = opening_axis_word(info); *axis) opening["axis"] = axis;
+  return opening;
+}
+
+ordered_json lamp_sets_json(const ProfileReport& report) {
+  ordered_json sets = ordered_json::array();
+  for (const LampSetReport& set : report.lamp_sets) {
+    sets.push_back({{"count", set.info.count},
+                    {"type", set.type},
+                    {"flux_lm", number(set.info.flux_lm)},
+                    {"input_power_w", number(set.info.input_power_w)},
+                    {"colour_temperature_k", number(set.info.colour_temperature_k)},
+                    {"colour_rendering_index", number(set.info.colour_rendering_index)},
+                    {"colour", set.colour},
+                    {"colour_rendering", set.rendering},
+                    {"chosen", set.info.chosen == 1}});
+  }
+  return sets;
+}
+
 ordered_json profile_json(const ProfileReport& report) {
   const ups_profile_info& info = report.info;
   ordered_json zones = ordered_json::array(), keywords = ordered_json::array(), luminance = ordered_json::array();
@@ -162,13 +186,14 @@ ordered_json profile_json(const ProfileReport& report) {
           {"beam", beams_json(report.beam)},
           {"field", beams_json(report.field)},
           {"symmetry", symmetry_word(info.symmetry)},
-          {"opening", {{"shape", shape_word(info.opening_shape)}, {"size_m", array_json(info.opening_m)}}},
+          {"opening", opening_json(info)},
           {"luminance", luminance},
           {"photometric_type", info.photometric_type == UPS_PHOTOMETRIC_A   ? "A"
                                : info.photometric_type == UPS_PHOTOMETRIC_B ? "B"
                                                                             : "C"},
           {"ray_count", info.ray_count},
           {"lamp_set_count", info.lamp_set_count},
+          {"lamp_sets", lamp_sets_json(report)},
           {"c_count", info.c_count},
           {"gamma_count", info.gamma_count},
           {"keywords", keywords},

@@ -1,9 +1,12 @@
 // The program `ups`: its command line; the options of the commands that render are in options_*.cpp.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 
 #include "tool/options.h"
 #include "tool/report.h"
+#include "tool/text_format.h"
 
 namespace {
 
@@ -13,15 +16,28 @@ using ups::tool::RenderOptions;
 
 const CLI::App* add_info(CLI::App& app, InfoOptions& options) {
   CLI::App* command = app.add_subcommand("info", "What a scene or photometric files contain");
-  command->add_option("FILE", options.files, "Scenes (.gltf, .glb), photometric files or folders of these")->required();
-  command->add_option("--plot", options.plots, "Polar diagram and cone of the one FILE, as OUT.svg or OUT.png")
+  command->add_option("FILE", options.files, "Scenes, photometric files, folders of photometric files")->required();
+  command->add_option("--plot", options.plots,
+                      "Polar diagram and cone of FILE, as OUT.svg or OUT.png, or both: --plot A.svg B.png; of several "
+                      "files A_NAME.svg each")
       ->allow_extra_args(false)
       ->check(CLI::Validator(ups::tool::plot_file, ""))
       ->type_name("OUT");
+  ups::tool::add_allow_outside(*command, options.allow_outside);
   command->add_flag("--json", options.json, "Print one JSON object on standard output");
+  // CLI11 takes what follows the first OUT for a FILE; no file that is read is an image.
+  command->parse_complete_callback([&options] {
+    if (options.plots.empty()) return;
+    const auto plots = std::stable_partition(options.files.begin(), options.files.end(),
+                                             [](const auto& file) { return !ups::tool::plot_file(file).empty(); });
+    options.plots.insert(options.plots.end(), plots, options.files.end());
+    options.files.erase(plots, options.files.end());
+    if (options.files.empty()) throw CLI::RequiredError("FILE");
+  });
   command->footer(
-      "Photometric files: .ies, .ldt, .xml, .tm25ray, .sdf, .dat, .ray. One file: a page; several or a folder: a "
-      "table,\nwith files that cannot be read in it; the exit code is then 1.\n"
+      "A file is read by what is in it, whatever its name. A folder is searched in depth for .ies, .ldt, .xml, "
+      ".tm25ray,\n.sdf, .dat and .ray. One file: a page; several or a folder: a table, with files that cannot be read "
+      "in it; the\nexit code is then 1.\n"
       "Flux is by the band rule. Beam angle: 50 % of the plane's peak, field angle: 10 %.");
   return command;
 }
@@ -36,6 +52,15 @@ const CLI::App* add_convert(CLI::App& app, std::string& in, std::string& out) {
       "The distribution reads back the same; tables of type A and B are resampled for EULUMDAT.\n"
       "Of several lamp sets the first is written.");
   return command;
+}
+
+// --help and --version are no errors.
+int tell_usage(const CLI::App& app, const CLI::ParseError& e) {
+  std::ostringstream out, err;
+  const int code = app.exit(e, out, err);
+  ups::tool::put(stdout, out.str());
+  ups::tool::put(stderr, err.str());
+  return code == 0 ? ups::tool::exit_done : ups::tool::exit_usage;
 }
 
 int run(int argc, char** argv) {
@@ -66,7 +91,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? ups::tool::exit_done : ups::tool::exit_usage;  // --help and --version are no errors
+    return tell_usage(app, e);
   }
   if (info->parsed()) return ups::tool::info(info_options);
   if (goniometer->parsed()) return ups::tool::goniometer(goniometer_options);
@@ -81,12 +106,12 @@ int main(int argc, char** argv) {
   try {
     const int code = run(argc, argv);
     if (std::fflush(stdout) != 0) {
-      std::fprintf(stderr, "ups: error: cannot write to standard output\n");
+      ups::tool::put_error("cannot write to standard output");
       return ups::tool::exit_failed;
     }
     return code;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "ups: error: %s\n", e.what());
+    ups::tool::put_error(e.what());
     return ups::tool::exit_failed;
   }
 }

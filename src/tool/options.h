@@ -11,6 +11,7 @@ namespace ups::tool {
 // --target-error is of.
 void add_job_options(CLI::App& command, JobOptions& options, const std::vector<std::string>& words,
                      const std::string& aim);
+void add_allow_outside(CLI::App& command, bool& allow_outside);
 void add_render(CLI::App& app, RenderOptions& options);
 const CLI::App* add_goniometer(CLI::App& app, GoniometerOptions& options);
 

@@ -18,6 +18,11 @@ std::string written_file(const std::string& path) {
   return is_written_format(path) ? "" : "must end in .ies or .ldt, not '" + path + "'";
 }
 
+void add_allow_outside(CLI::App& command, bool& allow_outside) {
+  command.add_flag("--allow-outside", allow_outside,
+                   "Files that the scene names may lie anywhere, not only in its folder and below it");
+}
+
 namespace {
 
 std::string positive(const std::string& text) {
@@ -157,6 +162,7 @@ void add_job_options(CLI::App& command, JobOptions& options, const std::vector<s
   command.add_option("--threads", options.threads, "0: all hardware threads")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
+  add_allow_outside(command, options.allow_outside);
   command.add_flag("--json", options.json, "Print one JSON object on standard output");
 }
 

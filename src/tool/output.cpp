@@ -2,15 +2,13 @@
 // folders and files tried out before a render.
 #include "tool/output.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
+#include "common/atomic_file.h"
 #include "tool/csv.h"
 #include "tool/report.h"
 #include "tool/tables.h"
@@ -194,22 +192,18 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
         ups_gltf_last_error);
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
   attempt(written, base + ".csv", [&](const std::string& path) { write_csv(path, table); });
-  if (const auto names = source_names(result); !names.empty()) {
-    const bool groups = names[0].rfind("group_", 0) == 0;
+  if (const auto sources = sources_of(scene, result); !sources.empty()) {
+    const bool groups = sources[0].info.kind == UPS_SOURCE_GROUP;
     attempt(written, base + (groups ? "_groups.csv" : "_luminaires.csv"),
-            [&](const std::string& path) { write_sources_csv(path, table.positions, meters, result); });
+            [&](const std::string& path) { write_sources_csv(path, table.positions, meters, sources, result); });
   }
   if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
 }
 
 void probe_folder(const std::string& option, const std::string& folder) {
-  const auto probe = std::filesystem::path(folder) / ("ups-probe." + std::to_string(::getpid()) + ".tmp");
-  std::FILE* file = std::fopen(probe.c_str(), "wb");
-  const int open_errno = errno;
-  if (!file) throw Failure(option + ": cannot write into the folder '" + folder + "': " + std::strerror(open_errno));
-  std::fclose(file);
-  std::error_code ignored;
-  std::filesystem::remove(probe, ignored);
+  const extras::TemporaryFile probe(folder);
+  if (!probe.descriptor.is_open())
+    throw Failure(option + ": cannot write into the folder '" + folder + "': " + std::strerror(errno));
 }
 
 }  // namespace
@@ -232,12 +226,13 @@ void prepare_folder(const std::string& folder) {
 
 void prepare_file(const std::string& option, const std::string& path) {
   std::error_code error;
-  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-  const std::string folder = parent.empty() ? "." : parent.string();
-  if (!std::filesystem::is_directory(folder, error))
-    throw Failure(option + ": cannot write '" + path + "': there is no folder '" + folder + "'; make it first");
   if (std::filesystem::is_directory(path, error))
     throw Failure(option + ": '" + path + "' is a folder; it must be the name of a file");
+  const extras::Destination to = extras::destination_of(path);
+  if (!to.replaceable) return;
+  const std::string folder = to.folder().string();
+  if (!std::filesystem::is_directory(folder, error))
+    throw Failure(option + ": cannot write '" + path + "': there is no folder '" + folder + "'; make it first");
   probe_folder(option, folder);
 }
 

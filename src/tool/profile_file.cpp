@@ -44,11 +44,11 @@ std::string file_beside(const std::string& file, const std::string& name) {
 }
 
 // The one place where bytes become a profile. A TILT file that an IES file names is looked for beside it.
-ups_status parse(ups_context* context, const std::string& file, Profile& out) {
-  const std::string bytes = read_bytes(file);
+ups_status parse(ups_context* context, const std::string& file, const std::string& bytes, ups_profile_format format,
+                 Profile& out) {
   ups_profile_parse_desc desc;
   ups_profile_parse_desc_init(&desc, sizeof desc);
-  desc.format = photometric_format(file).value_or(UPS_PROFILE_AUTO);
+  desc.format = format;
   desc.bytes = bytes.data();
   desc.size = bytes.size();
   ups_profile* profile = nullptr;
@@ -116,12 +116,51 @@ std::vector<Lobe> other_lobes(const ups_profile* profile, double c_deg, const up
   return lobes;
 }
 
+// One line each lamp set, empty ones as well.
+std::vector<std::string> lamp_texts(const ups_profile* profile, ups_profile_text topic, size_t count) {
+  const std::string text = text_of(profile, topic);
+  std::vector<std::string> lines(count);
+  for (size_t i = 0, begin = 0; i < count && begin < text.size(); ++i) {
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    lines[i] = text.substr(begin, end - begin);
+    begin = end + 1;
+  }
+  return lines;
+}
+
+std::vector<LampSetReport> lamp_sets_of(const ups_profile* profile, uint32_t count) {
+  std::vector<LampSetReport> sets(count);
+  const auto types = lamp_texts(profile, UPS_PROFILE_TEXT_LAMP_TYPES, count),
+             colours = lamp_texts(profile, UPS_PROFILE_TEXT_LAMP_COLOURS, count),
+             renderings = lamp_texts(profile, UPS_PROFILE_TEXT_LAMP_RENDERINGS, count);
+  for (uint32_t i = 0; i < count; ++i) {
+    sets[i].info.struct_size = sizeof sets[i].info;
+    check(ups_profile_get_lamp_set(profile, i, &sets[i].info));
+    sets[i].type = types[i];
+    sets[i].colour = colours[i];
+    sets[i].rendering = renderings[i];
+  }
+  return sets;
+}
+
 std::optional<PlaneReport> peak_plane_of(const ups_profile* profile, const ProfileReport& report) {
   constexpr double missed = 0.99;
   const ups_profile_info& info = report.info;
   if (!(std::max(report.beam[0].peak_cd, report.beam[1].peak_cd) < missed * info.peak_cd)) return std::nullopt;
   const float c_deg = std::fmod(std::fmod(info.peak_c_deg, 180.f) + 180.f, 180.f);
   return PlaneReport{c_deg, beam_of(profile, c_deg, 0.5f), beam_of(profile, c_deg, 0.1f)};
+}
+
+// By what FORMAT tells of a file that was read; all others are XML.
+ups_profile_format format_of(const std::string& text) {
+  constexpr std::pair<const char*, ups_profile_format> words[] = {{"IES LM-63", UPS_PROFILE_IES_LM63},
+                                                                  {"EULUMDAT", UPS_PROFILE_EULUMDAT},
+                                                                  {"IES TM-25", UPS_PROFILE_TM25_RAYS},
+                                                                  {"Zemax", UPS_PROFILE_ZEMAX_RAYS},
+                                                                  {"LightTools", UPS_PROFILE_LIGHTTOOLS_RAYS}};
+  for (const auto& [word, format] : words)
+    if (text.rfind(word, 0) == 0) return format;
+  return UPS_PROFILE_TM33_XML;
 }
 
 }  // namespace
@@ -145,22 +184,46 @@ std::optional<ups_profile_format> photometric_format(const std::string& file) {
   return std::nullopt;
 }
 
+// By its content; where that fails, as its name says.
 Profile read_profile(ups_context* context, const std::string& file) {
+  const std::string bytes = read_bytes(file);
   Profile profile;
-  if (parse(context, file, profile) != UPS_OK) throw Failure(file + ": " + without_functions(ups_last_error()));
-  return profile;
+  if (parse(context, file, bytes, UPS_PROFILE_AUTO, profile) == UPS_OK) return profile;
+  const std::string by_content = without_functions(ups_last_error());
+  const auto named = photometric_format(file);
+  if (!named)
+    throw Failure(file + ": neither a scene nor a photometric file that is known here, whose name would end in " +
+                  ".gltf, .glb, " + known_extensions + "; read as photometry: " + by_content);
+  if (parse(context, file, bytes, *named, profile) == UPS_OK) return profile;
+  const std::string by_name = without_functions(ups_last_error());
+  throw Failure(file + ": " + by_content +
+                (by_name == by_content ? ""
+                                       : "; read as what its name says, " + lower_extension(file) + ": " + by_name));
 }
 
-void write_profile(const std::string& file, const ups_profile* profile) {
-  std::string bytes;
+bool is_scene_file(const std::string& file) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".gltf" || extension == ".glb") return true;
+  char first[4] = {};
+  std::ifstream(file, std::ios::binary).read(first, sizeof first);
+  return std::equal(first, first + 4, "glTF") || (!photometric_format(file) && first[0] == '{');
+}
+
+WrittenProfile write_profile(const std::string& file, const ups_profile* profile) {
+  const ups_profile_format format = *photometric_format(file);
+  std::string bytes, lacks;
   try {
     bytes = read_text([&](char* to, size_t capacity, size_t* needed) {
-      return ups_profile_write(profile, *photometric_format(file), to, capacity, needed);
+      return ups_profile_write(profile, format, to, capacity, needed);
+    });
+    lacks = read_text([&](char* to, size_t capacity, size_t* needed) {
+      return ups_profile_get_write_warnings(profile, format, to, capacity, needed);
     });
   } catch (const Failure& e) {
     throw Failure(file + ": " + e.what());
   }
   extras::write_file(file, bytes.data(), bytes.size());
+  return {std::move(bytes), lines_of(lacks)};
 }
 
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg) {
@@ -185,7 +248,8 @@ ProfileReport make_report(const std::string& file, const ups_profile* profile) {
   check(ups_profile_get_info(profile, &report.info));
   report.format = text_of(profile, UPS_PROFILE_TEXT_FORMAT);
   report.tilt_table = text_of(profile, UPS_PROFILE_TEXT_TILT_TABLE);
-  report.warnings = lines_of(text_of(profile, UPS_PROFILE_TEXT_WARNINGS));
+  append_once(report.warnings, lines_of(text_of(profile, UPS_PROFILE_TEXT_WARNINGS)));
+  report.lamp_sets = lamp_sets_of(profile, report.info.lamp_set_count);
   for (const std::string& line : lines_of(text_of(profile, UPS_PROFILE_TEXT_KEYWORDS))) {
     const size_t equals = std::min(line.find('='), line.size());
     report.keywords.emplace_back(line.substr(0, equals), equals < line.size() ? line.substr(equals + 1) : "");
@@ -211,6 +275,15 @@ ProfileReport make_report(const std::string& file, const ups_profile* profile) {
     check(ups_profile_get_luminance(profile, directions_of(angles).data(), angles.size(),
                                     report.luminance_cd_m2[i].data()));
   }
+  return report;
+}
+
+ProfileReport report_of_file(const std::string& file, const ups_profile* profile) {
+  ProfileReport report = make_report(file, profile);
+  const auto named = photometric_format(file);
+  if (named && *named != format_of(report.format))
+    report.warnings.push_back("its name ends in " + lower_extension(file) + ", but it is " + report.format +
+                              " by its content and read as that");
   return report;
 }
 

@@ -15,13 +15,19 @@ inline constexpr double radian = 3.14159265358979323846 / 180;  // of a degree
 
 std::string lower_extension(const std::string& file);  // with its dot
 
-// By its name: .ies, .ldt, .xml, .tm25ray, .sdf, .dat, .ray. None: not a photometric file.
+// By its name. None: not a photometric file.
 std::optional<ups_profile_format> photometric_format(const std::string& file);
+inline constexpr const char* known_extensions = ".ies, .ldt, .xml, .tm25ray, .sdf, .dat or .ray";
+bool is_scene_file(const std::string& file);  // by its name or its first bytes
 
-// Throws Failure that names the file.
+// By its content, whatever its name. Throws Failure that names the file.
 Profile read_profile(ups_context* context, const std::string& file);
+struct WrittenProfile {
+  std::string bytes;               // as what is no file cannot be read again
+  std::vector<std::string> lacks;  // what the file does not hold as the profile has it, such as flux and peak
+};
 // As .ies or .ldt, by its name, whole or not at all. Throws Failure that names the file.
-void write_profile(const std::string& file, const ups_profile* profile);
+WrittenProfile write_profile(const std::string& file, const ups_profile* profile);
 inline bool is_written_format(const std::string& file) {
   return lower_extension(file) == ".ies" || lower_extension(file) == ".ldt";
 }
@@ -39,6 +45,11 @@ struct Lobe {
   double from_deg, to_deg;  // as in ups_profile_beam
 };
 
+struct LampSetReport {
+  ups_profile_lamp_set info;
+  std::string type, colour, rendering;  // as the file has them
+};
+
 struct ProfileReport {
   std::string file, format;
   std::string tilt_table;  // empty: none
@@ -48,6 +59,7 @@ struct ProfileReport {
   std::optional<PlaneReport> peak_plane;                // of the peak, where those two miss it; c_deg in [0, 180)
   std::array<double, 5> zonal_flux_lm;                  // by the band rule
   std::array<std::array<float, 4>, 4> luminance_cd_m2;  // [c][gamma]; < 0: no opening, or seen edge on
+  std::vector<LampSetReport> lamp_sets;
   std::vector<std::pair<std::string, std::string>> keywords;
   std::vector<std::string> warnings;
 
@@ -57,6 +69,8 @@ struct ProfileReport {
   bool has_luminance() const { return info.opening_shape != UPS_OPENING_POINT; }
 };
 ProfileReport make_report(const std::string& file, const ups_profile* profile);
+// The same of a file that was read; where its name tells another format than its content, a warning more.
+ProfileReport report_of_file(const std::string& file, const ups_profile* profile);
 
 // Intensity at (C, gamma) in degrees, cd.
 std::vector<float> intensities(const ups_profile* profile, const std::vector<std::pair<double, double>>& c_gamma_deg);
@@ -68,11 +82,13 @@ std::string angle_text(const ProfileReport& report, const ups_profile_beam& beam
 std::string beams_text(const ProfileReport& report);  // lines of beam and field angle
 std::string opening_text(const ups_profile_info& info);  // shape and sizes
 const char* shape_word(ups_opening_shape shape);
+const char* opening_axis_word(const ups_profile_info& info);  // "x", "y", "z" of a cylinder or a line, else ""
 const char* symmetry_word(ups_profile_symmetry symmetry);
 
 std::string to_text(const ProfileReport& report);  // a page for one file
 std::string table_head(size_t name_width);         // and, for many, lines of a table
-std::string table_line(const ProfileReport& report, size_t name_width);
-std::string table_error(const std::string& file, const std::string& error, size_t name_width);
+// name: of the file, for the first column.
+std::string table_line(const ProfileReport& report, const std::string& name, size_t name_width);
+std::string table_error(const std::string& file, const std::string& error, const std::string& name, size_t name_width);
 
 }  // namespace ups::tool

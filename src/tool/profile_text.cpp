@@ -9,12 +9,6 @@
 namespace ups::tool {
 namespace {
 
-std::string list_text(const char* title, const std::vector<std::string>& lines) {
-  std::string text = format("%s:%s\n", title, lines.empty() ? " none" : "");
-  for (const std::string& line : lines) text += "  " + line + "\n";
-  return text;
-}
-
 std::string plane_text(const ProfileReport& report, int plane) {
   const size_t others = report.other_lobes[plane].size();
   return angle_text(report, report.beam[plane], " deg") +
@@ -62,7 +56,40 @@ std::string table_text(const ups_profile_info& info) {
                                                                      : "table: %u C-planes x %u gamma angles\n";
   std::string text = format(pattern, info.c_count, info.gamma_count);
   if (info.ray_count > 0) text += format("rays: %u\n", info.ray_count);
-  if (info.lamp_set_count > 1) text += format("lamp sets: %u, alternatives; this is the first\n", info.lamp_set_count);
+  return text;
+}
+
+// "2 x LED, 4000 lm, 40 W, 3000 K, CRI 80".
+std::string lamp_set_text(const LampSetReport& set) {
+  const ups_profile_lamp_set& info = set.info;
+  std::vector<std::string> parts;
+  if (info.count < 0) parts.push_back("absolute photometry");
+  if (info.count > 0 || !set.type.empty())
+    parts.push_back((info.count > 0 ? format("%d x ", info.count) : "") + (set.type.empty() ? "lamp" : set.type));
+  if (info.flux_lm >= 0) parts.push_back(format("%.6g lm", info.flux_lm));
+  if (info.input_power_w >= 0) parts.push_back(format("%g W", info.input_power_w));
+  if (info.colour_temperature_k >= 0)
+    parts.push_back(format("%g K", info.colour_temperature_k));
+  else if (!set.colour.empty())
+    parts.push_back("colour " + set.colour);
+  if (info.colour_rendering_index >= 0)
+    parts.push_back(format("CRI %g", info.colour_rendering_index));
+  else if (!set.rendering.empty())
+    parts.push_back("colour rendering " + set.rendering);
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text.empty() ? "not described" : text;
+}
+
+std::string lamps_text(const ProfileReport& report) {
+  const auto& sets = report.lamp_sets;
+  if (sets.empty()) return {};
+  if (sets.size() == 1) return "lamps: " + lamp_set_text(sets[0]) + "\n";
+  const auto chosen = [](const LampSetReport& set) { return set.info.chosen == 1; };
+  const bool together = std::all_of(sets.begin(), sets.end(), chosen);
+  std::string text = format("lamp sets: %zu, %s\n", sets.size(), together ? "together" : "alternatives");
+  for (size_t i = 0; i < sets.size(); ++i)
+    text += format("  %zu: ", i + 1) + lamp_set_text(sets[i]) + (chosen(sets[i]) && !together ? " (taken)" : "") + "\n";
   return text;
 }
 
@@ -86,17 +113,31 @@ std::string padded(const std::string& name, size_t width) {
   return name + std::string(name.size() < width ? width - name.size() : 0, ' ');
 }
 
-std::string base_name(const std::string& file) { return file.substr(file.find_last_of('/') + 1); }
-
 std::string beam_cell(const ups_profile_beam& beam) {
   return beam.angle_deg < 0 ? "-" : format("%.1f", beam.angle_deg);
 }
 
 }  // namespace
 
+std::string list_text(const char* title, const std::vector<std::string>& lines) {
+  std::string text = format("%s:%s\n", title, lines.empty() ? " none" : "");
+  for (const std::string& line : lines) text += "  " + line + "\n";
+  return text;
+}
+
 const char* shape_word(ups_opening_shape shape) {
   constexpr const char* words[] = {"point", "rectangle", "disc", "box", "cylinder", "sphere"};
   return shape >= 0 && shape < int(std::size(words)) ? words[shape] : "unknown";
+}
+
+const char* opening_axis_word(const ups_profile_info& info) {
+  constexpr const char* words[] = {"x", "y", "z"};
+  if (info.opening_shape == UPS_OPENING_CYLINDER && info.opening_axis >= 0 && info.opening_axis < 3)
+    return words[info.opening_axis];
+  const auto* m = info.opening_m;
+  const bool line = info.opening_shape == UPS_OPENING_RECTANGLE &&
+                    std::count_if(m, m + 3, [](float length) { return length > 0; }) == 1;
+  return line ? words[std::max_element(m, m + 3) - m] : "";
 }
 
 std::string opening_text(const ups_profile_info& info) {
@@ -106,7 +147,12 @@ std::string opening_text(const ups_profile_info& info) {
   switch (info.opening_shape) {
     case UPS_OPENING_POINT:
       return text;
+    case UPS_OPENING_CYLINDER:
+      return format("%s %g x %g x %g m along %s", text.c_str(), m[0], m[1], m[2], opening_axis_word(info));
     case UPS_OPENING_RECTANGLE:
+      if (const char* axis = opening_axis_word(info); *axis)
+        return format("line %g m along %s", std::max({m[0], m[1], m[2]}), axis);
+      [[fallthrough]];
     case UPS_OPENING_DISC:
       if (m[2] == 0) return format("%s %g x %g m", text.c_str(), m[0], m[1]);
       [[fallthrough]];  // upright
@@ -146,6 +192,7 @@ std::string to_text(const ProfileReport& report) {
   text += format("symmetry: %s\nopening: %s\n", symmetry_text(info.symmetry), opening_text(info).c_str());
   if (report.has_luminance()) text += luminance_text(report);
   text += table_text(info);
+  text += lamps_text(report);
   std::vector<std::string> keywords;
   for (const auto& [name, value] : report.keywords) keywords.push_back(name + "=" + value);
   return text + list_text("keywords", keywords) + list_text("warnings", report.warnings);
@@ -156,23 +203,24 @@ std::string table_head(size_t name_width) {
                                              "peak cd", "beam C0", "C90 deg", "symmetry", "opening", "warnings");
 }
 
-std::string table_line(const ProfileReport& report, size_t name_width) {
+std::string table_line(const ProfileReport& report, const std::string& name, size_t name_width) {
   const ups_profile_info& info = report.info;
-  return padded(base_name(report.file), name_width) +
+  return padded(name, name_width) +
          format("  %-17s %10.6g %10.6g %7s %7s  %-9s  %-26s %zu\n", report.format.c_str(), info.flux_lm, info.peak_cd,
                 beam_cell(report.beam[0]).c_str(), beam_cell(report.beam[1]).c_str(), symmetry_word(info.symmetry),
                 opening_text(info).c_str(), report.warnings.size());
 }
 
-std::string table_line(const SceneReport& report, size_t name_width) {
-  return padded(base_name(report.file), name_width) + format("  %-17s %10.6g %10s %7s %7s  %-9s  %-26s %zu\n",
+std::string table_line(const SceneReport& report, const std::string& name, size_t name_width) {
+  return padded(name, name_width) + format("  %-17s %10.6g %10s %7s %7s  %-9s  %-26s %zu\n",
                                                              "glTF scene", report.info.emitted_flux_lm, "-", "-", "-",
                                                              "-", "-", report.warnings.size());
 }
 
-std::string table_error(const std::string& file, const std::string& error, size_t name_width) {
+std::string table_error(const std::string& file, const std::string& error, const std::string& name,
+                        size_t name_width) {
   const std::string prefix = file + ": ";  // the first column says that
-  return padded(base_name(file), name_width) +
+  return padded(name, name_width) +
          "  error: " + (error.compare(0, prefix.size(), prefix) == 0 ? error.substr(prefix.size()) : error) + "\n";
 }
 

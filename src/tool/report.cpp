@@ -50,12 +50,6 @@ uint32_t technique_bit(const std::string& name) {
 
 namespace {
 
-void append_once(std::vector<std::string>& to, const std::vector<std::string>& from) {
-  for (const std::string& line : from) {
-    if (std::find(to.begin(), to.end(), line) == to.end()) to.push_back(line);
-  }
-}
-
 double mean_luminance(const std::vector<float>& rgb) {
   double sum = 0;
   for (size_t i = 0; i + 2 < rgb.size(); i += 3) sum += 0.2126 * rgb[i] + 0.7152 * rgb[i + 1] + 0.0722 * rgb[i + 2];
@@ -129,12 +123,8 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
       report.cameras.push_back({sensor.name, sensor.info.width, sensor.info.height, mean_luminance(pixels)});
     }
   }
-  for (const std::string& name : source_names(result)) {
-    ups_source_info info{};
-    info.struct_size = sizeof info;
-    check(ups_result_get_source(result, uint32_t(report.sources.size()), &info));
-    report.sources.push_back({name, info.flux_lm});
-  }
+  for (const SourceEntry& source : sources_of(scene, result))
+    report.sources.push_back({source.name, source.info.flux_lm});
   size_t count = 0;
   check(ups_result_read_convergence(result, nullptr, 0, &count));
   report.convergence.resize(count);

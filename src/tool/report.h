@@ -24,7 +24,7 @@ struct GoniometerReport {
 };
 
 struct SourceReport {
-  std::string name;  // "luminaire_3"
+  std::string name;  // of its node, or "group_3"
   double flux_lm;
 };
 

@@ -43,16 +43,41 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-LoadedScene import_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height) {
+namespace {
+
+// What is wrong with a photometric file the import tells of the file, "a.ies: ...", and the commit of whoever has it,
+// "luminaire 2: ...".
+bool is_told(const std::vector<std::string>& lines, const std::string& line) {
+  constexpr std::string_view luminaire = "luminaire ";
+  const size_t colon = line.find(": ");
+  const bool of_luminaire =
+      line.rfind(luminaire, 0) == 0 && colon == line.find_first_not_of("0123456789", luminaire.size());
+  const std::string rest = of_luminaire ? line.substr(colon) : "";
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& told) {
+    return told == line || (of_luminaire && told.size() > rest.size() &&
+                            told.compare(told.size() - rest.size(), rest.size(), rest) == 0);
+  });
+}
+
+}  // namespace
+
+void append_once(std::vector<std::string>& to, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    if (!is_told(to, line)) to.push_back(line);
+  }
+}
+
+LoadedScene import_scene(const std::string& path, const SceneOptions& options) {
   LoadedScene loaded;
-  loaded.context = make_context(threads);
+  loaded.context = make_context(options.threads);
   ups_scene* scene = nullptr;
   check(ups_scene_create(loaded.context.get(), &scene));
   loaded.scene.reset(scene);
   ups_gltf_import_desc desc;
   ups_gltf_import_desc_init(&desc, sizeof desc);
-  desc.camera_width = camera_width;
-  desc.camera_height = camera_height;
+  desc.camera_width = options.camera_width;
+  desc.camera_height = options.camera_height;
+  desc.allow_outside = options.allow_outside;
   ups_gltf_import* imported = nullptr;
   check(ups_gltf_import_file(loaded.context.get(), path.c_str(), &desc, scene, &imported), ups_gltf_last_error);
   loaded.import_result.reset(imported);
@@ -67,9 +92,9 @@ LoadedScene import_scene(const std::string& path, int threads, uint32_t camera_w
     });
     loaded.sensors.push_back(sensor);
   }
-  loaded.warnings = lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
-    return ups_gltf_get_warnings(imported, to, capacity, needed);
-  }));
+  append_once(loaded.warnings, lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
+                return ups_gltf_get_warnings(imported, to, capacity, needed);
+              })));
   return loaded;
 }
 
@@ -77,15 +102,13 @@ void commit_scene(LoadedScene& loaded, const std::string& path) {
   ups_scene* scene = loaded.scene.get();
   const ups_status committed = ups_scene_commit(scene);
   if (committed != UPS_OK) throw Failure(path + ": " + without_functions(ups_last_error()));
-  for (const std::string& line : lines_of(read_text([&](char*to, size_t capacity, size_t*needed) {
-         return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);
-       }))) {
-    loaded.warnings.push_back(line);
-  }
+  append_once(loaded.warnings, lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
+                return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);
+              })));
 }
 
-LoadedScene load_scene(const std::string& path, int threads, uint32_t camera_width, uint32_t camera_height) {
-  LoadedScene loaded = import_scene(path, threads, camera_width, camera_height);
+LoadedScene load_scene(const std::string& path, const SceneOptions& options) {
+  LoadedScene loaded = import_scene(path, options);
   commit_scene(loaded, path);
   return loaded;
 }

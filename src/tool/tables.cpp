@@ -1,32 +1,37 @@
-// See tables.h: columns named by luminaire, instance or group; nodes of a goniometer with their errors.
+// See tables.h: columns named by node or group; nodes of a goniometer with their errors.
 #include "tool/tables.h"
 
 #include "tool/csv.h"
 
 namespace ups::tool {
 
-std::vector<std::string> source_names(const ups_result* result) {
+std::vector<SourceEntry> sources_of(const LoadedScene& scene, const ups_result* result) {
   uint32_t count = 0;
   check(ups_result_get_source_count(result, &count));
-  std::vector<std::string> names;
+  std::vector<SourceEntry> sources(count);
   for (uint32_t i = 0; i < count; ++i) {
-    ups_source_info info{};
+    ups_source_info& info = sources[i].info;
     info.struct_size = sizeof info;
     check(ups_result_get_source(result, i, &info));
-    const char* kind = info.kind == UPS_SOURCE_GROUP      ? "group_"
-                       : info.kind == UPS_SOURCE_INSTANCE ? "instance_"
-                                                          : "luminaire_";
-    names.push_back(kind + std::to_string(info.id));
+    if (info.kind == UPS_SOURCE_GROUP) {
+      sources[i].name = "group_" + std::to_string(info.id);
+      continue;
+    }
+    sources[i].name = read_text(
+        [&](char* to, size_t capacity, size_t* needed) {
+          return ups_gltf_get_source_name(scene.import_result.get(), info.kind, info.id, to, capacity, needed);
+        },
+        ups_gltf_last_error);
   }
-  return names;
+  return sources;
 }
 
 void write_sources_csv(const std::string& path, const std::vector<double>& positions_m, const SensorEntry& meters,
-                       const ups_result* result) {
+                       const std::vector<SourceEntry>& sources, const ups_result* result) {
   std::string header = "x_m,y_m,z_m";
   std::vector<std::vector<ups_meter_reading>> columns;
-  for (const std::string& name : source_names(result)) {
-    header += "," + name + "_lx," + name + "_standard_error_lx";
+  for (const SourceEntry& source : sources) {
+    header += "," + source.name + "_lx," + source.name + "_standard_error_lx";
     std::vector<ups_meter_reading>& column = columns.emplace_back(meters.info.meter_count);
     check(ups_result_read_source_meters(result, uint32_t(columns.size() - 1), meters.info.sensor, column.data(),
                                         column.size()));

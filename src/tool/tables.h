@@ -8,12 +8,16 @@
 
 namespace ups::tool {
 
-// "luminaire_3", "instance_7", "group_1"; empty without --separate.
-std::vector<std::string> source_names(const ups_result* result);
+struct SourceEntry {
+  ups_source_info info;
+  std::string name;  // of its node, or "group_1"
+};
+// What --separate told apart; empty without it.
+std::vector<SourceEntry> sources_of(const LoadedScene& scene, const ups_result* result);
 
 // positions_m: 3 a meter. A row a meter; of each source illuminance and standard error, lx.
 void write_sources_csv(const std::string& path, const std::vector<double>& positions_m, const SensorEntry& meters,
-                       const ups_result* result);
+                       const std::vector<SourceEntry>& sources, const ups_result* result);
 
 // The nodes of a goniometer; gamma runs fastest.
 struct GoniometerNodes {

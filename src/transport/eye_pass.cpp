@@ -50,16 +50,18 @@ namespace {
 // What the pixel sees first that is not a mirror or clear glass, measured like a meter that faces the eye.
 float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3& d, EyeWalk::Sensor sensor,
                         const PathSampler& rng, WorkCounts& work) {
-  SurfacePoint surface;
+  Encounter seen;
   Vec3 direction;
-  if (first_diffuse(in.scene, camera.position(), d, sensor.medium, surface, direction) <= 0) return 0;
+  if (first_diffuse(in.scene, camera.position(), d, sensor.media, seen, direction) <= 0) return 0;
+  const SurfacePoint& surface = seen.surface;
   sensor.camera = false;
   sensor.techniques = nullptr;
   const double eta = sensor.counts.eta_first;
   sensor.counts = meter_counts(in.plan, in.settings, false, in.walk_radius2);
-  const bool merges = merge_gate(Bsdf(in.scene.materials[surface.material], surface.uv));
+  const bool merges = merge_gate(seen.bsdf(in.scene));
   sensor.end = mis::sensor_end(sensor.counts, merges ? eta : 0, 0);
   const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
+  sensor.media = seen.media;
   ++work.eye_paths;
   return luminance(EyeWalk(in, sensor, rng, work).from_surface(surface, frame).value);
 }
@@ -85,7 +87,7 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
       sensor.counts = camera_counts(in.plan, in.settings, radius2, in.walk_radius2);
       sensor.first = {float(std::sqrt(radius2)), &in.pixel_photons};
       sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
-      sensor.medium = in.scene.medium_of_camera[c];
+      sensor.media = in.scene.media_stacks[in.scene.media_of_camera[c]];
       sensor.techniques = tally.techniques.empty() ? nullptr : &tally.techniques[c];
       sensor.pixel = pixel;
       pairing.assign(first_path + uint32_t(i), sensor);
@@ -125,7 +127,7 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), in.walk_radius2);
       sensor.end = mis::sensor_end(sensor.counts, set.is_cell() ? 0 : eta / samples, set.cell_area());
       sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
-      sensor.medium = in.scene.medium_of_meter[s][m];
+      sensor.media = in.scene.media_stacks[in.scene.media_of_meter[s][m]];
       MeterTally sum;
       const size_t columns = in.plan.separation.columns.size();
       sensor.separated = columns ? &tally.separated[s][i * columns] : nullptr;

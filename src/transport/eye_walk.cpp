@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/per_thread.h"
 #include "base/warp.h"
 #include "emitter/profile.h"
 
@@ -59,26 +60,19 @@ EyeTally EyeWalk::gather_at_meter() {
 void EyeWalk::walk() {
   for (uint32_t edges = 1; !longer_than_allowed(edges); ++edges) {
     if (is_stopped(in_.stop, edges)) return;
-    Hit hit;
-    ++work_.rays;
-    const bool found = scene_.raytracer->intersect(origin_, direction_, infinity, hit);
-    SurfacePoint surface;
-    if (found) surface = scene_.raytracer->surface_at(hit);
-    const float distance = found ? hit.t : infinity;
-    const uint32_t medium = medium_of_edge(scene_, medium_, found ? &surface : nullptr, direction_);
-    if (scene_.openings) hit_openings(edges, distance, medium);
-    if (!found) return;
-    const Rgb transmittance = attenuation(scene_, medium, distance);
-    throughput_ *= transmittance;
-    medium_ = medium;
+    meet(scene_, origin_, direction_, media_, work_, met_);
+    if (scene_.openings) hit_openings(edges);
+    if (!met_.found) return;
+    const SurfacePoint& surface = met_.surface;
+    const float distance = met_.distance;
+    if (!pass_on(met_.transmittance(scene_, distance))) return;
     const float cos_in = std::abs(dot(direction_, surface.ng));
     if (cos_in < min_cosine) return;
     const uint32_t emitter = scene_.emitter_of_instance[surface.instance];
     if (emitter != none) hit_emitter(emitter, surface.primitive, surface.p, cos_in, distance, edges, Rgb(1.0f));
     if (in_.settings.light_tracing) return;  // an emitter seen directly was all that it can add
 
-    Vertex v{surface, Bsdf(scene_.materials[surface.material], surface.uv), -direction_, {}, arrive(cos_in, distance),
-             false, false, edges};
+    Vertex v{surface, met_.bsdf(scene_), -direction_, {}, arrive(cos_in, distance), false, false, edges};
     v.local_wo = surface.shading.to_local(v.wo);
     if (!consistent_side(surface, v.wo, v.local_wo)) return;
     v.passes = v.bsdf.is_glossy(in_.settings.glossy_alpha);
@@ -97,6 +91,13 @@ void EyeWalk::walk() {
   }
 }
 
+bool EyeWalk::pass_on(const Rgb& share) {
+  throughput_ *= share;
+  if (is_finite(throughput_)) return true;
+  work_.drop(Drop::eye_walk);
+  return false;
+}
+
 mis::EyeState EyeWalk::arrive(float cos_in, float distance) const {
   const double d2 = double(distance) * distance;
   switch (edge_.kind) {
@@ -110,18 +111,19 @@ mis::EyeState EyeWalk::arrive(float cos_in, float distance) const {
 }
 
 // Luminous openings block nothing: they are found beside the surfaces.
-void EyeWalk::hit_openings(uint32_t edges, float distance, uint32_t medium) {
-  thread_local std::vector<DiscIndex::Crossing> crossings;
+void EyeWalk::hit_openings(uint32_t edges) {
+  static const PerThread<std::vector<DiscIndex::Crossing>> kept;
+  std::vector<DiscIndex::Crossing>& crossings = kept.get();
   crossings.clear();
-  scene_.openings->intersect_all(origin_, direction_, distance, crossings);
+  scene_.openings->intersect_all(origin_, direction_, met_.distance, crossings);
   for (const DiscIndex::Crossing& c : crossings) {
     const uint32_t emitter = scene_.emitter_of_opening[c.disc];
     // The index holds what surrounds luminous openings, and of luminous openings alone.
     float t, cos_in;
     if (!static_cast<const ProfileOpeningEmitter&>(scene_.emitters[emitter]).enter(origin_, direction_, t, cos_in))
       continue;
-    if (!(t > 0 && t <= distance) || cos_in < min_cosine) continue;
-    hit_emitter(emitter, 0, origin_ + direction_ * t, cos_in, t, edges, attenuation(scene_, medium, t));
+    if (!(t > 0 && t <= met_.distance) || cos_in < min_cosine) continue;
+    hit_emitter(emitter, 0, origin_ + direction_ * t, cos_in, t, edges, met_.transmittance(scene_, t));
   }
 }
 
@@ -182,23 +184,27 @@ void EyeWalk::sample_light(const Vertex& v, const Arrival& a) {
   const double total = (v.merge && in_.plan.gates.merge_at_first ? mis::eta_at(sensor_.counts, v.state) : 0.0) +
                        mis::eye_total(v.state, in_.plan.gates, sensor_.camera, true, f.pdf_reverse);
   const double w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1, total);
-  const uint32_t medium = medium_beyond(scene_, v.surface, medium_, s.wi);
+  const MediaStack& media = met_.beyond(s.wi);
   const float scale = terminator(v.surface, s.wi) * perturbed_cosine(v, a, s.wi) / choice.probability;
-  const Rgb value = throughput_ * f.value * s.weight * attenuation(scene_, medium, s.distance) * scale;
+  const Rgb value = throughput_ * f.value * s.weight * attenuation_ahead(scene_, media, s.distance) * scale;
   if (is_black(value)) return;
-  if (is_finite(value) && !segment_free(scene_, a.surface.ray_origin(s.wi), lifted(s.p, s.n, s.error), work_)) return;
-  add({{Family::path_integration, 1, edges}, choice.index}, value, float(w), Drop::light_sample);
+  Rgb passed(1.0f);
+  if (is_finite(value) &&
+      !segment_free(scene_, media, a.surface.ray_origin(s.wi), lifted(s.p, s.n, s.error), work_, passed))
+    return;
+  add({{Family::path_integration, 1, edges}, choice.index}, value * passed, float(w), Drop::light_sample);
 }
 
 // The light path's vertices as connections read them, made at the first that needs them.
 const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
-  thread_local std::vector<PreparedLight> prepared;
+  static const PerThread<std::vector<PreparedLight>> kept;
+  std::vector<PreparedLight>& prepared = kept.get();
   if (!light_is_prepared_) {
     prepared.clear();
     for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
       const LightVertex& l = in_.light.vertices[i];
       const SurfacePoint surface = l.surface();
-      prepared.push_back({&l, surface, Bsdf(scene_.materials[l.material], l.uv), surface.shading.to_local(l.wo)});
+      prepared.push_back({&l, surface, Bsdf(scene_.materials[l.material], l.uv, l.relative_ior), surface.shading.to_local(l.wo)});
     }
     light_is_prepared_ = true;
   }
@@ -209,13 +215,14 @@ const std::vector<EyeWalk::PreparedLight>& EyeWalk::prepared_light() {
 // stands for their sum if its ray is free (Talbot et al. 2005, resampled importance sampling). `weigh` gives them.
 template <class Weigh>
 void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
-  thread_local std::vector<Connection> all;
+  static const PerThread<std::vector<Connection>> kept;
+  std::vector<Connection>& all = kept.get();
   all.clear();
   double sum = 0;
   for (const PreparedLight& light : prepared_light()) {
     const Connection c = weigh(light);
     const float size = luminance(c.value);
-    if (!is_finite(c.value)) ++work_.dropped[size_t(Drop::connect)];
+    if (!is_finite(c.value)) work_.drop(Drop::connect);
     if (!(size > 0) || !is_finite(c.value)) continue;
     sum += size;
     all.push_back(c);
@@ -226,10 +233,12 @@ void EyeWalk::connect_one(uint32_t vertex, const Weigh& weigh) {
   while (chosen + 1 < all.size() && (target -= luminance(all[chosen].value)) >= 0) ++chosen;
   const Connection& c = all[chosen];
   ++work_.connections;
-  if (!segment_free(scene_, c.from, c.to, work_)) return;
+  Rgb passed(1.0f);
+  const MediaStack& media = vertex == 0 ? media_ : met_.beyond(c.to - c.from);
+  if (!segment_free(scene_, media, c.from, c.to, work_, passed)) return;
   const float all_for_one = float(sum / luminance(c.value));
-  add({{Family::path_integration, c.s, c.edges}, c.emitter}, c.value * all_for_one, c.unweighted * all_for_one,
-      Drop::connect);
+  add({{Family::path_integration, c.s, c.edges}, c.emitter}, c.value * all_for_one * passed,
+      c.unweighted * all_for_one * passed, Drop::connect);
 }
 
 // 2 <= s < k: an edge to a vertex of the light path.
@@ -253,10 +262,10 @@ EyeWalk::Connection EyeWalk::connect(const Vertex& v, const Arrival& a, const Pr
   const double cos_eye = std::abs(dot(d, a.surface.ng)), cos_light = std::abs(dot(d, l.ng));
   const double w = mis::weight_connect(l.mis, v.state, sensor_.counts, l.merge, v.merge, f_eye.pdf * cos_light / d2,
                                        f_light.pdf_reverse, f_light.pdf * cos_eye / d2, f_eye.pdf_reverse);
-  const uint32_t medium = medium_beyond(scene_, v.surface, medium_, d);
   const float scale =
       terminator(v.surface, d) * perturbed_cosine(v, a, d) * light_correction(light.surface, l.wo, -d) / d2;
-  const Rgb value = throughput_ * f_eye.value * l.flux * f_light.value * attenuation(scene_, medium, distance) * scale;
+  const Rgb passes = attenuation_ahead(scene_, met_.beyond(d), distance);
+  const Rgb value = throughput_ * f_eye.value * l.flux * f_light.value * passes * scale;
   return {value * float(w), value, a.surface.ray_origin(d), light.surface.ray_origin(-d), l.depth + 1u, edges,
           l.emitter};
 }
@@ -325,11 +334,11 @@ bool EyeWalk::scatter(const Vertex& v) {
     return false;
   if (in_.settings.photon_mapping && !s.delta && !v.passes) return false;  // its continuous part was merged
   const Vec3 wi = v.surface.shading.to_world(s.wi);
-  if (!consistent_side(v.surface, wi, s.wi)) return false;
-  throughput_ *= s.delta ? s.weight : s.weight * terminator(v.surface, wi);
+  if (is_finite(s.weight) && !consistent_side(v.surface, wi, s.wi)) return false;
+  if (!pass_on(s.delta ? s.weight : s.weight * terminator(v.surface, wi))) return false;
   const bool lossless = s.delta && max_component(s.weight) > 0.9f;
   const float q = survival(throughput_, start_throughput_, v.edges, lossless);
-  if (is_black(throughput_) || !is_finite(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
+  if (is_black(throughput_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
   throughput_ *= 1 / q;
   specular_ = specular_ && (s.delta || v.passes);
   edge_.kind = s.delta ? Edge::delta : Edge::continuous;
@@ -339,7 +348,7 @@ bool EyeWalk::scatter(const Vertex& v) {
   edge_.pdf_reverse = s.pdf_reverse;
   edge_.cos_out = std::abs(dot(wi, v.surface.ng));
   edge_.chi = double(s.pdf_reverse) / s.pdf * s.delta_jacobian;
-  medium_ = medium_beyond(scene_, v.surface, medium_, wi);
+  media_ = met_.beyond(wi);
   last_ = v.surface.p;
   origin_ = v.surface.ray_origin(wi);
   direction_ = wi;
@@ -362,10 +371,12 @@ void EyeWalk::meter_sample_light() {
     w = mis::weight_light_sample(sensor_.counts, pb_0, p.pn_0, p.pf_0, p.pf_1,
                                  mis::sensor_total_direct(sensor_.end, in_.plan.gates));
   }
-  const Rgb value = s.weight * attenuation(scene_, medium_, s.distance) * float(cos_1 / choice.probability);
+  const Rgb value = s.weight * attenuation_ahead(scene_, media_, s.distance) * float(cos_1 / choice.probability);
   if (is_black(value)) return;
-  if (is_finite(value) && !segment_free(scene_, meter_origin_, lifted(s.p, s.n, s.error), work_)) return;
-  add({{Family::path_integration, 1, 1}, choice.index}, value, float(w), Drop::light_sample);
+  Rgb passed(1.0f);
+  if (is_finite(value) && !segment_free(scene_, media_, meter_origin_, lifted(s.p, s.n, s.error), work_, passed))
+    return;
+  add({{Family::path_integration, 1, 1}, choice.index}, value * passed, float(w), Drop::light_sample);
 }
 
 // s = k: an edge from the meter's own point to a vertex of the light path.
@@ -390,7 +401,7 @@ EyeWalk::Connection EyeWalk::meter_connect(const PreparedLight& light) const {
     w = mis::weight_sensor_connect(l.mis, sensor_.counts, false, sensor_.end, l.merge,
                                    cos_meter * double(inv_pi) * cos_light / d2, f.pdf_reverse, f.pdf * cos_meter / d2);
   const float scale = float(cos_meter / d2) * light_correction(light.surface, l.wo, -d);
-  const Rgb value = l.flux * f.value * attenuation(scene_, medium_, distance) * scale;
+  const Rgb value = l.flux * f.value * attenuation_ahead(scene_, media_, distance) * scale;
   return {value * float(w), value, meter_origin_, light.surface.ray_origin(-d), l.depth + 1u, edges, l.emitter};
 }
 

@@ -25,14 +25,14 @@ class EyeWalk {
     mis::SensorEnd end;
     Disc first, later;  // of merges at the first vertex that scatters, or at the meter's point; elsewhere
     uint32_t first_light_vertex = 0, end_light_vertex = 0;  // of the light path that it connects to
-    uint32_t medium = none;
+    MediaStack media;
     TechniqueTally* techniques = nullptr;  // of the camera, where asked for
     uint32_t pixel = 0;
     MeterTally* separated = nullptr;  // of the meter, a column of Plan::separation each, where asked for
     double share = 1;                 // of this eye path in the meter's reading
   };
   EyeWalk(const EyePassInput& in, const Sensor& sensor, const PathSampler& rng, WorkCounts& work)
-      : in_(in), scene_(in.scene), sensor_(sensor), rng_(rng), work_(work), medium_(sensor.medium) {}
+      : in_(in), scene_(in.scene), sensor_(sensor), rng_(rng), work_(work), media_(sensor.media) {}
 
   // pdf_w: density of the direction; throughput: what a unit of radiance along it is worth.
   EyeTally from_camera(const Vec3& p, const Vec3& direction, float pdf_w);
@@ -61,8 +61,9 @@ class EyeWalk {
   };
 
   void walk();
+  bool pass_on(const Rgb& share);  // false where the path ends as its throughput is no longer finite
   mis::EyeState arrive(float cos_in, float distance) const;
-  void hit_openings(uint32_t edges, float distance, uint32_t medium);
+  void hit_openings(uint32_t edges);
   void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
                    const Rgb& transmittance);
   // Where path integration arrives at a vertex: there, or beside it (UPS_PERTURBATION_ACTUAL).
@@ -112,7 +113,7 @@ class EyeWalk {
   }
   bool add(const Found& found, const Rgb& value, const Rgb& unweighted, Drop drop) {
     if (!is_finite(value)) {
-      ++work_.dropped[size_t(drop)];
+      work_.drop(drop);
       return false;
     }
     const bool is_direct = found.technique.edges == 1;
@@ -141,7 +142,8 @@ class EyeWalk {
   Edge edge_;
   bool light_is_prepared_ = false;
   bool specular_ = false;  // a camera's path that scattered by delta lobes alone so far, in SPPM by glossy surfaces too
-  uint32_t medium_;
+  MediaStack media_;  // at the last vertex
+  Encounter met_;     // where the current edge ends; at its vertex: the media on both sides
 };
 
 }  // namespace ups

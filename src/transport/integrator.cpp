@@ -46,7 +46,7 @@ bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally&
   PhotonIndex pixel_photons, walk_photons;
   const double walk_radius2 = plan_.walk_radius2(iteration, settings_.radius_alpha);
   if (settings_.traces_light()) {
-    const SensorIndex sensors(*scene_, plan_, settings_, iteration, pool_.thread_count());
+    const SensorIndex sensors(*scene_, plan_, settings_, iteration, pool_);
     const bool merges = settings_.has(UPS_TECHNIQUE_MERGE);
     const bool connects = settings_.has(UPS_TECHNIQUE_CONNECT) || settings_.light_tracing;
     light = trace_light_paths({*scene_, plan_, settings_, iteration, iteration % batch_count, iteration / batch_count,

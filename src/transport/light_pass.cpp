@@ -55,32 +55,31 @@ class LightWalk {
     for (uint32_t a = 1;; ++a) {
       if (in_.settings.max_path_length && a > in_.settings.max_path_length) return;
       if (is_stopped(in_.stop, a)) return;
-      Hit hit;
-      ++block_.work.rays;
-      const bool found = scene_.raytracer->intersect(origin_, direction_, infinity, hit);
-      if (found) surface_ = scene_.raytracer->surface_at(hit);
-      const float distance = found ? hit.t : infinity;
-      const uint32_t medium = medium_of_edge(scene_, medium_, found ? &surface_ : nullptr, direction_);
-      if (!sensors_.empty()) cross_sensors(a, distance, medium);
-      if (!found) {
+      meet(scene_, origin_, direction_, media_, block_.work, met_);
+      if (!sensors_.empty()) cross_sensors(a);
+      if (!met_.found) {
         block_.work.escaped_lm += luminance(flux_);
         if (!scene_.goniometers.empty()) block_.escapes.push_back({direction_, luminance(flux_)});
         return;
       }
-      absorb(flux_ * attenuation(scene_, medium, distance));
-      medium_ = medium;
-      if (!scatter(a, distance)) return;
+      if (!absorb(flux_ * met_.transmittance(scene_, met_.distance)) || !scatter(a)) return;
     }
   }
 
  private:
-  static constexpr float infinity = std::numeric_limits<float>::infinity();
-
   mis::Counts common() const { return meter_counts(in_.plan, in_.settings, false, 0); }
 
-  void absorb(const Rgb& after) {
+  bool drop(Drop where) {
+    block_.work.drop(where);
+    return false;
+  }
+
+  // False where the path ends as what is left is not finite; the books then lack its flux.
+  bool absorb(const Rgb& after) {
+    if (!is_finite(after)) return drop(Drop::light_walk);
     block_.work.absorbed_lm += double(luminance(flux_)) - double(luminance(after));
     flux_ = after;
+    return true;
   }
 
   bool emit() {
@@ -92,10 +91,11 @@ class LightWalk {
     emitter_ = &scene_.emitters[choice.index];
     if (!emitter_->sample_emission(rng_.position(0), rng_.direction(0), start_)) return false;
     flux_ = start_flux_ = start_.flux / choice.probability;
-    if (!is_finite(flux_) || is_black(flux_)) return false;
+    if (!is_finite(flux_)) return drop(Drop::emission);
+    if (is_black(flux_)) return false;
     origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     direction_ = start_.direction;
-    medium_ = scene_.medium_of_emitter[choice.index];
+    media_ = scene_.media_stacks[scene_.media_of_emitter[choice.index]];
     return true;
   }
 
@@ -122,15 +122,15 @@ class LightWalk {
     return mis::light_first(counts_, ratio, start_.pdf_direction_w, d2, cos_in, true, start_.cos_0, pf_0);
   }
 
-  void cross_sensors(uint32_t a, float distance, uint32_t medium) {
+  void cross_sensors(uint32_t a) {
     if (a == 1 && !in_.plan.gates.merge_at_first && !in_.settings.has(UPS_TECHNIQUE_SENSOR_HIT)) return;
     block_.crossings.clear();
-    sensors_.crossings(origin_, direction_, distance, block_.crossings);
-    for (const DiscIndex::Crossing& c : block_.crossings) land(a, c, medium);
+    sensors_.crossings(origin_, direction_, met_.distance, block_.crossings);
+    for (const DiscIndex::Crossing& c : block_.crossings) land(a, c);
   }
 
   // A point meter merges the photon, a cell counts it.
-  void land(uint32_t a, const DiscIndex::Crossing& crossing, uint32_t medium) {
+  void land(uint32_t a, const DiscIndex::Crossing& crossing) {
     const SensorIndex::Entry& e = sensors_.entry(crossing.disc);
     const MeterSet& set = scene_.meter_sets[e.set];
     const Meter& meter = set.meters[e.meter];
@@ -144,7 +144,7 @@ class LightWalk {
       return;
     if (!cell && a == 1 && !in_.plan.gates.merge_at_first) return;
     const double unweighted =
-        luminance(flux_ * attenuation(scene_, medium, crossing.t)) /
+        luminance(flux_ * met_.transmittance(scene_, crossing.t)) /
         (double(in_.plan.light_paths) * (cell ? double(set.cell_area()) : 3.14159265358979323846 * e.radius2));
     double w = 1;
     if (!in_.settings.weightless()) {
@@ -154,10 +154,7 @@ class LightWalk {
                : mis::weight_merge_at_sensor(s, e.counts, e.eta, reverse);
     }
     const double value = unweighted * w;
-    if (!std::isfinite(value)) {
-      ++block_.work.dropped[size_t(cell ? Drop::sensor_hit : Drop::merge)];
-      return;
-    }
+    if (!std::isfinite(value)) return block_.work.drop(cell ? Drop::sensor_hit : Drop::merge);
     const float d2 = length2(offset);
     // The disc of half the area: its photons count twice,
     // so that the difference sees the curvature of illuminance alone.
@@ -165,12 +162,12 @@ class LightWalk {
     block_.landings.push_back({crossing.disc, emitter_index_, {value, a == 1 ? value : 0.0, bias}, d2});
   }
 
-  bool scatter(uint32_t a, float distance) {
+  bool scatter(uint32_t a) {
     const float cos_in = std::abs(dot(direction_, surface_.ng));
     if (cos_in < min_cosine) return false;
-    const Bsdf bsdf(scene_.materials[surface_.material], surface_.uv);
+    const Bsdf bsdf = met_.bsdf(scene_);
     const Vec3 wo = -direction_, local = surface_.shading.to_local(wo);
-    const mis::LightState state = arrive(surface_.p, cos_in, distance);
+    const mis::LightState state = arrive(surface_.p, cos_in, met_.distance);
     if (!consistent_side(surface_, wo, local)) {
       absorb(Rgb(0.0f));
       return false;
@@ -193,7 +190,7 @@ class LightWalk {
     v.error = surface_.error;
     v.material = surface_.material;
     v.emitter = emitter_index_;
-    v.medium = medium_;
+    v.relative_ior = met_.relative_ior;
     v.depth = uint16_t(std::min<uint32_t>(a, 0xffff));
     v.merge = merge;
     v.mis = state;
@@ -227,16 +224,18 @@ class LightWalk {
       w = mis::weight_sensor_connect(state, n, true, {}, merge, double(pdf_w) * cos_out / d2,
                                      scattering.pdf_reverse, 0.0);
     }
-    const uint32_t medium = medium_beyond(scene_, surface_, medium_, d);
+    const MediaStack& media = met_.beyond(d);
     const Rgb unweighted =
-        flux_ * f * attenuation(scene_, medium, std::sqrt(d2)) * float(pdf_w / (double(d2) * in_.plan.light_paths));
-    const Rgb value = unweighted * float(w);
-    if (!is_finite(value)) {
-      ++block_.work.dropped[size_t(Drop::sensor_connect)];
+        flux_ * f * attenuation_ahead(scene_, media, std::sqrt(d2)) * float(pdf_w / (double(d2) * in_.plan.light_paths));
+    Rgb value = unweighted * float(w);
+    if (is_black(value)) return;
+    Rgb passed(1.0f);
+    if (is_finite(value) &&
+        !segment_free(scene_, media, surface_.ray_origin(d), camera.position(), block_.work, passed))
       return;
-    }
-    if (is_black(value) || !segment_free(scene_, surface_.ray_origin(d), camera.position(), block_.work)) return;
-    block_.splats.push_back({{*pixel, value}, unweighted, c, a + 1});
+    value *= passed;
+    if (!is_finite(value)) return block_.work.drop(Drop::sensor_connect);
+    block_.splats.push_back({{*pixel, value}, unweighted * passed, c, a + 1});
   }
 
   bool continue_walk(uint32_t a, const Bsdf& bsdf, const Vec3& wo, const Vec3& local_wo, const mis::LightState& state,
@@ -246,15 +245,17 @@ class LightWalk {
       absorb(Rgb(0.0f));
       return false;
     }
+    if (!is_finite(s.weight)) return drop(Drop::light_walk);
     const Vec3 wi = surface_.shading.to_world(s.wi);
     if (!consistent_side(surface_, wi, s.wi)) {
       absorb(Rgb(0.0f));
       return false;
     }
-    absorb(flux_ * s.weight * (s.delta ? shading_correction(surface_, wo, wi) : light_correction(surface_, wo, wi)));
+    const float correction = s.delta ? shading_correction(surface_, wo, wi) : light_correction(surface_, wo, wi);
+    if (!absorb(flux_ * s.weight * correction)) return false;
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
     const float q = survival(flux_, start_flux_, a, lossless);
-    if (is_black(flux_) || !is_finite(flux_) || rng_.get(a, Slot::roulette) >= q) return false;
+    if (is_black(flux_) || rng_.get(a, Slot::roulette) >= q) return false;
     flux_ *= 1 / q;
     edge_.kind = s.delta ? LightEdge::delta : LightEdge::continuous;
     edge_.state = state;
@@ -263,7 +264,7 @@ class LightWalk {
     edge_.pdf_reverse = s.pdf_reverse;
     edge_.cos_out = std::abs(dot(wi, surface_.ng));
     edge_.chi = double(s.pdf_reverse) / s.pdf * s.delta_jacobian;
-    medium_ = medium_beyond(scene_, surface_, medium_, wi);
+    media_ = met_.beyond(wi);
     origin_ = surface_.ray_origin(wi);
     direction_ = wi;
     return true;
@@ -281,10 +282,11 @@ class LightWalk {
   float emit_probability_ = 1;
   EmissionSample start_;
   LightEdge edge_;
-  SurfacePoint surface_;
+  Encounter met_;  // where the current edge ends
+  const SurfacePoint& surface_ = met_.surface;
   Vec3 origin_, direction_;
   Rgb flux_, start_flux_;
-  uint32_t medium_ = none;
+  MediaStack media_;  // where the current edge starts
 };
 
 std::vector<Block> run_blocks(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool) {

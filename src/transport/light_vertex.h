@@ -17,7 +17,7 @@ struct LightVertex {
   float error = 0;
   uint32_t material = 0;
   uint32_t emitter = 0;  // that the path started from
-  uint32_t medium = 0;  // of the edge that arrived
+  float relative_ior = 1;  // where it is of glass, see Encounter
   uint16_t depth = 0;   // a of x_a
   bool merge = false;   // photons are merged here: the material's gate and g_1
   mis::LightState mis;

@@ -39,6 +39,27 @@ double Plan::radius2_factor(uint32_t visits, double alpha) {
   return std::exp(lgamma_r(i + alpha, &sign) - lgamma_r(1 + alpha, &sign) - lgamma_r(i + 1, &sign));
 }
 
+Plan::AtFloor Plan::at_floor(const std::vector<float>& radii, uint32_t visits, double alpha) const {
+  const auto raised = [&](float radius_1, uint32_t n) {
+    return radius_1 > 0 && double(radius_1) * radius_1 * radius2_factor(n, alpha) < double(min_radius) * min_radius;
+  };
+  AtFloor out;
+  float smallest = 0;
+  for (float r : radii)
+    if (raised(r, visits)) {
+      ++out.count;
+      if (smallest == 0 || r < smallest) smallest = r;
+    }
+  for (uint32_t last = visits; out.count > 0 && out.since < last;) {  // raised at last, not before since
+    const uint32_t middle = out.since + (last - out.since) / 2;
+    if (raised(smallest, middle))
+      last = middle;
+    else
+      out.since = middle + 1;
+  }
+  return out;
+}
+
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   Plan plan;
   plan.separation = separate(scene, settings.separation);

@@ -59,6 +59,12 @@ struct Plan {
   double radius2(double radius_1, double factor) const {
     return radius_1 > 0 ? std::max(radius_1 * radius_1 * factor, double(min_radius) * min_radius) : 0.0;
   }
+  // How many of the radii stand at min_radius after `visits` earlier iterations or passes, and since which.
+  struct AtFloor {
+    size_t count = 0;
+    uint32_t since = 0;
+  };
+  AtFloor at_floor(const std::vector<float>& radii, uint32_t visits, double alpha) const;
   // visit(running number, pixel) for each pixel that the iteration visits, in rising order. The numbers index what the
   // iteration found (IterationTally).
   template <class Visit>

@@ -18,7 +18,9 @@ constexpr double max_radius_rays = 1u << 18;
 
 // r_1 = 1.5 sqrt(A / pi), A the pixel's footprint at the first diffuse point; of a square of pixels that of its middle,
 // so that the rays of a large image take no longer than an iteration.
-std::vector<float> pixel_radii(const Snapshot& scene, const Camera& camera, ThreadPool& pool, const StopSignal& stop) {
+std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool, const StopSignal& stop) {
+  const Camera& camera = scene.cameras[c];
+  const MediaStack& media = scene.media_stacks[scene.media_of_camera[c]];
   const uint32_t side = uint32_t(std::ceil(std::sqrt(double(camera.pixel_count()) / max_radius_rays))),
                  columns = (camera.width() + side - 1) / side, rows = (camera.height() + side - 1) / side;
   std::vector<float> radii(size_t(columns) * rows);
@@ -28,11 +30,11 @@ std::vector<float> pixel_radii(const Snapshot& scene, const Camera& camera, Thre
       const uint32_t x = std::min(uint32_t(p % columns) * side + side / 2, camera.width() - 1),
                      y = std::min(uint32_t(p / columns) * side + side / 2, camera.height() - 1);
       const Vec3 d = camera.ray(x, y, {0.5f, 0.5f});
-      SurfacePoint s;
+      Encounter seen;
       Vec3 direction = d;
-      uint32_t medium = none;
-      const float distance = first_diffuse(scene, camera.position(), d, medium, s, direction);
-      const float area = distance * distance / (camera.pdf_w(d) * std::max(std::abs(dot(direction, s.ng)), 0.1f));
+      const float distance = first_diffuse(scene, camera.position(), d, media, seen, direction);
+      const float cosine = std::abs(dot(direction, seen.surface.ng));
+      const float area = distance * distance / (camera.pdf_w(d) * std::max(cosine, 0.1f));
       radii[p] = 1.5f * std::sqrt(area * inv_pi);
     }
   });
@@ -78,7 +80,7 @@ void fix_radii(const Snapshot& scene, float radius, Plan& plan) {
 std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
                                    const StopSignal& stop, uint32_t iteration, Plan& plan) {
   set_largest_disc_radii(scene, pool, stop, iteration, plan);
-  const SensorIndex sensors(scene, plan, settings, iteration, pool.thread_count());
+  const SensorIndex sensors(scene, plan, settings, iteration, pool);
   TransportSettings pilot = settings;
   pilot.photon_mapping = true;  // no weights are needed
   pilot.techniques &= ~uint32_t(UPS_TECHNIQUE_SENSOR_CONNECT);
@@ -104,7 +106,8 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
                   Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE) && !settings.actual_perturbation) return;
   if (settings.merge_radius > 0) return fix_radii(scene, settings.merge_radius, plan);
-  for (const Camera& camera : scene.cameras) plan.pixel_radius.push_back(pixel_radii(scene, camera, pool, stop));
+  for (size_t c = 0; c < scene.cameras.size(); ++c)
+    plan.pixel_radius.push_back(pixel_radii(scene, c, pool, stop));
   for (const MeterSet& set : scene.meter_sets) {
     plan.meter_spacing.push_back(meter_spacing(set));
     plan.meter_radius.emplace_back(set.meters.size());

@@ -6,7 +6,7 @@
 namespace ups {
 
 SensorIndex::SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t iteration,
-                         int threads) {
+                         ThreadPool& pool) {
   std::vector<DiscIndex::Disc> discs;
   const double factor = Plan::radius2_factor(plan.meter_pass(iteration), settings.radius_alpha),
                walk_radius2 = plan.walk_radius2(iteration, settings.radius_alpha);
@@ -27,7 +27,7 @@ SensorIndex::SensorIndex(const Snapshot& scene, const Plan& plan, const Transpor
       discs.push_back({lifted(meter.p, meter.frame.n, meter.error), meter.frame.n, radius});
     }
   }
-  if (!discs.empty()) discs_ = std::make_unique<DiscIndex>(std::move(discs), threads);
+  if (!discs.empty()) discs_ = std::make_unique<DiscIndex>(std::move(discs), pool);
 }
 
 }  // namespace ups

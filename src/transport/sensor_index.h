@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel.h"
 #include "scene/snapshot.h"
 #include "transport/plan.h"
 
@@ -13,7 +14,7 @@ class SensorIndex {
  public:
   // For one iteration's meters and radii. Holds point meters where merging is on and cells where landing is on.
   SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t iteration,
-              int threads);
+              ThreadPool& pool);
 
   struct Entry {
     uint32_t set, meter;

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "sensor/goniometer.h"
@@ -10,16 +11,23 @@
 
 namespace ups {
 
-// Why a sample was left out: it was not finite.
-enum class Drop { emitter_hit, light_sample, connect, sensor_connect, merge, sensor_hit, count };
-inline constexpr const char* drop_names[] = {"emitter_hit",    "light_sample", "connect",
-                                             "sensor_connect", "merge",        "sensor_hit"};
+// Where a sample was left out because it was not finite: by a technique; or with all the rest of its path, whose
+// throughput no longer was.
+enum class Drop {
+  emitter_hit, light_sample, connect, sensor_connect, merge, sensor_hit,
+  emission, light_walk, eye_walk,
+  count
+};
+inline constexpr const char* drop_names[] = {"emitter_hit", "light_sample", "connect",    "sensor_connect", "merge",
+                                             "sensor_hit",  "emission",     "light_walk", "eye_walk"};
+static_assert(std::size(drop_names) == size_t(Drop::count));
 
 struct WorkCounts {
   uint64_t rays = 0, light_paths = 0, eye_paths = 0, light_vertices = 0, merges = 0, connections = 0;
   std::array<uint64_t, size_t(Drop::count)> dropped{};
   double absorbed_lm = 0, escaped_lm = 0;  // summed over light paths, not yet divided by their number
 
+  void drop(Drop where) { ++dropped[size_t(where)]; }
   void add(const WorkCounts& o) {
     rays += o.rays;
     light_paths += o.light_paths;

@@ -1,13 +1,11 @@
-// What both walks do alike: roulette, media, visibility, consistent sides, gates.
+// What both walks do alike: roulette, consistent sides, gates.
 // Used by the light pass and the eye pass.
 #pragma once
 #include <algorithm>
-#include <limits>
 
 #include "base/stop.h"
-#include "scene/snapshot.h"
+#include "transport/encounter.h"
 #include "transport/plan.h"
-#include "transport/tally.h"
 
 namespace ups {
 
@@ -51,34 +49,6 @@ inline float light_correction(const SurfacePoint& s, const Vec3& wi, const Vec3&
   return terminator(s, wi) * shading_correction(s, wi, wo);
 }
 
-// The solid dielectric that an edge runs in. The surface at its end knows best: its back is inside. `walk` is what the
-// walk believes.
-inline uint32_t medium_of_edge(const Snapshot& scene, uint32_t walk, const SurfacePoint* end, const Vec3& d) {
-  if (!end || scene.materials[end->material].model != MaterialModel::glass) return walk;
-  if (dot(d, end->ng) > 0) return end->material;
-  return walk == end->material ? none : walk;
-}
-// After the surface: behind a solid dielectric is its inside.
-inline uint32_t medium_beyond(const Snapshot& scene, const SurfacePoint& s, uint32_t walk, const Vec3& w) {
-  if (scene.materials[s.material].model != MaterialModel::glass) return walk;
-  return dot(w, s.ng) < 0 ? s.material : none;
-}
-inline Rgb attenuation(const Snapshot& scene, uint32_t medium, float distance) {
-  if (medium == none) return Rgb(1.0f);
-  return exp(scene.materials[medium].absorption_per_m * -distance);
-}
-
-inline bool segment_free(const Snapshot& scene, const Vec3& a, const Vec3& b, WorkCounts& work) {
-  const Vec3 d = b - a;
-  const float l = length(d);
-  if (!(l > 0)) return true;
-  ++work.rays;
-  // The rounding of origin, direction and length moves the end along, however exact the end's own coordinates are: a
-  // small surface in the middle of the scene must not hide its own points from what is far away.
-  const float rounding = 16 * 0x1p-24f * (max_abs(a) + l);
-  return !(l > rounding) || !scene.raytracer->occluded(a, d / l, l - rounding);
-}
-
 // Photons may be merged at a point: a function of the point alone, so that both walks know it. Sharp lobes are in:
 // light that comes to them by way of mirrors and lenses from a small emitter is found by nothing else in reasonable
 // time. So are black surfaces: what lights them can be measured.
@@ -94,23 +64,22 @@ inline bool is_stopped(const StopSignal& stop, uint32_t edges) {
 }
 
 // The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe. Its
-// distance along the chain; 0: none. `medium`: at the start; becomes the one in front of the point.
-inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, uint32_t& medium, SurfacePoint& s, Vec3& direction) {
+// distance along the chain; 0: none. `media`: at the start; `e`: what was met at the end of the chain, along `direction`.
+inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, MediaStack media, Encounter& e, Vec3& direction) {
   float distance = 0;
+  WorkCounts work;
   for (int edges = 0; edges < 32; ++edges) {
-    Hit hit;
-    if (!scene.raytracer->intersect(o, d, std::numeric_limits<float>::infinity(), hit)) return 0;
-    s = scene.raytracer->surface_at(hit);
-    distance += hit.t;
+    meet(scene, o, d, media, work, e);
+    if (!e.found) return 0;
+    distance += e.distance;
     direction = d;
-    medium = medium_of_edge(scene, medium, &s, d);
-    const Bsdf bsdf(scene.materials[s.material], s.uv);
+    const Bsdf bsdf = e.bsdf(scene);
     if (merge_gate(bsdf)) return distance;
     BsdfSample next;
-    if (!bsdf.sample(s.shading.to_local(-d), 0.5f, {0.5f, 0.5f}, TransportMode::radiance, next)) return 0;
-    d = s.shading.to_world(next.wi);
-    o = s.ray_origin(d);
-    medium = medium_beyond(scene, s, medium, d);
+    if (!bsdf.sample(e.surface.shading.to_local(-d), 0.5f, {0.5f, 0.5f}, TransportMode::radiance, next)) return 0;
+    d = e.surface.shading.to_world(next.wi);
+    o = e.surface.ray_origin(d);
+    media = e.beyond(d);
   }
   return 0;
 }

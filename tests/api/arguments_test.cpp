@@ -180,8 +180,12 @@ TEST_F(Api, LuminaireFields) {
       {[](D& d) { d.intensity_scale = INFINITY; }, {"intensity_scale is inf"}},
   };
   expect_each_fails(scene, good, &ups_scene_add_luminaire, cases + transform_cases<D>(), "ups_scene_add_luminaire");
-  expect_error(ups_scene_set_dimming(scene, {1}, -1), UPS_ERROR_INVALID_ARGUMENT, {"dimming is -1"});
-  expect_error(ups_scene_set_dimming(scene, {8}, 1), UPS_ERROR_INVALID_ARGUMENT, {"luminaire id 8"});
+  ups_luminaire_id id{};
+  EXPECT_OK(ups_scene_add_luminaire(scene, &good, &id));
+  expect_error(ups_scene_set_dimming(scene, id, -1), UPS_ERROR_INVALID_ARGUMENT, {"dimming is -1"});
+  expect_error(ups_scene_set_dimming(scene, {8}, 1), UPS_ERROR_INVALID_ARGUMENT, {"luminaire id 8", "none has"});
+  expect_error(ups_scene_set_dimming(scene, {id.v + 8}, 1), UPS_ERROR_INVALID_ARGUMENT,
+               {"luminaire id 10 is not of this scene; it has numbers 1 to 2"});
 }
 
 TEST_F(Api, CameraFields) {

@@ -74,20 +74,36 @@ TEST_F(Api, ShorterStructsTakeDefaultsForTheRest) {
   EXPECT_EQ(ups_scene_add_material(scene, &d, &id), UPS_ERROR_INVALID_ARGUMENT);
 }
 
-TEST_F(Api, LongerStructsAreReadAsFarAsKnown) {
+TEST_F(Api, FieldsOfALaterVersionMustBeZero) {
   struct {
     ups_material_desc desc;
     char future[64];
   } longer;
   std::memset(&longer, 0xff, sizeof longer);
-  ups_material_desc_init(&longer.desc, uint32_t(sizeof longer));
+  ups_material_desc_init(&longer.desc, uint32_t(sizeof longer));  // leaves 0 in what it does not know
   EXPECT_EQ(longer.desc.struct_size, sizeof longer);
-  ups_material_id id{};
+  ups_material_id id{}, none{};
   EXPECT_OK(ups_scene_add_material(scene, &longer.desc, &id));
+  EXPECT_EQ(id.v, material.v + 1);
+  for (const size_t at : {size_t(0), size_t(10), sizeof longer.future - 1}) {
+    longer.future[at] = 1;
+    expect_error(ups_scene_add_material(scene, &longer.desc, &none), UPS_ERROR_UNSUPPORTED,
+                 {"struct_size is " + std::to_string(sizeof longer), std::to_string(sizeof longer.desc) + " bytes",
+                  "byte " + std::to_string(sizeof longer.desc + at)});
+    longer.future[at] = 0;
+  }
+  EXPECT_EQ(none.v, 0u);
+  longer.future[3] = 1;  // a desc within a desc
+  auto part = make(&ups_fixture_part_desc_init);
+  part.finish = UPS_FINISH_CUSTOM, part.material = &longer.desc;
+  ups_fixture* fixture = nullptr;
+  ASSERT_EQ(ups_fixture_create(context, &fixture), UPS_OK);
+  expect_error(ups_fixture_add_part(fixture, &part, nullptr), UPS_ERROR_UNSUPPORTED, {"struct_size"});
+  ups_fixture_destroy(fixture);
 }
 
 TEST_F(Api, SizesThatCannotBeAreErrors) {
-  for (const uint32_t size : {0u, 4u, 21u}) {
+  for (const uint32_t size : {0u, 4u, 21u, 4100u, 0xcdcdcdccu}) {
     auto d = make(&ups_material_desc_init);
     d.struct_size = size;
     ups_material_id id{};

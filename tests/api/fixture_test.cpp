@@ -74,5 +74,27 @@ TEST_F(Fixtures, AreDimmedMovedScaledAndRemoved) {
   expect_error(ups_scene_set_fixture_transform(scene, second, nullptr), UPS_ERROR_INVALID_ARGUMENT, {"to_world"});
 }
 
+TEST_F(Fixtures, TellTheInstancesOfTheirParts) {
+  const auto emitter = cob(0.01, 1000);
+  const auto reflector = cup();
+  EXPECT_OK(ups_fixture_add_reflector(fixture, &reflector, nullptr));
+  EXPECT_OK(ups_fixture_add_emitter(fixture, &emitter, nullptr));
+  const ups_fixture_id first = place(0, 0, 1), second = place(1, 0, 1);
+  ups_instance_id mirror{}, light{}, other{};
+  EXPECT_OK(ups_scene_get_fixture_instance(scene, first, {1}, &mirror));
+  EXPECT_OK(ups_scene_get_fixture_instance(scene, first, {2}, &light));
+  EXPECT_OK(ups_scene_get_fixture_instance(scene, second, {2}, &other));
+  EXPECT_NE(light.v, other.v);
+  EXPECT_NEAR(scene_info().emitted_flux_lm, 2000, 0.1);
+  EXPECT_OK(ups_scene_remove_instance(scene, mirror));
+  EXPECT_NEAR(scene_info().emitted_flux_lm, 2000, 0.1);
+  EXPECT_OK(ups_scene_remove_instance(scene, light));
+  EXPECT_NEAR(scene_info().emitted_flux_lm, 1000, 0.1);
+  for (uint32_t part : {0u, 3u})
+    expect_error(ups_scene_get_fixture_instance(scene, first, {part}, &other), UPS_ERROR_INVALID_ARGUMENT, {"part"});
+  expect_error(ups_scene_get_fixture_instance(scene, {99}, {1}, &other), UPS_ERROR_INVALID_ARGUMENT, {"fixture"});
+  expect_error(ups_scene_get_fixture_instance(scene, first, {1}, nullptr), UPS_ERROR_INVALID_ARGUMENT, {"out"});
+}
+
 }  // namespace
 }  // namespace ups_test

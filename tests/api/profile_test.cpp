@@ -97,6 +97,40 @@ TEST_F(Profile, LampSetsAreChosen) {
   expect_error(ups_profile_parse_with(context, &d, &out), UPS_ERROR_INVALID_ARGUMENT, {"lamp_set is 2", "2 sets"});
 }
 
+TEST_F(Profile, LampSetsAreTold) {
+  const std::string text = eulumdat();
+  auto d = desc(text);
+  d.lamp_set = 1;
+  parse(d);
+  const auto lamps = [&](uint32_t index) {
+    ups_profile_lamp_set set{};
+    set.struct_size = sizeof set;
+    EXPECT_OK(ups_profile_get_lamp_set(read, index, &set));
+    return set;
+  };
+  const ups_profile_lamp_set small = lamps(0), large = lamps(1);
+  EXPECT_EQ(small.count, 1);
+  EXPECT_EQ(small.flux_lm, 1000);
+  EXPECT_EQ(small.input_power_w, 10);
+  EXPECT_EQ(small.colour_temperature_k, 3000);
+  EXPECT_EQ(small.colour_rendering_index, 80);
+  EXPECT_EQ(small.chosen, 0);
+  EXPECT_EQ(large.flux_lm, 2000);
+  EXPECT_EQ(large.chosen, 1);
+  char types[32], colours[32], renderings[32];
+  size_t needed;
+  EXPECT_OK(ups_profile_get_text(read, UPS_PROFILE_TEXT_LAMP_TYPES, types, sizeof types, &needed));
+  EXPECT_OK(ups_profile_get_text(read, UPS_PROFILE_TEXT_LAMP_COLOURS, colours, sizeof colours, &needed));
+  EXPECT_OK(ups_profile_get_text(read, UPS_PROFILE_TEXT_LAMP_RENDERINGS, renderings, sizeof renderings, &needed));
+  EXPECT_STREQ(types, "small\nlarge\n");
+  EXPECT_STREQ(colours, "3000\n3000\n");
+  EXPECT_STREQ(renderings, "80\n80\n");
+  ups_profile_lamp_set none{};
+  none.struct_size = sizeof none;
+  expect_error(ups_profile_get_lamp_set(read, 2, &none), UPS_ERROR_INVALID_ARGUMENT, {"index is 2", "2 lamp sets"});
+  expect_error(ups_profile_get_lamp_set(read, 0, nullptr), UPS_ERROR_INVALID_ARGUMENT, {"set is NULL"});
+}
+
 TEST_F(Profile, KeywordsHaveOneNameInBothFormats) {
   parse(desc(ies_with_tilt));
   EXPECT_EQ(keyword("manufac"), "maker");

@@ -27,8 +27,9 @@ Room::Room(size_t triangles) {
   std::vector<double> areas;
   for (size_t t = 0; t < mesh_->triangle_count(); ++t) areas.push_back(area_of(t));
   by_area_ = DiscreteDistribution(areas);
+  ThreadPool pool(0);
   tracer_ = std::make_unique<Raytracer>(std::vector<std::shared_ptr<const Mesh>>{mesh_},
-                                        std::vector<Raytracer::Instance>{{0, Affine()}}, texturing_, 0);
+                                        std::vector<Raytracer::Instance>{{0, Affine()}}, texturing_, pool);
 }
 
 void Room::add_walls() { append(*mesh_, test::box({0, 0, 0}, {length_m, width_m, height_m}).flipped(), 1, {}); }

@@ -154,6 +154,55 @@ internal static partial class BindingTest
         }
     }
 
+    /// <summary>Arrays inside a struct: by element, whole, as an array; each write reaches the library.</summary>
+    private static void TestArrays(Context context)
+    {
+        var light = LightDesc.Create();
+        light.ToWorld[3] = 2.5;
+        light.ToWorld[11] = 4;
+        Expect(light.ToWorld[3] == 2.5 && light.ToWorld[11] == 4 && light.ToWorld[0] == 1, "elements that were set");
+        var copy = light;
+        copy.ToWorld[3] = 7;
+        Expect(light.ToWorld[3] == 2.5, "a copy of a description is one");
+        double[] array = light.ToWorld;
+        array[3] = 0;
+        Expect(array.Length == 12 && light.ToWorld.Length == 12 && light.ToWorld[3] == 2.5, "as an array: a copy");
+        light.IntensityRgb = new float[] { 1, 2, 3 };
+        var sum = 0.0;
+        foreach (var value in light.IntensityRgb) sum += value;
+        Expect(sum == 6 && string.Join(" ", light.IntensityRgb) == "1 2 3", "each element");
+        for (var i = 0; i < 3; ++i) light.IntensityRgb[i] = 80;
+        Action[] wrong = { () => light.ToWorld[12] = 1, () => light.ToWorld[-1] = 1 };
+        foreach (var action in wrong)
+        {
+            try
+            {
+                action();
+                Expect(false, "an element that is not there: no exception");
+            }
+            catch (IndexOutOfRangeException)
+            {
+            }
+        }
+        try
+        {
+            light.ToWorld = new double[11];
+            Expect(false, "an array of the wrong length: no exception");
+        }
+        catch (ArgumentException e)
+        {
+            Expect(e.Message.Contains("expected 12 values, got 11"), e.Message);
+        }
+        using (var scene = new Scene(context))
+        {
+            scene.AddLight(light);
+            var meters = scene.AddMeters(new[] { 2.5, 0, 2 }, new float[] { 0, 0, 1 });
+            scene.Commit();
+            using (var result = scene.Render(Iterations(2)))
+                ExpectNear(result.Meters(meters)[0].IlluminanceLx, 20, 1e-5, "80 cd from 2 m, as the elements say");
+        }
+    }
+
     private static void TestErrors(Context context)
     {
         ExpectStatus(Status.ErrorInvalidArgument, "thread_count", () => new Context(-1), "negative thread count");
@@ -210,6 +259,7 @@ internal static partial class BindingTest
             LogLevel level;
             Expect(context.PopLog(out level) == null, "an empty log");
             TestValues(context);
+            TestArrays(context);
             TestProfiles(context);
             TestGoniometer(context);
             TestFixtureParts(context);

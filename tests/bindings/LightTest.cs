@@ -23,6 +23,7 @@ internal static partial class BindingTest
             tilt.TiltDeg = 45;
             using (var tilted = Profile.Parse(context, bytes, tilt, Encoding.ASCII.GetBytes("1 2 0 90 1 0.5")))
                 ExpectNear(tilted.Info.FluxLm, 0.75 * plain.Info.FluxLm, 1e-12, "flux at half of the tilt");
+            Expect(plain.LampSet(0).FluxLm == 1000 && plain.LampSet(0).InputPowerW == 25, "the lamps");
             tilt.TiltDeg = -1;
             tilt.LampSet = 5;
             ExpectStatus(Status.ErrorInvalidArgument, "lamp_set", () => Profile.Parse(context, bytes, tilt), "lamps");
@@ -42,8 +43,11 @@ internal static partial class BindingTest
             Expect(zones.Length == 3 && zones[2] > 0, "zones");
             ExpectNear(zones[0] + zones[1] + zones[2], triangle.Info.FluxLm, 1e-9, "flux of all zones");
             foreach (var format in new[] { ProfileFormat.IesLm63, ProfileFormat.Eulumdat })
+            {
+                Expect(triangle.WriteWarnings(format) == "", "a file that holds all");
                 using (var again = Profile.Parse(context, triangle.Write(format), format))
                     ExpectNear(again.Info.FluxLm, triangle.Info.FluxLm, 1e-6, "flux written as " + format);
+            }
             ExpectStatus(Status.ErrorUnsupported, "format", () => triangle.Write(ProfileFormat.Tm33Xml), "a writer");
         }
     }

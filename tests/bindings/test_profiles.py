@@ -51,12 +51,19 @@ def test_a_lamp_set_is_chosen(context):
         ups.Profile.parse(context, data, lamp_set=2)
 
 
+def test_lamp_sets_are_told(context):
+    small, large = ups.Profile.parse(context, eulumdat_of_two_lamp_sets(), lamp_set=1).lamp_sets
+    assert (small.type, small.count, small.flux_lm, small.input_power_w, small.chosen) == ("small", 1, 1000, 10, 0)
+    assert (large.type, large.colour_temperature_k, large.colour_rendering_index, large.chosen) == ("large", 3000, 80, 1)
+
+
 @pytest.mark.parametrize("format, name", [(ups.ProfileFormat.IES_LM63, "IES LM-63-2019"),
                                           (ups.ProfileFormat.EULUMDAT, "EULUMDAT")])
 def test_a_written_file_reads_the_same(context, format, name):
     profile = triangle_profile(context)
     again = ups.Profile.parse(context, profile.write(format))
     assert again.format == name
+    assert profile.write_warnings(format) == []
     assert again.info.flux_lm == pytest.approx(profile.info.flux_lm, rel=1e-6)
     directions = np.random.default_rng(1).normal(size=(50, 3))
     assert np.allclose(again.intensity_cd(directions), profile.intensity_cd(directions), rtol=1e-5, atol=1e-3)

@@ -1,6 +1,7 @@
 """Does the Python binding work: values in and out, errors, lifetimes, jobs."""
 import gc
 import math
+import os
 
 import numpy as np
 import pytest
@@ -28,9 +29,13 @@ def test_version_is_that_of_the_headers():
 
 
 def test_context_has_the_threads_asked_for():
-    with ups.Context(thread_count=3) as context:
-        assert context.thread_count == 3
+    processors = len(os.sched_getaffinity(0))
+    with ups.Context(thread_count=processors) as context:
+        assert context.thread_count == processors
         assert context.pop_log() == []
+    with ups.Context(thread_count=processors + 1) as context:
+        assert context.thread_count == processors, "no more than run"
+        assert len(context.pop_log()) == 1
 
 
 def test_an_error_has_status_and_text(context):

@@ -191,5 +191,42 @@ TEST(Material, AdversarialInputStaysFinite) {
   }
 }
 
+// Denser in front than behind: the same interface turned over, whatever its material's own index.
+TEST(Glass, RelativeIndexBelowOneIsTheInterfaceTurnedOver) {
+  for (const float roughness : {0.0f, 0.5f}) {
+    const Material m = make(MaterialModel::glass, roughness, Rgb(0.5f), 1.8f);
+    const Bsdf dense_behind(m, {}, 1.25f), dense_in_front(m, {}, 1 / 1.25f);
+    const auto over = [](const Vec3& w) { return Vec3{w.x, w.y, -w.z}; };
+    for (const float cosine : {0.9f, 0.4f, -0.3f, -0.95f}) {
+      const Vec3 wo = direction(cosine);
+      for (const float u : {0.01f, 0.3f, 0.95f}) {
+        BsdfSample a, b;
+        const bool found = dense_behind.sample(wo, u, {0.3f, 0.6f}, TransportMode::radiance, a);
+        ASSERT_EQ(dense_in_front.sample(over(wo), u, {0.3f, 0.6f}, TransportMode::radiance, b), found);
+        if (!found) continue;
+        EXPECT_LT(length(over(b.wi) - a.wi), 1e-5f);
+        EXPECT_NEAR(b.weight.g / a.weight.g, 1, 1e-4f);
+        EXPECT_NEAR(b.pdf / a.pdf, 1, 1e-4f);
+        EXPECT_NEAR(b.pdf_reverse / a.pdf_reverse, 1, 1e-4f);
+        EXPECT_NEAR(b.delta_jacobian / a.delta_jacobian, 1, 1e-4f);
+        EXPECT_EQ(a.transmitted, b.transmitted);
+      }
+    }
+  }
+}
+
+TEST(Glass, EqualIndicesAreNoBoundary) {
+  for (const float roughness : {0.0f, 1.0f}) {
+    const Material m = make(MaterialModel::glass, roughness, Rgb(0.5f), 1.8f);
+    const Bsdf bsdf(m, {}, 1.0f);
+    EXPECT_FALSE(bsdf.has_continuous());
+    BsdfSample s;
+    ASSERT_TRUE(bsdf.sample(direction(0.2f), 1e-6f, {0.3f, 0.6f}, TransportMode::radiance, s));
+    EXPECT_LT(length(s.wi + direction(0.2f)), 1e-6f);
+    EXPECT_EQ(s.weight.g, 1);
+    EXPECT_EQ(s.pdf, 1);
+  }
+}
+
 }  // namespace
 }  // namespace ups::test

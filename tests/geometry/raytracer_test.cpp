@@ -52,7 +52,8 @@ struct Rig {
       std::vector<SurfaceTexturing> t = std::vector<SurfaceTexturing>(1))
       : texturing(std::move(t)) {
     for (Mesh& m : list) meshes.push_back(std::make_shared<Mesh>(std::move(m)));
-    tracer = std::make_unique<Raytracer>(meshes, instances, texturing, 2);
+    ThreadPool pool(2);
+    tracer = std::make_unique<Raytracer>(meshes, instances, texturing, pool);
   }
 };
 

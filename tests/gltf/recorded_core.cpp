@@ -251,3 +251,9 @@ ups_status ups_scene_add_fixture(ups_scene* scene, const ups_fixture* fixture, c
                                  ups_fixture_id* out) {
   return record(scene->fixtures, {*d, *fixture}, out);
 }
+
+ups_status ups_scene_get_fixture_instance(const ups_scene*, ups_fixture_id id, ups_fixture_part_id part,
+                                          ups_instance_id* out) {
+  *out = {recorded_part_instance(id.v, part.v)};
+  return UPS_OK;
+}

@@ -68,5 +68,7 @@ int living_profiles();
 // Fixtures that were ever made, and those not yet destroyed.
 int made_fixtures();
 int living_fixtures();
+// The instance that a part became, both counted from 1.
+constexpr uint32_t recorded_part_instance(uint32_t fixture, uint32_t part) { return 1000 * fixture + part; }
 // What ups_profile_parse does not accept: bytes that start with this; it then says "recorded core: no such format".
 inline constexpr const char* refused_profile = "EULUMDAT";

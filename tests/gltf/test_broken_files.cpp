@@ -46,6 +46,21 @@ TEST_F(BrokenFile, NullArguments) {
   ups_gltf_import_destroy(nullptr);
 }
 
+TEST_F(BrokenFile, FieldsOfALaterVersionMustBeZero) {
+  struct {
+    ups_gltf_import_desc options;
+    char future[16];
+  } longer;
+  std::memset(&longer, 0xff, sizeof longer);
+  ups_gltf_import_desc_init(&longer.options, uint32_t(sizeof longer));  // leaves 0 in what it does not know
+  desc = &longer.options;
+  SceneBuilder builder;
+  import(builder);
+  longer.future[5] = 1;
+  EXPECT_EQ(import_text(builder.gltf()), UPS_ERROR_UNSUPPORTED);
+  EXPECT_NE(error.find("struct_size is " + std::to_string(sizeof longer)), std::string::npos) << error;
+}
+
 TEST_F(BrokenFile, BadJson) {
   EXPECT_EQ(import_text("{\"asset\":\n {\"version\" \"2.0\"}}"), UPS_ERROR_PARSE);
   expect_words({"line 2"});
@@ -255,6 +270,8 @@ TEST_F(BrokenFile, MaterialExtras) {
       {"index without k", {{"model", "metal"}, {"ior", 1}}, {"k"}},
       {"creates light", {{"model", "diffuser"}, {"reflectance", 0.6}, {"transmittance", 0.5}}, {"transmittance"}},
       {"ior below 1", {{"model", "glass"}, {"ior", 0.5}}, {"ior"}},
+      {"priority of half", {{"model", "glass"}, {"priority", 0.5}}, {"priority"}},
+      {"priority of a pane", {{"model", "glazing"}, {"priority", 1}}, {"priority"}},
       {"no object", 3, {"object"}}};
   for (const BadExtras& c : cases) {
     SCOPED_TRACE(c.name);

@@ -123,6 +123,8 @@ TEST_F(MaterialTest, ExtrasModels) {
   d = import_extras({{"model", "mirror"}, {"reflectance", 0.95}});
   EXPECT_EQ(d.model, UPS_MATERIAL_MIRROR);
   d = import_extras({{"model", "glass"}, {"ior", 1.33}, {"absorption_per_m", {0.1, 0, 0}}});
+  EXPECT_EQ(d.priority, 0);
+  EXPECT_EQ(import_extras({{"model", "glass"}, {"priority", -3}}).priority, -3);
   EXPECT_EQ(d.model, UPS_MATERIAL_GLASS);
   EXPECT_FLOAT_EQ(d.ior, 1.33f);
   expect_rgb(d.absorption_per_m_rgb, 0.1, 0, 0);

@@ -90,7 +90,23 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"type", [](P& p) { p.type = "7"; }, "line 2: the type indicator Ityp is 7"},
         Case{"type_text", [](P& p) { p.type = "point"; }, "line 2: the type indicator Ityp is \"point\""},
+        Case{"opening_in_metres", [](P& p) { p.area = "0.6\n0.3"; },
+             "line 21: the luminous opening is 0.6 mm at its longest, the luminaire 600 mm"},
+        Case{"long_opening_in_metres", [](P& p) { p.size = "1580\n60\n60", p.area = "1.5\n0.05"; },
+             "line 21: the luminous opening is 1.5 mm at its longest, the luminaire 1580 mm"},
+        Case{"tiny_opening", [](P& p) { p.size = "90\n0\n100", p.area = "0.08\n0"; },
+             "line 21: the luminous opening is 0.08 mm at its longest, the luminaire 100 mm"},
+        Case{"all_in_metres", [](P& p) { p.size = "1.2\n0.3\n0.08", p.area = "1.15\n0.25"; },
+             "line 21: the luminous opening is 1.15 mm at its longest, the luminaire 1.2 mm"},
         Case{"fraction_text", [](P& p) { p.dff = "100 %"; }, "line 22: the downward flux fraction is \"100 %\""},
+        Case{"fraction", [](P& p) { p.dff = "0"; },
+             "line 22: the downward flux fraction is 0 %, but of the intensities' light 100 % goes down"},
+        Case{"fraction_of_half",
+             [](P& p) { p.dff = "53", p.gamma = {0, 90, 180}, p.intensity = {100, 100, 100}; },
+             "line 22: the downward flux fraction is 53 %, but of the intensities' light 50 % goes down"},
+        Case{"gamma_step", [](P& p) { p.dg = "30"; },
+             "line 7: the distance Dg of the intensities is 30 degrees, but the angles gamma have a step of 45"},
+        Case{"blank_symmetry", [](P& p) { p.isym = ""; }, "line 3: the symmetry indicator Isym is blank; taken as 0"},
         Case{"ratio", [](P& p) { p.lor = "50"; },
              "line 23: the light output ratio is 50 %, but the intensities add up to"},
         Case{"conversion", [](P& p) { p.conversion = "0"; }, "line 24: the conversion factor for the intensities is 0"},
@@ -106,6 +122,17 @@ INSTANTIATE_TEST_SUITE_P(
              "line 48: the C angles end with 360"}),
     case_name);
 
+// A narrow slot, a pinhole in a spotlight, a light-emitting diode.
+TEST(EulumdatMalformed, SmallOpeningsInMillimetresNeedNoWarning) {
+  EulumdatParts parts;
+  for (const auto& [size, area] : {std::pair{"1200\n60\n60", "1150\n0.8"}, std::pair{"120\n0\n150", "4\n0"},
+                                   std::pair{"3.5\n2.8\n0.7", "1\n1"}, std::pair{"0\n0\n0", "0.6\n0.3"},
+                                   std::pair{"600\n600\n80", "0\n0"}}) {
+    parts.size = size, parts.area = area;
+    EXPECT_TRUE(read_text(parts.text()).warnings.empty()) << size << ", " << area;
+  }
+}
+
 TEST(EulumdatMalformed, ATiltChangesNothingAndSaysSo) {
   ReadOptions options;
   options.tilt_deg = 20;
@@ -119,6 +146,18 @@ TEST(EulumdatMalformed, LightOutputRatioWithinTwoPercentIsNoWarning) {
     parts.lor = std::to_string(percent / factor);
     EXPECT_EQ(read_text(parts.text()).warnings.size(), warnings) << factor;
   }
+}
+
+TEST(EulumdatMalformed, StatementsThatAgreeAreNoWarning) {
+  EulumdatParts parts;
+  for (const char* dff : {"", "100", "98.5"}) {
+    parts.dff = dff;
+    EXPECT_TRUE(read_text(parts.text()).warnings.empty()) << dff;
+  }
+  parts.dg = "45";
+  EXPECT_TRUE(read_text(parts.text()).warnings.empty());
+  parts.dg = "33.33", parts.gamma = {0, 33.33, 66.67}, parts.intensity = {300, 200, 0};
+  EXPECT_EQ(read_text(parts.text()).warnings.size(), 1u) << "that the angles end early, alone";
 }
 
 TEST(EulumdatMalformed, EmptyIntensitiesAreZeroWithAWarning) {

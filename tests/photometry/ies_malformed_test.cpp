@@ -61,7 +61,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"lamps", &Parts::lamps, "1 1e300 1 3 2 1 2 0 0 0", "line 4: the lamps and their lumens are 1 and 1e+300"},
         Case{"tilt_angle", &Parts::tilt, "TILT=INCLUDE\n1\n2\n0 0\n1 1", "line 6: tilt angle 2 is 0"},
         Case{"tilt_factor", &Parts::tilt, "TILT=INCLUDE\n1\n2\n0 9\n1 -1", "line 7: tilt factor 2 is -1"},
-        Case{"tilt_count", &Parts::tilt, "TILT=INCLUDE\n1\n0", "line 5: the number of tilt angles is 0"}),
+        Case{"tilt_count", &Parts::tilt, "TILT=INCLUDE\n1\n0", "line 5: the number of tilt angles is 0"},
+        Case{"surplus", &Parts::more, "1 2 3", "line 10: numbers go on after the last of 6 candela values"},
+        Case{"decimal_comma", &Parts::second, "100 59,5 10", "line 9: \"59,5\" has a comma inside, while blanks part"},
+        Case{"thousands", &Parts::first, "1,000 996 985", "line 8: \"1,000\" has a comma inside, while blanks part"},
+        Case{"surplus_by_comma", &Parts::second, "100,60,10,5", "line 9: numbers go on after the last of 6"}),
     case_name);
 
 class Doubtful : public testing::TestWithParam<Case> {};
@@ -90,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"power", &Parts::ballast, "1 1 -5", "line 5: the input power is -5 W; taken as not stated"},
                     Case{"short_range", &Parts::vertical, "0 30 65", "line 6: vertical angles from 0 to 65"},
                     Case{"descending", &Parts::vertical, "90 45 0", "line 6: the vertical angles descend"},
-                    Case{"trailing", &Parts::more, "1 2 3", "line 10: what follows the candelas is ignored"},
+                    Case{"trailing", &Parts::more, "end, of 1.5 pages", "line 10: what follows the candelas is ignored"},
                     Case{"edition", &Parts::version, "IESNA:LM-63-2005", "line 1: there is no edition of 2005"},
                     Case{"odd_version", &Parts::version, "IESNA95", "line 1: odd version line"},
                     Case{"tilt_file", &Parts::tilt, "TILT = x.tlt", "line 3: the TILT file \"x.tlt\""}),
@@ -136,6 +140,30 @@ TEST(IesMalformed, DecimalCommasAreRecognised) {
   EXPECT_FLOAT_EQ(p.opening.size_m[0], 0.2f);
   ASSERT_EQ(p.warnings.size(), 1u);
   EXPECT_EQ(p.warnings[0], "line 4: the numbers have decimal commas");
+}
+
+TEST(IesMalformed, CommasThatMayBeEitherAreRefused) {
+  Parts parts;
+  parts.lamps = "1 -1 1 3 2 1 2 0 0 0";
+  parts.first = "1,000 996 985";
+  parts.second = "1,000 980 970";
+  EXPECT_EQ(refusal<ParseError>(parts.text()),
+            "line 9: \"1,000\" has a comma inside, which may be decimal or a thousands mark, as in all numbers that "
+            "have one");
+  parts.second = "1,000 0,980 970";  // no thousands begin with 0
+  EXPECT_EQ(read_text(parts.text()).distribution.peak_cd(), 996);
+  parts.second = "1,000 2000 970";
+  EXPECT_EQ(read_text(parts.text()).distribution.peak_cd(), 2000);
+}
+
+// Each line by its own separators, and blanks beside commas.
+TEST(IesMalformed, CommasSeparate) {
+  Parts parts;
+  parts.vertical = "0,45,90";
+  parts.first = "100, 50 ,10";
+  parts.second = "100,60, 10";
+  parts.more = "made by A, B and C";
+  EXPECT_EQ(read_text(parts.text()).distribution.band_flux_lm(), read_text(Parts().text()).distribution.band_flux_lm());
 }
 
 TEST(IesMalformed, MissingTiltLineIsFoundByTheNumbers) {

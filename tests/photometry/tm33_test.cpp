@@ -140,6 +140,72 @@ TEST(Tm33, GenerationOf2018) {
 }
 
 // One shines down, one up; one has steps of its own.
+TEST(Tm33, EveryNameOfTheFirstGenerationIsRead) {
+  const Lamp lamp;
+  for (const char* root : {"IESTM33", "IESTM33-18", "ATLA-S001-A", "ATLA_S001", "LuminaireOpticalData"}) {
+    const std::string name = root;
+    const Photometry p = read("<" + name + "><Version>1.0</Version>" + emitter(values(lamp, 0, 0)) + "</" + name + ">");
+    expect_lamp(p, lamp);
+    EXPECT_EQ(p.format, "IES TM-33-18") << root;
+    EXPECT_TRUE(p.warnings.empty()) << root << ": " << p.warnings[0];
+  }
+}
+
+// 2 pi 500 lm of the lamp, were they candelas: a table per 1000 lm of 20,000 says no more.
+TEST(Tm33, ATableThatMustBeRelativeIsToldSo) {
+  const auto told = [](const std::string& flag, double rated, double factor) {
+    return read(file(emitter(flag + values({}, 0, 0, factor), "<RatedLumens>" + number(rated) + "</RatedLumens>")));
+  };
+  const std::string start = "far below RatedLumens, 20000 lm, as those in cd per 1000 lm do; they are used as they are";
+  const Photometry unstated = told("", 20000, 0.15);
+  EXPECT_TRUE(warned(unstated, start + " (AbsolutePhotometry is not stated; taken as true)"));
+  EXPECT_TRUE(warned(told("<AbsolutePhotometry>true</AbsolutePhotometry>", 20000, 0.15),
+                     start + ", as AbsolutePhotometry says"));
+  ASSERT_EQ(unstated.lamp_sets.size(), 1u);
+  EXPECT_EQ(unstated.lamp_sets[0].flux_lm, 20000) << "shown beside";
+  expect_lamp(unstated, {}, 0.15);
+  EXPECT_FALSE(warned(told("<AbsolutePhotometry>false</AbsolutePhotometry>", 20000, 0.15), "far below"));
+  EXPECT_FALSE(warned(told("", 20000, 1), "far below")) << "more than 1000 lm";
+  EXPECT_FALSE(warned(told("", 1200, 0.15), "far below")) << "a luminaire of poor efficiency";
+}
+
+TEST(Tm33, OddFilesAreReadWithAWarning) {
+  const std::string table = values({}, 0, 0), good = emitter(table);
+  const auto dimensions = [&](const std::string& length) {
+    return read(file("<Luminaire><Dimensions><Length>" + length + "</Length><Width>0.3</Width><Height>0</Height>" +
+                     "</Dimensions><NumEmitter>1</NumEmitter></Luminaire>" + good));
+  };
+  EXPECT_TRUE(dimensions("1.2").warnings.empty());
+  EXPECT_TRUE(warned(dimensions("1200"), "the luminaire's Length of 1200 m is doubtful; are its units metres?"));
+  EXPECT_TRUE(warned(dimensions("-1"), "the luminaire's Length is \"-1\"; it must be metres"));
+  EXPECT_TRUE(warned(dimensions("4 ft"), "the luminaire's Length is \"4 ft\""));
+  std::string version = file(good);
+  version.replace(version.find("1.1"), 3, "7.5");
+  EXPECT_TRUE(warned(read(version), "line 2: the version is \"7.5\"; read as 1.1 of IES TM-33-23"));
+  EXPECT_TRUE(warned(read("<LuminaireOpticalData version='3'>" + good + "</LuminaireOpticalData>"), "version is \"3\""));
+  EXPECT_TRUE(warned(read("<IESTM33-99>" + good + "</IESTM33-99>"), "<IESTM33-99> is no known edition"));
+  EXPECT_TRUE(read(file(good) + "<!-- made by hand -->\n<?end?>\n").warnings.empty());
+  EXPECT_TRUE(warned(read(file(good) + "<IESTM33-22>" + good + "</IESTM33-22>"), "more follows the end of the first"));
+  EXPECT_TRUE(warned(read(file(emitter("<Multiplier>0</Multiplier>" + table))), "the Multiplier is 0; taken as 1"));
+  expect_refused<ParseError>(file(emitter("<Multiplier>-1</Multiplier>" + table)),
+                             "the Multiplier is -1; it must be greater than 0");
+  expect_refused<ParseError>(file(emitter(table, "<BallastFactor>-1</BallastFactor>")), "the BallastFactor is -1");
+}
+
+TEST(Tm33, LampsHaveColours) {
+  const auto lamps = [](const std::string& more) { return read(file(emitter(values({}, 0, 0), more))).lamp_sets.at(0); };
+  const photometry::LampSet fixed = lamps(
+      "<ColorTemperature><FixedCCT>4000</FixedCCT></ColorTemperature>"
+      "<ColorRendering><CIE_CRI><Ra>92</Ra><R9>50</R9></CIE_CRI><IES_TM30><Rf>90</Rf></IES_TM30></ColorRendering>");
+  EXPECT_EQ(fixed.colour, "4000");
+  EXPECT_EQ(fixed.colour_rendering, "92");
+  const photometry::LampSet tunable = lamps(
+      "<ColorTemperature><MinCCT>2700</MinCCT><MaxCCT>6500</MaxCCT></ColorTemperature>"
+      "<ColorRendering><Ra>83</Ra></ColorRendering>");
+  EXPECT_EQ(tunable.colour, "2700-6500");
+  EXPECT_EQ(tunable.colour_rendering, "83");
+}
+
 TEST(Tm33, EmittersAddUp) {
   const std::string down = values({0.3, 0}, 0, 180, 1, 90),
                     up = "<IntData h='0' v='120'>100</IntData><IntData h='0' v='180'>160</IntData>";
@@ -194,6 +260,10 @@ TEST(Tm33, Openings) {
   EXPECT_FLOAT_EQ(disc.size_m[0], 0.2f);
   EXPECT_FLOAT_EQ(disc.size_m[1], 0.2f);
   EXPECT_EQ(read(file(emitter(values({}, 0, 0)))).opening.shape, OpeningShape::point);
+  const photometry::Opening line = opening("<BottomFace><BottomArea><Length>1.2</Length></BottomArea></BottomFace>");
+  EXPECT_EQ(line.shape, OpeningShape::rectangle);
+  EXPECT_FLOAT_EQ(line.size_m[1], 1.2f);
+  EXPECT_EQ(line.size_m[0], 0);
 }
 
 TEST(Tm33, DirectionsThatAreMissingOrTwice) {

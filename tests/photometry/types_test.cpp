@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "photometry/c_gamma.h"
 #include "photometry/files.h"
 #include "support/chi_square.h"
 
@@ -176,7 +177,7 @@ TEST(Types, OpeningOfTypeAFacesForward) {
 
 TEST(Types, ResamplesOntoACGammaGrid) {
   for (const char* file : {"s09_typeB_asym.ies", "s10_typeA_asym.ies"}) {
-    const Distribution d = read_file(file).distribution, r = d.in_c_gamma();
+    const Distribution d = read_file(file).distribution, r = in_c_gamma(d);
     EXPECT_EQ(r.type(), PhotometricType::c);
     EXPECT_EQ(r.c_deg().size(), 144u);
     EXPECT_EQ(r.gamma_deg().size(), 37u);
@@ -187,7 +188,7 @@ TEST(Types, ResamplesOntoACGammaGrid) {
     EXPECT_NEAR(r.interpolated_flux_lm() / d.interpolated_flux_lm(), 1, 1e-3);
   }
   const Distribution c({0}, {0, 90}, {1, 1});
-  EXPECT_EQ(c.in_c_gamma().gamma_deg(), c.gamma_deg());
+  EXPECT_EQ(in_c_gamma(c).gamma_deg(), c.gamma_deg());
   EXPECT_EQ(c.resampled({0, 120, 240}, {0, 45, 90}).at(2, 1), 1);
 }
 

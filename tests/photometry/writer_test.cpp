@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "photometry/c_gamma.h"
 #include "photometry/eulumdat_parts.h"
+#include "photometry/text_reader.h"
 
 namespace photometry {
 namespace {
@@ -31,7 +33,7 @@ void expect_round_trip(const Photometry& p, const std::string& name) {
   EXPECT_TRUE(ldt.warnings.empty()) << ldt.warnings[0];
   EXPECT_EQ(ldt.rated_flux_lm, p.rated_flux_lm);
   EXPECT_EQ(ldt.input_power_w, p.input_power_w);
-  expect_same(ldt.distribution, p.distribution.in_c_gamma());
+  expect_same(ldt.distribution, in_c_gamma(p.distribution), six_characters);
 }
 
 TEST(Writer, EveryTestFileReadsBack) {
@@ -96,7 +98,7 @@ TEST(Writer, SymmetriesTakeTheFewestPlanes) {
     EXPECT_NE(write_eulumdat(p).find(c.ldt), std::string::npos) << write_eulumdat(p).substr(0, 60);
     if (std::string(c.ies) == " 2 1 1 2\r\n") continue;  // one plane for 24
     expect_same(again(write_ies(p)).distribution, p.distribution);
-    expect_same(again(write_eulumdat(p)).distribution, p.distribution);
+    expect_same(again(write_eulumdat(p)).distribution, p.distribution, six_characters);
   }
 }
 
@@ -104,10 +106,10 @@ TEST(Writer, SymmetriesTakeTheFewestPlanes) {
 TEST(Writer, OddPlanesReadBack) {
   for (const Distribution& d :
        {Distribution({0, 120, 240}, {0, 90}, {1, 2, 1, 3, 1, 3}), Distribution({0, 180}, {0, 90}, {1, 2, 1, 3}),
-        Distribution({0, 359.9995}, {0, 0.0005, 90}, {1, 2, 3, 4, 5, 6}), Distribution({0, 90}, {10, 20}, {1, 2, 3, 4}),
+        Distribution({0, 359.95}, {0, 0.0005, 90}, {1, 2, 3, 4, 5, 6}), Distribution({0, 90}, {10, 20}, {1, 2, 3, 4}),
         Distribution({0, 90, 180, 270}, {90, 180}, {1, 2, 3, 4, 5, 6, 7, 8})}) {
     expect_same(again(write_ies(Photometry{d})).distribution, d);
-    expect_same(again(write_eulumdat(Photometry{d})).distribution, d);
+    expect_same(again(write_eulumdat(Photometry{d})).distribution, d, six_characters);
   }
 }
 
@@ -127,6 +129,137 @@ TEST(Writer, TypesAAndBAreWrittenAsTheyAre) {
   }
   EXPECT_THROW(write_ies(Photometry{Distribution(PhotometricType::b, {0, 90}, {-90, 90}, {1, 2, 3, 4})}),
                std::invalid_argument);
+}
+
+// exp(-r^2 / 2) with r in degrees from (h0, v0): cd at the angles of a table that is fine there alone.
+Photometry narrow_beam(PhotometricType type, double h0, double v0) {
+  const auto angles = [](double centre) {
+    std::vector<double> out;
+    for (double a = -90; a <= 90; a += 5)
+      if (std::abs(a - centre) >= 5) out.push_back(a);
+    for (double a = centre - 4.5; a <= centre + 4.5; a += 0.5) out.push_back(a);
+    std::sort(out.begin(), out.end());
+    return out;
+  };
+  const bool type_a = type == PhotometricType::a;
+  const double plane0 = type_a ? h0 : v0, row0 = type_a ? v0 : h0;
+  const std::vector<double> planes = angles(plane0), rows = angles(row0);
+  std::vector<double> cd;
+  for (double p : planes)
+    for (double r : rows) {
+      const double away = std::pow(p - plane0, 2) + std::pow(r - row0, 2);
+      cd.push_back(std::round(1e10 * std::exp(-away / 2)) / 1e4);
+    }
+  Photometry out{Distribution(type, planes, rows, cd)};
+  out.type = type;
+  return out;
+}
+
+// A beam of 2.4 degrees, ahead and 54 degrees off, and a wide table of 5 degrees.
+TEST(Writer, ResampledTablesKeepFluxAndPeak) {
+  std::vector<Photometry> all;
+  for (PhotometricType type : {PhotometricType::a, PhotometricType::b})
+    for (double angle : {0, 40}) all.push_back(narrow_beam(type, angle, angle));
+  for (const char* file : {"s09_typeB_asym.ies", "s10_typeA_asym.ies"}) all.push_back(read_file(file));
+  for (const Photometry& p : all) {
+    std::vector<std::string> warnings;
+    const Photometry q = again(write_eulumdat(p, &warnings));
+    const Distribution &before = p.distribution, &after = q.distribution;
+    EXPECT_NEAR(after.band_flux_lm() / before.band_flux_lm(), 1, 1e-3);
+    EXPECT_NEAR(after.peak_cd() / before.peak_cd(), 1, 1e-3);
+    EXPECT_TRUE(warnings.empty()) << warnings[0];
+    ASSERT_EQ(q.lamp_sets.size(), 1u);
+    EXPECT_NEAR(q.lamp_sets[0].flux_lm / before.band_flux_lm(), 1, 1e-9) << "the flux of the source is stated";
+  }
+  const Photometry ahead = again(write_eulumdat(narrow_beam(PhotometricType::b, 0, 0)));
+  EXPECT_EQ(ahead.symmetry, Symmetry::quadrants) << "the mirror images of the source are kept";
+}
+
+// What no angles of six characters hold: light that ends where a table ends, on a slanting line.
+TEST(Writer, WhatAFileLacksIsTold) {
+  Photometry p{Distribution(PhotometricType::b, {20, 20.2}, {30, 30.2}, {1000, 1000, 1000, 1000})};
+  p.type = PhotometricType::b;
+  p.keywords = {{"LUMCAT", std::string(80, 'x')}, {"_FILENAME", "twelve chars"}};
+  p.opening.shape = OpeningShape::rectangle;
+  p.opening.size_m[0] = 0.5f, p.opening.size_m[1] = 12;
+  std::vector<std::string> warnings;
+  const Photometry q = again(write_eulumdat(p, &warnings));
+  const auto told = [&](const std::string& start) {
+    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) { return w.rfind(start, 0) == 0; });
+  };
+  EXPECT_TRUE(told("the luminaire's number is cut to the 78 characters of the format: \"" + std::string(78, 'x') + "\""));
+  EXPECT_TRUE(told("the file's name is cut to the 8 characters of the format: \"twelve c\""));
+  EXPECT_TRUE(told("the luminous length in mm, 12000, does not fit the 4 characters of the format; 9999 is written"));
+  const double before = p.distribution.band_flux_lm(), after = q.distribution.band_flux_lm();
+  ASSERT_GT(std::abs(after / before - 1), 1e-3) << "a case that parts";
+  EXPECT_TRUE(told("the flux of the written table is " + shown(after) + " lm, that of the light " + shown(before) + " lm"));
+  warnings.clear();
+  write_ies(p, &warnings);
+  EXPECT_TRUE(warnings.empty()) << warnings[0];
+}
+
+// The lengths of the format's description, line by line; of the counts Mc and Ng it has two, see eulumdat_writer.cpp.
+void expect_field_lengths(const std::string& text) {
+  std::vector<size_t> lengths = {78, 1, 1, 3, 5, 3, 5, 78, 78, 78, 8, 78, 4, 4, 4, 4, 4,  4, 4, 4, 4,
+                                 4,  4, 6, 6, 4, 4, 24, 12, 16, 6,  8, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7};
+  size_t line = 0;
+  for (size_t at = 0; at < text.size(); ++line) {
+    const size_t end = text.find("\r\n", at);
+    ASSERT_NE(end, text.npos) << "every line ends";
+    ASSERT_LE(end - at, line < lengths.size() ? lengths[line] : 6) << "line " << line + 1 << ": " << text.substr(at, 90);
+    at = end + 2;
+  }
+  EXPECT_GT(line, lengths.size());
+}
+
+TEST(Writer, EveryEulumdatFieldHasItsLength) {
+  for (const char* folder : {TEST_DATA, PROFILE_DATA})
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
+      if ((extension != ".ies" && extension != ".ldt") || name.rfind("s16", 0) == 0) continue;
+      SCOPED_TRACE(name);
+      expect_field_lengths(write_eulumdat(read_text(contents(entry.path().string()))));
+    }
+  Photometry odd{Distribution({0, 360.0 / 7, 1000.0 / 7, 333.3333}, {0, 1.0 / 3, 100.0 / 3, 122.12345, 179.99999},
+                              {1e9 / 7, 1, 2, 3, 4, 5, 6, 7, 8, 9, 0.1, 0.12345678, 1 / 3., 12345.678, 0, 1, 2, 3, 4, 5})};
+  odd.rated_flux_lm = 1234567.8912345, odd.input_power_w = 1e5 / 3;
+  odd.lamp_sets = {{12345, "a lamp of a name longer than it may be", 1234567.8912345, "warm white, tunable", "excellent"}};
+  odd.opening.shape = OpeningShape::box;
+  odd.opening.size_m[0] = 0.3048f, odd.opening.size_m[1] = 1.2192f, odd.opening.size_m[2] = 1e-7f;
+  odd.keywords = {{"MANUFAC", std::string(100, 'm')}, {"_TILT_DEG", "0.123456789"}, {"_LENGTH_MM", "1234.56"},
+                  {"_DIRECT_RATIOS", "0.123456789 1e-9 3 4 5 6 7 8 9 10"}};
+  expect_field_lengths(write_eulumdat(odd));
+  const Photometry q = again(write_eulumdat(odd));
+  EXPECT_EQ(q.opening.shape, OpeningShape::box) << "no size becomes 0";
+  EXPECT_NEAR(q.opening.size_m[0], 0.3048, 0.0005);
+  EXPECT_NEAR(q.distribution.peak_cd(), 1e9 / 7, 1e-4 * 1e9 / 7);
+  for (double peak : {1e-3, 1e3, 1e9}) {  // a conversion factor keeps five digits
+    Photometry p{Distribution({0}, {0, 30, 90}, {peak, 0.7654321 * peak, 0})};
+    p.rated_flux_lm = 5000;
+    expect_field_lengths(write_eulumdat(p));
+    expect_same(again(write_eulumdat(p)).distribution, p.distribution, six_characters);
+  }
+}
+
+TEST(Writer, LinesOfIesFilesAreShort) {
+  Photometry p{Distribution({0, 90}, steps(0, 90, 500), std::vector<double>(1002, 1 / 3.))};
+  std::string words;
+  for (int i = 0; i < 120; ++i) words += "word" + std::to_string(i) + " ";
+  words += "end";
+  p.keywords = {{"OTHER", words}, {"LUMCAT", std::string(600, 'x')}, {"LUMINAIRE", ""}};
+  for (int i = 0; i < 300; ++i) p.keywords[2].value += "\xC3\xA4";
+  const std::string text = write_ies(p);
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = text.find("\r\n", at);
+    ASSERT_NE(end, text.npos);
+    EXPECT_LE(end + 2 - at, 256u) << text.substr(at, end - at);
+    at = end + 2;
+  }
+  const Photometry q = again(text);
+  EXPECT_EQ(keyword(q, "OTHER"), words);
+  std::string catalogue = keyword(q, "LUMCAT");
+  EXPECT_EQ(std::count(catalogue.begin(), catalogue.end(), 'x'), 600) << "without blanks there is no place to part";
+  EXPECT_EQ(keyword(q, "LUMINAIRE").find("\xC3 "), std::string::npos) << "no character is parted";
 }
 
 TEST(Writer, KeywordsLampsAndCodesAreKept) {

@@ -63,7 +63,10 @@ struct Things {
     d.flux_lm = flux_lm, d.dimming = 0.5f, d.intensity_scale = 0.8f;
     description.add_luminaire(d, std::make_shared<photometry::Photometry>(std::move(data)));
   }
-  std::shared_ptr<const Snapshot> build() const { return prepare(description, 2); }
+  std::shared_ptr<const Snapshot> build() const {
+    ThreadPool pool(2);
+    return prepare(description, pool);
+  }
 };
 
 TEST(Prepare, OriginIsTheCentre) {
@@ -208,10 +211,15 @@ TEST(Prepare, FindsTheGlassThatThingsLieIn) {
   t.meter({0, 0, -2}, {0, 0, 1});  // below the water: sees it from outside
   t.point_light({0.2, 0.1, 0.8});
   const auto s = t.build();
-  EXPECT_EQ(s->medium_of_meter[0][0], water - 1);
-  EXPECT_EQ(s->medium_of_meter[1][0], none);
-  EXPECT_EQ(s->medium_of_meter[2][0], none);
-  EXPECT_EQ(s->medium_of_emitter[0], water - 1);
+  const auto material = [&](uint32_t stack) {
+    const uint32_t top = s->media_stacks[stack].top();
+    return top == none ? none : s->media.by_rank[top].material;
+  };
+  EXPECT_FALSE(s->media.nest);
+  EXPECT_EQ(material(s->media_of_meter[0][0]), water - 1);
+  EXPECT_EQ(material(s->media_of_meter[1][0]), none);
+  EXPECT_EQ(material(s->media_of_meter[2][0]), none);
+  EXPECT_EQ(material(s->media_of_emitter[0]), water - 1);
   EXPECT_TRUE(s->effects.transmits_solid);
   EXPECT_FALSE(s->effects.path_tracing_complete) << "a point light and smooth water";
   EXPECT_TRUE(s->effects.sharp_caster);

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -126,6 +127,37 @@ TEST_F(Images, ExposureIsTheGreyOfTheGeometricMean) {
   std::fill(rgb.begin(), rgb.end(), 0.f);
   ASSERT_EQ(ups_ocio_choose_exposure(rgb.data(), 10, 10, &exposure), UPS_OK);
   EXPECT_EQ(exposure, 1);
+}
+
+TEST_F(Images, LuminanceThatIsNotFiniteIsRefused) {
+  for (const float bad : {NAN, INFINITY, -INFINITY}) {
+    std::vector<float> rgb(12, 1.f);
+    rgb[7] = bad;
+    double exposure = 5;
+    EXPECT_EQ(ups_ocio_choose_exposure(rgb.data(), 2, 2, &exposure), UPS_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(exposure, 5);
+    for (const double chosen : {0.0, 1.0})
+      EXPECT_EQ(ups_ocio_write_png(path("a.png").c_str(), rgb.data(), 2, 2, chosen), UPS_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(ups_ocio_last_error()).find("luminance_rgb: element 7 is "), std::string::npos);
+    EXPECT_NE(std::string(ups_ocio_last_error()).find("must be finite"), std::string::npos);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST_F(Images, FieldsOfALaterVersionMustBeZero) {
+  struct {
+    ups_ocio_false_color_desc desc;
+    char future[16];
+  } longer;
+  std::memset(&longer, 0xff, sizeof longer);
+  ups_ocio_false_color_desc_init(&longer.desc, uint32_t(sizeof longer));  // leaves 0 in what it does not know
+  const float values[] = {1, 2, 3, 4};
+  longer.desc.columns = longer.desc.rows = 2, longer.desc.values = values;
+  EXPECT_EQ(ups_ocio_write_false_color_png(path("a.png").c_str(), &longer.desc), UPS_OK) << ups_ocio_last_error();
+  longer.future[5] = 1;
+  EXPECT_EQ(ups_ocio_write_false_color_png(path("b.png").c_str(), &longer.desc), UPS_ERROR_UNSUPPORTED);
+  EXPECT_NE(std::string(ups_ocio_last_error()).find("struct_size is " + std::to_string(sizeof longer)),
+            std::string::npos);
 }
 
 TEST_F(Images, ChosenExposureShowsTheMeanAsGrey) {

@@ -132,6 +132,98 @@ class Info(test_program.ProgramTest):
         (broken,) = self.info(self.path("gone.ies"), code=1)
         self.assertIn("gone.ies", broken["error"])
 
+    def test_folders_are_searched_in_depth(self):
+        os.makedirs(self.path("shop/rails/deep"))
+        os.makedirs(self.path("shop/a"))
+        for name in ("shop/b.ies", "shop/rails/a.ies", "shop/rails/deep/a.ies", "shop/a/z.ldt"):
+            self.write(name, LAMBERTIAN)
+        self.write("elsewhere.ies", LAMBERTIAN)
+        os.symlink("..", self.path("shop/rails/loop"))
+        os.symlink(self.path("elsewhere.ies"), self.path("shop/link.ies"))
+        names = ["a/z.ldt", "b.ies", "link.ies", "rails/a.ies", "rails/deep/a.ies"]
+        self.assertEqual([os.path.relpath(f["file"], self.path("shop")) for f in self.info(self.path("shop"))], names)
+        lines = self.run_program("info", self.path("shop")).stdout.splitlines()
+        self.assertEqual([line.split()[0] for line in lines], ["file", *names])
+
+    def test_a_file_is_read_by_its_content(self):
+        ldt = os.path.join(DATA, "l04_isym3.ldt")
+        with open(ldt, "rb") as file:
+            content = file.read()
+        (right,) = self.info(ldt)
+        for name, warnings in (("x.ies", 1), ("x.txt", 0), ("x", 0), ("x.xml", 1), ("x.ldt", 0)):
+            (other,) = self.info(self.write(name, content))
+            self.assertEqual({k: v for k, v in other.items() if k not in ("file", "warnings")},
+                             {k: v for k, v in right.items() if k not in ("file", "warnings")})
+            new = other["warnings"][len(right["warnings"]):]
+            self.assertEqual(len(new), warnings)
+            for warning in new:
+                self.assertIn(f"its name ends in {name[1:]}, but it is EULUMDAT by its content", warning)
+        (lamp,) = self.info(self.write("lamp.ldt", LAMBERTIAN))
+        self.assertEqual(lamp["format"], "IES LM-63-2002")
+        (scene,) = self.info(self.write("scene.json", test_program.room()))
+        self.assertEqual(scene["kind"], "scene")
+        # What neither its content nor its name makes a file of: both readings are told.
+        (broken,) = self.info(self.write("broken.ldt", "nothing\n"), code=1)
+        self.assertIn("TILT", broken["error"])
+        self.assertIn("read as what its name says, .ldt: ", broken["error"])
+
+    def test_control_characters_never_reach_a_terminal(self):
+        steering = "a\x1b[31mred\x07\x7f\x9b\u202e\ttab"
+        lamp = self.write("l\x1b[2Jamp.ies", LAMBERTIAN.replace("this project", steering))
+        scene = test_program.room()
+        scene["nodes"][0]["name"] = "n\x1bode"
+        scene["nodes"][0]["skin"] = 0
+        scene["nodes"][0]["extensions"] = {"X\x1b[5m": {}}
+        scene = self.write("room.gltf", scene)
+        bad = self.write("b\x1bad.ies", "IESNA:LM-63-2002\nTILT=NONE\nx\x1b[1my 1 1\n")
+        for arguments, code in ((["info", lamp], 0), (["info", lamp, bad], 1), (["info", bad], 1), (["info", scene], 0),
+                                (["convert", bad, self.path("o.ldt")], 1), (["render", "\x1b[1m", "\x1b]"], 2),
+                                (["info", lamp, "--json"], 0), (["info", lamp, bad, "--json"], 1),
+                                (["render", scene, "--iterations", "16"], 0)):
+            done = self.run_program(*arguments, code=code)
+            for text in (done.stdout, done.stderr):
+                raw = [c for c in text if (ord(c) < 32 and c != "\n") or 127 <= ord(c) < 160 or c == "\u202e"]
+                self.assertEqual(raw, [], msg=(arguments, text))
+        text = self.run_program("info", lamp).stdout
+        self.assertIn("MANUFAC=a\\x1b[31mred\\x07\\x7f\\x9b\\u202e\\x09tab", text)
+        self.assertIn("n\\x1bode", self.run_program("info", scene).stdout)
+        (file,) = self.info(lamp)  # JSON means the same characters
+        self.assertIn({"name": "MANUFAC", "value": steering}, file["keywords"])
+        self.assertEqual(file["file"], lamp)
+
+    def test_lamp_sets(self):
+        (file,) = self.info(os.path.join(DATA, "l04_isym3.ldt"))
+        self.assertEqual(file["lamp_set_count"], len(file["lamp_sets"]))
+        lines = ["maker", "1", "1", "1", "0", "2", "90", "report", "name", "number", "file", "date", "100", "0", "0",
+                 "0", "0", "0", "0", "0", "0", "100", "80", "1", "0", "2"]
+        lines += ["1", "LED", "1000", "3000", "80", "11.5", "2", "T5 lamp", "5000", "warm white", "1B", "60"]
+        lines += ["0"] * 10 + ["0", "0", "90", "300", "0"]
+        two = self.write("two.ldt", "\n".join(lines) + "\n")
+        (file,) = self.info(two)
+        self.assertEqual(file["lamp_sets"], [
+            {"count": 1, "type": "LED", "flux_lm": 1000, "input_power_w": 11.5, "colour_temperature_k": 3000,
+             "colour_rendering_index": 80, "colour": "3000", "colour_rendering": "80", "chosen": True},
+            {"count": 2, "type": "T5 lamp", "flux_lm": 5000, "input_power_w": 60, "colour_temperature_k": -1,
+             "colour_rendering_index": -1, "colour": "warm white", "colour_rendering": "1B", "chosen": False}])
+        text = self.run_program("info", two).stdout
+        self.assertIn("lamp sets: 2, alternatives\n  1: 1 x LED, 1000 lm, 11.5 W, 3000 K, CRI 80 (taken)\n"
+                      "  2: 2 x T5 lamp, 5000 lm, 60 W, colour warm white, colour rendering 1B\n", text)
+        text = self.run_program("info", self.write("a.ies", LAMBERTIAN)).stdout
+        self.assertIn("lamps: 1 x lamp, 4000 lm, 10 W\n", text)
+
+    def test_axes_of_openings(self):
+        # LM-63-2002, table 1: width along C90, length along C0, height; -: a curved side.
+        for opening, axis, words in (("0 0.5 0", "x", "line 0.5 m along x"), ("0.5 0 0", "y", "line 0.5 m along y"),
+                                     ("-0.1 -0.1 0.4", "z", "cylinder 0.1 x 0.1 x 0.4 m along z"),
+                                     ("-0.1 0.4 -0.1", "x", "cylinder 0.4 x 0.1 x 0.1 m along x"),
+                                     ("0.4 -0.1 -0.1", "y", "cylinder 0.1 x 0.4 x 0.1 m along y")):
+            lamp = self.write("lamp.ies", ies([0, 90], [100, 0], opening))
+            (file,) = self.info(lamp)
+            self.assertEqual(file["opening"].get("axis"), axis, msg=opening)
+            self.assertIn("opening: " + words, self.run_program("info", lamp).stdout)
+        (file,) = self.info(self.write("lamp.ies", ies([0, 90], [100, 0], "0.5 0.2 0")))
+        self.assertNotIn("axis", file["opening"])
+
     def test_folders_without_photometry(self):
         os.mkdir(self.path("empty"))
         self.expect_failure("info", self.path("empty"), words=["empty", ".ies"])
@@ -189,6 +281,22 @@ class Plots(test_program.ProgramTest):
             self.assertIn(words, texts)
         self.assertTrue(any("800 lm" in t for t in texts), msg=texts)
         self.assertTrue(any("592.94 cd" in t for t in texts), msg=texts)
+
+    def test_several_plots_of_several_files(self):
+        lamp, wide = self.write("lamp.ies", LAMBERTIAN), self.write("wide.ies", ies([0, 60, 90], [9, 9, 9]))
+        self.run_program("info", lamp, "--plot", self.path("a.svg"), self.path("b.png"))
+        self.run_program("info", "--plot", self.path("c.svg"), self.path("d.png"), lamp)
+        for name in ("a.svg", "c.svg"):
+            self.assertIn("lamp.ies", self.texts(name))
+        self.assertEqual(self.read("b.png"), self.read("d.png"))
+        os.mkdir(self.path("more"))
+        third = self.write("more/lamp.ies", LAMBERTIAN.replace("4000", "5000"))
+        self.run_program("info", lamp, wide, third, "--plot", self.path("p.svg"), self.path("p.png"))
+        for suffix, file in (("lamp", "lamp.ies"), ("wide", "wide.ies"), ("lamp_2", "lamp.ies")):
+            self.assertIn(file, self.texts(f"p_{suffix}.svg"))
+            self.assertEqual(self.read(f"p_{suffix}.png")[:4], b"\x89PNG")
+        self.assertEqual(self.read("p_lamp.svg"), self.read("a.svg"))
+        self.assertFalse(os.path.exists(self.path("p.svg")))
 
     def test_a_downlight_has_its_cone_in_numbers(self):
         self.plot(self.write("lamp.ies", LAMBERTIAN), "lamp.svg")
@@ -310,7 +418,6 @@ class Plots(test_program.ProgramTest):
         for name in ("lamp.pdf", "lamp"):
             self.assertIn(".svg", self.run_program("info", lamp, "--plot", self.path(name), code=2).stderr)
         self.run_program("info", "--plot", self.path("x.svg"), code=2)
-        self.expect_failure("info", lamp, lamp, "--plot", self.path("x.svg"), words=["--plot"])
         self.expect_failure("info", self.write("room.gltf", test_program.room()), "--plot", self.path("x.svg"),
                             words=["--plot", "room.gltf"])
         before = sorted(os.listdir(self.folder.name))
@@ -335,11 +442,26 @@ class Convert(test_program.ProgramTest):
                 for path, start in (("a.ldt", "EULUMDAT"), ("b.ies", "IES LM-63-2019")):
                     second = self.info(self.path(path))
                     self.assertEqual(second["format"], start)
-                    self.assertAlmostEqual(second["flux_lm"], first["flux_lm"], delta=1e-6 * first["flux_lm"])
+                    # EULUMDAT rounds intensities to six characters: 5e-5 of the peak at most, far less in the sum.
+                    self.assertAlmostEqual(second["flux_lm"], first["flux_lm"], delta=1e-5 * first["flux_lm"])
                     for plane in ("c0_c180", "c90_c270"):
                         self.assertAlmostEqual(second["beam"][plane]["angle_deg"], first["beam"][plane]["angle_deg"],
-                                               delta=1e-4)
+                                               delta=0.01)
                     self.assertEqual(second["opening"], first["opening"])
+
+    def test_links_stay_and_lead_to_files_or_to_the_output(self):
+        source = os.path.join(DATA, "s08_typeC_asym.ies")
+        os.mkdir(self.path("there"))
+        os.symlink(os.path.join("there", "lamp.ldt"), self.path("link.ldt"))
+        os.symlink("/dev/stdout", self.path("output.ldt"))
+        for _ in range(2):  # the file is not there yet; it is
+            self.run_program("convert", source, self.path("link.ldt"))
+            self.assertTrue(os.path.islink(self.path("link.ldt")))
+            self.assertEqual(os.listdir(self.path("there")), ["lamp.ldt"])
+        printed = self.run_program("convert", source, self.path("output.ldt")).stdout
+        with open(self.path("there/lamp.ldt"), encoding="latin-1", newline="") as file:
+            self.assertEqual(printed.splitlines(), file.read().splitlines())
+        self.assertTrue(os.path.islink(self.path("output.ldt")))
 
     def test_rays_become_their_far_field(self):
         lamp = self.write("lamp.tm25ray", tm25(narrow_rays(5000)))
@@ -372,6 +494,19 @@ class Convert(test_program.ProgramTest):
         self.assertIn("the opening, ellipsoid 0.3 x 0.2 x 0.4 m, is written as box 0.3 x 0.2 x 0.4 m", line)
         self.assertEqual(told(ball, "b.ies"), [])
         self.assertEqual(told(self.write("lamp.ies", LAMBERTIAN), "c.ldt"), [])
+
+    def test_light_that_parts_is_told(self):
+        # A patch of 0.2 degrees far off the axis, which no step of 0.05 degrees of C and gamma follows.
+        patch = self.write("patch.ies", "IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n1 -1 1 2 2 2 2 0 0 0\n1 1 10\n"
+                                        "30 30.2\n20 20.2\n1000 1000\n1000 1000\n")
+        before = self.info(patch)
+        lines = self.run_program("convert", patch, self.path("patch.ldt")).stderr.splitlines()
+        after = self.info(self.path("patch.ldt"))
+        part = after["flux_lm"] / before["flux_lm"] - 1
+        self.assertGreater(abs(part), 1e-3)
+        told = [line for line in lines if "the flux of the written table" in line]
+        self.assertEqual(len(told), 1)
+        self.assertIn(f"{after['flux_lm']:.6g} lm, that of the light {before['flux_lm']:.6g} lm", told[0])
 
     def test_errors(self):
         lamp = self.write("lamp.ies", LAMBERTIAN)

@@ -171,6 +171,17 @@ class BrokenFiles(ProgramTest):
         self.broken(index, ["mesh 0", "index 3"])
         self.broken(extension, ["XYZ_fancy"], command="info")
 
+    def test_files_outside_the_scenes_folder(self):
+        os.mkdir(self.path("scene"))
+        self.write("lamp.ies", IES)
+        scene = room()
+        scene["nodes"][0]["extras"] = {"ups": {"luminaire": {"file": "../lamp.ies"}}}
+        file = self.write("scene/room.gltf", scene)
+        for command in (["info"], ["render", "--iterations", 16], ["goniometer", "--iterations", 16]):
+            self.expect_failure(command[0], file, *command[1:],
+                                words=["node 0", "../lamp.ies", "outside the scene's folder", "--allow-outside"])
+            self.run_program(command[0], file, *command[1:], "--allow-outside")
+
     def test_out_that_is_a_file(self):
         self.expect_failure("render", self.write("room.gltf", room()), "--out", self.path("room.gltf"),
                             words=["room.gltf"])

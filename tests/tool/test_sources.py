@@ -57,6 +57,59 @@ class SourcesTest(unittest.TestCase):
                                    delta=1e-5 * whole["illuminance_lx"])
             self.assertGreater(part["luminaire_2_lx"], 0)
 
+    def test_columns_bear_the_nodes_names(self):
+        scene = two_lights()
+        scene["nodes"][1]["name"] = "desk lamp"
+        scene["nodes"][5]["name"] = "desk lamp"
+        scene["meshes"].append({"primitives": [dict(scene["meshes"][0]["primitives"][0], material=1)]})
+        scene["materials"].append({"emissiveFactor": [1, 1, 1]})
+        scene["nodes"].append({"name": "sky/panel", "mesh": 1, "translation": [0, 3, 0]})
+        emitter = {"emitter": {"shape": "disc", "radius_m": 0.01, "flux_lm": 100}}
+        scene["nodes"].append({"name": "spot", "translation": [0, 1, 0],
+                               "extras": {"ups": {"fixture": {"parts": [emitter]}}}})
+        scene["scenes"][0]["nodes"] += [7, 8]
+        run = self.render(scene, "--separate", "luminaires")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        names = {"desk_lamp", "desk_lamp_2", "sky_panel", "spot"}
+        sources = json.loads(run.stdout)["sources"]
+        self.assertEqual(set(sources), names)
+        self.assertAlmostEqual(sources["desk_lamp"]["flux_lm"], 400 * math.pi, delta=0.01)
+        self.assertAlmostEqual(sources["desk_lamp_2"]["flux_lm"], 200 * math.pi, delta=0.01)
+        self.assertAlmostEqual(sources["sky_panel"]["flux_lm"], 16 * math.pi, delta=0.01)  # 1 cd/m^2 over 16 m^2
+        self.assertAlmostEqual(sources["spot"]["flux_lm"], 100, delta=0.01)
+        (first, *_), total = self.table("work_plane_luminaires.csv"), self.table("work_plane.csv")[0]
+        self.assertEqual(set(first) - {"x_m", "y_m", "z_m"},
+                         {name + column for name in names for column in ("_lx", "_standard_error_lx")})
+        self.assertAlmostEqual(sum(first[name + "_lx"] for name in names), total["illuminance_lx"],
+                               delta=1e-4 * total["illuminance_lx"])
+
+    def test_a_warning_of_a_file_is_told_once(self):
+        with open(os.path.join(self.folder.name, "odd.ies"), "w", encoding="utf-8") as file:
+            file.write(test_program.IES.replace("TILT=NONE", "TILT=gone.tlt"))
+        scene = two_lights()
+        lamp = {"luminaire": {"file": "odd.ies"}}
+        scene["nodes"][1] = {"translation": [1, 2, -0.5], "rotation": test_program.UP, "extras": {"ups": lamp}}
+        scene["nodes"][5] = {"translation": [0, 2, -0.5], "rotation": test_program.UP, "extras": {"ups": lamp}}
+        run = self.render(scene)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        warnings = json.loads(run.stdout)["warnings"]
+        told = [w for w in warnings if "odd.ies" in w]
+        self.assertNotEqual(told, [])
+        self.assertEqual(len(set(told)), len(told))
+        for warning in told:
+            what = warning.split(": ", 1)[1]
+            self.assertEqual([w for w in warnings if what in w], [warning])
+
+    def test_a_part_is_counted_once(self):
+        scene = two_lights()
+        parts = [{"emitter": {"shape": "disc", "radius_m": 0.01, "flux_lm": 100}},
+                 {"reflector": {"profile": "cone", "aperture_radius_m": -1}}]
+        scene["nodes"][5] = {"extras": {"ups": {"fixture": {"parts": parts}}}}
+        run = self.render(scene)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("parts[1].reflector: aperture_radius_m is -1", run.stderr)
+        self.assertNotIn("part 2", run.stderr)
+
     def test_groups_have_their_numbers(self):
         run = self.render(two_lights(), "--separate", "groups")
         self.assertEqual(run.returncode, 0, run.stderr)

@@ -1,6 +1,7 @@
 // Are an iteration's sizes and radii what the plan says?
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "transport/plan.h"
@@ -18,6 +19,28 @@ TEST(Plan, RadiusFollowsTheRecurrence) {
     }
     const double limit = std::pow(1e6, alpha - 1) / std::tgamma(1 + alpha);
     EXPECT_NEAR(Plan::radius2_factor(1000000, alpha) / limit, 1.0, 1e-4) << alpha;
+  }
+}
+
+TEST(Plan, SaysWhichRadiiStandAtTheLeastAndSinceWhen) {
+  Plan plan;
+  plan.min_radius = 0.01f;
+  const double alpha = 2.0 / 3;
+  const std::vector<float> radii = {0.1f, 0, 0.012f, 0.02f};  // 0: no merging
+  EXPECT_EQ(plan.at_floor(radii, 0, alpha).count, 0u);
+  for (const uint32_t visits : {1u, 10u, 1000u, 1000000u}) {
+    size_t count = 0;
+    uint32_t since = visits + 1;
+    for (float r : radii)
+      for (uint32_t n = 0; r > 0 && n <= visits; ++n)
+        if (plan.radius2(r, Plan::radius2_factor(n, alpha)) > double(r) * r * Plan::radius2_factor(n, alpha)) {
+          ++count;
+          since = std::min(since, n);
+          break;
+        }
+    const Plan::AtFloor at = plan.at_floor(radii, visits, alpha);
+    EXPECT_EQ(at.count, count) << visits;
+    if (count > 0) EXPECT_EQ(at.since, since) << visits;
   }
 }
 

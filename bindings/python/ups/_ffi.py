@@ -64,6 +64,9 @@ class ProfileText(enum.IntEnum):
     FORMAT = 2
     TILT_FILE = 3
     TILT_TABLE = 4
+    LAMP_TYPES = 5
+    LAMP_COLOURS = 6
+    LAMP_RENDERINGS = 7
 
 
 class MaterialModel(enum.IntEnum):
@@ -326,6 +329,18 @@ class ProfileBeam(Structure):
     ]
 
 
+class ProfileLampSet(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("count", c_int32),
+        ("flux_lm", c_double),
+        ("input_power_w", c_float),
+        ("colour_temperature_k", c_float),
+        ("colour_rendering_index", c_float),
+        ("chosen", c_int32),
+    ]
+
+
 class TextureDesc(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -360,6 +375,7 @@ class MaterialDesc(Structure):
         ("metallic_texture", TextureId),
         ("normal_texture", TextureId),
         ("alpha_texture", TextureId),
+        ("priority", c_int32),
     ]
 
 
@@ -775,7 +791,9 @@ PROTOTYPES = {
     "ups_profile_parse_desc_init": (None, [POINTER(ProfileParseDesc), c_uint32]),
     "ups_profile_parse_with": (c_int32, [c_void_p, POINTER(ProfileParseDesc), POINTER(c_void_p)]),
     "ups_profile_write": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_profile_get_write_warnings": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_get_info": (c_int32, [c_void_p, POINTER(ProfileInfo)]),
+    "ups_profile_get_lamp_set": (c_int32, [c_void_p, c_uint32, POINTER(ProfileLampSet)]),
     "ups_profile_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_get_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_profile_with_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, POINTER(c_void_p)]),
@@ -822,6 +840,7 @@ PROTOTYPES = {
     "ups_fixture_add_part": (c_int32, [c_void_p, POINTER(FixturePartDesc), POINTER(FixturePartId)]),
     "ups_fixture_get_info": (c_int32, [c_void_p, POINTER(FixtureInfo)]),
     "ups_scene_add_fixture": (c_int32, [c_void_p, c_void_p, POINTER(FixtureInstanceDesc), POINTER(FixtureId)]),
+    "ups_scene_get_fixture_instance": (c_int32, [c_void_p, FixtureId, FixturePartId, POINTER(InstanceId)]),
     "ups_scene_set_fixture_dimming": (c_int32, [c_void_p, FixtureId, c_float]),
     "ups_scene_set_fixture_transform": (c_int32, [c_void_p, FixtureId, POINTER(c_double)]),
     "ups_scene_remove_fixture": (c_int32, [c_void_p, FixtureId]),

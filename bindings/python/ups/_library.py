@@ -1,6 +1,6 @@
 """Which libups is used, and how its functions look to ctypes. Called once, when the package is imported.
 
-Looked for in this order: UPS_LIBRARY (a file, or a folder that holds libups.so), this package's own folder, the system.
+Looked for in this order: UPS_LIBRARY (a file, or a folder that holds it), this package's own folder, the system.
 """
 import ctypes
 import ctypes.util
@@ -9,21 +9,22 @@ from pathlib import Path
 
 from . import _ffi
 
-_NAME = "libups.so"
+_MAJOR, _MINOR, _ = _ffi.HEADER_VERSION
+# The SONAME first: a program without the development files has nothing else.
+_NAMES = (f"libups.so.{_MAJOR}.{_MINOR}" if _MAJOR == 0 else f"libups.so.{_MAJOR}", "libups.so")
+
+
+def _in_folder(folder):
+    return [str(folder / name) for name in _NAMES if (folder / name).exists()]
 
 
 def _candidates():
     chosen = os.environ.get("UPS_LIBRARY")
     if chosen:  # a wrong choice is an error and never a silent fall back to another library
-        yield str(Path(chosen) / _NAME) if os.path.isdir(chosen) else chosen
+        yield from (_in_folder(Path(chosen)) or [str(Path(chosen) / _NAMES[0])]) if os.path.isdir(chosen) else [chosen]
         return
-    beside = Path(__file__).resolve().parent / _NAME
-    if beside.exists():
-        yield str(beside)
-    # The SONAME first: a program without the development files has nothing else.
-    major, minor, _ = _ffi.HEADER_VERSION
-    yield f"{_NAME}.{major}.{minor}" if major == 0 else f"{_NAME}.{major}"
-    yield _NAME
+    yield from _in_folder(Path(__file__).resolve().parent)
+    yield from _NAMES
     found = ctypes.util.find_library("ups")
     if found:
         yield found

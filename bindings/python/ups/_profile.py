@@ -63,6 +63,19 @@ class Profile(Handle):
         return Profile(create(lib.ups_profile_with_keyword, self, name.encode("utf-8"), value.encode("utf-8")))
 
     @property
+    def lamp_sets(self):
+        """The lamp sets that the file states, each as ups_profile_lamp_set (count, flux_lm, ...) with the texts type,
+        colour and colour_rendering."""
+        texts = [read_text(lib.ups_profile_get_text, self, topic).split("\n")
+                 for topic in (ProfileText.LAMP_TYPES, ProfileText.LAMP_COLOURS, ProfileText.LAMP_RENDERINGS)]
+        sets = []
+        for i in range(self.info.lamp_set_count):
+            lamps = read_info(_ffi.ProfileLampSet, lib.ups_profile_get_lamp_set, self, i)
+            lamps.type, lamps.colour, lamps.colour_rendering = (text[i] for text in texts)
+            sets.append(lamps)
+        return sets
+
+    @property
     def format(self):
         return read_text(lib.ups_profile_get_text, self, ProfileText.FORMAT)
 
@@ -72,8 +85,12 @@ class Profile(Handle):
         return read_text(lib.ups_profile_get_text, self, ProfileText.TILT_FILE)
 
     def write(self, format=ProfileFormat.IES_LM63):
-        """The bytes of a photometric file, IES_LM63 or EULUMDAT, that parse to the same distribution."""
+        """The bytes of a photometric file, IES_LM63 or EULUMDAT, of the same distribution."""
         return read_bytes(lib.ups_profile_write, self, format)
+
+    def write_warnings(self, format=ProfileFormat.IES_LM63):
+        """What the file that write makes does not hold as the profile has it: flux, peak, texts."""
+        return read_text(lib.ups_profile_get_write_warnings, self, format).splitlines()
 
     def _eval(self, function, directions):
         d = as_array(directions, np.float32, (-1, 3), "directions")

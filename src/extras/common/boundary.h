@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/floating_point.h"
+#include "base/last_error.h"
 #include "ups/ups_base.h"
 
 namespace ups::extras {
@@ -24,37 +26,53 @@ inline void require(bool condition, const char* message) {
   if (!condition) throw Error(UPS_ERROR_INVALID_ARGUMENT, message);
 }
 
-// Runs body; what it throws becomes the status, the text goes to message.
+// Runs body in the floating-point environment that results are computed in; what it throws becomes the status, the text
+// goes to last_error.
 template <class Body>
-ups_status guarded(std::string& message, Body&& body) noexcept {
+ups_status guarded(LastError& last_error, Body&& body) noexcept {
+  const DefaultFloatingPoint environment;
   try {
-    try {
-      body();
-      return UPS_OK;
-    } catch (const Error& e) {
-      message = e.what();
-      return e.status();
-    } catch (const std::bad_alloc&) {
-      message = "out of memory";
-      return UPS_ERROR_OUT_OF_MEMORY;
-    } catch (const std::exception& e) {
-      message = std::string("internal error: ") + e.what();
-      return UPS_ERROR_INTERNAL;
-    } catch (...) {
-      message = "internal error of an unknown kind";
-      return UPS_ERROR_INTERNAL;
-    }
-  } catch (...) {  // not even the message could be stored
+    body();
+    return UPS_OK;
+  } catch (const Error& e) {
+    last_error.set("", e.what());
+    return e.status();
+  } catch (const std::bad_alloc&) {
+    last_error.set("", "out of memory");
     return UPS_ERROR_OUT_OF_MEMORY;
+  } catch (const std::exception& e) {
+    last_error.set("internal error", e.what());
+    return UPS_ERROR_INTERNAL;
+  } catch (...) {
+    last_error.set("", "internal error of an unknown kind");
+    return UPS_ERROR_INTERNAL;
   }
 }
 
-// The caller's desc over this version's defaults, whichever of the two structs is longer.
+// For *_init: at most struct_size bytes of the defaults, and 0 for what a later version's struct has beyond them.
+template <class Desc>
+void write_defaults(Desc* desc, uint32_t struct_size, Desc defaults) {
+  if (!desc || struct_size < sizeof(uint32_t)) return;
+  defaults.struct_size = struct_size;
+  std::memcpy(static_cast<void*>(desc), &defaults, std::min<size_t>(struct_size, sizeof(Desc)));
+  if (struct_size > sizeof(Desc))
+    std::memset(reinterpret_cast<char*>(desc) + sizeof(Desc), 0, struct_size - sizeof(Desc));
+}
+
+// The caller's desc over this version's defaults. Where it is longer, the fields that this version does not know must
+// be 0: they would be ignored.
 template <class Desc>
 Desc read_desc(const Desc* given, Desc defaults) {
   if (!given) return defaults;
-  require(given->struct_size >= sizeof(uint32_t), "struct_size is not set: fill the desc by its init function first");
-  std::memcpy(static_cast<void*>(&defaults), given, std::min<size_t>(given->struct_size, sizeof(Desc)));
+  const uint32_t size = given->struct_size;
+  require(size >= sizeof(uint32_t) && size <= 4096,
+          "struct_size must be the struct's sizeof: fill the desc by its init function first");
+  for (size_t i = sizeof(Desc); i < size; ++i)
+    if (reinterpret_cast<const char*>(given)[i] != 0)
+      throw Error(UPS_ERROR_UNSUPPORTED, "struct_size is " + std::to_string(size) + "; this version knows " +
+                                             std::to_string(sizeof(Desc)) + " bytes, but byte " + std::to_string(i) +
+                                             " is not 0: a field of a later version is set that would be ignored");
+  std::memcpy(static_cast<void*>(&defaults), given, std::min<size_t>(size, sizeof(Desc)));
   return defaults;
 }
 

@@ -35,7 +35,7 @@ using ups::extras::require;
 constexpr uint64_t max_values = uint64_t(1) << 28;
 constexpr int64_t max_side = 65536;
 
-thread_local std::string last_error;
+ups::LastError last_error;
 
 template <class Body>
 ups_status guarded(Body&& body) {
@@ -229,4 +229,4 @@ ups_status ups_exr_read_channel(const ups_exr_image* image, const char* name, fl
   });
 }
 
-const char* ups_exr_last_error(void) { return last_error.c_str(); }
+const char* ups_exr_last_error(void) { return last_error.get(); }

@@ -1,12 +1,11 @@
-// Loads a .gltf or .glb file: container, JSON, buffers. tinygltf trusts much of what it reads, so what it does not
-// check is checked here first, with messages that say where; see also accessor.cpp.
+// Loads a .gltf or .glb file: container, JSON, the files it names. tinygltf (model.cpp) trusts much of what it reads,
+// so what it does not check is checked here first, with messages that say where; see also accessor.cpp.
 #include "gltf/document.h"
 
 #include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <map>
 
 #include "common/boundary.h"
 
@@ -27,8 +26,13 @@ uint32_t little_endian(const unsigned char* bytes) {
 
 bool is_binary(const Bytes& file) { return file.size() >= 4 && std::memcmp(file.data(), "glTF", 4) == 0; }
 
-// glTF 2.0, section 4.4: a 12-byte header, then chunks of length, type, data; the first one is JSON.
-std::pair<size_t, size_t> json_chunk(const Bytes& file) {
+// glTF 2.0, section 4.4: a 12-byte header, then chunks of length, type, data; the first one is JSON, the second, if
+// any, the first buffer.
+struct Chunks {
+  ByteRange json, binary;  // binary.data: null where there is none
+};
+Chunks chunks_of(const Bytes& file) {
+  constexpr uint32_t json_type = 0x4E4F534A, binary_type = 0x004E4942;
   constexpr size_t header = 12, chunk_header = 8;
   if (file.size() < header + chunk_header) fail_parse("truncated .glb: no room for its header");
   const uint32_t version = little_endian(&file[4]), length = little_endian(&file[8]);
@@ -38,16 +42,20 @@ std::pair<size_t, size_t> json_chunk(const Bytes& file) {
                std::to_string(file.size()));
   }
   const size_t json_length = little_endian(&file[12]);
-  if (little_endian(&file[16]) != 0x4E4F534A) fail_parse("bad .glb: its first chunk is not JSON");
+  if (little_endian(&file[16]) != json_type) fail_parse("bad .glb: its first chunk is not JSON");
   if (json_length > length - header - chunk_header) {
     fail_parse("truncated .glb: its JSON chunk says " + std::to_string(json_length) + " bytes, the file ends before");
   }
+  Chunks chunks{{&file[header] + chunk_header, json_length, 0}, {nullptr, 0, 0}};
   const size_t next = header + chunk_header + json_length;
-  if (next + chunk_header <= length && little_endian(&file[next]) > length - next - chunk_header) {
-    fail_parse("truncated .glb: its binary chunk says " + std::to_string(little_endian(&file[next])) +
-               " bytes, the file has " + std::to_string(length - next - chunk_header) + " left");
+  if (next + chunk_header > length) return chunks;
+  const size_t size = little_endian(&file[next]), left = length - next - chunk_header;
+  if (size > left) {
+    fail_parse("truncated .glb: its binary chunk says " + std::to_string(size) + " bytes, the file has " +
+               std::to_string(left) + " left");
   }
-  return {header + chunk_header, json_length};
+  if (little_endian(&file[next + 4]) == binary_type) chunks.binary = {&file[next] + chunk_header, size, 0};
+  return chunks;
 }
 
 std::string name_of(const Json& object) {
@@ -140,106 +148,6 @@ void check_version(const JsonReader& root) {
   }
 }
 
-bool is_data_uri(const std::string& uri) { return uri.rfind("data:", 0) == 0; }
-
-// What tinygltf's file callbacks know: it looks into the current folder as well, which must not find anything.
-struct BufferFiles {
-  std::map<std::string, Bytes> contents;  // by the path that tinygltf will ask for
-};
-
-// Set by name, and all of them: later versions of tinygltf also ask for the size, and refuse a set with a gap.
-template <class Callbacks>
-Callbacks callbacks_of(BufferFiles& files) {
-  Callbacks calls{};
-  calls.FileExists = [](const std::string& path, void* user) {
-    return static_cast<BufferFiles*>(user)->contents.count(path) != 0;
-  };
-  calls.ExpandFilePath = [](const std::string& path, void*) { return path; };
-  calls.ReadWholeFile = [](Bytes* out, std::string*, const std::string& path, void* user) {
-    const BufferFiles& known = *static_cast<BufferFiles*>(user);
-    const auto found = known.contents.find(path);
-    if (found == known.contents.end()) return false;
-    *out = found->second;
-    return true;
-  };
-  calls.WriteWholeFile = [](std::string*, const std::string&, const Bytes&, void*) { return false; };
-  if constexpr (requires { calls.GetFileSizeInBytes; }) {
-    calls.GetFileSizeInBytes = [](size_t* size, std::string*, const std::string& path, void* user) {
-      const BufferFiles& known = *static_cast<BufferFiles*>(user);
-      const auto found = known.contents.find(path);
-      if (found == known.contents.end()) return false;
-      *size = found->second.size();
-      return true;
-    };
-  }
-  calls.user_data = &files;
-  return calls;
-}
-
-// Keeps the encoded bytes of an image; those in a buffer view stay there (tinygltf has not checked the view's range).
-bool keep_encoded(tinygltf::Image* image, const int, std::string*, std::string*, int, int, const unsigned char* bytes,
-                  int size, void*) {
-  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
-  return true;
-}
-
-// tinygltf knows some media types only, and wants the exact size.
-void check_data_uri(const JsonReader& buffer, const std::string& uri, int64_t length) {
-  if (!tinygltf::IsDataURI(uri)) buffer.fail("uri", "must start with data:application/octet-stream;base64,");
-  const size_t begin = uri.find(',') + 1;
-  const size_t size = uri.find_last_not_of('=') + 1;
-  const size_t bytes = size > begin ? (size - begin) * 3 / 4 : 0;
-  if (bytes != uint64_t(length)) {
-    buffer.fail("uri", "holds " + std::to_string(bytes) + " bytes, byteLength says " + std::to_string(length));
-  }
-}
-
-// Buffers in files are read here, cut to their byteLength (tinygltf wants the file to have just that size). Images are
-// read when a material asks for them, so files of images are not offered to tinygltf.
-BufferFiles read_buffer_files(const JsonReader& root, const Document& document, const std::string& base, bool binary) {
-  BufferFiles files;
-  for_each(root, "buffers", "buffer", [&](const JsonReader& buffer, size_t index) {
-    const int64_t length = buffer.integer("byteLength", -1, 1, max_integer);
-    if (length < 0) buffer.fail("byteLength", "is missing");
-    const std::string uri = buffer.text("uri", "");
-    if (is_data_uri(uri)) {
-      check_data_uri(buffer, uri, length);
-      return;
-    }
-    if (uri.empty()) {
-      if (!binary || index != 0) buffer.fail("uri", "is missing; only the first buffer of a .glb may leave it out");
-      return;
-    }
-    Bytes bytes = read_uri(document, uri, buffer.where());
-    if (bytes.size() < uint64_t(length)) {
-      fail_parse(buffer.where() + ": its file '" + percent_decoded(uri) + "' has " + std::to_string(bytes.size()) +
-                 " bytes, byteLength says " + std::to_string(length));
-    }
-    bytes.resize(size_t(length));
-    std::string asked = uri;  // tinygltf decodes '+' as a blank
-    std::replace(asked.begin(), asked.end(), '+', ' ');
-    files.contents[base + "/" + percent_decoded(asked)] = std::move(bytes);
-  });
-  return files;
-}
-
-void load_model(Document& document, const Bytes& file, bool binary, std::vector<std::string>& warnings) {
-  const std::string base = "ups-buffer-files";  // a name for tinygltf's look-ups, no folder
-  BufferFiles files = read_buffer_files(JsonReader(document.json, "the file"), document, base, binary);
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(keep_encoded, nullptr);
-  loader.SetFsCallbacks(callbacks_of<tinygltf::FsCallbacks>(files));
-  std::string error, warning;  // warnings: images in files only
-  const auto size = static_cast<unsigned int>(file.size());
-  const bool good = binary ? loader.LoadBinaryFromMemory(&document.model, &error, &warning, file.data(), size, base)
-                           : loader.LoadASCIIFromString(&document.model, &error, &warning,
-                                                        reinterpret_cast<const char*>(file.data()), size, base);
-  std::replace(error.begin(), error.end(), '\n', ' ');
-  if (error.size() > 300) error = error.substr(0, 300) + "...";  // it may quote a whole data URI
-  if (!good) fail_parse(error.empty() ? "not a valid glTF file" : error);
-  if (!error.empty()) warnings.push_back(error);  // tinygltf went on
-}
-
 }  // namespace
 
 std::string percent_decoded(const std::string& uri) {
@@ -274,6 +182,8 @@ JsonReader Document::element(const char* array, size_t index, const std::string&
   return JsonReader(items->items[index], where);
 }
 
+namespace {
+
 Bytes read_file(const std::filesystem::path& path, const std::string& where) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
@@ -286,38 +196,61 @@ Bytes read_file(const std::filesystem::path& path, const std::string& where) {
   return bytes;
 }
 
-Bytes read_uri(const Document& document, const std::string& uri, const std::string& where) {
-  if (!is_data_uri(uri)) return read_file(document.folder / utf8_path(percent_decoded(uri)), where);
-  const size_t comma = uri.find(',');
-  const std::string marker = ";base64";
-  if (comma == std::string::npos || comma < marker.size() ||
-      uri.compare(comma - marker.size(), marker.size(), marker) != 0) {
-    fail_parse(where + ": a data URI must be base64");
+// Links are followed first: what counts is where the bytes lie. A path that does not resolve is no file.
+bool lies_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto root = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+  if (error) return true;
+  const auto file = std::filesystem::weakly_canonical(path, error);
+  return error || std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+}
+
+}  // namespace
+
+Bytes read_beside(const Document& document, const std::filesystem::path& path, const std::string& where) {
+  if (!document.allow_outside && !lies_within(path, document.folder)) {
+    throw Error(UPS_ERROR_IO, where + ": the file '" + path.string() +
+                                  "' lies outside the scene's folder; move it there, or allow files outside "
+                                  "(--allow-outside; ups_gltf_import_desc.allow_outside)");
   }
+  return read_file(path, where);
+}
+
+bool is_data_uri(const std::string& uri) { return uri.rfind("data:", 0) == 0; }
+
+// RFC 2397: data:[type][;base64],data. The type does not matter here, though tinygltf decodes some alone.
+Bytes read_uri(const Document& document, const std::string& uri, const std::string& where) {
+  if (!is_data_uri(uri)) return read_beside(document, document.folder / utf8_path(percent_decoded(uri)), where);
+  const size_t comma = uri.find(',');
+  if (comma == std::string::npos) fail_parse(where + ": a data URI must have a comma before its data");
+  const std::string data = percent_decoded(uri.substr(comma + 1)), marker = ";base64";
+  if (comma < marker.size() || uri.compare(comma - marker.size(), marker.size(), marker) != 0)
+    return {data.begin(), data.end()};
   Bytes bytes;
-  std::string media_type;  // tinygltf decodes some types only; which one it is does not matter here
-  const std::string plain = "data:application/octet-stream;base64," + uri.substr(comma + 1);
-  if (!tinygltf::DecodeDataURI(&bytes, media_type, plain, 0, false)) fail_parse(where + ": its data URI is not base64");
+  std::string media_type;
+  if (!tinygltf::DecodeDataURI(&bytes, media_type, "data:application/octet-stream;base64," + data, 0, false))
+    fail_parse(where + ": its data URI is not base64");
   return bytes;
 }
 
-Document load_document(const std::string& path, std::vector<std::string>& warnings) {
+Document load_document(const std::string& path, bool allow_outside, std::vector<std::string>& warnings) {
   const std::filesystem::path file_path = utf8_path(path);
   const Bytes file = read_file(file_path, "glTF");
   if (file.size() > std::numeric_limits<uint32_t>::max()) throw Error(UPS_ERROR_UNSUPPORTED, "larger than 4 GiB");
-  const bool binary = is_binary(file);
-  const auto [offset, length] = binary ? json_chunk(file) : std::make_pair(size_t(0), file.size());
-  const char* text = reinterpret_cast<const char*>(file.data()) + offset;
+  const Chunks chunks =
+      is_binary(file) ? chunks_of(file) : Chunks{{file.data(), file.size(), 0}, {nullptr, 0, 0}};
+  const char* text = reinterpret_cast<const char*>(chunks.json.data);
 
   Document document;
   document.folder = file_path.parent_path();
-  document.json = parse_json(text, text + length);
+  document.allow_outside = allow_outside;
+  document.json = parse_json(text, text + chunks.json.size);
   const JsonReader root(document.json, "the file");
   check_version(root);
   check_extensions(root, warnings);
   check_primitives(root);
   check_arrays(root);
-  load_model(document, file, binary, warnings);
+  load_model(document, chunks.binary, warnings);
   return document;
 }
 

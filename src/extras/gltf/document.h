@@ -14,8 +14,14 @@ namespace ups::gltf {
 
 using Bytes = std::vector<unsigned char>;
 
+struct ByteRange {
+  const unsigned char* data;
+  size_t size, stride;  // stride 0: tight
+};
+
 struct Document {
   std::filesystem::path folder;  // that relative names in the file start from
+  bool allow_outside = false;    // of files that it names: they may lie outside that folder
   Json json;
   tinygltf::Model model;  // images hold their encoded bytes (PNG, JPEG), not pixels
 
@@ -25,23 +31,25 @@ struct Document {
 
 // Reads and checks the file. Throws extras::Error: IO, PARSE, UNSUPPORTED (unknown required extensions, glTF 1).
 // Extensions that are used, not required and not known become warnings.
-Document load_document(const std::string& path, std::vector<std::string>& warnings);
+Document load_document(const std::string& path, bool allow_outside, std::vector<std::string>& warnings);
 
 bool is_known_extension(const std::string& name);
 
 inline std::filesystem::path utf8_path(const std::string& text) { return std::u8string(text.begin(), text.end()); }
 
+// Fills document.model from document.json, whose buffers then bear names instead of their data. binary: the chunk of a
+// .glb that is its first buffer; data is null where there is none.
+void load_model(Document& document, const ByteRange& binary, std::vector<std::string>& warnings);
+
+bool is_data_uri(const std::string& uri);
 // A URI's text: "%20" is a blank.
 std::string percent_decoded(const std::string& uri);
 // A file beside the scene, or what a data URI holds. where: who asks, for messages.
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where);
-Bytes read_file(const std::filesystem::path& path, const std::string& where);
+// A file that the scene names. Throws (IO) also where it lies outside the scene's folder, unless that is allowed.
+Bytes read_beside(const Document& document, const std::filesystem::path& path, const std::string& where);
 
 // Bytes of a buffer view; throws where its range is not inside its buffer.
-struct ByteRange {
-  const unsigned char* data;
-  size_t size, stride;  // stride 0: tight
-};
 ByteRange buffer_view(const Document& document, int index, const std::string& where);
 
 // Accessors as plain arrays: sparse ones filled in, normalized integers as fractions. components: 2, 3 or 4.

@@ -127,7 +127,7 @@ void Importer::add_emitter(ups_fixture* fixture, const JsonReader& part) {
   desc.flux_lm = float(part.number("flux_lm", 0, 0, unlimited));
   desc.reflectance = float(part.number("reflectance", 0, 0, 1));
   read_colour_temperature(part, desc.color_rgb);
-  check(ups_fixture_add_emitter(fixture, &desc, nullptr), part.where());
+  check_part(ups_fixture_add_emitter(fixture, &desc, nullptr), part.where());
 }
 
 void Importer::add_reflector(ups_fixture* fixture, const JsonReader& part) {
@@ -154,7 +154,7 @@ void Importer::add_reflector(ups_fixture* fixture, const JsonReader& part) {
   read_count(part, "facets_along", desc.facets_along);
   read_tolerances(part, desc);
   read_finish(part, desc, custom);
-  check(ups_fixture_add_reflector(fixture, &desc, nullptr), part.where());
+  check_part(ups_fixture_add_reflector(fixture, &desc, nullptr), part.where());
 }
 
 void Importer::add_lens(ups_fixture* fixture, const JsonReader& part) {
@@ -178,7 +178,7 @@ void Importer::add_lens(ups_fixture* fixture, const JsonReader& part) {
   read_count(part, "facets_around", desc.facets_around);
   read_tolerances(part, desc);
   read_finish(part, desc, custom);
-  check(ups_fixture_add_lens(fixture, &desc, nullptr), part.where());
+  check_part(ups_fixture_add_lens(fixture, &desc, nullptr), part.where());
 }
 
 void Importer::add_collimator(ups_fixture* fixture, const JsonReader& part) {
@@ -232,7 +232,7 @@ void Importer::add_collimator(ups_fixture* fixture, const JsonReader& part) {
   read_count(part, "exit_facets_along", desc.exit_facets_along);
   read_tolerances(part, desc);
   read_finish(part, desc, custom);
-  check(ups_fixture_add_collimator(fixture, &desc, nullptr), part.where());
+  check_part(ups_fixture_add_collimator(fixture, &desc, nullptr), part.where());
 }
 
 const ups_fixture* Importer::fixture_of(const JsonReader& reader) {
@@ -271,6 +271,13 @@ void Importer::add_fixture(const JsonReader& reader, const Affine& frame) {
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
   ups_fixture_id id{};
   check(ups_scene_add_fixture(scene_, fixture_of(reader), &desc, &id), reader.where());
+  const std::vector<Json>& parts = reader.array("parts");
+  for (uint32_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i].find("emitter")) continue;
+    ups_instance_id instance{};
+    check(ups_scene_get_fixture_instance(scene_, id, {i + 1}, &instance), reader.where());
+    name_source(UPS_SOURCE_INSTANCE, instance.v, "fixture");
+  }
 }
 
 }  // namespace ups::gltf

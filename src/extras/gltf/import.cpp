@@ -11,6 +11,14 @@ void Importer::check(ups_status status, const std::string& where) const {
   if (status != UPS_OK) throw Error(status, where + ": " + ups_last_error());
 }
 
+void Importer::check_part(ups_status status, const std::string& where) const {
+  if (status == UPS_OK) return;
+  std::string message = ups_last_error();  // "ups_fixture_add_lens: part 2 (lens): ..."
+  const size_t begin = message.find("part "), end = message.find("): ");
+  if (begin < end && end != std::string::npos) message.erase(begin, end + 3 - begin);
+  throw Error(status, where + ": " + message);
+}
+
 void Importer::warn(const std::string& text) {
   if (warned_.insert(text).second) warnings.push_back(text);
 }
@@ -41,7 +49,7 @@ void Importer::warn_about_the_rest() {
 
 void Importer::run(const std::string& path) {
   try {
-    document_ = load_document(path, warnings);
+    document_ = load_document(path, desc_.allow_outside == 1, warnings);
     meshes_.resize(document_.model.meshes.size());
     add_materials();
     read_scene();
@@ -55,6 +63,7 @@ void Importer::run(const std::string& path) {
 
 struct ups_gltf_import {
   std::vector<ups::gltf::Sensor> sensors;
+  std::vector<ups::gltf::SourceName> sources;
   std::string warnings;
 };
 
@@ -62,7 +71,7 @@ namespace {
 
 using ups::extras::require;
 
-thread_local std::string last_error;
+ups::LastError last_error;
 
 template <class Body>
 ups_status guarded(Body&& body) {
@@ -75,15 +84,12 @@ const ups::gltf::Sensor& sensor_of(const ups_gltf_import* import_result, uint32_
   return import_result->sensors[index];
 }
 
-ups_gltf_import_desc default_desc() { return {sizeof(ups_gltf_import_desc), 0, 0, 0}; }
+ups_gltf_import_desc default_desc() { return {sizeof(ups_gltf_import_desc), 0, 0, 0, 0}; }
 
 }  // namespace
 
 void ups_gltf_import_desc_init(ups_gltf_import_desc* desc, uint32_t struct_size) {
-  if (!desc || struct_size < sizeof(uint32_t)) return;
-  ups_gltf_import_desc defaults = default_desc();
-  defaults.struct_size = struct_size;
-  std::memcpy(static_cast<void*>(desc), &defaults, std::min<size_t>(struct_size, sizeof defaults));
+  ups::extras::write_defaults(desc, struct_size, default_desc());
 }
 
 ups_status ups_gltf_import_file(ups_context* context, const char* path, const ups_gltf_import_desc* desc,
@@ -96,11 +102,12 @@ ups_status ups_gltf_import_file(ups_context* context, const char* path, const up
     const ups_gltf_import_desc options = ups::extras::read_desc(desc, default_desc());
     require((options.camera_width == 0) == (options.camera_height == 0),
             "camera_width and camera_height must both be given or both be 0");
+    require(options.allow_outside == 0 || options.allow_outside == 1, "allow_outside must be 0 or 1");
     ups::gltf::Importer importer(context, scene, options);
     importer.run(path);
     std::string warnings;
     for (const std::string& warning : importer.warnings) warnings += (warnings.empty() ? "" : "\n") + warning;
-    *out = new ups_gltf_import{std::move(importer.sensors), std::move(warnings)};
+    *out = new ups_gltf_import{std::move(importer.sensors), std::move(importer.sources), std::move(warnings)};
   });
 }
 
@@ -123,6 +130,18 @@ ups_status ups_gltf_get_sensor_name(const ups_gltf_import* import_result, uint32
   return guarded([&] { ups::extras::copy_text(sensor_of(import_result, index).name, text, capacity, needed); });
 }
 
+ups_status ups_gltf_get_source_name(const ups_gltf_import* import_result, ups_source_kind kind, uint32_t id, char* text,
+                                    size_t capacity, size_t* needed) {
+  return guarded([&] {
+    require(import_result != nullptr, "import_result is NULL");
+    const auto& sources = import_result->sources;
+    const auto found = std::find_if(sources.begin(), sources.end(),
+                                    [&](const auto& source) { return source.kind == kind && source.id == id; });
+    require(found != sources.end(), "no source of this kind and id comes from the file");
+    ups::extras::copy_text(found->name, text, capacity, needed);
+  });
+}
+
 ups_status ups_gltf_read_meters(const ups_gltf_import* import_result, uint32_t index, double* positions_m,
                                 float* normals, size_t count) {
   return guarded([&] {
@@ -141,4 +160,4 @@ ups_status ups_gltf_get_warnings(const ups_gltf_import* import_result, char* tex
   });
 }
 
-const char* ups_gltf_last_error(void) { return last_error.c_str(); }
+const char* ups_gltf_last_error(void) { return last_error.get(); }

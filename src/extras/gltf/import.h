@@ -1,6 +1,7 @@
 // The state of one import, shared by its parts: materials and textures, meshes, nodes, lights, meters, goniometers.
 // import.cpp owns the order of work; each part is a file of its own.
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -35,12 +36,23 @@ using FixturePtr = std::unique_ptr<ups_fixture, FixtureDeleter>;
 struct Material {
   ups_material_id id;
   int uv_set;  // the TEXCOORD_n that its textures use
-  bool textured;
+  bool textured, emits;
 };
 
 inline void store(const Rgb& from, float (&to)[3]) {
   for (size_t i = 0; i < 3; ++i) to[i] = float(from[i]);
 }
+
+struct SourceName {
+  ups_source_kind kind;
+  uint32_t id;
+  std::string name;
+};
+
+struct PlacedMesh {  // a primitive
+  ups_mesh_id id;
+  bool emits;
+};
 
 // "colour_temperature_k" of an emitter or a luminaire, where there is one.
 void read_colour_temperature(const JsonReader& reader, float (&rgb)[3]);
@@ -61,11 +73,14 @@ class Importer {
   void run(const std::string& path);
 
   std::vector<Sensor> sensors;
+  std::vector<SourceName> sources;
   std::vector<std::string> warnings;
 
  private:
   // Throws what the core said, with the place in the file, unless status is OK.
   void check(ups_status status, const std::string& where) const;
+  // The same of a fixture's part: the core counts parts from 1, the file from 0, so the core's number is left out.
+  void check_part(ups_status status, const std::string& where) const;
   void warn(const std::string& text);  // each text once
   void warn_about_the_rest();          // animations, skins and what else the scene does not take over
   void warn_about_extensions(const JsonReader& reader, std::initializer_list<std::string_view> known);
@@ -77,6 +92,7 @@ class Importer {
   void add_materials();
   Material add_material(const JsonReader& material);
   void read_core_material(const JsonReader& material, ups_material_desc& desc);
+  void reflect_all(const JsonReader& material, ups_material_desc& desc);
   void read_transmission(const JsonReader& material, ups_material_desc& desc);
   void read_emission(const JsonReader& material, ups_material_desc& desc);
   void read_alpha(const JsonReader& material, ups_material_desc& desc);
@@ -84,8 +100,8 @@ class Importer {
   int uv_set_of(const JsonReader& material);
   const Material& default_material();
   // mesh.cpp
-  const std::vector<ups_mesh_id>& mesh(int index);
-  std::optional<ups_mesh_id> add_primitive(const tinygltf::Primitive& primitive, const std::string& where);
+  const std::vector<PlacedMesh>& mesh(int index);
+  std::optional<PlacedMesh> add_primitive(const tinygltf::Primitive& primitive, const std::string& where);
   // node.cpp
   void read_scene();
   void read_node(int index, const Affine& parent);
@@ -111,6 +127,8 @@ class Importer {
   // meters.cpp
   void add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame);
   std::string unique_name(const std::string& name, bool illuminance, const std::string& where);
+  // names.cpp: of what emits on the present node; word: "luminaire", "instance" or "fixture".
+  void name_source(ups_source_kind kind, uint32_t id, const char* word);
 
   ups_context* context_;
   ups_scene* scene_;
@@ -118,13 +136,15 @@ class Importer {
   Document document_;
   std::vector<Material> materials_;
   std::optional<Material> default_material_;
-  std::vector<std::optional<std::vector<ups_mesh_id>>> meshes_;
+  std::vector<std::optional<std::vector<PlacedMesh>>> meshes_;
   std::vector<std::pair<std::string, ProfilePtr>> profiles_;
   std::vector<std::pair<const Json*, FixturePtr>> fixtures_;  // by their "parts"
   std::vector<std::pair<std::string, ups_texture_id>> textures_;
-  std::set<std::string> names_, warned_;
+  std::set<std::string> names_, source_names_, warned_;
+  std::map<std::string, uint32_t> nameless_;  // sources on nodes without a name, by their word
   std::vector<char> visited_;  // nodes
   uint32_t group_ = 0;         // of what the present node emits
+  std::string node_name_;      // of the present node
 };
 
 }  // namespace ups::gltf

@@ -11,6 +11,9 @@ namespace ups::gltf {
 
 namespace {
 
+// Beyond 2^53 a double does not hold every integer; no number in a scene file is that large.
+constexpr double largest_integer = 9007199254740992.0;
+
 // Deeper nesting is no scene; tinygltf, which reads the same text afterwards, walks extras by recursion.
 constexpr int max_depth = 128;
 
@@ -39,6 +42,33 @@ Json convert(const nlohmann::json& from, int depth) {
   return to;
 }
 
+nlohmann::json convert(const Json& from) {
+  switch (from.kind) {
+    case Json::Kind::boolean:
+      return from.boolean;
+    case Json::Kind::number: {  // tinygltf takes neither 4.0 for a whole number nor a signed one for a count
+      const double value = from.number;
+      if (std::abs(value) >= largest_integer || value != std::floor(value) || (value == 0 && std::signbit(value)))
+        return value;
+      return value < 0 ? nlohmann::json(int64_t(value)) : nlohmann::json(uint64_t(value));
+    }
+    case Json::Kind::text:
+      return from.text;
+    case Json::Kind::array: {
+      nlohmann::json to = nlohmann::json::array();
+      for (const Json& item : from.items) to.push_back(convert(item));
+      return to;
+    }
+    case Json::Kind::object: {
+      nlohmann::json to = nlohmann::json::object();
+      for (const JsonMember& member : from.members) to[member.name] = convert(member.value);
+      return to;
+    }
+    default:
+      return nullptr;
+  }
+}
+
 std::string in_quotes(std::string_view text) {
   std::string result(1, '"');
   result += text;
@@ -51,9 +81,6 @@ std::string number_text(double value) {
   out << value;
   return out.str();
 }
-
-// Beyond 2^53 a double does not hold every integer; no number in a scene file is that large.
-constexpr double largest_integer = 9007199254740992.0;
 
 std::string range_text(double low, double high) {
   if (std::isinf(low)) return "of any size";
@@ -83,6 +110,8 @@ Json parse_json(const char* begin, const char* end) {
                         "bad JSON: " + (bracket == std::string::npos ? text : text.substr(bracket + 2)));
   }
 }
+
+std::string json_text(const Json& json) { return convert(json).dump(); }
 
 std::string place(const char* kind, size_t index, const std::string& name) {
   std::string result = kind;

@@ -36,6 +36,8 @@ struct JsonMember {
 // Throws extras::Error (UPS_ERROR_PARSE) with line and column.
 Json parse_json(const char* begin, const char* end);
 
+std::string json_text(const Json& json);
+
 const Json& empty_object();
 
 using Rgb = std::array<double, 3>;

@@ -92,6 +92,7 @@ void Importer::add_punctual_light(const JsonReader& node, const Affine& frame) {
   desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_light(scene_, &desc, &id), where);
+  name_source(UPS_SOURCE_LUMINAIRE, id.v, "luminaire");
 }
 
 void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
@@ -103,7 +104,7 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
   if (light.has("uri") == light.has("bufferView")) light.fail("uri", "or \"bufferView\" must be given, and not both");
   if (light.has("uri")) {
     const std::string uri = light.text("uri", "");
-    const bool embedded = uri.rfind("data:", 0) == 0;
+    const bool embedded = is_data_uri(uri);
     if (!embedded) where += ", file '" + uri + "'";
     const std::filesystem::path folder =
         embedded ? std::filesystem::path() : folder_of(document_.folder / utf8_path(percent_decoded(uri)));
@@ -123,6 +124,7 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
   desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_luminaire(scene_, &desc, &id), where);
+  name_source(UPS_SOURCE_LUMINAIRE, id.v, "luminaire");
 }
 
 void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
@@ -135,7 +137,7 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   ups_luminaire_desc desc;
   ups_luminaire_desc_init(&desc, sizeof desc);
   const std::filesystem::path path = document_.folder / utf8_path(file);
-  ProfileFile source{file, read_file(path, luminaire.where()), folder_of(path)};
+  ProfileFile source{file, read_beside(document_, path, luminaire.where()), folder_of(path)};
   if (luminaire.has("tilt_deg")) source.tilt_deg = float(luminaire.number("tilt_deg", 0, 0, 180));
   source.lamp_set = uint32_t(luminaire.integer("lamp_set", 0, 0, 999));
   desc.profile = profile(source, where);
@@ -154,6 +156,7 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_luminaire(scene_, &desc, &id), where);
+  name_source(UPS_SOURCE_LUMINAIRE, id.v, "luminaire");
 }
 
 }  // namespace ups::gltf

@@ -25,9 +25,14 @@ BaseColor base_color(const JsonReader& material) {
   return {{(*factor)[0], (*factor)[1], (*factor)[2]}, (*factor)[3]};
 }
 
+// KHR_materials_ior: at least 1; or 0, which stands for an index without limit, whose Fresnel reflectance is 1 at every
+// angle.
+constexpr double total_reflection = 0;
 double ior_of(const JsonReader& material) {
   const auto ior = material.extension("KHR_materials_ior");
-  return ior ? ior->number("ior", default_ior, 1, unlimited) : default_ior;
+  const double value = ior ? ior->number("ior", default_ior, 0, unlimited) : default_ior;
+  if (value != total_reflection && value < 1) ior->fail("ior", "must be a number at least 1, or 0");
+  return value;
 }
 
 bool is_alpha_blended(const JsonReader& material) { return material.text("alphaMode", "OPAQUE") != "OPAQUE"; }
@@ -55,7 +60,8 @@ void Importer::read_core_material(const JsonReader& material, ups_material_desc&
   store(base_color(material).rgb, desc.reflectance_rgb);
   desc.roughness = float(pbr.number("roughnessFactor", 1, 0, 1));
   desc.metallic = float(pbr.number("metallicFactor", 1, 0, 1));
-  desc.ior = float(ior_of(material));
+  const double ior = ior_of(material);
+  desc.ior = float(ior == total_reflection ? default_ior : ior);
   if (const auto info = pbr.object("baseColorTexture")) {
     desc.reflectance_texture =
         texture(material, *info, is_alpha_blended(material) ? Decode::color_with_alpha : Decode::color);
@@ -68,9 +74,26 @@ void Importer::read_core_material(const JsonReader& material, ups_material_desc&
     desc.normal_texture = texture(material, *info, Decode::normal);
     desc.normal_scale = float(info->number("scale", 1, -unlimited, unlimited));
   }
+  if (ior == total_reflection) reflect_all(material, desc);
   const bool all_metal = desc.metallic == 1 && desc.metallic_texture.v == 0;
   desc.model = all_metal ? UPS_MATERIAL_METAL : UPS_MATERIAL_PLASTIC;
   if (all_metal) desc.metallic = 0;
+}
+
+// What is no metal becomes one of F0 1: no light reaches its base. Schlick's reflectance is linear in F0, so a mixture
+// is one metal too.
+void Importer::reflect_all(const JsonReader& material, ups_material_desc& desc) {
+  if (material.extension("KHR_materials_specular"))
+    warn(material.where() + ": an \"ior\" of 0 reflects all light, as KHR_materials_specular is skipped");
+  const bool varies = desc.metallic_texture.v != 0 || (desc.metallic < 1 && desc.reflectance_texture.v != 0);
+  if (desc.metallic > 0 && varies) {
+    warn(material.where() + ": an \"ior\" of 0 in a mixture with textures: all of it is taken for metal");
+  } else if (desc.metallic < 1) {
+    for (float& f : desc.reflectance_rgb) f = 1 + desc.metallic * (f - 1);
+    desc.reflectance_texture = {};
+  }
+  desc.metallic = 1;
+  desc.metallic_texture = {};
 }
 
 // KHR_materials_transmission, and KHR_materials_volume with it. Replaces what read_core_material found.
@@ -79,6 +102,7 @@ void Importer::read_transmission(const JsonReader& material, ups_material_desc& 
   const double factor = transmission ? transmission->number("transmissionFactor", 0, 0, 1) : 0;
   if (factor == 0) return;
   const auto skipped = [&](const std::string& what) { warn(material.where() + ": " + what); };
+  if (ior_of(material) == total_reflection) return skipped("an \"ior\" of 0 reflects all light, none is transmitted");
   if (transmission->has("transmissionTexture")) skipped("transmissionTexture is skipped");
   if (factor < 1) skipped("transmissionFactor below 1: the share that is not transmitted is absorbed");
   const JsonReader pbr = material.object_or_empty("pbrMetallicRoughness");
@@ -166,7 +190,8 @@ Material Importer::add_material(const JsonReader& material) {
   check(ups_scene_add_material(scene_, &desc, &id), material.where());
   const bool textured = desc.reflectance_texture.v || desc.roughness_texture.v || desc.metallic_texture.v ||
                         desc.normal_texture.v || desc.alpha_texture.v;
-  return {id, uv_set_of(material), textured};
+  const bool emits = desc.luminance_cd_m2[0] > 0 || desc.luminance_cd_m2[1] > 0 || desc.luminance_cd_m2[2] > 0;
+  return {id, uv_set_of(material), textured, emits};
 }
 
 void Importer::add_materials() {

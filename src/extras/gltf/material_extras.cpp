@@ -71,11 +71,13 @@ void Importer::read_extras_material(const JsonReader& extras, ups_material_desc&
     desc.model = UPS_MATERIAL_MIRROR;
     read_reflectance(extras, desc);
   } else if (model == "glass") {
-    extras.allow_only({"model", "roughness", "ior", "absorption_per_m"});
+    extras.allow_only({"model", "roughness", "ior", "absorption_per_m", "priority"});
     desc.model = UPS_MATERIAL_GLASS;
     read_roughness(extras, desc);
     desc.ior = float(extras.number("ior", desc.ior, 1, unlimited));
     store(extras.rgb("absorption_per_m", {0, 0, 0}, 0, unlimited, true), desc.absorption_per_m_rgb);
+    desc.priority = int32_t(extras.integer("priority", desc.priority, std::numeric_limits<int32_t>::min(),
+                                           std::numeric_limits<int32_t>::max()));
   } else if (model == "glazing") {
     extras.allow_only({"model", "transmittance", "ior"});
     desc.model = UPS_MATERIAL_GLAZING;

@@ -81,7 +81,7 @@ bool has_area(const std::vector<float>& positions, const std::vector<uint32_t>& 
 
 }  // namespace
 
-std::optional<ups_mesh_id> Importer::add_primitive(const tinygltf::Primitive& primitive, const std::string& where) {
+std::optional<PlacedMesh> Importer::add_primitive(const tinygltf::Primitive& primitive, const std::string& where) {
   if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
     fail(where, "mode " + std::to_string(primitive.mode) + " is not one of glTF's 0 to 6");
   }
@@ -127,10 +127,10 @@ std::optional<ups_mesh_id> Importer::add_primitive(const tinygltf::Primitive& pr
   desc.indices = indices.data();
   ups_mesh_id id{};
   check(ups_scene_add_mesh(scene_, &desc, &id), where);
-  return id;
+  return PlacedMesh{id, material.emits};
 }
 
-const std::vector<ups_mesh_id>& Importer::mesh(int index) {
+const std::vector<PlacedMesh>& Importer::mesh(int index) {
   auto& ids = meshes_.at(size_t(index));
   if (ids) return *ids;
   ids.emplace();

@@ -1,4 +1,4 @@
-// `extras.ups.meters` of a node: a grid or free points of illuminance meters, and the names that output files bear.
+// `extras.ups.meters` of a node: a grid or free points of illuminance meters.
 #include <cmath>
 #include <limits>
 
@@ -10,8 +10,6 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int64_t max_meters = 16777216;  // ups_meter_desc
-// File systems take 255; some are left for what follows: "_illuminance.png", a temporary file's suffix.
-constexpr size_t max_name_bytes = 200;
 
 ups_meter_kind kind_of(const JsonReader& meters) {
   const std::string kind = meters.text("kind", "planar");
@@ -88,22 +86,6 @@ MeterData read_points(const JsonReader& meters, const Affine& frame) {
   return data;
 }
 
-// Characters of UTF-8, not its bytes, become one '_' each.
-std::string fit_for_files(const std::string& name) {
-  std::string result;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool kept =
-        (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
-    if (kept) {
-      result += c;
-    } else if ((byte & 0xC0) != 0x80) {
-      result += '_';
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 void Importer::add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame) {
@@ -133,23 +115,6 @@ void Importer::add_meters(const JsonReader& meters, const std::string& node_name
   if (name.empty()) name = node_name;
   sensor.name = unique_name(name.empty() ? "meters" : name, false, meters.where());
   sensors.push_back(std::move(sensor));
-}
-
-// NAME, NAME_2, NAME_3, ...: unique over cameras and meters, as both write NAME.exr. An illuminance camera also writes
-// NAME_illuminance.png.
-std::string Importer::unique_name(const std::string& name, bool illuminance, const std::string& where) {
-  const std::string base = fit_for_files(name), second = "_illuminance";
-  std::string result = base;
-  for (int i = 2; names_.count(result) || (illuminance && names_.count(result + second)); ++i) {
-    result = base + "_" + std::to_string(i);
-  }
-  if (result.size() > max_name_bytes) {
-    throw extras::Error(UPS_ERROR_PARSE, where + ": the name of its output files has " + std::to_string(result.size()) +
-                                             " bytes; at most " + std::to_string(max_name_bytes) + " fit");
-  }
-  names_.insert(result);
-  if (illuminance) names_.insert(result + second);
-  return result;
 }
 
 }  // namespace ups::gltf

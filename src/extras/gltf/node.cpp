@@ -82,6 +82,7 @@ void Importer::read_node(int index, const Affine& parent) {
   const NodeTransform local = local_transform(source, where);
   const auto extras = node.ups_extras();
   group_ = extras ? uint32_t(extras->integer("group", 0, 0, std::numeric_limits<uint32_t>::max())) : 0;
+  node_name_ = source.name;
   if (source.mesh >= 0) add_instances(source.mesh, parent * local.full, where);
   if (source.skin >= 0) warn(where + ": its skin is skipped");
   warn_about_extensions(node, {"KHR_lights_punctual", "EXT_lights_ies"});
@@ -121,14 +122,15 @@ void Importer::add_instances(int index, const Affine& to_world, const std::strin
     warn(where + ": its mesh is skipped, as its matrix has a scale of 0");
     return;
   }
-  for (const ups_mesh_id& id : mesh(index)) {
+  for (const PlacedMesh& placed : mesh(index)) {
     ups_instance_desc desc;
     ups_instance_desc_init(&desc, sizeof desc);
-    desc.mesh = id;
+    desc.mesh = placed.id;
     desc.group = group_;
     std::copy(std::begin(to_world.m), std::end(to_world.m), desc.to_world);
     ups_instance_id instance{};
     check(ups_scene_add_instance(scene_, &desc, &instance), where);
+    if (placed.emits) name_source(UPS_SOURCE_INSTANCE, instance.v, "instance");
   }
 }
 

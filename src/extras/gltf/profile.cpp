@@ -54,7 +54,7 @@ const ups_profile* Importer::profile(const ProfileFile& file, const std::string&
   const std::filesystem::path tilt_path =
       tilt_name.empty() || file.folder.empty() ? std::filesystem::path() : file_beside(file.folder, tilt_name);
   if (!tilt_path.empty()) {
-    const Bytes tilt = read_file(tilt_path, where);
+    const Bytes tilt = read_beside(document_, tilt_path, where);
     desc.tilt_file = tilt.data();
     desc.tilt_file_size = tilt.size();
     parsed = nullptr;

@@ -78,8 +78,16 @@ ups_texture_id Importer::texture(const JsonReader& material, const JsonReader& i
   }
   const tinygltf::Texture& texture = textures[size_t(index)];
   const std::string where = material.where() + ", " + place("texture", size_t(index), texture.name);
-  if (texture.source < 0 || size_t(texture.source) >= document_.model.images.size()) {
-    throw extras::Error(UPS_ERROR_PARSE, where + ": it has no image (\"source\") that is PNG or JPEG");
+  if (texture.source < 0) {
+    std::string names;
+    for (const auto& extension : texture.extensions) names += (names.empty() ? "" : ", ") + extension.first;
+    warn(where + ": skipped, it has no image (\"source\") that is PNG or JPEG" +
+         (names.empty() ? "" : ", only one of " + names) + "; what it multiplies is taken alone");
+    return {};
+  }
+  if (size_t(texture.source) >= document_.model.images.size()) {
+    throw extras::Error(UPS_ERROR_PARSE, where + ": \"source\" is out of range: the file has " +
+                                             std::to_string(document_.model.images.size()) + " images");
   }
   warn_about_extensions(info, {});
   if (texture.sampler >= 0 && size_t(texture.sampler) < document_.model.samplers.size()) {

@@ -13,7 +13,7 @@ using ups::extras::require;
 
 constexpr uint32_t max_side = 16384;
 
-thread_local std::string last_error;
+ups::LastError last_error;
 
 template <class Body>
 ups_status guarded(Body&& body) {
@@ -22,6 +22,16 @@ ups_status guarded(Body&& body) {
 
 void check_size(uint32_t width, uint32_t height) {
   require(width > 0 && height > 0 && width <= max_side && height <= max_side, "width and height must be 1 to 16384");
+}
+
+void check_luminance(const float* luminance_rgb, uint32_t width, uint32_t height) {
+  require(luminance_rgb != nullptr, "luminance_rgb is NULL");
+  check_size(width, height);
+  for (size_t i = 0; i < 3 * size_t(width) * height; ++i)
+    if (!std::isfinite(luminance_rgb[i]))
+      throw ups::extras::Error(UPS_ERROR_INVALID_ARGUMENT, "luminance_rgb: element " + std::to_string(i) + " is " +
+                                                               std::to_string(luminance_rgb[i]) +
+                                                               "; it must be finite");
 }
 
 ups_ocio_false_color_desc default_desc() {
@@ -34,9 +44,8 @@ ups_ocio_false_color_desc default_desc() {
 
 ups_status ups_ocio_choose_exposure(const float* luminance_rgb, uint32_t width, uint32_t height, double* out) {
   return guarded([&] {
-    require(luminance_rgb != nullptr, "luminance_rgb is NULL");
     require(out != nullptr, "out is NULL");
-    check_size(width, height);
+    check_luminance(luminance_rgb, width, height);
     *out = ups::ocio::choose_exposure(luminance_rgb, size_t(width) * height);
   });
 }
@@ -45,19 +54,15 @@ ups_status ups_ocio_write_png(const char* path, const float* luminance_rgb, uint
                               double exposure) {
   return guarded([&] {
     require(path != nullptr, "path is NULL");
-    require(luminance_rgb != nullptr, "luminance_rgb is NULL");
     require(std::isfinite(exposure) && exposure >= 0, "exposure must be finite and at least 0");
-    check_size(width, height);
+    check_luminance(luminance_rgb, width, height);
     if (exposure == 0) exposure = ups::ocio::choose_exposure(luminance_rgb, size_t(width) * height);
     ups::ocio::write_png(path, ups::ocio::view_of(luminance_rgb, width, height, exposure));
   });
 }
 
 void ups_ocio_false_color_desc_init(ups_ocio_false_color_desc* desc, uint32_t struct_size) {
-  if (!desc || struct_size < sizeof(uint32_t)) return;
-  ups_ocio_false_color_desc defaults = default_desc();
-  defaults.struct_size = struct_size;
-  std::memcpy(static_cast<void*>(desc), &defaults, std::min<size_t>(struct_size, sizeof defaults));
+  ups::extras::write_defaults(desc, struct_size, default_desc());
 }
 
 ups_status ups_ocio_write_false_color_png(const char* path, const ups_ocio_false_color_desc* desc) {
@@ -85,4 +90,4 @@ ups_status ups_ocio_write_pixels_png(const char* path, const uint8_t* rgb, uint3
   });
 }
 
-const char* ups_ocio_last_error(void) { return last_error.c_str(); }
+const char* ups_ocio_last_error(void) { return last_error.get(); }

@@ -47,7 +47,7 @@ double choose_exposure(const float* rgb, size_t pixel_count) {
   std::vector<double> luminance;
   for (size_t i = 0; i < pixel_count; ++i) {
     const double y = 0.2126 * rgb[3 * i] + 0.7152 * rgb[3 * i + 1] + 0.0722 * rgb[3 * i + 2];
-    if (std::isfinite(y) && y > 0) luminance.push_back(y);
+    if (y > 0) luminance.push_back(y);
   }
   if (luminance.empty()) return 1;
   std::sort(luminance.begin(), luminance.end());
@@ -61,9 +61,9 @@ double choose_exposure(const float* rgb, size_t pixel_count) {
 Picture view_of(const float* rgb, uint32_t width, uint32_t height, double exposure) {
   try {
     Picture picture(width, height, {0, 0, 0});
-    // Negative or unknown values have no colour; the view transform must not see them.
+    // Negative values have no colour; the view transform must not see them.
     std::vector<float> source(size_t(width) * height * 3);
-    for (size_t i = 0; i < source.size(); ++i) source[i] = std::isfinite(rgb[i]) ? std::max(rgb[i], 0.f) : 0.f;
+    for (size_t i = 0; i < source.size(); ++i) source[i] = std::max(rgb[i], 0.f);
     const OCIO::PackedImageDesc from(source.data(), width, height, 3);
     OCIO::PackedImageDesc to(picture.rgb.data(), width, height, OCIO::CHANNEL_ORDERING_RGB, OCIO::BIT_DEPTH_UINT8,
                              OCIO::AutoStride, OCIO::AutoStride, OCIO::AutoStride);

@@ -1,0 +1,58 @@
+// Names that output files and their columns bear: of [A-Za-z0-9._-], each once.
+#include "gltf/import.h"
+
+namespace ups::gltf {
+
+namespace {
+
+// File systems take 255; some are left for what follows: "_illuminance.png", a temporary file's suffix.
+constexpr size_t max_name_bytes = 200;
+
+// Characters of UTF-8, not its bytes, become one '_' each.
+std::string fit_for_files(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool kept =
+        (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
+    if (kept) {
+      result += c;
+    } else if ((byte & 0xC0) != 0x80) {
+      result += '_';
+    }
+  }
+  return result;
+}
+
+// NAME, NAME_2, NAME_3, ...: the first that is not in `taken` yet, nor with `second` after it.
+std::string unique_in(std::set<std::string>& taken, const std::string& base, const std::string& second) {
+  std::string result = base;
+  for (int i = 2; taken.count(result) || (!second.empty() && taken.count(result + second)); ++i)
+    result = base + "_" + std::to_string(i);
+  taken.insert(result);
+  if (!second.empty()) taken.insert(result + second);
+  return result;
+}
+
+}  // namespace
+
+// Unique over cameras and meters, as both write NAME.exr. An illuminance camera also writes NAME_illuminance.png.
+std::string Importer::unique_name(const std::string& name, bool illuminance, const std::string& where) {
+  const std::string result = unique_in(names_, fit_for_files(name), illuminance ? "_illuminance" : "");
+  if (result.size() > max_name_bytes) {
+    throw extras::Error(UPS_ERROR_PARSE, where + ": the name of its output files has " + std::to_string(result.size()) +
+                                             " bytes; at most " + std::to_string(max_name_bytes) + " fit");
+  }
+  return result;
+}
+
+// A table has the columns NAME_lx and NAME_standard_error_lx.
+void Importer::name_source(ups_source_kind kind, uint32_t id, const char* word) {
+  constexpr size_t room = 12;  // for the number
+  const uint32_t number = node_name_.empty() ? ++nameless_[word] : 0;
+  const std::string base = number ? std::string(word) + "_" + std::to_string(number)
+                                  : fit_for_files(node_name_).substr(0, max_name_bytes - room);
+  sources.push_back({kind, id, unique_in(source_names_, base, "_standard_error")});
+}
+
+}  // namespace ups::gltf

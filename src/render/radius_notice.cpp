@@ -1,0 +1,40 @@
+// See radius_notice.h.
+#include "render/radius_notice.h"
+
+#include "scene/check.h"
+
+namespace ups {
+
+std::string radius_notice(const Integrator& integrator, uint32_t iterations) {
+  const Plan& plan = integrator.plan();
+  const Snapshot& scene = integrator.scene();
+  const double alpha = integrator.settings().radius_alpha;
+  const uint32_t last = iterations - 1;
+  std::string text;
+  const auto tell = [&](const std::string& where, const std::string& whose, const Plan::AtFloor& at,
+                        uint32_t iterations_a_visit) {
+    if (at.count > 0)
+      text += where + ": from iteration " + std::to_string(at.since * iterations_a_visit + 1) +
+              " on, the merge radius " + whose + "is kept at " + check::text(double(plan.min_radius)) +
+              " m, the least that the coordinates of this scene resolve; its bias shrinks no further\n";
+  };
+  const auto share = [](const Plan::AtFloor& at, size_t of, const char* noun) {
+    return "of " + std::to_string(at.count) + " of " + std::to_string(of) + " " + noun + " ";
+  };
+  for (size_t c = 0; c < plan.pixel_radius.size(); ++c) {
+    const Plan::AtFloor at = plan.at_floor(plan.pixel_radius[c], plan.pass(last), alpha);
+    tell("camera " + std::to_string(scene.camera_ids[c]), share(at, plan.pixel_radius[c].size(), "pixels"), at,
+         plan.camera_subsets);
+  }
+  // Until all meters were visited once the render is still choosing their radii.
+  for (size_t s = 0; s < plan.meter_radius.size() && plan.meter_pass(iterations) > 0; ++s) {
+    const Plan::AtFloor at = plan.at_floor(plan.meter_radius[s], plan.meter_pass(last), alpha);
+    tell("meters " + std::to_string(scene.meter_set_ids[s]), share(at, plan.meter_radius[s].size(), "meters"), at,
+         plan.meter_subsets);
+  }
+  if (integrator.settings().has(UPS_TECHNIQUE_MERGE) && !integrator.settings().photon_mapping)
+    tell("after the first surface", "", plan.at_floor({plan.walk_radius}, last, alpha), 1);
+  return text;
+}
+
+}  // namespace ups

@@ -1,0 +1,196 @@
+// See encounter.h.
+#include "transport/encounter.h"
+
+#include <algorithm>
+
+#include "base/per_thread.h"
+
+namespace ups {
+
+Rgb Encounter::transmittance_of_stretches(const Snapshot& scene, float t) const {
+  Rgb product(1.0f);
+  float from = 0;
+  for (const Stretch& s : earlier) {
+    if (s.end >= t) return product * attenuation(scene, s.media, t - from);
+    product *= attenuation(scene, s.media, s.end - from);
+    from = s.end;
+  }
+  return product * attenuation(scene, media, t - from);
+}
+
+namespace {
+
+// A boundary's own solid or open medium, and whether the ray comes out of it.
+struct Face {
+  uint32_t medium;
+  bool leaves;
+};
+
+// The surface knows best what lies before it: `walk` is what the walk believes. What was left without having been
+// entered was around the walk all along.
+void before(const Snapshot& scene, const Face& f, MediaStack& walk) {
+  if (scene.media.by_rank[f.medium].is_open()) {
+    if (f.leaves)
+      walk.set_open(f.medium);
+    else if (walk.open() == f.medium)
+      walk.set_open(none);
+  } else if (f.leaves) {
+    walk.add(f.medium);
+  } else {
+    walk.remove(f.medium);
+  }
+}
+
+// On a face's inside or outside. Outside an open surface is outside of all of them.
+void set_side(const Snapshot& scene, uint32_t medium, bool inside, MediaStack& walk) {
+  if (scene.media.by_rank[medium].is_open())
+    walk.set_open(inside ? medium : none);
+  else if (inside)
+    walk.add(medium);
+  else
+    walk.remove(medium);
+}
+
+float index_of(const Snapshot& scene, const MediaStack& media) {
+  return media.top() == none ? 1.0f : scene.materials[scene.media.by_rank[media.top()].material].ior;
+}
+
+Face face_of(const Snapshot& scene, const SurfacePoint& s, const Vec3& d) {
+  return {scene.media.of_instance[s.instance], dot(d, s.ng) > 0};
+}
+
+// The other faces that lie within rounding of the one at e.surface. The strongest solid's stands for all, whichever a
+// walk met, so that both walks of a path scatter at the same.
+void gather_faces(const Snapshot& scene, const Vec3& d, Encounter& e, std::vector<Face>& faces) {
+  static const PerThread<std::vector<Hit>> kept;
+  std::vector<Hit>& hits = kept.get();
+  hits.clear();
+  const Vec3 across = dot(d, e.surface.ng) < 0 ? -e.surface.ng : e.surface.ng;
+  const float reach = 2 * e.surface.error;  // as ray_origin() leaves the surface
+  scene.raytracer->intersect_all(e.surface.p - across * reach, across, 2 * reach, hits);
+  const SurfacePoint met = e.surface;
+  uint32_t strongest = faces[0].medium;
+  for (const Hit& hit : hits) {
+    if (hit.instance == met.instance || scene.media.of_instance[hit.instance] == none) continue;
+    const SurfacePoint other = scene.raytracer->surface_at(hit);
+    faces.push_back(face_of(scene, other, across));
+    if (faces.back().medium >= strongest) continue;
+    strongest = faces.back().medium;
+    e.surface = other;
+    e.surface.p = met.p, e.surface.error = met.error;
+  }
+}
+
+// The media about e.surface, for a ray along d that ran in e.media until there; without other faces this is all where
+// media do not nest.
+void find_sides(const Snapshot& scene, const Vec3& d, Encounter& e) {
+  const Face own = face_of(scene, e.surface, d);
+  if (own.medium == none) {
+    e.front = e.back = e.media;
+    return;
+  }
+  before(scene, own, e.media);
+  e.front = e.back = e.media;
+  set_side(scene, own.medium, false, e.front);
+  set_side(scene, own.medium, true, e.back);
+  e.relative_ior = scene.materials[e.surface.material].ior;
+}
+
+void find_nested_sides(const Snapshot& scene, const Vec3& d, Encounter& e) {
+  const Face own = face_of(scene, e.surface, d);
+  if (own.medium == none) {
+    e.front = e.back = e.media;
+    return;
+  }
+  static const PerThread<std::vector<Face>> kept;
+  std::vector<Face>& faces = kept.get();
+  faces.assign(1, own);
+  if (scene.media.by_rank[own.medium].meets_others) gather_faces(scene, d, e, faces);
+  for (const Face& f : faces) before(scene, f, e.media);
+  MediaStack near = e.media, far = e.media;
+  for (const Face& f : faces) {
+    set_side(scene, f.medium, f.leaves, near);
+    set_side(scene, f.medium, !f.leaves, far);
+  }
+  const bool from_front = dot(d, e.surface.ng) < 0;
+  e.front = from_front ? near : far;
+  e.back = from_front ? far : near;
+  e.relative_ior = index_of(scene, e.back) / index_of(scene, e.front);
+}
+
+bool is_without_effect(const Snapshot& scene, const Encounter& e) {
+  return scene.media.of_instance[e.surface.instance] != none && e.relative_ior == 1 &&
+         scene.emitter_of_instance[e.surface.instance] == none;
+}
+
+}  // namespace
+
+void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, WorkCounts& work,
+          Encounter& out) {
+  out.media = start;
+  out.earlier.clear();
+  out.relative_ior = 1;
+  Vec3 from = o;
+  float before = 0;
+  for (;;) {
+    Hit hit;
+    ++work.rays;
+    out.found = scene.raytracer->intersect(from, d, std::numeric_limits<float>::infinity(), hit);
+    out.distance = out.found ? before + hit.t : std::numeric_limits<float>::infinity();
+    if (!out.found) return;
+    out.surface = scene.raytracer->surface_at(hit);
+    if (!scene.media.nest) return find_sides(scene, d, out);
+    find_nested_sides(scene, d, out);
+    if (!is_without_effect(scene, out)) return;
+    out.earlier.push_back({out.distance, out.media});
+    out.media = out.beyond(d);
+    from = out.surface.ray_origin(d);
+    before = dot(from - o, d);
+  }
+}
+
+namespace {
+
+// Up to `length` from a along d.
+bool is_free_through_media(const Snapshot& scene, const MediaStack& media, const Vec3& a, const Vec3& d, float length,
+                           WorkCounts& work, Rgb& transmittance) {
+  static const PerThread<Encounter> kept;
+  Encounter& e = kept.get();
+  e.media = media;
+  e.relative_ior = 1;
+  transmittance = Rgb(1.0f);
+  Vec3 from = a;
+  float before = 0;
+  for (;;) {
+    Hit hit;
+    ++work.rays;
+    const float left = length - before;
+    if (!(left > 0) || !scene.raytracer->intersect(from, d, left, hit)) break;
+    e.surface = scene.raytracer->surface_at(hit);
+    find_nested_sides(scene, d, e);
+    if (!is_without_effect(scene, e)) return false;
+    transmittance *= attenuation(scene, e.media, hit.t);
+    e.media = e.beyond(d);
+    from = e.surface.ray_origin(d);
+    before = dot(from - a, d);
+  }
+  transmittance *= attenuation(scene, e.media, std::max(0.0f, length - before));
+  return true;
+}
+
+}  // namespace
+
+bool segment_free(const Snapshot& scene, const MediaStack& media, const Vec3& a, const Vec3& b, WorkCounts& work,
+                  Rgb& transmittance) {
+  const Vec3 d = b - a;
+  const float l = length(d);
+  if (!(l > 0)) return true;
+  // The rounding of origin, direction and length moves the end along, however exact the end's own coordinates are: a
+  // small surface in the middle of the scene must not hide its own points from what is far away.
+  const float rounding = 16 * 0x1p-24f * (max_abs(a) + l);
+  if (scene.media.nest) return is_free_through_media(scene, media, a, d / l, l - rounding, work, transmittance);
+  ++work.rays;
+  return !(l > rounding) || !scene.raytracer->occluded(a, d / l, l - rounding);
+}
+
+}  // namespace ups

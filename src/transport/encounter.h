@@ -1,0 +1,61 @@
+// What a ray meets next, and through which media it runs until there. Used by every walk and shadow ray.
+//
+// A boundary of glass inside a stronger medium, or between equal indices, is none: rays run on through it, and it
+// becomes no vertex of a path. Faces that lie on one another within rounding, as those of cemented lenses, are one
+// boundary between what lies before and behind all of them.
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "scene/snapshot.h"
+#include "transport/tally.h"
+
+namespace ups {
+
+inline Rgb attenuation(const Snapshot& scene, const MediaStack& media, float distance) {
+  if (media.top() == none) return Rgb(1.0f);
+  return exp(scene.materials[scene.media.by_rank[media.top()].material].absorption_per_m * -distance);
+}
+
+struct Encounter {
+  bool found = false;
+  SurfacePoint surface;  // where found
+  float distance = std::numeric_limits<float>::infinity();
+  MediaStack media;        // of the last stretch before it
+  MediaStack front, back;  // on the surface's two sides
+  float relative_ior = 1;  // of the back over the front, where the surface is of glass
+  struct Stretch {
+    float end;
+    MediaStack media;
+  };
+  std::vector<Stretch> earlier;  // up to the boundaries without effect that were crossed
+
+  // At `t` along the ray, not beyond the surface.
+  Rgb transmittance(const Snapshot& scene, float t) const {
+    if (earlier.empty()) return attenuation(scene, media, t);
+    return transmittance_of_stretches(scene, t);
+  }
+  // What a ray from the surface towards w runs in.
+  const MediaStack& beyond(const Vec3& w) const { return dot(w, surface.ng) < 0 ? back : front; }
+  Bsdf bsdf(const Snapshot& scene) const {
+    return Bsdf(scene.materials[surface.material], surface.uv, relative_ior);
+  }
+
+ private:
+  Rgb transmittance_of_stretches(const Snapshot& scene, float t) const;
+};
+
+// From o along d, where `start` is around o.
+void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, WorkCounts& work,
+          Encounter& out);
+
+// Is the segment free? Shortened at its end by rounding. `media`, around a, is needed where media nest: `transmittance`
+// is then what they leave of the light; else it is left alone, and attenuation_ahead() has it.
+bool segment_free(const Snapshot& scene, const MediaStack& media, const Vec3& a, const Vec3& b, WorkCounts& work,
+                  Rgb& transmittance);
+// Of a segment that is not traced yet.
+inline Rgb attenuation_ahead(const Snapshot& scene, const MediaStack& media, float distance) {
+  return scene.media.nest ? Rgb(1.0f) : attenuation(scene, media, distance);
+}
+
+}  // namespace ups

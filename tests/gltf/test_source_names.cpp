@@ -1,0 +1,80 @@
+// The names of what emits: those of the nodes, for the columns of tables.
+#include "good_file.h"
+
+namespace {
+
+class SourceNames : public GoodFile {
+ protected:
+  std::string name(ups_source_kind kind, uint32_t id) {
+    char text[300] = "";
+    size_t needed = 0;
+    EXPECT_EQ(ups_gltf_get_source_name(imported, kind, id, text, sizeof text, &needed), UPS_OK) << kind << " " << id;
+    EXPECT_EQ(needed, std::strlen(text) + 1);
+    return text;
+  }
+  std::string luminaire(uint32_t id) { return name(UPS_SOURCE_LUMINAIRE, id); }
+  std::string instance(uint32_t id) { return name(UPS_SOURCE_INSTANCE, id); }
+};
+
+json lamp(const char* node_name) {
+  json node = {{"extras", {{"ups", {{"luminaire", {{"file", "a.ies"}}}}}}}};
+  if (node_name) node["name"] = node_name;
+  return node;
+}
+
+TEST_F(SourceNames, OfNodesEachOnce) {
+  write("a.ies", "good");
+  SceneBuilder builder;
+  builder.add_node(lamp("desk lamp"));
+  builder.add_node(lamp("desk lamp"));
+  builder.add_node(lamp(nullptr));
+  builder.add_node(lamp("\u00fcber/1"));
+  builder.add_node(lamp("desk lamp_standard_error"));  // its column would be that of desk_lamp's error
+  builder.add_node(lamp(nullptr));
+  import(builder);
+  const char* expected[] = {"desk_lamp", "desk_lamp_2", "luminaire_1", "_ber_1", "desk_lamp_standard_error_2",
+                            "luminaire_2"};
+  for (uint32_t i = 0; i < 6; ++i) EXPECT_EQ(luminaire(i + 1), expected[i]);
+}
+
+TEST_F(SourceNames, OfEmittingSurfacesAndFixtures) {
+  SceneBuilder builder;
+  builder.add_square();
+  builder.doc["materials"] = json::array({{{"emissiveFactor", {1, 1, 1}}}, json::object()});
+  json& primitives = builder.doc["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives[0]["material"] = 1;  // does not emit, so it takes no name
+  primitives[1]["material"] = 0;
+  builder.add_node({{"mesh", 0}, {"name", "panel"}});
+  builder.add_node({{"mesh", 0}});
+  const json emitter = {{"emitter", {{"shape", "disc"}, {"radius_m", 0.01}, {"flux_lm", 100}}}};
+  const json mirror = {{"reflector", {{"profile", "cone"}}}};
+  const json fixture = {{"parts", json::array({emitter, mirror, emitter})}};
+  builder.add_node({{"name", "spot"}, {"extras", {{"ups", {{"fixture", fixture}}}}}});
+  import(builder);
+  ASSERT_EQ(scene.instances.size(), 4u);
+  EXPECT_EQ(instance(2), "panel");
+  EXPECT_EQ(instance(4), "instance_1");
+  EXPECT_EQ(instance(recorded_part_instance(1, 1)), "spot");
+  EXPECT_EQ(instance(recorded_part_instance(1, 3)), "spot_2");
+  size_t needed = 0;
+  for (const auto& [kind, id] : {std::pair<ups_source_kind, uint32_t>{UPS_SOURCE_INSTANCE, 1},
+                                 {UPS_SOURCE_INSTANCE, recorded_part_instance(1, 2)},
+                                 {UPS_SOURCE_LUMINAIRE, 2},
+                                 {UPS_SOURCE_GROUP, 0}}) {
+    EXPECT_EQ(ups_gltf_get_source_name(imported, kind, id, nullptr, 0, &needed), UPS_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(ups_gltf_last_error()).find("source"), std::string::npos);
+  }
+  EXPECT_EQ(ups_gltf_get_source_name(nullptr, UPS_SOURCE_INSTANCE, 2, nullptr, 0, &needed), UPS_ERROR_INVALID_ARGUMENT);
+}
+
+TEST_F(SourceNames, LongNamesAreCut) {
+  write("a.ies", "good");
+  SceneBuilder builder;
+  for (int i = 0; i < 2; ++i) builder.add_node(lamp(std::string(5000, 'n').c_str()));
+  import(builder);
+  EXPECT_LE(luminaire(1).size(), 200u);
+  EXPECT_EQ(luminaire(2), luminaire(1) + "_2");
+}
+
+}  // namespace

@@ -1,0 +1,193 @@
+// See failing_memory.h.
+#include "failing_memory.h"
+
+#include <dlfcn.h>
+#include <errno.h>
+#include <link.h>
+#include <pthread.h>
+#include <sys/mman.h>
+
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+#include <new>
+
+extern "C" {
+void* __libc_malloc(size_t);
+void* __libc_calloc(size_t, size_t);
+void* __libc_realloc(void*, size_t);
+void* __libc_memalign(size_t, size_t);
+void __libc_free(void*);
+}
+
+namespace {
+
+// ---- which calls fail ----
+
+std::atomic<bool> counting{false}, no_threads{false};
+std::atomic<long> calls{0};
+long first_failure = 0, failures = 0;  // set while not counting
+
+bool fails() {
+  if (!counting.load(std::memory_order_acquire)) return false;
+  const long n = calls.fetch_add(1, std::memory_order_relaxed) + 1;
+  if (n < first_failure || n - first_failure >= failures) return false;
+  errno = ENOMEM;
+  return true;
+}
+
+// ---- what the library holds ----
+
+struct Range {
+  uintptr_t begin, end;
+};
+constexpr int max_ranges = 16;
+Range ranges[max_ranges];
+std::atomic<int> range_count{0};
+
+int add_range(dl_phdr_info* info, size_t, void*) {
+  for (const char* name : {"libups", "libstdc++"})
+    if (std::strstr(info->dlpi_name, name))
+      for (int i = 0; i < info->dlpi_phnum; ++i) {
+        const ElfW(Phdr)& part = info->dlpi_phdr[i];
+        const int n = range_count.load();
+        if (part.p_type != PT_LOAD || !(part.p_flags & PF_X) || n == max_ranges) continue;
+        const uintptr_t begin = info->dlpi_addr + part.p_vaddr;
+        ranges[n] = {begin, begin + part.p_memsz};
+        range_count.store(n + 1);
+      }
+  return 0;
+}
+
+// Open addressing without tombstones. Pointers are multiples of 16.
+constexpr size_t table_size = size_t(1) << 20;
+void* table[table_size];
+std::atomic<long> held{0};
+std::atomic_flag table_lock = ATOMIC_FLAG_INIT;
+
+struct TableLock {
+  TableLock() {
+    while (table_lock.test_and_set(std::memory_order_acquire)) {}
+  }
+  ~TableLock() { table_lock.clear(std::memory_order_release); }
+};
+
+size_t home_of(const void* p) { return (reinterpret_cast<uintptr_t>(p) >> 4) * 0x9e3779b97f4a7c15u >> 44; }
+
+void* keep(void* p, const void* caller) {
+  const auto at = reinterpret_cast<uintptr_t>(caller);
+  bool of_library = false;
+  for (int i = 0; i < range_count.load(); ++i) of_library |= at >= ranges[i].begin && at < ranges[i].end;
+  if (!p || !of_library) return p;
+  const TableLock lock;
+  size_t i = home_of(p);
+  while (table[i]) i = (i + 1) % table_size;
+  table[i] = p;
+  held.fetch_add(1);
+  return p;
+}
+
+void drop(void* p) {
+  if (!p || held.load(std::memory_order_relaxed) == 0) return;
+  const TableLock lock;
+  size_t i = home_of(p);
+  while (table[i] && table[i] != p) i = (i + 1) % table_size;
+  if (!table[i]) return;
+  held.fetch_sub(1);
+  for (size_t j = (i + 1) % table_size; table[j]; j = (j + 1) % table_size) {  // close the gap
+    const size_t home = home_of(table[j]);
+    if ((j - home) % table_size >= (j - i) % table_size) {
+      table[i] = table[j];
+      i = j;
+    }
+  }
+  table[i] = nullptr;
+}
+
+void* allocate(size_t size, size_t alignment, const void* caller) {
+  if (fails()) return nullptr;
+  return keep(alignment > 16 ? __libc_memalign(alignment, size) : __libc_malloc(size), caller);
+}
+
+void* allocate_or_throw(size_t size, size_t alignment, const void* caller) {
+  void* p = allocate(size ? size : 1, alignment, caller);
+  if (!p) throw std::bad_alloc();
+  return p;
+}
+
+template <class Function>
+Function next_of(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+namespace ups::test {
+
+void fail_memory(long first, long count) {
+  first_failure = first;
+  failures = count;
+  calls.store(0);
+  counting.store(true, std::memory_order_release);
+}
+long end_of_failing() {
+  counting.store(false);
+  return calls.load();
+}
+void fail_threads(bool fail) { no_threads.store(fail); }
+void watch_library() {
+  if (range_count.load() == 0) dl_iterate_phdr(&add_range, nullptr);
+}
+long allocations_held() { return held.load(); }
+
+}  // namespace ups::test
+
+// ---- in place of the C and C++ libraries' ----
+
+#define CALLER __builtin_return_address(0)
+
+extern "C" {
+void* malloc(size_t size) { return allocate(size, 0, CALLER); }
+void* calloc(size_t count, size_t size) { return fails() ? nullptr : keep(__libc_calloc(count, size), CALLER); }
+void* realloc(void* old, size_t size) {
+  if (fails()) return nullptr;
+  drop(old);
+  return keep(__libc_realloc(old, size), CALLER);
+}
+void* memalign(size_t alignment, size_t size) { return allocate(size, alignment, CALLER); }
+void* aligned_alloc(size_t alignment, size_t size) { return allocate(size, alignment, CALLER); }
+int posix_memalign(void** out, size_t alignment, size_t size) {
+  void* p = allocate(size, alignment, CALLER);
+  if (!p) return ENOMEM;
+  *out = p;
+  return 0;
+}
+void free(void* p) {
+  drop(p);
+  __libc_free(p);
+}
+void* mmap(void* address, size_t size, int protection, int flags, int file, off_t offset) {
+  static const auto real = next_of<void* (*)(void*, size_t, int, int, int, off_t)>("mmap");
+  return fails() ? MAP_FAILED : real(address, size, protection, flags, file, offset);
+}
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*), void* argument) {
+  static const auto real =
+      next_of<int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
+  return no_threads.load() || fails() ? EAGAIN : real(thread, attributes, start, argument);
+}
+}
+
+void* operator new(size_t size) { return allocate_or_throw(size, 0, CALLER); }
+void* operator new[](size_t size) { return allocate_or_throw(size, 0, CALLER); }
+void* operator new(size_t size, std::align_val_t a) { return allocate_or_throw(size, size_t(a), CALLER); }
+void* operator new[](size_t size, std::align_val_t a) { return allocate_or_throw(size, size_t(a), CALLER); }
+void* operator new(size_t size, const std::nothrow_t&) noexcept { return allocate(size ? size : 1, 0, CALLER); }
+void* operator new[](size_t size, const std::nothrow_t&) noexcept { return allocate(size ? size : 1, 0, CALLER); }
+void operator delete(void* p) noexcept { free(p); }
+void operator delete[](void* p) noexcept { free(p); }
+void operator delete(void* p, size_t) noexcept { free(p); }
+void operator delete[](void* p, size_t) noexcept { free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { free(p); }
+void operator delete[](void* p, std::align_val_t) noexcept { free(p); }
+void operator delete(void* p, size_t, std::align_val_t) noexcept { free(p); }
+void operator delete[](void* p, size_t, std::align_val_t) noexcept { free(p); }

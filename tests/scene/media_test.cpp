@@ -1,0 +1,124 @@
+// The order of media, which meshes are solids, and the stack that a walk carries.
+#include "scene/media.h"
+
+#include <gtest/gtest.h>
+
+namespace ups {
+namespace {
+
+TEST(MediaStack, TheStrongestIsOnTop) {
+  MediaStack stack;
+  EXPECT_EQ(stack.top(), none);
+  for (const uint32_t m : {5u, 2u, 7u, 2u}) stack.add(m);
+  EXPECT_EQ(stack.top(), 2u);
+  stack.set_open(1);
+  EXPECT_EQ(stack.top(), 1u);
+  stack.set_open(3);
+  stack.remove(2);
+  stack.remove(4);  // not there
+  EXPECT_EQ(stack.top(), 3u);
+  stack.set_open(none);
+  stack.remove(5);
+  EXPECT_EQ(stack.top(), 7u);
+  stack.remove(7);
+  EXPECT_TRUE(stack == MediaStack());
+}
+
+TEST(MediaStack, ForgetsTheWeakestBeyondItsCapacity) {
+  MediaStack stack;
+  for (uint32_t m = 20; m > 8; --m) stack.add(m);
+  for (uint32_t m = 9; m < 9 + MediaStack::capacity; ++m) {
+    EXPECT_EQ(stack.top(), m);
+    stack.remove(m);
+  }
+  EXPECT_EQ(stack.top(), none);
+}
+
+struct Solids {
+  std::vector<std::shared_ptr<const Mesh>> meshes;
+  std::vector<Raytracer::Instance> instances;
+  std::vector<Material> materials;
+  std::vector<SurfaceTexturing> texturing;
+
+  uint32_t glass(float ior, int32_t priority = 0) {
+    Material m;
+    m.model = MaterialModel::glass;
+    m.ior = ior, m.priority = priority;
+    materials.push_back(m);
+    texturing.emplace_back();
+    return uint32_t(materials.size() - 1);
+  }
+  // A unit cube, or what `triangles` of its 12 leave, placed as a cube of another size.
+  void cube(uint32_t material, double x, double size, size_t triangles = 12) {
+    Mesh m;
+    for (int k = 0; k < 8; ++k) m.positions.push_back(Vec3(float(k & 1), float(k >> 1 & 1), float(k >> 2)));
+    m.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    m.indices.resize(3 * triangles);
+    m.material = material;
+    Affine place;
+    const double rows[12] = {size, 0, 0, x, 0, size, 0, 0, 0, 0, size, 0};
+    std::copy(std::begin(rows), std::end(rows), place.m);
+    instances.push_back({uint32_t(meshes.size()), place});
+    meshes.push_back(std::make_shared<Mesh>(std::move(m)));
+  }
+  Media rank() const { return rank_media(meshes, instances, materials, texturing); }
+};
+
+TEST(Media, ByPriorityThenByVolume) {
+  Solids s;
+  const uint32_t a = s.glass(1.5f), b = s.glass(1.3f), strong = s.glass(1.7f, 2), weak = s.glass(1.6f, -1);
+  s.cube(a, 0, 3);
+  s.cube(weak, 0.1, 0.5);
+  s.cube(b, 0.2, 2);
+  s.cube(strong, 0.3, 4);
+  s.cube(b, 0.4, 1, 10);  // open: weaker than any solid of its priority
+  const Media media = s.rank();
+  EXPECT_TRUE(media.nest);
+  EXPECT_EQ(media.of_instance, (std::vector<uint32_t>{2, 4, 1, 0, 3}));
+  EXPECT_NEAR(media.by_rank[2].volume, 27, 1e-9);
+  EXPECT_TRUE(media.by_rank[3].is_open());
+}
+
+TEST(Media, NestWhereBoxesMeet) {
+  Solids apart;
+  const uint32_t a = apart.glass(1.5f), b = apart.glass(1.5f);
+  apart.cube(a, 0, 1);
+  apart.cube(b, 1.1, 1);
+  apart.cube(a, 2.2, 1);
+  const Media media = apart.rank();
+  EXPECT_FALSE(media.nest);
+  EXPECT_EQ(media.of_instance, (std::vector<uint32_t>{0, 1, 0})) << "told by their materials alone";
+  Solids touching = apart;
+  touching.cube(b, 3.2, 1);
+  EXPECT_TRUE(touching.rank().nest);
+  EXPECT_TRUE(touching.rank().by_rank[touching.rank().of_instance[3]].meets_others);
+  EXPECT_FALSE(touching.rank().by_rank[touching.rank().of_instance[0]].meets_others);
+  Solids open;
+  open.cube(open.glass(1.5f), 0, 1, 8);
+  open.cube(0, 0.5, 1, 8);
+  EXPECT_FALSE(open.rank().nest) << "open surfaces alone";
+  Solids gas;
+  gas.cube(gas.glass(1), 0, 1);
+  EXPECT_TRUE(gas.rank().nest) << "the index of air is no boundary";
+}
+
+// Faces that lie on one another are all found.
+TEST(Media, AllHitsOfFacesThatCoincide) {
+  Solids s;
+  const uint32_t a = s.glass(1.5f);
+  s.cube(a, 0, 1);
+  s.cube(a, 1, 1);
+  s.cube(a, 1, 0.5);
+  ThreadPool pool(1);
+  const Raytracer tracer(s.meshes, s.instances, s.texturing, pool, true);
+  std::vector<Hit> hits;
+  tracer.intersect_all({0.5f, 0.2f, 0.3f}, {1, 0, 0}, INFINITY, hits);
+  ASSERT_EQ(hits.size(), 5u);
+  std::vector<uint32_t> instances;
+  for (const Hit& h : hits) instances.push_back(h.instance);
+  EXPECT_EQ(instances, (std::vector<uint32_t>{0, 1, 2, 2, 1}));
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(hits[size_t(i)].t, 0.5f, 1e-6f);
+}
+
+}  // namespace
+}  // namespace ups

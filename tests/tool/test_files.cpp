@@ -1,0 +1,185 @@
+// How files are written, as seen through the writer of images: links, pipes and permissions stay, a file is whole or
+// what it was before, two threads do not meet. No device is touched: a defect would replace it.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "ups/ups_exr.h"
+#include "ups/ups_ocio.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::mutex mutex;
+std::string calls;  // of the writers to the two functions below, in their order
+
+void record(const char* name) {
+  const std::lock_guard lock(mutex);
+  calls += name;
+}
+
+}  // namespace
+
+// In place of the system's, for the whole program.
+extern "C" __attribute__((visibility("default"))) int fsync(int descriptor) {
+  struct stat status {};
+  record(fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode) ? "sync folder;" : "sync file;");
+  return int(syscall(SYS_fsync, descriptor));
+}
+extern "C" __attribute__((visibility("default"))) int rename(const char* from, const char* to) noexcept {
+  record("rename;");
+  return int(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
+}
+
+namespace {
+
+class Files : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  std::string path(const char* name) const { return (folder / name).string(); }
+  static ups_status write(const std::string& file, uint32_t size = 4) {
+    const std::vector<float> values(size * size, 1);
+    const ups_exr_channel channel = {"Y", values.data(), 0, 0};
+    return ups_exr_write(file.c_str(), size, size, &channel, 1, nullptr, 0);
+  }
+  static bool is_image(const std::string& file) {
+    ups_exr_image* image = nullptr;
+    const bool read = ups_exr_read(file.c_str(), &image) == UPS_OK;
+    ups_exr_image_destroy(image);
+    return read;
+  }
+  static mode_t mode_of(const std::string& file) {
+    struct stat status {};
+    EXPECT_EQ(stat(file.c_str(), &status), 0);
+    return status.st_mode & 07777;
+  }
+  static void put(const std::string& file, const std::string& text) { std::ofstream(file) << text; }
+  static std::string text_of(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  size_t file_count() const { return size_t(std::distance(fs::directory_iterator(folder), {})); }
+
+  const fs::path folder = fs::path(testing::TempDir()) / ("ups-files-" + std::to_string(::getpid()));
+};
+
+TEST_F(Files, ALinkStaysAndItsTargetIsWritten) {
+  fs::create_directory(folder / "there");
+  put(path("there/target.exr"), "old");
+  fs::create_symlink("there/target.exr", path("near"));         // relative to the link's folder
+  fs::create_symlink(fs::absolute(path("near")), path("far"));  // a link to a link
+  fs::create_symlink("there/none.exr", path("dangling"));
+  ASSERT_EQ(write(path("far")), UPS_OK) << ups_exr_last_error();
+  EXPECT_TRUE(fs::is_symlink(path("far")) && fs::is_symlink(path("near")));
+  EXPECT_TRUE(is_image(path("there/target.exr")));
+  ASSERT_EQ(write(path("dangling")), UPS_OK) << ups_exr_last_error();
+  EXPECT_TRUE(fs::is_symlink(path("dangling")) && is_image(path("there/none.exr")));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "there"), {}), 2) << "a temporary file is left";
+  EXPECT_EQ(file_count(), 4u);
+}
+
+TEST_F(Files, ALoopOfLinksAndAFolderAreErrors) {
+  fs::create_symlink("b", path("a"));
+  fs::create_symlink("a", path("b"));
+  EXPECT_EQ(write(path("a")), UPS_ERROR_IO);
+  EXPECT_EQ(write(folder.string()), UPS_ERROR_IO);
+  EXPECT_NE(std::string(ups_exr_last_error()).find("cannot write '" + folder.string() + "'"), std::string::npos);
+  EXPECT_EQ(write(""), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(file_count(), 2u);
+}
+
+TEST_F(Files, APipeIsWrittenTo) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  fs::create_symlink("pipe", path("link"));
+  std::string read;
+  std::thread reader([&] { read = text_of(path("pipe")); });
+  EXPECT_EQ(write(path("link"), 256), UPS_OK) << ups_exr_last_error();
+  reader.join();
+  put(path("read.exr"), read);
+  EXPECT_TRUE(is_image(path("read.exr")));
+  EXPECT_TRUE(fs::is_fifo(path("pipe")) && fs::is_symlink(path("link")));
+}
+
+// As /dev/stdout is one: a link to what is open.
+TEST_F(Files, AnOpenDescriptorIsWrittenToWhereItStands) {
+  const int descriptor = ::open(path("output").c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_GE(descriptor, 0);
+  ASSERT_EQ(::write(descriptor, "before;", 7), 7);
+  EXPECT_EQ(write("/dev/fd/" + std::to_string(descriptor)), UPS_OK) << ups_exr_last_error();
+  ASSERT_EQ(::write(descriptor, ";after", 6), 6);
+  ::close(descriptor);
+  ASSERT_EQ(write(path("alone")), UPS_OK);
+  EXPECT_EQ(text_of(path("output")), "before;" + text_of(path("alone")) + ";after");
+}
+
+TEST_F(Files, PermissionsAreTheMasksOrThoseOfTheFileReplaced) {
+  const mode_t mask = umask(027);
+  EXPECT_EQ(write(path("new")), UPS_OK);
+  umask(077);
+  put(path("old"), "old");
+  ASSERT_EQ(chmod(path("old").c_str(), 0646), 0);
+  EXPECT_EQ(write(path("old")), UPS_OK);
+  umask(mask);
+  EXPECT_EQ(mode_of(path("new")), 0640u);
+  EXPECT_EQ(mode_of(path("old")), 0646u);
+  EXPECT_TRUE(is_image(path("old")));
+}
+
+TEST_F(Files, AWriteThatFailsLeavesTheOldFile) {
+  put(path("a.exr"), "old");
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit small = before;
+  small.rlim_cur = 100;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const ups_status status = write(path("a.exr"), 64);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(status, UPS_ERROR_IO);
+  EXPECT_EQ(text_of(path("a.exr")), "old");
+  EXPECT_EQ(file_count(), 1u) << "a temporary file is left";
+}
+
+TEST_F(Files, TheFileIsOnTheDiskBeforeItHasItsName) {
+  calls.clear();
+  EXPECT_EQ(write(path("a.exr")), UPS_OK);
+  EXPECT_EQ(calls, "sync file;rename;sync folder;");
+}
+
+TEST_F(Files, ThreadsThatWriteTheSamePathDoNotMeet) {
+  std::vector<std::thread> threads;
+  std::vector<int> failures(8, 0);
+  for (size_t t = 0; t < failures.size(); ++t)
+    threads.emplace_back([&, t] {
+      const std::vector<float> grey(12, 1);
+      for (int i = 0; i < 25; ++i) {
+        if (t % 2 == 0)
+          failures[t] += write(path("same"), 8) != UPS_OK;
+        else
+          failures[t] += ups_ocio_write_png(path("same").c_str(), grey.data(), 2, 2, 1) != UPS_OK;
+      }
+    });
+  for (std::thread& t : threads) t.join();
+  EXPECT_EQ(failures, std::vector<int>(8, 0));
+  EXPECT_TRUE(is_image(path("same")) || text_of(path("same")).compare(1, 3, "PNG") == 0);
+  EXPECT_EQ(file_count(), 1u);
+}
+
+}  // namespace
