@@ -1,4 +1,4 @@
-// See image_sums.h. Nothing here but the end of a pass takes longer for a larger image: an iteration adds what it found.
+// See image_sums.h. An iteration adds what it found: but for the end of a pass that takes no longer for a larger image.
 #include "render/image_sums.h"
 
 #include "render/fill_gaps.h"

@@ -25,8 +25,8 @@ class TallyQueue {
   explicit TallyQueue(std::function<void(const Delivery&)> add, size_t most_bytes = size_t(256) << 20)
       : add_(std::move(add)), most_bytes_(most_bytes) {}
 
-  // Waits only where too much waits already, until `stop` is set. `delivery` becomes one whose memory can be used again.
-  // Throws what `add` threw in any thread.
+  // Waits only where too much waits already, until `stop` is set. `delivery` becomes one whose memory can be used
+  // again. Throws what `add` threw in any thread.
   void deliver(Delivery& delivery, const StopSignal& stop);
   // read(): with the sums held, of all that was delivered before the call. Throws what `add` threw.
   template <class Read>

@@ -21,8 +21,8 @@ SensorIndex::SensorIndex(const Snapshot& scene, const Plan& plan, const Transpor
       const double r = plan.meter_radius.empty() ? 0.0 : plan.meter_radius[s][m];
       const double radius2 = plan.radius2(r, factor);
       if (!cell && !(radius2 > 0)) continue;
-      entries_.push_back({s, m, i, cell ? 0.0 : radius2, cell ? 0.0 : eta_of(plan, settings, radius2) / plan.meter_samples,
-                          meter_counts(plan, settings, cell, walk_radius2)});
+      const double eta = cell ? 0.0 : eta_of(plan, settings, radius2) / plan.meter_samples;
+      entries_.push_back({s, m, i, cell ? 0.0 : radius2, eta, meter_counts(plan, settings, cell, walk_radius2)});
       const float radius = cell ? half_diagonal * 1.0001f : float(std::sqrt(radius2));
       discs.push_back({lifted(meter.p, meter.frame.n, meter.error), meter.frame.n, radius});
     }

@@ -116,7 +116,8 @@ TEST_F(Limits, ManyMetersComeInTurn) {
 }
 
 // The mean of 40000 meters, which come in three parts with radii of their own, is that of 10000 on the same square
-// (4 mm wider at the rim: below 0.1 %). 8 passes of each; five standard errors of both: a false alarm in 10^6 by chance.
+// (4 mm wider at the rim: below 0.1 %). 8 passes of each;
+// five standard errors of both: a false alarm in 10^6 by chance.
 TEST_F(Limits, ComingInTurnIsUnbiased) {
   add_meters(200);
   EXPECT_OK(ups_scene_commit(scene));

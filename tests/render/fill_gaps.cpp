@@ -1,4 +1,4 @@
-// What an image shows where no eye path was yet: sensible means of what is around, at a cost in proportion to the image.
+// What an image shows where no eye path was yet: sensible means of what is around.
 #include "render/fill_gaps.h"
 
 #include <gtest/gtest.h>
