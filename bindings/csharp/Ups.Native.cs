@@ -942,6 +942,7 @@ namespace Ups
         public uint TechniqueImages;
         public Separation Separation;
         public uint Reserved;
+        public ulong FluxPaths;
         /// <summary>With the library's defaults.</summary>
         public static RenderDesc Create()
         {

@@ -50,7 +50,8 @@ typedef struct ups_render_desc {
   uint32_t struct_size;
   ups_method method;
   uint64_t seed;                      /* same seed and iterations, same bits, whatever the thread count */
-  double time_limit_s;                /* 0: none */
+  double time_limit_s;                /* 0: none. From the start of the call; overrun by at most 0.1 s or 5 %,
+                                       * whichever is more. An iteration that it cuts off leaves no trace */
   float target_relative_error;        /* stop when the worst meter's error_bound / max(E, 5 % of its set's mean) is
                                        * below, without meters the mean pixel's, without cameras too a goniometer's:
                                        * the noise of its nodes, 95 %, in the mean over the light; 0: off */
@@ -67,6 +68,10 @@ typedef struct ups_render_desc {
                                        * most 16; 0: none. See ups_result_get_technique_count */
   ups_separation separation;          /* see ups_result_get_source_count */
   uint32_t reserved;                  /* 0 */
+  uint64_t flux_paths;                /* light paths, rounded up to a power of two, at most 2^24, that find the absorbed
+                                       * and escaped flux where the method traces none; where it does these cost
+                                       * nothing and this is not read. A part after each iteration, the rest at the
+                                       * end, within elapsed_s and the time limit. 0: none, that flux is not known */
 } ups_render_desc; /* at least one of time limit, target, iteration count must be set */
 
 typedef int32_t ups_job_state;
@@ -75,18 +80,19 @@ enum { UPS_JOB_RUNNING = 0, UPS_JOB_FINISHED = 1, UPS_JOB_CANCELLED = 2, UPS_JOB
 typedef struct ups_progress {
   uint32_t struct_size;
   ups_job_state state;
-  double elapsed_s, remaining_s; /* remaining: predicted from the error so far; < 0: unknown */
+  double elapsed_s, remaining_s; /* remaining: expected, by the limits and the error so far; < 0: unknown */
   uint32_t iterations_done;
-  float fraction;                /* [0, 1] of the limit or the target that will be met first */
+  float fraction;                /* [0, 1] of the time to the limit or the target that will be met first; never falls */
   float worst_relative_error, median_relative_error; /* < 0: unknown yet */
 } ups_progress;
 
 typedef struct ups_result_info {
   uint32_t struct_size;
   uint32_t iterations;
-  double elapsed_s;           /* rendering alone */
+  double elapsed_s;           /* rendering alone: all of its preparations, iterations and flux_paths */
   uint64_t rays, light_paths, eye_paths, merges, connections;
-  double emitted_flux_lm, absorbed_flux_lm, escaped_flux_lm; /* the balance that a designer can check */
+  double emitted_flux_lm, absorbed_flux_lm, escaped_flux_lm; /* the balance that a designer can check; absorbed and
+                                                              * escaped < 0: not known, see flux_paths of the desc */
   uint64_t seed;
   uint64_t dropped_samples;   /* non-finite samples left out, never silently: UPS_TEXT_DROPPED has the reasons */
   ups_method method;          /* that ran; never AUTO */
@@ -95,7 +101,8 @@ typedef struct ups_result_info {
   int32_t threads;
 } ups_result_info;
 
-/* Plain array elements: these never grow. < 0 where not known (too few iterations). */
+/* Plain array elements: these never grow. < 0 where not known (too few iterations). Of more than 32768 meters an
+ * iteration visits each second, third, ... in turn; before its first visit nothing is known of a meter. */
 typedef struct ups_meter_reading {
   float illuminance_lx;
   float standard_error_lx; /* noise alone */
@@ -123,16 +130,22 @@ typedef struct ups_meter_statistics {
 
 UPS_API void ups_render_desc_init(ups_render_desc *desc, uint32_t struct_size);
 
-/* Blocks until a limit or the target. The one call that a small program needs; for progress and cancel start a job. */
+/* Blocks until a limit or the target. The one call that a small program needs; for progress and cancel start a job.
+ * INVALID_STATE where the time limit was over before the first iteration was done. While it renders and is read, a
+ * camera takes up to 300 bytes a pixel, 60 at first and 12 more with each of the first 16 visits of all pixels
+ * (`illuminance`: 12 more; technique_images: 96 more for each image), a meter 300, for each source of `separation`
+ * 300 more. */
 UPS_API ups_status ups_render(const ups_scene *scene, const ups_render_desc *desc, ups_result **out);
 
 /* The same, without blocking: start, then poll or wait from any thread. */
 UPS_API ups_status ups_job_start(const ups_scene *scene, const ups_render_desc *desc, ups_job **out);
-UPS_API ups_status ups_job_poll(const ups_job *job, ups_progress *progress); /* progress->struct_size must be set */
+/* At once, whatever goes on; progress->struct_size must be set. */
+UPS_API ups_status ups_job_poll(const ups_job *job, ups_progress *progress);
 /* OK, UPS_TIMEOUT, UPS_CANCELLED or the job's error. */
 UPS_API ups_status ups_job_wait(const ups_job *job, uint32_t timeout_ms);
 UPS_API void ups_job_cancel(ups_job *job); /* asks; returns at once; NULL ok */
-/* What is there after the last whole iteration; INVALID_STATE before the first. The caller owns *out. */
+/* What is there after the last whole iteration; INVALID_STATE before the first. The render goes on meanwhile, but with
+ * technique_images. The caller owns *out. */
 UPS_API ups_status ups_job_result(const ups_job *job, ups_result **out);
 UPS_API void ups_job_destroy(ups_job *job); /* cancels and joins; NULL ok */
 

@@ -17,6 +17,8 @@ struct GoniometerReading {
 class GoniometerSums {
  public:
   explicit GoniometerSums(const Goniometer& goniometer);
+  // Sums, one iteration's tally, the reading.
+  static constexpr double bytes_per_node = 2 * sizeof(double) * (batch_count + 1) + sizeof(ups_intensity_reading);
   void add(uint32_t batch, const GoniometerTally& tally);
   GoniometerReading read(uint32_t iterations, double emitted_lm) const;
   // Of each node that stands for itself: bound / max(I, 5 % of the peak). False where it is not known yet.

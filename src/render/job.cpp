@@ -9,14 +9,17 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/thread.h"
+#include "render/flux_pass.h"
 #include "render/radius_notice.h"
-#include "transport/light_pass.h"
 
 namespace ups {
 
 namespace {
 
-constexpr uint32_t flux_paths = 65536;  // of the separate pass that books flux for methods without light paths
+// How far a render may run over its time limit.
+double tolerance_s(double limit_s) { return std::max(0.1, 0.05 * limit_s); }
+// Of it, what reading the images may take, which comes after the render's end: 0.09 s for 1920 x 1080 on one thread.
+constexpr double reading_s_of_pixel = 4.5e-8;
 
 void check(const ups_render_desc& d) {
   if (!(d.time_limit_s >= 0) || !std::isfinite(d.time_limit_s))
@@ -39,6 +42,7 @@ void check(const ups_render_desc& d) {
   if (d.separation < UPS_SEPARATE_NOTHING || d.separation > UPS_SEPARATE_GROUPS)
     fail_argument("separation: " + std::to_string(d.separation) + " is not a UPS_SEPARATE_* value");
   if (d.reserved != 0) fail_argument("reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  if (d.flux_paths > (1u << 24)) fail_argument("flux_paths: at most 16777216");
   if (d.techniques >= 64)
     fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
   if (d.time_limit_s == 0 && d.target_relative_error == 0 && d.iteration_count == 0)
@@ -47,20 +51,15 @@ void check(const ups_render_desc& d) {
 
 // Linux grants more memory than there is and ends the process that takes it.
 void check_memory(const Snapshot& scene, uint32_t technique_edges, size_t columns) {
-  // Sums, batches and one iteration's tally (accumulator.h, tally.h); of a technique those and what is read out.
-  const double bytes_per_pixel = 320 + 96.0 * (technique_edges ? technique_count(technique_edges) + 1 : 0);
-  double pixels = 0;
-  for (const Camera& c : scene.cameras) pixels += c.pixel_count();
-  double meters = 0;
-  for (const MeterSet& set : scene.meter_sets) meters += double(set.meters.size());
-  double nodes = 0;
-  for (const Goniometer& g : scene.goniometers) nodes += double(g.node_count());
-  constexpr double bytes_per_reading = 320;  // sums by batch, one iteration's tally, and the reading
-  const double needed = pixels * bytes_per_pixel + (meters * double(columns) + nodes) * bytes_per_reading;
+  double needed = 0;
+  for (const Camera& c : scene.cameras) needed += c.pixel_count() * ImageSums::bytes_per_pixel(c, technique_edges);
+  for (const MeterSet& set : scene.meter_sets)
+    needed += double(set.meters.size()) * double(columns + 1) * Accumulator::bytes_per_meter;
+  for (const Goniometer& g : scene.goniometers) needed += double(g.node_count()) * GoniometerSums::bytes_per_node;
   const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   if (needed > there)
     throw Error(UPS_ERROR_OUT_OF_MEMORY,
-                "the cameras' images, the meters' separate readings and the goniometers need " +
+                "the cameras' images, the meters' readings and the goniometers need " +
                     std::to_string(int64_t(needed / 1e9)) + " GB while they are rendered, the machine has " +
                     std::to_string(int64_t(there / 1e9)));
 }
@@ -69,7 +68,8 @@ void check_memory(const Snapshot& scene, uint32_t technique_edges, size_t column
 
 RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_desc& desc,
                      std::shared_ptr<ThreadPool> pool)
-    : scene_(std::move(scene)), desc_(desc), pool_(std::move(pool)) {
+    : scene_(std::move(scene)), desc_(desc), pool_(std::move(pool)),
+      queue_([this](const TallyQueue::Delivery& delivery) { add(delivery); }) {
   check(desc_);
   method_ = choose_method(*scene_, desc_);
   if (desc_.perturbation == UPS_PERTURBATION_ACTUAL && !(method_.techniques & UPS_TECHNIQUE_MERGE) &&
@@ -77,6 +77,8 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
     fail_argument(
         "perturbation: UPS_PERTURBATION_ACTUAL needs the radius of merging: set merge_radius_m, or take a method that "
         "merges");
+  for (const Camera& c : scene_->cameras) reading_s_ += c.pixel_count() * reading_s_of_pixel;
+  reading_s_ = std::min(reading_s_, 0.5 * desc_.time_limit_s);
   check_memory(*scene_, desc_.technique_images, separate(*scene_, desc_.separation).columns.size());
   if (scene_->cameras.empty() && scene_->meter_sets.empty() && scene_->goniometers.empty())
     throw Error(UPS_ERROR_INVALID_STATE,
@@ -106,7 +108,6 @@ void RenderJob::run() {
   };
   try {
     iterate();
-    count_flux();
   } catch (const Error& e) {
     keep(e.status(), e.what());
   } catch (const std::bad_alloc&) {
@@ -117,70 +118,89 @@ void RenderJob::run() {
   const std::lock_guard lock(mutex_);
   error_ = status;
   error_message_.swap(message);
-  state_ = status != UPS_OK ? UPS_JOB_FAILED : stop_.load() ? UPS_JOB_CANCELLED : UPS_JOB_FINISHED;
+  state_ = status != UPS_OK ? UPS_JOB_FAILED : stop_.is_cancelled() ? UPS_JOB_CANCELLED : UPS_JOB_FINISHED;
   changed_.notify_all();
 }
 
-void RenderJob::iterate() {
-  start_ = std::chrono::steady_clock::now();
+// How much of the tolerance the work may use: what it is cut by may be seen late, and the result is yet to be read.
+void RenderJob::set_deadline(double share_of_tolerance, double reserved_s) {
+  if (!(desc_.time_limit_s > 0)) return;
+  const double seconds = desc_.time_limit_s + share_of_tolerance * tolerance_s(desc_.time_limit_s) - reserved_s;
+  if (seconds < 1e9) stop_.set_deadline(start_ + std::chrono::duration_cast<Clock::duration>(
+                                                    std::chrono::duration<double>(seconds)));
+}
+
+void RenderJob::prepare() {
   integrator_ = std::make_unique<Integrator>(scene_, settings_of(desc_, method_), *pool_, stop_);
-  {
-    const std::lock_guard lock(mutex_);
-    sums_ = std::make_unique<Accumulator>(*scene_, integrator_->plan());
-  }
-  IterationTally tally;
-  for (uint32_t i = 0; i < 0xfffffff0u; ++i) {
-    if (!integrator_->run(i, stop_, tally)) return;
-    const std::lock_guard lock(mutex_);
-    sums_->add(tally);
-    elapsed_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    if (i + 1 >= next_check_) check_error(elapsed_);
-    if (at_end(elapsed_)) return;
-  }
-}
-
-// At 16, 20, 25 ... iterations. Two successive passes guard against stopping on a lucky look.
-void RenderJob::check_error(double elapsed) {
-  const uint32_t n = sums_->iterations();
-  next_check_ = std::max(n + 1, uint32_t(std::ceil(n * 1.25)));
-  last_error_ = sums_->summarize();
-  if (last_error_.median < 0) return;
-  convergence_.push_back(
-      {elapsed, n, 0, last_error_.median, last_error_.p95, last_error_.worst, last_error_.bias_share});
-  const float error = scene_->meter_sets.empty() ? last_error_.mean : last_error_.worst;
-  passes_below_target_ = error <= desc_.target_relative_error ? passes_below_target_ + 1 : 0;
-}
-
-bool RenderJob::at_end(double elapsed) const {
-  const uint32_t n = sums_->iterations();
-  if (desc_.iteration_count && n >= desc_.iteration_count) return true;
-  if (desc_.target_relative_error > 0 && passes_below_target_ >= 2 && n >= 2 * batch_count) return true;
-  // Stop where the limit is nearer than half an iteration: the mean overrun is nothing.
-  return desc_.time_limit_s > 0 && elapsed + 0.5 * elapsed / n >= desc_.time_limit_s;
-}
-
-// Absorbed and escaped flux: from the render's own light paths, or from a pass of their own.
-void RenderJob::count_flux() {
-  WorkCounts work;
-  {
-    const std::lock_guard lock(mutex_);
-    work = sums_->work();
-  }
-  if (work.light_paths == 0 && scene_->emitters.flux_lm() > 0) {
-    TransportSettings s;
-    s.seed = desc_.seed;
-    Plan plan;
-    plan.light_paths = flux_paths;
-    IterationTally tally;
-    const SensorIndex no_sensors(*scene_, plan, s, 0, *pool_);
-    trace_light_paths({*scene_, plan, s, 0, 0, 0, 1.0, 0.0, false, stop_, Stream::flux}, no_sensors, *pool_, tally);
-    if (stop_.load()) return;  // incomplete; both stay unknown
-    work = tally.work;
-  }
-  const double n = double(std::max<uint64_t>(1, work.light_paths));
+  auto sums = std::make_unique<Accumulator>(*scene_, integrator_->plan());
+  queue_.read([&] { sums_ = std::move(sums); });
   const std::lock_guard lock(mutex_);
-  absorbed_lm_ = work.absorbed_lm / n;
-  escaped_lm_ = work.escaped_lm / n;
+  estimate_.emplace(ProgressEstimate::Limits{desc_.time_limit_s, double(desc_.iteration_count),
+                                             desc_.target_relative_error, integrator_->plan().meter_subsets});
+  estimate_->start(elapsed());
+}
+
+// The clock decides how many iterations there are, and nothing else: one that is cut off leaves no trace.
+void RenderJob::iterate() {
+  set_deadline(0.9, 0);  // a first iteration is worth all of it
+  prepare();
+  const bool has_light_paths = integrator_->settings().traces_light() || !(scene_->emitters.flux_lm() > 0);
+  FluxPass flux(*scene_, *pool_, desc_.seed, has_light_paths ? 0 : uint32_t(desc_.flux_paths));
+  TallyQueue::Delivery next;
+  for (uint32_t i = 0; i < 0xfffffff0u; ++i) {
+    if (!integrator_->run(i, stop_, next.tally)) break;
+    if (!flux.is_done()) flux.trace_part(stop_, next.flux);
+    deliver(next);
+    if (is_at_end(flux.seconds_left())) break;
+    set_deadline(0.5, flux.seconds_left() + reading_s_);
+  }
+  if (flux.is_done()) return;
+  set_deadline(0.8, reading_s_);
+  next = {};
+  next.has_iteration = false;
+  while (!flux.is_done() && !stop_.is_set()) flux.trace_part(stop_, next.flux);
+  deliver(next);
+}
+
+void RenderJob::deliver(TallyQueue::Delivery& delivery) {
+  delivery.elapsed_s = elapsed();
+  {
+    const std::lock_guard lock(mutex_);
+    elapsed_ = delivery.elapsed_s;
+    if (delivery.has_iteration) estimate_->add_iterations(++iterations_, elapsed_);
+  }
+  queue_.deliver(delivery, stop_);
+}
+
+void RenderJob::add(const TallyQueue::Delivery& delivery) {
+  if (delivery.has_iteration) sums_->add(delivery.tally);
+  flux_.add(delivery.flux);
+  sums_elapsed_ = delivery.elapsed_s;
+  double look;
+  {
+    const std::lock_guard lock(mutex_);
+    look = estimate_->next_look();
+  }
+  if (delivery.has_iteration && sums_->iterations() >= look) look_at_error(delivery.elapsed_s);
+}
+
+void RenderJob::look_at_error(double elapsed_s) {
+  const uint32_t n = sums_->iterations();
+  const ErrorSummary e = sums_->summarize();
+  if (e.median >= 0) convergence_.push_back({elapsed_s, n, 0, e.median, e.p95, e.worst, e.bias_share});
+  const std::lock_guard lock(mutex_);
+  last_error_ = e;
+  estimate_->add_look(n, scene_->meter_sets.empty() ? e.mean : e.worst);
+}
+
+// reserved_s: of what is left to do after the iterations. One that the limit would cut off is not begun.
+bool RenderJob::is_at_end(double reserved_s) const {
+  const std::lock_guard lock(mutex_);
+  if (desc_.iteration_count && iterations_ >= desc_.iteration_count) return true;
+  if (desc_.target_relative_error > 0 && estimate_->target_is_met()) return true;
+  if (!(desc_.time_limit_s > 0)) return false;
+  const double left = desc_.time_limit_s - reserved_s - reading_s_ - elapsed_, one = estimate_->seconds_per_iteration();
+  return left < 0.5 * one || left + 0.3 * tolerance_s(desc_.time_limit_s) < one;
 }
 
 ups_progress RenderJob::progress() const {
@@ -188,26 +208,12 @@ ups_progress RenderJob::progress() const {
   ups_progress p{};
   p.struct_size = sizeof p;
   p.state = state_;
-  p.iterations_done = sums_ ? sums_->iterations() : 0;
+  p.iterations_done = iterations_;
   p.elapsed_s = elapsed_;
   p.worst_relative_error = last_error_.worst;
   p.median_relative_error = last_error_.median;
-  p.remaining_s = -1;
-  const double n = p.iterations_done;
-  const auto consider = [&](double fraction, double remaining) {
-    p.fraction = std::max(p.fraction, float(std::clamp(fraction, 0.0, 1.0)));
-    p.remaining_s = p.remaining_s < 0 ? remaining : std::min(p.remaining_s, remaining);
-  };
-  if (n > 0) {
-    if (desc_.time_limit_s > 0) consider(elapsed_ / desc_.time_limit_s, std::max(0.0, desc_.time_limit_s - elapsed_));
-    if (desc_.iteration_count)
-      consider(n / desc_.iteration_count, elapsed_ / n * std::max(0.0, desc_.iteration_count - n));
-    const double error = scene_->meter_sets.empty() ? last_error_.mean : last_error_.worst;
-    if (desc_.target_relative_error > 0 && error > 0) {
-      const double share = std::pow(desc_.target_relative_error / error, 2);  // noise^2 falls as 1 / n
-      if (share < 1) consider(share, elapsed_ * (1 / share - 1));
-    }
-  }
+  p.fraction = estimate_ ? float(estimate_->fraction()) : 0;
+  p.remaining_s = estimate_ ? estimate_->remaining_s() : -1;
   if (state_ != UPS_JOB_RUNNING) {
     p.remaining_s = 0;
     if (state_ == UPS_JOB_FINISHED) p.fraction = 1;
@@ -224,33 +230,22 @@ ups_status RenderJob::wait(uint32_t timeout_ms, std::string& message) const {
 }
 
 std::shared_ptr<const RenderResult> RenderJob::result() const {
-  const std::lock_guard lock(mutex_);
-  if (!sums_ || sums_->iterations() == 0)
+  return queue_.read([this] { return read(); });
+}
+
+std::shared_ptr<const RenderResult> RenderJob::read() const {
+  if (!sums_ || sums_->iterations() == 0) {
+    if (progress().state == UPS_JOB_FINISHED)
+      throw Error(UPS_ERROR_INVALID_STATE, "time_limit_s: " + std::to_string(desc_.time_limit_s) +
+                                               " s were over before the first iteration was done");
     throw Error(UPS_ERROR_INVALID_STATE, "no whole iteration is done yet: wait for ups_progress.iterations_done > 0");
+  }
   auto r = std::make_shared<RenderResult>();
+  r->info = read_info();
   const WorkCounts& w = sums_->work();
-  ups_result_info& i = r->info;
-  i.struct_size = sizeof i;
-  i.iterations = sums_->iterations();
-  i.elapsed_s = elapsed_;
-  i.rays = w.rays;
-  i.light_paths = w.light_paths;
-  i.eye_paths = w.eye_paths;
-  i.merges = w.merges;
-  i.connections = w.connections;
-  i.emitted_flux_lm = scene_->emitters.flux_lm();
-  i.absorbed_flux_lm = absorbed_lm_;
-  i.escaped_flux_lm = escaped_lm_;
-  i.seed = desc_.seed;
-  for (size_t d = 0; d < w.dropped.size(); ++d) {
-    i.dropped_samples += w.dropped[d];
+  for (size_t d = 0; d < w.dropped.size(); ++d)
     if (w.dropped[d])
       r->dropped += std::string(drop_names[d]) + ": " + std::to_string(w.dropped[d]) + " samples were not finite\n";
-  }
-  i.method = method_.method;
-  i.techniques = method_.techniques;
-  i.effects = scene_->effects.effects;
-  i.threads = pool_->thread_count();
   r->camera_ids = scene_->camera_ids;
   r->meter_set_ids = scene_->meter_set_ids;
   for (size_t c = 0; c < scene_->cameras.size(); ++c) r->images.push_back(sums_->read_image_and_techniques(c));
@@ -260,7 +255,7 @@ std::shared_ptr<const RenderResult> RenderJob::result() const {
   r->goniometer_ids = scene_->goniometer_ids;
   for (size_t g = 0; g < scene_->goniometers.size(); ++g) {
     r->goniometers.push_back(sums_->read_goniometer(g));
-    r->goniometers.back().info.absorbed_flux_lm = absorbed_lm_;
+    r->goniometers.back().info.absorbed_flux_lm = r->info.absorbed_flux_lm;
   }
   r->convergence = convergence_;
   r->warnings = lines(scene_->warnings) + lines(method_.warnings);
@@ -268,6 +263,33 @@ std::shared_ptr<const RenderResult> RenderJob::result() const {
   r->effects = scene_->effects.text;
   r->techniques = method_.text;
   return r;
+}
+
+ups_result_info RenderJob::read_info() const {
+  const WorkCounts& w = sums_->work();
+  ups_result_info i{};
+  i.struct_size = sizeof i;
+  i.iterations = sums_->iterations();
+  i.elapsed_s = sums_elapsed_;
+  i.rays = w.rays;
+  i.light_paths = w.light_paths;
+  i.eye_paths = w.eye_paths;
+  i.merges = w.merges;
+  i.connections = w.connections;
+  // From the render's own light paths, or from those of a pass of their own.
+  const WorkCounts& flux = w.light_paths > 0 ? w : flux_;
+  const bool known = flux.light_paths > 0 || !(scene_->emitters.flux_lm() > 0);
+  const double n = double(std::max<uint64_t>(1, flux.light_paths));
+  i.emitted_flux_lm = scene_->emitters.flux_lm();
+  i.absorbed_flux_lm = known ? flux.absorbed_lm / n : -1;
+  i.escaped_flux_lm = known ? flux.escaped_lm / n : -1;
+  i.seed = desc_.seed;
+  for (const uint64_t d : w.dropped) i.dropped_samples += d;
+  i.method = method_.method;
+  i.techniques = method_.techniques;
+  i.effects = scene_->effects.effects;
+  i.threads = pool_->thread_count();
+  return i;
 }
 
 // What the readings themselves cannot say.
@@ -278,6 +300,11 @@ void RenderJob::add_warnings(RenderResult& r) const {
                     ": the render ended before eye paths were traced for " + std::to_string(n) + " of its " +
                     std::to_string(r.images[c].width * size_t(r.images[c].height)) +
                     " pixels; they show the mean of their neighbours\n";
+  for (size_t s = 0; s < r.meter_sets.size(); ++s)
+    if (const size_t n = sums_->unvisited_meters(s))
+      r.warnings += "meters " + std::to_string(r.meter_set_ids[s]) + ": the render ended before " + std::to_string(n) +
+                    " of its " + std::to_string(r.meter_sets[s].meters.size()) +
+                    " meters were looked at; their readings are -1, and the set's statistics are of the others\n";
   for (size_t g = 0; g < r.goniometer_ids.size(); ++g)
     if (const std::string what = sums_->goniometer_asymmetry(g); !what.empty())
       r.warnings += "goniometer " + std::to_string(r.goniometer_ids[g]) + ": " + what +
@@ -286,7 +313,7 @@ void RenderJob::add_warnings(RenderResult& r) const {
   r.warnings += radius_notice(*integrator_, sums_->iterations());
   if (!(scene_->emitters.flux_lm() > 0)) return;
   for (size_t s = 0; s < r.meter_sets.size(); ++s)
-    if (!(r.meter_sets[s].statistics.mean_lx > 0))
+    if (r.meter_sets[s].statistics.mean_lx == 0)
       r.warnings += "meters " + std::to_string(r.meter_set_ids[s]) +
                     ": no light has reached them; they are dark, or this method has not found their light\n";
 }

@@ -1,17 +1,19 @@
 // When and how long: runs iterations until a limit, the target or a cancel, and publishes what there is. Called by api.
 #pragma once
-#include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "render/accumulator.h"
 #include "render/method.h"
+#include "render/progress.h"
+#include "render/tally_queue.h"
 
 namespace ups {
 
@@ -28,6 +30,8 @@ struct RenderResult {
   std::string warnings, effects, techniques, dropped;
 };
 
+class FluxPass;
+
 class RenderJob {
  public:
   // Throws Error for a desc that cannot run. pool_owner keeps the pool alive.
@@ -35,19 +39,27 @@ class RenderJob {
   ~RenderJob();  // cancels and joins
 
   void start();
-  void cancel() { stop_.store(true); }
-  ups_progress progress() const;
+  void cancel() { stop_.cancel(); }
+  ups_progress progress() const;  // waits for nothing, as cancel()
   // OK, TIMEOUT, CANCELLED or the job's error; message gets the error's text.
   ups_status wait(uint32_t timeout_ms, std::string& message) const;
-  // Throws INVALID_STATE before the first whole iteration.
+  // Throws INVALID_STATE before the first whole iteration. Others go on meanwhile, but for who wants a result too.
   std::shared_ptr<const RenderResult> result() const;
 
  private:
+  using Clock = StopSignal::Clock;
   void run();
   void iterate();
-  bool at_end(double elapsed) const;
-  void check_error(double elapsed);
-  void count_flux();
+  void prepare();
+  void set_deadline(double share_of_tolerance, double reserved_s);
+  void deliver(TallyQueue::Delivery& delivery);
+  bool is_at_end(double reserved_s) const;
+  double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  // With the sums held.
+  void add(const TallyQueue::Delivery& delivery);
+  void look_at_error(double elapsed_s);
+  std::shared_ptr<const RenderResult> read() const;
+  ups_result_info read_info() const;
   void add_warnings(RenderResult& result) const;
 
   std::shared_ptr<const Snapshot> scene_;
@@ -55,21 +67,26 @@ class RenderJob {
   std::shared_ptr<ThreadPool> pool_;
   MethodChoice method_;
   std::unique_ptr<Integrator> integrator_;
-  std::atomic<bool> stop_{false};
-  std::chrono::steady_clock::time_point start_{};
+  StopSignal stop_;
+  double reading_s_ = 0;  // of the time limit, kept for reading what was found
+  const Clock::time_point start_ = Clock::now();
   std::thread thread_;
 
-  mutable std::mutex mutex_;  // guards all below
-  mutable std::condition_variable changed_;
+  mutable TallyQueue queue_;  // of what the next four sum up
   std::unique_ptr<Accumulator> sums_;
+  WorkCounts flux_;
+  double sums_elapsed_ = 0;
+  std::vector<ups_convergence_point> convergence_;
+
+  mutable std::mutex mutex_;  // guards all below; never held for long
+  mutable std::condition_variable changed_;
   ups_job_state state_ = UPS_JOB_RUNNING;
   ups_status error_ = UPS_OK;
   std::string error_message_;
+  uint32_t iterations_ = 0;  // traced; the sums may not have the last ones yet
   double elapsed_ = 0;
   ErrorSummary last_error_;
-  uint32_t next_check_ = batch_count, passes_below_target_ = 0;
-  std::vector<ups_convergence_point> convergence_;
-  double absorbed_lm_ = -1, escaped_lm_ = -1;
+  std::optional<ProgressEstimate> estimate_;  // none before the first iteration begins
 };
 
 }  // namespace ups

@@ -12,6 +12,7 @@ namespace {
 
 constexpr uint32_t poll_interval_ms = 100;
 constexpr double default_target_error = 0.02, default_time_s = 60;
+constexpr uint32_t flux_paths = 65536;  // the report tells absorbed and escaped flux whatever the method
 
 void set_limits(ups_render_desc& desc) {
   if (desc.time_limit_s != 0 || desc.iteration_count != 0 || desc.target_relative_error != 0) return;
@@ -49,6 +50,7 @@ bool wait_for(ups_job* job) {
 
 Finished run_render(const ups_scene* scene, ups_render_desc desc) {
   set_limits(desc);
+  desc.flux_paths = flux_paths;
   begin_interruptible_work();
   ups_job* started = nullptr;
   check(ups_job_start(scene, &desc, &started));

@@ -34,8 +34,8 @@ class Pairing {
 std::vector<uint32_t> visited_pixels(const Plan& plan, const Camera& camera, uint32_t iteration) {
   std::vector<uint32_t> pixels;
   pixels.reserve(camera.pixel_count() / plan.camera_subsets + camera.height());
-  for (uint32_t p = 0; p < camera.pixel_count(); ++p)
-    if (plan.visits_pixel(iteration, camera.width(), p)) pixels.push_back(p);
+  plan.for_visited_pixels(iteration, camera.width(), camera.height(),
+                          [&](uint32_t, uint32_t pixel) { pixels.push_back(pixel); });
   return pixels;
 }
 
@@ -73,9 +73,11 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
   const Camera& camera = in.scene.cameras[c];
   const std::vector<uint32_t> pixels = visited_pixels(in.plan, camera, in.iteration);
   const Pairing pairing(in);
+  tally.pixels[c].resize(pixels.size());
+  if (camera.illuminance()) tally.illuminance[c].resize(pixels.size());
   std::vector<WorkCounts> work((pixels.size() + pixels_per_block - 1) / pixels_per_block);
   pool.for_blocks(pixels.size(), pixels_per_block, [&](size_t b, size_t begin, size_t end) {
-    if (in.stop.load(std::memory_order_relaxed)) return;
+    if (in.stop.is_set()) return;
     for (size_t i = begin; i < end; ++i) {
       const uint32_t pixel = pixels[i];
       EyeWalk::Sensor sensor;
@@ -93,12 +95,12 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
       PathSampler rng(in.settings.seed, {Stream::camera, c}, key, in.camera_batch_visit, in.iteration, pixel);
       const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
       ++work[b].eye_paths;
-      tally.pixels[c][pixel] =
+      tally.pixels[c][i] =
           EyeWalk(in, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
       if (!camera.illuminance()) continue;
       const PathSampler own(in.settings.seed, {Stream::illuminance, c}, key, in.camera_batch_visit, in.iteration,
                             pixel);
-      tally.illuminance[c][pixel] = pixel_illuminance(in, camera, d, sensor, own, work[b]);
+      tally.illuminance[c][i] = pixel_illuminance(in, camera, d, sensor, own, work[b]);
     }
   });
   add_work(work, tally);
@@ -109,12 +111,13 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
                            IterationTally& tally) {
   const MeterSet& set = in.scene.meter_sets[s];
   const uint32_t samples = in.plan.meter_samples;
-  const size_t meters_per_block = std::max<size_t>(1, paths_per_block / samples);
+  const size_t meters_per_block = std::max<size_t>(1, paths_per_block / samples), visited = tally.meters[s].size();
   const Pairing pairing(in);
-  std::vector<WorkCounts> work((set.meters.size() + meters_per_block - 1) / meters_per_block);
-  pool.for_blocks(set.meters.size(), meters_per_block, [&](size_t b, size_t begin, size_t end) {
-    if (in.stop.load(std::memory_order_relaxed)) return;
-    for (size_t m = begin; m < end; ++m) {
+  std::vector<WorkCounts> work((visited + meters_per_block - 1) / meters_per_block);
+  pool.for_blocks(visited, meters_per_block, [&](size_t b, size_t begin, size_t end) {
+    if (in.stop.is_set()) return;
+    for (size_t i = begin; i < end; ++i) {
+      const uint32_t m = in.plan.visited_meter(in.iteration, i);
       const Meter& meter = set.meters[m];
       EyeWalk::Sensor sensor;
       sensor.cell = set.is_cell();
@@ -127,11 +130,11 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       sensor.media = in.scene.media_stacks[in.scene.media_of_meter[s][m]];
       MeterTally sum;
       const size_t columns = in.plan.separation.columns.size();
-      sensor.separated = columns ? &tally.separated[s][m * columns] : nullptr;
+      sensor.separated = columns ? &tally.separated[s][i * columns] : nullptr;
       sensor.share = 1.0 / samples;
       for (uint32_t k = 0; k < samples; ++k) {
-        const uint32_t path = uint32_t(m) * samples + k;
-        pairing.assign(first_path + path, sensor);
+        const uint32_t path = m * samples + k;
+        pairing.assign(first_path + uint32_t(i) * samples + k, sensor);
         PathSampler rng(in.settings.seed, {Stream::meters, s}, hash_combine(in.meter_batch, m),
                         in.meter_batch_visit * samples + k, in.iteration, path);
         Vec3 p = meter.p;
@@ -145,11 +148,11 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
         sum.direct += found.direct;
         sum.bias += found.bias;
       }
-      tally.meters[s][m].add(sum, sensor.share);
+      tally.meters[s][i].add(sum, sensor.share);
     }
   });
   add_work(work, tally);
-  return first_path + uint32_t(set.meters.size()) * samples;
+  return first_path + uint32_t(visited) * samples;
 }
 
 }  // namespace ups

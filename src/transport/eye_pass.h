@@ -1,9 +1,8 @@
 // Traces the eye paths of one iteration: from every visited pixel and from every meter, with emitter hits, next-event
 // estimation, connections to a light path and merges at each vertex.
 #pragma once
-#include <atomic>
-
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "transport/light_vertex.h"
 #include "transport/photon_index.h"
 #include "transport/plan.h"
@@ -22,7 +21,7 @@ struct EyePassInput {
   uint32_t camera_batch, camera_batch_visit;
   uint32_t meter_batch, meter_batch_visit;
   double camera_radius_factor, meter_radius_factor, walk_radius2;
-  const std::atomic<bool>& stop;  // when set, what is found is incomplete and to be thrown away
+  const StopSignal& stop;  // when set, what is found is incomplete and to be thrown away
 };
 
 // `first_path`: running number of the pass's first eye path, for its pairing with light paths. Returns the next one's.

@@ -8,45 +8,43 @@
 namespace ups {
 
 Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
-                       const std::atomic<bool>& stop)
+                       const StopSignal& stop)
     : scene_(std::move(scene)), settings_(settings), pool_(pool), plan_(make_plan(*scene_, settings)) {
   choose_radii(*scene_, settings_, pool_, stop, plan_);
+  for (const auto& radii : plan_.pixel_radius)
+    for (const float r : radii) largest_pixel_radius_ = std::max(largest_pixel_radius_, r);
 }
 
-float Integrator::largest_radius(const std::vector<std::vector<float>>& radii, double factor) const {
-  double largest = 0;
-  for (const auto& set : radii)
-    for (float r : set) largest = std::max(largest, double(r));
-  return float(std::sqrt(plan_.radius2(largest, factor)));
-}
-
-bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, IterationTally& tally) const {
+void Integrator::reset(uint32_t iteration, IterationTally& tally) const {
   std::vector<TechniqueTally> techniques = std::move(tally.techniques);  // large: kept from one iteration to the next
   tally = {};
   if (settings_.technique_edges) {
     techniques.resize(scene_->cameras.size());
     for (size_t c = 0; c < techniques.size(); ++c)
-      techniques[c].reset(settings_.technique_edges, uint32_t(scene_->cameras[c].pixel_count()));
+      techniques[c].reset(settings_.technique_edges, scene_->cameras[c].pixel_count());
     tally.techniques = std::move(techniques);
   }
-  for (const Camera& c : scene_->cameras) {
-    tally.pixels.emplace_back(c.pixel_count());
-    tally.illuminance.emplace_back(c.illuminance() ? c.pixel_count() : 0);
-    tally.splats.emplace_back(settings_.has(UPS_TECHNIQUE_SENSOR_CONNECT) ? c.pixel_count() : 0);
-  }
+  tally.pixels.resize(scene_->cameras.size());
+  tally.illuminance.resize(scene_->cameras.size());
+  tally.splats.resize(scene_->cameras.size());
   for (const MeterSet& s : scene_->meter_sets) {
-    tally.meters.emplace_back(s.meters.size());
-    tally.separated.emplace_back(s.meters.size() * plan_.separation.columns.size());
+    const size_t visited = plan_.visited_meters(iteration, s.meters.size());
+    tally.meters.emplace_back(visited);
+    tally.separated.emplace_back(visited * plan_.separation.columns.size());
   }
-
   for (const Goniometer& g : scene_->goniometers) tally.goniometers.push_back(g.empty_tally());
+}
 
+bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally& tally) {
+  reset(iteration, tally);
+  if (iteration > 0 && plan_.meter_pass(iteration) == 0)
+    choose_meter_radii(*scene_, settings_, pool_, stop, iteration, plan_);
   const uint32_t pass = plan_.pass(iteration);
   const double camera_factor = Plan::radius2_factor(pass, settings_.radius_alpha),
-               meter_factor = Plan::radius2_factor(iteration, settings_.radius_alpha);
+               meter_factor = Plan::radius2_factor(plan_.meter_pass(iteration), settings_.radius_alpha);
   LightPaths light;
   PhotonIndex pixel_photons, walk_photons;
-  const double walk_radius2 = plan_.radius2(plan_.walk_radius, meter_factor);
+  const double walk_radius2 = plan_.walk_radius2(iteration, settings_.radius_alpha);
   if (settings_.traces_light()) {
     const SensorIndex sensors(*scene_, plan_, settings_, iteration, pool_);
     const bool merges = settings_.has(UPS_TECHNIQUE_MERGE);
@@ -54,20 +52,22 @@ bool Integrator::run(uint32_t iteration, const std::atomic<bool>& stop, Iteratio
     light = trace_light_paths({*scene_, plan_, settings_, iteration, iteration % batch_count, iteration / batch_count,
                                camera_factor, walk_radius2, merges || connects, stop},
                               sensors, pool_, tally);
-    const float pixel_radius = largest_radius(plan_.pixel_radius, camera_factor);
+    if (stop.is_set()) return false;
+    const float pixel_radius = float(std::sqrt(plan_.radius2(largest_pixel_radius_, camera_factor)));
     pool_.for_blocks(merges ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
       const float radius = which == 0 ? pixel_radius : float(std::sqrt(walk_radius2));
       if (radius > 0) (which == 0 ? pixel_photons : walk_photons) = PhotonIndex(light.vertices, radius);
     });
   }
 
+  const uint32_t meter_pass = plan_.meter_pass(iteration);
   const EyePassInput eye{*scene_, plan_, settings_, light, pixel_photons, walk_photons, iteration,
-                         pass % batch_count, pass / batch_count, iteration % batch_count, iteration / batch_count,
+                         pass % batch_count, pass / batch_count, meter_pass % batch_count, meter_pass / batch_count,
                          camera_factor, meter_factor, walk_radius2, stop};
   uint32_t path = 0;
   for (uint32_t c = 0; c < scene_->cameras.size(); ++c) path = trace_camera_paths(eye, c, path, pool_, tally);
   for (uint32_t s = 0; s < scene_->meter_sets.size(); ++s) path = trace_meter_paths(eye, s, path, pool_, tally);
-  return !stop.load();
+  return !stop.is_set();
 }
 
 }  // namespace ups

@@ -1,9 +1,9 @@
 // One iteration of Unified Path Sampling, in reading order: light pass, photon index, eye pass. Called by render/job.
 #pragma once
-#include <atomic>
 #include <memory>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "transport/plan.h"
 #include "transport/tally.h"
 
@@ -15,19 +15,21 @@ class Integrator {
  public:
   // Traces a pilot; once `stop` is set only run() returning false is to be expected of it.
   Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
-             const std::atomic<bool>& stop);
-  const Plan& plan() const { return plan_; }
+             const StopSignal& stop);
+  const Plan& plan() const { return plan_; }  // run() adds the meters' radii to it, and nothing else
   const TransportSettings& settings() const { return settings_; }
   const Snapshot& scene() const { return *scene_; }
-  // False where `stop` was set on the way: the tally is then incomplete. The same bits for any number of threads.
-  bool run(uint32_t iteration, const std::atomic<bool>& stop, IterationTally& tally) const;
+  // Iterations from 0, in order. False where `stop` was set on the way: the tally is then incomplete. The same bits for
+  // any number of threads.
+  bool run(uint32_t iteration, const StopSignal& stop, IterationTally& tally);
 
  private:
-  float largest_radius(const std::vector<std::vector<float>>& radii, double factor) const;
+  void reset(uint32_t iteration, IterationTally& tally) const;
   std::shared_ptr<const Snapshot> scene_;
   TransportSettings settings_;
   ThreadPool& pool_;
   Plan plan_;
+  float largest_pixel_radius_ = 0;
 };
 
 }  // namespace ups

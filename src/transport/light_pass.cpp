@@ -15,12 +15,12 @@ constexpr size_t paths_per_block = 1024;
 struct Block {
   std::vector<LightVertex> vertices;
   std::vector<uint32_t> counts;  // vertices a path
-  struct Splat {
-    uint32_t camera, pixel;
-    Rgb value, unweighted;
-    uint32_t edges;
+  struct CameraSplat {
+    Splat splat;
+    Rgb unweighted;
+    uint32_t camera, edges;
   };
-  std::vector<Splat> splats;
+  std::vector<CameraSplat> splats;
   struct Landing {
     uint32_t disc, emitter;
     MeterTally value;
@@ -237,7 +237,7 @@ class LightWalk {
       return;
     value *= passed;
     if (!is_finite(value)) return block_.work.drop(Drop::sensor_connect);
-    block_.splats.push_back({c, *pixel, value, unweighted * passed, a + 1});
+    block_.splats.push_back({{*pixel, value}, unweighted * passed, c, a + 1});
   }
 
   bool continue_walk(uint32_t a, const Bsdf& bsdf, const Vec3& wo, const Vec3& local_wo, const mis::LightState& state,
@@ -295,7 +295,7 @@ std::vector<Block> run_blocks(const LightPassInput& in, const SensorIndex& senso
   std::vector<Block> blocks((in.plan.light_paths + paths_per_block - 1) / paths_per_block);
   pool.for_blocks(in.plan.light_paths, paths_per_block, [&](size_t b, size_t begin, size_t end) {
     Block& block = blocks[b];
-    if (in.stop.load(std::memory_order_relaxed)) return;
+    if (in.stop.is_set()) return;
     block.counts.reserve(end - begin);
     for (size_t path = begin; path < end; ++path) {
       block.counts.push_back(0);
@@ -323,16 +323,17 @@ LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensor
       at += n;
     }
     paths.vertices.insert(paths.vertices.end(), b.vertices.begin(), b.vertices.end());
-    for (const Block::Splat& s : b.splats) {
-      tally.splats[s.camera][s.pixel] += s.value;
+    for (const Block::CameraSplat& s : b.splats) {
+      tally.splats[s.camera].push_back(s.splat);
       if (!tally.techniques.empty())
-        tally.techniques[s.camera].add({Family::path_integration, s.edges, s.edges}, s.pixel, s.value, s.unweighted);
+        tally.techniques[s.camera].add({Family::path_integration, s.edges, s.edges}, s.splat.pixel, s.splat.value,
+                                       s.unweighted);
     }
     for (const Block::Landing& l : b.landings) {
       const SensorIndex::Entry& e = sensors.entry(l.disc);
-      tally.meters[e.set][e.meter].add(l.value);
+      tally.meters[e.set][e.visited].add(l.value);
       if (columns)
-        tally.separated[e.set][e.meter * columns + in.plan.separation.column_of_emitter[l.emitter]].add(l.value);
+        tally.separated[e.set][e.visited * columns + in.plan.separation.column_of_emitter[l.emitter]].add(l.value);
     }
     for (size_t g = 0; g < tally.goniometers.size(); ++g)
       for (const Block::Escape& e : b.escapes)

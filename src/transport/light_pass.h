@@ -1,9 +1,8 @@
 // Traces the light paths of one iteration: stores vertices for connections and merges, splats to cameras (t = 1), lands
 // on cells (t = 0), merges at point meters, keeps the books of flux.
 #pragma once
-#include <atomic>
-
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "transport/light_vertex.h"
 #include "transport/sampler.h"
 #include "transport/sensor_index.h"
@@ -21,7 +20,7 @@ struct LightPassInput {
   double camera_radius_factor;  // Plan::radius2_factor of the cameras' pass
   double walk_radius2;          // of merges beyond the first vertex
   bool store_vertices;
-  const std::atomic<bool>& stop;  // when set, what is found is incomplete and to be thrown away
+  const StopSignal& stop;  // when set, what is found is incomplete and to be thrown away
   Stream stream = Stream::light;
 };
 

@@ -38,20 +38,23 @@ DiscMoments moments(const std::vector<PilotPaths::Crossing>& crossings, double r
   return {squares / passes * radius2, difference / passes / radius2};
 }
 
-// Means over each meter's neighbourhood: one meter's photons are too few to tell bias from noise.
-std::vector<DiscMoments> pooled(const MeterSet& set, const std::vector<DiscMoments>& own, float reach) {
+// Means over each meter's neighbourhood: one meter's photons are too few to tell bias from noise. Of the meters that
+// the iteration visits, by their running number.
+std::vector<DiscMoments> pooled(const MeterSet& set, const Plan& plan, uint32_t iteration,
+                                const std::vector<DiscMoments>& own, float reach) {
   constexpr size_t enough = 32;
   std::vector<uint32_t> order(own.size());
   for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto x = [&](uint32_t i) { return set.meters[i].p.x; };
+  const auto meter_of = [&](uint32_t i) -> const Meter& { return set.meters[plan.visited_meter(iteration, i)]; };
+  const auto x = [&](uint32_t i) { return meter_of(i).p.x; };
   std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return x(a) != x(b) ? x(a) < x(b) : a < b; });
   std::vector<DiscMoments> out(own.size());
   for (size_t at = 0; at < order.size(); ++at) {
-    const Meter& meter = set.meters[order[at]];
+    const Meter& meter = meter_of(order[at]);
     size_t count = 0;
     DiscMoments sum;
     const auto take = [&](uint32_t j) {
-      const Meter& other = set.meters[j];
+      const Meter& other = meter_of(j);
       if (length2(other.p - meter.p) > reach * reach || dot(other.frame.n, meter.frame.n) < 0.9f) return;
       sum.noise += own[j].noise;
       sum.curvature += own[j].curvature;
@@ -80,7 +83,8 @@ double best_radius2(const DiscMoments& m, double largest2) {
 float meter_spacing(const MeterSet& set) {
   if (set.is_cell()) return 0;
   std::vector<float> nearest;
-  const size_t n = set.meters.size(), step = std::max<size_t>(1, n / 256);
+  const size_t n = set.meters.size(), probes = std::clamp<size_t>((size_t(1) << 24) / n, 16, 256),
+               step = std::max<size_t>(1, n / probes);
   for (size_t i = 0; i < n; i += step) {
     float best = std::numeric_limits<float>::infinity();
     for (size_t j = 0; j < n; ++j)
@@ -91,32 +95,41 @@ float meter_spacing(const MeterSet& set) {
   return median(nearest);
 }
 
-std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set, float spacing, ThreadPool& pool) {
-  if (set.is_cell()) return std::vector<float>(set.meters.size());
-  // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
-  const float largest = std::min(largest_meter_disc * scene.radius, std::sqrt(2.0f) * spacing);
-  std::vector<float> radii(set.meters.size(), largest);
-  pool.for_blocks(radii.size(), 64, [&](size_t, size_t begin, size_t end) {
-    for (size_t m = begin; m < end; ++m) radii[m] = distance_in_plane(scene, set.meters[m], radii[m]);
-  });
-  return radii;
+void set_largest_disc_radii(const Snapshot& scene, ThreadPool& pool, const StopSignal& stop, uint32_t iteration,
+                            Plan& plan) {
+  for (size_t s = 0; s < scene.meter_sets.size(); ++s) {
+    const MeterSet& set = scene.meter_sets[s];
+    if (set.is_cell()) continue;
+    // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
+    const float largest = std::min(largest_meter_disc * scene.radius, std::sqrt(2.0f) * plan.meter_spacing[s]);
+    pool.for_blocks(plan.visited_meters(iteration, set.meters.size()), 64, [&](size_t, size_t begin, size_t end) {
+      if (stop.is_set()) return;
+      for (size_t i = begin; i < end; ++i) {
+        const uint32_t m = plan.visited_meter(iteration, i);
+        plan.meter_radius[s][m] = distance_in_plane(scene, set.meters[m], largest);
+      }
+    });
+  }
 }
 
 void fit_disc_radii(const Snapshot& scene, const SensorIndex& sensors,
                     const std::vector<std::vector<PilotPaths::Crossing>>& crossings, uint32_t passes,
-                    const std::vector<float>& spacings, std::vector<std::vector<float>>& radii) {
+                    uint32_t iteration, Plan& plan) {
   std::vector<std::vector<DiscMoments>> own;
-  for (const auto& set : radii) own.emplace_back(set.size());
+  for (const MeterSet& set : scene.meter_sets) own.emplace_back(plan.visited_meters(iteration, set.meters.size()));
   for (uint32_t disc = 0; disc < crossings.size(); ++disc) {
     const SensorIndex::Entry& e = sensors.entry(disc);
-    if (e.radius2 > 0) own[e.set][e.meter] = moments(crossings[disc], e.radius2, passes);
+    if (e.radius2 > 0) own[e.set][e.visited] = moments(crossings[disc], e.radius2, passes);
   }
-  for (size_t s = 0; s < radii.size(); ++s) {
+  const float sparser = std::sqrt(float(plan.meter_subsets));  // than the set are those that one iteration visits
+  for (size_t s = 0; s < scene.meter_sets.size(); ++s) {
     const MeterSet& set = scene.meter_sets[s];
     if (set.is_cell()) continue;
-    const std::vector<DiscMoments> m = pooled(set, own[s], 1.5f * spacings[s]);
-    for (size_t i = 0; i < radii[s].size(); ++i)
-      radii[s][i] = float(std::sqrt(best_radius2(m[i], double(radii[s][i]) * radii[s][i])));
+    const std::vector<DiscMoments> m = pooled(set, plan, iteration, own[s], 1.5f * sparser * plan.meter_spacing[s]);
+    for (size_t i = 0; i < m.size(); ++i) {
+      float& radius = plan.meter_radius[s][plan.visited_meter(iteration, i)];
+      radius = float(std::sqrt(best_radius2(m[i], double(radius) * radius)));
+    }
   }
 }
 

@@ -12,6 +12,7 @@ namespace {
 // Small iterations: many fit into a short time limit, and more of them cost only the build of the photon index.
 constexpr uint32_t camera_paths_per_iteration = 1u << 15;
 constexpr uint32_t meter_paths_per_iteration = 1u << 14;
+constexpr uint32_t max_meters_per_iteration = 1u << 15;
 constexpr uint32_t max_meter_samples = 1u << 8;
 constexpr uint32_t max_light_paths = 1u << 15;
 constexpr uint32_t min_light_paths = 1u << 12;
@@ -68,11 +69,15 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   if (meters > 0) {
     const uint64_t share = std::max<uint64_t>(1, meter_paths_per_iteration / meters);
     plan.meter_samples = uint32_t(std::min<uint64_t>(std::bit_floor(share), max_meter_samples));
+    // Odd, so that a meter's batches meet all batches of the light paths: their number is a power of two.
+    if (meters > max_meters_per_iteration)
+      plan.meter_subsets = uint32_t((meters + max_meters_per_iteration - 1) / max_meters_per_iteration) | 1u;
   }
   if (settings.traces_light()) {
     const uint32_t most = scene.goniometers.empty() ? max_light_paths : goniometer_paths;
     const uint64_t eye =
-        !scene.goniometers.empty() ? goniometer_paths : pixels / plan.camera_subsets + meters * plan.meter_samples;
+        !scene.goniometers.empty() ? goniometer_paths : pixels / plan.camera_subsets +
+                                                         meters / plan.meter_subsets * plan.meter_samples;
     plan.light_paths = settings.light_paths
                            ? std::bit_ceil(settings.light_paths)
                            : uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), min_light_paths, most));

@@ -39,6 +39,7 @@ struct TransportSettings {
 struct Plan {
   uint32_t light_paths = 0;     // N
   uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave
+  uint32_t meter_subsets = 1;   // the same of meters, by eye paths, discs and cells alike; odd, see make_plan()
   uint32_t meter_samples = 1;   // Ke, a power of two
   mis::Gates gates;
   Separation separation;  // of meters' readings
@@ -46,6 +47,7 @@ struct Plan {
   // photons for all of a meter's eye paths at once; empty without merging. All other vertices merge within walk_radius:
   // a hemisphere away from the sensor blur is not seen, but few photons are.
   std::vector<std::vector<float>> pixel_radius, meter_radius;
+  std::vector<float> meter_spacing;  // of each set, see radii.h
   float walk_radius = 0;
 
   float min_radius = 0;  // below some ulps of the coordinates a radius means nothing
@@ -63,12 +65,35 @@ struct Plan {
     uint32_t since = 0;
   };
   AtFloor at_floor(const std::vector<float>& radii, uint32_t visits, double alpha) const;
-  bool visits_pixel(uint32_t iteration, uint32_t width, uint32_t pixel) const {
-    const uint32_t x = pixel % width, y = pixel / width;
-    return (x + y * subset_shift()) % camera_subsets == iteration % camera_subsets;
+  // visit(running number, pixel) for each pixel that the iteration visits, in rising order. The numbers index what the
+  // iteration found (IterationTally).
+  template <class Visit>
+  void for_visited_pixels(uint32_t iteration, uint32_t width, uint32_t height, const Visit& visit) const {
+    uint32_t i = 0;
+    for (uint32_t y = 0; y < height; ++y) {
+      const uint32_t in_row = uint32_t(uint64_t(y) * subset_shift() % camera_subsets);
+      for (uint32_t x = (iteration % camera_subsets + camera_subsets - in_row) % camera_subsets; x < width;
+           x += camera_subsets)
+        visit(i++, y * width + x);
+    }
   }
+  // Squared radius of merges beyond the first vertex.
+  double walk_radius2(uint32_t iteration, double alpha) const {
+    return radius2(walk_radius, radius2_factor(iteration, alpha));
+  }
+  // The subset of a pixel: iterations i with i % camera_subsets equal to it visit it.
+  uint32_t pixel_subset(uint32_t x, uint32_t y) const { return (x + y * subset_shift()) % camera_subsets; }
   uint32_t subset_shift() const { return camera_subsets < 3 ? 1 : 2; }
   uint32_t pass(uint32_t iteration) const { return iteration / camera_subsets; }
+
+  // Meters of a set that the iteration visits, and the i-th of them.
+  size_t visited_meters(uint32_t iteration, size_t meters) const {
+    return (meters + meter_subsets - 1 - iteration % meter_subsets) / meter_subsets;
+  }
+  uint32_t visited_meter(uint32_t iteration, size_t i) const {
+    return uint32_t(i) * meter_subsets + iteration % meter_subsets;
+  }
+  uint32_t meter_pass(uint32_t iteration) const { return iteration / meter_subsets; }
 };
 
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings);

@@ -14,15 +14,22 @@ namespace {
 
 constexpr uint32_t meter_pilot_passes = 4;
 constexpr size_t walk_photons = 1;
+constexpr double max_radius_rays = 1u << 18;
 
-// r_1 = 1.5 sqrt(A / pi), A the pixel's footprint at the first diffuse point.
-std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool) {
+// r_1 = 1.5 sqrt(A / pi), A the pixel's footprint at the first diffuse point; of a square of pixels that of its middle,
+// so that the rays of a large image take no longer than an iteration.
+std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool, const StopSignal& stop) {
   const Camera& camera = scene.cameras[c];
   const MediaStack& media = scene.media_stacks[scene.media_of_camera[c]];
-  std::vector<float> radii(camera.pixel_count());
+  const uint32_t side = uint32_t(std::ceil(std::sqrt(double(camera.pixel_count()) / max_radius_rays))),
+                 columns = (camera.width() + side - 1) / side, rows = (camera.height() + side - 1) / side;
+  std::vector<float> radii(size_t(columns) * rows);
   pool.for_blocks(radii.size(), 1024, [&](size_t, size_t begin, size_t end) {
+    if (stop.is_set()) return;
     for (size_t p = begin; p < end; ++p) {
-      const Vec3 d = camera.ray(uint32_t(p) % camera.width(), uint32_t(p) / camera.width(), {0.5f, 0.5f});
+      const uint32_t x = std::min(uint32_t(p % columns) * side + side / 2, camera.width() - 1),
+                     y = std::min(uint32_t(p / columns) * side + side / 2, camera.height() - 1);
+      const Vec3 d = camera.ray(x, y, {0.5f, 0.5f});
       Encounter seen;
       Vec3 direction = d;
       const float distance = first_diffuse(scene, camera.position(), d, media, seen, direction);
@@ -36,10 +43,13 @@ std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool
   std::vector<float> seen;
   for (float r : radii)
     if (r > 0) seen.push_back(r);
-  if (seen.empty()) return radii;
+  std::vector<float> of_pixels(camera.pixel_count());
+  if (seen.empty()) return of_pixels;
   const float typical = median(seen);
   for (float& r : radii) r = r > 0 ? std::clamp(r, typical / 4, typical * 4) : typical;
-  return radii;
+  for (uint32_t y = 0, p = 0; y < camera.height(); ++y)
+    for (uint32_t x = 0; x < camera.width(); ++x) of_pixels[p++] = radii[size_t(y / side) * columns + x / side];
+  return of_pixels;
 }
 
 // Median distance of a photon to the next one: a query finds about one. Wider discs hardly lessen the noise, but they
@@ -58,19 +68,19 @@ float typical_spacing(const std::vector<LightVertex>& photons, float largest) {
   return median(spacings);
 }
 
-void fix_radii(float radius, Plan& plan) {
-  for (auto& radii : plan.pixel_radius) std::fill(radii.begin(), radii.end(), radius);
-  for (auto& radii : plan.meter_radius)
-    for (float& r : radii)
-      if (r > 0) r = radius;
+void fix_radii(const Snapshot& scene, float radius, Plan& plan) {
+  for (const Camera& camera : scene.cameras) plan.pixel_radius.emplace_back(camera.pixel_count(), radius);
+  for (const MeterSet& set : scene.meter_sets)
+    plan.meter_radius.emplace_back(set.meters.size(), set.is_cell() ? 0 : radius);
   plan.walk_radius = radius;
 }
 
-// The pilot's light paths say how dense light is, and are thrown away. Fits the meters' discs; returns the vertices of
-// its first pass.
+// The pilot's light paths say how dense light is, and are thrown away. Fits the discs of the meters that the iteration
+// visits; returns the vertices of its first pass.
 std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
-                                   const std::vector<float>& spacings, const std::atomic<bool>& stop, Plan& plan) {
-  const SensorIndex sensors(scene, plan, settings, 0, pool);
+                                   const StopSignal& stop, uint32_t iteration, Plan& plan) {
+  set_largest_disc_radii(scene, pool, stop, iteration, plan);
+  const SensorIndex sensors(scene, plan, settings, iteration, pool);
   TransportSettings pilot = settings;
   pilot.photon_mapping = true;  // no weights are needed
   pilot.techniques &= ~uint32_t(UPS_TECHNIQUE_SENSOR_CONNECT);
@@ -78,34 +88,40 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
   std::vector<std::vector<PilotPaths::Crossing>> crossings;
   const uint32_t passes = sensors.empty() ? 1 : meter_pilot_passes;
   for (uint32_t k = 0; k < passes; ++k) {
-    const LightPassInput in{scene, plan, pilot, k, 0, k, 1.0, 0.0, k == 0, stop, Stream::pilot};
+    const uint32_t number = iteration * meter_pilot_passes + k;
+    const LightPassInput in{scene, plan, pilot, number, 0, number, 1.0, 0.0, k == 0, stop, Stream::pilot};
     PilotPaths paths = trace_pilot_paths(in, sensors, pool);
     if (k == 0) vertices = std::move(paths.vertices);
     if (crossings.size() < paths.crossings.size()) crossings.resize(paths.crossings.size());
     for (size_t d = 0; d < paths.crossings.size(); ++d)
       crossings[d].insert(crossings[d].end(), paths.crossings[d].begin(), paths.crossings[d].end());
   }
-  fit_disc_radii(scene, sensors, crossings, passes, spacings, plan.meter_radius);
+  if (!stop.is_set()) fit_disc_radii(scene, sensors, crossings, passes, iteration, plan);
   return vertices;
 }
 
 }  // namespace
 
-void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
-                  const std::atomic<bool>& stop, Plan& plan) {
+void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const StopSignal& stop,
+                  Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE) && !settings.actual_perturbation) return;
-  for (size_t c = 0; c < scene.cameras.size(); ++c) plan.pixel_radius.push_back(pixel_radii(scene, c, pool));
-  std::vector<float> spacings;
+  if (settings.merge_radius > 0) return fix_radii(scene, settings.merge_radius, plan);
+  for (size_t c = 0; c < scene.cameras.size(); ++c)
+    plan.pixel_radius.push_back(pixel_radii(scene, c, pool, stop));
   for (const MeterSet& set : scene.meter_sets) {
-    spacings.push_back(meter_spacing(set));
-    plan.meter_radius.push_back(largest_disc_radii(scene, set, spacings.back(), pool));
+    plan.meter_spacing.push_back(meter_spacing(set));
+    plan.meter_radius.emplace_back(set.meters.size());
   }
-  if (settings.merge_radius > 0) return fix_radii(settings.merge_radius, plan);
-  std::vector<LightVertex> vertices = run_pilot(scene, settings, pool, spacings, stop, plan);
+  std::vector<LightVertex> vertices = run_pilot(scene, settings, pool, stop, 0, plan);
   plan.walk_radius = typical_spacing(vertices, 0.05f * scene.radius);
   // A coarse image's pixels are wider than the light's detail that photons can show.
   for (auto& radii : plan.pixel_radius)
     for (float& r : radii) r = std::min(r, 4 * plan.walk_radius);
+}
+
+void choose_meter_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
+                        const StopSignal& stop, uint32_t iteration, Plan& plan) {
+  if (!plan.meter_spacing.empty()) run_pilot(scene, settings, pool, stop, iteration, plan);
 }
 
 }  // namespace ups

@@ -4,15 +4,20 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "transport/light_pass.h"
 #include "transport/plan.h"
 
 namespace ups {
 
-// Fills plan.pixel_radius, plan.meter_radius and plan.walk_radius where the settings merge; with nothing useful once
-// `stop` is set.
-void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
-                  const std::atomic<bool>& stop, Plan& plan);
+// Fills plan.pixel_radius and plan.walk_radius where the settings merge, and plan.meter_radius of the meters that the
+// first iteration visits; with nothing useful once `stop` is set.
+void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const StopSignal& stop,
+                  Plan& plan);
+// Fills plan.meter_radius of the meters that a later iteration is the first to visit. So a million meters are no long
+// wait before the first iteration.
+void choose_meter_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
+                        const StopSignal& stop, uint32_t iteration, Plan& plan);
 
 // Reorders v, which is not empty.
 inline float median(std::vector<float>& v) {
@@ -21,14 +26,15 @@ inline float median(std::vector<float>& v) {
   return *middle;
 }
 
-// The parts for meters. spacing: median distance of a meter of the set to its nearest neighbour; infinite where there
-// is none, 0 for cells, where photons are counted, not merged.
+// Median distance of a meter of the set to its nearest neighbour; infinite where there is none, 0 for cells, where
+// photons are counted, not merged.
 float meter_spacing(const MeterSet& set);
-// Limited by spacing, walls and the scene's size; 0 for cells.
-std::vector<float> largest_disc_radii(const Snapshot& scene, const MeterSet& set, float spacing, ThreadPool& pool);
+// The parts for the meters that an iteration visits, in place. Limited by spacing, walls and the scene's size.
+void set_largest_disc_radii(const Snapshot& scene, ThreadPool& pool, const StopSignal& stop, uint32_t iteration,
+                            Plan& plan);
 // Shrinks them by what `passes` passes of pilot photons found on discs of those radii.
 void fit_disc_radii(const Snapshot& scene, const SensorIndex& sensors,
                     const std::vector<std::vector<PilotPaths::Crossing>>& crossings, uint32_t passes,
-                    const std::vector<float>& spacings, std::vector<std::vector<float>>& radii);
+                    uint32_t iteration, Plan& plan);
 
 }  // namespace ups

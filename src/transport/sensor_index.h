@@ -12,12 +12,13 @@ namespace ups {
 
 class SensorIndex {
  public:
-  // For one iteration's radii. Holds point meters where merging is on and cells where landing is on.
-  SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t visits,
+  // For one iteration's meters and radii. Holds point meters where merging is on and cells where landing is on.
+  SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t iteration,
               ThreadPool& pool);
 
   struct Entry {
     uint32_t set, meter;
+    uint32_t visited;    // running number of the meter among those of its set that the iteration visits
     double radius2 = 0;  // of a point; 0: a cell
     double eta = 0;      // N pi radius2 / Ke: a disc merges once for all eye paths of its meter
     mis::Counts counts;

@@ -54,16 +54,38 @@ struct MeterTally {
   }
 };
 
+// What a light path brought to a pixel, already divided by N.
+struct Splat {
+  uint32_t pixel;
+  Rgb value;
+};
+
+// Small however large the sensors are: holds visited pixels and meters alone, by their running number
+// (Plan::for_visited_pixels, Plan::visited_meter).
 struct IterationTally {
-  std::vector<std::vector<Rgb>> pixels;   // a camera: eye paths; only visited pixels are meaningful
+  std::vector<std::vector<Rgb>> pixels;         // a camera: eye paths
   std::vector<std::vector<float>> illuminance;  // a camera: lx on the first diffuse surface; empty where not asked for
-  std::vector<std::vector<Rgb>> splats;   // a camera: light paths, already divided by N; empty without t = 1
-  std::vector<TechniqueTally> techniques;  // a camera; empty where not asked for
+  std::vector<std::vector<Splat>> splats;       // a camera
+  std::vector<TechniqueTally> techniques;       // a camera, of all its pixels; empty where not asked for
   std::vector<std::vector<MeterTally>> meters;
   // A set: a meter by a column of Plan::separation, column fastest; empty without.
   std::vector<std::vector<MeterTally>> separated;
   std::vector<GoniometerTally> goniometers;
   WorkCounts work;
+
+  size_t bytes() const;
 };
+
+inline size_t IterationTally::bytes() const {
+  size_t sum = sizeof *this;
+  const auto count = [&](const auto& all) {
+    for (const auto& one : all) sum += one.size() * sizeof one[0];
+  };
+  count(pixels), count(illuminance), count(splats), count(meters), count(separated);
+  for (const TechniqueTally& t : techniques)
+    sum += (t.weighted.size() + t.unweighted.size() + 2 * t.pixels) * sizeof(Rgb);
+  for (const GoniometerTally& g : goniometers) sum += (g.wide.size() + g.narrow.size()) * sizeof(double);
+  return sum;
+}
 
 }  // namespace ups

@@ -2,8 +2,8 @@
 // Used by the light pass and the eye pass.
 #pragma once
 #include <algorithm>
-#include <atomic>
 
+#include "base/stop.h"
 #include "transport/encounter.h"
 #include "transport/plan.h"
 
@@ -59,8 +59,8 @@ inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous() || !bsdf
 inline constexpr float min_merge_cosine = 0.7f, max_merge_height = 0.1f;
 
 // Long walks look up now and then whether they are still wanted.
-inline bool is_stopped(const std::atomic<bool>& stop, uint32_t edges) {
-  return edges % 64 == 0 && stop.load(std::memory_order_relaxed);
+inline bool is_stopped(const StopSignal& stop, uint32_t edges) {
+  return edges % 64 == 0 && stop.is_set();
 }
 
 // The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe. Its

@@ -49,7 +49,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 
 TEST_P(Invariance, ThreadsDoNotChangeABit) {
   Room one(1, 1, {}, true), two(2, 1, {}, true);
-  const RenderOptions options{.method = GetParam(), .iterations = 6, .seed = 42};
+  const RenderOptions options{.method = GetParam(), .iterations = 6, .seed = 42, .flux_paths = 65536};
   const Result a = one.scene.render(options), b = two.scene.render(options);
   EXPECT_EQ(a.info().threads, 1);
   EXPECT_EQ(b.info().threads, 2);

@@ -95,7 +95,8 @@ TEST(Accumulator, ImageAddsEyePathsAndSplats) {
   Accumulator sums(scene, plan);
   IterationTally tally;
   tally.pixels.assign(1, std::vector<Rgb>(32, Rgb(2.0f)));
-  tally.splats.assign(1, std::vector<Rgb>(32, Rgb(1.0f, 0.5f, 0.25f)));
+  tally.splats.resize(1);
+  for (uint32_t p = 0; p < 32; ++p) tally.splats[0].push_back({p, Rgb(1.0f, 0.5f, 0.25f)});
   for (int i = 0; i < 40; ++i) {
     sums.add(tally);
     if (i < 2) continue;  // a first pass visits every pixel
@@ -105,6 +106,36 @@ TEST(Accumulator, ImageAddsEyePathsAndSplats) {
       ASSERT_FLOAT_EQ(image.luminance_rgb[p * 3 + 2], 2.25f);
       ASSERT_NEAR(image.standard_error_rgb[p * 3], i + 1 < 12 ? -1.0f : 0.0f, 1e-6);
     }
+  }
+}
+
+// Each of 7 meters has its own level and visits it in every third iteration. Wherever a pass stands, a meter's reading
+// is the mean of its own visits alone, and the set's mean is that of the meters that were visited.
+TEST(Accumulator, MetersCountTheirOwnVisits) {
+  Rig rig(7);
+  rig.plan.meter_subsets = 3;
+  Accumulator sums(rig.scene, rig.plan);
+  for (uint32_t i = 0; i < 60; ++i) {
+    rig.tally.meters[0].resize(rig.plan.visited_meters(i, 7));
+    for (size_t k = 0; k < rig.tally.meters[0].size(); ++k)
+      rig.tally.meters[0][k] = {10.0 + rig.plan.visited_meter(i, k) + (rig.plan.meter_pass(i) % 2 ? 1 : -1), 1, 0};
+    sums.add(rig.tally);
+    const MeterSetReading r = sums.read_meters(0);
+    double mean = 0;
+    size_t visited = 0;
+    for (uint32_t m = 0; m < 7; ++m) {
+      const uint32_t visits = (i + 1) / 3 + (m % 3 < (i + 1) % 3);
+      const ups_meter_reading& reading = r.meters[m];
+      ASSERT_FLOAT_EQ(reading.illuminance_lx, visits ? 10.0f + m - (visits % 2 ? 1.0f / visits : 0.0f) : -1.0f) << i;
+      ASSERT_EQ(reading.direct_lx, visits ? 1.0f : -1.0f);
+      ASSERT_EQ(reading.standard_error_lx >= 0, visits >= 4);
+      if (visits == 0) continue;
+      mean += reading.illuminance_lx;
+      ++visited;
+    }
+    ASSERT_NEAR(r.statistics.mean_lx, mean / visited, 1e-5);
+    ASSERT_EQ(sums.unvisited_meters(0), 7 - visited);
+    ASSERT_EQ(r.statistics.mean_standard_error_lx >= 0, i + 1 >= 12);
   }
 }
 

@@ -69,6 +69,7 @@ struct RenderOptions {
   double radius_alpha = 0;
   double glossy_alpha = 0;
   ups_separation separation = UPS_SEPARATE_NOTHING;
+  uint64_t flux_paths = 0;
 };
 
 // Local -Z along `direction`, at `position`; row-major 3x4.
@@ -211,6 +212,7 @@ class Scene {
     d.radius_alpha = float(options.radius_alpha);
     d.glossy_alpha = float(options.glossy_alpha);
     d.separation = options.separation;
+    d.flux_paths = options.flux_paths;
     ups_result* result = nullptr;
     check(ups_render(scene_.get(), &d, &result), "ups_render");
     return Result(result, sensors_);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "transport/plan.h"
 
@@ -48,10 +49,33 @@ TEST(Plan, EveryPixelIsVisitedOncePerPass) {
     Plan plan;
     plan.camera_subsets = subsets;
     const uint32_t width = 37, height = 23;
-    for (uint32_t p = 0; p < width * height; ++p) {
-      int visits = 0;
-      for (uint32_t i = 5 * subsets; i < 6 * subsets; ++i) visits += plan.visits_pixel(i, width, p);
-      ASSERT_EQ(visits, 1) << "pixel " << p << " of " << subsets << " subsets";
+    std::vector<int> visits(width * height);
+    for (uint32_t i = 5 * subsets; i < 6 * subsets; ++i) {
+      uint32_t expected = 0;
+      plan.for_visited_pixels(i, width, height, [&](uint32_t number, uint32_t pixel) {
+        ASSERT_EQ(number, expected++);
+        ASSERT_LT(pixel, width * height);
+        ASSERT_EQ(plan.pixel_subset(pixel % width, pixel / width), i % subsets);
+        ++visits[pixel];
+      });
+    }
+    for (uint32_t p = 0; p < width * height; ++p)
+      ASSERT_EQ(visits[p], 1) << "pixel " << p << " of " << subsets << " subsets";
+  }
+}
+
+TEST(Plan, EveryMeterIsVisitedOncePerPass) {
+  for (uint32_t subsets : {1u, 3u, 5u, 31u}) {
+    Plan plan;
+    plan.meter_subsets = subsets;
+    for (const size_t meters : {1u, 4u, 31u, 100u}) {
+      std::vector<int> visits(meters);
+      for (uint32_t i = 2 * subsets; i < 3 * subsets; ++i)
+        for (size_t k = 0; k < plan.visited_meters(i, meters); ++k) {
+          ASSERT_LT(plan.visited_meter(i, k), meters);
+          ++visits[plan.visited_meter(i, k)];
+        }
+      for (const int n : visits) ASSERT_EQ(n, 1) << meters << " meters of " << subsets << " subsets";
     }
   }
 }

@@ -651,6 +651,7 @@ class RenderDesc(Structure):
         ("technique_images", c_uint32),
         ("separation", c_int32),
         ("reserved", c_uint32),
+        ("flux_paths", c_uint64),
     ]
 
 

@@ -1,0 +1,40 @@
+// See flux_pass.h.
+#include "render/flux_pass.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "transport/light_pass.h"
+
+namespace ups {
+
+namespace {
+
+constexpr uint32_t most_parts = 32, least_paths_of_part = 1024;
+
+}  // namespace
+
+FluxPass::FluxPass(const Snapshot& scene, ThreadPool& pool, uint64_t seed, uint32_t paths)
+    : scene_(scene), pool_(pool), seed_(seed) {
+  if (paths == 0) return;
+  const uint32_t all = std::bit_ceil(paths);
+  parts_ = std::clamp(all / least_paths_of_part, 1u, most_parts);
+  paths_of_part_ = all / parts_;
+}
+
+void FluxPass::trace_part(const StopSignal& stop, WorkCounts& counts) {
+  const auto start = StopSignal::Clock::now();
+  TransportSettings s;
+  s.seed = seed_;
+  Plan plan;
+  plan.light_paths = paths_of_part_;
+  IterationTally tally;
+  const SensorIndex no_sensors(scene_, plan, s, 0, pool_);
+  trace_light_paths({scene_, plan, s, done_, 0, done_, 1.0, 0.0, false, stop, Stream::flux}, no_sensors, pool_, tally);
+  if (stop.is_set()) return;
+  counts.add(tally.work);
+  ++done_;
+  seconds_ += std::chrono::duration<double>(StopSignal::Clock::now() - start).count();
+}
+
+}  // namespace ups

@@ -1,0 +1,62 @@
+// Sums of one camera's image over iterations, its techniques with them, and what can be said of its error. Kept by the
+// accumulator.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "render/spread.h"
+#include "transport/tally.h"
+
+namespace ups {
+
+// 3 floats a pixel each.
+struct TechniqueReading {
+  Technique technique;
+  std::vector<float> weighted, unweighted;
+};
+
+struct ImageReading {
+  uint32_t width = 0, height = 0;
+  std::vector<float> luminance_rgb, standard_error_rgb;  // 3 a pixel; standard error -1: not known
+  std::vector<float> illuminance;                        // 1 a pixel; empty where not asked for
+  std::array<std::vector<float>, 2> families;            // luminance_rgb apart by Family; empty where not asked for
+  std::vector<TechniqueReading> techniques;
+};
+
+class ImageSums {
+ public:
+  ImageSums(const Camera& camera, const Plan& plan);
+  // What the camera's image takes while it renders and is read: sums, batches, radii, the reading. technique_edges: of
+  // TransportSettings; with them one iteration's tally too.
+  static double bytes_per_pixel(const Camera& camera, uint32_t technique_edges);
+
+  void add(uint32_t iteration, const IterationTally& tally, size_t camera);
+  ImageReading read(uint32_t iterations) const;  // without its techniques
+  void read_techniques(uint32_t iterations, ImageReading& reading) const;
+  size_t unvisited_pixels(uint32_t iterations) const;  // by eye paths so far
+  // Adds those of all pixels, where they are known: bound / max(L, share_of_mean of the image's mean), of luminance.
+  enum class Errors { known, dark, unknown };
+  Errors relative_errors(uint32_t iterations, std::vector<double>& out) const;
+
+ private:
+  void add_techniques(const TechniqueTally& tally);
+  uint32_t visits(uint32_t iterations, uint32_t x, uint32_t y) const {
+    return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);
+  }
+  std::vector<uint32_t> all_visits(uint32_t iterations) const;
+  void fill_unvisited(const std::vector<uint32_t>& visits, ImageReading& reading) const;
+
+  const Plan& plan_;
+  const uint32_t width_, height_;
+  std::vector<double> illuminance_;  // of all visits; empty where not asked for
+  std::vector<double> eye_;          // 3 a pixel, of all visits
+  std::vector<double> splat_;        // 3 a pixel, of all iterations; empty until light paths bring something
+  std::vector<float> pending_;       // eye and splats of the pass under way
+  // 3 a pixel, of whole passes; each is empty before its first.
+  std::array<std::vector<float>, batch_count> batches_;
+  // Of all iterations, 3 a pixel, technique by technique; empty where not asked for.
+  std::vector<double> weighted_, unweighted_;
+  std::array<std::vector<double>, 2> families_;  // of eye paths
+};
+
+}  // namespace ups

@@ -1,0 +1,62 @@
+// Between a render, which finds one tally after the other, and the sums that these are added to and that others read.
+// Whoever holds the sums adds what came meanwhile: a reader takes as long as it likes, and the render never waits for
+// it, nor does anyone who does not need the sums.
+#pragma once
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+
+#include "base/stop.h"
+#include "transport/tally.h"
+
+namespace ups {
+
+class TallyQueue {
+ public:
+  struct Delivery {
+    IterationTally tally;
+    bool has_iteration = true;  // false: tally is empty
+    WorkCounts flux;            // of paths that only book flux
+    double elapsed_s = 0;
+  };
+  // add: called by one thread at a time, in the order of delivery. most_bytes: of deliveries that wait for a reader.
+  explicit TallyQueue(std::function<void(const Delivery&)> add, size_t most_bytes = size_t(256) << 20)
+      : add_(std::move(add)), most_bytes_(most_bytes) {}
+
+  // Waits only where too much waits already, until `stop` is set. `delivery` becomes one whose memory can be used
+  // again. Throws what `add` threw in any thread.
+  void deliver(Delivery& delivery, const StopSignal& stop);
+  // read(): with the sums held, of all that was delivered before the call. Throws what `add` threw.
+  template <class Read>
+  auto read(const Read& read) {
+    hold();
+    const Holder holder{*this};
+    check();
+    return read();
+  }
+
+ private:
+  struct Holder {
+    TallyQueue& queue;
+    ~Holder() { queue.add_all(true); }
+  };
+  void hold();
+  void check();
+  void add_all(bool release);
+  bool take(Delivery& out, bool release);
+
+  const std::function<void(const Delivery&)> add_;
+  const size_t most_bytes_;
+  std::mutex mutex_;  // guards all below; never held for long
+  std::condition_variable changed_;
+  std::deque<Delivery> waiting_;
+  size_t waiting_bytes_ = 0;
+  Delivery spare_;
+  bool held_ = false;
+  int readers_ = 0;  // that wait for the sums: they are next, and add what is delivered meanwhile
+  std::exception_ptr failure_;
+};
+
+}  // namespace ups
