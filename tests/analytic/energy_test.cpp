@@ -102,14 +102,16 @@ void expect_balance(Scene& scene, double emitted, const std::string& what) {
     const uint32_t iterations = method == UPS_METHOD_UPS ? 32 : 1;
     std::vector<double> sums;
     for (uint64_t seed = 1; seed <= seeds; ++seed) {
-      const auto info = scene.render({.method = method, .iterations = iterations, .seed = seed, .flux_paths = 1u << 16}).info();
+      const auto info =
+          scene.render({.method = method, .iterations = iterations, .seed = seed, .flux_paths = 1u << 16}).info();
       EXPECT_NEAR(info.emitted_flux_lm, emitted, 1e-5 * emitted) << name;
       EXPECT_LE(info.escaped_flux_lm, 1e-6 * emitted) << name << ": a closed room leaks";
       sums.push_back(info.absorbed_flux_lm + info.escaped_flux_lm);
       // The same light paths, whatever the eye paths do.
-      if (method == UPS_METHOD_UPS && seed == 1)
+      if (method == UPS_METHOD_UPS && seed == 1) {
         EXPECT_EQ(scene.render({.method = UPS_METHOD_BIDIRECTIONAL, .iterations = iterations}).info().absorbed_flux_lm,
                   info.absorbed_flux_lm);
+      }
     }
     const Mean mean = mean_of(sums);
     EXPECT_LE(mean.standard_error, 7e-4 * emitted) << name << ": too noisy to judge";

@@ -65,17 +65,18 @@ IterationTally run(std::shared_ptr<Snapshot> scene, uint32_t techniques) {
   settings.techniques = techniques;
   settings.light_paths = 1024;
   settings.merge_radius = 0.1f;
-  const std::atomic<bool> stop{false};
-  const Integrator integrator(std::move(scene), settings, pool, stop);
+  const StopSignal stop;
+  Integrator integrator(std::move(scene), settings, pool, stop);
   IterationTally tally;
   EXPECT_TRUE(integrator.run(0, stop, tally));
   const WorkCounts& w = tally.work;
   EXPECT_TRUE(std::isfinite(w.absorbed_lm) && std::isfinite(w.escaped_lm)) << w.absorbed_lm << ", " << w.escaped_lm;
   for (const auto& set : tally.meters)
     for (const MeterTally& m : set) EXPECT_TRUE(std::isfinite(m.value) && std::isfinite(m.bias));
-  for (const auto* images : {&tally.pixels, &tally.splats})
-    for (const auto& image : *images)
-      for (const Rgb& pixel : image) EXPECT_TRUE(is_finite(pixel));
+  for (const auto& image : tally.pixels)
+    for (const Rgb& pixel : image) EXPECT_TRUE(is_finite(pixel));
+  for (const auto& image : tally.splats)
+    for (const Splat& splat : image) EXPECT_TRUE(is_finite(splat.value));
   return tally;
 }
 

@@ -40,7 +40,9 @@ TEST(Plan, SaysWhichRadiiStandAtTheLeastAndSinceWhen) {
         }
     const Plan::AtFloor at = plan.at_floor(radii, visits, alpha);
     EXPECT_EQ(at.count, count) << visits;
-    if (count > 0) EXPECT_EQ(at.since, since) << visits;
+    if (count > 0) {
+      EXPECT_EQ(at.since, since) << visits;
+    }
   }
 }
 
