@@ -8,6 +8,7 @@ import math
 import numpy as np
 import pytest
 import ups
+from ups import _ffi
 
 CLEAR = {"model": ups.MaterialModel.GLASS, "ior": 1.0}  # a solid that light passes as if it were air
 SPOT = {"radius_m": 1e-4, "flux_lm": 1000}              # small against everything else: its surroundings see a point
@@ -79,9 +80,9 @@ def test_a_measured_profile_lights_as_the_fixture_does(context):
 def test_placements_are_scaled_dimmed_turned_and_removed(context):
     scene = ups.Scene(context)
     placed = scene.add_fixture(fixture_of(context), flux_lm=500, dimming=0.5, group=3)
-    assert scene.fixture_instance(placed, 1).v != 0
+    assert scene.fixture_instance(placed, _ffi.FixturePartId(1)).v != 0
     with pytest.raises(ups.Error):
-        scene.fixture_instance(placed, 2)
+        scene.fixture_instance(placed, _ffi.FixturePartId(2))
     sensor = scene.add_goniometer(c_count=4, gamma_count=37)
     scene.commit()
     assert scene.info.emitted_flux_lm == pytest.approx(250, rel=1e-5)
