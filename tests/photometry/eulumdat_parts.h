@@ -14,7 +14,8 @@ struct EulumdatParts {
   std::string text() const {
     const auto or_size = [](const std::string& s, size_t n) { return s.empty() ? std::to_string(n) : s; };
     std::string out = "maker\n" + type + "\n" + isym + "\n" + or_size(mc, c.size()) + "\n0\n" +
-                      or_size(ng, gamma.size()) + "\n" + dg + "\nreport\n" + name + "\nnumber\nfile\ndate\n" + size + "\n" +
+                      or_size(ng, gamma.size()) + "\n" + dg + "\nreport\n" + name + "\nnumber\nfile\ndate\n" + size +
+                      "\n" +
                       area + "\n" + heights + "\n" + dff + "\n" + lor + "\n" + conversion + "\n" + tilt + "\n" +
                       or_size(sets, lamps.size()) + "\n";
     for (const std::string& set : lamps) out += set + "\n";
