@@ -24,7 +24,8 @@ def table(photometric_type):
     rows = [[1000 if (h, v) == (H, V) else 0 for v in angles] for h in angles]
     numbers = " ".join(map(str, angles))
     return ("IESNA:LM-63-2002\n[TEST] none\n[MANUFAC] this project\nTILT=NONE\n"
-            f"1 -1 1 19 19 {photometric_type} 2 0 0 0\n1 1 10\n{numbers}\n{numbers}\n" + "\n".join(" ".join(map(str, row)) for row in rows) + "\n")
+            f"1 -1 1 19 19 {photometric_type} 2 0 0 0\n1 1 10\n{numbers}\n{numbers}\n" +
+            "\n".join(" ".join(map(str, row)) for row in rows) + "\n")
 
 
 def type_a(h, v):
