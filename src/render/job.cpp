@@ -242,10 +242,9 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
   }
   auto r = std::make_shared<RenderResult>();
   r->info = read_info();
-  const WorkCounts& w = sums_->work();
-  for (size_t d = 0; d < w.dropped.size(); ++d)
-    if (w.dropped[d])
-      r->dropped += std::string(drop_names[d]) + ": " + std::to_string(w.dropped[d]) + " samples were not finite\n";
+  for (size_t d = 0; d < flux_.dropped.size(); ++d)
+    if (const uint64_t n = sums_->work().dropped[d] + flux_.dropped[d])
+      r->dropped += std::string(drop_names[d]) + ": " + std::to_string(n) + " samples were not finite\n";
   r->camera_ids = scene_->camera_ids;
   r->meter_set_ids = scene_->meter_set_ids;
   for (size_t c = 0; c < scene_->cameras.size(); ++c) r->images.push_back(sums_->read_image_and_techniques(c));
@@ -284,7 +283,7 @@ ups_result_info RenderJob::read_info() const {
   i.absorbed_flux_lm = known ? flux.absorbed_lm / n : -1;
   i.escaped_flux_lm = known ? flux.escaped_lm / n : -1;
   i.seed = desc_.seed;
-  for (const uint64_t d : w.dropped) i.dropped_samples += d;
+  for (size_t d = 0; d < flux_.dropped.size(); ++d) i.dropped_samples += w.dropped[d] + flux_.dropped[d];
   i.method = method_.method;
   i.techniques = method_.techniques;
   i.effects = scene_->effects.effects;
