@@ -142,7 +142,7 @@ void RenderJob::prepare() {
 
 // The clock decides how many iterations there are, and nothing else: one that is cut off leaves no trace.
 void RenderJob::iterate() {
-  set_deadline(0.9, 0);  // a first iteration is worth all of it
+  set_deadline(0.7, 0);  // a first iteration is worth what is left when a cut is seen late
   prepare();
   const bool has_light_paths = integrator_->settings().traces_light() || !(scene_->emitters.flux_lm() > 0);
   FluxPass flux(*scene_, *pool_, desc_.seed, has_light_paths ? 0 : uint32_t(desc_.flux_paths));
