@@ -29,7 +29,7 @@ constexpr Method methods[] = {{"ups", UPS_METHOD_UPS},
 const ups_scene* bathroom_of(int threads) {
   static std::map<int, tool::LoadedScene> scenes;
   tool::LoadedScene& loaded = scenes[threads];
-  if (!loaded.scene) loaded = tool::load_scene(UPS_BENCHMARK_SCENE, threads, width, height);
+  if (!loaded.scene) loaded = tool::load_scene(UPS_BENCHMARK_SCENE, {threads, width, height});
   return loaded.scene.get();
 }
 
