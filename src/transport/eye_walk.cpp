@@ -2,17 +2,11 @@
 // own point does in their place.
 #include "transport/eye_walk.h"
 
-#include <limits>
-
 #include "base/per_thread.h"
 #include "base/warp.h"
 #include "emitter/profile.h"
 
 namespace ups {
-
-namespace {
-constexpr float infinity = std::numeric_limits<float>::infinity();
-}
 
 EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w) {
   origin_ = last_ = p;
