@@ -7,16 +7,6 @@
 
 namespace ups {
 
-Rgb Encounter::transmittance_of_earlier(const Snapshot& scene) const {
-  Rgb product(1.0f);
-  float from = 0;
-  for (const Stretch& s : earlier) {
-    product *= attenuation(scene, s.media, s.end - from);
-    from = s.end;
-  }
-  return product;
-}
-
 Rgb Encounter::transmittance_of_stretches(const Snapshot& scene, float t) const {
   Rgb product(1.0f);
   float from = 0;

@@ -36,7 +36,9 @@ struct Encounter {
     return transmittance_of_stretches(scene, t);
   }
   // Of what lies before the last stretch: all that light meets which leaves the scene.
-  Rgb transmittance_of_earlier(const Snapshot& scene) const;
+  Rgb transmittance_of_earlier(const Snapshot& scene) const {
+    return earlier.empty() ? Rgb(1.0f) : transmittance_of_stretches(scene, earlier.back().end);
+  }
   // What a ray from the surface towards w runs in.
   const MediaStack& beyond(const Vec3& w) const { return dot(w, surface.ng) < 0 ? back : front; }
   Bsdf bsdf(const Snapshot& scene) const {
