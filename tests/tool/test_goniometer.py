@@ -102,9 +102,9 @@ class Measures(GoniometerTest):
         self.assertEqual(report["errors"]["worst_gamma_deg"], table[worst]["gamma_deg"])
         self.assertAlmostEqual(report["errors"]["worst_relative_error_bound"],
                                table[worst]["error_bound_cd"] / scale[worst], delta=1e-6)
-        # A cone open below, but for the slits between the chords of the lamp's edge and the cone's round rim: a lamp of
-        # area A has slits of at most 2/3 1e-4 A (chords within 1e-4 of the radius, two sides), through which no more
-        # passes than the lamp gives off on as much area, and that spread by the cosine.
+        # A cone open below, but for the slits between the chords of the lamp's edge and the cone's round rim: two thirds
+        # of the chords' 1e-4 of the radius wide in the mean, so 4/3 1e-4 of the lamp's area. No more passes than the
+        # lamp gives off on as much area, and that spread by the cosine.
         slits = 4 / 3 * 1e-4 * FLUX / math.pi
         self.assertLess(max(row["intensity_cd"] for row in table if row["gamma_deg"] > 120), slits)
         with open(self.path("a.svg"), encoding="utf-8") as file:
