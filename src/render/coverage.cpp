@@ -17,24 +17,27 @@ constexpr size_t most_patterns = 3;  // of a warning for one kind of emitter and
 bool is_specular(char v) { return v == 'S'; }
 bool is_continuous(char v) { return v != 'S'; }
 
+using EyeEnd = Method::EyeEnd;
+
 bool can_hit(std::string_view v, SensorKind sensor, const TransportSettings& s) {
-  if (s.light_tracing) return sensor == SensorKind::camera && v.empty();
+  const bool camera = sensor == SensorKind::camera;
+  if (s.method.eye_end == EyeEnd::first_surface) return camera && v.empty();
   if (!s.has(UPS_TECHNIQUE_EMITTER_HIT)) return false;
-  if (!s.hits_after_specular) return true;
-  return sensor == SensorKind::camera && v.find('D') == std::string_view::npos &&
-         (s.glossy_alpha > 0 || v.find('G') == std::string_view::npos);
+  if (!s.method.hits_after_specular) return true;
+  return camera && v.find('D') == std::string_view::npos &&
+         (s.method.passes_glossy || v.find('G') == std::string_view::npos);
 }
 
 bool can_light_sample(std::string_view v, SensorKind sensor, const TransportSettings& s) {
-  if (s.light_tracing) return sensor == SensorKind::point_meter && v.empty();
-  if (!s.has(UPS_TECHNIQUE_LIGHT_SAMPLE) || s.photon_mapping) return false;
+  if (s.method.eye_end == EyeEnd::first_surface) return sensor == SensorKind::point_meter && v.empty();
+  if (!s.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) return false;
   return v.empty() ? sensor != SensorKind::camera : is_continuous(v.front());
 }
 
 bool can_connect(std::string_view v, SensorKind sensor, const TransportSettings& s) {
-  if (!s.has(UPS_TECHNIQUE_CONNECT) || s.photon_mapping || v.empty()) return false;
+  if (!s.has(UPS_TECHNIQUE_CONNECT) || v.empty()) return false;
   const bool to_meter = sensor != SensorKind::camera && is_continuous(v.back());
-  if (s.light_tracing) return to_meter && sensor == SensorKind::point_meter;
+  if (s.method.eye_end == EyeEnd::first_surface) return to_meter && sensor == SensorKind::point_meter;
   const auto both = [](char a, char b) { return is_continuous(a) && is_continuous(b); };
   return to_meter || std::adjacent_find(v.begin(), v.end(), both) != v.end();
 }
@@ -54,8 +57,8 @@ bool can_merge(std::string_view v, SourceKind source, SensorKind sensor, const T
   if (!s.has(UPS_TECHNIQUE_MERGE)) return false;
   const bool gated = is_gated(source, s);  // no photons straight from an emitter
   if (sensor == SensorKind::point_meter && (!v.empty() || !gated)) return true;
-  if (s.photon_mapping)
-    return sensor == SensorKind::camera && v.find_first_of(s.glossy_alpha > 0 ? "D" : "DG") != std::string_view::npos;
+  if (s.method.eye_end == EyeEnd::first_merge)
+    return sensor == SensorKind::camera && v.find_first_of(s.method.passes_glossy ? "D" : "DG") != std::string_view::npos;
   return std::any_of(v.begin() + (gated && !v.empty()), v.end(), is_continuous);
 }
 

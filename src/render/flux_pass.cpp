@@ -24,13 +24,13 @@ FluxPass::FluxPass(const Snapshot& scene, ThreadPool& pool, uint64_t seed, uint3
 
 void FluxPass::trace_part(const StopSignal& stop, WorkCounts& counts) {
   const auto start = StopSignal::Clock::now();
-  TransportSettings s;
+  TransportSettings s{.method = {}};
   s.seed = seed_;
-  Plan plan;
+  Plan plan = make_plan(scene_, s);
   plan.light_paths = paths_of_part_;
   IterationTally tally;
-  const SensorIndex no_sensors(scene_, plan, s, 0, pool_);
-  trace_light_paths({scene_, plan, s, done_, 0, done_, 1.0, 0.0, false, stop, Stream::flux}, no_sensors, pool_, tally);
+  const Iteration in = Iteration::of_pilot(scene_, plan, s, done_, stop, Stream::flux);
+  trace_light_paths(in, SensorIndex(in, pool_), pool_, tally);
   if (stop.is_set()) return;
   counts.add(tally.work);
   ++done_;

@@ -14,20 +14,6 @@ constexpr uint32_t hit = UPS_TECHNIQUE_EMITTER_HIT, light_sample = UPS_TECHNIQUE
                    connect = UPS_TECHNIQUE_CONNECT, sensor_connect = UPS_TECHNIQUE_SENSOR_CONNECT,
                    merge = UPS_TECHNIQUE_MERGE, sensor_hit = UPS_TECHNIQUE_SENSOR_HIT;
 
-uint32_t techniques_of(int32_t method) {
-  switch (method) {
-    case UPS_METHOD_UPS: return hit | light_sample | connect | sensor_connect | merge | sensor_hit;
-    case UPS_METHOD_PATH_TRACING: return hit | light_sample;
-    case UPS_METHOD_LIGHT_TRACING: return sensor_connect | sensor_hit;
-    case UPS_METHOD_BIDIRECTIONAL: return hit | light_sample | connect | sensor_connect;
-    case UPS_METHOD_PPM:
-    case UPS_METHOD_SPPM:
-    case UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING: return hit | merge | sensor_hit;
-    default:
-      throw Error(UPS_ERROR_INVALID_ARGUMENT, "method: " + std::to_string(method) + " is not a UPS_METHOD_* value");
-  }
-}
-
 // First light on so small patches is what eye paths miss for long, with errors that know nothing of it: from an even
 // illuminance of a room (about 2) to a pendant below a ceiling (tens) they find it.
 constexpr float concentrated = 64;
@@ -81,11 +67,9 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
 
 TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
   TransportSettings s;
+  s.method = *method_of(m.method);
   s.techniques = m.techniques;
-  s.photon_mapping = m.method == UPS_METHOD_PPM || m.method == UPS_METHOD_SPPM;
-  s.hits_after_specular = s.photon_mapping || m.method == UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING;
-  if (m.method == UPS_METHOD_SPPM) s.glossy_alpha = d.glossy_alpha > 0 ? d.glossy_alpha : default_glossy_alpha;
-  s.light_tracing = m.method == UPS_METHOD_LIGHT_TRACING;
+  if (s.method.passes_glossy) s.glossy_alpha = d.glossy_alpha > 0 ? d.glossy_alpha : default_glossy_alpha;
   s.actual_perturbation = d.perturbation == UPS_PERTURBATION_ACTUAL;
   s.technique_edges = d.technique_images;
   if (d.radius_alpha > 0) s.radius_alpha = d.radius_alpha;
@@ -102,11 +86,15 @@ MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
   const Sensors s = sensors_of(scene);
   const bool is_automatic = desc.method == UPS_METHOD_AUTO;
   choice.method = is_automatic ? automatic(scene, s) : desc.method;
-  choice.techniques = techniques_of(choice.method);
+  const Method* method = method_of(choice.method);
+  if (!method)
+    throw Error(UPS_ERROR_INVALID_ARGUMENT,
+                "method: " + std::to_string(choice.method) + " is not a UPS_METHOD_* value");
+  choice.techniques = method->techniques;
   if (!s.cameras) choice.techniques &= ~sensor_connect;
   if (!s.cells && !s.goniometers) choice.techniques &= ~sensor_hit;
-  if (choice.method == UPS_METHOD_LIGHT_TRACING && (s.points || s.illuminance_cameras))
-    choice.techniques |= connect;  // t = 1 of a point
+  if (method->eye_end == Method::EyeEnd::first_surface && !s.points && !s.illuminance_cameras)
+    choice.techniques &= ~connect;
   if (desc.techniques) choice.techniques &= desc.techniques;
   if (choice.techniques == 0 && (s.cameras || s.points || s.cells || s.goniometers))
     throw Error(UPS_ERROR_INVALID_ARGUMENT,

@@ -32,7 +32,8 @@ std::string radius_notice(const Integrator& integrator, uint32_t iterations) {
     tell("meters " + std::to_string(scene.meter_set_ids[s]), share(at, plan.meter_radius[s].size(), "meters"), at,
          plan.meter_subsets);
   }
-  if (integrator.settings().has(UPS_TECHNIQUE_MERGE) && !integrator.settings().photon_mapping)
+  if (integrator.settings().has(UPS_TECHNIQUE_MERGE) &&
+      integrator.settings().method.eye_end == Method::EyeEnd::of_path)
     tell("after the first surface", "", plan.at_floor({plan.walk_radius}, last, alpha), 1);
   return text;
 }

@@ -14,12 +14,12 @@ constexpr size_t paths_per_block = 256;
 // stratum of the light paths again and again. N is a power of two, so every light path is met equally often.
 class Pairing {
  public:
-  Pairing(const EyePassInput& in) : light_(in.light) {
-    const auto numbers = Stream(Stream::pairing).numbers(in.settings.seed, in.iteration, 0, 0);
+  Pairing(const Iteration& in, const LightPaths& light) : light_(light) {
+    const auto numbers = Stream(Stream::pairing).numbers(in.settings.seed, in.number, 0, 0);
     odd_ = numbers[0] | 1u;
     shift_ = numbers[1];
   }
-  void assign(uint32_t path, EyeWalk::Sensor& sensor) const {
+  void assign(uint32_t path, EyeSensor& sensor) const {
     if (light_.begin.size() < 2) return;
     const uint32_t n = uint32_t(light_.begin.size() - 1), i = (path * odd_ + shift_) & (n - 1);
     sensor.first_light_vertex = light_.begin[i];
@@ -48,31 +48,31 @@ void add_work(const std::vector<WorkCounts>& blocks, IterationTally& tally) {
 namespace {
 
 // What the pixel sees first that is not a mirror or clear glass, measured like a meter that faces the eye.
-float pixel_illuminance(const EyePassInput& in, const Camera& camera, const Vec3& d, EyeWalk::Sensor sensor,
-                        const PathSampler& rng, WorkCounts& work) {
+float pixel_illuminance(const Iteration& in, const Photons& photons, const Camera& camera, const Vec3& d,
+                        EyeSensor sensor, const PathSampler& rng, WorkCounts& work) {
   Encounter seen;
   Vec3 direction;
-  if (first_diffuse(in.scene, camera.position(), d, sensor.media, seen, direction) <= 0) return 0;
+  if (first_diffuse(in.scene, camera.position(), d, *sensor.media, seen, direction) <= 0) return 0;
   const SurfacePoint& surface = seen.surface;
   sensor.camera = false;
   sensor.techniques = nullptr;
-  const double eta = sensor.counts.eta_first;
-  sensor.counts = meter_counts(in.plan, in.settings, false, in.walk_radius2);
-  const bool merges = merge_gate(seen.bsdf(in.scene));
-  sensor.end = mis::sensor_end(sensor.counts, merges ? eta : 0, 0);
+  const double eta = merge_gate(seen.bsdf(in.scene)) ? sensor.counts.eta_first : 0;
+  sensor.counts = in.meter_counts(false);
+  sensor.own_point = mis::at_meter(sensor.counts, eta, 0);
   const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
-  sensor.media = seen.media;
+  sensor.media = &seen.media;
   ++work.eye_paths;
-  return luminance(EyeWalk(in, sensor, rng, work).from_surface(surface, frame).value);
+  return luminance(EyeWalk(in, photons, sensor, rng, work).from_surface(surface, frame).value);
 }
 
 }  // namespace
 
-uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_path, ThreadPool& pool,
-                            IterationTally& tally) {
+uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_t c, uint32_t first_path,
+                            ThreadPool& pool, IterationTally& tally) {
   const Camera& camera = in.scene.cameras[c];
-  const std::vector<uint32_t> pixels = visited_pixels(in.plan, camera, in.iteration);
-  const Pairing pairing(in);
+  const std::vector<uint32_t> pixels = visited_pixels(in.plan, camera, in.number);
+  const Pairing pairing(in, photons.paths);
+  const float walk_radius = float(std::sqrt(in.walk_radius2));
   tally.pixels[c].resize(pixels.size());
   if (camera.illuminance()) tally.illuminance[c].resize(pixels.size());
   std::vector<WorkCounts> work((pixels.size() + pixels_per_block - 1) / pixels_per_block);
@@ -80,54 +80,55 @@ uint32_t trace_camera_paths(const EyePassInput& in, uint32_t c, uint32_t first_p
     if (in.stop.is_set()) return;
     for (size_t i = begin; i < end; ++i) {
       const uint32_t pixel = pixels[i];
-      EyeWalk::Sensor sensor;
+      EyeSensor sensor;
       sensor.camera = true;
-      const double r1 = in.plan.pixel_radius.empty() ? 0.0 : in.plan.pixel_radius[c][pixel];
-      const double radius2 = in.plan.radius2(r1, in.camera_radius_factor);
-      sensor.counts = camera_counts(in.plan, in.settings, radius2, in.walk_radius2);
-      sensor.first = {float(std::sqrt(radius2)), &in.pixel_photons};
-      sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
-      sensor.media = in.scene.media_stacks[in.scene.media_of_camera[c]];
+      const double radius2 = in.pixel_radius2(c, pixel);
+      sensor.counts = in.camera_counts(radius2);
+      sensor.first = {float(std::sqrt(radius2)), &photons.of_pixels};
+      sensor.later = {walk_radius, &photons.of_walks};
+      sensor.media = &in.scene.media_stacks[in.scene.media_of_camera[c]];
       sensor.techniques = tally.techniques.empty() ? nullptr : &tally.techniques[c];
       sensor.pixel = pixel;
       pairing.assign(first_path + uint32_t(i), sensor);
-      const uint64_t key = hash_combine(in.camera_batch, pixel);
-      PathSampler rng(in.settings.seed, {Stream::camera, c}, key, in.camera_batch_visit, in.iteration, pixel);
+      const auto sampler = [&](Stream::Kind kind) {
+        return PathSampler(in.settings.seed, {kind, c}, hash_combine(in.camera_visit.batch, pixel), in.camera_visit.number,
+                           in.number, pixel);
+      };
+      PathSampler rng = sampler(Stream::camera);
       const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
       ++work[b].eye_paths;
       tally.pixels[c][i] =
-          EyeWalk(in, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
-      if (!camera.illuminance()) continue;
-      const PathSampler own(in.settings.seed, {Stream::illuminance, c}, key, in.camera_batch_visit, in.iteration,
-                            pixel);
-      tally.illuminance[c][i] = pixel_illuminance(in, camera, d, sensor, own, work[b]);
+          EyeWalk(in, photons, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
+      if (camera.illuminance())
+        tally.illuminance[c][i] =
+            pixel_illuminance(in, photons, camera, d, sensor, sampler(Stream::illuminance), work[b]);
     }
   });
   add_work(work, tally);
   return first_path + uint32_t(pixels.size());
 }
 
-uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_path, ThreadPool& pool,
-                           IterationTally& tally) {
+uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, uint32_t s, uint32_t first_path,
+                           ThreadPool& pool, IterationTally& tally) {
   const MeterSet& set = in.scene.meter_sets[s];
   const uint32_t samples = in.plan.meter_samples;
   const size_t meters_per_block = std::max<size_t>(1, paths_per_block / samples), visited = tally.meters[s].size();
-  const Pairing pairing(in);
+  const Pairing pairing(in, photons.paths);
+  const float walk_radius = float(std::sqrt(in.walk_radius2));
   std::vector<WorkCounts> work((visited + meters_per_block - 1) / meters_per_block);
   pool.for_blocks(visited, meters_per_block, [&](size_t b, size_t begin, size_t end) {
     if (in.stop.is_set()) return;
     for (size_t i = begin; i < end; ++i) {
-      const uint32_t m = in.plan.visited_meter(in.iteration, i);
+      const uint32_t m = in.plan.visited_meter(in.number, i);
       const Meter& meter = set.meters[m];
-      EyeWalk::Sensor sensor;
+      EyeSensor sensor;
       sensor.cell = set.is_cell();
-      const double r1 = in.plan.meter_radius.empty() ? 0.0 : in.plan.meter_radius[s][m];
-      const double radius2 = in.plan.radius2(r1, in.meter_radius_factor), eta = eta_of(in.plan, in.settings, radius2);
+      const double radius2 = sensor.cell ? 0 : in.meter_radius2(s, m);
+      sensor.counts = in.meter_counts(sensor.cell);
+      sensor.own_point = mis::at_meter(sensor.counts, in.eta(radius2) / samples, set.cell_area());
       sensor.first.radius = float(std::sqrt(radius2));
-      sensor.counts = meter_counts(in.plan, in.settings, set.is_cell(), in.walk_radius2);
-      sensor.end = mis::sensor_end(sensor.counts, set.is_cell() ? 0 : eta / samples, set.cell_area());
-      sensor.later = {float(std::sqrt(in.walk_radius2)), &in.walk_photons};
-      sensor.media = in.scene.media_stacks[in.scene.media_of_meter[s][m]];
+      sensor.later = {walk_radius, &photons.of_walks};
+      sensor.media = &in.scene.media_stacks[in.scene.media_of_meter[s][m]];
       MeterTally sum;
       const size_t columns = in.plan.separation.columns.size();
       sensor.separated = columns ? &tally.separated[s][i * columns] : nullptr;
@@ -135,15 +136,14 @@ uint32_t trace_meter_paths(const EyePassInput& in, uint32_t s, uint32_t first_pa
       for (uint32_t k = 0; k < samples; ++k) {
         const uint32_t path = m * samples + k;
         pairing.assign(first_path + uint32_t(i) * samples + k, sensor);
-        PathSampler rng(in.settings.seed, {Stream::meters, s}, hash_combine(in.meter_batch, m),
-                        in.meter_batch_visit * samples + k, in.iteration, path);
+        PathSampler rng(in.settings.seed, {Stream::meters, s}, hash_combine(in.meter_visit.batch, m),
+                        in.meter_visit.number * samples + k, in.number, path);
         Vec3 p = meter.p;
-        if (set.is_cell())
+        if (sensor.cell)
           p += meter.frame.s * ((rng.get(0, Slot::cell_x) - 0.5f) * set.cell_width) +
                meter.frame.t * ((rng.get(0, Slot::cell_y) - 0.5f) * set.cell_height);
         ++work[b].eye_paths;
-        const EyeTally found =
-            EyeWalk(in, sensor, rng, work[b]).from_meter(p, lifted(p, meter.frame.n, meter.error), meter.frame);
+        const EyeTally found = EyeWalk(in, photons, sensor, rng, work[b]).from_meter(p, meter.error, meter.frame);
         sum.value += luminance(found.value);
         sum.direct += found.direct;
         sum.bias += found.bias;

@@ -39,34 +39,23 @@ bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally&
   reset(iteration, tally);
   if (iteration > 0 && plan_.meter_pass(iteration) == 0)
     choose_meter_radii(*scene_, settings_, pool_, stop, iteration, plan_);
-  const uint32_t pass = plan_.pass(iteration);
-  const double camera_factor = Plan::radius2_factor(pass, settings_.radius_alpha),
-               meter_factor = Plan::radius2_factor(plan_.meter_pass(iteration), settings_.radius_alpha);
-  LightPaths light;
-  PhotonIndex pixel_photons, walk_photons;
-  const double walk_radius2 = plan_.walk_radius2(iteration, settings_.radius_alpha);
+  const Iteration in(*scene_, plan_, settings_, iteration, stop);
+  Photons photons;
   if (settings_.traces_light()) {
-    const SensorIndex sensors(*scene_, plan_, settings_, iteration, pool_);
-    const bool merges = settings_.has(UPS_TECHNIQUE_MERGE);
-    const bool connects = settings_.has(UPS_TECHNIQUE_CONNECT) || settings_.light_tracing;
-    light = trace_light_paths({*scene_, plan_, settings_, iteration, iteration % batch_count, iteration / batch_count,
-                               camera_factor, walk_radius2, merges || connects, stop},
-                              sensors, pool_, tally);
+    const SensorIndex sensors(in, pool_);
+    photons.paths = trace_light_paths(in, sensors, pool_, tally);
     if (stop.is_set()) return false;
-    const float pixel_radius = float(std::sqrt(plan_.radius2(largest_pixel_radius_, camera_factor)));
-    pool_.for_blocks(merges ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
-      const float radius = which == 0 ? pixel_radius : float(std::sqrt(walk_radius2));
-      if (radius > 0) (which == 0 ? pixel_photons : walk_photons) = PhotonIndex(light.vertices, radius);
+    const double pixel_radius2 = plan_.radius2(largest_pixel_radius_, in.camera_shrinkage);
+    pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
+      const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
+      if (radius > 0)
+        (which == 0 ? photons.of_pixels : photons.of_walks) = PhotonIndex(photons.paths.vertices, radius);
     });
   }
-
-  const uint32_t meter_pass = plan_.meter_pass(iteration);
-  const EyePassInput eye{*scene_, plan_, settings_, light, pixel_photons, walk_photons, iteration,
-                         pass % batch_count, pass / batch_count, meter_pass % batch_count, meter_pass / batch_count,
-                         camera_factor, meter_factor, walk_radius2, stop};
   uint32_t path = 0;
-  for (uint32_t c = 0; c < scene_->cameras.size(); ++c) path = trace_camera_paths(eye, c, path, pool_, tally);
-  for (uint32_t s = 0; s < scene_->meter_sets.size(); ++s) path = trace_meter_paths(eye, s, path, pool_, tally);
+  for (uint32_t c = 0; c < scene_->cameras.size(); ++c) path = trace_camera_paths(in, photons, c, path, pool_, tally);
+  for (uint32_t s = 0; s < scene_->meter_sets.size(); ++s)
+    path = trace_meter_paths(in, photons, s, path, pool_, tally);
   return !stop.is_set();
 }
 

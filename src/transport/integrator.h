@@ -9,8 +9,6 @@
 
 namespace ups {
 
-inline constexpr uint32_t batch_count = 16;  // interleaved, independently scrambled; see render/accumulator.h
-
 class Integrator {
  public:
   // Traces a pilot; once `stop` is set only run() returning false is to be expected of it.

@@ -2,30 +2,14 @@
 // on cells (t = 0), merges at point meters, keeps the books of flux.
 #pragma once
 #include "base/parallel.h"
-#include "base/stop.h"
 #include "transport/light_vertex.h"
-#include "transport/sampler.h"
 #include "transport/sensor_index.h"
 #include "transport/tally.h"
 
 namespace ups {
 
-struct LightPassInput {
-  const Snapshot& scene;
-  const Plan& plan;
-  const TransportSettings& settings;
-  uint32_t iteration;
-  uint32_t batch;         // which scrambling of the stratified numbers
-  uint32_t batch_visit;   // how many earlier iterations of this batch
-  double camera_radius_factor;  // Plan::radius2_factor of the cameras' pass
-  double walk_radius2;          // of merges beyond the first vertex
-  bool store_vertices;
-  const StopSignal& stop;  // when set, what is found is incomplete and to be thrown away
-  Stream stream = Stream::light;
-};
-
 // Adds to tally.splats, tally.meters, tally.work; the same bits for any number of threads.
-LightPaths trace_light_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool,
+LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool,
                              IterationTally& tally);
 
 // What is thrown away after radii are chosen from it.
@@ -37,6 +21,6 @@ struct PilotPaths {
   std::vector<std::vector<Crossing>> crossings;  // by disc of the sensor index
   std::vector<LightVertex> vertices;
 };
-PilotPaths trace_pilot_paths(const LightPassInput& in, const SensorIndex& sensors, ThreadPool& pool);
+PilotPaths trace_pilot_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool);
 
 }  // namespace ups

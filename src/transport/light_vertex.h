@@ -3,9 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/rgb.h"
-#include "geometry/surface.h"
-#include "transport/mis.h"
+#include "transport/subpath.h"
 
 namespace ups {
 
@@ -22,15 +20,23 @@ struct LightVertex {
   bool merge = false;   // photons are merged here: the material's gate and g_1
   mis::LightState mis;
 
-  SurfacePoint surface() const {
-    SurfacePoint s;
-    s.p = p;
-    s.ng = ng;
-    s.shading = Frame(ns);
-    s.uv = uv;
-    s.error = error;
-    s.material = material;
-    return s;
+  LightEnd end(const Snapshot& scene) const {
+    LightEnd e;
+    e.surface.p = p;
+    e.surface.ng = ng;
+    e.surface.shading = Frame(ns);
+    e.surface.uv = uv;
+    e.surface.error = error;
+    e.surface.material = material;
+    e.bsdf = Bsdf(scene.materials[material], uv, relative_ior);
+    e.wo = wo;
+    e.local_wo = e.surface.shading.to_local(wo);
+    e.state = mis;
+    e.merge = merge;
+    e.caster = e.bsdf->is_glossy(default_glossy_alpha);
+    e.edges = depth;
+    e.carried = flux;
+    return e;
   }
 };
 

@@ -1,4 +1,4 @@
-// See plan.h: numbers of paths from the scene's sensors, and the counts that the weights are made of.
+// See plan.h: numbers of paths from the scene's sensors.
 #include "transport/plan.h"
 
 #include <algorithm>
@@ -84,38 +84,12 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   }
   plan.min_radius = 32 * 0x1p-24f * scene.radius;
   // Nothing but light paths carries a ray emitter's light, from its first surface on.
-  if (settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE) && !scene.effects.ray_emitters) plan.gates = {false, false};
+  const bool samples = settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
+  for (size_t i = 0; i < scene.emitters.size(); ++i) {
+    const bool open = !samples || !scene.emitters[i].is_direct();
+    plan.gates.push_back({open, open});
+  }
   return plan;
-}
-
-namespace {
-
-mis::Counts common_counts(const Plan& plan, const TransportSettings& s, double radius2) {
-  mis::Counts n;
-  n.hit = s.has(UPS_TECHNIQUE_EMITTER_HIT) && !s.hits_after_specular;
-  n.light_sample = s.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
-  n.connect = s.has(UPS_TECHNIQUE_CONNECT);
-  n.eta = eta_of(plan, s, radius2);
-  return n;
-}
-
-}  // namespace
-
-double eta_of(const Plan& plan, const TransportSettings& s, double radius2) {
-  return s.has(UPS_TECHNIQUE_MERGE) ? double(plan.light_paths) * 3.14159265358979323846 * radius2 : 0.0;
-}
-
-mis::Counts camera_counts(const Plan& plan, const TransportSettings& s, double first_radius2, double radius2) {
-  mis::Counts n = common_counts(plan, s, radius2);
-  n.eta_first = eta_of(plan, s, first_radius2);
-  if (s.has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = double(plan.light_paths) * plan.camera_subsets;
-  return n;
-}
-
-mis::Counts meter_counts(const Plan& plan, const TransportSettings& s, bool cell, double radius2) {
-  mis::Counts n = common_counts(plan, s, radius2);
-  if (cell && s.has(UPS_TECHNIQUE_SENSOR_HIT)) n.land = double(plan.light_paths) / plan.meter_samples;
-  return n;
 }
 
 }  // namespace ups

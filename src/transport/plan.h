@@ -6,18 +6,17 @@
 #include <vector>
 
 #include "scene/separation.h"
-#include "transport/mis.h"
-#include "ups/ups_render.h"
+#include "transport/method.h"
+#include "transport/weights.h"
 
 namespace ups {
 
+inline constexpr uint32_t batch_count = 16;  // interleaved, independently scrambled; see render/accumulator.h
+
 struct TransportSettings {
-  uint32_t techniques = 0;       // UPS_TECHNIQUE_*
-  bool photon_mapping = false;   // PPM, SPPM: merge at the first vertex that can, weight 1 (Hachisuka et al. 2008)
-  bool light_tracing = false;    // LT: nothing but t = 1 and t = 0, weight 1
-  // Photon mapping: eye paths see emitters directly or through mirrors and glass alone.
-  bool hits_after_specular = false;
-  float glossy_alpha = 0;  // SPPM: eye paths pass sharper surfaces without merging (Hachisuka, Jensen 2009); 0: none
+  Method method;
+  uint32_t techniques = 0;           // UPS_TECHNIQUE_*: those of the method that are left
+  float glossy_alpha = 0;            // sharper gloss is what the method passes; 0: none
   double radius_alpha = 2.0 / 3;     // of the radius schedule
   bool actual_perturbation = false;  // UPS_PERTURBATION_ACTUAL
   uint32_t technique_edges = 0;      // images of each technique for paths of up to so many edges; 0: none
@@ -27,8 +26,6 @@ struct TransportSettings {
   uint32_t light_paths = 0;      // a power of two; 0: chosen here
   float merge_radius = 0;        // 0: from the scene
 
-  // Each path has one technique, which needs no weight.
-  bool weightless() const { return photon_mapping || light_tracing; }
   bool has(uint32_t technique) const { return (techniques & technique) != 0; }
   bool traces_light() const {
     return has(UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_HIT);
@@ -41,7 +38,7 @@ struct Plan {
   uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave
   uint32_t meter_subsets = 1;   // the same of meters, by eye paths, discs and cells alike; odd, see make_plan()
   uint32_t meter_samples = 1;   // Ke, a power of two
-  mis::Gates gates;
+  std::vector<mis::Gates> gates;  // by emitter
   Separation separation;  // of meters' readings
   // r_1 of each pixel, for the first vertex of its eye paths that scatters, and of each meter's own disc, which catches
   // photons for all of a meter's eye paths at once; empty without merging. All other vertices merge within walk_radius:
@@ -77,10 +74,6 @@ struct Plan {
         visit(i++, y * width + x);
     }
   }
-  // Squared radius of merges beyond the first vertex.
-  double walk_radius2(uint32_t iteration, double alpha) const {
-    return radius2(walk_radius, radius2_factor(iteration, alpha));
-  }
   // The subset of a pixel: iterations i with i % camera_subsets equal to it visit it.
   uint32_t pixel_subset(uint32_t x, uint32_t y) const { return (x + y * subset_shift()) % camera_subsets; }
   uint32_t subset_shift() const { return camera_subsets < 3 ? 1 : 2; }
@@ -97,12 +90,5 @@ struct Plan {
 };
 
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings);
-
-// Counts of every technique for one eye path of a sensor; radius2: of merges at its vertices in this iteration,
-// first_radius2: at the first that scatters.
-mis::Counts camera_counts(const Plan& plan, const TransportSettings& settings, double first_radius2, double radius2);
-mis::Counts meter_counts(const Plan& plan, const TransportSettings& settings, bool cell, double radius2);
-// N pi r^2.
-double eta_of(const Plan& plan, const TransportSettings& settings, double radius2);
 
 }  // namespace ups

@@ -80,16 +80,17 @@ void fix_radii(const Snapshot& scene, float radius, Plan& plan) {
 std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
                                    const StopSignal& stop, uint32_t iteration, Plan& plan) {
   set_largest_disc_radii(scene, pool, stop, iteration, plan);
-  const SensorIndex sensors(scene, plan, settings, iteration, pool);
   TransportSettings pilot = settings;
-  pilot.photon_mapping = true;  // no weights are needed
+  pilot.method.weighted = false;
   pilot.techniques &= ~uint32_t(UPS_TECHNIQUE_SENSOR_CONNECT);
+  const SensorIndex sensors(Iteration(scene, plan, pilot, iteration, stop), pool);
   std::vector<LightVertex> vertices;
   std::vector<std::vector<PilotPaths::Crossing>> crossings;
   const uint32_t passes = sensors.empty() ? 1 : meter_pilot_passes;
   for (uint32_t k = 0; k < passes; ++k) {
     const uint32_t number = iteration * meter_pilot_passes + k;
-    const LightPassInput in{scene, plan, pilot, number, 0, number, 1.0, 0.0, k == 0, stop, Stream::pilot};
+    Iteration in = Iteration::of_pilot(scene, plan, pilot, number, stop, Stream::pilot);
+    in.stores_vertices = k == 0;
     PilotPaths paths = trace_pilot_paths(in, sensors, pool);
     if (k == 0) vertices = std::move(paths.vertices);
     if (crossings.size() < paths.crossings.size()) crossings.resize(paths.crossings.size());

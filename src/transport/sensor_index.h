@@ -6,15 +6,14 @@
 
 #include "base/parallel.h"
 #include "scene/snapshot.h"
-#include "transport/plan.h"
+#include "transport/iteration.h"
 
 namespace ups {
 
 class SensorIndex {
  public:
-  // For one iteration's meters and radii. Holds point meters where merging is on and cells where landing is on.
-  SensorIndex(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, uint32_t iteration,
-              ThreadPool& pool);
+  // The meters that the iteration visits. Holds point meters where merging is on and cells where landing is on.
+  SensorIndex(const Iteration& in, ThreadPool& pool);
 
   struct Entry {
     uint32_t set, meter;

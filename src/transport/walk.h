@@ -1,5 +1,5 @@
 // What both walks do alike: roulette, consistent sides, gates.
-// Used by the light pass and the eye pass.
+// Used by subpath.h and the techniques.
 #pragma once
 #include <algorithm>
 

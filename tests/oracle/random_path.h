@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "transport/mis.h"
+#include "transport/weights.h"
 
 namespace ups::test {
 
@@ -21,6 +21,8 @@ struct Path {
   std::vector<double> distance, cos_near, cos_far;  // by edge: length, cosine at x_i, cosine at x_{i+1}
   std::vector<bool> delta;                          // by vertex: scatters by a delta lobe
   std::vector<bool> merges;                         // by vertex: the material's own merge gate
+  std::vector<bool> caster;                         // by vertex: a delta or a glossy lobe
+  std::vector<double> pass;                         // by edge: probability to go on through its panes
   // By vertex, of scattering towards x_{i+1} and towards x_{i-1}: per solid angle, or discrete where delta.
   std::vector<double> pdf_to_sensor, pdf_to_emitter;
   std::vector<double> jacobian;  // delta: (n_i^2 cos_i) / (n_o^2 cos_o) of the light walk
@@ -63,10 +65,12 @@ inline Path random_path(Random& random, const PathRanges& range) {
     path.distance.push_back(random.log_uniform(range.distance_min, range.distance_max));
     path.cos_near.push_back(random.log_uniform(range.cos_min, 1));
     path.cos_far.push_back(random.log_uniform(range.cos_min, 1));
+    path.pass.push_back(random.chance(0.5) ? 1 : random.log_uniform(1e-3, 1));
   }
   for (int i = 0; i <= path.k; ++i) {
     path.delta.push_back(i > 0 && i < path.k && random.chance(0.25));
     path.merges.push_back(random.chance(0.6));
+    path.caster.push_back(path.delta.back() || random.chance(0.3));
     path.pdf_to_sensor.push_back(random.log_uniform(range.pdf_min, range.pdf_max));
     path.pdf_to_emitter.push_back(random.log_uniform(range.pdf_min, range.pdf_max));
     path.jacobian.push_back(random.log_uniform(0.3, 3));
@@ -102,6 +106,7 @@ inline mis::Counts random_counts(Random& random, const Path& path, int subset, d
   if (subset & use_merge) {
     n.eta = light_paths * 3.14159265358979323846 * radius * radius;
     if (path.camera()) n.eta_first = n.eta * random.log_uniform(1e-3, 30);
+    n.merge_all = random.chance(0.5);
   }
   return n;
 }

@@ -25,9 +25,9 @@ inline std::vector<double> light_densities(const Path& p) {
   pf[0] = p.emission_a;
   for (int i = 1; i <= p.k; ++i) {
     const double g = p.cos_far[i - 1] / (p.distance[i - 1] * p.distance[i - 1]);
-    pf[i] = p.pdf_to_sensor[i - 1] * g;
+    pf[i] = p.pdf_to_sensor[i - 1] * p.pass[i - 1] * g;
   }
-  if (p.emitter == EmitterType::directional) pf[1] = p.cos_far[0] / p.disc_area;  // parallel light from a disc
+  if (p.emitter == EmitterType::directional) pf[1] = p.cos_far[0] / p.disc_area * p.pass[0];  // parallel light from a disc
   return pf;
 }
 
@@ -38,7 +38,7 @@ inline std::vector<double> eye_densities(const Path& p) {
   pb[p.k] = p.sensor == SensorType::cell ? 1 / p.cell_area : 1;
   for (int i = p.k - 1; i >= 0; --i) {
     const double g = p.cos_near[i] / (p.distance[i] * p.distance[i]);
-    pb[i] = p.pdf_to_emitter[i + 1] * (p.delta[i + 1] ? p.jacobian[i + 1] : 1) * g;
+    pb[i] = p.pdf_to_emitter[i + 1] * (p.delta[i + 1] ? p.jacobian[i + 1] : 1) * p.pass[i] * g;
   }
   return pb;
 }
@@ -75,7 +75,8 @@ inline std::vector<Term> slow_weights(const Path& p, const mis::Counts& n, const
   while (first > 0 && p.delta[first]) --first;
   for (int m = 1; m <= k; ++m) {
     const bool own = m == k ? p.sensor == SensorType::point_meter : p.merges[m] && !p.delta[m];
-    if (own && (m > 1 || gates.merge_at_first))
+    const bool by_casters = std::all_of(p.caster.begin() + 1, p.caster.begin() + m, [](bool c) { return c; });
+    if (own && (m > 1 || gates.merge_at_first) && (by_casters || n.merge_all > 0))
       add(Technique::merge, m, m == k ? n.eta * p.sensor_merge_share : p.camera() && m == first ? n.eta_first : n.eta,
           pf[0], m + 1, m);
   }

@@ -61,7 +61,7 @@ std::shared_ptr<Snapshot> room(ups_material_model model) {
 
 IterationTally run(std::shared_ptr<Snapshot> scene, uint32_t techniques) {
   ThreadPool pool(2);
-  TransportSettings settings;
+  TransportSettings settings{.method = *method_of(UPS_METHOD_UPS)};
   settings.techniques = techniques;
   settings.light_paths = 1024;
   settings.merge_radius = 0.1f;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "transport/plan.h"
+#include "transport/iteration.h"
 
 namespace {
 
@@ -87,19 +87,23 @@ TEST(Plan, CountsFollowTheTechniques) {
   plan.light_paths = 1024;
   plan.camera_subsets = 4;
   plan.meter_samples = 16;
-  TransportSettings s;
+  TransportSettings s{.method = *method_of(UPS_METHOD_UPS)};
   s.techniques =
       UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_SENSOR_HIT;
-  const mis::Counts c = camera_counts(plan, s, 0.25, 0.5);
+  plan.walk_radius = float(std::sqrt(0.5));
+  const Snapshot scene;
+  const StopSignal stop;
+  const Iteration in(scene, plan, s, 0, stop);
+  const mis::Counts c = in.camera_counts(0.25);
   EXPECT_EQ(c.hit, 1);
   EXPECT_EQ(c.light_sample, 0);
   EXPECT_EQ(c.connect, 0);
   EXPECT_EQ(c.sensor_connect, 4096);  // light paths for each visit of a pixel
   EXPECT_EQ(c.land, 0);
   EXPECT_NEAR(c.eta_first, 1024 * 3.14159265358979 * 0.25, 1e-9);
-  EXPECT_NEAR(c.eta, 1024 * 3.14159265358979 * 0.5, 1e-9);
-  EXPECT_EQ(meter_counts(plan, s, true, 0).land, 64);
-  EXPECT_EQ(meter_counts(plan, s, false, 0).land, 0);
+  EXPECT_NEAR(c.eta, 1024 * 3.14159265358979 * 0.5, 1e-4);
+  EXPECT_EQ(in.meter_counts(true).land, 64);
+  EXPECT_EQ(in.meter_counts(false).land, 0);
 }
 
 }  // namespace

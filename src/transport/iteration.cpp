@@ -1,0 +1,59 @@
+// See iteration.h.
+#include "transport/iteration.h"
+
+namespace ups {
+
+Iteration::Iteration(const Snapshot& of_scene, const Plan& by_plan, const TransportSettings& by_settings,
+                     uint32_t running_number, const StopSignal& stop_signal)
+    : scene(of_scene), plan(by_plan), settings(by_settings), stop(stop_signal), number(running_number) {
+  const auto visit = [](uint32_t pass) { return Visit{pass % batch_count, pass / batch_count}; };
+  const uint32_t camera_pass = plan.pass(number), meter_pass = plan.meter_pass(number);
+  light_visit = visit(number);
+  camera_visit = visit(camera_pass);
+  meter_visit = visit(meter_pass);
+  camera_shrinkage = Plan::radius2_factor(camera_pass, settings.radius_alpha);
+  meter_shrinkage = Plan::radius2_factor(meter_pass, settings.radius_alpha);
+  walk_radius2 = plan.radius2(plan.walk_radius, Plan::radius2_factor(number, settings.radius_alpha));
+  stores_vertices = has(UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_CONNECT);
+}
+
+Iteration Iteration::of_pilot(const Snapshot& of_scene, const Plan& by_plan, const TransportSettings& by_settings,
+                              uint32_t running_number, const StopSignal& stop_signal, Stream stream) {
+  Iteration in(of_scene, by_plan, by_settings, running_number, stop_signal);
+  in.light_visit = {0, running_number};
+  in.light_stream = stream;
+  in.camera_shrinkage = in.meter_shrinkage = 1;
+  return in;
+}
+
+double Iteration::eta(double radius2) const {
+  return has(UPS_TECHNIQUE_MERGE) ? double(plan.light_paths) * 3.14159265358979323846 * radius2 : 0.0;
+}
+
+double Iteration::photon_norm(double radius2) const {
+  return 1.0 / (double(plan.light_paths) * 3.14159265358979323846 * radius2);
+}
+
+mis::Counts Iteration::counts() const {
+  mis::Counts n;
+  n.hit = has(UPS_TECHNIQUE_EMITTER_HIT) && !settings.method.hits_after_specular;
+  n.light_sample = has(UPS_TECHNIQUE_LIGHT_SAMPLE);
+  n.connect = has(UPS_TECHNIQUE_CONNECT);
+  n.eta = eta(walk_radius2);
+  return n;
+}
+
+mis::Counts Iteration::camera_counts(double radius2) const {
+  mis::Counts n = counts();
+  n.eta_first = eta(radius2);
+  if (has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = double(plan.light_paths) * plan.camera_subsets;
+  return n;
+}
+
+mis::Counts Iteration::meter_counts(bool cell) const {
+  mis::Counts n = counts();
+  if (cell && has(UPS_TECHNIQUE_SENSOR_HIT)) n.land = double(plan.light_paths) / plan.meter_samples;
+  return n;
+}
+
+}  // namespace ups

@@ -1,0 +1,55 @@
+// Everything that is fixed for one iteration, built once and read by both walks: which samples are drawn, how many paths
+// and techniques there are, and the radii within which photons are merged.
+#pragma once
+#include <cmath>
+
+#include "base/stop.h"
+#include "transport/plan.h"
+#include "transport/sampler.h"
+
+namespace ups {
+
+struct Iteration {
+  // A batch shares the scrambling of its stratified numbers; visit: how many earlier passes it had.
+  struct Visit {
+    uint32_t batch, number;
+  };
+
+  // Numbers of a render's own iterations; of a pilot's, which are drawn from a stream of their own.
+  Iteration(const Snapshot& of_scene, const Plan& by_plan, const TransportSettings& by_settings, uint32_t running_number,
+            const StopSignal& stop_signal);
+  static Iteration of_pilot(const Snapshot& of_scene, const Plan& by_plan, const TransportSettings& by_settings,
+                            uint32_t running_number, const StopSignal& stop_signal, Stream stream);
+
+  const Snapshot& scene;
+  const Plan& plan;
+  const TransportSettings& settings;
+  const StopSignal& stop;  // when set, what is found is incomplete and to be thrown away
+  uint32_t number;
+  Visit light_visit, camera_visit, meter_visit;
+  Stream light_stream = Stream::light;
+  bool stores_vertices;
+  double camera_shrinkage, meter_shrinkage;  // r_i^2 / r_1^2
+  double walk_radius2;                       // of merges beyond the first vertex
+
+  bool has(uint32_t technique) const { return settings.has(technique); }
+  bool weighted() const { return settings.method.weighted; }
+  bool is_too_long(uint32_t edges) const { return settings.max_path_length && edges > settings.max_path_length; }
+  // Squared radii of this iteration; 0: photons are not merged there.
+  double pixel_radius2(size_t c, uint32_t pixel) const {
+    return plan.pixel_radius.empty() ? 0 : plan.radius2(plan.pixel_radius[c][pixel], camera_shrinkage);
+  }
+  double meter_radius2(size_t s, uint32_t m) const {
+    return plan.meter_radius.empty() ? 0 : plan.radius2(plan.meter_radius[s][m], meter_shrinkage);
+  }
+  double eta(double radius2) const;                 // N pi r^2 where photons are merged
+  double photon_norm(double radius2) const;         // 1 / (N pi r^2)
+  mis::Counts camera_counts(double radius2) const;  // of a pixel; radius2: at the first vertex that scatters
+  mis::Counts meter_counts(bool cell) const;
+  const mis::Gates& gates_of(uint32_t emitter) const { return plan.gates[emitter]; }
+
+ private:
+  mis::Counts counts() const;
+};
+
+}  // namespace ups

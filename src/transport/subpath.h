@@ -1,0 +1,138 @@
+// One walk for both ends: from an emitter (importance) or from a sensor (radiance) through the scene, with the state
+// that the weights need. LightWalk and EyeWalk are loops over it that call the techniques.
+#pragma once
+#include <type_traits>
+
+#include "transport/iteration.h"
+#include "transport/walk.h"
+
+namespace ups {
+
+// A vertex that a walk has arrived at, with what its techniques share. An eye's own sensor point is one, too.
+template <class State>
+struct End {
+  SurfacePoint surface;
+  std::optional<Bsdf> bsdf;  // none: a meter's own point, which responds by the cosine (planar illuminance)
+  Vec3 wo, local_wo;         // towards the vertex before
+  State state;
+  bool merge = false;   // photons are merged here
+  bool caster = false;  // a continuous lobe here is so sharp that it casts caustics as a mirror does
+  uint32_t edges = 0;   // from the walk's start
+  Rgb carried;          // throughput, lm for a light path
+  const MediaStack *front = nullptr, *back = nullptr;
+
+  const MediaStack& beyond(const Vec3& w) const { return dot(w, surface.ng) < 0 ? *back : *front; }
+  Scattering evaluate(const Vec3& local, TransportMode mode) const {
+    if (bsdf) return bsdf->evaluate(local_wo, local, mode);
+    return {Rgb(local.z), local.z * inv_pi, 1};
+  }
+  mis::Scatter scatter(const Scattering& f) const { return {f.pdf, f.pdf_reverse, 1, merge, caster}; }
+};
+using LightEnd = End<mis::LightState>;
+using EyeEnd = End<mis::EyeState>;
+
+template <class Walk, TransportMode mode>
+class Subpath {
+ protected:
+  static constexpr bool from_emitter = mode == TransportMode::importance;
+  using State = std::conditional_t<from_emitter, mis::LightState, mis::EyeState>;
+  using Vertex = End<State>;
+
+  Subpath(const Iteration& in, const PathSampler& rng, WorkCounts& work)
+      : in_(in), scene_(in.scene), rng_(rng), work_(work) {}
+
+  bool drop(Drop where) {
+    work_.drop(where);
+    return false;
+  }
+
+  // False where the path ends as what is left is not finite; the books then lack its flux.
+  bool carry(const Rgb& share) {
+    const Rgb after = carried_ * share;
+    if (!is_finite(after)) return drop(from_emitter ? Drop::light_walk : Drop::eye_walk);
+    if constexpr (from_emitter) work_.absorbed_lm += double(luminance(carried_)) - double(luminance(after));
+    carried_ = after;
+    return true;
+  }
+  bool absorb() {
+    carry(Rgb(0.0f));
+    return false;
+  }
+
+  // The weights' state at a point that the current edge reaches.
+  State arrive(const Vec3& p, float cos_in, float distance) const {
+    const double d2 = double(distance) * distance;
+    if (edge_.kind == Edge::delta) {
+      if constexpr (from_emitter) return mis::light_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
+      else return mis::eye_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
+    }
+    if (edge_.kind == Edge::first) return static_cast<const Walk*>(this)->first_state(p, cos_in, distance);
+    if constexpr (from_emitter) return mis::light_step(edge_.state, edge_.scatter, cos_in, d2, 1);
+    else return mis::eye_step(edge_.state, counts_, edge_.scatter, cos_in, d2, 1);
+  }
+
+  // What the current edge has met, once its light is there; false where nothing scatters on.
+  bool shade(uint32_t edges, Vertex& v) {
+    v.surface = met_.surface;
+    v.edges = edges;
+    v.bsdf = met_.bsdf(scene_);
+    v.wo = -direction_;
+    v.local_wo = v.surface.shading.to_local(v.wo);
+    v.carried = carried_;
+    v.front = &met_.front, v.back = &met_.back;
+    v.state = arrive(v.surface.p, std::abs(dot(direction_, v.surface.ng)), met_.distance);
+    v.caster = v.bsdf->is_glossy(default_glossy_alpha);
+    return consistent_side(v.surface, v.wo, v.local_wo);
+  }
+
+  // The next edge. keep(sample): whether the walk goes on by such a lobe.
+  template <class Keep>
+  bool scatter(const Vertex& v, const Keep& keep) {
+    BsdfSample s;
+    if (!v.bsdf->sample(v.local_wo, rng_.get(v.edges, Slot::lobe), rng_.direction(v.edges), mode, s)) return absorb();
+    if (!keep(s)) return false;
+    const Vec3 wi = v.surface.shading.to_world(s.wi);
+    if (is_finite(s.weight) && !consistent_side(v.surface, wi, s.wi)) return absorb();
+    float correction = 1;
+    if constexpr (from_emitter)
+      correction = s.delta ? shading_correction(v.surface, v.wo, wi) : light_correction(v.surface, v.wo, wi);
+    else if (!s.delta)
+      correction = terminator(v.surface, wi);
+    if (!carry(s.weight * correction)) return false;
+    const bool lossless = s.delta && max_component(s.weight) > 0.9f;
+    const float q = survival(carried_, start_carried_, v.edges, lossless);
+    if (is_black(carried_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
+    carried_ *= 1 / q;
+    edge_.kind = s.delta ? Edge::delta : Edge::continuous;
+    edge_.state = v.state;
+    edge_.scatter = {s.pdf, s.pdf_reverse, std::abs(dot(wi, v.surface.ng)), v.merge, v.caster};
+    edge_.chi = double(s.pdf_reverse) / s.pdf * s.delta_jacobian;
+    last_ = v.surface.p;
+    media_ = met_.beyond(wi);
+    origin_ = v.surface.ray_origin(wi);
+    direction_ = wi;
+    return true;
+  }
+
+  // The event at the last vertex, not yet an edge: the next cosine and distance make it a state.
+  struct Edge {
+    enum { first, continuous, delta } kind = first;
+    State state;
+    mis::Scatter scatter;
+    double chi = 0;
+  };
+
+  const Iteration& in_;
+  const Snapshot& scene_;
+  PathSampler rng_;
+  WorkCounts& work_;
+  mis::Counts counts_;
+  Edge edge_;
+  Encounter met_;  // where the current edge ends
+  Vec3 origin_, direction_;
+  Vec3 last_;  // the vertex that the current edge leaves
+  Rgb carried_{1.0f}, start_carried_{1.0f};
+  MediaStack media_;  // where the current edge starts
+};
+
+}  // namespace ups

@@ -1,0 +1,188 @@
+// See techniques.h.
+#include "transport/techniques.h"
+
+namespace ups {
+
+namespace {
+
+// Flux arrives at the drawn point by its own cosine, and is scattered at the vertex: as a photon is that lies there.
+float arrival_factor(const EyeEnd& eye, const Arrival& a, const Vec3& wi) {
+  if (!(a.ratio > 0)) return 1;
+  if (!consistent_side(a.surface, wi, a.surface.shading.to_local(wi))) return 0;
+  const float here = dot(wi, a.surface.ng), there = dot(wi, eye.surface.ng);
+  return here * there > 0 ? a.ratio * here / there : 0;
+}
+
+// A response of a meter has no terminator, and its back sees nothing.
+bool scatters(const EyeEnd& eye, const Vec3& wi, Vec3& local) {
+  local = eye.surface.shading.to_local(wi);
+  return eye.bsdf ? consistent_side(eye.surface, wi, local) : local.z >= min_cosine;
+}
+float terminator(const EyeEnd& eye, const Vec3& wi) { return eye.bsdf ? terminator(eye.surface, wi) : 1.0f; }
+
+// Area densities of x_0 and x_1 by emission, of x_0 by next-event estimation.
+struct DirectDensities {
+  double pn_0, pf_0, pf_1;
+};
+DirectDensities direct_densities(const Snapshot& scene, const EmitterSet::Choice& choice, const DirectSample& s,
+                                 double cos_1) {
+  const Emitter& e = scene.emitters[choice.index];
+  const double emit = scene.emitters.emission_probability(choice.index);
+  const double d2 = double(s.distance) * s.distance;
+  if (e.is_directional()) return {choice.probability, emit, s.pdf_position_a * cos_1};
+  if (e.is_delta()) return {choice.probability, emit, s.pdf_direction_w * cos_1 / d2};
+  return {double(choice.probability) * s.pdf_nee_a, emit * s.pdf_position_a, s.pdf_direction_w * cos_1 / d2};
+}
+
+}  // namespace
+
+Found hit(const Iteration& in, const EyeHit& eye, uint32_t index, uint32_t primitive) {
+  const EmitterSet& emitters = in.scene.emitters;
+  EmitterHit h;
+  if (!emitters[index].eval_hit(eye.from, eye.p, primitive, eye.wo, h)) return {};
+  Contribution c{{Family::path_integration, 0, eye.edges}, index, eye.carried * h.radiance};
+  if (in.weighted()) {
+    const double pn_0 = double(emitters.direct_probability(eye.from, index)) * h.pdf_nee_a;
+    const double pf_0 = double(emitters.emission_probability(index)) * h.pdf_position_a;
+    c.others = mis::others_of_hit(eye.state, eye.counts, in.gates_of(index), pn_0, pf_0, h.pdf_direction_w, eye.pdf_a,
+                                  eye.connectable);
+  }
+  return c;
+}
+
+Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+                   float u_choice, const Vec2& u_position) {
+  if (in.is_too_long(eye.edges + 1)) return {};
+  const Snapshot& scene = in.scene;
+  const Vec3& p = arrival.surface.p;
+  const EmitterSet::Choice choice = scene.emitters.choose_direct(p, u_choice);
+  if (!(choice.probability > 0)) return {};
+  DirectSample s;
+  const Emitter& emitter = scene.emitters[choice.index];
+  Vec3 local;
+  if (!emitter.sample_direct(p, u_position, s) || !scatters(eye, s.wi, local)) return {};
+  const Scattering f = eye.evaluate(local, TransportMode::radiance);
+  if (is_black(f.value)) return {};
+  const MediaStack& media = eye.beyond(s.wi);
+  const float scale = terminator(eye, s.wi) * arrival_factor(eye, arrival, s.wi) / choice.probability;
+  Contribution c{{Family::path_integration, 1, eye.edges + 1}, choice.index,
+                 eye.carried * f.value * s.weight * attenuation_ahead(scene, media, s.distance) * scale};
+  if (is_black(c.value)) return {};
+  if (in.weighted()) {
+    const double cos_1 = std::abs(dot(s.wi, arrival.surface.ng)), d2 = double(s.distance) * s.distance;
+    const DirectDensities d = direct_densities(scene, choice, s, cos_1);
+    const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * s.cos_0 / d2;
+    c.others = mis::others_of_light_sample(eye.state, n, in.gates_of(choice.index), eye.scatter(f), pb_0, d.pn_0,
+                                           d.pf_0, d.pf_1);
+  }
+  c.from = arrival.surface.ray_origin(s.wi);
+  c.to = lifted(s.p, s.n, s.error);
+  c.media = &media;
+  return c;
+}
+
+Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+              const LightEnd& light, uint32_t emitter) {
+  const uint32_t edges = eye.edges + 1 + light.edges;
+  if (in.is_too_long(edges)) return {};
+  const Vec3 to = light.surface.p - arrival.surface.p;
+  const float d2 = length2(to);
+  if (!(d2 > 0)) return {};
+  const float distance = std::sqrt(d2);
+  const Vec3 d = to / distance;
+  Vec3 eye_local;
+  if (!scatters(eye, d, eye_local)) return {};
+  const Vec3 light_local = light.surface.shading.to_local(-d);
+  if (!consistent_side(light.surface, -d, light_local)) return {};
+  const Scattering f_eye = eye.evaluate(eye_local, TransportMode::radiance);
+  if (is_black(f_eye.value)) return {};
+  const Scattering f_light = light.evaluate(light_local, TransportMode::importance);
+  if (is_black(f_light.value)) return {};
+  const MediaStack& media = eye.beyond(d);
+  const float scale = terminator(eye, d) * arrival_factor(eye, arrival, d) *
+                      light_correction(light.surface, light.wo, -d) / d2;
+  Contribution c{{Family::path_integration, light.edges + 1, edges}, emitter,
+                 eye.carried * f_eye.value * light.carried * f_light.value *
+                     attenuation_ahead(in.scene, media, distance) * scale};
+  if (in.weighted()) {
+    const double cos_eye = std::abs(dot(d, arrival.surface.ng)), cos_light = std::abs(dot(d, light.surface.ng));
+    c.others = mis::others_of_connect(light.state, light.scatter(f_light), eye.state, eye.scatter(f_eye), n,
+                                      f_eye.pdf * cos_light / d2, f_light.pdf * cos_eye / d2);
+  }
+  c.from = arrival.surface.ray_origin(d);
+  c.to = light.surface.ray_origin(-d);
+  c.media = &media;
+  return c;
+}
+
+std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd& light, uint32_t emitter) {
+  const Camera& camera = in.scene.cameras[index];
+  const uint32_t edges = light.edges + 1;
+  if (light.edges == 1 && !in.gates_of(emitter).sensor_connect_at_first) return {};
+  if (in.is_too_long(edges)) return {};
+  const Vec3 to = camera.position() - light.surface.p;
+  const float d2 = length2(to);
+  if (!(d2 > 0)) return {};
+  const float distance = std::sqrt(d2);
+  const Vec3 d = to / distance;
+  const auto pixel = camera.pixel_of(-d);
+  if (!pixel) return {};
+  const Vec3 local = light.surface.shading.to_local(d);
+  if (!consistent_side(light.surface, d, local)) return {};
+  const Scattering f = light.evaluate(local, TransportMode::importance);
+  const Rgb value = f.value * light_correction(light.surface, light.wo, d);
+  if (is_black(value)) return {};
+  const float pdf_w = camera.pdf_w(-d);
+  const MediaStack& media = light.beyond(d);
+  Contribution c{{Family::path_integration, edges, edges}, emitter,
+                 light.carried * value * attenuation_ahead(in.scene, media, distance) *
+                     float(pdf_w / (double(d2) * in.plan.light_paths))};
+  if (is_black(c.value)) return {};
+  if (in.weighted())
+    c.others = mis::others_of_splat(light.state, light.scatter(f), in.camera_counts(in.pixel_radius2(index, *pixel)),
+                                    double(pdf_w) * std::abs(dot(d, light.surface.ng)) / d2);
+  c.from = light.surface.ray_origin(d);
+  c.to = camera.position();
+  c.media = &media;
+  return Splatted{c, *pixel};
+}
+
+namespace {
+
+// Against leaks through thin walls and around edges: same orientation, same side, in the tangent plane.
+bool same_surface(const SurfacePoint& s, const LightVertex& l, float cos_light, double radius) {
+  return dot(l.ng, s.ng) >= min_merge_cosine && cos_light * dot(l.wo, l.ng) > 0 && std::abs(cos_light) >= min_cosine &&
+         std::abs(dot(s.ng, l.p - s.p)) <= max_merge_height * radius;
+}
+
+}  // namespace
+
+Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& l, double radius) {
+  const float cos_light = dot(l.wo, eye.surface.ng);
+  if (in.is_too_long(eye.edges + l.depth) || !same_surface(eye.surface, l, cos_light, radius)) return {};
+  Vec3 local;
+  if (!scatters(eye, l.wo, local)) return {};
+  // evaluate() carries |cos(wi, n_s)|; a photon's surface density already carries |cos(wi, n_g)|.
+  const Scattering f = eye.evaluate(local, TransportMode::radiance);
+  if (is_black(f.value)) return {};
+  const double norm = in.photon_norm(radius * radius);
+  Contribution c{{Family::density_estimation, l.depth + 1u, eye.edges + l.depth}, l.emitter,
+                 eye.carried * f.value * l.flux * (float(norm / std::abs(cos_light)) * terminator(eye, l.wo))};
+  if (in.weighted())
+    c.others = mis::others_of_merge(l.mis, f.pdf, eye.state, eye.scatter(f), n, in.gates_of(l.emitter));
+  return c;
+}
+
+Contribution land(const Iteration& in, const mis::Counts& n, const mis::LightState& state, double eta, double area,
+                  float cos_in, double flux, uint32_t edges, uint32_t emitter) {
+  const bool merges = eta > 0;
+  const double reverse = cos_in * inv_pi;
+  Contribution c{{merges ? Family::density_estimation : Family::path_integration, edges + 1, edges}, emitter,
+                 Rgb(float(flux / (in.plan.light_paths * area)))};
+  if (in.weighted())
+    c.others = merges ? mis::others_of_merge(state, reverse, mis::at_meter(n, eta, 0), {0, 1}, n, in.gates_of(emitter))
+                      : mis::others_of_land(state, n, area, reverse);
+  return c;
+}
+
+}  // namespace ups

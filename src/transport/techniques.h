@@ -1,0 +1,58 @@
+// The techniques of Unified Path Sampling side by side, in the paper's order: unidirectional ones, inner connections,
+// and density estimation. Each finds what it is worth and which others make the same path; the caller tests the edge
+// that it makes, weighs and adds it up.
+#pragma once
+#include <optional>
+
+#include "transport/light_vertex.h"
+#include "transport/subpath.h"
+#include "transport/technique.h"
+
+namespace ups {
+
+// Where path integration arrives at an eye's vertex: there, or beside it (UPS_PERTURBATION_ACTUAL).
+struct Arrival {
+  SurfacePoint surface;
+  float ratio = 0;  // kernel over the density that the point was drawn with; 0: at the vertex itself
+};
+
+struct Contribution {
+  Technique technique;
+  uint32_t emitter = 0;
+  Rgb value;            // without its weight; of a new edge without what its panes and nested media let pass
+  mis::Classes others;  // for a new edge without panes
+  Vec3 from, to;        // ends of a new edge
+  const MediaStack* media = nullptr;  // around `from`; null: no new edge
+
+  double weight(const Iteration& in, double pass) const {
+    return in.weighted() ? mis::weight(pass * others) : 1.0;
+  }
+};
+using Found = std::optional<Contribution>;
+
+// How an eye walk came upon an emitter.
+struct EyeHit {
+  const mis::EyeState& state;  // of a vertex there
+  const mis::Counts& counts;
+  Vec3 from, p, wo;  // the vertex before, the point, back along the walk
+  double pdf_a;      // of p by the walk
+  bool connectable;  // the vertex before could have sampled it
+  uint32_t edges;
+  Rgb carried;
+};
+Found hit(const Iteration& in, const EyeHit& eye, uint32_t emitter, uint32_t primitive);                  // s = 0
+Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // s = 1
+                   float u_choice, const Vec2& u_position);
+Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // 2 <= s <= k
+              const LightEnd& light, uint32_t emitter);
+struct Splatted {
+  Contribution contribution;
+  uint32_t pixel;
+};
+std::optional<Splatted> splat(const Iteration& in, size_t camera, const LightEnd& light, uint32_t emitter);  // t = 1
+Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& light, double radius);
+// t = 0 of a cell (eta 0), or a merge at a point meter's own disc: a light path of `edges` edges crosses it.
+Contribution land(const Iteration& in, const mis::Counts& n, const mis::LightState& state, double eta, double area,
+                  float cos_in, double flux, uint32_t edges, uint32_t emitter);
+
+}  // namespace ups
