@@ -4,7 +4,7 @@
 #include "bsdf/models.h"
 
 namespace ups {
-namespace glazing {
+namespace {
 
 // T = (1 - F)^2 a / (1 - F^2 a^2) at normal incidence, solved for a without cancellation. At most 1: no pane of this
 // index transmits more.
@@ -14,8 +14,6 @@ float internal_transmittance(float transmittance, float ior) {
   const float root = std::sqrt(pass * pass + 4 * transmittance * transmittance * f * f);
   return std::min(1.0f, 2 * transmittance / (pass + root));
 }
-
-namespace {
 
 struct Pane {
   float reflectance, transmittance;
@@ -34,23 +32,32 @@ Pane pane(const PolarisedReflectance& face, float passage) {
 
 }  // namespace
 
+PaneCrossing cross_pane(const Material& m, float cosine) {
+  const PolarisedReflectance face = fresnel_polarised(cosine, m.ior);
+  const float length = 1 / std::max(refracted_cosine(cosine, m.ior), 1e-6f);  // of the passage, in thicknesses
+  const auto channel = [&](float transmittance) {
+    const float a = internal_transmittance(std::min(transmittance, 1.0f), m.ior);
+    return pane(face, a < 1 ? std::pow(a, length) : 1.0f);
+  };
+  const Pane r = channel(m.transmittance.r);
+  const bool grey = m.transmittance.g == m.transmittance.r && m.transmittance.b == m.transmittance.r;
+  const Pane g = grey ? r : channel(m.transmittance.g), b = grey ? r : channel(m.transmittance.b);
+  PaneCrossing out{{r.reflectance, g.reflectance, b.reflectance}, {r.transmittance, g.transmittance, b.transmittance}};
+  const float reflected = luminance(out.reflectance), sum = reflected + luminance(out.transmittance);
+  out.reflected = sum > 0 ? reflected / sum : 0;
+  return out;
+}
+
+namespace glazing {
+
 Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, BsdfSample& out) {
-  const float cos_o = std::abs(wo.z), ior = p.material->ior;
-  const PolarisedReflectance face = fresnel_polarised(cos_o, ior);
-  const float length = 1 / std::max(refracted_cosine(cos_o, ior), 1e-6f);  // of the passage, in thicknesses
-  const auto channel = [&](float a) { return pane(face, a < 1 ? std::pow(a, length) : 1.0f); };
-  const Pane r = channel(p.transmittance.r), g = channel(p.transmittance.g), b = channel(p.transmittance.b);
-  const Rgb reflectance{r.reflectance, g.reflectance, b.reflectance};
-  const Rgb transmittance{r.transmittance, g.transmittance, b.transmittance};
-  const float lr = luminance(reflectance), lt = luminance(transmittance);
-  if (!(lr + lt > 0)) return Sampled::none;
-  const float reflected = lr / (lr + lt);
-  if (u_lobe < reflected) return mirrored(wo, reflectance / reflected, reflected, out);
+  const PaneCrossing pane = cross_pane(*p.material, std::abs(wo.z));
+  if (u_lobe < pane.reflected) return mirrored(wo, pane.reflectance / pane.reflected, pane.reflected, out);
   out = {};
   out.wi = -wo;
-  out.pdf = out.pdf_reverse = 1 - reflected;
-  if (!(out.pdf > 0)) return Sampled::none;
-  out.weight = transmittance / out.pdf;
+  out.pdf = out.pdf_reverse = 1 - pane.reflected;
+  if (!(out.pdf > 0) || is_black(pane.transmittance)) return Sampled::none;
+  out.weight = pane.transmittance / out.pdf;
   out.delta = out.transmitted = true;
   return Sampled::delta;
 }

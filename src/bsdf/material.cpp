@@ -15,12 +15,6 @@ Rgb unit(const Rgb& c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
 
 bool grazing(const Vec3& w) { return !(std::abs(w.z) >= min_cosine); }
 
-Rgb pane_passage(const Material& m) {
-  return {glazing::internal_transmittance(m.transmittance.r, m.ior),
-          glazing::internal_transmittance(m.transmittance.g, m.ior),
-          glazing::internal_transmittance(m.transmittance.b, m.ior)};
-}
-
 bool is_interface_smooth(const Material& m, float alpha, float ior) {
   return m.model == MaterialModel::glass ? glass::is_smooth(alpha, ior) : alpha < min_alpha;
 }
@@ -86,12 +80,10 @@ Bsdf::Bsdf(const Material& m, const Vec2& uv, float relative_ior) {
   switch (m.model) {
     case MaterialModel::matte:
     case MaterialModel::mirror:
+    case MaterialModel::glazing:
       return;
     case MaterialModel::diffuser:
       p_.transmittance = unit(m.transmittance);
-      return;
-    case MaterialModel::glazing:
-      p_.transmittance = pane_passage(m);
       return;
     case MaterialModel::plastic:
       p_.metallic = unit(m.metallic_texture ? m.metallic * m.metallic_texture->first(uv) : m.metallic);
@@ -151,7 +143,11 @@ float Bsdf::min_alpha_continuous() const {
 
 bool Bsdf::has_continuous() const { return min_alpha_continuous() > 0; }
 
-bool Bsdf::transmits() const { return p_.material->model == MaterialModel::glass || !is_black(p_.transmittance); }
+bool Bsdf::transmits() const {
+  const Material& m = *p_.material;
+  return m.model == MaterialModel::glass || !is_black(m.model == MaterialModel::glazing ? m.transmittance
+                                                                                       : p_.transmittance);
+}
 
 Scattering Bsdf::evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   Scattering s = evaluate_model(p_, wo, wi);
@@ -217,9 +213,9 @@ MaterialTraits traits_of(const Material& m) {
       t.coloured = coloured;
       break;
     case MaterialModel::glazing:
-      t.delta = t.interreflects = true;
+      t.delta = t.interreflects = m.ior > 1;  // what it lets through goes straight on, which is no scattering
       t.transmits = !is_black(m.transmittance);
-      t.coloured = tinted(pane_passage(m));
+      t.coloured = tinted(m.transmittance);
       break;
     case MaterialModel::glass:
       add_interface(m, t);

@@ -39,7 +39,7 @@ inline bool is_interface_alone(MaterialModel model, float metallic) {
 struct BsdfParameters {
   const Material* material;
   Rgb reflectance;    // textured
-  Rgb transmittance;  // diffuser; glazing: of one passage through the pane at normal incidence
+  Rgb transmittance;  // diffuser
   float alpha = 0;    // of the interface; 0: smooth, its lobe is a delta lobe
   float metallic = 0;
   float ior = 1;         // glass: of the denser side over the other one, so at least 1
@@ -81,6 +81,14 @@ class Bsdf {
  private:
   BsdfParameters p_;
 };
+
+// A thin pane at an angle of incidence: what it reflects and lets straight through, with all reflections between its two
+// faces, and the probability that a walk is reflected.
+struct PaneCrossing {
+  Rgb reflectance, transmittance;
+  float reflected = 0;
+};
+PaneCrossing cross_pane(const Material& glazing, float cosine);
 
 // Classes of a whole material, for the scene's analysis (scene/effects.h): over all texture values.
 struct MaterialTraits {

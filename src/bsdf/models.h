@@ -33,8 +33,6 @@ Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, const Vec2
 }  // namespace glass
 
 namespace glazing {  // thin panes; delta lobes alone
-// Transmittance of one passage through the pane that makes its total at normal incidence `transmittance`.
-float internal_transmittance(float transmittance, float ior);
 Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, BsdfSample& out);
 }  // namespace glazing
 

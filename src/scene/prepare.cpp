@@ -21,6 +21,7 @@ std::shared_ptr<const Snapshot> Builder::build() {
   add_materials();
   add_geometry();
   add_emissive_instances();
+  out_->panes = find_panes(*out_, instances_);
   add_sources();
   std::vector<float> exposed;
   if (EmitterSet::uses_exposed(emitters_.size()))

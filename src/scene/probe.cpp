@@ -48,7 +48,7 @@ FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i
   out.origin = s.p + s.n * (2 * s.error);
   out.direction = s.direction;
   Hit hit;
-  out.hit = scene.raytracer->intersect(out.origin, s.direction, std::numeric_limits<float>::infinity(), hit);
+  out.hit = intersect_beyond_panes(scene, out.origin, s.direction, hit);
   if (out.hit) out.surface = scene.raytracer->surface_at(hit);
   return out;
 }

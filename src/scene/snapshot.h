@@ -12,6 +12,7 @@
 #include "photometry/photometry.h"
 #include "scene/ids.h"
 #include "scene/media.h"
+#include "scene/panes.h"
 #include "sensor/camera.h"
 #include "sensor/goniometer.h"
 #include "sensor/meters.h"
@@ -65,6 +66,7 @@ struct Snapshot {
   std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;  // numbers of each
   std::vector<photometry::Opening> goniometer_openings;  // that their distributions are given
 
+  Panes panes;
   Media media;
   // What free-standing things lie in, as found by a probe ray at commit: indices into media_stacks, 0: air.
   std::vector<MediaStack> media_stacks;

@@ -18,6 +18,13 @@ Rgb Encounter::transmittance_of_stretches(const Snapshot& scene, float t) const 
   return product * attenuation(scene, media, t - from);
 }
 
+Encounter::Crossed Encounter::crossed_before(float t) const {
+  Crossed last{0, Rgb(1.0f), 1};
+  for (const Crossed& c : panes)
+    if (c.end < t) last = c;
+  return last;
+}
+
 namespace {
 
 // A boundary's own solid or open medium, and whether the ray comes out of it.
@@ -123,12 +130,28 @@ bool is_without_effect(const Snapshot& scene, const Encounter& e) {
          scene.emitter_of_instance[e.surface.instance] == none;
 }
 
+PaneCrossing crossing(const Snapshot& scene, const SurfacePoint& s, const Vec3& d) {
+  return cross_pane(scene.materials[s.material], std::abs(dot(d, s.shading.n)));
+}
+
+// One number serves all panes of an edge: what is left of it after each is uniform again.
+bool goes_through(const Snapshot& scene, const Vec3& d, float& u, Encounter& e) {
+  const PaneCrossing pane = crossing(scene, e.surface, d);
+  if (u < pane.reflected || is_black(pane.transmittance)) return false;
+  u = std::min((u - pane.reflected) / (1 - pane.reflected), 0x1.fffffep-1f);
+  const Encounter::Crossed before = e.panes.empty() ? Encounter::Crossed{0, Rgb(1.0f), 1} : e.panes.back();
+  const float pass = 1 - pane.reflected;
+  e.panes.push_back({e.distance, before.share * pane.transmittance * (1 / pass), before.pass * pass});
+  return true;
+}
+
 }  // namespace
 
-void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, WorkCounts& work,
+void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float u, WorkCounts& work,
           Encounter& out) {
   out.media = start;
   out.earlier.clear();
+  out.panes.clear();
   out.relative_ior = 1;
   Vec3 from = o;
   float before = 0;
@@ -139,11 +162,14 @@ void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack&
     out.distance = out.found ? before + hit.t : std::numeric_limits<float>::infinity();
     if (!out.found) return;
     out.surface = scene.raytracer->surface_at(hit);
-    if (!scene.media.nest) return find_sides(scene, d, out);
-    find_nested_sides(scene, d, out);
-    if (!is_without_effect(scene, out)) return;
-    out.earlier.push_back({out.distance, out.media});
-    out.media = out.beyond(d);
+    const bool pane = scene.panes.is_pane(hit);
+    if (!pane || !goes_through(scene, d, u, out)) {
+      if (!scene.media.nest) return find_sides(scene, d, out);
+      find_nested_sides(scene, d, out);
+      if (pane || !is_without_effect(scene, out)) return;
+      out.earlier.push_back({out.distance, out.media});
+      out.media = out.beyond(d);
+    }
     from = out.surface.ray_origin(d);
     before = dot(from - o, d);
   }
@@ -152,13 +178,12 @@ void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack&
 namespace {
 
 // Up to `length` from a along d.
-bool is_free_through_media(const Snapshot& scene, const MediaStack& media, const Vec3& a, const Vec3& d, float length,
-                           WorkCounts& work, Rgb& transmittance) {
+bool is_free_through(const Snapshot& scene, const MediaStack& media, const Vec3& a, const Vec3& d, float length,
+                     WorkCounts& work, Passage& passage) {
   static const PerThread<Encounter> kept;
   Encounter& e = kept.get();
   e.media = media;
   e.relative_ior = 1;
-  transmittance = Rgb(1.0f);
   Vec3 from = a;
   float before = 0;
   for (;;) {
@@ -167,28 +192,37 @@ bool is_free_through_media(const Snapshot& scene, const MediaStack& media, const
     const float left = length - before;
     if (!(left > 0) || !scene.raytracer->intersect(from, d, left, hit)) break;
     e.surface = scene.raytracer->surface_at(hit);
-    find_nested_sides(scene, d, e);
-    if (!is_without_effect(scene, e)) return false;
-    transmittance *= attenuation(scene, e.media, hit.t);
-    e.media = e.beyond(d);
+    const bool pane = scene.panes.is_pane(hit);
+    if (scene.media.nest) find_nested_sides(scene, d, e);  // which changes nothing at a pane
+    if (!pane && !(scene.media.nest && is_without_effect(scene, e))) return false;
+    if (scene.media.nest) passage.transmittance *= attenuation(scene, e.media, hit.t);
+    if (pane) {
+      const PaneCrossing way = crossing(scene, e.surface, d);
+      if (is_black(way.transmittance)) return false;
+      passage.transmittance *= way.transmittance;
+      passage.pass *= 1 - double(way.reflected);
+    } else {
+      e.media = e.beyond(d);
+    }
     from = e.surface.ray_origin(d);
     before = dot(from - a, d);
   }
-  transmittance *= attenuation(scene, e.media, std::max(0.0f, length - before));
+  if (scene.media.nest) passage.transmittance *= attenuation(scene, e.media, std::max(0.0f, length - before));
   return true;
 }
 
 }  // namespace
 
 bool segment_free(const Snapshot& scene, const MediaStack& media, const Vec3& a, const Vec3& b, WorkCounts& work,
-                  Rgb& transmittance) {
+                  Passage& passage) {
   const Vec3 d = b - a;
   const float l = length(d);
   if (!(l > 0)) return true;
   // The rounding of origin, direction and length moves the end along, however exact the end's own coordinates are: a
   // small surface in the middle of the scene must not hide its own points from what is far away.
   const float rounding = 16 * 0x1p-24f * (max_abs(a) + l);
-  if (scene.media.nest) return is_free_through_media(scene, media, a, d / l, l - rounding, work, transmittance);
+  if (scene.media.nest || scene.panes.may_lie_between(a, b))
+    return is_free_through(scene, media, a, d / l, l - rounding, work, passage);
   ++work.rays;
   return !(l > rounding) || !scene.raytracer->occluded(a, d / l, l - rounding);
 }

@@ -29,15 +29,25 @@ struct Encounter {
     MediaStack media;
   };
   std::vector<Stretch> earlier;  // up to the boundaries without effect that were crossed
+  // Panes that were crossed, each with all before it: what is left of a walk's throughput, and its probability.
+  struct Crossed {
+    float end;
+    Rgb share;
+    double pass;
+  };
+  std::vector<Crossed> panes;
 
   // At `t` along the ray, not beyond the surface.
   Rgb transmittance(const Snapshot& scene, float t) const {
-    if (earlier.empty()) return attenuation(scene, media, t);
-    return transmittance_of_stretches(scene, t);
+    const Rgb through = panes.empty() ? Rgb(1.0f) : crossed_before(t).share;
+    return through * (earlier.empty() ? attenuation(scene, media, t) : transmittance_of_stretches(scene, t));
   }
+  // Probability that a walk went on through the panes before t.
+  double pass(float t) const { return panes.empty() ? 1.0 : crossed_before(t).pass; }
   // Of what lies before the last stretch: all that light meets which leaves the scene.
   Rgb transmittance_of_earlier(const Snapshot& scene) const {
-    return earlier.empty() ? Rgb(1.0f) : transmittance_of_stretches(scene, earlier.back().end);
+    const Rgb through = panes.empty() ? Rgb(1.0f) : panes.back().share;
+    return earlier.empty() ? through : through * transmittance_of_stretches(scene, earlier.back().end);
   }
   // What a ray from the surface towards w runs in.
   const MediaStack& beyond(const Vec3& w) const { return dot(w, surface.ng) < 0 ? back : front; }
@@ -47,16 +57,21 @@ struct Encounter {
 
  private:
   Rgb transmittance_of_stretches(const Snapshot& scene, float t) const;
+  Crossed crossed_before(float t) const;
 };
 
-// From o along d, where `start` is around o.
-void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, WorkCounts& work,
+// From o along d, where `start` is around o. u: a pane whose reflectance is larger is met, others are crossed.
+void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float u, WorkCounts& work,
           Encounter& out);
 
-// Is the segment free? Shortened at its end by rounding. `media`, around a, is needed where media nest: `transmittance`
-// is then what they leave of the light; else it is left alone, and attenuation_ahead() has it.
+// What panes leave of light along a segment, and media where they nest; else attenuation_ahead() has theirs.
+struct Passage {
+  Rgb transmittance{1.0f};
+  double pass = 1;  // probability that a walk goes on through the panes
+};
+// Is the segment free, but for panes? Shortened at its end by rounding. `media`: around a.
 bool segment_free(const Snapshot& scene, const MediaStack& media, const Vec3& a, const Vec3& b, WorkCounts& work,
-                  Rgb& transmittance);
+                  Passage& passage);
 // Of a segment that is not traced yet.
 inline Rgb attenuation_ahead(const Snapshot& scene, const MediaStack& media, float distance) {
   return scene.media.nest ? Rgb(1.0f) : attenuation(scene, media, distance);

@@ -83,7 +83,7 @@ void EyeWalk::walk() {
   const Method& method = in_.settings.method;
   for (uint32_t edges = 1; !in_.is_too_long(edges); ++edges) {
     if (is_stopped(in_.stop, edges)) return;
-    meet(scene_, origin_, direction_, media_, work_, met_);
+    trace(edges);
     if (scene_.openings) hit_openings(edges);
     if (!met_.found || !carry(met_.transmittance(scene_, met_.distance))) return;
     const SurfacePoint& surface = met_.surface;
@@ -122,9 +122,9 @@ void EyeWalk::gather(const EyeEnd& eye) {
 }
 
 void EyeWalk::add(const Contribution& c, Drop drop, double share) {
-  Rgb passed(1.0f);
-  if (c.media && is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, passed)) return;
-  add(c, c.value * passed * float(share), c.weight(in_, 1), drop);
+  Passage way;
+  if (c.media && is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
+  add(c, c.value * way.transmittance * float(share), c.weight(in_, way.pass), drop);
 }
 
 void EyeWalk::add(const Contribution& c, const Rgb& unweighted, double weight, Drop where) {
@@ -160,7 +160,7 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
   const Method& method = in_.settings.method;
   if (!in_.has(UPS_TECHNIQUE_EMITTER_HIT) && method.eye_end != EyeEndOf::first_surface) return;
   if (method.hits_after_specular && !specular_) return;
-  const double pdf_a = edge_.scatter.pdf * cos_in / (double(distance) * distance);
+  const double pdf_a = edge_.scatter.pdf * met_.pass(distance) * cos_in / (double(distance) * distance);
   const EyeHit eye{arrive(p, cos_in, distance), counts_, last_, p, -direction_, pdf_a,
                    edge_.kind == Edge::continuous, edges, carried_ * transmittance};
   if (const Found c = hit(in_, eye, emitter, primitive)) add(*c, Drop::emitter_hit);

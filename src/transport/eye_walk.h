@@ -50,8 +50,8 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
  private:
   friend Subpath;
   using EyeEndOf = Method::EyeEnd;
-  mis::EyeState first_state(const Vec3&, float cos_in, float distance) const {
-    return mis::eye_first(counts_, edge_.scatter.pdf, cos_in, double(distance) * distance, 1);
+  mis::EyeState first_state(const Vec3&, float cos_in, double d2, double pass) const {
+    return mis::eye_first(counts_, edge_.scatter.pdf, cos_in, d2, pass);
   }
   EyeTally gather_at_meter(EyeEnd& eye);
   void gather(const EyeEnd& eye);

@@ -51,7 +51,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (!emit()) return;
     for (uint32_t a = 1; !in_.is_too_long(a); ++a) {
       if (is_stopped(in_.stop, a)) return;
-      meet(scene_, origin_, direction_, media_, work_, met_);
+      trace(a);
       if (!sensors_.empty()) cross_sensors(a);
       if (!met_.found) {
         if (!carry(met_.transmittance_of_earlier(scene_))) return;
@@ -95,19 +95,18 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   }
 
   // x_1 needs to know how next-event estimation would have found x_0.
-  mis::LightState first_state(const Vec3& p, float cos_in, float distance) const {
-    const double d2 = double(distance) * distance;
+  mis::LightState first_state(const Vec3& p, float cos_in, double d2, double pass) const {
     const double choose = double(scene_.emitters.direct_probability(p, emitter_index_)) / emit_probability_;
     if (emitter_->is_directional())
-      return mis::light_first_directional(counts_, choose, 1.0 / start_.pdf_position_a, cos_in, 1);
+      return mis::light_first_directional(counts_, choose, 1.0 / start_.pdf_position_a, cos_in, pass);
     if (emitter_->is_delta())
-      return mis::light_first(counts_, choose, start_.pdf_direction_w, d2, cos_in, 1, false, 1.0, 1.0);
+      return mis::light_first(counts_, choose, start_.pdf_direction_w, d2, cos_in, pass, false, 1.0, 1.0);
     EmitterHit hit;
     const uint32_t primitive = start_.primitive == EmissionSample::invalid ? 0 : start_.primitive;
     const bool seen = emitter_->eval_hit(p, start_.p, primitive, start_.direction, hit);
     const double pf_0 = double(emit_probability_) * start_.pdf_position_a;
     const double ratio = seen ? choose * hit.pdf_nee_a / start_.pdf_position_a : 0.0;
-    return mis::light_first(counts_, ratio, start_.pdf_direction_w, d2, cos_in, 1, true, start_.cos_0, pf_0);
+    return mis::light_first(counts_, ratio, start_.pdf_direction_w, d2, cos_in, pass, true, start_.cos_0, pf_0);
   }
 
   void cross_sensors(uint32_t a) {
@@ -168,10 +167,9 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const std::optional<Splatted> found = ups::splat(in_, camera, light, emitter_index_);
     if (!found) return;
     const Contribution& c = found->contribution;
-    const float weight = float(c.weight(in_, 1));
-    Rgb passed(1.0f);
-    if (is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, passed)) return;
-    const Rgb unweighted = c.value * passed, value = unweighted * weight;
+    Passage way;
+    if (is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
+    const Rgb unweighted = c.value * way.transmittance, value = unweighted * float(c.weight(in_, way.pass));
     if (!is_finite(value)) return work_.drop(Drop::sensor_connect);
     block_.splats.push_back({{found->pixel, value}, unweighted, camera, c.technique.edges});
   }

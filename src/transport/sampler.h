@@ -11,7 +11,8 @@ enum class Slot {
   choice, position_x, position_y,  // next-event estimation; a light path's vertex 0: its emitter
   direction_x, direction_y, lobe, roulette,
   cell_x, cell_y,  // a point in a meter's cell
-  connection,      // which of a vertex's connections gets its shadow ray
+  pane = cell_x,   // of a later vertex: which panes the edge to it goes through
+  connection = cell_y + 1,  // which of a vertex's connections gets its shadow ray
   perturb_x, perturb_y,  // where path integration arrives beside the vertex
   count
 };

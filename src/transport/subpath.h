@@ -41,6 +41,11 @@ class Subpath {
   Subpath(const Iteration& in, const PathSampler& rng, WorkCounts& work)
       : in_(in), scene_(in.scene), rng_(rng), work_(work) {}
 
+  void trace(uint32_t edges) {
+    meet(scene_, origin_, direction_, media_, scene_.panes.of_instance.empty() ? 0 : rng_.get(edges, Slot::pane), work_,
+         met_);
+  }
+
   bool drop(Drop where) {
     work_.drop(where);
     return false;
@@ -61,14 +66,14 @@ class Subpath {
 
   // The weights' state at a point that the current edge reaches.
   State arrive(const Vec3& p, float cos_in, float distance) const {
-    const double d2 = double(distance) * distance;
+    const double d2 = double(distance) * distance, pass = met_.pass(distance);
     if (edge_.kind == Edge::delta) {
       if constexpr (from_emitter) return mis::light_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
       else return mis::eye_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
     }
-    if (edge_.kind == Edge::first) return static_cast<const Walk*>(this)->first_state(p, cos_in, distance);
-    if constexpr (from_emitter) return mis::light_step(edge_.state, edge_.scatter, cos_in, d2, 1);
-    else return mis::eye_step(edge_.state, counts_, edge_.scatter, cos_in, d2, 1);
+    if (edge_.kind == Edge::first) return static_cast<const Walk*>(this)->first_state(p, cos_in, d2, pass);
+    if constexpr (from_emitter) return mis::light_step(edge_.state, edge_.scatter, cos_in, d2, pass);
+    else return mis::eye_step(edge_.state, counts_, edge_.scatter, cos_in, d2, pass);
   }
 
   // What the current edge has met, once its light is there; false where nothing scatters on.
@@ -89,7 +94,9 @@ class Subpath {
   template <class Keep>
   bool scatter(const Vertex& v, const Keep& keep) {
     BsdfSample s;
-    if (!v.bsdf->sample(v.local_wo, rng_.get(v.edges, Slot::lobe), rng_.direction(v.edges), mode, s)) return absorb();
+    // A pane that was met reflects: those that are gone through are crossed.
+    const float u_lobe = scene_.panes.is_pane(v.surface.instance) ? 0 : rng_.get(v.edges, Slot::lobe);
+    if (!v.bsdf->sample(v.local_wo, u_lobe, rng_.direction(v.edges), mode, s)) return absorb();
     if (!keep(s)) return false;
     const Vec3 wi = v.surface.shading.to_world(s.wi);
     if (is_finite(s.weight) && !consistent_side(v.surface, wi, s.wi)) return absorb();
