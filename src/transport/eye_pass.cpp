@@ -108,8 +108,8 @@ uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_
   return first_path + uint32_t(pixels.size());
 }
 
-uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, uint32_t s, uint32_t first_path,
-                           ThreadPool& pool, IterationTally& tally) {
+uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, const DirectLight& direct, uint32_t s,
+                           uint32_t first_path, ThreadPool& pool, IterationTally& tally) {
   const MeterSet& set = in.scene.meter_sets[s];
   const uint32_t samples = in.plan.meter_samples;
   const size_t meters_per_block = std::max<size_t>(1, paths_per_block / samples), visited = tally.meters[s].size();
@@ -129,6 +129,7 @@ uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, uint32_t
       sensor.first.radius = float(std::sqrt(radius2));
       sensor.later = {walk_radius, &photons.of_walks};
       sensor.media = &in.scene.media_stacks[in.scene.media_of_meter[s][m]];
+      sensor.direct_found_from = direct.found_from(s, m);
       MeterTally sum;
       const size_t columns = in.plan.separation.columns.size();
       sensor.separated = columns ? &tally.separated[s][i * columns] : nullptr;

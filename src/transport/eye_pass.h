@@ -2,6 +2,7 @@
 // estimation, connections to a light path and merges at each vertex.
 #pragma once
 #include "base/parallel.h"
+#include "transport/direct_light.h"
 #include "transport/light_vertex.h"
 #include "transport/photon_index.h"
 #include "transport/tally.h"
@@ -18,7 +19,7 @@ struct Photons {
 // `first_path`: running number of the pass's first eye path, for its pairing with light paths. Returns the next one's.
 uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_t camera, uint32_t first_path, ThreadPool& pool,
                             IterationTally& tally);
-uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, uint32_t set, uint32_t first_path, ThreadPool& pool,
-                           IterationTally& tally);
+uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, const DirectLight& direct, uint32_t set,
+                           uint32_t first_path, ThreadPool& pool, IterationTally& tally);
 
 }  // namespace ups

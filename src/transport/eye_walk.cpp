@@ -16,24 +16,8 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
   return tally_;
 }
 
-namespace {
-
-EyeEnd meter_end(const EyeSensor& sensor, const SurfacePoint& surface, const Frame& frame) {
-  EyeEnd eye;
-  eye.surface = surface;
-  eye.surface.ng = frame.n;
-  eye.surface.shading = frame;
-  eye.state = sensor.own_point;
-  eye.merge = eye.state.eta > 0;
-  eye.carried = Rgb(1.0f);
-  eye.front = eye.back = sensor.media;
-  return eye;
-}
-
-}  // namespace
-
 EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) {
-  EyeEnd eye = meter_end(sensor_, surface, frame);
+  EyeEnd eye = meter_end(surface.p, surface.error, frame, sensor_.own_point, *sensor_.media);
   if (eye.merge) {
     eye.surface.ng = surface.ng;  // photons tell by it which side they lie on
     merge(eye);
@@ -43,14 +27,11 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
 }
 
 EyeTally EyeWalk::from_meter(const Vec3& p, float error, const Frame& frame) {
-  SurfacePoint surface;
-  surface.p = p;
-  surface.error = error;
+  EyeEnd eye = meter_end(p, error, frame, sensor_.own_point, *sensor_.media);
   if (in_.settings.actual_perturbation) {  // a point meter's kernel is its disc
     const Vec2 disc = square_to_disc({rng_.get(0, Slot::perturb_x), rng_.get(0, Slot::perturb_y)});
-    surface.p += (frame.s * disc.x + frame.t * disc.y) * float(sensor_.first.radius);
+    eye.surface.p += (frame.s * disc.x + frame.t * disc.y) * float(sensor_.first.radius);
   }
-  EyeEnd eye = meter_end(sensor_, surface, frame);
   return gather_at_meter(eye);
 }
 
@@ -61,7 +42,8 @@ EyeTally EyeWalk::gather_at_meter(EyeEnd& eye) {
   if (ends && sensor_.cell) return tally_;  // so do light paths
   const Arrival arrival{eye.surface};
   if (ends || in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE))
-    if (const Found c = ups::sample_light(in_, counts_, eye, arrival, rng_.get(0, Slot::choice), rng_.position(0)))
+    if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(0, Slot::choice), rng_.position(0),
+                                     sensor_.direct_found_from))
       add(*c, Drop::light_sample);
   if (in_.has(UPS_TECHNIQUE_CONNECT)) connect_one(eye, arrival);
   if (ends) return tally_;
@@ -113,8 +95,8 @@ void EyeWalk::gather(const EyeEnd& eye) {
   const bool arrives = in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT);
   if (arrives && (!in_.settings.actual_perturbation || perturb(eye, arrival))) {
     if (in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE))
-      if (const Found c = ups::sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice),
-                                            rng_.position(eye.edges)))
+      if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice),
+                                       rng_.position(eye.edges)))
         add(*c, Drop::light_sample);
     if (in_.has(UPS_TECHNIQUE_CONNECT)) connect_one(eye, arrival);
   }

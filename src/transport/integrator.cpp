@@ -9,7 +9,8 @@ namespace ups {
 
 Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
                        const StopSignal& stop)
-    : scene_(std::move(scene)), settings_(settings), pool_(pool), plan_(make_plan(*scene_, settings)) {
+    : scene_(std::move(scene)), settings_(settings), pool_(pool), plan_(make_plan(*scene_, settings)),
+      direct_(*scene_, plan_, settings_) {
   choose_radii(*scene_, settings_, pool_, stop, plan_);
   for (const auto& radii : plan_.pixel_radius)
     for (const float r : radii) largest_pixel_radius_ = std::max(largest_pixel_radius_, r);
@@ -40,6 +41,7 @@ bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally&
   if (iteration > 0 && plan_.meter_pass(iteration) == 0)
     choose_meter_radii(*scene_, settings_, pool_, stop, iteration, plan_);
   const Iteration in(*scene_, plan_, settings_, iteration, stop);
+  direct_.find(in, pool_, tally.work);
   Photons photons;
   if (settings_.traces_light()) {
     const SensorIndex sensors(in, pool_);
@@ -55,7 +57,8 @@ bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally&
   uint32_t path = 0;
   for (uint32_t c = 0; c < scene_->cameras.size(); ++c) path = trace_camera_paths(in, photons, c, path, pool_, tally);
   for (uint32_t s = 0; s < scene_->meter_sets.size(); ++s)
-    path = trace_meter_paths(in, photons, s, path, pool_, tally);
+    path = trace_meter_paths(in, photons, direct_, s, path, pool_, tally);
+  direct_.add(in, tally);
   return !stop.is_set();
 }
 

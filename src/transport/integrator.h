@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "base/stop.h"
-#include "transport/plan.h"
+#include "transport/direct_light.h"
 #include "transport/tally.h"
 
 namespace ups {
@@ -27,6 +27,7 @@ class Integrator {
   TransportSettings settings_;
   ThreadPool& pool_;
   Plan plan_;
+  DirectLight direct_;
   float largest_pixel_radius_ = 0;
 };
 

@@ -88,6 +88,8 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   for (size_t i = 0; i < scene.emitters.size(); ++i) {
     const bool open = !samples || !scene.emitters[i].is_direct();
     plan.gates.push_back({open, open});
+    plan.exact.push_back(scene.emitters[i].is_delta() && scene.emitters[i].is_direct() &&
+                         (samples ? !open : settings.method.eye_end == Method::EyeEnd::first_surface));
   }
   return plan;
 }

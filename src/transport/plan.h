@@ -39,6 +39,8 @@ struct Plan {
   uint32_t meter_subsets = 1;   // the same of meters, by eye paths, discs and cells alike; odd, see make_plan()
   uint32_t meter_samples = 1;   // Ke, a power of two
   std::vector<mis::Gates> gates;  // by emitter
+  // By emitter: nothing but next-event estimation brings its light straight to a point meter, without chance.
+  std::vector<bool> exact;
   Separation separation;  // of meters' readings
   // r_1 of each pixel, for the first vertex of its eye paths that scatters, and of each meter's own disc, which catches
   // photons for all of a meter's eye paths at once; empty without merging. All other vertices merge within walk_radius:

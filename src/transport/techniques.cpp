@@ -50,27 +50,35 @@ Found hit(const Iteration& in, const EyeHit& eye, uint32_t index, uint32_t primi
   return c;
 }
 
-Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                   float u_choice, const Vec2& u_position) {
-  if (in.is_too_long(eye.edges + 1)) return {};
-  const Snapshot& scene = in.scene;
-  const Vec3& p = arrival.surface.p;
-  const EmitterSet::Choice choice = scene.emitters.choose_direct(p, u_choice);
-  if (!(choice.probability > 0)) return {};
+EyeEnd meter_end(const Vec3& p, float error, const Frame& frame, const mis::EyeState& state, const MediaStack& media) {
+  EyeEnd eye;
+  eye.surface.p = p;
+  eye.surface.error = error;
+  eye.surface.ng = frame.n;
+  eye.surface.shading = frame;
+  eye.state = state;
+  eye.merge = state.eta > 0;
+  eye.carried = Rgb(1.0f);
+  eye.front = eye.back = &media;
+  return eye;
+}
+
+Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+                 const EmitterSet::Choice& choice, const Vec2& u_position) {
   DirectSample s;
-  const Emitter& emitter = scene.emitters[choice.index];
+  const Emitter& emitter = in.scene.emitters[choice.index];
   Vec3 local;
-  if (!emitter.sample_direct(p, u_position, s) || !scatters(eye, s.wi, local)) return {};
+  if (!emitter.sample_direct(arrival.surface.p, u_position, s) || !scatters(eye, s.wi, local)) return {};
   const Scattering f = eye.evaluate(local, TransportMode::radiance);
   if (is_black(f.value)) return {};
   const MediaStack& media = eye.beyond(s.wi);
-  const float scale = terminator(eye, s.wi) * arrival_factor(eye, arrival, s.wi) / choice.probability;
+  const float scale = terminator(eye, s.wi) * arrival_factor(eye, arrival, s.wi);
   Contribution c{{Family::path_integration, 1, eye.edges + 1}, choice.index,
-                 eye.carried * f.value * s.weight * attenuation_ahead(scene, media, s.distance) * scale};
+                 eye.carried * f.value * s.weight * attenuation_ahead(in.scene, media, s.distance) * scale};
   if (is_black(c.value)) return {};
   if (in.weighted()) {
     const double cos_1 = std::abs(dot(s.wi, arrival.surface.ng)), d2 = double(s.distance) * s.distance;
-    const DirectDensities d = direct_densities(scene, choice, s, cos_1);
+    const DirectDensities d = direct_densities(in.scene, choice, s, cos_1);
     const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * s.cos_0 / d2;
     c.others = mis::others_of_light_sample(eye.state, n, in.gates_of(choice.index), eye.scatter(f), pb_0, d.pn_0,
                                            d.pf_0, d.pf_1);
@@ -78,6 +86,17 @@ Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye,
   c.from = arrival.surface.ray_origin(s.wi);
   c.to = lifted(s.p, s.n, s.error);
   c.media = &media;
+  return c;
+}
+
+Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
+                   const Vec2& u_position, float found_from) {
+  if (in.is_too_long(eye.edges + 1)) return {};
+  const EmitterSet::Choice choice = in.scene.emitters.choose_direct(arrival.surface.p, u_choice);
+  if (!(choice.probability > 0)) return {};
+  Found c = light_from(in, n, eye, arrival, choice, u_position);
+  if (!c || (in.plan.exact[choice.index] && luminance(c->value) >= found_from)) return {};
+  c->value *= 1 / choice.probability;
   return c;
 }
 

@@ -16,6 +16,8 @@ struct Arrival {
   float ratio = 0;  // kernel over the density that the point was drawn with; 0: at the vertex itself
 };
 
+EyeEnd meter_end(const Vec3& p, float error, const Frame& frame, const mis::EyeState& state, const MediaStack& media);
+
 struct Contribution {
   Technique technique;
   uint32_t emitter = 0;
@@ -41,8 +43,12 @@ struct EyeHit {
   Rgb carried;
 };
 Found hit(const Iteration& in, const EyeHit& eye, uint32_t emitter, uint32_t primitive);                  // s = 0
-Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // s = 1
-                   float u_choice, const Vec2& u_position);
+// Light of one emitter, chosen with a probability; of it at the eye.
+Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // s = 1
+                 const EmitterSet::Choice& choice, const Vec2& u_position);
+// found_from: what an emitter of Plan::exact brings from there on is found elsewhere.
+Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
+                   const Vec2& u_position, float found_from = INFINITY);
 Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // 2 <= s <= k
               const LightEnd& light, uint32_t emitter);
 struct Splatted {

@@ -1,0 +1,90 @@
+// See direct_light.h.
+#include "transport/direct_light.h"
+
+#include <algorithm>
+
+#include "base/per_thread.h"
+#include "transport/techniques.h"
+
+namespace ups {
+
+namespace {
+
+constexpr size_t most_rays = size_t(1) << 22, most_looks = size_t(1) << 26;
+
+}  // namespace
+
+DirectLight::DirectLight(const Snapshot& scene, const Plan& plan, const TransportSettings& settings) {
+  size_t points = 0;
+  for (const MeterSet& set : scene.meter_sets) points += set.is_cell() ? 0 : set.meters.size();
+  for (uint32_t i = 0; i < plan.exact.size(); ++i)
+    if (plan.exact[i]) emitters_.push_back(i);
+  if (points == 0 || emitters_.empty() || settings.actual_perturbation || points > most_looks / emitters_.size())
+    return;
+  most_ = std::max<size_t>(1, most_rays / points);
+  for (const MeterSet& set : scene.meter_sets) {
+    const size_t count = set.is_cell() ? 0 : set.meters.size();
+    meters_.emplace_back(count);
+    separated_.emplace_back(count * plan.separation.columns.size());
+  }
+}
+
+void DirectLight::find(const Iteration& in, ThreadPool& pool, WorkCounts& work) {
+  if (in.plan.meter_pass(in.number) > 0) return;
+  constexpr size_t per_block = 16;
+  for (size_t s = 0; s < meters_.size(); ++s) {
+    const size_t visited = meters_[s].empty() ? 0 : in.plan.visited_meters(in.number, meters_[s].size());
+    std::vector<WorkCounts> of_block((visited + per_block - 1) / per_block);
+    pool.for_blocks(visited, per_block, [&](size_t b, size_t begin, size_t end) {
+      for (size_t i = begin; i < end && !in.stop.is_set(); ++i)
+        find(in, s, in.plan.visited_meter(in.number, i), of_block[b]);
+    });
+    for (const WorkCounts& w : of_block) work.add(w);
+  }
+}
+
+void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& work) {
+  const Meter& meter = in.scene.meter_sets[set].meters[m];
+  const EyeEnd eye = meter_end(meter.p, meter.error, meter.frame, {}, in.scene.media_stacks[in.scene.media_of_meter[set][m]]);
+  const Arrival arrival{eye.surface};
+  static const PerThread<std::vector<std::pair<float, Contribution>>> kept;
+  auto& lights = kept.get();
+  lights.clear();
+  for (const uint32_t e : emitters_)
+    if (const Found c = light_from(in, {}, eye, arrival, {e, 1}, {})) lights.emplace_back(luminance(c->value), *c);
+  float found_from = 0;
+  if (lights.size() > most_) {
+    std::nth_element(lights.begin(), lights.begin() + ptrdiff_t(most_ - 1), lights.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    found_from = lights[most_ - 1].first;
+  }
+  OfMeter& out = meters_[set][m];
+  out = {0, found_from};
+  const size_t columns = in.plan.separation.columns.size();
+  for (size_t k = 0; k < columns; ++k) separated_[set][m * columns + k] = 0;
+  std::sort(lights.begin(), lights.end(),  // so that the sum does not depend on how they were parted
+            [](const auto& a, const auto& b) { return a.second.emitter < b.second.emitter; });
+  for (const auto& [size, c] : lights) {
+    Passage way;
+    if (!(size >= found_from) || !is_finite(c.value)) continue;
+    if (!segment_free(in.scene, *c.media, c.from, c.to, work, way)) continue;
+    const double lx = luminance(c.value * way.transmittance);
+    out.lx += lx;
+    if (columns) separated_[set][m * columns + in.plan.separation.column_of_emitter[c.emitter]] += lx;
+  }
+}
+
+void DirectLight::add(const Iteration& in, IterationTally& tally) const {
+  const size_t columns = in.plan.separation.columns.size();
+  for (size_t s = 0; s < meters_.size(); ++s)
+    for (size_t i = 0; i < (meters_[s].empty() ? 0 : tally.meters[s].size()); ++i) {
+      const size_t m = in.plan.visited_meter(in.number, i);
+      tally.meters[s][i].add({meters_[s][m].lx, meters_[s][m].lx, 0});
+      for (size_t k = 0; k < columns; ++k) {
+        const double lx = separated_[s][m * columns + k];
+        tally.separated[s][i * columns + k].add({lx, lx, 0});
+      }
+    }
+}
+
+}  // namespace ups

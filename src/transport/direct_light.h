@@ -1,0 +1,37 @@
+// Light straight from emitters without extent to point meters is no matter of chance: one shadow ray each finds it, once
+// a render. It is next-event estimation at the meter's own point (k = 1), which no other technique makes then.
+#pragma once
+#include <vector>
+
+#include "base/parallel.h"
+#include "transport/iteration.h"
+#include "transport/tally.h"
+
+namespace ups {
+
+class DirectLight {
+ public:
+  DirectLight(const Snapshot& scene, const Plan& plan, const TransportSettings& settings);
+  // Finds it for the meters that the iteration visits, where it is the first to do so.
+  void find(const Iteration& in, ThreadPool& pool, WorkCounts& work);
+  // Adds it to what the iteration found.
+  void add(const Iteration& in, IterationTally& tally) const;
+  // Light of an emitter of plan.exact that would bring at least so much, unoccluded, is found here.
+  float found_from(size_t set, uint32_t meter) const {
+    return meters_.empty() || meters_[set].empty() ? INFINITY : meters_[set][meter].found_from;
+  }
+
+ private:
+  struct OfMeter {
+    double lx = 0;
+    float found_from = INFINITY;
+  };
+  void find(const Iteration& in, size_t set, uint32_t meter, WorkCounts& work);
+
+  size_t most_ = 0;  // of a meter: its strongest
+  std::vector<uint32_t> emitters_;
+  std::vector<std::vector<OfMeter>> meters_;      // empty sets: cells
+  std::vector<std::vector<double>> separated_;    // a meter by a column, column fastest
+};
+
+}  // namespace ups
