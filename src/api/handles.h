@@ -2,14 +2,13 @@
 // not matter. Included by src/api alone.
 #pragma once
 #include <deque>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 
-#include "api/fixture_parts.h"
 #include "api/guard.h"
 #include "base/parallel.h"
+#include "fixture/placed.h"
 #include "photometry/photometry.h"
 #include "render/method.h"
 #include "scene/description.h"
@@ -98,7 +97,7 @@ struct ups_profile {
 
 struct ups_fixture {
   ups::api::Owner<ups_fixture> owner;
-  std::vector<std::shared_ptr<const ups::api::FixturePart>> parts;
+  ups::Fixture data;
 };
 
 struct ups_scene {
@@ -107,6 +106,5 @@ struct ups_scene {
   ups::Description description{std::make_shared<const ups::SceneTag>()};
   std::shared_ptr<const ups::Snapshot> snapshot;  // of the last commit; null before
   ups::MethodChoice method{};                     // that UPS_METHOD_AUTO stands for on it
-  ups::IdTable<ups::api::PlacedFixture> fixtures{description.tag()->bits()};
-  std::map<std::shared_ptr<const ups::api::FixturePart>, ups_mesh_id> fixture_meshes;  // of parts that do not emit
+  ups::PlacedFixtures fixtures{description};
 };

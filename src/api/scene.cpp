@@ -67,17 +67,7 @@ void ups_texture_desc_init(ups_texture_desc* desc, uint32_t struct_size) {
 }
 
 void ups_material_desc_init(ups_material_desc* desc, uint32_t struct_size) {
-  ups_material_desc d{};
-  d.model = UPS_MATERIAL_MATTE;
-  fill(d.reflectance_rgb, 0.5f);
-  fill(d.transmittance_rgb, -1);
-  d.ior = 1.5f;
-  fill(d.ior_rgb, 1);
-  d.alpha_mode = UPS_ALPHA_OPAQUE;
-  d.alpha = 1;
-  d.alpha_cutoff = 0.5f;
-  d.normal_scale = 1;
-  write_defaults(desc, struct_size, d);
+  write_defaults(desc, struct_size, default_material());
 }
 
 void ups_mesh_desc_init(ups_mesh_desc* desc, uint32_t struct_size) {

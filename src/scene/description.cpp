@@ -87,6 +87,20 @@ void check_indices_of_refraction(const ups_material_desc& d) {
 
 }  // namespace
 
+ups_material_desc default_material() {
+  ups_material_desc d{};
+  d.model = UPS_MATERIAL_MATTE;
+  std::fill(std::begin(d.reflectance_rgb), std::end(d.reflectance_rgb), 0.5f);
+  std::fill(std::begin(d.transmittance_rgb), std::end(d.transmittance_rgb), -1.0f);
+  d.ior = 1.5f;
+  std::fill(std::begin(d.ior_rgb), std::end(d.ior_rgb), 1.0f);
+  d.alpha_mode = UPS_ALPHA_OPAQUE;
+  d.alpha = 1;
+  d.alpha_cutoff = 0.5f;
+  d.normal_scale = 1;
+  return d;
+}
+
 // ---- surfaces ----
 
 ups_texture_id Description::add_texture(const ups_texture_desc& d) {

@@ -14,6 +14,9 @@
 
 namespace ups {
 
+// Of ups_material_desc_init, and of what a fixture's finish leaves open.
+ups_material_desc default_material();
+
 struct TextureDescription {
   std::shared_ptr<const Texture> texture;
   uint32_t channels;
