@@ -172,13 +172,15 @@ std::vector<Case> cases() {
   const Pane green{1, {0.5, 0.8, 0.3}}, blue{1, {0.4, 0.6, 0.9}}, grey{1, {0.7, 0.7, 0.7}};  // these reflect nothing
   const P3 tilted{-std::sin(0.7), 0, std::cos(0.7)};
   const Layout parallel{.pane = {0, 0, 1}, .pane_half = 1.5, .source = Source::parallel};
-  Layout one = parallel, three = parallel, point_light, square, camera_behind, all_behind = parallel;
+  Layout one = parallel, three = parallel, point_light, square, window, camera_behind, all_behind = parallel;
   one.stack = {.panes = {tinted}, .normal = tilted};
   three.stack = {.panes = {green, grey, blue}, .normal = tilted};
   point_light.source = Source::point;
   point_light.stack.panes = three.stack.panes;
   square.stack.panes = {clear, tinted, clear};
   square.cell_side = 1.6;
+  window.stack.panes = {clear};
+  window.pane_half = 0.4, window.wall_half = 4, window.cell_side = 0.5;
   camera_behind.source_half = 0.3, camera_behind.source_height = 0.6;
   camera_behind.camera = {0.9, 0, 1.3}, camera_behind.view = 0.45;
   camera_behind.stack.panes = all_behind.stack.panes = {clear, green};
@@ -192,18 +194,18 @@ std::vector<Case> cases() {
   constexpr ups_method pt = UPS_METHOD_PATH_TRACING, lt = UPS_METHOD_LIGHT_TRACING, bpt = UPS_METHOD_BIDIRECTIONAL,
                        ppm = UPS_METHOD_PPM, sppm = UPS_METHOD_SPPM, bpm = UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING,
                        ups = UPS_METHOD_UPS, automatic = UPS_METHOD_AUTO;
-  add("ParallelLightOneTiltedPane", one, all, {ups, ppm});
-  add("ParallelLightOneTiltedPane", one, cell | camera, {lt});
-  add("ParallelLightOneTiltedPane", one, camera, {bpt});
-  add("ParallelLightThreeTiltedPanes", three, all, {automatic, ups, ppm, sppm, bpm});
-  add("ParallelLightThreeTiltedPanes", three, cell | camera, {lt});
-  add("ParallelLightThreeTiltedPanes", three, camera, {bpt});
-  add("LightAndCameraBehindPanes", all_behind, all, {ups, ppm});
-  add("LightAndCameraBehindPanes", all_behind, cell, {lt});
-  add("CameraBehindPanes", camera_behind, all, {automatic, ups, bpt, pt});
+  add("ParallelLightOneTiltedPane", one, all, {ups, bpt, pt, lt, ppm});
+  add("ParallelLightThreeTiltedPanes", three, all, {automatic, ups, bpt, pt, lt, ppm, sppm, bpm});
+  add("LightAndCameraBehindPanes", all_behind, all, {ups, bpt, pt, lt, ppm});
+  add("CameraBehindPanes", camera_behind, all, {automatic, ups, bpt, pt, lt});
   // What is left out has much noise, or the bias of merging: this light is not even.
-  add("PointLightThreePanes", point_light, cell, {lt});
-  add("LuminousSquareThreePanes", square, cell, {lt, ppm});
+  add("PointLightThreePanes", point_light, all, {automatic, ups, bpt, pt});
+  add("PointLightThreePanes", point_light, point | cell, {lt});
+  add("LuminousSquareThreePanes", square, all, {automatic, ups, bpt, pt});
+  add("LuminousSquareThreePanes", square, point | cell, {lt});
+  add("LuminousSquareThreePanes", square, cell, {ppm});
+  add("LuminousSquareWindow", window, point | cell, {automatic, ups, bpt, pt});
+  add("LuminousSquareWindow", window, point, {lt});
   return out;
 }
 
