@@ -145,33 +145,55 @@ bool goes_through(const Snapshot& scene, const Vec3& d, float& u, Encounter& e) 
   return true;
 }
 
+// A ray that goes on beyond surfaces along its own line: one that is lifted off each of them drifts, and would meet what
+// lies at its end.
+struct Ray {
+  const Snapshot& scene;
+  Vec3 o, d;
+  float from = 0, last = -1, reach = 0;  // of what was passed last, to be met once
+  uint32_t instance = none;
+
+  // The next hit before `end`, its distance from o.
+  bool next(float end, WorkCounts& work, Hit& hit, float& distance) {
+    for (;;) {
+      ++work.rays;
+      if (!(end > from) || !scene.raytracer->intersect(o + d * from, d, end - from, hit)) return false;
+      distance = from + hit.t;
+      if (hit.instance != instance || distance - last > reach) return true;
+      from = distance + reach;
+    }
+  }
+  void pass(const SurfacePoint& s, float distance) {
+    const float lift = 2 * s.error + 4 * 0x1p-24f * (max_abs(o) + distance), cosine = std::abs(dot(d, s.ng));
+    last = distance;
+    instance = s.instance;
+    reach = 2 * lift / std::max(cosine, 1e-3f);
+    from = distance + lift / std::max(cosine, 0.05f);
+  }
+};
+
 }  // namespace
 
 void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float u, WorkCounts& work,
           Encounter& out) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
   out.media = start;
   out.earlier.clear();
   out.panes.clear();
   out.relative_ior = 1;
-  Vec3 from = o;
-  float before = 0;
-  for (;;) {
+  for (Ray ray{scene, o, d};; ray.pass(out.surface, out.distance)) {
     Hit hit;
-    ++work.rays;
-    out.found = scene.raytracer->intersect(from, d, std::numeric_limits<float>::infinity(), hit);
-    out.distance = out.found ? before + hit.t : std::numeric_limits<float>::infinity();
+    out.distance = infinity;
+    out.found = ray.next(infinity, work, hit, out.distance);
     if (!out.found) return;
     out.surface = scene.raytracer->surface_at(hit);
     const bool pane = scene.panes.is_pane(hit);
-    if (!pane || !goes_through(scene, d, u, out)) {
-      if (!scene.media.nest) return find_sides(scene, d, out);
-      find_nested_sides(scene, d, out);
-      if (pane || !is_without_effect(scene, out)) return;
-      out.earlier.push_back({out.distance, out.media});
-      out.media = out.beyond(d);
-    }
-    from = out.surface.ray_origin(d);
-    before = dot(from - o, d);
+    if (pane && goes_through(scene, d, u, out)) continue;
+    if (!scene.media.nest) return find_sides(scene, d, out);
+    find_nested_sides(scene, d, out);
+    if (pane || !is_without_effect(scene, out)) return;
+    out.earlier.push_back({out.distance, out.media});
+    out.media = out.beyond(d);
   }
 }
 
@@ -184,18 +206,16 @@ bool is_free_through(const Snapshot& scene, const MediaStack& media, const Vec3&
   Encounter& e = kept.get();
   e.media = media;
   e.relative_ior = 1;
-  Vec3 from = a;
-  float before = 0;
-  for (;;) {
-    Hit hit;
-    ++work.rays;
-    const float left = length - before;
-    if (!(left > 0) || !scene.raytracer->intersect(from, d, left, hit)) break;
+  const bool nest = scene.media.nest;
+  float before = 0, distance = 0;
+  Hit hit;
+  for (Ray ray{scene, a, d}; ray.next(length, work, hit, distance); ray.pass(e.surface, distance)) {
     e.surface = scene.raytracer->surface_at(hit);
     const bool pane = scene.panes.is_pane(hit);
-    if (scene.media.nest) find_nested_sides(scene, d, e);  // which changes nothing at a pane
-    if (!pane && !(scene.media.nest && is_without_effect(scene, e))) return false;
-    if (scene.media.nest) passage.transmittance *= attenuation(scene, e.media, hit.t);
+    if (nest) find_nested_sides(scene, d, e);  // which changes nothing at a pane
+    if (!pane && !(nest && is_without_effect(scene, e))) return false;
+    if (nest) passage.transmittance *= attenuation(scene, e.media, distance - before);
+    before = distance;
     if (pane) {
       const PaneCrossing way = crossing(scene, e.surface, d);
       if (is_black(way.transmittance)) return false;
@@ -204,10 +224,8 @@ bool is_free_through(const Snapshot& scene, const MediaStack& media, const Vec3&
     } else {
       e.media = e.beyond(d);
     }
-    from = e.surface.ray_origin(d);
-    before = dot(from - a, d);
   }
-  if (scene.media.nest) passage.transmittance *= attenuation(scene, e.media, std::max(0.0f, length - before));
+  if (nest) passage.transmittance *= attenuation(scene, e.media, std::max(0.0f, length - before));
   return true;
 }
 
