@@ -138,7 +138,7 @@ void expect_panes(const Layout& s, ups_method method, int sensors) {
   const Sensor area = scene.add_cells({s.meter}, {{0, 0, 1}}, {{1, 0, 0}}, s.cell_side, s.cell_side);
   const Sensor pixels = scene.add_camera(s.camera, s.patch - s.camera, 16, 16, s.view);
   std::vector<double> at_points, on_cell, channels[3];
-  RenderOptions options{.method = method, .iterations = 48, .merge_radius_m = 0.4, .light_paths = 1u << 12};
+  RenderOptions options{.method = method, .iterations = 56, .merge_radius_m = 0.4, .light_paths = 1u << 12};
   for (options.seed = 1; options.seed <= 8; ++options.seed) {
     const Result result = scene.render(options);
     at_points.push_back(result.statistics(meters).mean_lx);
