@@ -3,9 +3,9 @@
 //
 // Equivalent: two one-sided t tests (Schuirmann 1987) show that the means over the meters differ by less than 1 %. Each
 // mean has a standard error of at most 0.1 % (asserted), their difference one of at most 0.14 %. With t > 2.25 in each
-// of three scenes, P(t_30 > 2.25) = 1.6 %, the chance to call even one pair equivalent that differs by 1 % or more is at
-// most 5 % (Bonferroni). Methods that differ by 0.2 % fail with probability P(t_30 > 0.8 / 0.14 - 2.25) = 0.1 % a scene.
-// Seeds are fixed: a test that passes once passes always.
+// of three scenes, P(t_30 > 2.25) = 1.6 %, the chance to call even one pair equivalent that differs by 1 % or more is
+// at most 5 % (Bonferroni). Methods that differ by 0.2 % fail with probability P(t_30 > 0.8 / 0.14 - 2.25) = 0.1 % a
+// scene. Seeds are fixed: a test that passes once passes always.
 #include "../support/expect_lx.h"
 
 namespace ups::test {
