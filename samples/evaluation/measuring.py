@@ -74,8 +74,9 @@ class Run:
 
 def calibrated(candidate, scene, seconds, size=None):
     """Iterations that take about so much CPU time."""
-    report = candidate.render(scene, 1, BATCHES, size=size)
-    return BATCHES * max(1, round(seconds / report["cpu_s"]))
+    few = BATCHES // 4
+    report = candidate.render(scene, 1, few, size=size)
+    return BATCHES * max(1, round(seconds / report["cpu_s"] * few / BATCHES))
 
 
 def take_turns(candidates, scene, seconds, seeds, out, size=None, iterations=None):
