@@ -3,8 +3,8 @@
 
   cost_of_effects.py --ups build/release/bin/ups [--seconds 6] [--seeds 2]
 
-Renders each room by method `auto` and by full Unified Path Sampling, in turn, on one thread, seeds 1, 2, ..., and prints
-a table in Markdown. How to read it: README.md beside this script.
+Renders each room by method `auto` and by full Unified Path Sampling, all in turn, on one thread, seeds 1, 2, ..., and
+prints a table in Markdown. How to read it: README.md beside this script.
 """
 import argparse
 import os
@@ -16,8 +16,8 @@ import rooms  # noqa: E402
 from measuring import Candidate, chosen, print_table, take_turns, to_1_percent  # noqa: E402
 
 STEPS = (("matte office, desks", "desks"), ("+ gloss on the desks", "gloss"), ("+ picture glass of 1 m²", "pane"),
-         ("+ mirror of 1.8 m²", "mirror"), ("+ textured floor", "texture"), ("+ downlight with reflector", "downlight"),
-         ("+ basin of water", "water"))
+         ("+ mirror of 1.8 m²", "mirror"), ("+ textured floor", "texture"),
+         ("+ downlight with reflector", "downlight"), ("+ basin of water", "water"))
 MANY = {"columns": 40, "rows": 25}
 
 
@@ -29,16 +29,17 @@ def steps():
     yield "+ 1,000 luminaires for 8", {"effects": tuple(effects), **MANY}
 
 
-def measure(arguments):
-    first, candidates = None, [Candidate(arguments.ups, method) for method in ("auto", "ups")]
+def rows(arguments):
+    candidates, titles = [], []
     for k, (title, options) in enumerate(steps()):
-        out = os.path.join(arguments.out, str(k))
-        scene = rooms.write(os.path.join(out, "scene.glb"), rooms.office, **options)
-        runs = take_turns(candidates, scene, arguments.seconds, arguments.seeds, out)
-        auto, full = (to_1_percent(runs[c.label]) for c in candidates)
-        first = first or auto
-        yield (title, f"{auto:.2f}", f"{auto / first:.2f}", f"{full:.2f}", f"{full / auto:.2f}",
-               chosen(runs["auto"][0].report))
+        scene = rooms.write(os.path.join(arguments.out, str(k), "scene.glb"), rooms.office, **options)
+        candidates += [Candidate(arguments.ups, method, scene, f"{method} {k}") for method in ("auto", "ups")]
+        titles.append(title)
+    runs = take_turns(candidates, arguments.seconds, arguments.seeds, os.path.join(arguments.out, "runs"))
+    for k, title in enumerate(titles):
+        auto, full = (to_1_percent(runs[f"{method} {k}"]) for method in ("auto", "ups"))
+        yield (title, f"{auto:.2f}", f"{auto / to_1_percent(runs['auto 0']):.2f}", f"{full:.2f}", f"{full / auto:.2f}",
+               chosen(runs[f"auto {k}"][0].report))
 
 
 def main():
@@ -48,7 +49,7 @@ def main():
     parser.add_argument("--seeds", type=int, default=2, help="renders of each room and method (2)")
     parser.add_argument("--out", default="out/effects")
     print_table(("room", "auto, s to 1 %", "over the first", "ups, s to 1 %", "ups / auto", "techniques of auto"),
-                measure(parser.parse_args()))
+                rows(parser.parse_args()))
 
 
 if __name__ == "__main__":

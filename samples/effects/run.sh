@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What each effect costs, from a bare Debian 12, Debian 13 or Ubuntu 24.04 (root or sudo): installs what is missing, builds
-# the program in build/release, measures for about five minutes, prints the table of README.md beside this script.
+# What each effect costs, from a bare Debian 12, Debian 13 or Ubuntu 24.04 (root or sudo): installs what is missing,
+# builds the program in build/release, measures for five minutes, prints the table of README.md beside this script.
 #   bash samples/effects/run.sh                         options go to cost_of_effects.py
 #   UPS_PROGRAM=/path/to/ups bash samples/effects/run.sh    measures a program that is there
 set -euo pipefail

@@ -4,19 +4,20 @@
   choose.py --ups build/release/bin/ups office bathroom [--methods auto pt bpt ups ups-connect] [--seconds 10]
   choose.py --ups build/release/bin/ups --baseline ../earlier/build/release/bin/ups all
 
-Methods are those of `ups render`; "ups-connect-merge" is ups without these techniques. On each scene all take turns, for
-about the same CPU time on one thread, or with --iterations for the same iterations. Columns: meters: CPU seconds until
-the median meter's standard error is 1 %. Image: CPU time x relative variance as the pixels report it, and without the
-worst 0.1 % of the pixels; with --reference SECONDS, of squared differences from an image by `ups` of so long (trimmed:
-not relative). In brackets, over the best fixed method. One that misses light (it says so, or a mean differs from that of
-`ups` by more than its noise and bias) is listed but is never the best. How costs are measured: measuring.py.
+Methods are those of `ups render`; "ups-connect-merge" is ups without these techniques. On a scene all take turns, for
+about the same CPU time on one thread, or with --iterations for the same iterations. Columns: meters: CPU seconds
+until the median meter's standard error is 1 %. Image: CPU time x relative variance as the pixels report it, and
+without the worst 0.1 % of the pixels; with --reference SECONDS, of squared differences from an image by `ups` of so
+long (trimmed: not relative). In brackets, over the best fixed method. One that misses light (it says so, or a mean
+differs from that of `ups` by more than its noise and bias) is listed but is never the best. How costs are measured:
+measuring.py.
 """
 import argparse
 import os
 
 import judged_scenes
-from measuring import (Candidate, calibrated, chosen, image_costs, image_costs_by_reference, missed_light, print_table,
-                       take_turns, to_1_percent)
+from measuring import (Candidate, chosen, image_costs, image_costs_by_reference, missed_light, print_table, take_turns,
+                       to_1_percent)
 
 FIXED = ("pt", "bpt", "ups", "ups-connect", "ups-merge")
 BASELINE = "baseline "
@@ -50,15 +51,20 @@ class Costs:
                    chosen(run.report))
 
 
-def measure(name, candidates, out, seconds, seeds, iterations=None, reference=None):
+def measure(name, arguments, methods=("auto", *FIXED), iterations=None, reference=None):
+    """Costs in one scene; `arguments`: ups, baseline, seconds, seeds, out."""
+    out = os.path.join(arguments.out, name)
     scene, size = judged_scenes.make(name, out), judged_scenes.SIZES.get(name, judged_scenes.SIZE)
-    runs = take_turns(candidates, scene, seconds, seeds, out, size, iterations)
-    ups = next(c for c in candidates if c.label == "ups")
+    ups = Candidate(arguments.ups, "ups", scene, "ups", size)  # what light there is
+    candidates = [*(Candidate(arguments.ups, m, scene, m, size) for m in methods if m != "ups"), ups]
+    if arguments.baseline:
+        candidates += [Candidate(arguments.baseline, m, scene, BASELINE + m, size) for m in ("auto", "ups")]
+    runs = take_turns(candidates, arguments.seconds, arguments.seeds, out, iterations)
     if reference is None:
         return Costs(runs, image_costs(runs))
     folder = os.path.join(out, "reference")
-    ups.render(scene, 1001, calibrated(ups, scene, reference, size), folder, size)
-    return Costs(runs, image_costs_by_reference(runs, ups, folder))
+    ups.render(1001, ups.calibrated(reference), folder)
+    return Costs(runs, image_costs_by_reference(runs, arguments.ups, folder))
 
 
 def parse():
@@ -78,14 +84,10 @@ def parse():
 
 def main():
     arguments = parse()
-    methods = list(dict.fromkeys([*arguments.methods, "ups"]))  # ups: what light there is
-    candidates = [Candidate(arguments.ups, m) for m in methods]
-    if arguments.baseline:
-        candidates += [Candidate(arguments.baseline, m, BASELINE + m) for m in ("auto", "ups")]
     for name in judged_scenes.NAMES if "all" in arguments.scenes else arguments.scenes:
         print(f"\n{name}\n", flush=True)
-        print_table(HEADER, measure(name, candidates, os.path.join(arguments.out, name), arguments.seconds,
-                                    arguments.seeds, arguments.iterations, arguments.reference).rows())
+        costs = measure(name, arguments, arguments.methods, arguments.iterations, arguments.reference)
+        print_table(HEADER, costs.rows())
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 
   equivalence.py --ups build/release/bin/ups [SCENE ...] [--max-seconds 300]      --list prints the scenes
 
-Compared are the means of each set of meters, of each quarter of each camera's image (luminance, the mean of R, G, B) and
+Compared are the means of each set of meters, of each quarter of each camera's image (mean luminance of R, G, B) and
 the flux of each goniometer, by two one-sided t tests (Schuirmann 1987): the methods count as equal where it is proven
 that their means differ by less than 1 %. Over all quantities of all scenes p is corrected by Holm (1979): the chance to
 call even one pair equal that differs by 1 % or more is at most 5 %. Standard errors are those that the program reports;

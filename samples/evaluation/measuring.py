@@ -1,10 +1,10 @@
-"""What accuracy costs: CPU time x squared standard error, of methods and programs that take turns on one scene.
+"""What accuracy costs: CPU time x squared standard error, of methods, programs and scenes that take turns.
 
 For unbiased estimators the product does not depend on how long a render was. Meters: of the median meter, the standard
 error that the program reports over max(E, 5 % of its set's mean); `to_1_percent` is the CPU time at which it would be
 1 %. Images: the mean over the pixels of their reported variance, relative, with and without the worst 0.1 % of the
 pixels; where a reference is given, of their squared difference from it instead. CPU time is user and system time of the
-whole program on one thread: what else runs on the machine matters little, and to methods that take turns alike.
+whole program on one thread: what else runs on the machine matters little, and to all that take turns alike.
 
 Called by the commands of this folder and of samples/effects.
 """
@@ -13,6 +13,7 @@ import os
 import statistics
 import sys
 from dataclasses import dataclass
+from typing import Optional
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes_common"))
 import need_numpy  # noqa: E402,F401
@@ -30,15 +31,17 @@ MISSING = " is missing: no technique"  # in the warnings
 
 @dataclass
 class Candidate:
-    """One program with one method: auto, ups, ... or "ups-connect-merge", without these techniques."""
+    """One program with one method: auto, ups, ... or "ups-connect-merge", without these techniques; on one scene."""
     ups: str
     method: str
+    scene: str
     label: str = ""
+    size: Optional[str] = None  # WxH of the cameras
 
     def __post_init__(self):
         self.label = self.label or self.method
 
-    def render(self, scene, seed, iterations, out=None, size=None):
+    def render(self, seed, iterations, out=None):
         method, *left_out = self.method.split("-")
         unknown = set(left_out) - set(TECHNIQUES)
         if unknown:
@@ -46,7 +49,12 @@ class Candidate:
         limit = ["--iterations", str(iterations)]
         if left_out:
             limit += ["--techniques", ",".join(t for t in TECHNIQUES if t not in left_out)]
-        return Renderer(self.ups, scene, 1, size).render(method, seed, limit, out)
+        return Renderer(self.ups, self.scene, 1, self.size).render(method, seed, limit, out)
+
+    def calibrated(self, seconds):
+        """Iterations that take about so much CPU time."""
+        few = BATCHES // 4
+        return BATCHES * max(1, round(seconds / self.render(1, few)["cpu_s"] * few / BATCHES))
 
 
 @dataclass
@@ -64,30 +72,23 @@ class Run:
         errors = []
         for name, rows in self.meters.items():
             dark = DARK_METERS * self.report["meters"][name]["mean_lx"]
-            errors += [r["standard_error_lx"] / max(r["illuminance_lx"], dark) if r["standard_error_lx"] >= 0 and dark > 0
-                       else math.inf for r in rows]
+            errors += [r["standard_error_lx"] / max(r["illuminance_lx"], dark)
+                       if r["standard_error_lx"] >= 0 and dark > 0 else math.inf for r in rows]
         return statistics.median(errors) if errors else math.nan
 
     def bias_lx(self, name):
         return statistics.fmean(r["bias_lx"] for r in self.meters[name])
 
 
-def calibrated(candidate, scene, seconds, size=None):
-    """Iterations that take about so much CPU time."""
-    few = BATCHES // 4
-    report = candidate.render(scene, 1, few, size=size)
-    return BATCHES * max(1, round(seconds / report["cpu_s"] * few / BATCHES))
-
-
-def take_turns(candidates, scene, seconds, seeds, out, size=None, iterations=None):
+def take_turns(candidates, seconds, seeds, out, iterations=None):
     """{label: [Run of each seed]}. Every candidate renders for about `seconds`, or all with the same `iterations`; one
     seed after another, in each all candidates."""
-    counts = {c.label: iterations or calibrated(c, scene, seconds, size) for c in candidates}
+    counts = {c.label: iterations or c.calibrated(seconds) for c in candidates}
     runs = {c.label: [] for c in candidates}
     for seed in range(1, seeds + 1):
         for k, c in enumerate(candidates):
             folder = os.path.join(out, f"{k}_{seed}")
-            report = c.render(scene, seed, counts[c.label], folder, size)
+            report = c.render(seed, counts[c.label], folder)
             runs[c.label].append(Run(report, folder, {name: read_table(folder, name) for name in report["meters"]}))
     return runs
 
@@ -127,7 +128,7 @@ def image_costs(runs):
     return costs
 
 
-def image_costs_by_reference(runs, candidate, reference_dir):
+def image_costs_by_reference(runs, ups, reference_dir):
     """As image_costs, from squared differences to the images in `reference_dir`; the whole one is relative, the trimmed
     one is in units of the image."""
     costs = {}
@@ -135,7 +136,7 @@ def image_costs_by_reference(runs, candidate, reference_dir):
         pairs = []
         for run in of_label:
             for camera in run.report["cameras"]:
-                errors = squared_errors(Renderer(candidate.ups, "").compare(camera, run.out, reference_dir))
+                errors = squared_errors(Renderer(ups, "").compare(camera, run.out, reference_dir))
                 pairs.append((run.cpu_s * errors["relative_mse"], run.cpu_s * errors["trimmed_rmse"]))
         if pairs:
             costs[label] = [statistics.fmean(p) for p in zip(*pairs)]
@@ -187,7 +188,7 @@ def chosen(report):
 
 
 def print_table(header, rows):
-    """Markdown, as it goes: `rows` may be a generator."""
-    print("| " + " | ".join(header) + " |\n|" + " --- |" * len(header), flush=True)
+    """Markdown."""
+    print("| " + " | ".join(header) + " |\n|" + " --- |" * len(header))
     for row in rows:
         print("| " + " | ".join(row) + " |", flush=True)

@@ -21,7 +21,7 @@ import sys
 
 import choose
 import judged_scenes
-from measuring import BATCHES, Candidate, calibrated, image_costs_by_reference, take_turns, to_1_percent
+from measuring import BATCHES, Candidate, image_costs_by_reference, take_turns, to_1_percent
 
 CASES = ("glass", "hall", "best", "bathroom")
 
@@ -38,45 +38,43 @@ class Figures:
               flush=True)
 
 
-def costs(name, candidates, arguments, folder, **options):
-    """{label: CPU seconds to 1 %} in a scene with meters alone."""
-    scene = judged_scenes.make(name, folder, **options)
-    runs = take_turns(candidates, scene, arguments.seconds, arguments.seeds, folder)
+def costs(arguments, candidates, out):
+    """{label: CPU seconds to 1 %}"""
+    runs = take_turns(candidates, arguments.seconds, arguments.seeds, out)
     return {label: to_1_percent(of_label) for label, of_label in runs.items()}
 
 
 def glass(arguments, figures):
     out = os.path.join(arguments.out, "glass")
-    plain = [Candidate(arguments.ups, "pt"), Candidate(arguments.ups, "auto")]
+    plain, pane = (judged_scenes.make(name, os.path.join(out, name)) for name in ("office", "office_glass"))
+    candidates = [Candidate(arguments.ups, "pt", plain), Candidate(arguments.ups, "auto", plain),
+                  Candidate(arguments.ups, "auto", pane, "with glass")]
     if arguments.baseline:
-        plain.append(Candidate(arguments.baseline, "auto", "baseline"))
-    without = costs("office", plain, arguments, os.path.join(out, "office"))
-    with_glass = costs("office_glass", [Candidate(arguments.ups, "auto")], arguments, os.path.join(out, "office_glass"))
-    figures.tell("office with 1 m2 of glass by auto over the one without by pt", with_glass["auto"] / without["pt"],
-                 1.15)
+        candidates.append(Candidate(arguments.baseline, "auto", plain, "baseline"))
+    of = costs(arguments, candidates, out)
+    figures.tell("office with 1 m2 of glass by auto over the one without by pt", of["with glass"] / of["pt"], 1.15)
     if arguments.baseline:
-        figures.tell("office without glass by auto over the baseline", without["auto"] / without["baseline"], 0.5)
+        figures.tell("office without glass by auto over the baseline", of["auto"] / of["baseline"], 0.5)
 
 
 def hall(arguments, figures):
-    auto = [Candidate(arguments.ups, "auto")]
-    of = {n: costs("hall", auto, arguments, os.path.join(arguments.out, f"hall_{n}"), luminaires=n)["auto"]
-          for n in (16, 1024, 10000)}
+    out = os.path.join(arguments.out, "hall")
+    of = costs(arguments, [Candidate(arguments.ups, "auto", judged_scenes.make("hall", os.path.join(out, f"of_{n}"),
+                                                                               luminaires=n), n)
+                           for n in (16, 1024, 10000)], out)
     for n, wanted in ((1024, 2), (10000, 3)):
         figures.tell(f"hall of {n} luminaires over 16, by auto ({of[n]:.2f} s to 1 %)", of[n] / of[16], wanted)
 
 
 def best(arguments, figures):
-    candidates = [Candidate(arguments.ups, m) for m in ("auto", *choose.FIXED)]
-    for name in ("office", "office_glass", "hall", "bathroom", "atrium", "conference", "glass_box"):
-        measured = choose.measure(name, candidates, os.path.join(arguments.out, "best", name), arguments.seconds,
-                                  arguments.seeds)
+    for name in judged_scenes.NAMES:
+        measured = choose.measure(name, arguments)
         for what, ratio in zip(("meters", "image", "image without the worst pixels"), measured.ratios("auto")):
             if ratio is not None:
                 figures.tell(f"{name}, {what}: auto over the best fixed method", ratio, 1.1)
         if name in ("office", "conference"):
-            figures.tell(f"{name}, meters: always-full ups over auto", measured.of["ups"][0] / measured.of["auto"][0], 2,
-                         at_least=True)
+            figures.tell(f"{name}, meters: always-full ups over auto", measured.of["ups"][0] / measured.of["auto"][0],
+                         2, at_least=True)
 
 
 def bathroom(arguments, figures):
@@ -84,13 +82,14 @@ def bathroom(arguments, figures):
         return print("bathroom: left out, it needs --baseline")
     out, size = os.path.join(arguments.out, "bathroom"), judged_scenes.SIZES["bathroom"]
     scene = judged_scenes.make("bathroom", out)
-    now, before = Candidate(arguments.ups, "ups"), Candidate(arguments.baseline, "ups", "baseline")
-    # At equal time: costs are those of one length, as what merging brings does not fall as 1 / time.
-    seconds = max(arguments.seconds, *(c.render(scene, 1, BATCHES, size=size)["cpu_s"] for c in (now, before)))
-    runs = take_turns([now, before], scene, seconds, arguments.seeds, out, size)
+    now = Candidate(arguments.ups, "ups", scene, "ups", size)
+    before = Candidate(arguments.baseline, "ups", scene, "baseline", size)
+    # At equal time: what merging brings does not fall as 1 / time. A render makes at least 16 iterations.
+    seconds = max(arguments.seconds, *(4 * c.render(1, BATCHES // 4)["cpu_s"] for c in (now, before)))
+    runs = take_turns([now, before], seconds, arguments.seeds, out)
     reference = os.path.join(out, "reference")
-    before.render(scene, 1001, calibrated(before, scene, arguments.reference * seconds, size), reference, size)
-    images = image_costs_by_reference(runs, now, reference)
+    before.render(1001, before.calibrated(arguments.reference * seconds), reference)
+    images = image_costs_by_reference(runs, arguments.ups, reference)
     figures.tell("bathroom: squared error of ups without the worst 0.1 % of the pixels over the baseline",
                  images["ups"][1] / images["baseline"][1], 0.6)
     figures.tell("bathroom: variance of the meters by ups over the baseline",

@@ -151,7 +151,7 @@ def office(scene, effects=(), columns=4, rows=2):
 # ---- hall, atrium, glass --------------------------------------------------------------------------------------------
 
 def hall(scene, luminaires=64):
-    """40 m x 40 m x 5 m under a square grid of `luminaires` points, whose flux together stays 240,000 lm; 256 meters."""
+    """40 m x 40 m x 5 m under a square grid of `luminaires` points, of 240,000 lm together however many; 256 meters."""
     side, n = 40.0, math.isqrt(luminaires)
     if n * n != luminaires:
         raise ValueError(f"{luminaires} luminaires: a square number is wanted")
