@@ -13,7 +13,8 @@ A pilot says how many iterations make the standard error of the difference a six
 seeds, once, and where that does not decide once more with 4 times the iterations and other seeds, and p is twice the
 lesser one. Where --max-seconds a scene (wall time) do not allow that many iterations, what they allow is rendered. Not
 decided is not passed: the exit code is 1 unless every quantity is proven equal. Where `auto` gives the very bits of
-`ups`, nothing is left to test.
+`ups`, nothing is left to test. Images are not too small: the discs of merging, about a pixel wide, lose light at edges,
+which no error reports (at 128 x 96 pixels 0.6 % of the darkest quarter of the conference room).
 """
 import argparse
 import csv
@@ -196,7 +197,7 @@ def parse(names):
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="without any: all")
     parser.add_argument("--ups", default="build/release/bin/ups", help="the program")
     parser.add_argument("--max-seconds", type=float, default=600, help="wall time of a scene, about (600)")
-    parser.add_argument("--size", default="128x96", help="WxH of the cameras (128x96)")
+    parser.add_argument("--size", default="256x192", help="WxH of the cameras (256x192)")
     parser.add_argument("--threads", type=int, help="default: all")
     parser.add_argument("--list", action="store_true", help="print the scenes' names")
     parser.add_argument("--out", default="out/equivalence", help="folder of equivalence.csv")
