@@ -51,14 +51,14 @@ class Costs:
                    chosen(run.report))
 
 
-def measure(name, arguments, methods=("auto", *FIXED), iterations=None, reference=None):
-    """Costs in one scene; `arguments`: ups, baseline, seconds, seeds, out."""
+def measure(name, arguments, methods=("auto", *FIXED), baseline=None, iterations=None, reference=None):
+    """Costs in one scene; `arguments`: ups, seconds, seeds, out."""
     out = os.path.join(arguments.out, name)
     scene, size = judged_scenes.make(name, out), judged_scenes.SIZES.get(name, judged_scenes.SIZE)
     ups = Candidate(arguments.ups, "ups", scene, "ups", size)  # what light there is
     candidates = [*(Candidate(arguments.ups, m, scene, m, size) for m in methods if m != "ups"), ups]
-    if arguments.baseline:
-        candidates += [Candidate(arguments.baseline, m, scene, BASELINE + m, size) for m in ("auto", "ups")]
+    if baseline:
+        candidates += [Candidate(baseline, m, scene, BASELINE + m, size) for m in ("auto", "ups")]
     runs = take_turns(candidates, arguments.seconds, arguments.seeds, out, iterations)
     if reference is None:
         return Costs(runs, image_costs(runs))
@@ -86,7 +86,8 @@ def main():
     arguments = parse()
     for name in judged_scenes.NAMES if "all" in arguments.scenes else arguments.scenes:
         print(f"\n{name}\n", flush=True)
-        costs = measure(name, arguments, arguments.methods, arguments.iterations, arguments.reference)
+        costs = measure(name, arguments, arguments.methods, arguments.baseline, arguments.iterations,
+                        arguments.reference)
         print_table(HEADER, costs.rows())
 
 

@@ -69,12 +69,13 @@ def hall(arguments, figures):
 def best(arguments, figures):
     for name in judged_scenes.NAMES:
         measured = choose.measure(name, arguments)
-        for what, ratio in zip(("meters", "image", "image without the worst pixels"), measured.ratios("auto")):
-            if ratio is not None:
-                figures.tell(f"{name}, {what}: auto over the best fixed method", ratio, 1.1)
-        if name in ("office", "conference"):
-            figures.tell(f"{name}, meters: always-full ups over auto", measured.of["ups"][0] / measured.of["auto"][0],
-                         2, at_least=True)
+        whats = ("meters", "image", "image without the worst pixels")
+        for what, ratio, auto, full in zip(whats, measured.ratios("auto"), measured.of["auto"], measured.of["ups"]):
+            if ratio is None:
+                continue
+            figures.tell(f"{name}, {what}: auto over the best fixed method", ratio, 1.1)
+            if name in ("office", "conference"):
+                figures.tell(f"{name}, {what}: always-full ups over auto", full / auto, 2, at_least=True)
 
 
 def bathroom(arguments, figures):
