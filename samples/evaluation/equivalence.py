@@ -144,7 +144,7 @@ class Judge:
     def affordable(self, wanted, pilot_seconds, stage):
         """Iterations of each method, so many that the time that is left is enough for the stages to come."""
         cost = sum(wanted[m] / BATCHES * pilot_seconds[m] for m in METHODS) * SEEDS / PILOT_SEEDS
-        share = min(1.0, self.seconds_left / cost / (1 if stage else 1.5))
+        share = min(1.0, max(self.seconds_left, 0) / cost / (1 if stage else 1.5))
         return {m: max(BATCHES, int(share * wanted[m])) for m in METHODS}
 
     def pairs(self):
@@ -158,9 +158,11 @@ class Judge:
             return [Pair(self.name, what, Mean(m.value, 0, 1), Mean(m.value, 0, 1))
                     for what, m in means["ups"].items()], True
         wanted = {m: BATCHES * self.times(means[m]) for m in METHODS}
-        pairs = {}
+        pairs, count = {}, None
         for stage in range(STAGES):
-            count = self.affordable(wanted, seconds, stage)
+            earlier, count = count, self.affordable(wanted, seconds, stage)
+            if earlier and any(count[m] < 2 * earlier[m] for m in METHODS):
+                break  # no time left for a better one
             done = {m: quantities(self.render(m, count[m], range(1 + SEEDS * stage, 1 + SEEDS * (stage + 1))))
                     for m in METHODS}
             for what in done["ups"]:
@@ -168,7 +170,7 @@ class Judge:
                 if what not in pairs or pair.p < pairs[what].p:
                     pairs[what] = pair
             # Holm asks the most of the least p: ALPHA over all the quantities there are, some hundreds.
-            if all(p.p < ALPHA / 1000 for p in pairs.values()) or self.seconds_left <= 0:
+            if all(p.p < ALPHA / 1000 for p in pairs.values()):
                 break
             wanted = {m: 4 * count[m] for m in METHODS}
         for pair in pairs.values():
