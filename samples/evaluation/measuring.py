@@ -4,7 +4,8 @@ For unbiased estimators the product does not depend on how long a render was. Me
 error that the program reports over max(E, 5 % of its set's mean); `to_1_percent` is the CPU time at which it would be
 1 %. Images: the mean over the pixels of their reported variance, relative, with and without the worst 0.1 % of the
 pixels; where a reference is given, of their squared difference from it instead. CPU time is user and system time of the
-whole program on one thread: what else runs on the machine matters little, and to all that take turns alike.
+whole program, its preparations too, on one thread: what else runs on the machine matters little, and to all that take
+turns alike.
 
 Called by the commands of this folder and of samples/effects.
 """
@@ -52,9 +53,15 @@ class Candidate:
         return Renderer(self.ups, self.scene, 1, self.size).render(method, seed, limit, out)
 
     def calibrated(self, seconds):
-        """Iterations that take about so much CPU time."""
-        few = BATCHES // 4
-        return BATCHES * max(1, round(seconds / self.render(1, few)["cpu_s"] * few / BATCHES))
+        """Iterations that take about so much CPU time, with what a render costs once."""
+        count = BATCHES // 4
+        spent = self.render(1, count)["cpu_s"]
+        each = spent / count
+        while spent < seconds / 4:
+            more = self.render(1, 4 * count)["cpu_s"]
+            each = max(more - spent, 0.01 * more) / (3 * count)
+            count, spent = 4 * count, more
+        return BATCHES * max(1, round((count + (seconds - spent) / each) / BATCHES))
 
 
 @dataclass
