@@ -85,8 +85,8 @@ def bathroom(arguments, figures):
     scene = judged_scenes.make("bathroom", out)
     now = Candidate(arguments.ups, "ups", scene, "ups", size)
     before = Candidate(arguments.baseline, "ups", scene, "baseline", size)
-    # At equal time: what merging brings does not fall as 1 / time. A render makes at least 16 iterations.
-    seconds = max(arguments.seconds, *(4 * c.render(1, BATCHES // 4)["cpu_s"] for c in (now, before)))
+    # At equal time, as what merging brings does not fall as 1 / time: so long that whole batches differ little in it.
+    seconds = max(arguments.seconds, *(16 * c.render(1, BATCHES // 4)["cpu_s"] for c in (now, before)))
     runs = take_turns([now, before], seconds, arguments.seeds, out)
     reference = os.path.join(out, "reference")
     before.render(1001, before.calibrated(arguments.reference * seconds), reference)
