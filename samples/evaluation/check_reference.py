@@ -10,20 +10,18 @@ nearly Student's t with 15 to 30 degrees of freedom and rms z is about 1.05 wher
 and 0.5 %.
 """
 import argparse
-import csv
 import math
 import os
 import sys
 
-from renders import Renderer
+from renders import Renderer, read_table
 
 
 def render(arguments, method, seed, seconds):
     out = os.path.join(arguments.out, method)
     rows, summary = [], Renderer(arguments.ups, arguments.scene).render(method, seed, ["--time", str(seconds)], out)
     for name in summary["meters"]:
-        with open(os.path.join(out, name + ".csv"), newline="", encoding="utf-8") as file:
-            rows += [(name, float(r["illuminance_lx"]), float(r["standard_error_lx"])) for r in csv.DictReader(file)]
+        rows += [(name, row["illuminance_lx"], row["standard_error_lx"]) for row in read_table(out, name)]
     return rows, summary
 
 

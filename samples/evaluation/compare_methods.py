@@ -10,21 +10,16 @@ error of the meters is larger, with --min-rmse-ratio when mean or median RMSE of
 that of the first.
 """
 import argparse
-import csv
 import math
 import os
 import statistics
 import sys
 
-from renders import Renderer
+from renders import Renderer, read_table
 
 
 def illuminances(folder, names):
-    values = {}
-    for name in names:
-        with open(os.path.join(folder, name + ".csv"), newline="", encoding="utf-8") as file:
-            values[name] = [float(row["illuminance_lx"]) for row in csv.DictReader(file)]
-    return values
+    return {name: [row["illuminance_lx"] for row in read_table(folder, name)] for name in names}
 
 
 def meter_error(measured, reference):
@@ -102,10 +97,7 @@ def main():
     reference = illuminances(reference_dir, names)
     # A reference has noise of its own; the errors below cannot be read finer than this.
     total = sum(sum(values) for values in reference.values())
-    noise = 0.0
-    for name in names:
-        with open(os.path.join(reference_dir, name + ".csv"), newline="", encoding="utf-8") as file:
-            noise += sum(max(float(row["standard_error_lx"]), 0.0) for row in csv.DictReader(file))
+    noise = sum(max(row["standard_error_lx"], 0.0) for name in names for row in read_table(reference_dir, name))
     if names and total > 0:
         print(f"reference: mean standard error {100 * noise / total:.3f} % of the mean")
 

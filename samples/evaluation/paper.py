@@ -19,7 +19,7 @@ import sys
 from dataclasses import dataclass, field
 
 import paper_report
-from renders import Renderer
+from renders import Renderer, squared_errors
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CAMERA = "view"
@@ -70,19 +70,15 @@ def calibrate(renderer, methods, seconds):
 
 
 def measured(renderer, method, seed, iterations, out, reference_dir):
-    """One line of results.csv. `excess`: the mean squared errors behind it. The reference's noise is subtracted, so
-    that they can be negative."""
+    """One line of results.csv. `excess`: the mean squared errors behind it."""
     summary = renderer.render(method, seed, ["--iterations", str(iterations)], out)
-    c = renderer.compare(CAMERA, out, reference_dir)["channels"]
-    camera = summary["cameras"][CAMERA]
-    noise = {name: max(c[name], 0.0) for name in ("noise_b", "trimmed_noise_b", "relative_noise_b")}
-    excess = {"rmse": c["mse"] - noise["noise_b"], "trimmed_rmse": c["trimmed_mse"] - noise["trimmed_noise_b"],
-              "relative_mse": c["relative_mse"] - noise["relative_noise_b"]}
+    compared = renderer.compare(CAMERA, out, reference_dir)
+    c, excess, camera = compared["channels"], squared_errors(compared), summary["cameras"][CAMERA]
     return {"method": method, "seed": seed, "time_s": summary["time_s"], "iterations": summary["iterations"],
             "samples_per_pixel": summary["work"]["eye_paths"] / (camera["width"] * camera["height"]),
             "rmse": math.sqrt(max(excess["rmse"], 0)), "trimmed_rmse": math.sqrt(max(excess["trimmed_rmse"], 0)),
             "relative_mse": max(excess["relative_mse"], 0), "excess": excess, "out": out,
-            "reference_share": noise["noise_b"] / c["mse"] if c["mse"] > 0 else 0}
+            "reference_share": max(c["noise_b"], 0) / c["mse"] if c["mse"] > 0 else 0}
 
 
 def pooled(lines):

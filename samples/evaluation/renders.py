@@ -1,11 +1,19 @@
 """Runs `ups render` and `ups compare` for the scripts beside it and for the validation, and keeps references."""
+import csv
 import hashlib
 import json
 import os
+import resource
 import subprocess
 import sys
 from dataclasses import dataclass
 from typing import Optional
+
+
+def cpu_s():
+    """Of all programs that were run so far."""
+    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return spent.ru_utime + spent.ru_stime
 
 
 def run(command):
@@ -13,6 +21,19 @@ def run(command):
     if done.returncode != 0:
         sys.exit(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stderr.strip()}")
     return json.loads(done.stdout)
+
+
+def read_table(folder, name):
+    """The meters of the set `name` that a render left in `folder`: a {column: number} each."""
+    with open(os.path.join(folder, name + ".csv"), newline="", encoding="utf-8") as file:
+        return [{column: float(value) for column, value in row.items()} for row in csv.DictReader(file)]
+
+
+def squared_errors(compared):
+    """Of `ups compare`, without the reference's own noise, so that they can be negative."""
+    c = compared["channels"]
+    return {"rmse": c["mse"] - max(c["noise_b"], 0), "trimmed_rmse": c["trimmed_mse"] - max(c["trimmed_noise_b"], 0),
+            "relative_mse": c["relative_mse"] - max(c["relative_noise_b"], 0)}
 
 
 @dataclass
@@ -25,13 +46,16 @@ class Renderer:
     more: tuple = ()            # further words of `ups render`
 
     def render(self, method, seed, limit, out=None):
-        """limit: words of the program, as ["--time", "10"]; out: folder for the images, the tables and render.json."""
+        """limit: words of the program, as ["--time", "10"]; out: folder for the images, the tables and render.json. The
+        summary gets cpu_s, what the whole program took."""
         command = [self.ups, "render", self.scene, "--method", method, "--seed", str(seed), "--json", *limit,
                    *self.more]
         for option, value in (("--threads", self.threads), ("--size", self.size), ("--out", out)):
             if value:
                 command += [option, str(value)]
+        before = cpu_s()
         summary = run(command)
+        summary["cpu_s"] = cpu_s() - before
         if out:
             with open(os.path.join(out, "render.json"), "w", encoding="utf-8") as file:
                 json.dump(summary, file, indent=1)

@@ -13,7 +13,6 @@ error of 0.1 % the 0.5 % are five standard errors: 0.02 %.
 Called by validate.py; the cases are in modules of their own, e.g. cie171.py, and tables.py writes the rows.
 """
 import contextlib
-import csv
 import io
 import os
 import sys
@@ -23,7 +22,7 @@ from typing import Callable, Optional
 import tables
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "evaluation"))
-from renders import Renderer  # noqa: E402
+from renders import Renderer, read_table  # noqa: E402
 
 RELATIVE_TOLERANCE = 0.005
 SIGMAS = 3
@@ -102,9 +101,8 @@ def read_meters(folder, summary):
     """{set: ((mean, its standard error, None), [(E, standard error, bias), ...])}"""
     sets = {}
     for name, meters in summary["meters"].items():
-        with open(os.path.join(folder, name + ".csv"), newline="", encoding="utf-8") as file:
-            readings = [tuple(float(row[column]) for column in ("illuminance_lx", "standard_error_lx", "bias_lx"))
-                        for row in csv.DictReader(file)]
+        readings = [tuple(row[column] for column in ("illuminance_lx", "standard_error_lx", "bias_lx"))
+                    for row in read_table(folder, name)]
         sets[name] = ((meters["mean_lx"], meters["mean_standard_error_lx"], None), readings)
     return sets
 
