@@ -3,12 +3,15 @@
 // value amounts to has the least variance of all (Cauchy-Schwarz), in a histogram as among emitters.
 #include "emitter/guide.h"
 
+#include <numeric>
+
 namespace ups {
 namespace {
 
 constexpr double by_flux = 0.25;      // of the choice of emitter: no more than four times the noise where training errs
 constexpr double uniform = 0.2;       // of every histogram
 constexpr uint32_t coarsest = 2;      // 4 x 4
+constexpr double least_gain = 1.2;    // of a histogram, in variance: less is not worth looking densities up
 constexpr size_t paths_per_cell = 8;  // of the cells that are worth anything
 constexpr size_t most_numbers = size_t(1) << 21;  // of all histograms: 8 MB
 
@@ -35,6 +38,14 @@ std::vector<double> blurred(const std::vector<double>& in, uint32_t n) {
       out[y * n + x] = sum / count;
     }
   return out;
+}
+
+// Cumulative probabilities, in proportion to the shares.
+void accumulate_to_one(const double* share, uint32_t n, float* end) {
+  const double sum = std::accumulate(share, share + n, 0.0);
+  double below = 0;
+  for (uint32_t k = 0; k < n; ++k) end[k] = float((below += share[k]) / sum);
+  end[n - 1] = 1;
 }
 
 // Which of n cumulative probabilities u falls below; u becomes the place in it. Its distance from the next one is kept
@@ -116,17 +127,20 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
   for (size_t i = emitters.size(); i-- > 0;) begin[i] = std::min(begin[i], begin[i + 1]);
 
   histograms_.resize(emitters.size());
-  for (size_t i = 0; i < emitters.size(); ++i)
+  size_t total = 0;
+  for (size_t i = 0; i < emitters.size(); ++i) {
     if (emitters[i].kind() != EmitterKind::rays) histograms_[i].n = training.resolution(begin[i], begin[i + 1]);
-  for (uint32_t most = 1u << GuideTraining::finest;; most /= 2) {
-    size_t total = 0;
-    for (Histogram& h : histograms_) h.first = uint32_t(total), total += numbers(h.n);
-    cumulative_.resize(total);
-    if (total <= most_numbers) break;
-    for (Histogram& h : histograms_)
-      if (h.n == most) h.n = most > 1u << coarsest ? most / 2 : 0;
+    total += numbers(histograms_[i].n);
   }
+  for (uint32_t most = 1u << GuideTraining::finest; total > most_numbers; most /= 2)
+    for (Histogram& h : histograms_)
+      if (h.n == most) {
+        total -= numbers(h.n);
+        h.n = most > 1u << coarsest ? most / 2 : 0;
+        total += numbers(h.n);
+      }
 
+  cumulative_.reserve(total);
   std::vector<double> worth(emitters.size()), flux(emitters.size());
   double worth_sum = 0, flux_sum = 0;
   for (size_t i = 0; i < emitters.size(); ++i) {
@@ -142,8 +156,8 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
   choice_ = DiscreteDistribution(worth);
 }
 
-// Returns the second moment of what the emitter's paths will be worth through the histogram.
-double EmissionGuide::fill(const Histogram& h, const GuideTraining& training, size_t begin, size_t end) {
+// Returns the second moment of what the emitter's paths will be worth. Drops a histogram that makes little difference.
+double EmissionGuide::fill(Histogram& h, const GuideTraining& training, size_t begin, size_t end) {
   const uint32_t n = std::max(h.n, 1u);
   std::vector<double> moment(size_t(n) * n);
   for (size_t k = begin; k < end; ++k) {
@@ -151,29 +165,29 @@ double EmissionGuide::fill(const Histogram& h, const GuideTraining& training, si
                    y = even_bits(training.cells_[k].key >> 1) % side;
     moment[size_t(y / (side / n)) * n + x / (side / n)] += training.cells_[k].moment;
   }
-  if (h.n == 0) return moment[0];
+  const double even = std::accumulate(moment.begin(), moment.end(), 0.0);
+  if (h.n == 0 || !(even > 0)) return even;
 
-  std::vector<double> density = blurred(moment, n);
-  double sum = 0;
-  for (double& d : density) sum += d = std::sqrt(d);
-  float* row_ends = cumulative_.data() + h.first;
-  double below = 0, expected = 0;
-  for (uint32_t y = 0; y < n; ++y) {
-    double row = 0;
-    for (uint32_t x = 0; x < n; ++x) {
-      double& d = density[size_t(y) * n + x];
-      d = uniform / (double(n) * n) + (1 - uniform) * d / sum;
-      expected += moment[size_t(y) * n + x] / (d * n * n);
-      row += d;
-    }
-    float* ends = row_ends + n + size_t(y) * n;
-    double in_row = 0;
-    for (uint32_t x = 0; x < n; ++x) ends[x] = float((in_row += density[size_t(y) * n + x]) / row);
-    ends[n - 1] = 1;
-    row_ends[y] = float(below += row);
+  std::vector<double> share = blurred(moment, n);
+  double sum = 0, guided = 0;
+  for (double& s : share) sum += s = std::sqrt(s);
+  for (size_t k = 0; k < share.size(); ++k) {
+    share[k] = uniform / (double(n) * n) + (1 - uniform) * share[k] / sum;
+    guided += moment[k] / (share[k] * n * n);
   }
-  row_ends[n - 1] = 1;
-  return expected;
+  if (guided * least_gain > even) return h.n = 0, even;
+
+  h.first = uint32_t(cumulative_.size());
+  cumulative_.resize(h.first + numbers(n));
+  float* row_end = cumulative_.data() + h.first;
+  std::vector<double> rows(n);
+  for (uint32_t y = 0; y < n; ++y) {
+    const double* in_row = share.data() + size_t(y) * n;
+    rows[y] = std::accumulate(in_row, in_row + n, 0.0);
+    accumulate_to_one(in_row, n, row_end + n + size_t(y) * n);
+  }
+  accumulate_to_one(rows.data(), n, row_end);
+  return guided;
 }
 
 float EmissionGuide::warp(const Histogram& h, Vec2& u) const {

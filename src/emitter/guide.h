@@ -44,7 +44,7 @@ class EmissionGuide {
   struct Histogram {
     uint32_t first = 0, n = 0;
   };
-  double fill(const Histogram& h, const GuideTraining& training, size_t begin, size_t end);
+  double fill(Histogram& h, const GuideTraining& training, size_t begin, size_t end);
   float warp(const Histogram& h, Vec2& u) const;
 
   DiscreteDistribution choice_;  // empty: as without

@@ -168,8 +168,12 @@ TEST(Guide, NextEventEstimationAndHitsTakeTheSameFactor) {
     const Emitter& e = set[0];
     GuideTraining training;
     Random random(43);
-    for (int k = 0; k < 20000; ++k) training.add(set, {}, 0, random.pair(), 1 + k % 3);
+    for (int k = 0; k < 20000; ++k) {
+      const Vec2 u = random.pair();
+      training.add(set, {}, 0, u, u.x * u.y);
+    }
     const EmissionGuide guide(set, training);
+    ASSERT_GT(guide.resolution(0), 0u);
     for (int k = 0; k < 500; ++k) {
       const Vec3 reference = e.center() + random.in_box(3);
       DirectSample d;
@@ -193,7 +197,9 @@ TEST(Guide, NextEventEstimationAndHitsTakeTheSameFactor) {
 TEST(Guide, MeansStayAndNoiseFalls) {
   for (NamedEmitter& named : all_emitters()) {
     const std::string name = named.name;
-    if (name == "narrow spot" || !named.coplanar || name.find("standing") == 0 || name.find("tube") == 0) continue;
+    if (name == "narrow spot" || name == "ellipsoid" || name == "box without width" || !named.coplanar ||
+        name.find("standing") == 0 || name.find("tube") == 0)
+      continue;
     SCOPED_TRACE(name);
     const EmitterSet set = single(std::move(named.emitter));
     const Target target = target_of(set[0], {0.37f, 0.61f});
@@ -299,7 +305,8 @@ TEST(Guide, TenThousandEmittersFitIntoMemory) {
   Random random(49);
   size_t most = 0;
   for (uint32_t k = 0; k < 4000000; ++k) {
-    training.add(set, {}, k % 10000, random.pair(), 1);
+    const Vec2 u = random.pair();
+    training.add(set, {}, k % 10000, u, u.x < 0.25f ? 1 : 0.01);
     if (k % 10000 == 0) most = std::max(most, training.bytes());
   }
   const EmissionGuide guide(set, training);
@@ -308,15 +315,19 @@ TEST(Guide, TenThousandEmittersFitIntoMemory) {
   EXPECT_LT(most + guide.bytes(), 40e6);
 }
 
-// A few paths are no reason for a histogram.
-TEST(Guide, WaitsForEnoughPaths) {
+// A few paths are no reason for a histogram, nor are many that are worth about the same wherever they start.
+TEST(Guide, HasNoHistogramsWithoutReason) {
   const EmitterSet set = points({1});
-  GuideTraining training;
-  Random random(50);
-  for (int k = 0; k < 100; ++k) training.add(set, {}, 0, random.pair(), 1);
-  EXPECT_EQ(EmissionGuide(set, training).histogram_count(), 0u);
-  for (int k = 0; k < 100; ++k) training.add(set, {}, 0, random.pair(), 1);
-  EXPECT_EQ(EmissionGuide(set, training).resolution(0), 4u);
+  for (bool in_part : {false, true})
+    for (int paths : {25, 200, 20000}) {
+      GuideTraining training;
+      Random random(50);
+      for (int k = 0; k < paths; ++k) {
+        const Vec2 u = random.pair();
+        training.add(set, {}, 0, u, in_part ? u.x < 0.5f : 1);
+      }
+      EXPECT_EQ(EmissionGuide(set, training).histogram_count(), size_t(in_part && paths > 100));
+    }
 }
 
 }  // namespace
