@@ -128,8 +128,10 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
 
   histograms_.resize(emitters.size());
   size_t total = 0;
+  const auto is_dark = [&](size_t i) { return !dark.empty() && dark[i] != 0; };
   for (size_t i = 0; i < emitters.size(); ++i) {
-    if (emitters[i].kind() != EmitterKind::rays) histograms_[i].n = training.resolution(begin[i], begin[i + 1]);
+    if (emitters[i].kind() != EmitterKind::rays && !is_dark(i))
+      histograms_[i].n = training.resolution(begin[i], begin[i + 1]);
     total += numbers(histograms_[i].n);
   }
   for (uint32_t most = 1u << GuideTraining::finest; total > most_numbers; most /= 2)
@@ -144,9 +146,8 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
   std::vector<double> worth(emitters.size()), flux(emitters.size());
   double worth_sum = 0, flux_sum = 0;
   for (size_t i = 0; i < emitters.size(); ++i) {
-    const double moment = fill(histograms_[i], training, begin[i], begin[i + 1]);
-    if (!dark.empty() && dark[i]) continue;
-    worth_sum += worth[i] = std::sqrt(moment);
+    if (is_dark(i)) continue;
+    worth_sum += worth[i] = std::sqrt(fill(histograms_[i], training, begin[i], begin[i + 1]));
     flux_sum += flux[i] = std::max(0.0, emitters[i].flux_lm());
   }
   const double share = worth_sum > 0 ? by_flux : 1;
