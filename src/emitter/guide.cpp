@@ -5,6 +5,8 @@
 
 #include <numeric>
 
+#include "base/rng.h"
+
 namespace ups {
 namespace {
 
@@ -38,6 +40,21 @@ std::vector<double> blurred(const std::vector<double>& in, uint32_t n) {
       out[y * n + x] = sum / count;
     }
   return out;
+}
+
+// The probabilities of cells in which the squares of values amount to `moment`.
+std::vector<double> shares(const std::vector<double>& moment, uint32_t n) {
+  std::vector<double> out = blurred(moment, n);
+  double sum = 0;
+  for (double& s : out) sum += s = std::sqrt(s);
+  for (double& s : out) s = uniform / double(out.size()) + (sum > 0 ? (1 - uniform) * s / sum : 0);
+  return out;
+}
+
+double moment_through(const std::vector<double>& share, const std::vector<double>& moment) {
+  double sum = 0;
+  for (size_t k = 0; k < share.size(); ++k) sum += moment[k] / (share[k] * double(share.size()));
+  return sum;
 }
 
 // Cumulative probabilities, in proportion to the shares.
@@ -76,7 +93,9 @@ void GuideTraining::add(const EmitterSet& emitters, const EmissionGuide& drawn_w
   const double density = double(drawn_with.probability(emitters, emitter)) * drawn_with.density(emitter, square);
   const double moment = value * value * density;
   if (!(moment > 0) || !std::isfinite(moment)) return;
-  cells_.push_back({key_of(emitter, square), 1, moment});
+  // By a hash: paths that follow one another may be strata of one another.
+  const bool half = mix64(added_++) & 1;
+  cells_.push_back({key_of(emitter, square), 1, {half ? 0 : moment, half ? moment : 0}});
   if (cells_.size() >= compact_at_) compact();
 }
 
@@ -90,7 +109,7 @@ void GuideTraining::compact() {
         continue;
       }
       cells_[last].paths += cells_[k].paths;
-      cells_[last].moment += cells_[k].moment;
+      for (int half = 0; half < 2; ++half) cells_[last].moment[half] += cells_[k].moment[half];
     }
     cells_.resize(std::min(cells_.size(), last + 1));
   };
@@ -157,27 +176,27 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
   choice_ = DiscreteDistribution(worth);
 }
 
-// Returns the second moment of what the emitter's paths will be worth. Drops a histogram that makes little difference.
+// Returns the second moment of what the emitter's paths will be worth. Each half of the training is judged by the
+// histogram of the other, as a few paths of great worth make any histogram look good that has seen them; one that does
+// not pass is dropped.
 double EmissionGuide::fill(Histogram& h, const GuideTraining& training, size_t begin, size_t end) {
   const uint32_t n = std::max(h.n, 1u);
-  std::vector<double> moment(size_t(n) * n);
+  std::vector<double> halves[2] = {std::vector<double>(size_t(n) * n), std::vector<double>(size_t(n) * n)};
   for (size_t k = begin; k < end; ++k) {
     const uint32_t side = 1u << training.level_, x = even_bits(training.cells_[k].key) % side,
                    y = even_bits(training.cells_[k].key >> 1) % side;
-    moment[size_t(y / (side / n)) * n + x / (side / n)] += training.cells_[k].moment;
+    for (int half = 0; half < 2; ++half)
+      halves[half][size_t(y / (side / n)) * n + x / (side / n)] += training.cells_[k].moment[half];
   }
-  const double even = std::accumulate(moment.begin(), moment.end(), 0.0);
+  std::vector<double> all(halves[0]);
+  for (size_t k = 0; k < all.size(); ++k) all[k] += halves[1][k];
+  const double even = std::accumulate(all.begin(), all.end(), 0.0);
   if (h.n == 0 || !(even > 0)) return even;
-
-  std::vector<double> share = blurred(moment, n);
-  double sum = 0, guided = 0;
-  for (double& s : share) sum += s = std::sqrt(s);
-  for (size_t k = 0; k < share.size(); ++k) {
-    share[k] = uniform / (double(n) * n) + (1 - uniform) * share[k] / sum;
-    guided += moment[k] / (share[k] * n * n);
-  }
+  const double guided =
+      moment_through(shares(halves[0], n), halves[1]) + moment_through(shares(halves[1], n), halves[0]);
   if (guided * least_gain > even) return h.n = 0, even;
 
+  const std::vector<double> share = shares(all, n);
   h.first = uint32_t(cumulative_.size());
   cumulative_.resize(h.first + numbers(n));
   float* row_end = cumulative_.data() + h.first;

@@ -71,7 +71,7 @@ class GuideTraining {
   struct Cell {
     uint64_t key;
     uint32_t paths;
-    double moment;  // second, over the square: sum of value^2 * density of drawing
+    double moment[2];  // second, over the square, of two halves of the paths: sums of value^2 * density of drawing
   };
   uint64_t key_of(uint32_t emitter, const Vec2& square) const;
   uint32_t emitter_of(size_t cell) const { return uint32_t(cells_[cell].key >> (2 * level_)); }
@@ -80,6 +80,7 @@ class GuideTraining {
 
   uint32_t level_ = finest;
   size_t compact_at_ = 1 << 16;
+  uint64_t added_ = 0;
   std::vector<Cell> cells_;
 };
 

@@ -330,5 +330,19 @@ TEST(Guide, HasNoHistogramsWithoutReason) {
     }
 }
 
+// Of paths whose worth has no second moment (Pareto, exponent 1.5), wherever they start: the few largest ones would
+// make a histogram of their own.
+TEST(Guide, DoesNotFollowOutliers) {
+  const EmitterSet set = points({1});
+  int kept = 0;
+  for (uint32_t seed = 0; seed < 20; ++seed) {
+    GuideTraining training;
+    Random random(60 + seed);
+    for (int k = 0; k < 20000; ++k) training.add(set, {}, 0, random.pair(), std::pow(1 - random(), -1 / 1.5));
+    kept += int(EmissionGuide(set, training).histogram_count());
+  }
+  EXPECT_LE(kept, 1);
+}
+
 }  // namespace
 }  // namespace ups::test
