@@ -55,9 +55,9 @@ class EmissionGuide {
 // What light paths have been worth, by where they started. Sums depend on the order of add() alone.
 class GuideTraining {
  public:
-  // A light path that `drawn_with` started from `square` of the emitter. value: of its contributions together, as the
-  // estimators have them (divided by the densities that it was drawn with), relative to the means of what they
-  // contribute to; where there are several, the root of their squares' sum.
+  // A light path that `drawn_with` started from `square` of the emitter. value: what it was worth, as an estimator has
+  // it (divided by the densities that it was drawn with): the flux that it started with if any of it came to use, or
+  // what it contributed relative to the means; the first is steadier, as a few contributions outweigh all others.
   void add(const EmitterSet& emitters, const EmissionGuide& drawn_with, uint32_t emitter, const Vec2& square,
            double value);
   bool empty() const { return cells_.empty(); }
