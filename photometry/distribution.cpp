@@ -267,4 +267,26 @@ Distribution::Sample Distribution::sample(double u1, double u2) const {
   return {d.x, d.y, d.z, intensity, intensity / interpolated_flux_lm_};
 }
 
+double Distribution::turns(double x, double y, double z) const {
+  const Direction d = to_native(type_, {x, y, z});
+  const double t = (std::atan2(d.y, d.x) - c_rad_[0]) / (2 * pi);
+  return t - std::floor(t);
+}
+
+bool Distribution::invert(double x, double y, double z, double& u1, double& u2) const {
+  Place p;
+  if ((x == 0 && y == 0 && z == 0) || !locate(x, y, z, p)) return false;
+  if (c_rad_.size() == 1) p.s = turns(x, y, z);  // all around alike: locate() does not look where
+  const double v0 = plane_value(p.c, p.gamma, p.t), v1 = plane_value(p.c + 1, p.gamma, p.t);
+  if (!(v0 * (1 - p.s) + v1 * p.s > 0)) return false;
+  const size_t n = cells();
+  const double *row = &c_cumulative_[p.gamma * (n + 1)], *next_row = row + n + 1;
+  const Band band{gamma_rad_[p.gamma], gamma_rad_[p.gamma + 1] - gamma_rad_[p.gamma], row[n], next_row[n]};
+  const auto cumulative = [&](size_t k) { return row[k] * (1 - p.t) + next_row[k] * p.t; };
+  const double part = c_width(p.c) * p.s * (v0 + 0.5 * p.s * (v1 - v0));
+  u1 = std::clamp((band_cumulative_[p.gamma] + band.integral(p.t)) / interpolated_flux_lm_, 0.0, 1.0);
+  u2 = std::clamp((cumulative(p.c) + part) / cumulative(n), 0.0, 1.0);
+  return true;
+}
+
 }  // namespace photometry

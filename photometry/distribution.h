@@ -54,6 +54,8 @@ class Distribution {
   // Continuous in u within a table cell. Undefined where the flux is 0 (pdf_w = 0).
   Sample sample(double u1, double u2) const;
   double pdf_w(double x, double y, double z) const;
+  // The inverse of sample(): u1, u2 in [0, 1] of a direction of any length > 0. False where the intensity is 0.
+  bool invert(double x, double y, double z, double& u1, double& u2) const;
 
   // The table in its own angles: of type C planes C and rows gamma, of type A planes H and rows V, of type B planes V
   // and rows H.
@@ -85,6 +87,7 @@ class Distribution {
   bool locate(double x, double y, double z, Place& place) const;
   double plane_value(size_t c, size_t gamma, double t) const;  // of plane c (or, past the last, of the first)
   double c_width(size_t c) const;                              // rad, to the next plane
+  double turns(double x, double y, double z) const;  // from the first plane, of a whole turn
   void build_sampling_tables();
 
   std::vector<double> c_rad_, gamma_rad_;  // azimuth and polar angle about the table's own polar axis

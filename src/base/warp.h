@@ -1,4 +1,4 @@
-// Maps from the unit square to the domains that light transport samples, each followed by its density.
+// Maps from the unit square to the domains that light transport samples, with their inverses and densities.
 #pragma once
 #include "base/vec.h"
 
@@ -14,6 +14,14 @@ inline Vec2 square_to_disc(const Vec2& u) {
   return {r * std::cos(phi), r * std::sin(phi)};
 }
 
+inline Vec2 disc_to_square(const Vec2& d) {
+  if (d.x == 0 && d.y == 0) return {0.5f, 0.5f};
+  const bool first = std::abs(d.x) > std::abs(d.y);
+  const float r = std::copysign(std::hypot(d.x, d.y), first ? d.x : d.y);
+  const float other = r * (4 * inv_pi) * std::atan(first ? d.y / d.x : d.x / d.y);
+  return {0.5f + 0.5f * (first ? r : other), 0.5f + 0.5f * (first ? other : r)};
+}
+
 // Cosine-weighted about +z; density z/pi.
 inline Vec3 square_to_cosine_hemisphere(const Vec2& u) {
   const Vec2 d = square_to_disc(u);
@@ -24,6 +32,10 @@ inline float cosine_hemisphere_pdf(float cos_theta) { return std::max(0.0f, cos_
 inline Vec3 square_to_sphere(const Vec2& u) {
   const float z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0f, 1 - z * z)), phi = 2 * pi * u.y;
   return {r * std::cos(phi), r * std::sin(phi), z};
+}
+inline Vec2 sphere_to_square(const Vec3& w) {
+  const float turns = std::atan2(w.y, w.x) * (0.5f * inv_pi);
+  return {0.5f - 0.5f * w.z, turns < 0 ? turns + 1 : turns};
 }
 inline constexpr float sphere_pdf = 0.25f * inv_pi;
 

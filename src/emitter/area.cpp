@@ -108,6 +108,7 @@ bool AreaEmitter::sample_direct(const Vec3& reference, const Vec2& u, DirectSamp
   out.pdf_position_a = pdf_a_;
   out.pdf_direction_w = direction_pdf(cos_front);
   out.error = point.error;
+  out.primitive = point.primitive;
   return is_finite(out.weight);
 }
 
@@ -119,6 +120,18 @@ bool AreaEmitter::eval_hit(const Vec3&, const Vec3&, uint32_t primitive, const V
   out.pdf_nee_a = pdf_a_;
   out.pdf_position_a = pdf_a_;
   out.pdf_direction_w = direction_pdf(cos_front);
+  return true;
+}
+
+bool AreaEmitter::emission_square(const Vec3&, uint32_t primitive, const Vec3& direction, Vec2& u) const {
+  if (primitive >= normals_.size()) return false;
+  const Vec3& n = normals_[primitive];
+  const float cos_front = dot(direction, n);
+  if (cos_front == 0 || (cos_front < 0 && !both_sides_)) return false;
+  const bool back = cos_front < 0;
+  const Vec3 local = Frame(back ? -n : n).to_local(direction);
+  u = disc_to_square({local.x, local.y});
+  if (both_sides_) u.x = 0.5f * (u.x + (back ? 1 : 0));
   return true;
 }
 

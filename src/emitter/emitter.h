@@ -37,6 +37,7 @@ struct DirectSample {
   float pdf_position_a = 1;   // of p by emission sampling
   float pdf_direction_w = 0;  // of -wi by emission sampling
   float error = 0;            // of p
+  uint32_t primitive = 0;     // as eval_hit counts them
 };
 
 // A walk has run into the emitter at p, n (front side), coming from `reference`; wo points back along the walk.
@@ -64,6 +65,9 @@ class Emitter {
   // Area emitters and openings. `primitive` is the triangle (area) or 0. False where wo sees no emission.
   virtual bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,
                         EmitterHit& out) const = 0;
+  // The inverse of sample_emission: u_direction of the light that leaves p in that direction; of a directional light,
+  // u_position of the light that passes p. False where there is none. `primitive`: as for eval_hit.
+  virtual bool emission_square(const Vec3& p, uint32_t primitive, const Vec3& direction, Vec2& u) const = 0;
 };
 
 }  // namespace ups

@@ -44,6 +44,11 @@ bool PointEmitter::sample_direct(const Vec3& reference, const Vec2&, DirectSampl
   return is_finite(out.weight);
 }
 
+bool PointEmitter::emission_square(const Vec3&, uint32_t, const Vec3& direction, Vec2& u) const {
+  u = sphere_to_square(direction);
+  return true;
+}
+
 SpotEmitter::SpotEmitter(const Vec3& p, const Vec3& axis, const Rgb& intensity, float inner_cone_rad,
                          float outer_cone_rad, float error)
     : PunctualEmitter(p, error), frame_(normalize(axis)), intensity_(intensity) {
@@ -51,6 +56,10 @@ SpotEmitter::SpotEmitter(const Vec3& p, const Vec3& axis, const Rgb& intensity, 
   outer_versine_ = versine(outer_cone_rad);
   inner_versine_ = std::min(versine(inner_cone_rad), outer_versine_);
   solid_angle_ = 2 * double(pi) * (inner_versine_ + (outer_versine_ - inner_versine_) / 3);
+}
+
+double SpotEmitter::versine_to(const Vec3& direction) const {
+  return 0.5 * length2(normalize(Vec3d(direction)) - normalize(Vec3d(frame_.n)));
 }
 
 double SpotEmitter::attenuation(double versine) const {
@@ -80,11 +89,20 @@ bool SpotEmitter::sample_emission(const Vec2&, const Vec2& u_direction, Emission
 
 bool SpotEmitter::sample_direct(const Vec3& reference, const Vec2&, DirectSample& out) const {
   if (!(solid_angle_ > 0) || !start_direct(reference, out)) return false;
-  const double versine = 0.5 * length2(normalize(Vec3d(out.wi)) + normalize(Vec3d(frame_.n)));
-  const double factor = attenuation(versine);
+  const double factor = attenuation(versine_to(-out.wi));
   out.weight *= intensity_ * float(factor);
   out.pdf_direction_w = float(factor / solid_angle_);
   return factor > 0 && is_finite(out.weight) && !is_black(out.weight);
+}
+
+bool SpotEmitter::emission_square(const Vec3&, uint32_t, const Vec3& direction, Vec2& u) const {
+  const double versine = versine_to(direction), ramp_width = outer_versine_ - inner_versine_;
+  if (!(attenuation(versine) > 0)) return false;
+  const double ramp = ramp_width > 0 ? std::clamp((outer_versine_ - versine) / ramp_width, 0.0, 1.0) : 1.0;
+  const double v = std::min(versine, inner_versine_) + ramp_width * (1 - ramp * ramp * ramp) / 3;
+  const float turns = std::atan2(dot(direction, frame_.t), dot(direction, frame_.s)) * (0.5f * inv_pi);
+  u = {float(v / (inner_versine_ + ramp_width / 3)), turns < 0 ? turns + 1 : turns};
+  return true;
 }
 
 DirectionalEmitter::DirectionalEmitter(const Vec3& direction, const Rgb& illuminance, float scene_radius)
@@ -116,6 +134,13 @@ bool DirectionalEmitter::sample_direct(const Vec3& reference, const Vec2&, Direc
   out.weight = illuminance_;
   out.pdf_position_a = pdf_position_a();
   out.pdf_direction_w = 1;
+  return true;
+}
+
+bool DirectionalEmitter::emission_square(const Vec3& p, uint32_t, const Vec3&, Vec2& u) const {
+  const Vec2 disc{dot(p, frame_.s) / scene_radius_, dot(p, frame_.t) / scene_radius_};
+  if (!(disc.x * disc.x + disc.y * disc.y <= 1)) return false;
+  u = disc_to_square(disc);
   return true;
 }
 

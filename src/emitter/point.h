@@ -33,6 +33,7 @@ class PointEmitter : public PunctualEmitter {
   Rgb flux_rgb() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
+  bool emission_square(const Vec3& p, uint32_t, const Vec3& direction, Vec2& u) const override;
 
  private:
   Rgb intensity_;
@@ -49,8 +50,10 @@ class SpotEmitter : public PunctualEmitter {
   Rgb flux_rgb() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
+  bool emission_square(const Vec3& p, uint32_t, const Vec3& direction, Vec2& u) const override;
 
  private:
+  double versine_to(const Vec3& direction) const;
   double attenuation(double versine) const;
 
   Frame frame_;
@@ -75,6 +78,7 @@ class DirectionalEmitter : public Emitter {
   float radius() const override { return scene_radius_; }
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
+  bool emission_square(const Vec3& p, uint32_t, const Vec3& direction, Vec2& u) const override;
   bool eval_hit(const Vec3&, const Vec3&, uint32_t, const Vec3&, EmitterHit&) const override { return false; }
 
  private:

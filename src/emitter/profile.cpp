@@ -24,6 +24,14 @@ bool PlacedProfile::sample(const Vec2& u, Vec3& direction, float& pdf_w) const {
   return pdf_w > 0;
 }
 
+bool PlacedProfile::invert(const Vec3& direction, Vec2& u) const {
+  const Vec3 local = frame_.to_local(direction);
+  double u1, u2;
+  if (!emits_ || !distribution_->invert(local.x, local.y, local.z, u1, u2)) return false;
+  u = {float(u1), float(u2)};
+  return true;
+}
+
 ProfilePointEmitter::ProfilePointEmitter(std::shared_ptr<const photometry::Distribution> distribution,
                                          const Frame& frame, const Vec3& p, const Rgb& scale, float error)
     : PunctualEmitter(p, error), profile_(std::move(distribution), frame, scale) {}

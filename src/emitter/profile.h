@@ -20,6 +20,7 @@ class PlacedProfile {
   // Intensity, cd, towards a direction of the scene, and the density with which sample() takes it. False where it is 0.
   bool eval(const Vec3& direction, Rgb& intensity, float& pdf_w) const;
   bool sample(const Vec2& u, Vec3& direction, float& pdf_w) const;
+  bool invert(const Vec3& direction, Vec2& u) const;  // what sample() takes it from
 
  private:
   std::shared_ptr<const photometry::Distribution> distribution_;
@@ -37,6 +38,9 @@ class ProfilePointEmitter : public PunctualEmitter {
   Rgb flux_rgb() const override { return profile_.flux(); }
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
+  bool emission_square(const Vec3&, uint32_t, const Vec3& direction, Vec2& u) const override {
+    return profile_.invert(direction, u);
+  }
 
  private:
   PlacedProfile profile_;
@@ -61,6 +65,9 @@ class ProfileOpeningEmitter : public Emitter {
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
   bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,
                 EmitterHit& out) const override;
+  bool emission_square(const Vec3&, uint32_t, const Vec3& direction, Vec2& u) const override {
+    return profile_.invert(direction, u);
+  }
 
   bool is_flat() const { return body_.is_flat(); }
   float circumscribed_radius() const { return float(body_.circumscribed_radius()); }

@@ -46,6 +46,7 @@ class RayEmitter : public Emitter {
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3&, const Vec2&, DirectSample&) const override { return false; }
   bool eval_hit(const Vec3&, const Vec3&, uint32_t, const Vec3&, EmitterHit&) const override { return false; }
+  bool emission_square(const Vec3&, uint32_t, const Vec3&, Vec2&) const override { return false; }
 
  private:
   std::shared_ptr<const RaySet> rays_;

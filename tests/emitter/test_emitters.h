@@ -11,6 +11,7 @@
 #include "emitter/area.h"
 #include "emitter/point.h"
 #include "emitter/profile.h"
+#include "emitter/rays.h"
 #include "support/chi_square.h"
 
 namespace ups::test {
@@ -99,6 +100,12 @@ inline photometry::Opening opening(photometry::OpeningShape shape, float x, floa
   out.shape = shape;
   out.size_m[0] = x, out.size_m[1] = y, out.size_m[2] = z;
   return out;
+}
+
+inline std::shared_ptr<const RaySet> one_ray() {
+  auto file = std::make_shared<photometry::Photometry>(photometry::Photometry{*lambertian(1)});
+  file->rays.push_back({{0, 0, 0}, {0, 0, -1}, 1});
+  return std::make_shared<RaySet>(file);
 }
 
 struct NamedOpening {

@@ -212,6 +212,37 @@ TEST(Distribution, SampleAgreesWithEvalAndPdf) {
   }
 }
 
+// Where a row or a plane is dark on one side, one number belongs to many directions: what counts is that the way back
+// gives the number again, wherever in the dark the direction lies. Near the axis the azimuth is lost with the digits.
+TEST(Distribution, InvertFindsTheNumbersOfASample) {
+  const auto sector = [](double c, double g) {
+    return double(g > rad(20) && g < rad(100) && c > rad(60) && c < rad(130));
+  };
+  const std::vector<Distribution> tables = {
+      tabulate({0, 15, 90, 100, 210, 359}, {0, 1, 10, 11, 45, 90, 140, 179, 180}, smooth),
+      tabulate(steps(0, 350, 35), steps(0, 180, 36), sector),
+      Distribution({0}, {20, 160}, {0, 7}),
+      Distribution({30}, {0, 0.1}, {1e6, 0}),
+      Distribution(PhotometricType::b, {-40, 0, 70}, {-30, 10, 60}, {1, 2, 3, 4, 5, 6, 7, 8, 9}),
+      Distribution(PhotometricType::a, {-40, 0, 70}, {-30, 10, 60}, {1, 0, 3, 0, 0, 6, 7, 8, 0})};
+  std::mt19937 random(19);
+  for (const Distribution& d : tables)
+    for (int i = 0; i < 10000; ++i) {
+      const double u1 = random() * 0x1p-32, u2 = random() * 0x1p-32;
+      const Distribution::Sample s = d.sample(u1, u2);
+      double v1, v2;
+      ASSERT_TRUE(d.invert(2 * s.x, 2 * s.y, 2 * s.z, v1, v2));
+      const double off_axis = d.type() == PhotometricType::c ? std::hypot(s.x, s.y) : 0.5;
+      ASSERT_NEAR(v1, u1, 1e-9);
+      ASSERT_NEAR(std::remainder(v2 - u2, 1), 0, 1e-11 + 1e-14 / off_axis);
+    }
+  double v1, v2;
+  EXPECT_FALSE(tables[1].invert(0, 0, -1, v1, v2));
+  EXPECT_FALSE(tables[2].invert(0, 0, 1, v1, v2));
+  EXPECT_FALSE(tables[0].invert(0, 0, 0, v1, v2));
+  EXPECT_FALSE(Distribution({0}, {0, 90}, {0, 0}).invert(1, 0, -1, v1, v2));
+}
+
 // The inversion is exact: the flux below a sampled gamma is u1 of the whole, to the quadrature's error.
 TEST(Distribution, InvertsTheFluxBelowGamma) {
   for (const Distribution& d : {Distribution({0}, {0, 30, 180}, {1, 4, 0}), Distribution({0}, {0, 1e-3}, {0, 1}),
