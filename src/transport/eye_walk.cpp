@@ -9,7 +9,7 @@
 namespace ups {
 
 EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w) {
-  origin_ = last_ = p;
+  origin_ = last_.p = p;
   direction_ = direction;
   edge_.pdf = pdf_w;
   specular_ = true;
@@ -19,14 +19,16 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
 
 EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) {
   meter_frame_ = frame;
-  last_ = meter_p_ = surface.p;
+  meter_p_ = surface.p;
+  last_ = {meter_p_, frame.n};
   origin_ = meter_origin_ = surface.ray_origin(frame.n);
   if (sensor_.end.merge > 0) meter_merge(surface);
   return gather_at_meter();
 }
 
 EyeTally EyeWalk::from_meter(const Vec3& p, const Vec3& ray_origin, const Frame& frame) {
-  last_ = meter_p_ = p;
+  meter_p_ = p;
+  last_ = {p, frame.n};
   origin_ = meter_origin_ = ray_origin;
   meter_frame_ = frame;
   if (in_.settings.actual_perturbation) perturb_meter();
@@ -127,7 +129,7 @@ void EyeWalk::hit_emitter(uint32_t index, uint32_t primitive, const Vec3& p, flo
   if (in_.settings.hits_after_specular && !specular_) return;
   const Emitter& emitter = scene_.emitters[index];
   EmitterHit hit;
-  if (!emitter.eval_hit(last_, p, primitive, -direction_, hit)) return;
+  if (!emitter.eval_hit(last_.p, p, primitive, -direction_, hit)) return;
   double w = 1;
   if (!in_.settings.weightless()) {
     const double pb_0 = edge_.pdf * cos_in / (double(distance) * distance);
@@ -163,7 +165,8 @@ DirectDensities direct_densities(const Snapshot& scene, const EmitterSet::Choice
 void EyeWalk::sample_light(const Vertex& v, const Arrival& a) {
   const uint32_t edges = v.edges + 1;
   if (longer_than_allowed(edges)) return;
-  const EmitterSet::Choice choice = scene_.emitters.choose_direct(a.surface.p, rng_.get(v.edges, Slot::choice));
+  const EmitterSet::Choice choice =
+      scene_.emitters.choose_direct(receiver_at(a.surface, v.wo, v.bsdf), rng_.get(v.edges, Slot::choice));
   if (!(choice.probability > 0)) return;
   DirectSample s;
   const Emitter& emitter = scene_.emitters[choice.index];
@@ -344,7 +347,7 @@ bool EyeWalk::scatter(const Vertex& v) {
   edge_.cos_out = std::abs(dot(wi, v.surface.ng));
   edge_.chi = double(s.pdf_reverse) / s.pdf * s.delta_jacobian;
   media_ = met_.beyond(wi);
-  last_ = v.surface.p;
+  last_ = receiver_at(v.surface, v.wo, v.bsdf);
   origin_ = v.surface.ray_origin(wi);
   direction_ = wi;
   return true;
@@ -352,7 +355,8 @@ bool EyeWalk::scatter(const Vertex& v) {
 
 // k = 1 at the meter's own point.
 void EyeWalk::meter_sample_light() {
-  const EmitterSet::Choice choice = scene_.emitters.choose_direct(meter_p_, rng_.get(0, Slot::choice));
+  const Receiver receiver{meter_p_, meter_frame_.n};
+  const EmitterSet::Choice choice = scene_.emitters.choose_direct(receiver, rng_.get(0, Slot::choice));
   if (!(choice.probability > 0)) return;
   DirectSample s;
   const Emitter& emitter = scene_.emitters[choice.index];

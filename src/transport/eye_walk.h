@@ -135,7 +135,7 @@ class EyeWalk {
   EyeTally tally_;
 
   Vec3 origin_, direction_;
-  Vec3 last_;  // the vertex that the current edge leaves
+  Receiver last_;  // the vertex that the current edge leaves; without normal at a camera
   Vec3 meter_p_, meter_origin_;  // where path integration arrives at a meter, and its rays' origin
   Frame meter_frame_;
   Rgb throughput_{1.0f}, start_throughput_{1.0f};

@@ -102,7 +102,7 @@ class LightWalk {
 
   // MIS state at a point that the current edge reaches:
   // x_1 needs to know how next-event estimation would have found x_0.
-  mis::LightState arrive(const Vec3& p, float cos_in, float distance) const {
+  mis::LightState arrive(const Receiver& at, float cos_in, float distance) const {
     const double d2 = double(distance) * distance;
     switch (edge_.kind) {
       case LightEdge::continuous:
@@ -110,14 +110,14 @@ class LightWalk {
       case LightEdge::delta: return mis::light_step_delta(edge_.state, edge_.chi, edge_.cos_out, cos_in);
       case LightEdge::emission: break;
     }
-    const double choose = double(scene_.emitters.direct_probability(p, emitter_index_)) / emit_probability_;
+    const double choose = double(scene_.emitters.direct_probability(at, emitter_index_)) / emit_probability_;
     if (emitter_->is_directional())
       return mis::light_first_directional(counts_, choose, 1.0 / start_.pdf_position_a, cos_in);
     if (emitter_->is_delta())
       return mis::light_first(counts_, choose, start_.pdf_direction_w, d2, cos_in, false, 1.0, 1.0);
     EmitterHit hit;
     const uint32_t primitive = start_.primitive == EmissionSample::invalid ? 0 : start_.primitive;
-    const bool seen = emitter_->eval_hit(p, start_.p, primitive, start_.direction, hit);
+    const bool seen = emitter_->eval_hit(at.p, start_.p, primitive, start_.direction, hit);
     const double pf_0 = double(emit_probability_) * start_.pdf_position_a;
     const double ratio = seen ? choose * hit.pdf_nee_a / start_.pdf_position_a : 0.0;
     return mis::light_first(counts_, ratio, start_.pdf_direction_w, d2, cos_in, true, start_.cos_0, pf_0);
@@ -149,7 +149,7 @@ class LightWalk {
         (double(in_.plan.light_paths) * (cell ? double(set.cell_area()) : 3.14159265358979323846 * e.radius2));
     double w = 1;
     if (!in_.settings.weightless()) {
-      const mis::LightState s = arrive(p, cos_in, crossing.t);
+      const mis::LightState s = arrive({p, meter.frame.n}, cos_in, crossing.t);
       const double reverse = cos_in * inv_pi;
       w = cell ? mis::weight_land(s, e.counts, set.cell_area(), reverse)
                : mis::weight_merge_at_sensor(s, e.counts, e.eta, reverse);
@@ -168,7 +168,7 @@ class LightWalk {
     if (cos_in < min_cosine) return false;
     const Bsdf bsdf = met_.bsdf(scene_);
     const Vec3 wo = -direction_, local = surface_.shading.to_local(wo);
-    const mis::LightState state = arrive(surface_.p, cos_in, met_.distance);
+    const mis::LightState state = arrive(receiver_at(surface_, wo, bsdf), cos_in, met_.distance);
     if (!consistent_side(surface_, wo, local)) {
       absorb(Rgb(0.0f));
       return false;
