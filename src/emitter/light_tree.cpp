@@ -4,9 +4,10 @@
 namespace ups {
 namespace {
 
-constexpr float by_flux = 0.05f;     // the share that no estimate takes part in
-constexpr size_t max_cut = 64;       // nodes that are weighed for a receiver
-constexpr float large2 = 0.25f;      // a node is opened whose radius is more than half its distance
+constexpr float by_flux = 0.05f;  // the share that no estimate takes part in
+constexpr size_t max_cut = 64;    // nodes that are weighed for a receiver
+constexpr float large2 = 0.16f;   // a node is opened whose radius is more than 0.4 of its distance
+static_assert(max_cut >= LightTree::max_listed);
 
 }  // namespace
 
@@ -47,10 +48,10 @@ bool LightTree::weigh(const View& view, const Node& node, Shares& out) const {
     if (!(height > 0) && !view.both_sides) return false;
     cosine = std::min(1.0f, height * inverse);
   }
-  const float near2 = std::max(d2, node.radius2);
-  const float intensity =
-      node.intensity * lobes_[node.lobe].towards(-to, inverse) + node.spread * std::min(1.0f, node.radius2 / d2);
-  out.estimate = intensity * cosine / near2;
+  const float falloff = inverse * inverse;
+  const float intensity = node.intensity * lobes_[node.lobe].towards(-to, inverse) +
+                          node.spread * std::min(1.0f, node.radius2 * falloff);
+  out.estimate = intensity * cosine * std::min(falloff, node.largest_falloff);
   out.flux = node.flux;
   return true;
 }
@@ -78,8 +79,9 @@ void LightTree::cut(const View& view, Cut& out) const {
         add(k);
     }
   }
-  const float of_estimates = estimates > 0 ? (1 - by_flux) / estimates : 0;
-  const float of_fluxes = fluxes > 0 ? (estimates > 0 ? by_flux : 1) / fluxes : 0;
+  const bool any = estimates > 1e-30f;
+  const float of_estimates = any ? (1 - by_flux) / estimates : 0;
+  const float of_fluxes = fluxes > 0 ? (any ? by_flux : 1) / fluxes : 0;
   for (uint32_t i = 0; i < out.size; ++i) {
     out.shares[i].estimate *= of_estimates;
     out.shares[i].flux *= of_fluxes;

@@ -46,6 +46,7 @@ class LightTree {
     float spread;     // more of it in all directions where the node is seen under a large angle
     float flux;
     float radius2;    // of the sphere about the box
+    float largest_falloff;  // 1 / radius2
     uint32_t lobe;
     uint32_t end;     // one past the last node below this one, which all follow it: the left child first
   };

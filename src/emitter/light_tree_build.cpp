@@ -90,7 +90,7 @@ LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count)
   }
   if (!(total > 0)) return;
   // Emitters at one place are told apart by intensity: nothing divides by zero.
-  const float extent = length(all.upper - all.lower), least = 1e-6f * (extent > 0 ? extent : 1);
+  const float extent = length(all.upper - all.lower), least = extent > 0 ? std::max(1e-9f * extent, 1e-15f) : 1;
   std::vector<Node> leaves;
   std::vector<uint32_t> emitters;
   Lobes lobes(*this);
@@ -120,8 +120,9 @@ LightTree::Node LightTree::leaf_of(const Entry& e, uint32_t lobe, double total_f
   n.intensity = float(double(o.intensity) * e.exposed / total_flux);
   // What has extent and a distribution shines near by as its brightest direction does.
   n.spread = max_abs(o.half) > 0 && lobes_[lobe].table ? n.intensity * lobes_[lobe].largest() : 0;
-  n.flux = float(e.flux / total_flux);
+  n.flux = std::max(float(e.flux / total_flux), 1e-30f);
   n.radius2 = std::max(length2(o.half), least * least);
+  n.largest_falloff = 1 / n.radius2;
   n.lobe = lobe;
   return n;
 }
@@ -204,10 +205,11 @@ void LightTree::join(uint32_t k) {
   const float rounding = 0x1p-20f * std::max(max_abs(lower), max_abs(upper));
   n.half = (upper - lower) * 0.5f + Vec3(rounding, rounding, rounding);
   n.radius2 = std::max(length2(n.half), std::max(a.radius2, b.radius2));
+  n.largest_falloff = 1 / n.radius2;
   n.flux = a.flux + b.flux;
   n.lobe = a.lobe;
   n.intensity = a.intensity + b.intensity;
-  n.spread = a.spread + b.spread;
+  n.spread = 0;  // the node is opened where that would matter
   if (a.lobe == b.lobe) return;
   CoarseTable& table = coarse_.emplace_back();
   add_to(table, lobes_[a.lobe], a.intensity);

@@ -110,7 +110,9 @@ class LightWalk {
       case LightEdge::delta: return mis::light_step_delta(edge_.state, edge_.chi, edge_.cos_out, cos_in);
       case LightEdge::emission: break;
     }
-    const double choose = double(scene_.emitters.direct_probability(at, emitter_index_)) / emit_probability_;
+    const double choose = counts_.light_sample > 0
+                              ? double(scene_.emitters.direct_probability(at, emitter_index_)) / emit_probability_
+                              : 0.0;
     if (emitter_->is_directional())
       return mis::light_first_directional(counts_, choose, 1.0 / start_.pdf_position_a, cos_in);
     if (emitter_->is_delta())
