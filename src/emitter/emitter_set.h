@@ -23,12 +23,12 @@ class EmitterSet {
   const Emitter& operator[](size_t i) const { return *emitters_[i]; }
   double flux_lm() const { return flux_lm_; }
 
-  using Choice = EmitterChoice;  // probability 0: nothing emits
+  using Choice = EmitterChoice;
   // For a light path: in proportion to flux.
   Choice choose_emission(float u) const;
   float emission_probability(size_t i) const;
-  // For next-event estimation at a point: by about what each emitter would bring there, see light_tree.h. Never one that
-  // it cannot sample.
+  // For next-event estimation at a point: by about what each emitter would bring there, see light_tree.h. Never one
+  // that it cannot sample.
   Choice choose_direct(const Receiver& receiver, float u) const { return direct_.choose(receiver, u); }
   float direct_probability(const Receiver& receiver, size_t i) const { return direct_.probability(receiver, i); }
 

@@ -14,7 +14,10 @@ static_assert(max_cut >= LightTree::max_listed);
 // The receiver, with what is the same for all nodes.
 struct LightTree::View {
   explicit View(const Receiver& r)
-      : p(r.p), n(r.n), size_n(std::abs(n.x), std::abs(n.y), std::abs(n.z)), all_around(max_abs(n) == 0),
+      : p(r.p),
+        n(r.n),
+        size_n(std::abs(n.x), std::abs(n.y), std::abs(n.z)),
+        all_around(max_abs(n) == 0),
         both_sides(r.both_sides) {}
   Vec3 p, n, size_n;
   bool all_around, both_sides;
@@ -32,8 +35,15 @@ struct LightTree::Cut {
   Shares shares[max_cut];
 };
 
-// False where the node lies behind the receiver's plane altogether.
+// Altogether behind the receiver's plane.
+bool LightTree::is_behind(const View& view, const Node& node) {
+  if (view.all_around || view.both_sides) return false;
+  return !(dot(view.n, node.center - view.p) > -dot(view.size_n, node.half));
+}
+
+// False where the node cannot shine.
 bool LightTree::weigh(const View& view, const Node& node, Shares& out) const {
+  if (is_behind(view, node)) return false;
   const Vec3 to = node.center - view.p;
   const float d2 = std::max(length2(to), 1e-30f);
   const float inverse = 1 / std::sqrt(d2);
@@ -42,15 +52,15 @@ bool LightTree::weigh(const View& view, const Node& node, Shares& out) const {
     // On the average of a box that reaches this far to both sides of its centre, where part of it is behind the plane.
     const float reach = dot(view.size_n, node.half), along = dot(view.n, to);
     float height = view.both_sides ? std::abs(along) : along;
-    if (height < reach)
-      height = view.both_sides ? (height * height + reach * reach) / (2 * reach)
-                               : height > -reach ? (height + reach) * (height + reach) / (4 * reach) : 0;
-    if (!(height > 0) && !view.both_sides) return false;
+    if (height < reach) {
+      const float above = height + reach;
+      height = view.both_sides ? (height * height + reach * reach) / (2 * reach) : above * above / (4 * reach);
+    }
     cosine = std::min(1.0f, height * inverse);
   }
   const float falloff = inverse * inverse;
-  const float intensity = node.intensity * lobes_[node.lobe].towards(-to, inverse) +
-                          node.spread * std::min(1.0f, node.radius2 * falloff);
+  const float intensity =
+      node.intensity * lobes_[node.lobe].towards(-to, inverse) + node.spread * std::min(1.0f, node.radius2 * falloff);
   out.estimate = intensity * cosine * std::min(falloff, node.largest_falloff);
   out.flux = node.flux;
   return true;
@@ -72,6 +82,7 @@ void LightTree::cut(const View& view, Cut& out) const {
     while (first < last) {
       const uint32_t k = queue[first++];
       const Node& node = nodes_[k];
+      if (is_behind(view, node)) continue;
       const bool room = out.size + (last - first) + 2 <= max_cut && last + 2 <= 2 * max_cut;
       if (room && !is_leaf(k) && node.radius2 > large2 * length2(node.center - view.p))
         queue[last++] = k + 1, queue[last++] = right_of(k);

@@ -1,8 +1,8 @@
 // Chooses an emitter for a receiver in proportion to about what it would bring, unoccluded: intensity towards the
 // receiver times the cosine there over the squared distance. Few emitters are weighed one by one. Many are the leaves
 // of a tree: from its root down, nodes that look large from the receiver are opened, up to a number of them; one of the
-// nodes that remain is chosen, then a child at a time down to an emitter (in the manner of Conty Estevez and Kulla 2018,
-// Importance sampling of many lights, which has no such cut and bounds directions by cones).
+// nodes that remain is chosen, then a child at a time down to an emitter (in the manner of Conty Estevez and Kulla
+// 2018, Importance Sampling of Many Lights with Adaptive Tree Splitting).
 //
 // A small share goes by flux among the emitters that are not behind the receiver's plane, so that what is misjudged is
 // never forgotten. Probabilities are a function of the receiver alone and can be asked for afterwards.
@@ -26,8 +26,8 @@ class LightTree {
  public:
   struct Entry {
     Outline outline;
-    double flux;          // by which the small share goes
-    float exposed = 1;    // multiplies what it would bring
+    double flux;           // by which the small share goes
+    float exposed = 1;     // multiplies what it would bring
     uint32_t emitter = 0;  // what a choice names
   };
   static constexpr size_t max_listed = 64;  // emitters that are weighed one by one
@@ -41,14 +41,14 @@ class LightTree {
 
  private:
   struct Node {
-    Vec3 center, half;
-    float intensity;  // that goes with the lobe; all are relative to the flux of all emitters
-    float spread;     // more of it in all directions where the node is seen under a large angle
-    float flux;
-    float radius2;    // of the sphere about the box
+    Vec3 center, half;      // of its box
+    float intensity;        // that goes with the lobe, relative to the flux of all emitters
+    float spread;           // more of it in all directions where an emitter is seen under a large angle
+    float flux;             // relative, too
+    float radius2;          // of the sphere about the box
     float largest_falloff;  // 1 / radius2
     uint32_t lobe;
-    uint32_t end;     // one past the last node below this one, which all follow it: the left child first
+    uint32_t end;  // one past the last node below this one, which all follow it: the left child first
   };
   struct View;
   struct Shares;
@@ -57,6 +57,7 @@ class LightTree {
 
   bool is_leaf(uint32_t k) const { return nodes_[k].end == k + 1; }
   uint32_t right_of(uint32_t k) const { return nodes_[k + 1].end; }
+  static bool is_behind(const View& view, const Node& node);
   bool weigh(const View& view, const Node& node, Shares& out) const;
   void cut(const View& view, Cut& out) const;
   void halve(const View& view, uint32_t node, const Shares& shares, Shares& left, Shares& right) const;

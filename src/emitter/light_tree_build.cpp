@@ -79,8 +79,7 @@ class LightTree::Lobes {
   std::map<const photometry::Distribution*, const float*> table_;
 };
 
-LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count)
-    : leaf_of_emitter_(emitter_count, none) {
+LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count) : leaf_of_emitter_(emitter_count, none) {
   double total = 0;
   Extent all;
   for (const Entry& e : entries) {

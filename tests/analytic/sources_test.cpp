@@ -86,8 +86,8 @@ TEST(Sources, LambertianPointOfCie171) {
   expect_exact(scene, cases, 1e-4);
 }
 
-// A hall of 10 x 10 luminaires, I = I0 cos gamma, and as many points as fit between them, half of them below the meters:
-// enough that next-event estimation chooses among groups of them. An error of 1 % would be found.
+// A hall of 10 x 10 luminaires, I = I0 cos gamma, and a point light beside each, half of them below the meters: enough
+// that next-event estimation chooses among groups of them. An error of 1 % would be found.
 TEST(Sources, AHundredLuminairesAddUp) {
   Scene scene;
   const Profile profile = parse(scene.context(), ies_text([](double gamma) { return 1000 * std::cos(gamma); }, 90, 0));

@@ -60,7 +60,9 @@ void choose(benchmark::State& state, size_t size) {
   count(state, "choices", double(receiver_count));
 }
 
-std::string name_of(const char* what, size_t size) { return std::string("emitters/") + what + "/" + std::to_string(size); }
+std::string name_of(const char* what, size_t size) {
+  return std::string("emitters/") + what + "/" + std::to_string(size);
+}
 
 }  // namespace
 

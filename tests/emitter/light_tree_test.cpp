@@ -43,9 +43,10 @@ std::vector<std::unique_ptr<Emitter>> all_kinds(int n, uint32_t seed) {
         break;
       }
       case 7: add(std::make_unique<DirectionalEmitter>(f.n, colour * 0.01f, 20.0f)); break;
-      default:
-        add(std::make_unique<ProfileOpeningEmitter>(distribution, f, p, openings[size_t(i / 10) % openings.size()].opening,
-                                                    colour, 1e-6f));
+      default: {
+        const photometry::Opening& opening = openings[size_t(i / 10) % openings.size()].opening;
+        add(std::make_unique<ProfileOpeningEmitter>(distribution, f, p, opening, colour, 1e-6f));
+      }
     }
   }
   return out;
@@ -147,7 +148,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, LightTreeOf,
                          });
 
 // What brings a part of the light is chosen about as often as that part says: the variance of one sample, relative to
-// the squared illuminance, is the sum of share^2 / probability - 1. n x n downlights in a hall of 40 m x 40 m x 5 m, I = I0 cos^4 gamma.
+// the squared illuminance, is the sum of share^2 / probability - 1. n x n downlights in a hall of 40 m x 40 m x 5 m,
+// I = I0 cos^4 gamma.
 class Hall : public ::testing::TestWithParam<int> {
  protected:
   EmitterSet luminaires() const {
@@ -208,7 +210,7 @@ TEST(LightTree, LooksAheadOnly) {
   for (int n : {10, 200}) {
     std::vector<std::unique_ptr<Emitter>> e;
     for (int i = 0; i < n; ++i)
-      e.push_back(std::make_unique<PointEmitter>(Vec3(float(i % 10), float(i / 10), i % 2 ? 1.0f : -1.0f), Rgb(1), 0.0f));
+      e.push_back(std::make_unique<PointEmitter>(Vec3(float(i % 10), float(i / 10), i % 2 ? 1.0f : -1.0f), Rgb(1), 0));
     const EmitterSet set(std::move(e));
     for (int i = 0; i < n; ++i) {
       EXPECT_EQ(set.direct_probability({Vec3(), Vec3(0, 0, 1)}, size_t(i)) > 0, i % 2 == 1);
