@@ -33,6 +33,8 @@ class LightTree {
   static constexpr size_t max_listed = 64;  // emitters that are weighed one by one
 
   LightTree() = default;
+  LightTree(LightTree&&) = default;  // no copies: lobes point into the tables
+  LightTree& operator=(LightTree&&) = default;
   // Those without flux are left out. emitter_count: numbers of emitters are below it.
   LightTree(const std::vector<Entry>& entries, size_t emitter_count);
 
