@@ -149,6 +149,14 @@ bool Bsdf::transmits() const {
                                                                                        : p_.transmittance);
 }
 
+bool Bsdf::transmits_continuously() const {
+  switch (p_.material->model) {
+    case MaterialModel::diffuser: return !is_black(p_.transmittance);
+    case MaterialModel::glass: return p_.alpha > 0;
+    default: return false;
+  }
+}
+
 Scattering Bsdf::evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   Scattering s = evaluate_model(p_, wo, wi);
   s.value *= radiance_scale(p_, wo, wi, mode);

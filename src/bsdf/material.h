@@ -62,6 +62,7 @@ class Bsdf {
   bool has_delta() const;       // some lobe can only be sampled
   bool has_continuous() const;  // eval() is not always 0: the point can be connected to and merged at
   bool transmits() const;       // eval() or sample() can cross the surface
+  bool transmits_continuously() const;  // eval() can
   bool is_solid_dielectric() const { return p_.material->model == MaterialModel::glass; }
   // Scatters by one interface sharper than this GGX alpha and has no diffuse base: what SPPM calls glossy.
   bool is_glossy(float below_alpha) const {

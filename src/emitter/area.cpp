@@ -2,7 +2,10 @@
 // positions.
 #include "emitter/area.h"
 
+#include <map>
+
 #include "base/warp.h"
+#include "emitter/lobe.h"
 
 namespace ups {
 namespace {
@@ -10,7 +13,7 @@ namespace {
 Vec3d doubled_area(const EmitterTriangle& t) { return cross(Vec3d(t.p1) - Vec3d(t.p0), Vec3d(t.p2) - Vec3d(t.p0)); }
 
 // The bounding box's centre, and the sphere about it that holds all corners.
-void bound(const std::vector<EmitterTriangle>& triangles, Vec3& center, float& radius) {
+void bound(const std::vector<EmitterTriangle>& triangles, Vec3& center, Vec3& half, float& radius) {
   if (triangles.empty()) return;
   Vec3 low = triangles[0].p0, high = low;
   const auto each = [&](const auto& visit) {
@@ -21,6 +24,7 @@ void bound(const std::vector<EmitterTriangle>& triangles, Vec3& center, float& r
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   });
   center = low * 0.5f + high * 0.5f;
+  half = high - center;
   each([&](const Vec3& p) { radius = std::max(radius, length(p - center)); });
 }
 
@@ -38,7 +42,34 @@ AreaEmitter::AreaEmitter(std::vector<EmitterTriangle> triangles, const Rgb& radi
   }
   by_area_ = DiscreteDistribution(areas);
   if (area() > 0) pdf_a_ = float(1 / area());
-  bound(triangles_, center_, radius_);
+  bound(triangles_, center_, half_, radius_);
+}
+
+// A plane is told by its cosine; what is bent by its areas, gathered into as many directions as matter.
+Outline AreaEmitter::outline() const {
+  Outline out;
+  out.center = center_;
+  const float rounding = 0x1p-20f * max_abs(center_);
+  out.half = half_ + Vec3(rounding, rounding, rounding);
+  out.intensity = luminance(radiance_);
+  std::map<int, Vec3d> areas;
+  const auto add = [&](const Vec3d& a) { areas[DirectionMap<8>::texel(Vec3(a))] += a; };
+  Vec3d sum;
+  for (size_t i = 0; i < triangles_.size(); ++i) {
+    const Vec3d a = Vec3d(normals_[i]) * (double(by_area_.probability(i)) * area());
+    sum += a;
+    add(a);
+    if (both_sides_) add(-a);
+  }
+  if (length(sum) > (1 - 1e-6) * area()) {
+    out.shape = both_sides_ ? Outline::Shape::two_cosines : Outline::Shape::cosine;
+    out.frame = Frame(Vec3(normalize(sum)));
+    out.intensity *= float(area());
+    return out;
+  }
+  out.shape = Outline::Shape::facets;
+  for (const auto& [texel, a] : areas) out.areas.push_back(Vec3(a));
+  return out;
 }
 
 double AreaEmitter::flux_lm() const { return luminance(flux_rgb()); }

@@ -24,6 +24,7 @@ class AreaEmitter : public Emitter {
   Rgb flux_rgb() const override;
   Vec3 center() const override { return center_; }
   float radius() const override { return radius_; }
+  Outline outline() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
   bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,
@@ -48,7 +49,7 @@ class AreaEmitter : public Emitter {
   bool both_sides_;
   uint32_t instance_;
   float pdf_a_ = 0;
-  Vec3 center_;
+  Vec3 center_, half_;  // of the bounding box
   float radius_ = 0;
 };
 

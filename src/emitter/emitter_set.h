@@ -5,6 +5,7 @@
 
 #include "base/discrete.h"
 #include "emitter/emitter.h"
+#include "emitter/light_tree.h"
 
 namespace ups {
 
@@ -16,42 +17,26 @@ class EmitterSet {
   explicit EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std::vector<float>& exposed = {});
 
   // Whether `exposed` makes a difference for so many emitters.
-  static bool uses_exposed(size_t count) { return count > 1 && count <= max_by_distance; }
+  static bool uses_exposed(size_t count) { return count > 1 && count <= LightTree::max_listed; }
 
   size_t size() const { return emitters_.size(); }
   const Emitter& operator[](size_t i) const { return *emitters_[i]; }
   double flux_lm() const { return flux_lm_; }
 
-  struct Choice {
-    uint32_t index = 0;
-    float probability = 0;  // 0: nothing emits
-    float u = 0;            // uniform again in [0, 1): stratification is kept
-  };
+  using Choice = EmitterChoice;
   // For a light path: in proportion to flux.
   Choice choose_emission(float u) const;
   float emission_probability(size_t i) const;
-  // For next-event estimation at a point: a function of the point alone, so that both walks know it. Up to 64 emitters
-  // by flux / distance^2, mixed with a tenth by flux; more by flux. Never one that it cannot sample.
-  Choice choose_direct(const Vec3& reference, float u) const;
-  float direct_probability(const Vec3& reference, size_t i) const;
+  // For next-event estimation at a point: by about what each emitter would bring there, see light_tree.h. Never one
+  // that it cannot sample.
+  Choice choose_direct(const Receiver& receiver, float u) const { return direct_.choose(receiver, u); }
+  float direct_probability(const Receiver& receiver, size_t i) const { return direct_.probability(receiver, i); }
 
  private:
   std::vector<std::unique_ptr<Emitter>> emitters_;
-  static constexpr size_t max_by_distance = 64;
-  struct Nearness;
-  Nearness nearness(const Vec3& reference) const;
-  float mixed_probability(const Nearness& near, size_t i) const;
-
-  DiscreteDistribution by_flux_, direct_by_flux_;  // the second of those that next-event estimation can sample
+  DiscreteDistribution by_flux_;
   double flux_lm_ = 0;
-  // Of each emitter, if there are at most max_by_distance and next-event estimation can sample any. Below
-  // least_distance2 emitters at one place are told apart by flux, so that nothing divides by zero.
-  struct Bounds {
-    Vec3 center;
-    float flux, least_distance2;
-    bool directional;
-  };
-  std::vector<Bounds> bounds_;
+  LightTree direct_;
 };
 
 }  // namespace ups

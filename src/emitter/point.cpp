@@ -32,6 +32,13 @@ bool PunctualEmitter::start_direct(const Vec3& reference, DirectSample& out) con
 double PointEmitter::flux_lm() const { return luminance(flux_rgb()); }
 Rgb PointEmitter::flux_rgb() const { return intensity_ * (4 * pi); }
 
+Outline PointEmitter::outline() const {
+  Outline out;
+  out.center = center();
+  out.intensity = luminance(intensity_);
+  return out;
+}
+
 bool PointEmitter::sample_emission(const Vec2&, const Vec2& u_direction, EmissionSample& out) const {
   start_emission(square_to_sphere(u_direction), flux_rgb(), sphere_pdf, out);
   return !is_black(intensity_);
@@ -72,6 +79,17 @@ double SpotEmitter::attenuation(double versine) const {
 double SpotEmitter::flux_lm() const { return luminance(flux_rgb()); }
 Rgb SpotEmitter::flux_rgb() const { return intensity_ * float(solid_angle_); }
 
+Outline SpotEmitter::outline() const {
+  Outline out;
+  out.shape = Outline::Shape::cone;
+  out.center = center();
+  out.intensity = luminance(intensity_);
+  out.frame = frame_;
+  out.inner_versine = inner_versine_;
+  out.outer_versine = outer_versine_;
+  return out;
+}
+
 // The cone's core and its ramp in proportion to their fluxes; the integral of the squared ramp is a cube.
 bool SpotEmitter::sample_emission(const Vec2&, const Vec2& u_direction, EmissionSample& out) const {
   if (!(solid_angle_ > 0) || is_black(intensity_)) return false;
@@ -110,6 +128,17 @@ DirectionalEmitter::DirectionalEmitter(const Vec3& direction, const Rgb& illumin
 
 double DirectionalEmitter::flux_lm() const { return luminance(flux_rgb()); }
 Rgb DirectionalEmitter::flux_rgb() const { return illuminance_ * (pi * scene_radius_ * scene_radius_); }
+
+// A point so far away that the scene sees it in one direction and at one distance; as large as the scene, so that no
+// part of that takes it to be below its horizon.
+Outline DirectionalEmitter::outline() const {
+  const float distance = 1000 * scene_radius_;
+  Outline out;
+  out.center = frame_.n * -distance;
+  out.half = Vec3(scene_radius_, scene_radius_, scene_radius_);
+  out.intensity = luminance(illuminance_) * distance * distance;
+  return out;
+}
 
 bool DirectionalEmitter::sample_emission(const Vec2& u_position, const Vec2&, EmissionSample& out) const {
   if (is_black(illuminance_) || !(scene_radius_ > 0)) return false;

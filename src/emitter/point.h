@@ -31,6 +31,7 @@ class PointEmitter : public PunctualEmitter {
   EmitterKind kind() const override { return EmitterKind::point; }
   double flux_lm() const override;
   Rgb flux_rgb() const override;
+  Outline outline() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
   bool emission_square(const Vec3& p, uint32_t, const Vec3& direction, Vec2& u) const override;
@@ -48,6 +49,7 @@ class SpotEmitter : public PunctualEmitter {
   EmitterKind kind() const override { return EmitterKind::spot; }
   double flux_lm() const override;
   Rgb flux_rgb() const override;
+  Outline outline() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
   bool emission_square(const Vec3& p, uint32_t, const Vec3& direction, Vec2& u) const override;
@@ -76,6 +78,7 @@ class DirectionalEmitter : public Emitter {
   Rgb flux_rgb() const override;
   Vec3 center() const override { return {}; }
   float radius() const override { return scene_radius_; }
+  Outline outline() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
   bool emission_square(const Vec3& p, uint32_t, const Vec3& direction, Vec2& u) const override;

@@ -16,6 +16,17 @@ bool PlacedProfile::eval(const Vec3& direction, Rgb& intensity, float& pdf_w) co
   return pdf_w > 0;
 }
 
+Outline PlacedProfile::outline(const Vec3& center, const Vec3& half) const {
+  Outline out;
+  out.shape = Outline::Shape::profile;
+  out.intensity = luminance(scale_);
+  out.center = center;
+  out.half = half;
+  out.frame = frame_;
+  out.distribution = distribution_.get();
+  return out;
+}
+
 bool PlacedProfile::sample(const Vec2& u, Vec3& direction, float& pdf_w) const {
   if (!emits_) return false;
   const photometry::Distribution::Sample s = distribution_->sample(u.x, u.y);
@@ -96,6 +107,15 @@ bool ProfileOpeningEmitter::emitted(const Vec3& direction, const Vec3d& w, const
   if (!(out.cosine > 0) || !(out.projected_area > 0) || !profile_.eval(direction, out.intensity, pdf)) return false;
   out.pdf_direction_w = float(double(pdf) * out.cosine * body_.area() / out.projected_area);
   return out.pdf_direction_w > 0;
+}
+
+Outline ProfileOpeningEmitter::outline() const {
+  const Vec3 extent(body_.half());
+  const auto reach = [&](float s, float t, float n) {
+    return std::abs(s) * extent.x + std::abs(t) * extent.y + std::abs(n) * extent.z + 2 * error_;
+  };
+  return profile_.outline(p_, {reach(frame_.s.x, frame_.t.x, frame_.n.x), reach(frame_.s.y, frame_.t.y, frame_.n.y),
+                               reach(frame_.s.z, frame_.t.z, frame_.n.z)});
 }
 
 bool ProfileOpeningEmitter::sample_emission(const Vec2& u_position, const Vec2& u_direction,

@@ -17,6 +17,7 @@ class PlacedProfile {
   const Frame& frame() const { return frame_; }
   Rgb flux() const { return scale_ * float(distribution_->interpolated_flux_lm()); }
   bool emits() const { return emits_; }
+  Outline outline(const Vec3& center, const Vec3& half) const;
   // Intensity, cd, towards a direction of the scene, and the density with which sample() takes it. False where it is 0.
   bool eval(const Vec3& direction, Rgb& intensity, float& pdf_w) const;
   bool sample(const Vec2& u, Vec3& direction, float& pdf_w) const;
@@ -36,6 +37,7 @@ class ProfilePointEmitter : public PunctualEmitter {
   EmitterKind kind() const override { return EmitterKind::profile_point; }
   double flux_lm() const override { return luminance(flux_rgb()); }
   Rgb flux_rgb() const override { return profile_.flux(); }
+  Outline outline() const override { return profile_.outline(center(), Vec3()); }
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
   bool emission_square(const Vec3&, uint32_t, const Vec3& direction, Vec2& u) const override {
@@ -61,6 +63,7 @@ class ProfileOpeningEmitter : public Emitter {
   Rgb flux_rgb() const override { return profile_.flux(); }
   Vec3 center() const override { return p_; }
   float radius() const override { return circumscribed_radius(); }
+  Outline outline() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
   bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,

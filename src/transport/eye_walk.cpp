@@ -8,7 +8,7 @@
 namespace ups {
 
 EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w) {
-  origin_ = last_ = p;
+  origin_ = last_.p = p;
   direction_ = direction;
   edge_.scatter.pdf = pdf_w;
   specular_ = true;
@@ -50,7 +50,7 @@ EyeTally EyeWalk::gather_at_meter(EyeEnd& eye) {
 
   const Vec3 local = square_to_cosine_hemisphere(rng_.direction(0));
   if (local.z < min_cosine) return tally_;
-  last_ = eye.surface.p;
+  last_ = {eye.surface.p, eye.surface.ng};
   direction_ = eye.surface.shading.to_world(local);
   origin_ = eye.surface.ray_origin(eye.surface.ng);
   carried_ = start_carried_ = Rgb(pi);
@@ -143,7 +143,7 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
   if (!in_.has(UPS_TECHNIQUE_EMITTER_HIT) && method.eye_end != EyeEndOf::first_surface) return;
   if (method.hits_after_specular && !specular_) return;
   const double pdf_a = edge_.scatter.pdf * met_.pass(distance) * cos_in / (double(distance) * distance);
-  const EyeHit eye{arrive(p, cos_in, distance), counts_, last_, p, -direction_, pdf_a,
+  const EyeHit eye{arrive({p, {}}, cos_in, distance), counts_, last_, p, -direction_, pdf_a,
                    edge_.kind == Edge::continuous, edges, carried_ * transmittance};
   if (const Found c = hit(in_, eye, emitter, primitive)) add(*c, Drop::emitter_hit);
 }

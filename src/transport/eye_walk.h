@@ -51,7 +51,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
  private:
   friend Subpath;
   using EyeEndOf = Method::EyeEnd;
-  mis::EyeState first_state(const Vec3&, float cos_in, double d2, double pass) const {
+  mis::EyeState first_state(const Receiver&, float cos_in, double d2, double pass) const {
     return mis::eye_first(counts_, edge_.scatter.pdf, cos_in, d2, pass);
   }
   EyeTally gather_at_meter(EyeEnd& eye);

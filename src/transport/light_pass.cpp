@@ -95,15 +95,17 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   }
 
   // x_1 needs to know how next-event estimation would have found x_0.
-  mis::LightState first_state(const Vec3& p, float cos_in, double d2, double pass) const {
-    const double choose = double(scene_.emitters.direct_probability(p, emitter_index_)) / emit_probability_;
+  mis::LightState first_state(const Receiver& at, float cos_in, double d2, double pass) const {
+    const double choose = counts_.light_sample > 0
+                              ? double(scene_.emitters.direct_probability(at, emitter_index_)) / emit_probability_
+                              : 0.0;
     if (emitter_->is_directional())
       return mis::light_first_directional(counts_, choose, 1.0 / start_.pdf_position_a, cos_in, pass);
     if (emitter_->is_delta())
       return mis::light_first(counts_, choose, start_.pdf_direction_w, d2, cos_in, pass, false, 1.0, 1.0);
     EmitterHit hit;
     const uint32_t primitive = start_.primitive == EmissionSample::invalid ? 0 : start_.primitive;
-    const bool seen = emitter_->eval_hit(p, start_.p, primitive, start_.direction, hit);
+    const bool seen = emitter_->eval_hit(at.p, start_.p, primitive, start_.direction, hit);
     const double pf_0 = double(emit_probability_) * start_.pdf_position_a;
     const double ratio = seen ? choose * hit.pdf_nee_a / start_.pdf_position_a : 0.0;
     return mis::light_first(counts_, ratio, start_.pdf_direction_w, d2, cos_in, pass, true, start_.cos_0, pf_0);
@@ -132,7 +134,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       return;
     const double flux = luminance(carried_ * met_.transmittance(scene_, crossing.t));
     const double area = cell ? double(set.cell_area()) : 3.14159265358979323846 * e.radius2;
-    const mis::LightState state = in_.weighted() ? arrive(p, cos_in, crossing.t) : mis::LightState{};
+    const mis::LightState state = in_.weighted() ? arrive({p, meter.frame.n}, cos_in, crossing.t) : mis::LightState{};
     const Contribution c = ups::land(in_, e.counts, state, e.eta, area, cos_in, flux, a, emitter_index_);
     const double value = luminance(c.value) * c.weight(in_, 1);
     if (!std::isfinite(value)) return work_.drop(cell ? Drop::sensor_hit : Drop::merge);

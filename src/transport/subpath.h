@@ -65,13 +65,13 @@ class Subpath {
   }
 
   // The weights' state at a point that the current edge reaches.
-  State arrive(const Vec3& p, float cos_in, float distance) const {
+  State arrive(const Receiver& at, float cos_in, float distance) const {
     const double d2 = double(distance) * distance, pass = met_.pass(distance);
     if (edge_.kind == Edge::delta) {
       if constexpr (from_emitter) return mis::light_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
       else return mis::eye_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
     }
-    if (edge_.kind == Edge::first) return static_cast<const Walk*>(this)->first_state(p, cos_in, d2, pass);
+    if (edge_.kind == Edge::first) return static_cast<const Walk*>(this)->first_state(at, cos_in, d2, pass);
     if constexpr (from_emitter) return mis::light_step(edge_.state, edge_.scatter, cos_in, d2, pass);
     else return mis::eye_step(edge_.state, counts_, edge_.scatter, cos_in, d2, pass);
   }
@@ -85,7 +85,7 @@ class Subpath {
     v.local_wo = v.surface.shading.to_local(v.wo);
     v.carried = carried_;
     v.front = &met_.front, v.back = &met_.back;
-    v.state = arrive(v.surface.p, std::abs(dot(direction_, v.surface.ng)), met_.distance);
+    v.state = arrive(receiver_at(v.surface, v.wo, *v.bsdf), std::abs(dot(direction_, v.surface.ng)), met_.distance);
     v.caster = v.bsdf->is_glossy(default_glossy_alpha);
     return consistent_side(v.surface, v.wo, v.local_wo);
   }
@@ -114,7 +114,7 @@ class Subpath {
     edge_.state = v.state;
     edge_.scatter = {s.pdf, s.pdf_reverse, std::abs(dot(wi, v.surface.ng)), v.merge, v.caster};
     edge_.chi = double(s.pdf_reverse) / s.pdf * s.delta_jacobian;
-    last_ = v.surface.p;
+    last_ = receiver_at(v.surface, v.wo, *v.bsdf);
     media_ = met_.beyond(wi);
     origin_ = v.surface.ray_origin(wi);
     direction_ = wi;
@@ -137,7 +137,7 @@ class Subpath {
   Edge edge_;
   Encounter met_;  // where the current edge ends
   Vec3 origin_, direction_;
-  Vec3 last_;  // the vertex that the current edge leaves
+  Receiver last_;  // the vertex that the current edge leaves; without normal at a camera
   Rgb carried_{1.0f}, start_carried_{1.0f};
   MediaStack media_;  // where the current edge starts
 };

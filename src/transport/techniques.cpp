@@ -39,7 +39,7 @@ DirectDensities direct_densities(const Snapshot& scene, const EmitterSet::Choice
 Found hit(const Iteration& in, const EyeHit& eye, uint32_t index, uint32_t primitive) {
   const EmitterSet& emitters = in.scene.emitters;
   EmitterHit h;
-  if (!emitters[index].eval_hit(eye.from, eye.p, primitive, eye.wo, h)) return {};
+  if (!emitters[index].eval_hit(eye.from.p, eye.p, primitive, eye.wo, h)) return {};
   Contribution c{{Family::path_integration, 0, eye.edges}, index, eye.carried * h.radiance};
   if (in.weighted()) {
     const double pn_0 = double(emitters.direct_probability(eye.from, index)) * h.pdf_nee_a;
@@ -92,7 +92,9 @@ Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, c
 Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
                    const Vec2& u_position, float found_from) {
   if (in.is_too_long(eye.edges + 1)) return {};
-  const EmitterSet::Choice choice = in.scene.emitters.choose_direct(arrival.surface.p, u_choice);
+  const Receiver at = eye.bsdf ? receiver_at(arrival.surface, eye.wo, *eye.bsdf)
+                               : Receiver{arrival.surface.p, eye.surface.ng};
+  const EmitterSet::Choice choice = in.scene.emitters.choose_direct(at, u_choice);
   if (!(choice.probability > 0)) return {};
   Found c = light_from(in, n, eye, arrival, choice, u_position);
   if (!c || (in.plan.exact[choice.index] && luminance(c->value) >= found_from)) return {};

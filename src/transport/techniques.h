@@ -36,7 +36,8 @@ using Found = std::optional<Contribution>;
 struct EyeHit {
   const mis::EyeState& state;  // of a vertex there
   const mis::Counts& counts;
-  Vec3 from, p, wo;  // the vertex before, the point, back along the walk
+  Receiver from;     // the vertex before
+  Vec3 p, wo;        // the point, back along the walk
   double pdf_a;      // of p by the walk
   bool connectable;  // the vertex before could have sampled it
   uint32_t edges;

@@ -26,6 +26,11 @@ inline bool consistent_side(const SurfacePoint& s, const Vec3& w, const Vec3& lo
   return std::abs(g) > min_cosine && g * local.z > 0;
 }
 
+// How a vertex sees the choice of emitters, where w is on the side that it is lit from (or, of what transmits, any).
+inline Receiver receiver_at(const SurfacePoint& s, const Vec3& w, const Bsdf& bsdf) {
+  return {s.p, dot(w, s.ng) < 0 ? -s.ng : s.ng, bsdf.transmits_continuously()};
+}
+
 // Fades light out that grazes a surface whose shading normal leans towards it (Chiang, Li, Burley 2019, Taming the
 // shadow terminator); a part of every continuous lobe, wi towards the light. Without it the flux that arrives by n_g
 // and the light that is scattered by n_s have an unbounded ratio, and one photon can outshine a picture.

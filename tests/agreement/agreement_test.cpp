@@ -103,6 +103,40 @@ TEST_F(AreaLitRoom, ImagesByPhotonMappingAgree) {
       {UPS_METHOD_PATH_TRACING, UPS_METHOD_PPM, UPS_METHOD_SPPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING}, 24, 0.015);
 }
 
+// A hundred small panels that eye paths can hit, facing all ways, and a screen that lets light through: both walks must
+// know the same probability of choosing each of them.
+class RoomOfManyPanels : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    add_room(scene);
+    scene.add(quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), matte(0.3));
+    ups_material_desc screen = material(UPS_MATERIAL_DIFFUSER, 0.3);
+    for (float& t : screen.transmittance_rgb) t = 0.5f;
+    scene.add(quad({1.5, 0.3, 1.2}, {0, 2.4, 0}, {0.3, 0, 0.9}), screen);
+    scene.add(quad({2.2, 0.5, 1.3}, {1, 0, 0}, {0, 1, 0.2}), rough(UPS_MATERIAL_METAL, 0.8, 0.4));
+    for (int i = 0; i < 100; ++i) {
+      const P3 p{0.2 + 0.4 * (i % 10), 0.15 + 0.3 * (i / 10), 2.2 + 0.02 * (i % 7)};
+      const double turn = 0.9 * i;
+      scene.add(quad(p, {0.1 * std::cos(turn), 0.1 * std::sin(turn), 0}, {0, 0.05 * (i % 3), -0.1}),
+                emitter(200 + 30 * (i % 9), 0.5));
+    }
+  }
+  Scene scene;
+};
+
+TEST_F(RoomOfManyPanels, MetersAgree) {
+  const Sensor meters = scene.add_meters(grid(0.9), {0, 0, 1});
+  std::vector<std::pair<ups_method, Readings>> all;
+  for (ups_method m : eye_methods) all.emplace_back(m, scene.render({.method = m, .iterations = 32}).readings(meters));
+  expect_agreement(all, 0.0125);
+}
+
+// An error of 1 % would be found.
+TEST_F(RoomOfManyPanels, ImagesAgree) {
+  const Sensor camera = scene.add_camera({0.3, 0.2, 1.6}, {1, 0.8, -0.5}, 32, 24, 1.1);
+  expect_same_image_mean(scene, camera, {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING}, 24, 0.0025);
+}
+
 class PointLitDiffuseRoom : public ::testing::Test {
  protected:
   void SetUp() override {

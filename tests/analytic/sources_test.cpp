@@ -86,6 +86,33 @@ TEST(Sources, LambertianPointOfCie171) {
   expect_exact(scene, cases, 1e-4);
 }
 
+// A hall of 10 x 10 luminaires, I = I0 cos gamma, and a point light beside each, half of them below the meters: enough
+// that next-event estimation chooses among groups of them. An error of 1 % would be found.
+TEST(Sources, AHundredLuminairesAddUp) {
+  Scene scene;
+  const Profile profile = parse(scene.context(), ies_text([](double gamma) { return 1000 * std::cos(gamma); }, 90, 0));
+  std::vector<Case> cases;
+  for (const P3& p : {P3{0, 0, 0}, P3{10, 10, 0}, P3{3, 19, 1}, P3{7.1, 12, 2.9}}) {
+    cases.push_back({p, {0, 0, 1}, 0});
+    cases.push_back({p, {1, 0, 0}, 0});
+  }
+  const auto add = [&](const P3& source, const auto& intensity) {  // of the cosine to the nadir
+    for (Case& c : cases) {
+      const P3 d = source - c.position;
+      c.expected += intensity(d.z / length(d)) * std::max(0.0, dot(d, c.normal)) / std::pow(length(d), 3);
+    }
+  };
+  for (int i = 0; i < 100; ++i) {
+    const P3 p{1.0 + 2 * (i % 10), 1.0 + 2 * (i / 10), 4};
+    scene.add_luminaire(profile.get(), p, {0, 0, -1}, false);
+    add(p, [](double cosine) { return 1000 * std::max(0.0, cosine); });
+    const P3 q{p.x - 0.7, p.y + 0.3, i % 2 ? 3.5 : -0.5};
+    scene.add_point_light(q, 10 + i);
+    add(q, [&](double) { return 10 + i; });
+  }
+  expect_cases(scene, cases, 0.0025);
+}
+
 TEST(Sources, IsotropicIesProfileIsAPoint) {
   Scene scene;
   const Profile profile = parse(scene.context(), ies_text([](double) { return 150; }, 180, 0));

@@ -20,6 +20,7 @@ void compare(const std::string& numerator, const std::string& denominator, const
 
 void register_geometry();
 void register_bsdf();
+void register_emitters();
 void register_photon_index();
 void register_transport();
 

@@ -132,6 +132,7 @@ int main(int argc, char** argv) try {
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
   register_geometry();
   register_bsdf();
+  register_emitters();
   register_photon_index();
 #ifdef UPS_BENCHMARK_SCENE
   register_transport();

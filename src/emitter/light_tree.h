@@ -1,0 +1,82 @@
+// Chooses an emitter for a receiver in proportion to about what it would bring, unoccluded: intensity towards the
+// receiver times the cosine there over the squared distance. Few emitters are weighed one by one. Many are the leaves
+// of a tree: from its root down, nodes that look large from the receiver are opened, up to a number of them; one of the
+// nodes that remain is chosen, then a child at a time down to an emitter (in the manner of Conty Estevez and Kulla
+// 2018, Importance Sampling of Many Lights with Adaptive Tree Splitting).
+//
+// A small share goes by flux among the emitters that are not behind the receiver's plane, so that what is misjudged is
+// never forgotten. Probabilities are a function of the receiver alone and can be asked for afterwards.
+#pragma once
+#include <deque>
+#include <vector>
+
+#include "emitter/lobe.h"
+#include "emitter/outline.h"
+#include "emitter/receiver.h"
+
+namespace ups {
+
+struct EmitterChoice {
+  uint32_t index = 0;
+  float probability = 0;  // 0: none can be chosen
+  float u = 0;            // uniform again in [0, 1): stratification is kept
+};
+
+class LightTree {
+ public:
+  struct Entry {
+    Outline outline;
+    double flux;           // by which the small share goes
+    float exposed = 1;     // multiplies what it would bring
+    uint32_t emitter = 0;  // what a choice names
+  };
+  static constexpr size_t max_listed = 64;  // emitters that are weighed one by one
+
+  LightTree() = default;
+  LightTree(LightTree&&) = default;  // no copies: lobes point into the tables
+  LightTree& operator=(LightTree&&) = default;
+  // Those without flux are left out. emitter_count: numbers of emitters are below it.
+  LightTree(const std::vector<Entry>& entries, size_t emitter_count);
+
+  EmitterChoice choose(const Receiver& receiver, float u) const;
+  float probability(const Receiver& receiver, size_t emitter) const;
+
+ private:
+  struct Node {
+    Vec3 center, half;      // of its box
+    float intensity;        // that goes with the lobe, relative to the flux of all emitters
+    float spread;           // more of it in all directions where an emitter is seen under a large angle
+    float flux;             // relative, too
+    float radius2;          // of the sphere about the box
+    float largest_falloff;  // 1 / radius2
+    uint32_t lobe;
+    uint32_t end;  // one past the last node below this one, which all follow it: the left child first
+  };
+  struct View;
+  struct Shares;
+  struct Cut;
+  static constexpr uint32_t none = 0xffffffffu;
+
+  bool is_leaf(uint32_t k) const { return nodes_[k].end == k + 1; }
+  uint32_t right_of(uint32_t k) const { return nodes_[k + 1].end; }
+  static bool is_behind(const View& view, const Node& node);
+  bool weigh(const View& view, const Node& node, Shares& out) const;
+  void cut(const View& view, Cut& out) const;
+  void halve(const View& view, uint32_t node, const Shares& shares, Shares& left, Shares& right) const;
+
+  class Lobes;
+  Node leaf_of(const Entry& entry, uint32_t lobe, double total_flux, float least) const;
+  // order: of the leaves, sorted in place.
+  void build(const std::vector<Node>& leaves, std::vector<uint32_t>& order, size_t begin, size_t end);
+  void join(uint32_t node);
+
+  std::vector<Node> nodes_;  // a tree in pre-order, or a list of leaves
+  std::vector<uint32_t> emitter_of_node_;
+  std::vector<uint32_t> leaf_of_emitter_;  // none: is never chosen
+  std::vector<Lobe> lobes_;
+  std::deque<FineTable> fine_;  // that lobes point to
+  std::deque<CoarseTable> coarse_;
+  bool listed_ = true;
+};
+
+}  // namespace ups
