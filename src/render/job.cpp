@@ -132,8 +132,12 @@ void RenderJob::set_deadline(double share_of_tolerance, double reserved_s) {
 
 void RenderJob::prepare() {
   integrator_ = std::make_unique<Integrator>(scene_, settings_of(desc_, method_), *pool_, stop_);
+  books_flux_ = integrator_->books_flux();
   auto sums = std::make_unique<Accumulator>(*scene_, integrator_->plan());
-  queue_.read([&] { sums_ = std::move(sums); });
+  queue_.read([&] {
+    sums_ = std::move(sums);
+    tell_selection(*integrator_, method_);
+  });
   const std::lock_guard lock(mutex_);
   estimate_.emplace(ProgressEstimate::Limits{desc_.time_limit_s, double(desc_.iteration_count),
                                              desc_.target_relative_error, integrator_->plan().meter_subsets});
@@ -144,7 +148,7 @@ void RenderJob::prepare() {
 void RenderJob::iterate() {
   set_deadline(0.7, 0);  // a first iteration is worth what is left when a cut is seen late
   prepare();
-  const bool has_light_paths = integrator_->settings().traces_light() || !(scene_->emitters.flux_lm() > 0);
+  const bool has_light_paths = books_flux_ || !(scene_->emitters.flux_lm() > 0);
   FluxPass flux(*scene_, *pool_, desc_.seed, has_light_paths ? 0 : uint32_t(desc_.flux_paths));
   TallyQueue::Delivery next;
   for (uint32_t i = 0; i < 0xfffffff0u; ++i) {
@@ -276,7 +280,7 @@ ups_result_info RenderJob::read_info() const {
   i.merges = w.merges;
   i.connections = w.connections;
   // From the render's own light paths, or from those of a pass of their own.
-  const WorkCounts& flux = w.light_paths > 0 ? w : flux_;
+  const WorkCounts& flux = books_flux_ ? w : flux_;
   const bool known = flux.light_paths > 0 || !(scene_->emitters.flux_lm() > 0);
   const double n = double(std::max<uint64_t>(1, flux.light_paths));
   i.emitted_flux_lm = scene_->emitters.flux_lm();

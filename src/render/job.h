@@ -75,6 +75,7 @@ class RenderJob {
   mutable TallyQueue queue_;  // of what the next four sum up
   std::unique_ptr<Accumulator> sums_;
   WorkCounts flux_;
+  bool books_flux_ = false;  // the render's own light paths do
   double sums_elapsed_ = 0;
   std::vector<ups_convergence_point> convergence_;
 

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "render/coverage.h"
 #include "scene/snapshot.h"
+#include "transport/integrator.h"
 #include "ups/ups_scene.h"
 
 namespace ups {
@@ -69,6 +70,12 @@ TransportSettings settings_of(const ups_render_desc& d, const MethodChoice& m) {
   TransportSettings s;
   s.method = *method_of(m.method);
   s.techniques = m.techniques;
+  s.automatic = m.selects;
+  s.prefers_eye_paths = m.selects && m.method == UPS_METHOD_PATH_TRACING;
+  if (s.prefers_eye_paths) {
+    s.method = *method_of(UPS_METHOD_UPS);
+    s.techniques = m.possible & ~merge;
+  }
   if (s.method.passes_glossy) s.glossy_alpha = d.glossy_alpha > 0 ? d.glossy_alpha : default_glossy_alpha;
   s.actual_perturbation = d.perturbation == UPS_PERTURBATION_ACTUAL;
   s.technique_edges = d.technique_images;
@@ -90,18 +97,49 @@ MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
   if (!method)
     throw Error(UPS_ERROR_INVALID_ARGUMENT,
                 "method: " + std::to_string(choice.method) + " is not a UPS_METHOD_* value");
-  choice.techniques = method->techniques;
-  if (!s.cameras) choice.techniques &= ~sensor_connect;
-  if (!s.cells && !s.goniometers) choice.techniques &= ~sensor_hit;
+  choice.possible = (s.cameras ? ~0u : ~sensor_connect) & (s.cells || s.goniometers ? ~0u : ~sensor_hit);
+  choice.techniques = method->techniques & choice.possible;
   if (method->eye_end == Method::EyeEnd::first_surface && !s.points && !s.illuminance_cameras)
     choice.techniques &= ~connect;
   if (desc.techniques) choice.techniques &= desc.techniques;
   if (choice.techniques == 0 && (s.cameras || s.points || s.cells || s.goniometers))
     throw Error(UPS_ERROR_INVALID_ARGUMENT,
                 "techniques: none of the method's techniques is allowed; 0 allows them all");
+  choice.possible &= method_of(UPS_METHOD_UPS)->techniques;
+  choice.selects = is_automatic && !desc.techniques && !desc.technique_images && !s.goniometers &&
+                   !scene.effects.ray_emitters && desc.perturbation == UPS_PERTURBATION_VIRTUAL &&
+                   scene.emitters.flux_lm() > 0 && (s.cameras || s.points || s.cells);
   choice.text = words(scene, choice.techniques, s, is_automatic);
   choice.warnings = missing_light(scene, settings_of(desc, choice));
   return choice;
+}
+
+void tell_selection(const Integrator& integrator, MethodChoice& method) {
+  const Selection& chosen = integrator.selection();
+  if (chosen.shares.empty()) return;
+  const Snapshot& scene = integrator.scene();
+  method.techniques = integrator.settings().techniques;
+  const bool light = integrator.settings().traces_light();
+  method.method = light ? UPS_METHOD_UPS : UPS_METHOD_PATH_TRACING;
+  method.text = words(scene, method.techniques, sensors_of(scene), true);
+  method.text += light ? "light paths: " + std::to_string(chosen.light_paths) + " an iteration" +
+                             (integrator.plan().traces_caustics_alone()
+                                  ? ", for what mirrors, glass and gloss focus alone: all other light is found from the "
+                                    "sensors\n"
+                                  : "\n")
+                       : "light paths: none: all light is found from the sensors\n";
+  for (size_t i = 0; i < chosen.sensors.size(); ++i) {
+    const SensorChoice& sensor = chosen.sensors[i];
+    const bool camera = i < scene.cameras.size();
+    const auto uses = [&](uint32_t t) { return (sensor.techniques & t) != 0; };
+    char gain[64];
+    std::snprintf(gain, sizeof gain, "predicted: %.2g times as fast as all techniques", sensor.gain);
+    method.text += (camera ? "camera " + std::to_string(scene.camera_ids[i])
+                           : "meters " + std::to_string(scene.meter_set_ids[i - scene.cameras.size()])) +
+                   ": eye paths" + (uses(connect) ? ", connections" : "") +
+                   (uses(sensor_connect) ? ", splats" : "") + (uses(sensor_hit) ? ", landings" : "") +
+                   (sensor.merges_all ? ", photons" : uses(merge) ? ", caustic photons" : "") + "; " + gain + "\n";
+  }
 }
 
 }  // namespace ups

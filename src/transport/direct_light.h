@@ -24,7 +24,7 @@ class DirectLight {
  private:
   struct OfMeter {
     double lx = 0;
-    float found_from = INFINITY;
+    float found_from = 0;  // all is
   };
   void find(const Iteration& in, size_t set, uint32_t meter, WorkCounts& work);
 

@@ -2,6 +2,7 @@
 #include "transport/eye_pass.h"
 
 #include "transport/eye_walk.h"
+#include "transport/selection.h"
 
 namespace ups {
 
@@ -57,7 +58,7 @@ float pixel_illuminance(const Iteration& in, const Photons& photons, const Camer
   sensor.camera = false;
   sensor.techniques = nullptr;
   const double eta = merge_gate(seen.bsdf(in.scene)) ? sensor.counts.eta_first : 0;
-  sensor.counts = in.meter_counts(false);
+  sensor.counts.sensor_connect = 0;
   sensor.own_point = mis::at_meter(sensor.counts, eta, 0);
   const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
   sensor.media = &seen.media;
@@ -82,13 +83,14 @@ uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_
       const uint32_t pixel = pixels[i];
       EyeSensor sensor;
       sensor.camera = true;
-      const double radius2 = in.pixel_radius2(c, pixel);
-      sensor.counts = in.camera_counts(radius2);
-      sensor.first = {float(std::sqrt(radius2)), &photons.of_pixels};
-      sensor.later = {walk_radius, &photons.of_walks};
+      sensor.counts = in.camera_counts(c, pixel);
+      if (sensor.counts.eta_first > 0 || in.settings.actual_perturbation)
+        sensor.first = {float(std::sqrt(in.pixel_radius2(c, pixel))), &photons.of_pixels};
+      if (sensor.counts.eta > 0 || in.settings.actual_perturbation) sensor.later = {walk_radius, &photons.of_walks};
       sensor.media = &in.scene.media_stacks[in.scene.media_of_camera[c]];
       sensor.techniques = tally.techniques.empty() ? nullptr : &tally.techniques[c];
       sensor.pixel = pixel;
+      if (in.moments) sensor.excess = &tally.excess_of_pixels[c][i * in.moments->row()];
       pairing.assign(first_path + uint32_t(i), sensor);
       const auto sampler = [&](Stream::Kind kind) {
         return PathSampler(in.settings.seed, {kind, c}, hash_combine(in.camera_visit.batch, pixel), in.camera_visit.number,
@@ -99,6 +101,7 @@ uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_
       ++work[b].eye_paths;
       tally.pixels[c][i] =
           EyeWalk(in, photons, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
+      if (in.moments) in.moments->add_eye_path(luminance(tally.pixels[c][i]), sensor.excess);
       if (camera.illuminance())
         tally.illuminance[c][i] =
             pixel_illuminance(in, photons, camera, d, sensor, sampler(Stream::illuminance), work[b]);
@@ -124,10 +127,12 @@ uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, const Di
       EyeSensor sensor;
       sensor.cell = set.is_cell();
       const double radius2 = sensor.cell ? 0 : in.meter_radius2(s, m);
-      sensor.counts = in.meter_counts(sensor.cell);
-      sensor.own_point = mis::at_meter(sensor.counts, in.eta(radius2) / samples, set.cell_area());
+      sensor.counts = in.meter_counts(s);
+      const bool merges = sensor.counts.eta > 0;
+      sensor.own_point = mis::at_meter(sensor.counts, merges ? in.eta(radius2) / samples : 0, set.cell_area());
       sensor.first.radius = float(std::sqrt(radius2));
-      sensor.later = {walk_radius, &photons.of_walks};
+      if (merges || in.settings.actual_perturbation) sensor.later = {walk_radius, &photons.of_walks};
+      if (in.moments) sensor.excess = &tally.excess_of_meters[s][i * in.moments->row()];
       sensor.media = &in.scene.media_stacks[in.scene.media_of_meter[s][m]];
       sensor.direct_found_from = direct.found_from(s, m);
       MeterTally sum;
@@ -148,6 +153,7 @@ uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, const Di
         sum.value += luminance(found.value);
         sum.direct += found.direct;
         sum.bias += found.bias;
+        if (in.moments) in.moments->add_eye_path(luminance(found.value) * sensor.share, sensor.excess);
       }
       tally.meters[s][i].add(sum, sensor.share);
     }

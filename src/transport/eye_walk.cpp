@@ -4,6 +4,7 @@
 #include "base/per_thread.h"
 #include "base/warp.h"
 #include "emitter/profile.h"
+#include "transport/selection.h"
 
 namespace ups {
 
@@ -45,7 +46,7 @@ EyeTally EyeWalk::gather_at_meter(EyeEnd& eye) {
     if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(0, Slot::choice), rng_.position(0),
                                      sensor_.direct_found_from))
       add(*c, Drop::light_sample);
-  if (in_.has(UPS_TECHNIQUE_CONNECT)) connect_one(eye, arrival);
+  if (counts_.connect > 0) connect_one(eye, arrival);
   if (ends) return tally_;
 
   const Vec3 local = square_to_cosine_hemisphere(rng_.direction(0));
@@ -98,7 +99,7 @@ void EyeWalk::gather(const EyeEnd& eye) {
       if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice),
                                        rng_.position(eye.edges)))
         add(*c, Drop::light_sample);
-    if (in_.has(UPS_TECHNIQUE_CONNECT)) connect_one(eye, arrival);
+    if (counts_.connect > 0) connect_one(eye, arrival);
   }
   if (eye.merge) merge(eye);
 }
@@ -106,17 +107,18 @@ void EyeWalk::gather(const EyeEnd& eye) {
 void EyeWalk::add(const Contribution& c, Drop drop, double share) {
   Passage way;
   if (c.media && is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
-  add(c, c.value * way.transmittance * float(share), c.weight(in_, way.pass), drop);
+  add(c, c.value * way.transmittance, way.pass, share, drop);
 }
 
-void EyeWalk::add(const Contribution& c, const Rgb& unweighted, double weight, Drop where) {
-  const Rgb value = unweighted * float(weight);
+void EyeWalk::add(const Contribution& c, const Rgb& found, double pass, double share, Drop where) {
+  const Rgb unweighted = found * float(share), value = unweighted * float(c.weight(in_, pass));
   if (!is_finite(value)) return work_.drop(where);
   const bool is_direct = c.technique.edges == 1;
   const float lx = luminance(value);
   tally_.value += value;
   if (is_direct) tally_.direct += lx;
   if (sensor_.techniques) sensor_.techniques->add(c.technique, sensor_.pixel, value, unweighted);
+  if (sensor_.excess) in_.moments->add(lx * sensor_.share, c.relative(pass), sensor_.excess);
   add_separated(c.emitter, {lx, is_direct ? lx : 0.0, 0.0});
 }
 
@@ -195,9 +197,8 @@ void EyeWalk::merge(const EyeEnd& eye) {
     const Found c = ups::merge(in_, counts_, eye, photons_.paths.vertices[index], disc.radius);
     if (!c) return;
     ++work_.merges;
-    const double weight = c->weight(in_, 1);
-    add(*c, c->value, weight, Drop::merge);
-    const float bias = 2 * luminance(c->value) * float(weight) * (2 * d2 < r2 ? -1.0f : 1.0f);
+    add(*c, c->value, 1, 1, Drop::merge);
+    const float bias = 2 * luminance(c->value) * float(c->weight(in_, 1)) * (2 * d2 < r2 ? -1.0f : 1.0f);
     if (!std::isfinite(bias)) return;
     tally_.bias += bias;
     add_separated(c->emitter, {0.0, 0.0, bias});

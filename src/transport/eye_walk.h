@@ -24,6 +24,7 @@ struct EyeSensor {
   Disc first, later;        // of merges at the first vertex that scatters, or at the meter's point; elsewhere
   uint32_t first_light_vertex = 0, end_light_vertex = 0;  // of the light path that it connects to
   const MediaStack* media = nullptr;
+  double* excess = nullptr;  // of this pixel or meter, where a pilot measures moments
   float direct_found_from = INFINITY;  // see DirectLight
   TechniqueTally* techniques = nullptr;  // of the camera, where asked for
   uint32_t pixel = 0;
@@ -70,7 +71,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
 
   // Tests the edge that it makes, if any, and adds it up; `share` of it was chosen to stand for the whole.
   void add(const Contribution& c, Drop drop, double share = 1);
-  void add(const Contribution& c, const Rgb& unweighted, double weight, Drop drop);
+  void add(const Contribution& c, const Rgb& unweighted, double pass, double share, Drop drop);
   void add_separated(uint32_t emitter, const MeterTally& part) {
     if (sensor_.separated) sensor_.separated[in_.plan.separation.column_of_emitter[emitter]].add(part, sensor_.share);
   }

@@ -11,42 +11,101 @@ Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSet
                        const StopSignal& stop)
     : scene_(std::move(scene)), settings_(settings), pool_(pool), plan_(make_plan(*scene_, settings)),
       direct_(*scene_, plan_, settings_) {
-  choose_radii(*scene_, settings_, pool_, stop, plan_);
+  choose_first_radii(stop);
   for (const auto& radii : plan_.pixel_radius)
     for (const float r : radii) largest_pixel_radius_ = std::max(largest_pixel_radius_, r);
+  if (settings_.automatic && !stop.is_set()) select(stop);
 }
 
-void Integrator::reset(uint32_t iteration, IterationTally& tally) const {
+// A choice of techniques may leave few light paths: it takes few to fit radii, whose noise is known for any number.
+void Integrator::choose_first_radii(const StopSignal& stop) {
+  const uint32_t all = plan_.light_paths, few = settings_.automatic ? std::min(all, 1u << 12) : all;
+  plan_.light_paths = few;
+  choose_radii(*scene_, settings_, pool_, stop, plan_);
+  plan_.light_paths = all;
+  if (few == all || settings_.merge_radius > 0) return;
+  const double more = double(few) / all;
+  plan_.walk_radius *= float(std::sqrt(more));  // the spacing of photons; of a meter r^6 goes with the noise
+  for (auto& radii : plan_.meter_radius)
+    for (float& r : radii) r *= float(std::pow(more, 1.0 / 6));
+}
+
+void Integrator::select(const StopSignal& stop) {
+  selection_ = select_techniques(*scene_, plan_, settings_, stop,
+                                 [this](const Iteration& in, IterationTally& tally) { return trace(in, tally); });
+  if (selection_.shares.empty()) return;
+  plan_.light_paths = selection_.light_paths;
+  plan_.shares = selection_.shares;
+  settings_.techniques = 0;
+  for (const SensorChoice& s : selection_.sensors) settings_.techniques |= s.techniques;
+  if (plan_.traces_caustics_alone() && settings_.has(UPS_TECHNIQUE_MERGE)) train_guide(stop);
+  if (settings_.has(UPS_TECHNIQUE_MERGE)) return;
+  plan_.pixel_radius.clear(), plan_.meter_radius.clear(), plan_.meter_spacing.clear();
+  plan_.walk_radius = 0;
+}
+
+namespace {
+
+void reset(const Iteration& in, IterationTally& tally) {
   std::vector<TechniqueTally> techniques = std::move(tally.techniques);  // large: kept from one iteration to the next
   tally = {};
-  if (settings_.technique_edges) {
-    techniques.resize(scene_->cameras.size());
+  const Snapshot& scene = in.scene;
+  if (in.settings.technique_edges) {
+    techniques.resize(scene.cameras.size());
     for (size_t c = 0; c < techniques.size(); ++c)
-      techniques[c].reset(settings_.technique_edges, scene_->cameras[c].pixel_count());
+      techniques[c].reset(in.settings.technique_edges, scene.cameras[c].pixel_count());
     tally.techniques = std::move(techniques);
   }
-  tally.pixels.resize(scene_->cameras.size());
-  tally.illuminance.resize(scene_->cameras.size());
-  tally.splats.resize(scene_->cameras.size());
-  for (const MeterSet& s : scene_->meter_sets) {
-    const size_t visited = plan_.visited_meters(iteration, s.meters.size());
-    tally.meters.emplace_back(visited);
-    tally.separated.emplace_back(visited * plan_.separation.columns.size());
+  tally.pixels.resize(scene.cameras.size());
+  tally.illuminance.resize(scene.cameras.size());
+  tally.splats.resize(scene.cameras.size());
+  const size_t sets = in.moments ? in.moments->row() : 0;
+  for (size_t c = 0; c < scene.cameras.size() && sets; ++c) {
+    tally.excess_of_pixels.emplace_back((scene.cameras[c].pixel_count() / in.plan.camera_subsets +
+                                         scene.cameras[c].height()) * sets);
+    tally.excess_of_splats.emplace_back(in.plan.units.tiles(c) * sets);
   }
-  for (const Goniometer& g : scene_->goniometers) tally.goniometers.push_back(g.empty_tally());
+  for (const MeterSet& s : scene.meter_sets) {
+    const size_t visited = in.plan.visited_meters(in.number, s.meters.size());
+    tally.meters.emplace_back(visited);
+    tally.separated.emplace_back(visited * in.plan.separation.columns.size());
+    if (sets) tally.excess_of_meters.emplace_back(visited * sets);
+  }
+  for (const Goniometer& g : scene.goniometers) tally.goniometers.push_back(g.empty_tally());
 }
 
-bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally& tally) {
-  reset(iteration, tally);
-  if (iteration > 0 && plan_.meter_pass(iteration) == 0)
-    choose_meter_radii(*scene_, settings_, pool_, stop, iteration, plan_);
-  const Iteration in(*scene_, plan_, settings_, iteration, stop);
-  direct_.find(in, pool_, tally.work);
+}  // namespace
+
+// Light paths for caustics alone start towards what focuses light. Each round finds more of that than the one before.
+void Integrator::train_guide(const StopSignal& stop) {
+  constexpr uint32_t rounds = 4, paths = 1u << 12;
+  GuideTraining training;
+  Plan small = plan_;
+  small.light_paths = paths;
+  TransportSettings of_pilot = settings_;
+  of_pilot.seed = ~settings_.seed;
+  for (uint32_t k = 0; k < rounds; ++k) {
+    Iteration in = Iteration::of_pilot(*scene_, small, of_pilot, k, stop, Stream::guide);
+    in.trains_guide = true;
+    IterationTally tally;
+    reset(in, tally);
+    trace_light_paths(in, SensorIndex(in, pool_), pool_, tally);
+    if (stop.is_set()) return;
+    for (const IterationTally::Start& s : tally.starts)
+      training.add(scene_->emitters, small.guide, s.emitter, s.square, double(s.flux));
+    small.guide = EmissionGuide(scene_->emitters, training);
+  }
+  plan_.guide = std::move(small.guide);
+}
+
+bool Integrator::trace(const Iteration& in, IterationTally& tally) {
+  reset(in, tally);
   Photons photons;
   if (settings_.traces_light()) {
     const SensorIndex sensors(in, pool_);
     photons.paths = trace_light_paths(in, sensors, pool_, tally);
-    if (stop.is_set()) return false;
+    tally.light_work = tally.work;
+    if (in.stop.is_set()) return false;
     const double pixel_radius2 = plan_.radius2(largest_pixel_radius_, in.camera_shrinkage);
     pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
       const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
@@ -58,8 +117,19 @@ bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally&
   for (uint32_t c = 0; c < scene_->cameras.size(); ++c) path = trace_camera_paths(in, photons, c, path, pool_, tally);
   for (uint32_t s = 0; s < scene_->meter_sets.size(); ++s)
     path = trace_meter_paths(in, photons, direct_, s, path, pool_, tally);
+  return !in.stop.is_set();
+}
+
+bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally& tally) {
+  if (iteration > 0 && plan_.meter_pass(iteration) == 0)
+    choose_meter_radii(*scene_, settings_, pool_, stop, iteration, plan_);
+  const Iteration in(*scene_, plan_, settings_, iteration, stop);
+  WorkCounts shadow_rays;
+  direct_.find(in, pool_, shadow_rays);
+  if (!trace(in, tally)) return false;
   direct_.add(in, tally);
-  return !stop.is_set();
+  tally.work.add(shadow_rays);
+  return true;
 }
 
 }  // namespace ups

@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "transport/direct_light.h"
+#include "transport/selection.h"
 #include "transport/tally.h"
 
 namespace ups {
@@ -15,19 +16,26 @@ class Integrator {
   Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
              const StopSignal& stop);
   const Plan& plan() const { return plan_; }  // run() adds the meters' radii to it, and nothing else
-  const TransportSettings& settings() const { return settings_; }
+  const TransportSettings& settings() const { return settings_; }  // with the techniques that were selected
+  const Selection& selection() const { return selection_; }
+  // Its light paths are whole, and show where all flux goes.
+  bool books_flux() const { return settings_.traces_light() && !plan_.traces_caustics_alone(); }
   const Snapshot& scene() const { return *scene_; }
   // Iterations from 0, in order. False where `stop` was set on the way: the tally is then incomplete. The same bits for
   // any number of threads.
   bool run(uint32_t iteration, const StopSignal& stop, IterationTally& tally);
 
  private:
-  void reset(uint32_t iteration, IterationTally& tally) const;
+  void choose_first_radii(const StopSignal& stop);
+  void select(const StopSignal& stop);
+  void train_guide(const StopSignal& stop);
+  bool trace(const Iteration& in, IterationTally& tally);
   std::shared_ptr<const Snapshot> scene_;
   TransportSettings settings_;
   ThreadPool& pool_;
   Plan plan_;
   DirectLight direct_;
+  Selection selection_;
   float largest_pixel_radius_ = 0;
 };
 

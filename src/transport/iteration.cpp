@@ -23,6 +23,7 @@ Iteration Iteration::of_pilot(const Snapshot& of_scene, const Plan& by_plan, con
   in.light_visit = {0, running_number};
   in.light_stream = stream;
   in.camera_shrinkage = in.meter_shrinkage = 1;
+  in.walk_radius2 = by_plan.radius2(by_plan.walk_radius, 1);
   return in;
 }
 
@@ -34,25 +35,29 @@ double Iteration::photon_norm(double radius2) const {
   return 1.0 / (double(plan.light_paths) * 3.14159265358979323846 * radius2);
 }
 
-mis::Counts Iteration::counts() const {
+mis::Counts Iteration::counts(const TechniqueShare& share) const {
   mis::Counts n;
   n.hit = has(UPS_TECHNIQUE_EMITTER_HIT) && !settings.method.hits_after_specular;
   n.light_sample = has(UPS_TECHNIQUE_LIGHT_SAMPLE);
-  n.connect = has(UPS_TECHNIQUE_CONNECT);
-  n.eta = eta(walk_radius2);
+  n.connect = share.connect && has(UPS_TECHNIQUE_CONNECT);
+  n.eta = share.merge == TechniqueShare::no_merge ? 0 : eta(walk_radius2);
+  n.merge_all = share.merge == TechniqueShare::merge_all;
   return n;
 }
 
-mis::Counts Iteration::camera_counts(double radius2) const {
-  mis::Counts n = counts();
-  n.eta_first = eta(radius2);
-  if (has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = double(plan.light_paths) * plan.camera_subsets;
+mis::Counts Iteration::camera_counts(size_t c, uint32_t pixel) const {
+  const TechniqueShare own = share(plan.units.of_pixel(c, pixel));
+  mis::Counts n = counts(own);
+  n.eta_first = own.merge == TechniqueShare::no_merge ? 0 : eta(pixel_radius2(c, pixel));
+  if (own.light && has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = double(plan.light_paths) * plan.camera_subsets;
   return n;
 }
 
-mis::Counts Iteration::meter_counts(bool cell) const {
-  mis::Counts n = counts();
-  if (cell && has(UPS_TECHNIQUE_SENSOR_HIT)) n.land = double(plan.light_paths) / plan.meter_samples;
+mis::Counts Iteration::meter_counts(size_t set) const {
+  const TechniqueShare own = share(plan.units.of_set(set));
+  mis::Counts n = counts(own);
+  if (own.light && scene.meter_sets[set].is_cell() && has(UPS_TECHNIQUE_SENSOR_HIT))
+    n.land = double(plan.light_paths) / plan.meter_samples;
   return n;
 }
 

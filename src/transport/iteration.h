@@ -9,6 +9,8 @@
 
 namespace ups {
 
+class Moments;
+
 struct Iteration {
   // A batch shares the scrambling of its stratified numbers; visit: how many earlier passes it had.
   struct Visit {
@@ -31,6 +33,8 @@ struct Iteration {
   bool stores_vertices;
   double camera_shrinkage, meter_shrinkage;  // r_i^2 / r_1^2
   double walk_radius2;                       // of merges beyond the first vertex
+  bool trains_guide = false;
+  const Moments* moments = nullptr;          // of a pilot that chooses techniques
 
   bool has(uint32_t technique) const { return settings.has(technique); }
   bool weighted() const { return settings.method.weighted; }
@@ -44,12 +48,17 @@ struct Iteration {
   }
   double eta(double radius2) const;                 // N pi r^2 where photons are merged
   double photon_norm(double radius2) const;         // 1 / (N pi r^2)
-  mis::Counts camera_counts(double radius2) const;  // of a pixel; radius2: at the first vertex that scatters
-  mis::Counts meter_counts(bool cell) const;
+  mis::Counts camera_counts(size_t c, uint32_t pixel) const;
+  mis::Counts meter_counts(size_t set) const;
+  bool merges_at(size_t set) const {
+    return has(UPS_TECHNIQUE_MERGE) && share(plan.units.of_set(set)).merge != TechniqueShare::no_merge;
+  }
+  mis::Counts light_counts() const { return counts({}); }  // of what is baked into light vertices
   const mis::Gates& gates_of(uint32_t emitter) const { return plan.gates[emitter]; }
 
  private:
-  mis::Counts counts() const;
+  TechniqueShare share(uint32_t unit) const { return plan.shares.empty() ? TechniqueShare{} : plan.shares[unit]; }
+  mis::Counts counts(const TechniqueShare& share) const;
 };
 
 }  // namespace ups

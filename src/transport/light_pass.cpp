@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "transport/selection.h"
 #include "transport/techniques.h"
 
 namespace ups {
@@ -19,12 +20,14 @@ struct Block {
     Splat splat;
     Rgb unweighted;
     uint32_t camera, edges;
+    mis::Classes relative;
   };
   std::vector<CameraSplat> splats;
   struct Landing {
     uint32_t disc, emitter;
     MeterTally value;
     float distance2;
+    mis::Classes relative;
   };
   std::vector<Landing> landings;
   struct Escape {
@@ -32,6 +35,7 @@ struct Block {
     float flux;
   };
   std::vector<Escape> escapes;  // where there are goniometers
+  std::vector<IterationTally::Start> starts;
   WorkCounts work;
   std::vector<DiscIndex::Crossing> crossings;
 };
@@ -44,14 +48,24 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
                  in.number, path},
                 block.work),
         sensors_(sensors), block_(block) {
-    counts_ = in.meter_counts(false);
+    counts_ = in.light_counts();
+    ends_with_casters_ = in.plan.traces_caustics_alone();
   }
 
   void run() {
     if (!emit()) return;
+    walk();
+    if (in_.trains_guide)
+      block_.starts.push_back({emitter_index_, square_, useful_ ? luminance(start_carried_) : 0.0f});
+  }
+
+ private:
+  friend Subpath;
+  void walk() {
     for (uint32_t a = 1; !in_.is_too_long(a); ++a) {
       if (is_stopped(in_.stop, a)) return;
       trace(a);
+      if (casters_) ++work_.caster_rays;
       if (!sensors_.empty()) cross_sensors(a);
       if (!met_.found) {
         if (!carry(met_.transmittance_of_earlier(scene_))) return;
@@ -72,19 +86,21 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       if (continuous && in_.has(UPS_TECHNIQUE_SENSOR_CONNECT))
         for (uint32_t c = 0; c < scene_.cameras.size(); ++c) splat(c, light);
       if (!scatter(light, [&](const BsdfSample& s) { return is_finite(s.weight) || drop(Drop::light_walk); })) return;
+      casters_ = casters_ && (edge_.kind == Edge::delta || light.caster);
+      if (ends_with_casters_ && !casters_) return;
     }
   }
 
- private:
-  friend Subpath;
   bool emit() {
     ++work_.light_paths;
-    const EmitterSet::Choice choice = scene_.emitters.choose_emission(rng_.get(0, Slot::choice));
+    const EmissionGuide& guide = in_.plan.guide;
+    const EmitterSet::Choice choice = guide.choose(scene_.emitters, rng_.get(0, Slot::choice));
     if (!(choice.probability > 0)) return false;
     emitter_index_ = choice.index;
     emit_probability_ = choice.probability;
     emitter_ = &scene_.emitters[choice.index];
-    if (!emitter_->sample_emission(rng_.position(0), rng_.direction(0), start_)) return false;
+    if (!guide.sample(scene_.emitters, emitter_index_, rng_.position(0), rng_.direction(0), start_, square_))
+      return false;
     carried_ = start_carried_ = start_.flux / choice.probability;
     if (!is_finite(carried_)) return drop(Drop::emission);
     if (is_black(carried_)) return false;
@@ -124,6 +140,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const MeterSet& set = scene_.meter_sets[e.set];
     const Meter& meter = set.meters[e.meter];
     const bool cell = set.is_cell();
+    if (!cell && !casters_ && !(e.counts.merge_all > 0)) return;
     if (!cell && a == 1 && !in_.gates_of(emitter_index_).merge_at_first) return;
     const float cos_in = -dot(direction_, meter.frame.n);
     if (cos_in < min_cosine || !(crossing.t > 0)) return;
@@ -138,11 +155,12 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const Contribution c = ups::land(in_, e.counts, state, e.eta, area, cos_in, flux, a, emitter_index_);
     const double value = luminance(c.value) * c.weight(in_, 1);
     if (!std::isfinite(value)) return work_.drop(cell ? Drop::sensor_hit : Drop::merge);
+    useful_ |= casters_ && a > 1;
     const float d2 = length2(offset);
     // The disc of half the area: its photons count twice,
     // so that the difference sees the curvature of illuminance alone.
     const double bias = cell ? 0.0 : 2.0 * (value - (2.0 * d2 < e.radius2 ? 2.0 * value : 0.0));
-    block_.landings.push_back({crossing.disc, emitter_index_, {value, a == 1 ? value : 0.0, bias}, d2});
+    block_.landings.push_back({crossing.disc, emitter_index_, {value, a == 1 ? value : 0.0, bias}, d2, c.relative(1)});
   }
 
   void store(const LightEnd& light) {
@@ -162,6 +180,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     v.mis = light.state;
     block_.vertices.push_back(v);
     ++block_.counts.back();
+    useful_ |= casters_ && light.edges > 1;
     ++work_.light_vertices;
   }
 
@@ -173,12 +192,14 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
     const Rgb unweighted = c.value * way.transmittance, value = unweighted * float(c.weight(in_, way.pass));
     if (!is_finite(value)) return work_.drop(Drop::sensor_connect);
-    block_.splats.push_back({{found->pixel, value}, unweighted, camera, c.technique.edges});
+    block_.splats.push_back({{found->pixel, value}, unweighted, camera, c.technique.edges, c.relative(way.pass)});
   }
 
   const SensorIndex& sensors_;
   Block& block_;
   const Emitter* emitter_ = nullptr;
+  bool casters_ = true, ends_with_casters_ = false, useful_ = false;
+  Vec2 square_;  // where on the emitter's square the path started
   uint32_t emitter_index_ = 0;
   float emit_probability_ = 1;
   EmissionSample start_;
@@ -218,6 +239,11 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
     paths.vertices.insert(paths.vertices.end(), b.vertices.begin(), b.vertices.end());
     for (const Block::CameraSplat& s : b.splats) {
       tally.splats[s.camera].push_back(s.splat);
+      if (in.moments) {
+        const size_t tile = in.plan.units.of_pixel(s.camera, s.splat.pixel) - in.plan.units.begin(s.camera);
+        in.moments->add_light_path(luminance(s.splat.value), s.relative,
+                        &tally.excess_of_splats[s.camera][tile * in.moments->row()]);
+      }
       if (!tally.techniques.empty())
         tally.techniques[s.camera].add({Family::path_integration, s.edges, s.edges}, s.splat.pixel, s.splat.value,
                                        s.unweighted);
@@ -225,12 +251,15 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
     for (const Block::Landing& l : b.landings) {
       const SensorIndex::Entry& e = sensors.entry(l.disc);
       tally.meters[e.set][e.visited].add(l.value);
+      if (in.moments)
+        in.moments->add_light_path(l.value.value, l.relative, &tally.excess_of_meters[e.set][e.visited * in.moments->row()]);
       if (columns)
         tally.separated[e.set][e.visited * columns + in.plan.separation.column_of_emitter[l.emitter]].add(l.value);
     }
     for (size_t g = 0; g < tally.goniometers.size(); ++g)
       for (const Block::Escape& e : b.escapes)
         in.scene.goniometers[g].add(e.direction, double(e.flux) / in.plan.light_paths, tally.goniometers[g]);
+    tally.starts.insert(tally.starts.end(), b.starts.begin(), b.starts.end());
     tally.work.merges += b.landings.size();
     tally.work.add(b.work);
   }

@@ -60,28 +60,53 @@ Plan::AtFloor Plan::at_floor(const std::vector<float>& radii, uint32_t visits, d
   return out;
 }
 
+Units::Units(const Snapshot& scene) {
+  for (const Camera& c : scene.cameras) {
+    begins_.push_back(count);
+    widths_.push_back(c.width());
+    columns_.push_back((c.width() + side - 1) / side);
+    count += columns_.back() * ((c.height() + side - 1) / side);
+  }
+  for (size_t s = 0; s < scene.meter_sets.size(); ++s) begins_.push_back(count++);
+  begins_.push_back(count);
+}
+
+bool Plan::traces_caustics_alone() const {
+  return !shares.empty() && std::none_of(shares.begin(), shares.end(), [](const TechniqueShare& s) {
+    return s.connect || s.light || s.merge == TechniqueShare::merge_all;
+  });
+}
+
+void set_path_counts(const Snapshot& scene, const TransportSettings& settings, uint32_t most, Plan& plan) {
+  const uint64_t pixels = count_pixels(scene), meters = count_meters(scene),
+                 camera_paths = std::min(most, camera_paths_per_iteration),
+                 meter_paths = std::min(most, meter_paths_per_iteration),
+                 most_meters = std::min(most, max_meters_per_iteration);
+  if (pixels > 0) plan.camera_subsets = uint32_t((pixels + camera_paths - 1) / camera_paths);
+  if (meters > 0) {
+    const uint64_t share = std::max<uint64_t>(1, meter_paths / meters);
+    plan.meter_samples = uint32_t(std::min<uint64_t>(std::bit_floor(share), max_meter_samples));
+    // Odd, so that a meter's batches meet all batches of the light paths: their number is a power of two. A pilot's
+    // meters are among those of the plan's first iteration.
+    if (meters > most_meters) {
+      const uint32_t subsets = uint32_t((meters + most_meters - 1) / most_meters) | 1u;
+      plan.meter_subsets *= (subsets + plan.meter_subsets - 1) / plan.meter_subsets | 1u;
+    }
+  }
+  if (!settings.traces_light()) return;
+  const bool goniometers = !scene.goniometers.empty();
+  const uint64_t eye = goniometers ? goniometer_paths
+                                   : pixels / plan.camera_subsets + meters / plan.meter_subsets * plan.meter_samples;
+  const uint32_t least = std::min(most, min_light_paths), largest = goniometers ? goniometer_paths : max_light_paths;
+  plan.light_paths = uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), least, std::min(most, largest)));
+}
+
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   Plan plan;
   plan.separation = separate(scene, settings.separation);
-  const uint64_t pixels = count_pixels(scene), meters = count_meters(scene);
-  if (pixels > 0)
-    plan.camera_subsets = uint32_t((pixels + camera_paths_per_iteration - 1) / camera_paths_per_iteration);
-  if (meters > 0) {
-    const uint64_t share = std::max<uint64_t>(1, meter_paths_per_iteration / meters);
-    plan.meter_samples = uint32_t(std::min<uint64_t>(std::bit_floor(share), max_meter_samples));
-    // Odd, so that a meter's batches meet all batches of the light paths: their number is a power of two.
-    if (meters > max_meters_per_iteration)
-      plan.meter_subsets = uint32_t((meters + max_meters_per_iteration - 1) / max_meters_per_iteration) | 1u;
-  }
-  if (settings.traces_light()) {
-    const uint32_t most = scene.goniometers.empty() ? max_light_paths : goniometer_paths;
-    const uint64_t eye =
-        !scene.goniometers.empty() ? goniometer_paths : pixels / plan.camera_subsets +
-                                                         meters / plan.meter_subsets * plan.meter_samples;
-    plan.light_paths = settings.light_paths
-                           ? std::bit_ceil(settings.light_paths)
-                           : uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), min_light_paths, most));
-  }
+  plan.units = Units(scene);
+  set_path_counts(scene, settings, UINT32_MAX, plan);
+  if (settings.traces_light() && settings.light_paths) plan.light_paths = std::bit_ceil(settings.light_paths);
   plan.min_radius = 32 * 0x1p-24f * scene.radius;
   // Nothing but light paths carries a ray emitter's light, from its first surface on.
   const bool samples = settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE);

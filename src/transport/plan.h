@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "emitter/guide.h"
 #include "scene/separation.h"
 #include "transport/method.h"
 #include "transport/weights.h"
@@ -21,6 +22,8 @@ struct TransportSettings {
   bool actual_perturbation = false;  // UPS_PERTURBATION_ACTUAL
   uint32_t technique_edges = 0;      // images of each technique for paths of up to so many edges; 0: none
   ups_separation separation = UPS_SEPARATE_NOTHING;
+  bool automatic = false;          // techniques are chosen by a pilot
+  bool prefers_eye_paths = false;  // unless others bring much more
   uint64_t seed = 0;
   uint32_t max_path_length = 0;  // edges; 0: none
   uint32_t light_paths = 0;      // a power of two; 0: chosen here
@@ -30,6 +33,36 @@ struct TransportSettings {
   bool traces_light() const {
     return has(UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_HIT);
   }
+};
+
+// Which techniques a part of the sensors takes beside hits and next-event estimation.
+struct TechniqueShare {
+  enum Merge : uint8_t { no_merge, merge_caustics, merge_all };  // caustics: where a light path met casters alone
+  bool connect = true, light = true;                              // light: splats, landings
+  Merge merge = merge_all;
+};
+
+// Parts of the sensors that may differ in their techniques: tiles of images, sets of meters.
+class Units {
+ public:
+  static constexpr uint32_t side = 16;  // of a tile, pixels
+  explicit Units(const Snapshot& scene);
+  Units() = default;
+  uint32_t count = 0;
+  uint32_t columns(size_t camera) const { return columns_[camera]; }
+  uint32_t tiles(size_t camera) const { return end(camera) - begin(camera); }
+  uint32_t of_pixel(size_t camera, uint32_t pixel) const {
+    const uint32_t x = pixel % widths_[camera], y = pixel / widths_[camera];
+    return begins_[camera] + y / side * columns_[camera] + x / side;
+  }
+  uint32_t of_set(size_t set) const { return begins_[columns_.size() + set]; }
+  // Sensors: cameras, then sets.
+  size_t sensors() const { return begins_.size() - 1; }
+  uint32_t begin(size_t sensor) const { return begins_[sensor]; }
+  uint32_t end(size_t sensor) const { return begins_[sensor + 1]; }
+
+ private:
+  std::vector<uint32_t> begins_, widths_, columns_;
 };
 
 // Fixed sizes of an iteration.
@@ -48,6 +81,13 @@ struct Plan {
   std::vector<std::vector<float>> pixel_radius, meter_radius;
   std::vector<float> meter_spacing;  // of each set, see radii.h
   float walk_radius = 0;
+
+  Units units;
+  std::vector<TechniqueShare> shares;  // by unit; empty: all techniques everywhere
+  // Light paths end where nothing but caustics is merged and they have met something that is no caster.
+  bool traces_caustics_alone() const;
+  // Where light paths start, which those of the books of flux may not be told.
+  EmissionGuide guide;
 
   float min_radius = 0;  // below some ulps of the coordinates a radius means nothing
 
@@ -92,5 +132,7 @@ struct Plan {
 };
 
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings);
+// Numbers of paths an iteration, of a pilot's for at most so many from each end.
+void set_path_counts(const Snapshot& scene, const TransportSettings& settings, uint32_t most, Plan& plan);
 
 }  // namespace ups

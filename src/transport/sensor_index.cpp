@@ -10,14 +10,15 @@ SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool) {
   for (uint32_t s = 0; s < in.scene.meter_sets.size(); ++s) {
     const MeterSet& set = in.scene.meter_sets[s];
     const bool cell = set.is_cell();
-    if (!in.has(cell ? UPS_TECHNIQUE_SENSOR_HIT : UPS_TECHNIQUE_MERGE)) continue;
+    const mis::Counts counts = in.meter_counts(s);
+    if (cell ? !(counts.land > 0) : !in.merges_at(s)) continue;
     const float half_diagonal = 0.5f * std::sqrt(set.cell_width * set.cell_width + set.cell_height * set.cell_height);
     for (uint32_t i = 0; i < in.plan.visited_meters(in.number, set.meters.size()); ++i) {
       const uint32_t m = in.plan.visited_meter(in.number, i);
       const Meter& meter = set.meters[m];
       const double radius2 = cell ? 0 : in.meter_radius2(s, m);
       if (!cell && !(radius2 > 0)) continue;
-      entries_.push_back({s, m, i, radius2, in.eta(radius2) / in.plan.meter_samples, in.meter_counts(cell)});
+      entries_.push_back({s, m, i, radius2, in.eta(radius2) / in.plan.meter_samples, counts});
       const float radius = cell ? half_diagonal * 1.0001f : float(std::sqrt(radius2));
       discs.push_back({lifted(meter.p, meter.frame.n, meter.error), meter.frame.n, radius});
     }

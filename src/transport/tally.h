@@ -24,6 +24,7 @@ static_assert(std::size(drop_names) == size_t(Drop::count));
 
 struct WorkCounts {
   uint64_t rays = 0, light_paths = 0, eye_paths = 0, light_vertices = 0, merges = 0, connections = 0;
+  uint64_t caster_rays = 0;  // of light paths that have met nothing but casters
   std::array<uint64_t, size_t(Drop::count)> dropped{};
   double absorbed_lm = 0, escaped_lm = 0;  // summed over light paths, not yet divided by their number
 
@@ -35,6 +36,7 @@ struct WorkCounts {
     light_vertices += o.light_vertices;
     merges += o.merges;
     connections += o.connections;
+    caster_rays += o.caster_rays;
     for (size_t i = 0; i < dropped.size(); ++i) dropped[i] += o.dropped[i];
     absorbed_lm += o.absorbed_lm;
     escaped_lm += o.escaped_lm;
@@ -71,7 +73,15 @@ struct IterationTally {
   // A set: a meter by a column of Plan::separation, column fastest; empty without.
   std::vector<std::vector<MeterTally>> separated;
   std::vector<GoniometerTally> goniometers;
-  WorkCounts work;
+  WorkCounts work, light_work;  // all of it, and the light pass's
+  // Of a pilot (Moments): by visited pixel and meter, and by tile, set of techniques fastest.
+  struct Start {  // of a light path that came to something as a caustic, or (flux 0) to nothing
+    uint32_t emitter;
+    Vec2 square;
+    float flux;
+  };
+  std::vector<Start> starts;  // where a guide is trained
+  std::vector<std::vector<double>> excess_of_pixels, excess_of_meters, excess_of_splats;
 
   size_t bytes() const;
 };

@@ -24,10 +24,10 @@ float terminator(const EyeEnd& eye, const Vec3& wi) { return eye.bsdf ? terminat
 struct DirectDensities {
   double pn_0, pf_0, pf_1;
 };
-DirectDensities direct_densities(const Snapshot& scene, const EmitterSet::Choice& choice, const DirectSample& s,
-                                 double cos_1) {
+DirectDensities direct_densities(const Snapshot& scene, const EmissionGuide& guide, const EmitterSet::Choice& choice,
+                                 const DirectSample& s, double cos_1) {
   const Emitter& e = scene.emitters[choice.index];
-  const double emit = scene.emitters.emission_probability(choice.index);
+  const double emit = guide.probability(scene.emitters, choice.index);
   const double d2 = double(s.distance) * s.distance;
   if (e.is_directional()) return {choice.probability, emit, s.pdf_position_a * cos_1};
   if (e.is_delta()) return {choice.probability, emit, s.pdf_direction_w * cos_1 / d2};
@@ -43,8 +43,9 @@ Found hit(const Iteration& in, const EyeHit& eye, uint32_t index, uint32_t primi
   Contribution c{{Family::path_integration, 0, eye.edges}, index, eye.carried * h.radiance};
   if (in.weighted()) {
     const double pn_0 = double(emitters.direct_probability(eye.from, index)) * h.pdf_nee_a;
-    const double pf_0 = double(emitters.emission_probability(index)) * h.pdf_position_a;
-    c.others = mis::others_of_hit(eye.state, eye.counts, in.gates_of(index), pn_0, pf_0, h.pdf_direction_w, eye.pdf_a,
+    const double pf_0 = double(in.plan.guide.probability(emitters, index)) * h.pdf_position_a;
+    const double emitted = h.pdf_direction_w * in.plan.guide.factor(emitters, index, eye.p, primitive, eye.wo);
+    c.others = mis::others_of_hit(eye.state, eye.counts, in.gates_of(index), pn_0, pf_0, emitted, eye.pdf_a,
                                   eye.connectable);
   }
   return c;
@@ -77,11 +78,13 @@ Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, c
                  eye.carried * f.value * s.weight * attenuation_ahead(in.scene, media, s.distance) * scale};
   if (is_black(c.value)) return {};
   if (in.weighted()) {
+    const mis::Classes from_emitter =
+        mis::from_emitter_at_light_sample(eye.state, n, in.gates_of(choice.index), eye.scatter(f));
+    if (from_emitter.sum() > 0) in.plan.guide.apply(in.scene.emitters, choice.index, s);
     const double cos_1 = std::abs(dot(s.wi, arrival.surface.ng)), d2 = double(s.distance) * s.distance;
-    const DirectDensities d = direct_densities(in.scene, choice, s, cos_1);
+    const DirectDensities d = direct_densities(in.scene, in.plan.guide, choice, s, cos_1);
     const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * s.cos_0 / d2;
-    c.others = mis::others_of_light_sample(eye.state, n, in.gates_of(choice.index), eye.scatter(f), pb_0, d.pn_0,
-                                           d.pf_0, d.pf_1);
+    c.others = mis::others_of_light_sample(from_emitter, n, pb_0, d.pn_0, d.pf_0, d.pf_1);
   }
   c.from = arrival.surface.ray_origin(s.wi);
   c.to = lifted(s.p, s.n, s.error);
@@ -125,6 +128,7 @@ Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, cons
   Contribution c{{Family::path_integration, light.edges + 1, edges}, emitter,
                  eye.carried * f_eye.value * light.carried * f_light.value *
                      attenuation_ahead(in.scene, media, distance) * scale};
+  c.own = &mis::Classes::connect;
   if (in.weighted()) {
     const double cos_eye = std::abs(dot(d, arrival.surface.ng)), cos_light = std::abs(dot(d, light.surface.ng));
     c.others = mis::others_of_connect(light.state, light.scatter(f_light), eye.state, eye.scatter(f_eye), n,
@@ -148,6 +152,8 @@ std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd&
   const Vec3 d = to / distance;
   const auto pixel = camera.pixel_of(-d);
   if (!pixel) return {};
+  const mis::Counts n = in.camera_counts(index, *pixel);
+  if (!(n.sensor_connect > 0)) return {};
   const Vec3 local = light.surface.shading.to_local(d);
   if (!consistent_side(light.surface, d, local)) return {};
   const Scattering f = light.evaluate(local, TransportMode::importance);
@@ -159,8 +165,9 @@ std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd&
                  light.carried * value * attenuation_ahead(in.scene, media, distance) *
                      float(pdf_w / (double(d2) * in.plan.light_paths))};
   if (is_black(c.value)) return {};
+  c.own = &mis::Classes::light;
   if (in.weighted())
-    c.others = mis::others_of_splat(light.state, light.scatter(f), in.camera_counts(in.pixel_radius2(index, *pixel)),
+    c.others = mis::others_of_splat(light.state, light.scatter(f), n,
                                     double(pdf_w) * std::abs(dot(d, light.surface.ng)) / d2);
   c.from = light.surface.ray_origin(d);
   c.to = camera.position();
@@ -180,6 +187,7 @@ bool same_surface(const SurfacePoint& s, const LightVertex& l, float cos_light, 
 
 Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& l, double radius) {
   const float cos_light = dot(l.wo, eye.surface.ng);
+  if (!l.mis.casters && !(n.merge_all > 0)) return {};
   if (in.is_too_long(eye.edges + l.depth) || !same_surface(eye.surface, l, cos_light, radius)) return {};
   Vec3 local;
   if (!scatters(eye, l.wo, local)) return {};
@@ -189,6 +197,7 @@ Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const 
   const double norm = in.photon_norm(radius * radius);
   Contribution c{{Family::density_estimation, l.depth + 1u, eye.edges + l.depth}, l.emitter,
                  eye.carried * f.value * l.flux * (float(norm / std::abs(cos_light)) * terminator(eye, l.wo))};
+  c.own = l.mis.casters ? &mis::Classes::caustic : &mis::Classes::merge;
   if (in.weighted())
     c.others = mis::others_of_merge(l.mis, f.pdf, eye.state, eye.scatter(f), n, in.gates_of(l.emitter));
   return c;
@@ -200,6 +209,7 @@ Contribution land(const Iteration& in, const mis::Counts& n, const mis::LightSta
   const double reverse = cos_in * inv_pi;
   Contribution c{{merges ? Family::density_estimation : Family::path_integration, edges + 1, edges}, emitter,
                  Rgb(float(flux / (in.plan.light_paths * area)))};
+  c.own = !merges ? &mis::Classes::light : state.casters ? &mis::Classes::caustic : &mis::Classes::merge;
   if (in.weighted())
     c.others = merges ? mis::others_of_merge(state, reverse, mis::at_meter(n, eta, 0), {0, 1}, n, in.gates_of(emitter))
                       : mis::others_of_land(state, n, area, reverse);

@@ -25,7 +25,13 @@ struct Contribution {
   mis::Classes others;  // for a new edge without panes
   Vec3 from, to;        // ends of a new edge
   const MediaStack* media = nullptr;  // around `from`; null: no new edge
+  double mis::Classes::*own = &mis::Classes::eye;  // its class
 
+  mis::Classes relative(double pass) const {  // all techniques of the path, this one included
+    mis::Classes all = pass * others;
+    all.*own += 1;
+    return all;
+  }
   double weight(const Iteration& in, double pass) const {
     return in.weighted() ? mis::weight(pass * others) : 1.0;
   }

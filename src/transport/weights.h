@@ -207,14 +207,19 @@ inline Classes others_of_hit(const EyeState& e, const Counts& n, const Gates& g,
   return c;
 }
 
-// Next-event estimation at x_1, or k = 1 at a meter's own point. pb_0: density with which x_1 would have found x_0 by
-// scattering (0: the emitter cannot be hit); pf_1: area density of x_1 by emission; v: of x_1; merge with its g_1.
-inline Classes others_of_light_sample(const EyeState& e, const Counts& n, const Gates& g, const Scatter& v, double pb_0,
-                                      double pn_0, double pf_0, double pf_1) {
+// Next-event estimation at x_1, or k = 1 at a meter's own point: those that start from the emitter, over their density
+// there; v: of x_1; merge with its g_1.
+inline Classes from_emitter_at_light_sample(const EyeState& e, const Counts& n, const Gates& g, const Scatter& v) {
   Classes c = eye_total(e, n, g, v.caster, true, v.pdf_reverse);
   if (v.merge && g.merge_at_first) c.caustic += e.eta;
+  return c;
+}
+// pb_0: density with which x_1 would have found x_0 by scattering (0: the emitter cannot be hit); pf_1: area density of
+// x_1 by emission.
+inline Classes others_of_light_sample(const Classes& from_emitter, const Counts& n, double pb_0, double pn_0,
+                                      double pf_0, double pf_1) {
   const double own = 1.0 / (n.light_sample * pn_0);
-  c = pf_0 * pf_1 * own * c;
+  Classes c = pf_0 * pf_1 * own * from_emitter;
   c.eye += n.hit * pb_0 * own;
   return c;
 }

@@ -84,8 +84,9 @@ class FastWeights {
     return mis::others_of_hit(eye_[0], n_, gates_, p_.nee_a, p_.emission_a, p_.pdf_to_sensor[0], pb_0, connectable);
   }
   mis::Classes light_sample() const {
-    return p_.pass[0] * mis::others_of_light_sample(eye_[1], n_, gates_, from_eye(1), p_.hittable() ? pb(0) : 0,
-                                                    p_.nee_a, p_.emission_a, pf(0));
+    const mis::Classes from_emitter = mis::from_emitter_at_light_sample(eye_[1], n_, gates_, from_eye(1));
+    return p_.pass[0] * mis::others_of_light_sample(from_emitter, n_, p_.hittable() ? pb(0) : 0, p_.nee_a,
+                                                    p_.emission_a, pf(0));
   }
   mis::Classes connect(int s) const {
     return p_.pass[s - 1] * mis::others_of_connect(light_[s - 1], from_light(s - 1), eye_[s], from_eye(s), n_,

@@ -83,27 +83,37 @@ TEST(Plan, EveryMeterIsVisitedOncePerPass) {
 }
 
 TEST(Plan, CountsFollowTheTechniques) {
-  Plan plan;
-  plan.light_paths = 1024;
-  plan.camera_subsets = 4;
-  plan.meter_samples = 16;
+  Snapshot scene;
+  scene.cameras.emplace_back(Affine{}, 4, 4, 1.0f, false);
+  scene.meter_sets.resize(2);
+  scene.meter_sets[1].cell_width = scene.meter_sets[1].cell_height = 1;
   TransportSettings s{.method = *method_of(UPS_METHOD_UPS)};
   s.techniques =
       UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_SENSOR_HIT;
-  plan.walk_radius = float(std::sqrt(0.5));
-  const Snapshot scene;
+  Plan plan;
+  plan.units = Units(scene);
+  plan.light_paths = 1024;
+  plan.camera_subsets = 4;
+  plan.meter_samples = 16;
+  plan.walk_radius = std::sqrt(0.5f);
+  plan.pixel_radius = {std::vector<float>(16, 0.5f)};
   const StopSignal stop;
-  const Iteration in(scene, plan, s, 0, stop);
-  const mis::Counts c = in.camera_counts(0.25);
+  const mis::Counts c = Iteration(scene, plan, s, 0, stop).camera_counts(0, 0);
   EXPECT_EQ(c.hit, 1);
   EXPECT_EQ(c.light_sample, 0);
   EXPECT_EQ(c.connect, 0);
   EXPECT_EQ(c.sensor_connect, 4096);  // light paths for each visit of a pixel
   EXPECT_EQ(c.land, 0);
-  EXPECT_NEAR(c.eta_first, 1024 * 3.14159265358979 * 0.25, 1e-9);
-  EXPECT_NEAR(c.eta, 1024 * 3.14159265358979 * 0.5, 1e-4);
-  EXPECT_EQ(in.meter_counts(true).land, 64);
-  EXPECT_EQ(in.meter_counts(false).land, 0);
+  EXPECT_NEAR(c.eta_first, 1024 * 3.14159265358979 * 0.25, 1e-3);
+  EXPECT_NEAR(c.eta, 1024 * 3.14159265358979 * 0.5, 1e-3);
+  EXPECT_EQ(Iteration(scene, plan, s, 0, stop).meter_counts(1).land, 64);
+  EXPECT_EQ(Iteration(scene, plan, s, 0, stop).meter_counts(0).land, 0);
+  // A part of the sensors may take fewer.
+  plan.shares.assign(plan.units.count, {true, false, TechniqueShare::merge_caustics});
+  EXPECT_EQ(Iteration(scene, plan, s, 0, stop).camera_counts(0, 0).sensor_connect, 0);
+  EXPECT_EQ(Iteration(scene, plan, s, 0, stop).camera_counts(0, 0).merge_all, 0);
+  EXPECT_EQ(Iteration(scene, plan, s, 0, stop).camera_counts(0, 0).eta, c.eta);
+  EXPECT_EQ(Iteration(scene, plan, s, 0, stop).meter_counts(1).land, 0);
 }
 
 }  // namespace

@@ -1,0 +1,358 @@
+// See selection.h.
+#include "transport/selection.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace ups {
+
+void Moments::add(double value, const mis::Classes& relative, double* excess) const {
+  const double square = value * value, sum = relative.sum();
+  if (!(square > 0) || !std::isfinite(square)) return;
+  for (size_t j = 0; j < sets_.size(); ++j) {
+    const mis::Classes& f = sets_[j];
+    const double own = f.eye * relative.eye + f.connect * relative.connect + f.light * relative.light +
+                       f.caustic * relative.caustic + f.merge * relative.merge;
+    excess[j] += square * (sum / own - 1);  // infinite where the set has no technique for the path
+  }
+}
+
+namespace {
+
+constexpr uint32_t pilot_rounds = 3, pilot_paths = 1u << 12;
+constexpr double least_gain = 1.15;  // below, the choice stays as it would be without a pilot
+constexpr double eye_light_share = 1.0 / 16;  // of the light paths, where only caustics need them
+
+// A set of techniques that a sensor's part may take, at a share of the light paths.
+struct Candidate {
+  double light_paths;  // over those of the plan
+  TechniqueShare share;
+  bool needs_light() const { return share.connect || share.light || share.merge != TechniqueShare::no_merge; }
+  bool needs_whole_paths() const { return share.connect || share.light || share.merge == TechniqueShare::merge_all; }
+  // photons: light paths of the plan over those of the pilot, which merge within the same radii.
+  mis::Classes counts(double photons) const {
+    return {.eye = 1,
+            .connect = double(share.connect),
+            .light = light_paths * share.light,
+            .caustic = photons * light_paths * (share.merge != TechniqueShare::no_merge),
+            .merge = photons * light_paths * (share.merge == TechniqueShare::merge_all)};
+  }
+};
+
+constexpr double light_shares[] = {1.0, 1.0 / 4, eye_light_share};
+
+TechniqueShare eye_paths_alone(const TransportSettings& s) {
+  return {false, false, s.has(UPS_TECHNIQUE_MERGE) ? TechniqueShare::merge_caustics : TechniqueShare::no_merge};
+}
+
+// The first has all techniques, the last eye paths alone with the caustics that these need.
+std::vector<Candidate> candidates(const TransportSettings& s) {
+  std::vector<Candidate> out;
+  for (const double n : light_shares)
+    for (const auto merge : {TechniqueShare::merge_all, TechniqueShare::merge_caustics, TechniqueShare::no_merge})
+      for (const bool connect : {true, false})
+        for (const bool light : {true, false}) {
+          const bool possible = (merge == TechniqueShare::no_merge) != s.has(UPS_TECHNIQUE_MERGE) &&
+                                (!connect || s.has(UPS_TECHNIQUE_CONNECT)) &&
+                                (!light || s.has(UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_SENSOR_HIT));
+          const Candidate c{n, {connect, light, merge}};
+          if (possible && c.needs_whole_paths()) out.push_back(c);
+        }
+  out.push_back({eye_light_share, eye_paths_alone(s)});
+  return out;
+}
+
+// What a pilot measured, by unit.
+struct Measured {
+  std::vector<double> variance;              // of an iteration
+  std::vector<double> independent;           // the same, had its samples not been stratified
+  std::vector<std::vector<double>> excess;   // of each set of techniques over that
+  std::vector<double> eye_share;             // of all eye paths
+  WorkCounts light, all;
+};
+
+// Counted operations in units of a ray that is traced and shaded.
+struct Costs {
+  double eye = 0, connect = 0, merge = 0, light = 0, caustic_light = 0;
+};
+Costs costs_of(const Measured& m, double photons) {
+  const double light_rays = double(m.light.rays), vertices = double(m.light.light_vertices),
+               paths = std::max<double>(1, double(m.light.light_paths));
+  Costs c;
+  c.eye = double(m.all.rays) - light_rays - double(m.all.connections);
+  c.connect = double(m.all.connections) * (1 + 0.25 * vertices / paths);
+  c.merge = 0.5 * photons * double(m.all.merges - m.light.merges) + 0.2 * double(m.all.eye_paths);
+  c.light = light_rays + 0.5 * vertices + 0.5 * photons * double(m.light.merges);
+  c.caustic_light = 1.5 * double(m.light.caster_rays);
+  return c;
+}
+
+// Sums over the eye paths of one sensor's point.
+struct Point {
+  double sum = 0, square = 0;
+  uint32_t count = 0;
+  double variance() const { return count < 2 ? 0.0 : std::max(0.0, (square - sum * sum / count) / (count - 1)); }
+};
+
+class Pilot {
+ public:
+  // moments: null where only the variance of what it traces is asked for.
+  Pilot(const Snapshot& scene, const Plan& plan, const Moments* moments)
+      : scene_(scene), plan_(plan), sets_(moments ? moments->count() : 0), row_(moments ? moments->row() : 0) {
+    for (auto* v : {&m_.variance, &m_.independent, &m_.eye_share}) v->resize(plan.units.count);
+    m_.excess.assign(plan.units.count, std::vector<double>(sets_));
+    for (const Camera& c : scene.cameras) points_.emplace_back(c.pixel_count());
+    for (const MeterSet& s : scene.meter_sets) points_.emplace_back(s.meters.size());
+  }
+
+  void add(const Iteration& in, const IterationTally& tally) {
+    const Units& units = plan_.units;
+    const size_t cameras = scene_.cameras.size();
+    for (size_t c = 0; c < cameras; ++c) {
+      const Camera& camera = scene_.cameras[c];
+      plan_.for_visited_pixels(in.number, camera.width(), camera.height(), [&](uint32_t i, uint32_t pixel) {
+        points_[c][pixel].of_iterations.add(luminance(tally.pixels[c][i]));
+        m_.eye_share[units.of_pixel(c, pixel)] += 1;
+        if (row_) take(units.of_pixel(c, pixel), &tally.excess_of_pixels[c][i * row_], 1, 1, points_[c][pixel]);
+      });
+      // An iteration sees one of camera_subsets times that a pixel gets splats between two visits.
+      Point none;
+      for (uint32_t t = 0; t < (row_ ? units.tiles(c) : 0); ++t)
+        take(units.begin(c) + t, &tally.excess_of_splats[c][t * row_], plan_.camera_subsets, 0, none);
+      for (const Splat& s : tally.splats[c]) {
+        const double v = luminance(s.value);
+        m_.variance[units.of_pixel(c, s.pixel)] += v * v * plan_.camera_subsets / pilot_rounds;
+      }
+    }
+    for (size_t s = 0; s < scene_.meter_sets.size(); ++s)
+      for (size_t i = 0; i < tally.meters[s].size(); ++i) {
+        Point& point = points_[cameras + s][plan_.visited_meter(in.number, i)];
+        point.of_iterations.add(tally.meters[s][i].value);
+        m_.eye_share[units.of_set(s)] += plan_.meter_samples;
+        if (row_) take(units.of_set(s), &tally.excess_of_meters[s][i * row_], 1, plan_.meter_samples, point);
+      }
+    m_.all.add(tally.work);
+    m_.light.add(tally.light_work);
+  }
+
+  const Measured& measured() {
+    const size_t cameras = scene_.cameras.size();
+    for (size_t s = 0; s < points_.size(); ++s)
+      for (uint32_t p = 0; p < points_[s].size(); ++p) {
+        const uint32_t unit = s < cameras ? plan_.units.of_pixel(s, p) : plan_.units.of_set(s - cameras);
+        m_.variance[unit] += points_[s][p].of_iterations.variance();
+        m_.independent[unit] += points_[s][p].of_paths.variance() * (s < cameras ? 1 : plan_.meter_samples);
+      }
+    double paths = 0;
+    for (const double share : m_.eye_share) paths += share;
+    for (double& share : m_.eye_share) share /= std::max(1.0, paths);
+    return m_;
+  }
+
+ private:
+  struct Sums {
+    double sum = 0, square = 0;
+    uint32_t count = 0;
+    void add(double v) { sum += v, square += v * v, ++count; }
+    double variance() const { return count < 2 ? 0.0 : std::max(0.0, (square - sum * sum / count) / (count - 1)); }
+  };
+  struct Point {
+    Sums of_iterations, of_paths;
+  };
+  void take(uint32_t unit, const double* row, double scale, uint32_t eye_paths, Point& point) {
+    for (size_t j = 0; j < sets_; ++j) m_.excess[unit][j] += row[j] * scale / pilot_rounds;
+    m_.independent[unit] += row[sets_ + 2] * scale / pilot_rounds;
+    point.of_paths.sum += row[sets_], point.of_paths.square += row[sets_ + 1], point.of_paths.count += eye_paths;
+  }
+
+  const Snapshot& scene_;
+  const Plan& plan_;
+  const size_t sets_, row_;
+  Measured m_;
+  std::vector<std::vector<Point>> points_;  // cameras' pixels, then sets' meters
+};
+
+// Tiles are noisy: each is judged with its neighbours.
+void pool_tiles(const Units& units, size_t camera, Measured& m) {
+  const Measured own = m;
+  const auto columns = int(units.columns(camera)), rows = int(units.tiles(camera)) / columns;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const uint32_t unit = units.begin(camera) + uint32_t(y * columns + x);
+      for (int j = std::max(0, y - 1); j <= std::min(rows - 1, y + 1); ++j)
+        for (int i = std::max(0, x - 1); i <= std::min(columns - 1, x + 1); ++i) {
+          const uint32_t other = units.begin(camera) + uint32_t(j * columns + i);
+          if (other == unit) continue;
+          m.variance[unit] += own.variance[other], m.independent[unit] += own.independent[other];
+          for (size_t k = 0; k < m.excess[unit].size(); ++k) m.excess[unit][k] += own.excess[other][k];
+        }
+    }
+}
+
+class Chooser {
+ public:
+  Chooser(const Units& units, const std::vector<Candidate>& all, const Measured& m, const Measured& eye,
+          double photons)
+      : units_(units), all_(all), m_(m), eye_(eye), cost_(costs_of(m, photons)) {}
+
+  // The best at one number of light paths, each unit by itself.
+  struct Outcome {
+    std::vector<size_t> choice;  // index of a candidate, by unit
+    std::vector<double> variance_ratio;
+    double operations = 0, score = INFINITY;
+  };
+  // light_paths 0: eye paths alone.
+  Outcome at(double light_paths) const {
+    Outcome out;
+    const double shared = light_paths * cost_.light / double(units_.count);
+    for (uint32_t u = 0; u < units_.count; ++u) {
+      size_t best = all_.size();
+      double least = INFINITY;
+      for (size_t j = 0; j < all_.size(); ++j) {
+        const bool whole = all_[j].needs_whole_paths();
+        if (whole && all_[j].light_paths != light_paths) continue;
+        const double light = whole ? shared : 0;
+        const double score = ratio(u, j) * (eye_operations(u, j) + light);
+        if (score < least) least = score, best = j;
+      }
+      out.choice.push_back(best);
+      out.variance_ratio.push_back(ratio(u, best));
+      out.operations += eye_operations(u, best);
+    }
+    bool light = false, whole = false;
+    for (const size_t j : out.choice) light |= all_[j].needs_light(), whole |= all_[j].needs_whole_paths();
+    out.operations += whole ? light_paths * cost_.light : light ? eye_light_share * cost_.caustic_light : 0.0;
+    out.score = mean_over_sensors(out.variance_ratio) * out.operations;
+    return out;
+  }
+  double operations_of_all() const {
+    double sum = cost_.light;
+    for (uint32_t u = 0; u < units_.count; ++u) sum += eye_operations(u, 0);
+    return sum;
+  }
+  // Sensors count alike, and the tiles of one.
+  double mean_over_sensors(const std::vector<double>& by_unit) const {
+    double sum = 0;
+    for (size_t s = 0; s < units_.sensors(); ++s) {
+      double own = 0;
+      for (uint32_t u = units_.begin(s); u < units_.end(s); ++u) own += by_unit[u];
+      sum += own / (units_.end(s) - units_.begin(s));
+    }
+    return sum / double(units_.sensors());
+  }
+
+ private:
+  // Eye paths alone have a pilot of their own: stratification helps them more than those that meet photons. The others
+  // are told from that of all techniques, by what their moments would add to it.
+  double variance(uint32_t u, size_t j) const {
+    if (!all_[j].needs_whole_paths()) return eye_.variance[u];
+    const double traced = m_.independent[u];
+    return traced > 0 ? m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, 1.0) : m_.variance[u];
+  }
+  // To the variance of all techniques, the first candidate's.
+  double ratio(uint32_t u, size_t j) const {
+    const double v = variance(u, 0), own = variance(u, j);
+    return v > 0 ? own / v : own > 0 ? INFINITY : 1.0;
+  }
+  double eye_operations(uint32_t u, size_t j) const {
+    const TechniqueShare& s = all_[j].share;
+    const double merge = s.merge == TechniqueShare::merge_all        ? cost_.merge
+                         : s.merge == TechniqueShare::merge_caustics ? 0.2 * cost_.merge
+                                                                     : 0.0;
+    return m_.eye_share[u] * (cost_.eye + s.connect * cost_.connect + merge);
+  }
+
+  const Units& units_;
+  const std::vector<Candidate>& all_;
+  const Measured &m_, &eye_;
+  const Costs cost_;
+};
+
+}  // namespace
+
+namespace {
+
+// A few sensors' iterations as they will be, by few light paths.
+Plan pilot_plan(const Snapshot& scene, const Plan& plan, const TransportSettings& settings) {
+  Plan pilot = plan;
+  set_path_counts(scene, settings, pilot_paths, pilot);
+  pilot.meter_samples = plan.meter_samples;
+  size_t meters = 0;
+  for (const MeterSet& s : scene.meter_sets) meters += s.meters.size();
+  const size_t times = meters * plan.meter_samples / (pilot_paths * plan.meter_subsets);
+  pilot.meter_subsets = plan.meter_subsets * uint32_t(times | 1);
+  return pilot;
+}
+
+bool run_pilot(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, const StopSignal& stop,
+               const TraceIteration& trace, const Moments* moments, Measured& out) {
+  Pilot pilot(scene, plan, moments);
+  IterationTally tally;
+  for (uint32_t k = 0; k < pilot_rounds; ++k) {  // the same pixels and meters again
+    Iteration in = Iteration::of_pilot(scene, plan, settings, k * plan.camera_subsets * plan.meter_subsets, stop,
+                                       Stream::pilot);
+    in.light_visit = in.camera_visit = in.meter_visit = {k, 0};
+    in.moments = moments;
+    if (!trace(in, tally)) return false;
+    pilot.add(in, tally);
+  }
+  out = pilot.measured();
+  for (size_t c = 0; c < scene.cameras.size(); ++c) pool_tiles(plan.units, c, out);
+  return true;
+}
+
+}  // namespace
+
+Selection select_techniques(const Snapshot& scene, const Plan& plan, const TransportSettings& settings,
+                            const StopSignal& stop, const TraceIteration& trace) {
+  const std::vector<Candidate> all = candidates(settings);
+  TransportSettings of_pilot = settings;
+  of_pilot.seed = ~settings.seed;
+  Plan small = pilot_plan(scene, plan, settings);
+  const double photons = double(plan.light_paths) / small.light_paths;
+  std::vector<mis::Classes> sets;
+  for (const Candidate& c : all) sets.push_back(c.counts(1));
+  const Moments moments(std::move(sets));
+  Measured m, eye;
+  Selection out;
+  if (!run_pilot(scene, small, of_pilot, stop, trace, &moments, m)) return out;
+  small.shares.assign(plan.units.count, eye_paths_alone(settings));
+  if (!run_pilot(scene, small, of_pilot, stop, trace, nullptr, eye)) return out;
+
+  const Chooser chooser(plan.units, all, m, eye, photons);
+  const double whole = chooser.operations_of_all();
+  Chooser::Outcome best, plain = chooser.at(0);
+  double light_share = 1;
+  for (const double n : light_shares)
+    if (Chooser::Outcome o = chooser.at(n); o.score < best.score) best = std::move(o), light_share = n;
+  out.light_paths = plan.light_paths;
+  if (settings.prefers_eye_paths && !(best.score * least_gain < plain.score)) best = plain;
+  if (!settings.prefers_eye_paths && !(best.score * least_gain < whole)) return out;
+  out.gain = whole / best.score;
+  bool whole_paths = false;
+  for (const size_t j : best.choice) {
+    out.shares.push_back(all[j].share);
+    whole_paths |= all[j].needs_whole_paths();
+  }
+  out.light_paths = std::max(64u, uint32_t(plan.light_paths * (whole_paths ? light_share : eye_light_share)));
+  for (size_t s = 0; s < plan.units.sensors(); ++s) {
+    SensorChoice& sensor = out.sensors.emplace_back();
+    const bool camera = s < scene.cameras.size();
+    const uint32_t light = camera ? UPS_TECHNIQUE_SENSOR_CONNECT : UPS_TECHNIQUE_SENSOR_HIT;
+    double variance = 0;
+    sensor.techniques = settings.techniques & (UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE);
+    for (uint32_t u = plan.units.begin(s); u < plan.units.end(s); ++u) {
+      const TechniqueShare& share = out.shares[u];
+      if (share.connect) sensor.techniques |= UPS_TECHNIQUE_CONNECT;
+      if (share.light) sensor.techniques |= light & settings.techniques;
+      if (share.merge != TechniqueShare::no_merge) sensor.techniques |= UPS_TECHNIQUE_MERGE;
+      sensor.merges_all |= share.merge == TechniqueShare::merge_all;
+      variance += best.variance_ratio[u] / (plan.units.end(s) - plan.units.begin(s));
+    }
+    sensor.gain = whole / (variance * best.operations);
+  }
+  return out;
+}
+
+}  // namespace ups

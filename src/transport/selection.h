@@ -1,0 +1,53 @@
+// Which techniques pay: for each set of meters and each tile of an image, from second moments that a pilot measures and
+// from counted operations, never from the clock. What the pilot finds is thrown away, so the choice changes no
+// expectation. After Grittmann et al. 2022, Efficiency-aware multiple importance sampling, with the weights' own sums.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "base/parallel.h"
+#include "transport/iteration.h"
+#include "transport/tally.h"
+
+namespace ups {
+
+// Second moments of sets of techniques, beyond that of the set that is traced.
+class Moments {
+ public:
+  explicit Moments(std::vector<mis::Classes> sets) : sets_(std::move(sets)) {}
+  size_t count() const { return sets_.size(); }
+  // Of one sensor's row of sums: an excess a set, then of its eye paths sum and square, and light paths' squares.
+  size_t row() const { return sets_.size() + 3; }
+  void add_eye_path(double value, double* of_row) const {
+    of_row[sets_.size()] += value, of_row[sets_.size() + 1] += value * value;
+  }
+  void add_light_path(double value, const mis::Classes& relative, double* of_row) const {
+    add(value, relative, of_row);
+    of_row[sets_.size() + 2] += value * value;
+  }
+  // A contribution of weight w = 1 / sum(relative densities) in the traced set: E[v^2] becomes E[v^2 D / D_j].
+  void add(double value, const mis::Classes& relative, double* excess) const;
+
+ private:
+  std::vector<mis::Classes> sets_;  // counts of each class over those traced
+};
+
+// Predicted for one sensor.
+struct SensorChoice {
+  uint32_t techniques = 0;   // UPS_TECHNIQUE_* in some of its parts
+  bool merges_all = false;   // in some of them; else where a light path has met nothing but casters
+  double gain = 1;           // in efficiency, 1 / (variance x operations), over all techniques
+};
+struct Selection {
+  uint32_t light_paths = 0;
+  std::vector<TechniqueShare> shares;  // by Units
+  std::vector<SensorChoice> sensors;   // cameras, then sets of meters
+  double gain = 1;
+};
+
+// trace: one iteration of the plan that it is given. Chooses nothing once `stop` is set.
+using TraceIteration = std::function<bool(const Iteration&, IterationTally&)>;
+Selection select_techniques(const Snapshot& scene, const Plan& plan, const TransportSettings& settings,
+                            const StopSignal& stop, const TraceIteration& trace);
+
+}  // namespace ups
