@@ -31,14 +31,15 @@ void Integrator::choose_first_radii(const StopSignal& stop) {
 }
 
 void Integrator::select(const StopSignal& stop) {
-  selection_ = select_techniques(*scene_, plan_, settings_, stop,
+  const EmissionGuide guide = settings_.has(UPS_TECHNIQUE_MERGE) ? train_guide(stop) : EmissionGuide();
+  selection_ = select_techniques(*scene_, plan_, settings_, guide, stop,
                                  [this](const Iteration& in, IterationTally& tally) { return trace(in, tally); });
   if (selection_.shares.empty()) return;
   plan_.light_paths = selection_.light_paths;
   plan_.shares = selection_.shares;
   settings_.techniques = 0;
   for (const SensorChoice& s : selection_.sensors) settings_.techniques |= s.techniques;
-  if (plan_.traces_caustics_alone() && settings_.has(UPS_TECHNIQUE_MERGE)) train_guide(stop);
+  if (plan_.traces_caustics_alone()) plan_.guide = guide;
   if (settings_.has(UPS_TECHNIQUE_MERGE)) return;
   plan_.pixel_radius.clear(), plan_.meter_radius.clear(), plan_.meter_spacing.clear();
   plan_.walk_radius = 0;
@@ -77,25 +78,26 @@ void reset(const Iteration& in, IterationTally& tally) {
 }  // namespace
 
 // Light paths for caustics alone start towards what focuses light. Each round finds more of that than the one before.
-void Integrator::train_guide(const StopSignal& stop) {
+EmissionGuide Integrator::train_guide(const StopSignal& stop) {
   constexpr uint32_t rounds = 4, paths = 1u << 12;
   GuideTraining training;
   Plan small = plan_;
   small.light_paths = paths;
+  small.shares.assign(plan_.units.count, {false, false, TechniqueShare::merge_caustics});
   TransportSettings of_pilot = settings_;
-  of_pilot.seed = ~settings_.seed;
+  of_pilot.seed = mix64(~settings_.seed);  // not the numbers of the pilots that choose
   for (uint32_t k = 0; k < rounds; ++k) {
-    Iteration in = Iteration::of_pilot(*scene_, small, of_pilot, k, stop, Stream::guide);
+    Iteration in = Iteration::of_pilot(*scene_, small, of_pilot, k, stop, Stream::pilot);
     in.trains_guide = true;
     IterationTally tally;
     reset(in, tally);
     trace_light_paths(in, SensorIndex(in, pool_), pool_, tally);
-    if (stop.is_set()) return;
+    if (stop.is_set()) break;
     for (const IterationTally::Start& s : tally.starts)
       training.add(scene_->emitters, small.guide, s.emitter, s.square, double(s.flux));
     small.guide = EmissionGuide(scene_->emitters, training);
   }
-  plan_.guide = std::move(small.guide);
+  return small.guide;
 }
 
 bool Integrator::trace(const Iteration& in, IterationTally& tally) {

@@ -28,7 +28,7 @@ class Integrator {
  private:
   void choose_first_radii(const StopSignal& stop);
   void select(const StopSignal& stop);
-  void train_guide(const StopSignal& stop);
+  EmissionGuide train_guide(const StopSignal& stop);
   bool trace(const Iteration& in, IterationTally& tally);
   std::shared_ptr<const Snapshot> scene_;
   TransportSettings settings_;

@@ -24,7 +24,6 @@ class Stream {
   enum Kind : uint32_t {
     light,        // light paths
     pilot,        // those that merge radii are fitted to, and techniques chosen by
-    guide,        // those that learn where light paths start
     flux,         // those that only book flux
     camera,       // eye paths, by camera
     illuminance,  // those from what a camera's pixels see, by camera

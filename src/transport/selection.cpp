@@ -22,31 +22,30 @@ namespace {
 
 constexpr uint32_t pilot_rounds = 3, pilot_paths = 1u << 12;
 constexpr double least_gain = 1.15;  // below, the choice stays as it would be without a pilot
-constexpr double eye_light_share = 1.0 / 16;  // of the light paths, where only caustics need them
 
 // A set of techniques that a sensor's part may take, at a share of the light paths.
 struct Candidate {
   double light_paths;  // over those of the plan
   TechniqueShare share;
-  bool needs_light() const { return share.connect || share.light || share.merge != TechniqueShare::no_merge; }
   bool needs_whole_paths() const { return share.connect || share.light || share.merge == TechniqueShare::merge_all; }
-  // photons: light paths of the plan over those of the pilot, which merge within the same radii.
-  mis::Classes counts(double photons) const {
+  // More photons than a pilot's are not taken to help: they share their noise with each other.
+  mis::Classes counts() const {
     return {.eye = 1,
             .connect = double(share.connect),
             .light = light_paths * share.light,
-            .caustic = photons * light_paths * (share.merge != TechniqueShare::no_merge),
-            .merge = photons * light_paths * (share.merge == TechniqueShare::merge_all)};
+            .caustic = light_paths * (share.merge != TechniqueShare::no_merge),
+            .merge = light_paths * (share.merge == TechniqueShare::merge_all)};
   }
 };
 
-constexpr double light_shares[] = {1.0, 1.0 / 4, eye_light_share};
+constexpr double light_shares[] = {1.0, 1.0 / 4, 1.0 / 16};
+constexpr double caustic_shares[] = {1.0 / 64, 1.0 / 4};  // where only caustics need light paths
 
 TechniqueShare eye_paths_alone(const TransportSettings& s) {
   return {false, false, s.has(UPS_TECHNIQUE_MERGE) ? TechniqueShare::merge_caustics : TechniqueShare::no_merge};
 }
 
-// The first has all techniques, the last eye paths alone with the caustics that these need.
+// The first has all techniques.
 std::vector<Candidate> candidates(const TransportSettings& s) {
   std::vector<Candidate> out;
   for (const double n : light_shares)
@@ -56,10 +55,9 @@ std::vector<Candidate> candidates(const TransportSettings& s) {
           const bool possible = (merge == TechniqueShare::no_merge) != s.has(UPS_TECHNIQUE_MERGE) &&
                                 (!connect || s.has(UPS_TECHNIQUE_CONNECT)) &&
                                 (!light || s.has(UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_SENSOR_HIT));
-          const Candidate c{n, {connect, light, merge}};
-          if (possible && c.needs_whole_paths()) out.push_back(c);
+          if (possible) out.push_back({n, {connect, light, merge}});
         }
-  out.push_back({eye_light_share, eye_paths_alone(s)});
+  for (const double n : caustic_shares) out.push_back({n, eye_paths_alone(s)});
   return out;
 }
 
@@ -77,14 +75,15 @@ struct Costs {
   double eye = 0, connect = 0, merge = 0, light = 0, caustic_light = 0;
 };
 Costs costs_of(const Measured& m, double photons) {
+  constexpr double start = 4;  // of a light path: its emitter and direction
   const double light_rays = double(m.light.rays), vertices = double(m.light.light_vertices),
                paths = std::max<double>(1, double(m.light.light_paths));
   Costs c;
   c.eye = double(m.all.rays) - light_rays - double(m.all.connections);
   c.connect = double(m.all.connections) * (1 + 0.25 * vertices / paths);
   c.merge = 0.5 * photons * double(m.all.merges - m.light.merges) + 0.2 * double(m.all.eye_paths);
-  c.light = light_rays + 0.5 * vertices + 0.5 * photons * double(m.light.merges);
-  c.caustic_light = 1.5 * double(m.light.caster_rays);
+  c.light = start * paths + light_rays + 0.5 * vertices + 0.5 * photons * double(m.light.merges);
+  c.caustic_light = start * paths + 1.5 * double(m.light.caster_rays);
   return c;
 }
 
@@ -192,38 +191,41 @@ void pool_tiles(const Units& units, size_t camera, Measured& m) {
 
 class Chooser {
  public:
-  Chooser(const Units& units, const std::vector<Candidate>& all, const Measured& m, const Measured& eye,
-          double photons)
-      : units_(units), all_(all), m_(m), eye_(eye), cost_(costs_of(m, photons)) {}
+  Chooser(const Units& units, const std::vector<Candidate>& all, const Measured& m, const Measured (&eye)[2],
+          double photons, const Snapshot& scene)
+      : units_(units), all_(all), m_(m), eye_(eye), cost_(costs_of(m, photons)), needs_landings_(units.count) {
+    // A point's light by way of mirrors alone meets a cell, where nothing is merged, by landing.
+    for (size_t s = 0; s < scene.meter_sets.size(); ++s)
+      needs_landings_[units.of_set(s)] = scene.meter_sets[s].is_cell() && !scene.effects.path_tracing_complete;
+  }
 
   // The best at one number of light paths, each unit by itself.
   struct Outcome {
     std::vector<size_t> choice;  // index of a candidate, by unit
     std::vector<double> variance_ratio;
-    double operations = 0, score = INFINITY;
+    double operations = 0, score = INFINITY, light_paths = 1;
   };
-  // light_paths 0: eye paths alone.
-  Outcome at(double light_paths) const {
+  // whole: with techniques that need whole light paths in some units.
+  Outcome at(double light_paths, bool whole) const {
     Outcome out;
-    const double shared = light_paths * cost_.light / double(units_.count);
+    const double shared = light_paths * (whole ? cost_.light : cost_.caustic_light);
     for (uint32_t u = 0; u < units_.count; ++u) {
       size_t best = all_.size();
       double least = INFINITY;
       for (size_t j = 0; j < all_.size(); ++j) {
-        const bool whole = all_[j].needs_whole_paths();
-        if (whole && all_[j].light_paths != light_paths) continue;
-        const double light = whole ? shared : 0;
-        const double score = ratio(u, j) * (eye_operations(u, j) + light);
+        if (all_[j].light_paths != light_paths || (all_[j].needs_whole_paths() && !whole)) continue;
+        if (needs_landings_[u] && !all_[j].share.light) continue;
+        const double score = ratio(u, j) * (eye_operations(u, j) + shared / units_.count);
         if (score < least) least = score, best = j;
       }
+      if (best == all_.size()) return {};
       out.choice.push_back(best);
       out.variance_ratio.push_back(ratio(u, best));
       out.operations += eye_operations(u, best);
     }
-    bool light = false, whole = false;
-    for (const size_t j : out.choice) light |= all_[j].needs_light(), whole |= all_[j].needs_whole_paths();
-    out.operations += whole ? light_paths * cost_.light : light ? eye_light_share * cost_.caustic_light : 0.0;
+    out.operations += shared;
     out.score = mean_over_sensors(out.variance_ratio) * out.operations;
+    out.light_paths = light_paths;
     return out;
   }
   double operations_of_all() const {
@@ -243,10 +245,11 @@ class Chooser {
   }
 
  private:
-  // Eye paths alone have a pilot of their own: stratification helps them more than those that meet photons. The others
-  // are told from that of all techniques, by what their moments would add to it.
+  // Eye paths alone have pilots of their own: stratification helps them more than those that meet photons, and a guide
+  // their photons. What leaving out others adds to the variance of all is told by moments.
   double variance(uint32_t u, size_t j) const {
-    if (!all_[j].needs_whole_paths()) return eye_.variance[u];
+    if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
+    if (!all_[j].needs_whole_paths()) return eye_[all_[j].light_paths > caustic_shares[0]].variance[u];
     const double traced = m_.independent[u];
     return traced > 0 ? m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, 1.0) : m_.variance[u];
   }
@@ -265,7 +268,9 @@ class Chooser {
 
   const Units& units_;
   const std::vector<Candidate>& all_;
-  const Measured &m_, &eye_;
+  const Measured& m_;
+  const Measured (&eye_)[2];  // by caustic_shares
+  std::vector<bool> needs_landings_;
   const Costs cost_;
 };
 
@@ -284,6 +289,8 @@ Plan pilot_plan(const Snapshot& scene, const Plan& plan, const TransportSettings
   pilot.meter_subsets = plan.meter_subsets * uint32_t(times | 1);
   return pilot;
 }
+
+uint32_t light_paths_of(const Plan& plan, double share) { return std::max(64u, uint32_t(plan.light_paths * share)); }
 
 bool run_pilot(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, const StopSignal& stop,
                const TraceIteration& trace, const Moments* moments, Measured& out) {
@@ -305,37 +312,39 @@ bool run_pilot(const Snapshot& scene, const Plan& plan, const TransportSettings&
 }  // namespace
 
 Selection select_techniques(const Snapshot& scene, const Plan& plan, const TransportSettings& settings,
-                            const StopSignal& stop, const TraceIteration& trace) {
+                            const EmissionGuide& guide, const StopSignal& stop, const TraceIteration& trace) {
   const std::vector<Candidate> all = candidates(settings);
   TransportSettings of_pilot = settings;
   of_pilot.seed = ~settings.seed;
   Plan small = pilot_plan(scene, plan, settings);
   const double photons = double(plan.light_paths) / small.light_paths;
   std::vector<mis::Classes> sets;
-  for (const Candidate& c : all) sets.push_back(c.counts(1));
+  for (const Candidate& c : all) sets.push_back(c.counts());
   const Moments moments(std::move(sets));
-  Measured m, eye;
+  Measured m, eye[2];
   Selection out;
   if (!run_pilot(scene, small, of_pilot, stop, trace, &moments, m)) return out;
   small.shares.assign(plan.units.count, eye_paths_alone(settings));
-  if (!run_pilot(scene, small, of_pilot, stop, trace, nullptr, eye)) return out;
+  small.guide = guide;
+  for (int i = 0; i < 2; ++i) {
+    small.light_paths = light_paths_of(plan, caustic_shares[i]);
+    if (!run_pilot(scene, small, of_pilot, stop, trace, nullptr, eye[i])) return out;
+    if (!settings.has(UPS_TECHNIQUE_MERGE)) eye[++i] = eye[0];
+  }
 
-  const Chooser chooser(plan.units, all, m, eye, photons);
+  const Chooser chooser(plan.units, all, m, eye, photons, scene);
   const double whole = chooser.operations_of_all();
-  Chooser::Outcome best, plain = chooser.at(0);
-  double light_share = 1;
-  for (const double n : light_shares)
-    if (Chooser::Outcome o = chooser.at(n); o.score < best.score) best = std::move(o), light_share = n;
-  out.light_paths = plan.light_paths;
-  if (settings.prefers_eye_paths && !(best.score * least_gain < plain.score)) best = plain;
+  Chooser::Outcome best, plain;
+  const auto take = [](Chooser::Outcome& of, Chooser::Outcome o) {
+    if (o.score * least_gain < of.score) of = std::move(o);
+  };
+  for (const double n : caustic_shares) take(plain, chooser.at(n, false));
+  best = plain;
+  for (const double n : light_shares) take(best, chooser.at(n, true));
   if (!settings.prefers_eye_paths && !(best.score * least_gain < whole)) return out;
   out.gain = whole / best.score;
-  bool whole_paths = false;
-  for (const size_t j : best.choice) {
-    out.shares.push_back(all[j].share);
-    whole_paths |= all[j].needs_whole_paths();
-  }
-  out.light_paths = std::max(64u, uint32_t(plan.light_paths * (whole_paths ? light_share : eye_light_share)));
+  out.light_paths = light_paths_of(plan, best.light_paths);
+  for (const size_t j : best.choice) out.shares.push_back(all[j].share);
   for (size_t s = 0; s < plan.units.sensors(); ++s) {
     SensorChoice& sensor = out.sensors.emplace_back();
     const bool camera = s < scene.cameras.size();

@@ -45,9 +45,10 @@ struct Selection {
   double gain = 1;
 };
 
-// trace: one iteration of the plan that it is given. Chooses nothing once `stop` is set.
+// trace: one iteration of the plan that it is given. guide: where light paths start that only caustics need. Chooses
+// nothing once `stop` is set.
 using TraceIteration = std::function<bool(const Iteration&, IterationTally&)>;
 Selection select_techniques(const Snapshot& scene, const Plan& plan, const TransportSettings& settings,
-                            const StopSignal& stop, const TraceIteration& trace);
+                            const EmissionGuide& guide, const StopSignal& stop, const TraceIteration& trace);
 
 }  // namespace ups

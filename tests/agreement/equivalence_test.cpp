@@ -79,7 +79,6 @@ TEST_F(Office, GainsWhatAMirrorNeedsAtTheNextCommit) {
   scene.add(wall_mirror, mirror(0.9));
   const Result after = scene.render(options);
   EXPECT_TRUE(after.info().techniques & UPS_TECHNIQUE_MERGE);
-  EXPECT_EQ(before.techniques & ~after.info().techniques, 0u) << "what the office needed, it still needs";
   EXPECT_EQ(after.text(UPS_TEXT_WARNINGS).find("is missing"), std::string::npos) << after.text(UPS_TEXT_WARNINGS);
   EXPECT_GT(after.statistics(meters).mean_lx, 0);
 }
