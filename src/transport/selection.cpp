@@ -10,6 +10,8 @@ namespace ups {
 void Moments::add(double value, const mis::Classes& relative, double* excess) const {
   const double square = value * value, sum = relative.sum();
   if (!(square > 0) || !std::isfinite(square)) return;
+  excess[count() + 3] += value;
+  excess[count() + 4] += value * relative.caustic / sum;
   for (size_t j = 0; j < sets_.size(); ++j) {
     const mis::Classes& f = sets_[j];
     const double own = f.eye * relative.eye + f.connect * relative.connect + f.light * relative.light +
@@ -21,6 +23,9 @@ void Moments::add(double value, const mis::Classes& relative, double* excess) co
 namespace {
 
 constexpr uint32_t pilot_rounds = 3, pilot_paths = 1u << 12;
+// Where caustics are more of the light, a pilot is too short to see how rare their brightest photons are: light paths
+// stay whole and many.
+constexpr double most_caustic = 0.02;
 constexpr double least_gain = 1.15;  // below, the choice stays as it would be without a pilot
 
 // A set of techniques that a sensor's part may take, at a share of the light paths.
@@ -63,11 +68,12 @@ std::vector<Candidate> candidates(const TransportSettings& s) {
 
 // What a pilot measured, by unit.
 struct Measured {
-  std::vector<double> variance;              // of an iteration
-  std::vector<double> independent;           // the same, had its samples not been stratified
-  std::vector<std::vector<double>> excess;   // of each set of techniques over that
-  std::vector<double> eye_share;             // of all eye paths
-  WorkCounts light, all;
+  std::vector<double> variance;             // of an iteration
+  std::vector<double> independent;          // the same, had its samples not been stratified
+  std::vector<std::vector<double>> excess;  // of each set of techniques over that
+  std::vector<double> eye_share;            // of all eye paths
+  std::vector<double> light, caustic;       // what was found, and by photons of caustics
+  WorkCounts light_work, all;
 };
 
 // Counted operations in units of a ray that is traced and shaded.
@@ -76,14 +82,14 @@ struct Costs {
 };
 Costs costs_of(const Measured& m, double photons) {
   constexpr double start = 4;  // of a light path: its emitter and direction
-  const double light_rays = double(m.light.rays), vertices = double(m.light.light_vertices),
-               paths = std::max<double>(1, double(m.light.light_paths));
+  const double light_rays = double(m.light_work.rays), vertices = double(m.light_work.light_vertices),
+               paths = std::max<double>(1, double(m.light_work.light_paths));
   Costs c;
   c.eye = double(m.all.rays) - light_rays - double(m.all.connections);
   c.connect = double(m.all.connections) * (1 + 0.25 * vertices / paths);
-  c.merge = 0.5 * photons * double(m.all.merges - m.light.merges) + 0.2 * double(m.all.eye_paths);
-  c.light = start * paths + light_rays + 0.5 * vertices + 0.5 * photons * double(m.light.merges);
-  c.caustic_light = start * paths + 1.5 * double(m.light.caster_rays);
+  c.merge = 0.5 * photons * double(m.all.merges - m.light_work.merges) + 0.2 * double(m.all.eye_paths);
+  c.light = start * paths + light_rays + 0.5 * vertices + 0.5 * photons * double(m.light_work.merges);
+  c.caustic_light = start * paths + 1.5 * double(m.light_work.caster_rays);
   return c;
 }
 
@@ -99,7 +105,7 @@ class Pilot {
   // moments: null where only the variance of what it traces is asked for.
   Pilot(const Snapshot& scene, const Plan& plan, const Moments* moments)
       : scene_(scene), plan_(plan), sets_(moments ? moments->count() : 0), row_(moments ? moments->row() : 0) {
-    for (auto* v : {&m_.variance, &m_.independent, &m_.eye_share}) v->resize(plan.units.count);
+    for (auto* v : {&m_.variance, &m_.independent, &m_.eye_share, &m_.light, &m_.caustic}) v->resize(plan.units.count);
     m_.excess.assign(plan.units.count, std::vector<double>(sets_));
     for (const Camera& c : scene.cameras) points_.emplace_back(c.pixel_count());
     for (const MeterSet& s : scene.meter_sets) points_.emplace_back(s.meters.size());
@@ -132,7 +138,7 @@ class Pilot {
         if (row_) take(units.of_set(s), &tally.excess_of_meters[s][i * row_], 1, plan_.meter_samples, point);
       }
     m_.all.add(tally.work);
-    m_.light.add(tally.light_work);
+    m_.light_work.add(tally.light_work);
   }
 
   const Measured& measured() {
@@ -162,6 +168,8 @@ class Pilot {
   void take(uint32_t unit, const double* row, double scale, uint32_t eye_paths, Point& point) {
     for (size_t j = 0; j < sets_; ++j) m_.excess[unit][j] += row[j] * scale / pilot_rounds;
     m_.independent[unit] += row[sets_ + 2] * scale / pilot_rounds;
+    m_.light[unit] += row[sets_ + 3] * scale;
+    m_.caustic[unit] += row[sets_ + 4] * scale;
     point.of_paths.sum += row[sets_], point.of_paths.square += row[sets_ + 1], point.of_paths.count += eye_paths;
   }
 
@@ -191,9 +199,9 @@ void pool_tiles(const Units& units, size_t camera, Measured& m) {
 
 class Chooser {
  public:
-  Chooser(const Units& units, const std::vector<Candidate>& all, const Measured& m, const Measured (&eye)[2],
-          double photons, const Snapshot& scene)
-      : units_(units), all_(all), m_(m), eye_(eye), cost_(costs_of(m, photons)), needs_landings_(units.count) {
+  Chooser(const Units& units, const std::vector<Candidate>& all, const Measured& m, const Measured& eye, double photons,
+          const Snapshot& scene)
+      : units_(units), all_(all), m_(m), eye_(eye), needs_landings_(units.count), cost_(costs_of(m, photons)) {
     // A point's light by way of mirrors alone meets a cell, where nothing is merged, by landing.
     for (size_t s = 0; s < scene.meter_sets.size(); ++s)
       needs_landings_[units.of_set(s)] = scene.meter_sets[s].is_cell() && !scene.effects.path_tracing_complete;
@@ -245,11 +253,13 @@ class Chooser {
   }
 
  private:
-  // Eye paths alone have pilots of their own: stratification helps them more than those that meet photons, and a guide
-  // their photons. What leaving out others adds to the variance of all is told by moments.
+  // Eye paths alone have a pilot of their own: stratification helps them more than those that meet photons, and a guide
+  // their photons. What leaving out others, or photons of theirs, adds to the variance is told by moments.
   double variance(uint32_t u, size_t j) const {
     if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
-    if (!all_[j].needs_whole_paths()) return eye_[all_[j].light_paths > caustic_shares[0]].variance[u];
+    if (!all_[j].needs_whole_paths() && eye_.caustic[u] > most_caustic * eye_.light[u]) return INFINITY;
+    if (!all_[j].needs_whole_paths())
+      return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0);
     const double traced = m_.independent[u];
     return traced > 0 ? m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, 1.0) : m_.variance[u];
   }
@@ -268,8 +278,7 @@ class Chooser {
 
   const Units& units_;
   const std::vector<Candidate>& all_;
-  const Measured& m_;
-  const Measured (&eye_)[2];  // by caustic_shares
+  const Measured &m_, &eye_;
   std::vector<bool> needs_landings_;
   const Costs cost_;
 };
@@ -297,8 +306,8 @@ bool run_pilot(const Snapshot& scene, const Plan& plan, const TransportSettings&
   Pilot pilot(scene, plan, moments);
   IterationTally tally;
   for (uint32_t k = 0; k < pilot_rounds; ++k) {  // the same pixels and meters again
-    Iteration in = Iteration::of_pilot(scene, plan, settings, k * plan.camera_subsets * plan.meter_subsets, stop,
-                                       Stream::pilot);
+    Iteration in =
+        Iteration::of_pilot(scene, plan, settings, k * plan.camera_subsets * plan.meter_subsets, stop, Stream::pilot);
     in.light_visit = in.camera_visit = in.meter_visit = {k, 0};
     in.moments = moments;
     if (!trace(in, tally)) return false;
@@ -321,16 +330,15 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   std::vector<mis::Classes> sets;
   for (const Candidate& c : all) sets.push_back(c.counts());
   const Moments moments(std::move(sets));
-  Measured m, eye[2];
+  Measured m, eye;
   Selection out;
   if (!run_pilot(scene, small, of_pilot, stop, trace, &moments, m)) return out;
   small.shares.assign(plan.units.count, eye_paths_alone(settings));
   small.guide = guide;
-  for (int i = 0; i < 2; ++i) {
-    small.light_paths = light_paths_of(plan, caustic_shares[i]);
-    if (!run_pilot(scene, small, of_pilot, stop, trace, nullptr, eye[i])) return out;
-    if (!settings.has(UPS_TECHNIQUE_MERGE)) eye[++i] = eye[0];
-  }
+  small.light_paths = light_paths_of(plan, caustic_shares[1]);
+  const double fewer = caustic_shares[0] / caustic_shares[1];
+  const Moments fewer_photons({{.eye = 1, .caustic = fewer}});
+  if (!run_pilot(scene, small, of_pilot, stop, trace, &fewer_photons, eye)) return out;
 
   const Chooser chooser(plan.units, all, m, eye, photons, scene);
   const double whole = chooser.operations_of_all();

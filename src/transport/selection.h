@@ -16,8 +16,9 @@ class Moments {
  public:
   explicit Moments(std::vector<mis::Classes> sets) : sets_(std::move(sets)) {}
   size_t count() const { return sets_.size(); }
-  // Of one sensor's row of sums: an excess a set, then of its eye paths sum and square, and light paths' squares.
-  size_t row() const { return sets_.size() + 3; }
+  // Of one sensor's row of sums: an excess a set, then of its eye paths sum and square, light paths' squares, and all
+  // light and that by photons of caustics.
+  size_t row() const { return sets_.size() + 5; }
   void add_eye_path(double value, double* of_row) const {
     of_row[sets_.size()] += value, of_row[sets_.size() + 1] += value * value;
   }
@@ -34,9 +35,9 @@ class Moments {
 
 // Predicted for one sensor.
 struct SensorChoice {
-  uint32_t techniques = 0;   // UPS_TECHNIQUE_* in some of its parts
-  bool merges_all = false;   // in some of them; else where a light path has met nothing but casters
-  double gain = 1;           // in efficiency, 1 / (variance x operations), over all techniques
+  uint32_t techniques = 0;  // UPS_TECHNIQUE_* in some of its parts
+  bool merges_all = false;  // in some of them; else where a light path has met nothing but casters
+  double gain = 1;          // in efficiency, 1 / (variance x operations), over all techniques
 };
 struct Selection {
   uint32_t light_paths = 0;
