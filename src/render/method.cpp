@@ -122,13 +122,12 @@ void tell_selection(const Integrator& integrator, MethodChoice& method) {
   const bool light = integrator.settings().traces_light();
   method.method = light ? UPS_METHOD_UPS : UPS_METHOD_PATH_TRACING;
   method.text = words(scene, method.techniques, sensors_of(scene), true);
-  method.text += light
-                     ? "light paths: " + std::to_string(chosen.light_paths) + " an iteration" +
-                           (integrator.plan().traces_caustics_alone()
-                                ? ", for what mirrors, glass and gloss focus alone: all other light is found from the "
-                                  "sensors\n"
-                                : "\n")
-                     : "light paths: none: all light is found from the sensors\n";
+  method.text += light ? "light paths: " + std::to_string(chosen.light_paths) + " an iteration" +
+                             (integrator.plan().traces_caustics_alone()
+                                  ? ", for what mirrors, glass and gloss focus alone: all other light is found from the "
+                                    "sensors\n"
+                                  : "\n")
+                       : "light paths: none: all light is found from the sensors\n";
   for (size_t i = 0; i < chosen.sensors.size(); ++i) {
     const SensorChoice& sensor = chosen.sensors[i];
     const bool camera = i < scene.cameras.size();
@@ -137,12 +136,9 @@ void tell_selection(const Integrator& integrator, MethodChoice& method) {
     std::snprintf(gain, sizeof gain, "predicted: %.2g times as fast as all techniques", sensor.gain);
     method.text += (camera ? "camera " + std::to_string(scene.camera_ids[i])
                            : "meters " + std::to_string(scene.meter_set_ids[i - scene.cameras.size()])) +
-                   ": eye paths" + (uses(connect) ? ", connections" : "") + (uses(sensor_connect) ? ", splats" : "") +
-                   (uses(sensor_hit) ? ", landings" : "") +
-                   (sensor.merges_all ? ", photons"
-                    : uses(merge)     ? ", caustic photons"
-                                      : "") +
-                   "; " + gain + "\n";
+                   ": eye paths" + (uses(connect) ? ", connections" : "") +
+                   (uses(sensor_connect) ? ", splats" : "") + (uses(sensor_hit) ? ", landings" : "") +
+                   (sensor.merges_all ? ", photons" : uses(merge) ? ", caustic photons" : "") + "; " + gain + "\n";
   }
 }
 

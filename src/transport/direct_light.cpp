@@ -45,8 +45,7 @@ void DirectLight::find(const Iteration& in, ThreadPool& pool, WorkCounts& work) 
 
 void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& work) {
   const Meter& meter = in.scene.meter_sets[set].meters[m];
-  const EyeEnd eye =
-      meter_end(meter.p, meter.error, meter.frame, {}, in.scene.media_stacks[in.scene.media_of_meter[set][m]]);
+  const EyeEnd eye = meter_end(meter.p, meter.error, meter.frame, {}, in.scene.media_stacks[in.scene.media_of_meter[set][m]]);
   const Arrival arrival{eye.surface};
   static const PerThread<std::vector<std::pair<float, Contribution>>> kept;
   auto& lights = kept.get();

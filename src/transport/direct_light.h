@@ -1,5 +1,5 @@
-// Light straight from emitters without extent to point meters is no matter of chance: one shadow ray each finds it,
-// once a render. It is next-event estimation at the meter's own point (k = 1), which no other technique makes then.
+// Light straight from emitters without extent to point meters is no matter of chance: one shadow ray each finds it, once
+// a render. It is next-event estimation at the meter's own point (k = 1), which no other technique makes then.
 #pragma once
 #include <vector>
 
@@ -30,8 +30,8 @@ class DirectLight {
 
   size_t most_ = 0;  // of a meter: its strongest
   std::vector<uint32_t> emitters_;
-  std::vector<std::vector<OfMeter>> meters_;    // empty sets: cells
-  std::vector<std::vector<double>> separated_;  // a meter by a column, column fastest
+  std::vector<std::vector<OfMeter>> meters_;      // empty sets: cells
+  std::vector<std::vector<double>> separated_;    // a meter by a column, column fastest
 };
 
 }  // namespace ups

@@ -145,8 +145,8 @@ bool goes_through(const Snapshot& scene, const Vec3& d, float& u, Encounter& e) 
   return true;
 }
 
-// A ray that goes on beyond surfaces along its own line: one that is lifted off each of them drifts, and would meet
-// what lies at its end.
+// A ray that goes on beyond surfaces along its own line: one that is lifted off each of them drifts, and would meet what
+// lies at its end.
 struct Ray {
   const Snapshot& scene;
   Vec3 o, d;

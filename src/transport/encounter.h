@@ -51,7 +51,9 @@ struct Encounter {
   }
   // What a ray from the surface towards w runs in.
   const MediaStack& beyond(const Vec3& w) const { return dot(w, surface.ng) < 0 ? back : front; }
-  Bsdf bsdf(const Snapshot& scene) const { return Bsdf(scene.materials[surface.material], surface.uv, relative_ior); }
+  Bsdf bsdf(const Snapshot& scene) const {
+    return Bsdf(scene.materials[surface.material], surface.uv, relative_ior);
+  }
 
  private:
   Rgb transmittance_of_stretches(const Snapshot& scene, float t) const;

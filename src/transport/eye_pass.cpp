@@ -93,8 +93,8 @@ uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_
       if (in.moments) sensor.excess = &tally.excess_of_pixels[c][i * in.moments->row()];
       pairing.assign(first_path + uint32_t(i), sensor);
       const auto sampler = [&](Stream::Kind kind) {
-        return PathSampler(in.settings.seed, {kind, c}, hash_combine(in.camera_visit.batch, pixel),
-                           in.camera_visit.number, in.number, pixel);
+        return PathSampler(in.settings.seed, {kind, c}, hash_combine(in.camera_visit.batch, pixel), in.camera_visit.number,
+                           in.number, pixel);
       };
       PathSampler rng = sampler(Stream::camera);
       const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));

@@ -17,8 +17,8 @@ struct Photons {
 };
 
 // `first_path`: running number of the pass's first eye path, for its pairing with light paths. Returns the next one's.
-uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_t camera, uint32_t first_path,
-                            ThreadPool& pool, IterationTally& tally);
+uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_t camera, uint32_t first_path, ThreadPool& pool,
+                            IterationTally& tally);
 uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, const DirectLight& direct, uint32_t set,
                            uint32_t first_path, ThreadPool& pool, IterationTally& tally);
 

@@ -96,8 +96,8 @@ void EyeWalk::gather(const EyeEnd& eye) {
   const bool arrives = in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT);
   if (arrives && (!in_.settings.actual_perturbation || perturb(eye, arrival))) {
     if (in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE))
-      if (const Found c =
-              sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice), rng_.position(eye.edges)))
+      if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice),
+                                       rng_.position(eye.edges)))
         add(*c, Drop::light_sample);
     if (counts_.connect > 0) connect_one(eye, arrival);
   }
@@ -145,9 +145,8 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
   if (!in_.has(UPS_TECHNIQUE_EMITTER_HIT) && method.eye_end != EyeEndOf::first_surface) return;
   if (method.hits_after_specular && !specular_) return;
   const double pdf_a = edge_.scatter.pdf * met_.pass(distance) * cos_in / (double(distance) * distance);
-  const EyeHit eye{
-      arrive({p, {}}, cos_in, distance), counts_, last_, p, -direction_, pdf_a, edge_.kind == Edge::continuous, edges,
-      carried_ * transmittance};
+  const EyeHit eye{arrive({p, {}}, cos_in, distance), counts_, last_, p, -direction_, pdf_a,
+                   edge_.kind == Edge::continuous, edges, carried_ * transmittance};
   if (const Found c = hit(in_, eye, emitter, primitive)) add(*c, Drop::emitter_hit);
 }
 
@@ -206,8 +205,8 @@ void EyeWalk::merge(const EyeEnd& eye) {
   });
 }
 
-// y_{s+1} of the extended path space (Hachisuka, Pantaleoni, Jensen 2012, section 3) is drawn from the merging kernel
-// on the surface around z_t, and takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the
+// y_{s+1} of the extended path space (Hachisuka, Pantaleoni, Jensen 2012, section 3) is drawn from the merging kernel on
+// the surface around z_t, and takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the
 // normal onto a surface where a photon would be stored and merged; false where there is none: the kernel reaches beyond
 // the surface. Of two such surfaces that close to each other it takes the upper one, where merging counts both.
 bool EyeWalk::perturb(const EyeEnd& eye, Arrival& out) {

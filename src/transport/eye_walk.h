@@ -24,8 +24,8 @@ struct EyeSensor {
   Disc first, later;        // of merges at the first vertex that scatters, or at the meter's point; elsewhere
   uint32_t first_light_vertex = 0, end_light_vertex = 0;  // of the light path that it connects to
   const MediaStack* media = nullptr;
-  double* excess = nullptr;              // of this pixel or meter, where a pilot measures moments
-  float direct_found_from = INFINITY;    // see DirectLight
+  double* excess = nullptr;  // of this pixel or meter, where a pilot measures moments
+  float direct_found_from = INFINITY;  // see DirectLight
   TechniqueTally* techniques = nullptr;  // of the camera, where asked for
   uint32_t pixel = 0;
   MeterTally* separated = nullptr;  // of the meter, a column of Plan::separation each, where asked for

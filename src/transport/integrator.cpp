@@ -9,10 +9,7 @@ namespace ups {
 
 Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
                        const StopSignal& stop)
-    : scene_(std::move(scene)),
-      settings_(settings),
-      pool_(pool),
-      plan_(make_plan(*scene_, settings)),
+    : scene_(std::move(scene)), settings_(settings), pool_(pool), plan_(make_plan(*scene_, settings)),
       direct_(*scene_, plan_, settings_) {
   choose_first_radii(stop);
   for (const auto& radii : plan_.pixel_radius)
@@ -65,8 +62,8 @@ void reset(const Iteration& in, IterationTally& tally) {
   tally.splats.resize(scene.cameras.size());
   const size_t sets = in.moments ? in.moments->row() : 0;
   for (size_t c = 0; c < scene.cameras.size() && sets; ++c) {
-    tally.excess_of_pixels.emplace_back(
-        (scene.cameras[c].pixel_count() / in.plan.camera_subsets + scene.cameras[c].height()) * sets);
+    tally.excess_of_pixels.emplace_back((scene.cameras[c].pixel_count() / in.plan.camera_subsets +
+                                         scene.cameras[c].height()) * sets);
     tally.excess_of_splats.emplace_back(in.plan.units.tiles(c) * sets);
   }
   for (const MeterSet& s : scene.meter_sets) {
@@ -114,7 +111,8 @@ bool Integrator::trace(const Iteration& in, IterationTally& tally) {
     const double pixel_radius2 = plan_.radius2(largest_pixel_radius_, in.camera_shrinkage);
     pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
       const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
-      if (radius > 0) (which == 0 ? photons.of_pixels : photons.of_walks) = PhotonIndex(photons.paths.vertices, radius);
+      if (radius > 0)
+        (which == 0 ? photons.of_pixels : photons.of_walks) = PhotonIndex(photons.paths.vertices, radius);
     });
   }
   uint32_t path = 0;

@@ -1,5 +1,5 @@
-// Everything that is fixed for one iteration, built once and read by both walks: which samples are drawn, how many
-// paths and techniques there are, and the radii within which photons are merged.
+// Everything that is fixed for one iteration, built once and read by both walks: which samples are drawn, how many paths
+// and techniques there are, and the radii within which photons are merged.
 #pragma once
 #include <cmath>
 
@@ -18,8 +18,8 @@ struct Iteration {
   };
 
   // Numbers of a render's own iterations; of a pilot's, which are drawn from a stream of their own.
-  Iteration(const Snapshot& of_scene, const Plan& by_plan, const TransportSettings& by_settings,
-            uint32_t running_number, const StopSignal& stop_signal);
+  Iteration(const Snapshot& of_scene, const Plan& by_plan, const TransportSettings& by_settings, uint32_t running_number,
+            const StopSignal& stop_signal);
   static Iteration of_pilot(const Snapshot& of_scene, const Plan& by_plan, const TransportSettings& by_settings,
                             uint32_t running_number, const StopSignal& stop_signal, Stream stream);
 
@@ -34,7 +34,7 @@ struct Iteration {
   double camera_shrinkage, meter_shrinkage;  // r_i^2 / r_1^2
   double walk_radius2;                       // of merges beyond the first vertex
   bool trains_guide = false;
-  const Moments* moments = nullptr;  // of a pilot that chooses techniques
+  const Moments* moments = nullptr;          // of a pilot that chooses techniques
 
   bool has(uint32_t technique) const { return settings.has(technique); }
   bool weighted() const { return settings.method.weighted; }
@@ -46,8 +46,8 @@ struct Iteration {
   double meter_radius2(size_t s, uint32_t m) const {
     return plan.meter_radius.empty() ? 0 : plan.radius2(plan.meter_radius[s][m], meter_shrinkage);
   }
-  double eta(double radius2) const;          // N pi r^2 where photons are merged
-  double photon_norm(double radius2) const;  // 1 / (N pi r^2)
+  double eta(double radius2) const;                 // N pi r^2 where photons are merged
+  double photon_norm(double radius2) const;         // 1 / (N pi r^2)
   mis::Counts camera_counts(size_t c, uint32_t pixel) const;
   mis::Counts meter_counts(size_t set) const;
   bool merges_at(size_t set) const {

@@ -44,11 +44,10 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
  public:
   LightWalk(const Iteration& in, const SensorIndex& sensors, Block& block, uint32_t path)
       : Subpath(in,
-                {in.settings.seed, in.light_stream, in.light_visit.batch,
-                 in.light_visit.number * in.plan.light_paths + path, in.number, path},
+                {in.settings.seed, in.light_stream, in.light_visit.batch, in.light_visit.number * in.plan.light_paths + path,
+                 in.number, path},
                 block.work),
-        sensors_(sensors),
-        block_(block) {
+        sensors_(sensors), block_(block) {
     counts_ = in.light_counts();
     ends_with_casters_ = in.plan.traces_caustics_alone();
   }
@@ -222,7 +221,8 @@ std::vector<Block> run_blocks(const Iteration& in, const SensorIndex& sensors, T
 
 }  // namespace
 
-LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally) {
+LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool,
+                             IterationTally& tally) {
   const std::vector<Block> blocks = run_blocks(in, sensors, pool);
   LightPaths paths;
   paths.begin.reserve(in.plan.light_paths + 1);
@@ -242,7 +242,7 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
       if (in.moments) {
         const size_t tile = in.plan.units.of_pixel(s.camera, s.splat.pixel) - in.plan.units.begin(s.camera);
         in.moments->add_light_path(luminance(s.splat.value), s.relative,
-                                   &tally.excess_of_splats[s.camera][tile * in.moments->row()]);
+                        &tally.excess_of_splats[s.camera][tile * in.moments->row()]);
       }
       if (!tally.techniques.empty())
         tally.techniques[s.camera].add({Family::path_integration, s.edges, s.edges}, s.splat.pixel, s.splat.value,
@@ -252,8 +252,7 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
       const SensorIndex::Entry& e = sensors.entry(l.disc);
       tally.meters[e.set][e.visited].add(l.value);
       if (in.moments)
-        in.moments->add_light_path(l.value.value, l.relative,
-                                   &tally.excess_of_meters[e.set][e.visited * in.moments->row()]);
+        in.moments->add_light_path(l.value.value, l.relative, &tally.excess_of_meters[e.set][e.visited * in.moments->row()]);
       if (columns)
         tally.separated[e.set][e.visited * columns + in.plan.separation.column_of_emitter[l.emitter]].add(l.value);
     }

@@ -9,7 +9,8 @@
 namespace ups {
 
 // Adds to tally.splats, tally.meters, tally.work; the same bits for any number of threads.
-LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally);
+LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool,
+                             IterationTally& tally);
 
 // What is thrown away after radii are chosen from it.
 struct PilotPaths {

@@ -9,15 +9,15 @@ namespace ups {
 
 struct LightVertex {
   Vec3 p, ng, ns;
-  Vec3 wo;  // towards the vertex before
+  Vec3 wo;   // towards the vertex before
   Vec2 uv;
   Rgb flux;  // lm that this light path carries here; divide by N for a photon
   float error = 0;
   uint32_t material = 0;
-  uint32_t emitter = 0;    // that the path started from
+  uint32_t emitter = 0;  // that the path started from
   float relative_ior = 1;  // where it is of glass, see Encounter
-  uint16_t depth = 0;      // a of x_a
-  bool merge = false;      // photons are merged here: the material's gate and g_1
+  uint16_t depth = 0;   // a of x_a
+  bool merge = false;   // photons are merged here: the material's gate and g_1
   mis::LightState mis;
 
   LightEnd end(const Snapshot& scene) const {

@@ -1,5 +1,5 @@
-// The methods as a table. Nothing else decides what a method does: the walks, the weights, the analysis of missing
-// light and the words read these rows.
+// The methods as a table. Nothing else decides what a method does: the walks, the weights, the analysis of missing light
+// and the words read these rows.
 #pragma once
 #include <cstdint>
 
@@ -8,10 +8,10 @@
 namespace ups {
 
 struct Method {
-  int32_t id;           // UPS_METHOD_*
-  uint32_t techniques;  // UPS_TECHNIQUE_* that it samples
-  // Where its eye walks end: with the path; at the first vertex where photons are merged; at the first surface, of
-  // which they only see what it emits, while a meter's own point samples and connects as a light path's vertex would.
+  int32_t id;            // UPS_METHOD_*
+  uint32_t techniques;   // UPS_TECHNIQUE_* that it samples
+  // Where its eye walks end: with the path; at the first vertex where photons are merged; at the first surface, of which
+  // they only see what it emits, while a meter's own point samples and connects as a light path's vertex would.
   enum class EyeEnd { of_path, first_merge, first_surface } eye_end = EyeEnd::of_path;
   bool hits_after_specular = false;  // emitters are seen directly or through mirrors and glass alone
   bool passes_glossy = false;        // eye walks pass sharp gloss as they pass mirrors

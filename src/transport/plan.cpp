@@ -95,8 +95,8 @@ void set_path_counts(const Snapshot& scene, const TransportSettings& settings, u
   }
   if (!settings.traces_light()) return;
   const bool goniometers = !scene.goniometers.empty();
-  const uint64_t eye =
-      goniometers ? goniometer_paths : pixels / plan.camera_subsets + meters / plan.meter_subsets * plan.meter_samples;
+  const uint64_t eye = goniometers ? goniometer_paths
+                                   : pixels / plan.camera_subsets + meters / plan.meter_subsets * plan.meter_samples;
   const uint32_t least = std::min(most, min_light_paths), largest = goniometers ? goniometer_paths : max_light_paths;
   plan.light_paths = uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), least, std::min(most, largest)));
 }

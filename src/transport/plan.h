@@ -38,7 +38,7 @@ struct TransportSettings {
 // Which techniques a part of the sensors takes beside hits and next-event estimation.
 struct TechniqueShare {
   enum Merge : uint8_t { no_merge, merge_caustics, merge_all };  // caustics: where a light path met casters alone
-  bool connect = true, light = true;                             // light: splats, landings
+  bool connect = true, light = true;                              // light: splats, landings
   Merge merge = merge_all;
 };
 
@@ -67,10 +67,10 @@ class Units {
 
 // Fixed sizes of an iteration.
 struct Plan {
-  uint32_t light_paths = 0;       // N
-  uint32_t camera_subsets = 1;    // every pixel is visited each such many iterations; their subsets interleave
-  uint32_t meter_subsets = 1;     // the same of meters, by eye paths, discs and cells alike; odd, see make_plan()
-  uint32_t meter_samples = 1;     // Ke, a power of two
+  uint32_t light_paths = 0;     // N
+  uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave
+  uint32_t meter_subsets = 1;   // the same of meters, by eye paths, discs and cells alike; odd, see make_plan()
+  uint32_t meter_samples = 1;   // Ke, a power of two
   std::vector<mis::Gates> gates;  // by emitter
   // By emitter: nothing but next-event estimation brings its light straight to a point meter, without chance.
   std::vector<bool> exact;

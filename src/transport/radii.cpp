@@ -107,7 +107,8 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
                   Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE) && !settings.actual_perturbation) return;
   if (settings.merge_radius > 0) return fix_radii(scene, settings.merge_radius, plan);
-  for (size_t c = 0; c < scene.cameras.size(); ++c) plan.pixel_radius.push_back(pixel_radii(scene, c, pool, stop));
+  for (size_t c = 0; c < scene.cameras.size(); ++c)
+    plan.pixel_radius.push_back(pixel_radii(scene, c, pool, stop));
   for (const MeterSet& set : scene.meter_sets) {
     plan.meter_spacing.push_back(meter_spacing(set));
     plan.meter_radius.emplace_back(set.meters.size());

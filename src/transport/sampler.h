@@ -8,19 +8,12 @@ namespace ups {
 
 // What a vertex draws. A light path's vertex 0 is the emitter, an eye path's the sensor.
 enum class Slot {
-  choice,
-  position_x,
-  position_y,  // next-event estimation; a light path's vertex 0: its emitter
-  direction_x,
-  direction_y,
-  lobe,
-  roulette,
-  cell_x,
-  cell_y,                   // a point in a meter's cell
-  pane = cell_x,            // of a later vertex: which panes the edge to it goes through
+  choice, position_x, position_y,  // next-event estimation; a light path's vertex 0: its emitter
+  direction_x, direction_y, lobe, roulette,
+  cell_x, cell_y,  // a point in a meter's cell
+  pane = cell_x,   // of a later vertex: which panes the edge to it goes through
   connection = cell_y + 1,  // which of a vertex's connections gets its shadow ray
-  perturb_x,
-  perturb_y,  // where path integration arrives beside the vertex
+  perturb_x, perturb_y,  // where path integration arrives beside the vertex
   count
 };
 
@@ -84,8 +77,8 @@ class PathSampler {
   // The best dimensions go where most of the variance is: the first two directions, then emitters, lobes, later ones.
   static int sobol_dimension(uint32_t vertex, Slot slot) {
     static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, 0, 1, -1, -1, 18, 19, -1, -1, -1},
-                                                       {9, 10, 11, 2, 3, 8, -1, 7, -1, -1, -1, -1},
-                                                       {15, 16, 17, 12, 13, 14, -1, -1, -1, -1, -1, -1}};
+                                                      {9, 10, 11, 2, 3, 8, -1, 7, -1, -1, -1, -1},
+                                                      {15, 16, 17, 12, 13, 14, -1, -1, -1, -1, -1, -1}};
     return vertex < 3 ? table[vertex][int(slot)] : -1;
   }
 

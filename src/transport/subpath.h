@@ -68,16 +68,12 @@ class Subpath {
   State arrive(const Receiver& at, float cos_in, float distance) const {
     const double d2 = double(distance) * distance, pass = met_.pass(distance);
     if (edge_.kind == Edge::delta) {
-      if constexpr (from_emitter)
-        return mis::light_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
-      else
-        return mis::eye_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
+      if constexpr (from_emitter) return mis::light_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
+      else return mis::eye_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
     }
     if (edge_.kind == Edge::first) return static_cast<const Walk*>(this)->first_state(at, cos_in, d2, pass);
-    if constexpr (from_emitter)
-      return mis::light_step(edge_.state, edge_.scatter, cos_in, d2, pass);
-    else
-      return mis::eye_step(edge_.state, counts_, edge_.scatter, cos_in, d2, pass);
+    if constexpr (from_emitter) return mis::light_step(edge_.state, edge_.scatter, cos_in, d2, pass);
+    else return mis::eye_step(edge_.state, counts_, edge_.scatter, cos_in, d2, pass);
   }
 
   // What the current edge has met, once its light is there; false where nothing scatters on.

@@ -14,15 +14,8 @@ namespace ups {
 // Where a sample was left out because it was not finite: by a technique; or with all the rest of its path, whose
 // throughput no longer was.
 enum class Drop {
-  emitter_hit,
-  light_sample,
-  connect,
-  sensor_connect,
-  merge,
-  sensor_hit,
-  emission,
-  light_walk,
-  eye_walk,
+  emitter_hit, light_sample, connect, sensor_connect, merge, sensor_hit,
+  emission, light_walk, eye_walk,
   count
 };
 inline constexpr const char* drop_names[] = {"emitter_hit", "light_sample", "connect",    "sensor_connect", "merge",

@@ -45,8 +45,8 @@ Found hit(const Iteration& in, const EyeHit& eye, uint32_t index, uint32_t primi
     const double pn_0 = double(emitters.direct_probability(eye.from, index)) * h.pdf_nee_a;
     const double pf_0 = double(in.plan.guide.probability(emitters, index)) * h.pdf_position_a;
     const double emitted = h.pdf_direction_w * in.plan.guide.factor(emitters, index, eye.p, primitive, eye.wo);
-    c.others =
-        mis::others_of_hit(eye.state, eye.counts, in.gates_of(index), pn_0, pf_0, emitted, eye.pdf_a, eye.connectable);
+    c.others = mis::others_of_hit(eye.state, eye.counts, in.gates_of(index), pn_0, pf_0, emitted, eye.pdf_a,
+                                  eye.connectable);
   }
   return c;
 }
@@ -74,8 +74,7 @@ Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, c
   if (is_black(f.value)) return {};
   const MediaStack& media = eye.beyond(s.wi);
   const float scale = terminator(eye, s.wi) * arrival_factor(eye, arrival, s.wi);
-  Contribution c{{Family::path_integration, 1, eye.edges + 1},
-                 choice.index,
+  Contribution c{{Family::path_integration, 1, eye.edges + 1}, choice.index,
                  eye.carried * f.value * s.weight * attenuation_ahead(in.scene, media, s.distance) * scale};
   if (is_black(c.value)) return {};
   if (in.weighted()) {
@@ -96,8 +95,8 @@ Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, c
 Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
                    const Vec2& u_position, float found_from) {
   if (in.is_too_long(eye.edges + 1)) return {};
-  const Receiver at =
-      eye.bsdf ? receiver_at(arrival.surface, eye.wo, *eye.bsdf) : Receiver{arrival.surface.p, eye.surface.ng};
+  const Receiver at = eye.bsdf ? receiver_at(arrival.surface, eye.wo, *eye.bsdf)
+                               : Receiver{arrival.surface.p, eye.surface.ng};
   const EmitterSet::Choice choice = in.scene.emitters.choose_direct(at, u_choice);
   if (!(choice.probability > 0)) return {};
   Found c = light_from(in, n, eye, arrival, choice, u_position);
@@ -124,12 +123,11 @@ Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, cons
   const Scattering f_light = light.evaluate(light_local, TransportMode::importance);
   if (is_black(f_light.value)) return {};
   const MediaStack& media = eye.beyond(d);
-  const float scale =
-      terminator(eye, d) * arrival_factor(eye, arrival, d) * light_correction(light.surface, light.wo, -d) / d2;
-  Contribution c{
-      {Family::path_integration, light.edges + 1, edges},
-      emitter,
-      eye.carried * f_eye.value * light.carried * f_light.value * attenuation_ahead(in.scene, media, distance) * scale};
+  const float scale = terminator(eye, d) * arrival_factor(eye, arrival, d) *
+                      light_correction(light.surface, light.wo, -d) / d2;
+  Contribution c{{Family::path_integration, light.edges + 1, edges}, emitter,
+                 eye.carried * f_eye.value * light.carried * f_light.value *
+                     attenuation_ahead(in.scene, media, distance) * scale};
   c.own = &mis::Classes::connect;
   if (in.weighted()) {
     const double cos_eye = std::abs(dot(d, arrival.surface.ng)), cos_light = std::abs(dot(d, light.surface.ng));
@@ -163,15 +161,14 @@ std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd&
   if (is_black(value)) return {};
   const float pdf_w = camera.pdf_w(-d);
   const MediaStack& media = light.beyond(d);
-  Contribution c{{Family::path_integration, edges, edges},
-                 emitter,
+  Contribution c{{Family::path_integration, edges, edges}, emitter,
                  light.carried * value * attenuation_ahead(in.scene, media, distance) *
                      float(pdf_w / (double(d2) * in.plan.light_paths))};
   if (is_black(c.value)) return {};
   c.own = &mis::Classes::light;
   if (in.weighted())
-    c.others =
-        mis::others_of_splat(light.state, light.scatter(f), n, double(pdf_w) * std::abs(dot(d, light.surface.ng)) / d2);
+    c.others = mis::others_of_splat(light.state, light.scatter(f), n,
+                                    double(pdf_w) * std::abs(dot(d, light.surface.ng)) / d2);
   c.from = light.surface.ray_origin(d);
   c.to = camera.position();
   c.media = &media;
@@ -198,8 +195,7 @@ Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const 
   const Scattering f = eye.evaluate(local, TransportMode::radiance);
   if (is_black(f.value)) return {};
   const double norm = in.photon_norm(radius * radius);
-  Contribution c{{Family::density_estimation, l.depth + 1u, eye.edges + l.depth},
-                 l.emitter,
+  Contribution c{{Family::density_estimation, l.depth + 1u, eye.edges + l.depth}, l.emitter,
                  eye.carried * f.value * l.flux * (float(norm / std::abs(cos_light)) * terminator(eye, l.wo))};
   c.own = l.mis.casters ? &mis::Classes::caustic : &mis::Classes::merge;
   if (in.weighted())
@@ -211,8 +207,7 @@ Contribution land(const Iteration& in, const mis::Counts& n, const mis::LightSta
                   float cos_in, double flux, uint32_t edges, uint32_t emitter) {
   const bool merges = eta > 0;
   const double reverse = cos_in * inv_pi;
-  Contribution c{{merges ? Family::density_estimation : Family::path_integration, edges + 1, edges},
-                 emitter,
+  Contribution c{{merges ? Family::density_estimation : Family::path_integration, edges + 1, edges}, emitter,
                  Rgb(float(flux / (in.plan.light_paths * area)))};
   c.own = !merges ? &mis::Classes::light : state.casters ? &mis::Classes::caustic : &mis::Classes::merge;
   if (in.weighted())

@@ -24,7 +24,7 @@ struct Contribution {
   Rgb value;            // without its weight; of a new edge without what its panes and nested media let pass
   mis::Classes others;  // for a new edge without panes
   Vec3 from, to;        // ends of a new edge
-  const MediaStack* media = nullptr;               // around `from`; null: no new edge
+  const MediaStack* media = nullptr;  // around `from`; null: no new edge
   double mis::Classes::*own = &mis::Classes::eye;  // its class
 
   mis::Classes relative(double pass) const {  // all techniques of the path, this one included
@@ -32,7 +32,9 @@ struct Contribution {
     all.*own += 1;
     return all;
   }
-  double weight(const Iteration& in, double pass) const { return in.weighted() ? mis::weight(pass * others) : 1.0; }
+  double weight(const Iteration& in, double pass) const {
+    return in.weighted() ? mis::weight(pass * others) : 1.0;
+  }
 };
 using Found = std::optional<Contribution>;
 
@@ -47,7 +49,7 @@ struct EyeHit {
   uint32_t edges;
   Rgb carried;
 };
-Found hit(const Iteration& in, const EyeHit& eye, uint32_t emitter, uint32_t primitive);  // s = 0
+Found hit(const Iteration& in, const EyeHit& eye, uint32_t emitter, uint32_t primitive);                  // s = 0
 // Light of one emitter, chosen with a probability; of it at the eye.
 Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // s = 1
                  const EmitterSet::Choice& choice, const Vec2& u_position);

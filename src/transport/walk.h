@@ -64,10 +64,12 @@ inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous() || !bsdf
 inline constexpr float min_merge_cosine = 0.7f, max_merge_height = 0.1f;
 
 // Long walks look up now and then whether they are still wanted.
-inline bool is_stopped(const StopSignal& stop, uint32_t edges) { return edges % 64 == 0 && stop.is_set(); }
+inline bool is_stopped(const StopSignal& stop, uint32_t edges) {
+  return edges % 64 == 0 && stop.is_set();
+}
 
-// The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe, and
-// panes. Its distance along the chain; 0: none. `media`: at the start; `e`: what was met at its end, along `direction`.
+// The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe, and panes. Its
+// distance along the chain; 0: none. `media`: at the start; `e`: what was met at its end, along `direction`.
 inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, MediaStack media, Encounter& e, Vec3& direction) {
   float distance = 0;
   WorkCounts work;

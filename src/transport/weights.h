@@ -126,13 +126,13 @@ inline Classes light_total(const LightState& s, const Counts& n, double pdf_reve
 // At a vertex, or at a meter's own point, where pdf_reverse is 1. The newest terms stay apart for a step: the walk
 // learns only at its end that its newest vertex is x_1.
 struct EyeState {
-  double by_connection = 0;  // the technique that connects to this vertex
-  Classes before;            // settled
-  double newest_merge = 0;   // at the vertex just left
-  double newest_splat = 0;   // t = 1 at the vertex just left
-  double caustic = 0;        // merges from which on, towards the light, all vertices but this one are casters
-  double eta = 0;            // what a merge at this vertex counts
-  bool splats = false;       // by_connection is t = 1
+  double by_connection = 0;   // the technique that connects to this vertex
+  Classes before;             // settled
+  double newest_merge = 0;    // at the vertex just left
+  double newest_splat = 0;    // t = 1 at the vertex just left
+  double caustic = 0;         // merges from which on, towards the light, all vertices but this one are casters
+  double eta = 0;             // what a merge at this vertex counts
+  bool splats = false;        // by_connection is t = 1
 };
 
 // A meter's own point z_1 = x_k, before any edge: eta_sensor = N pi r^2 with the radius there, 0 where photons are not
