@@ -1,4 +1,4 @@
-// Do the recurrences of transport/mis.h give the balance heuristic? Compared with the definition (slow_weights.h) on
+// Do the recurrences of transport/weights.h give the balance heuristic? Compared with the definition (slow_weights.h) on
 // random paths, for every subset of techniques, and at the scales and densities where sums overflow or underflow.
 #include <gtest/gtest.h>
 
