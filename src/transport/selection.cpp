@@ -26,6 +26,8 @@ constexpr uint32_t pilot_rounds = 3, pilot_paths = 1u << 12;
 // Where caustics are more of the light, a pilot is too short to see how rare their brightest photons are: light paths
 // stay whole and many.
 constexpr double most_caustic = 0.02;
+// Nor does it see what eye paths find once in a while only; that of light paths does, and says how much it would be.
+constexpr double most_excess = 20;  // over the variance of all techniques
 constexpr double least_gain = 1.15;  // below, the choice stays as it would be without a pilot
 
 // A set of techniques that a sensor's part may take, at a share of the light paths.
@@ -257,10 +259,11 @@ class Chooser {
   // their photons. What leaving out others, or photons of theirs, adds to the variance is told by moments.
   double variance(uint32_t u, size_t j) const {
     if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
-    if (!all_[j].needs_whole_paths() && eye_.caustic[u] > most_caustic * eye_.light[u]) return INFINITY;
-    if (!all_[j].needs_whole_paths())
-      return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0);
     const double traced = m_.independent[u];
+    if (!all_[j].needs_whole_paths()) {
+      if (eye_.caustic[u] > most_caustic * eye_.light[u] || m_.excess[u].back() > most_excess * traced) return INFINITY;
+      return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0);
+    }
     return traced > 0 ? m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, 1.0) : m_.variance[u];
   }
   // To the variance of all techniques, the first candidate's.
@@ -350,6 +353,7 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   best = plain;
   for (const double n : light_shares) take(best, chooser.at(n, true));
   if (!settings.prefers_eye_paths && !(best.score * least_gain < whole)) return out;
+  if (best.choice.empty()) return out;
   out.gain = whole / best.score;
   out.light_paths = light_paths_of(plan, best.light_paths);
   for (const size_t j : best.choice) out.shares.push_back(all[j].share);
