@@ -217,6 +217,13 @@ namespace Ups
         Failed = 3,
     }
 
+    public enum Photons : int
+    {
+        None = 0,
+        Caustic = 1,
+        All = 2,
+    }
+
     public enum SourceKind : int
     {
         Luminaire = 0,
@@ -1038,6 +1045,20 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct SensorChoice
+    {
+        public uint StructSize;
+        public uint Techniques;
+        public uint LightPathsPerIteration;
+        public Photons Photons;
+        public double PredictedGain;
+        internal static SensorChoice Sized()
+        {
+            return new SensorChoice { StructSize = (uint)sizeof(SensorChoice) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct SourceInfo
     {
         public uint StructSize;
@@ -1317,6 +1338,8 @@ namespace Ups
         internal static extern void ups_job_destroy(IntPtr job);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_info(ResultHandle result, ResultInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_choice(ResultHandle result, SensorId sensor, SensorChoice* choice);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_meters(ResultHandle result, SensorId sensor, MeterReading* @out,
             UIntPtr count);

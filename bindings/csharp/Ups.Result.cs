@@ -54,6 +54,14 @@ namespace Ups
             }
         }
 
+        /// <summary>How the light of a camera, a meter set or a goniometer is found.</summary>
+        public SensorChoice Choice(SensorId sensor)
+        {
+            var choice = SensorChoice.Sized();
+            Library.Check(Native.ups_result_get_choice(Handle, sensor, &choice));
+            return choice;
+        }
+
         public MeterReading[] Meters(SensorId sensor)
         {
             var readings = new MeterReading[Statistics(sensor).Count];

@@ -151,6 +151,25 @@ UPS_API void ups_job_destroy(ups_job *job); /* cancels and joins; NULL ok */
 
 /* Results are copied into the caller's memory. info->struct_size must be set. */
 UPS_API ups_status ups_result_get_info(const ups_result *result, ups_result_info *info);
+/* How the light of one sensor is found, as UPS_METHOD_AUTO chose for it or as the method says. */
+typedef int32_t ups_photons;
+enum {
+  UPS_PHOTONS_NONE = 0,
+  UPS_PHOTONS_CAUSTIC = 1, /* merged only where a light path has met mirrors, glass and gloss alone */
+  UPS_PHOTONS_ALL = 2
+};
+typedef struct ups_sensor_choice {
+  uint32_t struct_size;
+  uint32_t techniques;                /* UPS_TECHNIQUE_* that some part of the sensor takes */
+  uint32_t light_paths_per_iteration; /* of the render, for all sensors that take any; 0: none are traced */
+  ups_photons photons;                /* in some part of the sensor */
+  double predicted_gain;              /* in efficiency, 1 / (variance x counted operations), over all techniques that
+                                       * were weighed; one sensor may lose where all together gain. 1 where nothing was
+                                       * chosen: the method or its techniques were asked for, there is a goniometer, or
+                                       * no choice would have gained much */
+} ups_sensor_choice;
+/* Of a camera, a meter set or a goniometer; choice->struct_size must be set. */
+UPS_API ups_status ups_result_get_choice(const ups_result *result, ups_sensor_id sensor, ups_sensor_choice *choice);
 /* count must be the set's meter count. */
 UPS_API ups_status ups_result_read_meters(const ups_result *result, ups_sensor_id sensor, ups_meter_reading *out,
                                           size_t count);

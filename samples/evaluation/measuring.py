@@ -184,14 +184,17 @@ def missed_light(runs, complete):
 
 
 def chosen(report):
-    """The techniques that ran; by sensor, with the gain that was predicted, where the report says so in "choice":
-    {sensor: {"techniques": [...], "predicted_gain": ...}}."""
-    choice = report.get("choice")
-    if not choice:
+    """The techniques that ran; where `auto` chose, by sensor with the gain that it predicted, and light paths of an
+    iteration. Reports of earlier programs have no "choice"."""
+    choice = report.get("choice", {})
+    if all(c["predicted_gain"] == 1 for c in choice.values()):
         return " ".join(report["techniques"])
-    return "; ".join(f"{sensor}: " + " ".join(c["techniques"])
-                     + (f" ({c['predicted_gain']:.1f} x)" if c.get("predicted_gain") else "")
-                     for sensor, c in choice.items())
+    texts = []
+    for sensor, c in choice.items():
+        merge = "merge_caustics" if c["photons"] == "caustic" else "merge"
+        words = " ".join(merge if t == "merge" else t for t in c["techniques"])
+        texts.append(f"{sensor}: {words} ({c['predicted_gain']:.1f} x)")
+    return "; ".join([*texts, f"{c['light_paths']} light paths"])
 
 
 def print_table(header, rows):

@@ -57,9 +57,14 @@ void check_source(const RenderResult& r, uint32_t index) {
                   " (ups_render_desc.separation)");
 }
 
+const MeterSetReading& meters_of(const ups_result* result, ups_sensor_id sensor) {
+  const RenderResult& r = data_of(result);
+  return r.meter_sets[index_of(r, r.scene->meter_set_ids, sensor, "meter set")];
+}
+
 const GoniometerReading& goniometer_of(const ups_result* result, ups_sensor_id sensor) {
   const RenderResult& r = data_of(result);
-  return r.goniometers[index_of(r, r.goniometer_ids, sensor, "goniometer")];
+  return r.goniometers[index_of(r, r.scene->goniometer_ids, sensor, "goniometer")];
 }
 
 struct Plane {
@@ -104,7 +109,7 @@ void copy_plane(const ImageReading& image, const Plane& plane, float* out, size_
 
 const ImageReading& image_of(const ups_result* result, ups_sensor_id camera) {
   const RenderResult& r = data_of(result);
-  return r.images[index_of(r, r.camera_ids, camera, "camera")];
+  return r.images[index_of(r, r.scene->camera_ids, camera, "camera")];
 }
 
 const TechniqueReading& technique_of(const ImageReading& image, uint32_t index) {
@@ -191,12 +196,18 @@ ups_status ups_result_get_info(const ups_result* result, ups_result_info* info) 
   return guard(__func__, [&] { write_info(info, data_of(result).info, "info"); });
 }
 
-ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor, ups_meter_reading* out,
-                                  size_t count) {
+ups_status ups_result_get_choice(const ups_result* result, ups_sensor_id sensor, ups_sensor_choice* choice) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
-    copy_readings(r.meter_sets[index_of(r, r.meter_set_ids, sensor, "meter set")].meters, out, count);
+    std::vector<uint32_t> ids = r.scene->camera_ids;
+    for (const auto& v : {r.scene->meter_set_ids, r.scene->goniometer_ids}) ids.insert(ids.end(), v.begin(), v.end());
+    write_info(choice, r.choices[index_of(r, ids, sensor, "sensor")], "choice");
   });
+}
+
+ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor, ups_meter_reading* out,
+                                  size_t count) {
+  return guard(__func__, [&] { copy_readings(meters_of(result, sensor).meters, out, count); });
 }
 
 ups_status ups_result_get_source_count(const ups_result* result, uint32_t* out) {
@@ -216,18 +227,14 @@ ups_status ups_result_get_source(const ups_result* result, uint32_t index, ups_s
 ups_status ups_result_read_source_meters(const ups_result* result, uint32_t source, ups_sensor_id sensor,
                                          ups_meter_reading* out, size_t count) {
   return guard(__func__, [&] {
-    const RenderResult& r = data_of(result);
-    const MeterSetReading& set = r.meter_sets[index_of(r, r.meter_set_ids, sensor, "meter set")];
-    check_source(r, source);
+    const MeterSetReading& set = meters_of(result, sensor);
+    check_source(data_of(result), source);
     copy_readings(set.separated[source], out, count);
   });
 }
 
 ups_status ups_result_get_meter_statistics(const ups_result* result, ups_sensor_id sensor, ups_meter_statistics* out) {
-  return guard(__func__, [&] {
-    const RenderResult& r = data_of(result);
-    write_info(out, r.meter_sets[index_of(r, r.meter_set_ids, sensor, "meter set")].statistics, "out");
-  });
+  return guard(__func__, [&] { write_info(out, meters_of(result, sensor).statistics, "out"); });
 }
 
 ups_status ups_result_get_goniometer_info(const ups_result* result, ups_sensor_id sensor, ups_goniometer_info* info) {
@@ -250,7 +257,7 @@ ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor
                                             size_t c_count, float* gamma_deg, size_t gamma_count) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
-    const Goniometer& g = r.scene->goniometers[index_of(r, r.goniometer_ids, sensor, "goniometer")];
+    const Goniometer& g = r.scene->goniometers[index_of(r, r.scene->goniometer_ids, sensor, "goniometer")];
     require(c_deg, "c_deg");
     require(gamma_deg, "gamma_deg");
     if (c_count != g.c_deg().size() || gamma_count != g.gamma_deg().size())
@@ -266,7 +273,7 @@ ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor
 ups_status ups_result_get_goniometer_profile(const ups_result* result, ups_sensor_id sensor, ups_profile** out) {
   return guard(__func__, [&] {
     const RenderResult& r = data_of(result);
-    const size_t index = index_of(r, r.goniometer_ids, sensor, "goniometer");
+    const size_t index = index_of(r, r.scene->goniometer_ids, sensor, "goniometer");
     require(out, "out");
     const GoniometerReading& reading = r.goniometers[index];
     const Snapshot& scene = *r.scene;

@@ -22,13 +22,13 @@ double tolerance_s(double limit_s) { return std::max(0.1, 0.05 * limit_s); }
 constexpr double reading_s_of_pixel = 4.5e-8;
 
 void check(const ups_render_desc& d) {
-  if (!(d.time_limit_s >= 0) || !std::isfinite(d.time_limit_s))
-    fail_argument("time_limit_s: " + std::to_string(d.time_limit_s) + " is not a finite number of seconds >= 0");
-  if (!(d.target_relative_error >= 0) || !std::isfinite(d.target_relative_error))
-    fail_argument("target_relative_error: " + std::to_string(d.target_relative_error) +
-                  " is not a finite fraction >= 0");
-  if (!(d.merge_radius_m >= 0) || !std::isfinite(d.merge_radius_m))
-    fail_argument("merge_radius_m: " + std::to_string(d.merge_radius_m) + " is not a finite length >= 0");
+  const auto check_finite = [](const std::string& name, double value, const char* noun) {
+    if (!(value >= 0) || !std::isfinite(value))
+      fail_argument(name + ": " + std::to_string(value) + " is not a finite " + noun + " >= 0");
+  };
+  check_finite("time_limit_s", d.time_limit_s, "number of seconds");
+  check_finite("target_relative_error", d.target_relative_error, "fraction");
+  check_finite("merge_radius_m", d.merge_radius_m, "length");
   if (d.light_paths_per_iteration > (1u << 24)) fail_argument("light_paths_per_iteration: at most 16777216");
   if (!(d.radius_alpha >= 0) || d.radius_alpha >= 1)
     fail_argument("radius_alpha: " + std::to_string(d.radius_alpha) + " is not between 0 and 1 (0: 2/3)");
@@ -249,13 +249,11 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
   for (size_t d = 0; d < flux_.dropped.size(); ++d)
     if (const uint64_t n = sums_->work().dropped[d] + flux_.dropped[d])
       r->dropped += std::string(drop_names[d]) + ": " + std::to_string(n) + " samples were not finite\n";
-  r->camera_ids = scene_->camera_ids;
-  r->meter_set_ids = scene_->meter_set_ids;
   for (size_t c = 0; c < scene_->cameras.size(); ++c) r->images.push_back(sums_->read_image_and_techniques(c));
   for (size_t s = 0; s < scene_->meter_sets.size(); ++s) r->meter_sets.push_back(sums_->read_meters_and_sources(s));
   r->sources = integrator_->plan().separation.columns;
   r->scene = scene_;
-  r->goniometer_ids = scene_->goniometer_ids;
+  r->choices = integrator_->selection().sensors;
   for (size_t g = 0; g < scene_->goniometers.size(); ++g) {
     r->goniometers.push_back(sums_->read_goniometer(g));
     r->goniometers.back().info.absorbed_flux_lm = r->info.absorbed_flux_lm;
@@ -299,25 +297,25 @@ ups_result_info RenderJob::read_info() const {
 void RenderJob::add_warnings(RenderResult& r) const {
   for (size_t c = 0; c < r.images.size(); ++c)
     if (const size_t n = sums_->unvisited_pixels(c))
-      r.warnings += "camera " + std::to_string(r.camera_ids[c]) +
+      r.warnings += "camera " + std::to_string(scene_->camera_ids[c]) +
                     ": the render ended before eye paths were traced for " + std::to_string(n) + " of its " +
                     std::to_string(r.images[c].width * size_t(r.images[c].height)) +
                     " pixels; they show the mean of their neighbours\n";
   for (size_t s = 0; s < r.meter_sets.size(); ++s)
     if (const size_t n = sums_->unvisited_meters(s))
-      r.warnings += "meters " + std::to_string(r.meter_set_ids[s]) + ": the render ended before " + std::to_string(n) +
-                    " of its " + std::to_string(r.meter_sets[s].meters.size()) +
+      r.warnings += "meters " + std::to_string(scene_->meter_set_ids[s]) + ": the render ended before " +
+                    std::to_string(n) + " of its " + std::to_string(r.meter_sets[s].meters.size()) +
                     " meters were looked at; their readings are -1, and the set's statistics are of the others\n";
-  for (size_t g = 0; g < r.goniometer_ids.size(); ++g)
+  for (size_t g = 0; g < scene_->goniometer_ids.size(); ++g)
     if (const std::string what = sums_->goniometer_asymmetry(g); !what.empty())
-      r.warnings += "goniometer " + std::to_string(r.goniometer_ids[g]) + ": " + what +
+      r.warnings += "goniometer " + std::to_string(scene_->goniometer_ids[g]) + ": " + what +
                     ", so the light has not the symmetry that was asked for: what it measures is a mean over " +
                     "directions that differ\n";
   r.warnings += radius_notice(*integrator_, sums_->iterations());
   if (!(scene_->emitters.flux_lm() > 0)) return;
   for (size_t s = 0; s < r.meter_sets.size(); ++s)
     if (r.meter_sets[s].statistics.mean_lx == 0)
-      r.warnings += "meters " + std::to_string(r.meter_set_ids[s]) +
+      r.warnings += "meters " + std::to_string(scene_->meter_set_ids[s]) +
                     ": no light has reached them; they are dark, or this method has not found their light\n";
 }
 

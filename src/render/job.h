@@ -20,9 +20,9 @@ namespace ups {
 // A finished or intermediate result; immutable.
 struct RenderResult {
   ups_result_info info{};
-  std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;
+  std::shared_ptr<const Snapshot> scene;   // has the sensors' ids and the goniometers' grids
+  std::vector<ups_sensor_choice> choices;  // of cameras, meter sets, goniometers
   std::vector<GoniometerReading> goniometers;
-  std::shared_ptr<const Snapshot> scene;  // has the goniometers' grids
   std::vector<ImageReading> images;
   std::vector<MeterSetReading> meter_sets;
   std::vector<ups_source_info> sources;  // columns of MeterSetReading::separated

@@ -33,19 +33,16 @@ void describe(std::string& text, uint32_t techniques, uint32_t bit, const char* 
 }
 
 std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_automatic) {
-  const std::string chosen = was_automatic ? "" : " (the method asked for leaves it out)";
+  const std::string absent = was_automatic ? "not in the set" : "not in the set (the method asked for leaves it out)";
+  const std::string off = !was_automatic ? absent
+                                         : "no surface is specular or nearly so: eye paths find all light, light paths "
+                                           "would cost more than they bring";
   std::string text;
-  describe(text, t, hit, "emitter_hit", "eye paths that run into an emitter", "not in the set" + chosen);
-  describe(text, t, light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex",
-           "not in the set" + chosen);
-  const std::string diffuse =
-      "no surface is specular or nearly so: eye paths find all light, light paths would cost more than they bring";
-  describe(text, t, connect, "connect", "eye and light subpaths are joined by an edge",
-           was_automatic ? diffuse : "not in the set" + chosen);
+  describe(text, t, hit, "emitter_hit", "eye paths that run into an emitter", absent);
+  describe(text, t, light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex", absent);
+  describe(text, t, connect, "connect", "eye and light subpaths are joined by an edge", off);
   describe(text, t, sensor_connect, "sensor_connect", "light paths are joined to the camera",
-           !s.cameras      ? "the scene has no camera: no light image"
-           : was_automatic ? diffuse
-                           : "not in the set" + chosen);
+           s.cameras ? off : "the scene has no camera: no light image");
   describe(text, t, merge, "merge",
            scene.effects.ray_emitters ? "the light of a ray file is carried by light paths alone"
            : !scene.effects.path_tracing_complete
@@ -53,14 +50,12 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
            : !scene.effects.sharp_caster && scene.effects.concentration >= concentrated
                ? "light first meets patches of the surfaces that are so small that eye paths find them by chance alone"
                : "caustics: photons are merged at diffuse vertices and meters",
-           was_automatic ? "no photon index and no merging: " + diffuse : "not in the set" + chosen);
+           was_automatic ? "no photon index and no merging: " + off : off);
   describe(text, t, sensor_hit, "sensor_hit",
            s.goniometers
                ? "light paths are counted where they leave the scene for a goniometer, or land on a meter's cell"
                : "light paths are counted where they land on a meter's cell",
-           !s.cells && !s.goniometers ? "no meter measures a cell"
-           : was_automatic            ? diffuse
-                                      : "not in the set" + chosen);
+           s.cells || s.goniometers ? off : "no meter measures a cell");
   return text;
 }
 
@@ -129,16 +124,16 @@ void tell_selection(const Integrator& integrator, MethodChoice& method) {
                                   : "\n")
                        : "light paths: none: all light is found from the sensors\n";
   for (size_t i = 0; i < chosen.sensors.size(); ++i) {
-    const SensorChoice& sensor = chosen.sensors[i];
+    const ups_sensor_choice& sensor = chosen.sensors[i];
     const bool camera = i < scene.cameras.size();
     const auto uses = [&](uint32_t t) { return (sensor.techniques & t) != 0; };
+    constexpr const char* photons[] = {"", ", caustic photons", ", photons"};  // UPS_PHOTONS_*
     char gain[64];
-    std::snprintf(gain, sizeof gain, "predicted: %.2g times as fast as all techniques", sensor.gain);
+    std::snprintf(gain, sizeof gain, "predicted: %.2g times as fast as all techniques", sensor.predicted_gain);
     method.text += (camera ? "camera " + std::to_string(scene.camera_ids[i])
                            : "meters " + std::to_string(scene.meter_set_ids[i - scene.cameras.size()])) +
-                   ": eye paths" + (uses(connect) ? ", connections" : "") +
-                   (uses(sensor_connect) ? ", splats" : "") + (uses(sensor_hit) ? ", landings" : "") +
-                   (sensor.merges_all ? ", photons" : uses(merge) ? ", caustic photons" : "") + "; " + gain + "\n";
+                   ": eye paths" + (uses(connect) ? ", connections" : "") + (uses(sensor_connect) ? ", splats" : "") +
+                   (uses(sensor_hit) ? ", landings" : "") + photons[sensor.photons] + "; " + gain + "\n";
   }
 }
 

@@ -58,6 +58,13 @@ std::string to_json(const Report& report) {
                            {"median_relative_error_bound", number(g.info.median_relative_error_bound)},
                            {"worst_relative_error_bound", number(g.info.worst_relative_error_bound)}};
   for (const SourceReport& source : report.sources) sources[source.name] = {{"flux_lm", number(source.flux_lm)}};
+  ordered_json choices = ordered_json::object();
+  constexpr const char* photons[] = {"none", "caustic", "all"};  // UPS_PHOTONS_*
+  for (const ChoiceReport& c : report.choices)
+    choices[c.name] = {{"techniques", c.techniques},
+                       {"light_paths", c.choice.light_paths_per_iteration},
+                       {"photons", photons[c.choice.photons]},
+                       {"predicted_gain", number(c.choice.predicted_gain)}};
   for (const ups_convergence_point& point : report.convergence) {
     convergence.push_back({{"time_s", number(point.elapsed_s)},
                            {"iterations", point.iterations},
@@ -68,6 +75,7 @@ std::string to_json(const Report& report) {
   ordered_json all = {{"scene", report.scene},
                {"method", method_word(info.method)},
                {"techniques", report.techniques},
+               {"choice", choices},
                {"effects", report.effects},
                {"iterations", info.iterations},
                {"time_s", number(info.elapsed_s)},

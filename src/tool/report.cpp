@@ -108,6 +108,12 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
   append_once(report.warnings, text(UPS_TEXT_WARNINGS));
   append_once(report.warnings, text(UPS_TEXT_DROPPED));
   for (const SensorEntry& sensor : scene.sensors) {
+    if (sensor.info.kind != UPS_GLTF_GONIOMETER) {
+      ups_sensor_choice choice{};
+      choice.struct_size = sizeof choice;
+      check(ups_result_get_choice(result, sensor.info.sensor, &choice));
+      report.choices.push_back({sensor.name, choice, names_of(choice.techniques, technique_names)});
+    }
     if (sensor.info.kind == UPS_GLTF_METERS) {
       MeterReport meters{sensor.name, {}};
       meters.statistics.struct_size = sizeof meters.statistics;

@@ -7,6 +7,12 @@
 
 namespace ups::tool {
 
+struct ChoiceReport {
+  std::string name;  // of a camera or a set of meters
+  ups_sensor_choice choice;
+  std::vector<std::string> techniques;
+};
+
 struct MeterReport {
   std::string name;
   ups_meter_statistics statistics;
@@ -32,6 +38,7 @@ struct Report {
   std::string scene;
   ups_result_info info;
   std::vector<std::string> techniques, effects, warnings;
+  std::vector<ChoiceReport> choices;
   std::vector<MeterReport> meters;
   std::vector<CameraReport> cameras;
   std::vector<GoniometerReport> goniometers;

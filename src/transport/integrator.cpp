@@ -15,6 +15,7 @@ Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSet
   for (const auto& radii : plan_.pixel_radius)
     for (const float r : radii) largest_pixel_radius_ = std::max(largest_pixel_radius_, r);
   if (settings_.automatic && !stop.is_set()) select(stop);
+  complete(*scene_, plan_, settings_, selection_.sensors);
 }
 
 // A choice of techniques may leave few light paths: it takes few to fit radii, whose noise is known for any number.
@@ -38,7 +39,7 @@ void Integrator::select(const StopSignal& stop) {
   plan_.light_paths = selection_.light_paths;
   plan_.shares = selection_.shares;
   settings_.techniques = 0;
-  for (const SensorChoice& s : selection_.sensors) settings_.techniques |= s.techniques;
+  for (const ups_sensor_choice& s : selection_.sensors) settings_.techniques |= s.techniques;
   if (plan_.traces_caustics_alone()) plan_.guide = guide;
   if (settings_.has(UPS_TECHNIQUE_MERGE)) return;
   plan_.pixel_radius.clear(), plan_.meter_radius.clear(), plan_.meter_spacing.clear();

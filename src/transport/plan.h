@@ -37,8 +37,13 @@ struct TransportSettings {
 
 // Which techniques a part of the sensors takes beside hits and next-event estimation.
 struct TechniqueShare {
-  enum Merge : uint8_t { no_merge, merge_caustics, merge_all };  // caustics: where a light path met casters alone
-  bool connect = true, light = true;                              // light: splats, landings
+  // Caustics: where a light path met casters alone.
+  enum Merge : uint8_t {
+    no_merge = UPS_PHOTONS_NONE,
+    merge_caustics = UPS_PHOTONS_CAUSTIC,
+    merge_all = UPS_PHOTONS_ALL
+  };
+  bool connect = true, light = true;  // light: splats, landings
   Merge merge = merge_all;
 };
 

@@ -358,7 +358,7 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   out.light_paths = light_paths_of(plan, best.light_paths);
   for (const size_t j : best.choice) out.shares.push_back(all[j].share);
   for (size_t s = 0; s < plan.units.sensors(); ++s) {
-    SensorChoice& sensor = out.sensors.emplace_back();
+    ups_sensor_choice& sensor = out.sensors.emplace_back();
     const bool camera = s < scene.cameras.size();
     const uint32_t light = camera ? UPS_TECHNIQUE_SENSOR_CONNECT : UPS_TECHNIQUE_SENSOR_HIT;
     double variance = 0;
@@ -368,12 +368,37 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
       if (share.connect) sensor.techniques |= UPS_TECHNIQUE_CONNECT;
       if (share.light) sensor.techniques |= light & settings.techniques;
       if (share.merge != TechniqueShare::no_merge) sensor.techniques |= UPS_TECHNIQUE_MERGE;
-      sensor.merges_all |= share.merge == TechniqueShare::merge_all;
+      sensor.photons = std::max<ups_photons>(sensor.photons, share.merge);
       variance += best.variance_ratio[u] / (plan.units.end(s) - plan.units.begin(s));
     }
-    sensor.gain = whole / (variance * best.operations);
+    sensor.predicted_gain = whole / (variance * best.operations);
   }
   return out;
+}
+
+void complete(const Snapshot& scene, const Plan& plan, const TransportSettings& settings,
+              std::vector<ups_sensor_choice>& choices) {
+  const Method& method = settings.method;
+  const bool from_surfaces = method.eye_end == Method::EyeEnd::first_surface,
+             lands = method.eye_end == Method::EyeEnd::first_merge;
+  std::vector<uint32_t> idle;
+  for (const Camera& c : scene.cameras)
+    idle.push_back(UPS_TECHNIQUE_SENSOR_HIT | (from_surfaces && !c.illuminance() ? UPS_TECHNIQUE_CONNECT : 0));
+  for (const MeterSet& s : scene.meter_sets)
+    idle.push_back(UPS_TECHNIQUE_SENSOR_CONNECT | (method.hits_after_specular ? UPS_TECHNIQUE_EMITTER_HIT : 0) |
+                   (!s.is_cell()    ? UPS_TECHNIQUE_SENSOR_HIT
+                    : from_surfaces ? UPS_TECHNIQUE_CONNECT
+                    : lands         ? UPS_TECHNIQUE_MERGE
+                                    : 0));
+  idle.resize(idle.size() + scene.goniometers.size(), ~uint32_t(UPS_TECHNIQUE_SENSOR_HIT));
+  choices.resize(idle.size(), {0, settings.techniques, 0, UPS_PHOTONS_ALL, 1});
+  for (size_t i = 0; i < idle.size(); ++i) {
+    ups_sensor_choice& c = choices[i];
+    c.struct_size = sizeof c;
+    c.techniques &= ~idle[i];
+    c.light_paths_per_iteration = settings.traces_light() ? plan.light_paths : 0;
+    if (!(c.techniques & UPS_TECHNIQUE_MERGE)) c.photons = UPS_PHOTONS_NONE;
+  }
 }
 
 }  // namespace ups

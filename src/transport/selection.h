@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "transport/iteration.h"
 #include "transport/tally.h"
+#include "ups/ups_render.h"
 
 namespace ups {
 
@@ -33,16 +34,10 @@ class Moments {
   std::vector<mis::Classes> sets_;  // counts of each class over those traced
 };
 
-// Predicted for one sensor.
-struct SensorChoice {
-  uint32_t techniques = 0;  // UPS_TECHNIQUE_* in some of its parts
-  bool merges_all = false;  // in some of them; else where a light path has met nothing but casters
-  double gain = 1;          // in efficiency, 1 / (variance x operations), over all techniques
-};
 struct Selection {
   uint32_t light_paths = 0;
-  std::vector<TechniqueShare> shares;  // by Units
-  std::vector<SensorChoice> sensors;   // cameras, then sets of meters
+  std::vector<TechniqueShare> shares;      // by Units; empty: nothing was chosen
+  std::vector<ups_sensor_choice> sensors;  // cameras, then sets of meters, then goniometers
   double gain = 1;
 };
 
@@ -51,5 +46,8 @@ struct Selection {
 using TraceIteration = std::function<bool(const Iteration&, IterationTally&)>;
 Selection select_techniques(const Snapshot& scene, const Plan& plan, const TransportSettings& settings,
                             const EmissionGuide& guide, const StopSignal& stop, const TraceIteration& trace);
+// Of what `choices` have, or where there are none of all techniques: what brings light to each kind of sensor.
+void complete(const Snapshot& scene, const Plan& plan, const TransportSettings& settings,
+              std::vector<ups_sensor_choice>& choices);
 
 }  // namespace ups

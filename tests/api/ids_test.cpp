@@ -128,6 +128,9 @@ TEST_F(ForeignIds, AreRefusedByResults) {
                  "sensor", c);
   expect_refused(ups_result_get_technique_count(result, theirs.camera, &count), "sensor", c);
   expect_refused(ups_result_get_goniometer_info(result, theirs.goniometer, &info), "sensor", g);
+  ups_sensor_choice choice{};
+  choice.struct_size = sizeof choice;
+  expect_refused(ups_result_get_choice(result, theirs.meters, &choice), "sensor", m);
   EXPECT_OK(ups_result_read_meters(result, mine.meters, readings, 2));
   EXPECT_OK(ups_result_read_image(result, mine.camera, UPS_CHANNEL_LUMINANCE_RGB, pixels, 0, sizeof pixels));
   EXPECT_OK(ups_result_get_goniometer_info(result, mine.goniometer, &info));

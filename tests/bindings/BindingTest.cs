@@ -146,6 +146,9 @@ internal static partial class BindingTest
                 foreach (var e in result.Image(eye, 6, 4, Channel.Illuminance)) ExpectNear(e, 64, 0.01, "floor");
                 Expect(result.Convergence().Length > 0, "convergence");
                 Expect(result.Info.Iterations == 16 && result.Info.Seed == 5, "the render's own data");
+                foreach (var sensor in new[] { meters, eye })
+                    Expect(result.Choice(sensor).Techniques != 0 && result.Choice(sensor).PredictedGain > 0,
+                           "how the light is found");
             }
             scene.SetDimming(light, 0.5f);
             scene.Commit();

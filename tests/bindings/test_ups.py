@@ -185,6 +185,20 @@ def test_results_report_their_render(context):
     assert isinstance(result.text(ups.ResultText.TECHNIQUES), str)
 
 
+def test_results_tell_how_light_is_found(context):
+    scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
+    camera = scene.add_camera(2, 2, vertical_fov_rad=1, to_world=ups.translation(0, 0, 2))
+    scene.commit()
+    result = scene.render(iteration_count=2, method=ups.Method.UPS, light_paths_per_iteration=4096)
+    for sensor in (meters, camera):
+        choice = result.choice(sensor)
+        assert (choice.photons, choice.light_paths_per_iteration) == (ups.Photons.ALL, 4096)
+        assert choice.techniques & ups.Technique.MERGE and choice.predicted_gain == 1
+    eye = scene.render(iteration_count=2, method=ups.Method.PATH_TRACING).choice(meters)
+    assert eye.techniques == ups.Technique.EMITTER_HIT | ups.Technique.LIGHT_SAMPLE
+    assert (eye.photons, eye.light_paths_per_iteration) == (ups.Photons.NONE, 0)
+
+
 def test_readings_of_each_source_add_up(context):
     scene, meters, light, _ = lamp_over_floor(context, reflectance=0.5)
     second = scene.add_light(kind=ups.LightKind.POINT, intensity_rgb=[200] * 3, to_world=ups.translation(0, 0, 2.5),

@@ -52,6 +52,12 @@ class Result {
     require_finite({i.emitted_flux_lm, i.absorbed_flux_lm, i.escaped_flux_lm, i.elapsed_s}, "result info");
     return i;
   }
+  ups_sensor_choice choice(const Sensor& sensor) const {
+    ups_sensor_choice c{};
+    c.struct_size = sizeof c;
+    check(ups_result_get_choice(result_.get(), sensor.id, &c), "ups_result_get_choice");
+    return c;
+  }
   std::vector<ups_meter_reading> readings(const Sensor& meters) const {
     std::vector<ups_meter_reading> out(meters.count);
     check(ups_result_read_meters(result_.get(), meters.id, out.data(), out.size()), "ups_result_read_meters");

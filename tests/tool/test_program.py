@@ -192,7 +192,7 @@ class Render(ProgramTest):
         result = self.render("--iterations", 32, "--threads", 1)
         self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
                                        "seed", "flux", "dropped_samples", "work", "meters", "cameras", "convergence",
-                                       "warnings"})
+                                       "warnings", "choice"})
         self.assertEqual(result["scene"], self.path("room.gltf"))
         self.assertEqual(result["iterations"], 32)
         self.assertEqual(result["seed"], 7)
@@ -208,12 +208,27 @@ class Render(ProgramTest):
         self.assertEqual(set(result["cameras"]), {"view"})
         self.assertEqual({k: result["cameras"]["view"][k] for k in ("width", "height")}, {"width": 24, "height": 16})
         self.assertGreater(result["cameras"]["view"]["mean_luminance_cd_m2"], 0)
+        self.assertEqual(set(result["choice"]), {"work_plane", "spot", "view"})
+        for choice in result["choice"].values():
+            self.assertEqual(set(choice), {"techniques", "light_paths", "photons", "predicted_gain"})
+            self.assertLessEqual(set(choice["techniques"]), set(result["techniques"]))
         for point in result["convergence"]:
             self.assertEqual(set(point), {"time_s", "iterations", "median_relative_error", "p95_relative_error",
                                           "worst_relative_error"})
         # 100 cd, 2 m straight above, on a floor that sees nothing else: 100 / 2^2 lx.
         self.assertAlmostEqual(result["meters"]["spot"]["mean_lx"], 25, delta=0.25)
         self.assertEqual(os.listdir(self.folder.name), ["room.gltf"])  # without --out no file
+
+    def test_choice(self):
+        eye = ["emitter_hit", "light_sample"]
+        asked = self.render("--method", "ups", "--iterations", 4, "--light-paths", 4096)["choice"]
+        self.assertEqual(asked["work_plane"], {"techniques": [*eye, "connect", "merge"],
+                                               "light_paths": 4096, "photons": "all", "predicted_gain": 1})
+        self.assertEqual(asked["view"]["techniques"], [*eye, "connect", "sensor_connect", "merge"])
+        for choice in self.render("--iterations", 4)["choice"].values():  # a matte floor
+            self.assertEqual({k: choice[k] for k in ("techniques", "light_paths", "photons")},
+                             {"techniques": eye, "light_paths": 0, "photons": "none"})
+            self.assertGreaterEqual(choice["predicted_gain"], 1)
 
     def test_files(self):
         out = self.path("deep/out")

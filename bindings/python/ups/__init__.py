@@ -15,7 +15,7 @@ raises ups.Error. Objects free themselves; close() or a `with` block does it at 
 from . import _ffi
 from ._core import Context, Error, translation, version
 from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Effect, EmitterShape, Finish, JobState, LightKind,
-                   LogLevel, MaterialModel, MeterKind, Method, OpeningShape, Perturbation, PhotometricType,
+                   LogLevel, MaterialModel, MeterKind, Method, OpeningShape, Perturbation, PhotometricType, Photons,
                    ProfileFormat, ProfileSymmetry, Projection, ReflectorProfile, ResultText, SceneText, Separation,
                    SourceKind, Status, Technique)
 from ._fixture import Fixture
@@ -25,7 +25,7 @@ from ._scene import Scene
 
 __all__ = ["AlphaMode", "Channel", "CollimatorWall", "Context", "Contribution", "Effect", "EmitterShape", "Error",
            "Finish", "Fixture", "Job", "JobState", "LightKind", "LogLevel", "MaterialModel", "MeterKind", "Method",
-           "OpeningShape", "Perturbation", "PhotometricType", "Profile", "ProfileFormat", "ProfileSymmetry",
+           "OpeningShape", "Perturbation", "PhotometricType", "Photons", "Profile", "ProfileFormat", "ProfileSymmetry",
            "Projection", "ReflectorProfile", "Result", "ResultText", "Scene", "SceneText", "Separation", "SourceKind",
            "Status", "Technique", "translation", "version"]
 

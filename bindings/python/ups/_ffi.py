@@ -192,6 +192,12 @@ class JobState(enum.IntEnum):
     FAILED = 3
 
 
+class Photons(enum.IntEnum):
+    NONE = 0
+    CAUSTIC = 1
+    ALL = 2
+
+
 class SourceKind(enum.IntEnum):
     LUMINAIRE = 0
     INSTANCE = 1
@@ -728,6 +734,16 @@ class MeterStatistics(Structure):
     ]
 
 
+class SensorChoice(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("techniques", c_uint32),
+        ("light_paths_per_iteration", c_uint32),
+        ("photons", c_int32),
+        ("predicted_gain", c_double),
+    ]
+
+
 class SourceInfo(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -859,6 +875,7 @@ PROTOTYPES = {
     "ups_job_result": (c_int32, [c_void_p, POINTER(c_void_p)]),
     "ups_job_destroy": (None, [c_void_p]),
     "ups_result_get_info": (c_int32, [c_void_p, POINTER(ResultInfo)]),
+    "ups_result_get_choice": (c_int32, [c_void_p, SensorId, POINTER(SensorChoice)]),
     "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t]),
     "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)]),
     "ups_result_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)]),

@@ -57,6 +57,10 @@ class Result(Handle):
     def info(self):
         return read_info(_ffi.ResultInfo, lib.ups_result_get_info, self)
 
+    def choice(self, sensor):
+        """How the light of a camera, a meter set or a goniometer is found, as ups_sensor_choice."""
+        return read_info(_ffi.SensorChoice, lib.ups_result_get_choice, self, sensor)
+
     def meters(self, sensor):
         """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ..."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterReading))
