@@ -39,6 +39,7 @@ struct Replayed {
   Technique technique = Technique::hit;
   int at = 0;  // as Term
   uint32_t emitter = 0;
+  bool lifted = true;                  // x_0 may lie off its surface, as rays start
   std::vector<Node> by_light, by_eye;  // x_0 ... from the one, ... x_k from the other
   mis::Classes found;                  // by the engine, this technique included
 };
@@ -65,6 +66,7 @@ class LocalQuantities {
     sensor();
   }
   const Path& path() const { return path_; }
+  const Vec3d& x_0() const { return x_0_; }
   bool panes_crossed() const {
     return std::any_of(path_.pass.begin(), path_.pass.end(), [](double p) { return p < 1; });
   }
@@ -113,14 +115,41 @@ class LocalQuantities {
     } else {
       path_.emitter = EmitterType::area;
       x_0_ = near(0).p;
+      const uint32_t primitive = find_surface();
       const Vec3d d = normalize(x_1.p - x_0_);
       EmitterHit hit;
-      resolved_ = e.eval_hit(reference, Vec3(x_0_), 0, Vec3(d), hit);
+      resolved_ = e.eval_hit(reference, Vec3(x_0_), primitive, Vec3(d), hit);
       path_.emission_a *= hit.pdf_position_a;
       path_.pdf_to_sensor[0] =
-          double(hit.pdf_direction_w) * guide_.factor(scene().emitters, r_.emitter, Vec3(x_0_), 0, Vec3(d));
+          double(hit.pdf_direction_w) * guide_.factor(scene().emitters, r_.emitter, Vec3(x_0_), primitive, Vec3(d));
       path_.nee_a = choose(d) * hit.pdf_nee_a;
     }
+  }
+
+  // The triangle that x_0 lies on, which puts it exactly there, and its normal; openings are no surface.
+  uint32_t find_surface() {
+    n_0_ = {0, 0, -1};
+    const auto& emitters = scene().emitter_of_instance;
+    const size_t instance = size_t(std::find(emitters.begin(), emitters.end(), r_.emitter) - emitters.begin());
+    if (instance == emitters.size()) return 0;
+    const Mesh& mesh = *scene().meshes[instance];  // each has its own, and stands where it is
+    uint32_t nearest = 0;
+    double least = INFINITY, height = 0;
+    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+      Vec3d p[3];
+      for (int c = 0; c < 3; ++c) p[c] = Vec3d(mesh.positions[mesh.indices[3 * t + uint32_t(c)]]) - scene().origin;
+      const Vec3d n = normalize(cross(p[1] - p[0], p[2] - p[0]));
+      const double above = dot(x_0_ - p[0], n);
+      double beside = std::abs(above);
+      for (int c = 0; c < 3; ++c) {
+        const Vec3d side = normalize(p[(c + 1) % 3] - p[c]);
+        beside = std::max(beside, dot(x_0_ - p[c], cross(side, n)));
+      }
+      if (beside >= least) continue;
+      least = beside, height = above, nearest = t, n_0_ = n;
+    }
+    if (r_.lifted) x_0_ = x_0_ - n_0_ * height;
+    return nearest;
   }
 
   void edge(int i) {
@@ -128,7 +157,7 @@ class LocalQuantities {
     const double distance = length(w);
     const Vec3d d = direction_[i] = w / distance;
     path_.distance[i] = distance;
-    path_.cos_near[i] = i == 0 && path_.emitter != EmitterType::area ? 1 : std::abs(dot(d, near(i).ng));
+    path_.cos_near[i] = i == 0 && path_.emitter != EmitterType::area ? 1 : std::abs(dot(d, i == 0 ? n_0_ : near(i).ng));
     path_.cos_far[i] = std::abs(dot(d, far(i + 1).ng));
     for (const Pane& pane : room_.panes) {
       const Vec3d n = normalize(cross(pane.u, pane.v));
@@ -181,7 +210,7 @@ class LocalQuantities {
   Path path_;
   std::vector<const Node*> near_, far_;
   std::vector<Vec3d> direction_;
-  Vec3d x_0_;
+  Vec3d x_0_, n_0_;
   bool resolved_ = true;
 };
 
@@ -193,7 +222,7 @@ class Recorder : public PathRecorder {
   bool of_pixels = true;  // the eye pass that runs: of images, or of meters
 
   void start_light(uint32_t emitter, const Vec3& p) override {
-    light_.push_back({{.p = Vec3d(p), .ng = normal_of(emitter), .error = error_of(emitter)}, emitter, {}});
+    light_.push_back({{.p = Vec3d(p), .error = error_of(emitter)}, emitter, {}});
     current_ = &light_.back();
   }
   void start_eye(const EyeSensor& sensor, const Vec3& p, const Vec3& n, float error) override {
@@ -224,7 +253,7 @@ class Recorder : public PathRecorder {
       add_hit(c.emitter, k, r);
     } else if (s == 1) {
       r.technique = Technique::light_sample, r.at = 1;
-      r.by_light.push_back({.p = Vec3d(c.to), .ng = normal_of(c.emitter), .error = error_of(c.emitter)});
+      r.by_light.push_back({.p = Vec3d(c.to), .error = error_of(c.emitter)});
       add_eye(k - 1, r);
     } else {
       r.technique = s == k ? Technique::sensor_connect : Technique::connect, r.at = int(s);
@@ -264,11 +293,9 @@ class Recorder : public PathRecorder {
     if (sensor_ != SensorType::camera) r.set = sets[0].is_cell() == (sensor_ == SensorType::cell) ? 0 : 1;
     return r;
   }
-  // All emitters of this scene that have a surface face down.
-  Vec3d normal_of(uint32_t) const { return {0, 0, -1}; }
   float error_of(uint32_t emitter) const {
     EmissionSample s;
-    room_.scene->emitters[emitter].sample_emission({0.5f, 0.5f}, {0.5f, 0.5f}, s);
+    room_.scene->emitters[emitter].sample_emission({0.5f, 0.5f}, {0.3f, 0.4f}, s);
     return s.error;
   }
   static void add_light(const Walked& light, size_t nodes, Replayed& r) {
@@ -283,7 +310,7 @@ class Recorder : public PathRecorder {
   // What was hit may be an opening on the way to the vertex that was met.
   void add_hit(uint32_t emitter, size_t k, Replayed& r) const {
     const Node& met = eye_.nodes[k - 1];
-    Node x_0{.p = met.p, .ng = normal_of(emitter)};
+    Node x_0{.p = met.p, .error = met.error};
     const Snapshot& scene = *room_.scene;
     if (scene.emitter_of_instance[met.instance] != emitter) {
       const Vec3d from = k > 1 ? eye_.nodes[k - 2].p : eye_.start.p, d = met.p - from;

@@ -128,6 +128,10 @@ inline Room make_room(bool nested) {
   b.add(quad({1.4, 1.7, 2.7}, {0, 0.5, 0}, {0.5, 0, 0}), lamp);
   std::fill_n(lamp.luminance_cd_m2, 3, 100.0f);
   b.add(quad({2.3, 1.8, 2.95}, {0, 1.9, 0}, {1.5, 0, 0}), lamp);
+  std::fill_n(lamp.luminance_cd_m2, 3, 1500.0f);
+  b.add(icosphere({0.5, 1.0, 2.0}, 0.15, 1), lamp);
+  lamp.emits_both_sides = 1;
+  b.add(quad({1.7, 3.2, 1.2}, {0.5, 0, 0.1}, {0, 0.1, 0.5}), lamp);
   b.add(quad({0.05, 0.5, 0.3}, {0, 2, 0}, {0, 0, 1.8}), make(UPS_MATERIAL_MIRROR, 0.85f, 0));
   const P3 center{2.6, 2.2, 0.9};
   Shape ball = icosphere(center, 0.4, 3);

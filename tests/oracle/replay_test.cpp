@@ -195,12 +195,13 @@ double difference(const mis::Classes& a, const mis::Classes& b) {
 
 struct Weighed {
   Path path;
+  Vec3d x_0;
   bool resolved = false, panes = false;
   std::optional<mis::Classes> expected;  // none: the technique could not have made the path
 };
 Weighed weigh(const Replay& replay, const Replayed& r) {
   const LocalQuantities local(replay.room(), replay.plan().guide, r);
-  Weighed out{local.path(), local.resolved(), local.panes_crossed(), {}};
+  Weighed out{local.path(), local.x_0(), local.resolved(), local.panes_crossed(), {}};
   out.path.sensor_merge_share = replay.sensor_merge_share(r);
   const std::vector<Term> terms = slow_weights(out.path, replay.counts(r), replay.plan().gates[r.emitter]);
   for (const Term& t : terms)
@@ -209,17 +210,19 @@ Weighed weigh(const Replay& replay, const Replayed& r) {
 }
 
 // How much the definition itself changes where vertices move by their rounding, and as far as rays start off surfaces.
-double spread(const Replay& replay, const Replayed& r, const mis::Classes& expected, Random& random) {
+double spread(const Replay& replay, const Replayed& r, const Weighed& own, Random& random) {
   double worst = 0;
   for (int i = 0; i < 64; ++i) {
     Replayed moved = r;
+    (r.by_light.empty() ? moved.by_eye : moved.by_light)[0].p = own.x_0;
+    moved.lifted = false;
     for (auto* nodes : {&moved.by_light, &moved.by_eye})
       for (Node& n : *nodes) {
         const double reach = 2 * std::max(double(n.error), 0x1p-23 * replay.room().scene->radius);
         for (double* x : {&n.p.x, &n.p.y, &n.p.z}) *x += random.uniform(-reach, reach);
       }
     const Weighed w = weigh(replay, moved);
-    if (w.expected && w.resolved) worst = std::max(worst, difference(*w.expected, expected));
+    if (w.expected && w.resolved) worst = std::max(worst, difference(*w.expected, *own.expected));
   }
   return worst;
 }
@@ -240,7 +243,7 @@ void compare(const Replay& replay, const Replayed& r, Random& random, Counted& c
   ASSERT_TRUE(w.resolved && w.expected) << describe(w.path, r, {});
   const double apart = difference(r.found, *w.expected);
   if (!(apart < usual)) {
-    const double moved = spread(replay, r, *w.expected, random);
+    const double moved = spread(replay, r, w, random);
     ASSERT_LT(apart, 2 * moved) << describe(w.path, r, *w.expected);
   }
   const auto add = [&](const std::string& name) {
@@ -265,7 +268,7 @@ void compare(const Replay& replay, const Replayed& r, Random& random, Counted& c
 }
 
 // Every kind of contribution that the options leave is found so often.
-constexpr size_t enough = 100, enough_with_panes = 15;
+constexpr size_t enough = 100, enough_with_panes = 10;
 
 void run(const Options& options, const std::vector<std::string>& missing = {}) {
   const Replay replay(options);
