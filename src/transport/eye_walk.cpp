@@ -9,6 +9,7 @@
 namespace ups {
 
 EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w) {
+  if (in_.recorder) in_.recorder->start_eye(sensor_, p, {}, 0);
   origin_ = last_.p = p;
   direction_ = direction;
   edge_.scatter.pdf = pdf_w;
@@ -19,6 +20,7 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
 
 EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) {
   EyeEnd eye = meter_end(surface.p, surface.error, frame, sensor_.own_point, *sensor_.media);
+  if (in_.recorder) in_.recorder->start_eye(sensor_, surface.p, frame.n, surface.error);
   if (eye.merge) {
     eye.surface.ng = surface.ng;  // photons tell by it which side they lie on
     merge(eye);
@@ -28,6 +30,7 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
 }
 
 EyeTally EyeWalk::from_meter(const Vec3& p, float error, const Frame& frame) {
+  if (in_.recorder) in_.recorder->start_eye(sensor_, p, frame.n, error);
   EyeEnd eye = meter_end(p, error, frame, sensor_.own_point, *sensor_.media);
   if (in_.settings.actual_perturbation) {  // a point meter's kernel is its disc
     const Vec2 disc = square_to_disc({rng_.get(0, Slot::perturb_x), rng_.get(0, Slot::perturb_y)});
@@ -107,6 +110,7 @@ void EyeWalk::gather(const EyeEnd& eye) {
 void EyeWalk::add(const Contribution& c, Drop drop, double share) {
   Passage way;
   if (c.media && is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
+  if (in_.recorder) in_.recorder->found(c, way.pass, none);
   add(c, c.value * way.transmittance, way.pass, share, drop);
 }
 
@@ -197,6 +201,7 @@ void EyeWalk::merge(const EyeEnd& eye) {
     const Found c = ups::merge(in_, counts_, eye, photons_.paths.vertices[index], disc.radius);
     if (!c) return;
     ++work_.merges;
+    if (in_.recorder) in_.recorder->found(*c, 1, index);
     add(*c, c->value, 1, 1, Drop::merge);
     const float bias = 2 * luminance(c->value) * float(c->weight(in_, 1)) * (2 * d2 < r2 ? -1.0f : 1.0f);
     if (!std::isfinite(bias)) return;

@@ -10,6 +10,7 @@
 namespace ups {
 
 class Moments;
+class PathRecorder;
 
 struct Iteration {
   // A batch shares the scrambling of its stratified numbers; visit: how many earlier passes it had.
@@ -35,6 +36,7 @@ struct Iteration {
   double walk_radius2;                       // of merges beyond the first vertex
   bool trains_guide = false;
   const Moments* moments = nullptr;          // of a pilot that chooses techniques
+  PathRecorder* recorder = nullptr;          // of a test
 
   bool has(uint32_t technique) const { return settings.has(technique); }
   bool weighted() const { return settings.method.weighted; }

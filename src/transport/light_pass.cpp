@@ -107,6 +107,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     direction_ = start_.direction;
     media_ = scene_.media_stacks[scene_.media_of_emitter[choice.index]];
+    if (in_.recorder) in_.recorder->start_light(choice.index, start_.p);
     return true;
   }
 
@@ -153,6 +154,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const double area = cell ? double(set.cell_area()) : 3.14159265358979323846 * e.radius2;
     const mis::LightState state = in_.weighted() ? arrive({p, meter.frame.n}, cos_in, crossing.t) : mis::LightState{};
     const Contribution c = ups::land(in_, e.counts, state, e.eta, area, cos_in, flux, a, emitter_index_);
+    if (in_.recorder) in_.recorder->landed(c, p, e.set, e.meter);
     const double value = luminance(c.value) * c.weight(in_, 1);
     if (!std::isfinite(value)) return work_.drop(cell ? Drop::sensor_hit : Drop::merge);
     useful_ |= casters_ && a > 1;
@@ -182,6 +184,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     ++block_.counts.back();
     useful_ |= casters_ && light.edges > 1;
     ++work_.light_vertices;
+    if (in_.recorder) in_.recorder->store();
   }
 
   void splat(uint32_t camera, const LightEnd& light) {
@@ -190,6 +193,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const Contribution& c = found->contribution;
     Passage way;
     if (is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
+    if (in_.recorder) in_.recorder->splatted(c, way.pass, camera, found->pixel);
     const Rgb unweighted = c.value * way.transmittance, value = unweighted * float(c.weight(in_, way.pass));
     if (!is_finite(value)) return work_.drop(Drop::sensor_connect);
     block_.splats.push_back({{found->pixel, value}, unweighted, camera, c.technique.edges, c.relative(way.pass)});

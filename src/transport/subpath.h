@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "transport/iteration.h"
+#include "transport/path_recorder.h"
 #include "transport/walk.h"
 
 namespace ups {
@@ -44,6 +45,7 @@ class Subpath {
   void trace(uint32_t edges) {
     meet(scene_, origin_, direction_, media_, scene_.panes.of_instance.empty() ? 0 : rng_.get(edges, Slot::pane), work_,
          met_);
+    if (in_.recorder && met_.found) in_.recorder->meet(met_);
   }
 
   bool drop(Drop where) {
@@ -110,6 +112,7 @@ class Subpath {
     const float q = survival(carried_, start_carried_, v.edges, lossless);
     if (is_black(carried_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
     carried_ *= 1 / q;
+    if (in_.recorder) in_.recorder->scatter(s.delta);
     edge_.kind = s.delta ? Edge::delta : Edge::continuous;
     edge_.state = v.state;
     edge_.scatter = {s.pdf, s.pdf_reverse, std::abs(dot(wi, v.surface.ng)), v.merge, v.caster};
