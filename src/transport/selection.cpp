@@ -202,8 +202,9 @@ void pool_tiles(const Units& units, size_t camera, Measured& m) {
 class Chooser {
  public:
   Chooser(const Units& units, const std::vector<Candidate>& all, const Measured& m, const Measured& eye, double photons,
-          const Snapshot& scene)
-      : units_(units), all_(all), m_(m), eye_(eye), needs_landings_(units.count), cost_(costs_of(m, photons)) {
+          const Snapshot& scene, bool trusts_eye_paths)
+      : units_(units), all_(all), m_(m), eye_(eye), trusts_eye_paths_(trusts_eye_paths), needs_landings_(units.count),
+        cost_(costs_of(m, photons)) {
     // A point's light by way of mirrors alone meets a cell, where nothing is merged, by landing.
     for (size_t s = 0; s < scene.meter_sets.size(); ++s)
       needs_landings_[units.of_set(s)] = scene.meter_sets[s].is_cell() && !scene.effects.path_tracing_complete;
@@ -261,7 +262,8 @@ class Chooser {
     if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
     const double traced = m_.independent[u];
     if (!all_[j].needs_whole_paths()) {
-      if (eye_.caustic[u] > most_caustic * eye_.light[u] || m_.excess[u].back() > most_excess * traced) return INFINITY;
+      const bool rare = eye_.caustic[u] > most_caustic * eye_.light[u] || m_.excess[u].back() > most_excess * traced;
+      if (rare && !trusts_eye_paths_) return INFINITY;
       return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0);
     }
     return traced > 0 ? m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, 1.0) : m_.variance[u];
@@ -282,6 +284,7 @@ class Chooser {
   const Units& units_;
   const std::vector<Candidate>& all_;
   const Measured &m_, &eye_;
+  const bool trusts_eye_paths_;  // the scene alone says that they find all light
   std::vector<bool> needs_landings_;
   const Costs cost_;
 };
@@ -343,7 +346,7 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   const Moments fewer_photons({{.eye = 1, .caustic = fewer}});
   if (!run_pilot(scene, small, of_pilot, stop, trace, &fewer_photons, eye)) return out;
 
-  const Chooser chooser(plan.units, all, m, eye, photons, scene);
+  const Chooser chooser(plan.units, all, m, eye, photons, scene, settings.prefers_eye_paths);
   const double whole = chooser.operations_of_all();
   Chooser::Outcome best, plain;
   const auto take = [](Chooser::Outcome& of, Chooser::Outcome o) {
