@@ -82,7 +82,8 @@ struct Measured {
 struct Costs {
   double eye = 0, connect = 0, merge = 0, light = 0, caustic_light = 0;
 };
-Costs costs_of(const Measured& m, double photons) {
+// meter_paths: eye paths of an iteration where there is no camera.
+Costs costs_of(const Measured& m, double photons, double meter_paths) {
   constexpr double start = 4;  // of a light path: its emitter and direction
   const double light_rays = double(m.light_work.rays), vertices = double(m.light_work.light_vertices),
                paths = std::max<double>(1, double(m.light_work.light_paths));
@@ -92,6 +93,9 @@ Costs costs_of(const Measured& m, double photons) {
   c.merge = 0.5 * photons * double(m.all.merges - m.light_work.merges) + 0.2 * double(m.all.eye_paths);
   c.light = start * paths + light_rays + 0.5 * vertices + 0.5 * photons * double(m.light_work.merges);
   c.caustic_light = start * paths + 1.5 * double(m.light_work.caster_rays);
+  // A pilot of meters alone takes all light paths, and few of the meters.
+  const double eye = meter_paths > 0 ? meter_paths * pilot_rounds / double(m.all.eye_paths) : 1;
+  for (double* of_eye : {&c.eye, &c.connect, &c.merge}) *of_eye *= eye;
   return c;
 }
 
@@ -202,9 +206,9 @@ void pool_tiles(const Units& units, size_t camera, Measured& m) {
 class Chooser {
  public:
   Chooser(const Units& units, const std::vector<Candidate>& all, const Measured& m, const Measured& eye, double photons,
-          const Snapshot& scene, bool trusts_eye_paths)
+          double meter_paths, const Snapshot& scene, bool trusts_eye_paths)
       : units_(units), all_(all), m_(m), eye_(eye), trusts_eye_paths_(trusts_eye_paths), needs_landings_(units.count),
-        cost_(costs_of(m, photons)) {
+        cost_(costs_of(m, photons, meter_paths)) {
     // A point's light by way of mirrors alone meets a cell, where nothing is merged, by landing.
     for (size_t s = 0; s < scene.meter_sets.size(); ++s)
       needs_landings_[units.of_set(s)] = scene.meter_sets[s].is_cell() && !scene.effects.path_tracing_complete;
@@ -302,6 +306,7 @@ Plan pilot_plan(const Snapshot& scene, const Plan& plan, const TransportSettings
   for (const MeterSet& s : scene.meter_sets) meters += s.meters.size();
   const size_t times = meters * plan.meter_samples / (pilot_paths * plan.meter_subsets);
   pilot.meter_subsets = plan.meter_subsets * uint32_t(times | 1);
+  if (scene.cameras.empty()) pilot.light_paths = plan.light_paths;
   return pilot;
 }
 
@@ -346,7 +351,10 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   const Moments fewer_photons({{.eye = 1, .caustic = fewer}});
   if (!run_pilot(scene, small, of_pilot, stop, trace, &fewer_photons, eye)) return out;
 
-  const Chooser chooser(plan.units, all, m, eye, photons, scene, settings.prefers_eye_paths);
+  double meter_paths = 0;
+  for (const MeterSet& s : scene.meter_sets)
+    if (scene.cameras.empty()) meter_paths += double(s.meters.size()) / plan.meter_subsets * plan.meter_samples;
+  const Chooser chooser(plan.units, all, m, eye, photons, meter_paths, scene, settings.prefers_eye_paths);
   const double whole = chooser.operations_of_all();
   Chooser::Outcome best, plain;
   const auto take = [](Chooser::Outcome& of, Chooser::Outcome o) {
