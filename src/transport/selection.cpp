@@ -293,10 +293,6 @@ class Chooser {
   const Costs cost_;
 };
 
-}  // namespace
-
-namespace {
-
 // A few sensors' iterations as they will be, by few light paths.
 Plan pilot_plan(const Snapshot& scene, const Plan& plan, const TransportSettings& settings) {
   Plan pilot = plan;
@@ -365,7 +361,6 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   for (const double n : light_shares) take(best, chooser.at(n, true));
   if (!settings.prefers_eye_paths && !(best.score * least_gain < whole)) return out;
   if (best.choice.empty()) return out;
-  out.gain = whole / best.score;
   out.light_paths = light_paths_of(plan, best.light_paths);
   for (const size_t j : best.choice) out.shares.push_back(all[j].share);
   for (size_t s = 0; s < plan.units.sensors(); ++s) {

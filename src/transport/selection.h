@@ -38,7 +38,6 @@ struct Selection {
   uint32_t light_paths = 0;
   std::vector<TechniqueShare> shares;      // by Units; empty: nothing was chosen
   std::vector<ups_sensor_choice> sensors;  // cameras, then sets of meters, then goniometers
-  double gain = 1;
 };
 
 // trace: one iteration of the plan that it is given. guide: where light paths start that only caustics need. Chooses
