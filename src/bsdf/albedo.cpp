@@ -60,6 +60,7 @@ Position alpha_position(float alpha) {
   const float a = alpha_coordinate(min_table_alpha);
   return position((alpha_coordinate(alpha) - a) / (1 - a), alpha_count);
 }
+Position mu_position(float mu, float alpha) { return position(mu_coordinate(mu, alpha), mu_count); }
 Position ior_position(float ior) {
   static const float a = ior_coordinate(min_ior), b = ior_coordinate(max_ior);
   // Of the kind that needs no memory at a thread's first use, which would end the process where there is none.
@@ -108,8 +109,7 @@ struct Table {
   float value[alpha_count][mu_count] = {};
   float average[average_count] = {};
 
-  float at(float mu, float alpha) const {
-    const Position r = alpha_position(alpha), m = position(mu_coordinate(mu, alpha), mu_count);
+  float at(const Position& r, const Position& m) const {
     const float a = mix(value[r.index][m.index], value[r.index][m.index + 1], m.fraction);
     const float b = mix(value[r.index + 1][m.index], value[r.index + 1][m.index + 1], m.fraction);
     return mix(a, b, r.fraction);
@@ -123,10 +123,11 @@ struct Table {
   void integrate(const DiffuseIncidence& incidence, const Scale& scale) {
     for (int row = 0; row < average_count; ++row) {
       const float alpha = average_alpha_at(row);
+      const Position r = alpha_position(alpha);
       double sum = 0;
       for (int i = 0; i < DiffuseIncidence::parts; ++i) {
         const float mu = incidence.mu[row][i];
-        sum += incidence.weight[row][i] * at(mu, alpha) * scale(mu, alpha);
+        sum += incidence.weight[row][i] * at(r, mu_position(mu, alpha)) * scale(mu, alpha);
       }
       average[row] = float(sum / envelope_average(alpha));
     }
@@ -266,8 +267,8 @@ const Tables& tables() {
 
 // Between the tables of two indices.
 float between(const std::array<Table, ior_count>& by_ior, float mu, float alpha, float ior) {
-  const Position n = ior_position(ior);
-  return mix(by_ior[n.index].at(mu, alpha), by_ior[n.index + 1].at(mu, alpha), n.fraction);
+  const Position n = ior_position(ior), r = alpha_position(alpha), m = mu_position(mu, alpha);
+  return mix(by_ior[n.index].at(r, m), by_ior[n.index + 1].at(r, m), n.fraction);
 }
 float average_between(const std::array<Table, ior_count>& by_ior, float alpha, float ior) {
   const Position n = ior_position(ior);
@@ -276,10 +277,27 @@ float average_between(const std::array<Table, ior_count>& by_ior, float alpha, f
 
 }  // namespace
 
-float conductor_missing(float mu, float alpha) {
-  return std::min(1.0f, tables().conductor.at(mu, alpha) * envelope(mu, alpha));
+InterfaceAlbedo::InterfaceAlbedo(float alpha, float ior)
+    : alpha_(alpha), ior_(ior), coat_average_(diffuse_fresnel_reflectance(ior)) {
+  if (!(alpha > 0)) return;
+  const Position r = alpha_position(alpha), n = ior_position(ior);
+  row_ = int16_t(r.index), row_fraction_ = r.fraction;
+  table_ = int16_t(n.index), table_fraction_ = n.fraction;
+  const float envelopes = envelope_average(alpha);
+  coat_average_ -= average_between(tables().coat, alpha, ior) * envelopes;
+  missing_average_ = tables().conductor.average_at(alpha) * envelopes;
 }
-float conductor_missing_average(float alpha) { return tables().conductor.average_at(alpha) * envelope_average(alpha); }
+float InterfaceAlbedo::coat(float mu) const {
+  const float fresnel = fresnel_dielectric(mu, ior_);
+  if (!(alpha_ > 0)) return fresnel;
+  const Position r{row_, row_fraction_}, m = mu_position(mu, alpha_);
+  const float missing = mix(tables().coat[table_].at(r, m), tables().coat[table_ + 1].at(r, m), table_fraction_);
+  return std::clamp(fresnel * (1 - missing * envelope(mu, alpha_)), 0.0f, 1.0f);
+}
+float InterfaceAlbedo::missing(float mu) const {
+  if (!(alpha_ > 0)) return 0;
+  return std::min(1.0f, tables().conductor.at({row_, row_fraction_}, mu_position(mu, alpha_)) * envelope(mu, alpha_));
+}
 
 float dielectric_missing(float mu, float alpha, float ior, bool inside) {
   const auto& by_ior = inside ? tables().inside : tables().outside;
@@ -287,16 +305,6 @@ float dielectric_missing(float mu, float alpha, float ior, bool inside) {
 }
 float dielectric_missing_average(float alpha, float ior, bool inside) {
   return average_between(inside ? tables().inside : tables().outside, alpha, ior) * envelope_average(alpha);
-}
-
-float coat_albedo(float mu, float alpha, float ior) {
-  const float fresnel = fresnel_dielectric(mu, ior);
-  if (!(alpha > 0)) return fresnel;
-  return std::clamp(fresnel * (1 - between(tables().coat, mu, alpha, ior) * envelope(mu, alpha)), 0.0f, 1.0f);
-}
-float coat_albedo_average(float alpha, float ior) {
-  const float fresnel = diffuse_fresnel_reflectance(ior);
-  return alpha > 0 ? fresnel - average_between(tables().coat, alpha, ior) * envelope_average(alpha) : fresnel;
 }
 
 float missing_lobe_pdf(float mu, float alpha) { return mu * envelope(mu, alpha) / (pi * envelope_average(alpha)); }

@@ -11,21 +11,34 @@
 // Missing light is given back by a lobe missing(wo) * missing(wi) / (pi * average), which is reciprocal and closes the
 // balance exactly when `average` is the integral of 2 mu missing(mu). It is sampled with missing_lobe_pdf().
 #pragma once
+#include <cstdint>
+
 #include "base/vec.h"
 
 namespace ups {
 
-// Of conductors, at Fresnel reflectance 1. `mu` is |cos| of the direction.
-float conductor_missing(float mu, float alpha);
-float conductor_missing_average(float alpha);
+// The interface of plastic and metal: its place in the tables, found once for all directions.
+class InterfaceAlbedo {
+ public:
+  InterfaceAlbedo() = default;
+  InterfaceAlbedo(float alpha, float ior);
+  // Reflection alone, from outside: the coat of a plastic. alpha 0: the exact Fresnel reflectance. `mu` is |cos| of the
+  // direction.
+  float coat(float mu) const;
+  float coat_average() const { return coat_average_; }  // over diffuse incidence
+  // Of conductors, at Fresnel reflectance 1.
+  float missing(float mu) const;
+  float missing_average() const { return missing_average_; }
 
-// Of a dielectric's reflection and transmission together, from outside or from inside.
+ private:
+  float alpha_ = 0, ior_ = 1, coat_average_ = 0, missing_average_ = 0;
+  int16_t row_ = 0, table_ = 0;
+  float row_fraction_ = 0, table_fraction_ = 0;
+};
+
+// Of a dielectric's reflection and transmission together, from outside or from inside. `mu` is |cos| of the direction.
 float dielectric_missing(float mu, float alpha, float ior, bool inside);
 float dielectric_missing_average(float alpha, float ior, bool inside);
-
-// Of a dielectric's reflection alone, from outside: the coat of a plastic. alpha 0: the exact Fresnel reflectance.
-float coat_albedo(float mu, float alpha, float ior);
-float coat_albedo_average(float alpha, float ior);  // over diffuse incidence
 
 // The envelope that missing light follows, 1 / (1 + (mu / alpha)^2), times |cos|: a density over the hemisphere z > 0.
 float missing_lobe_pdf(float mu, float alpha);

@@ -41,12 +41,12 @@ Division divide(const BsdfParameters& p, float mu) {
   Division d;
   float interface_albedo = 0;
   if (p.metallic < 1) {
-    const float coat = coat_albedo(mu, p.alpha, p.material->ior);
+    const float coat = p.interface_albedo.coat(mu);
     d.base = 1 - coat;
     interface_albedo += (1 - p.metallic) * coat;
   }
   if (p.metallic > 0) {
-    if (p.alpha > 0) d.missing = conductor_missing(mu, p.alpha);
+    d.missing = p.interface_albedo.missing(mu);
     interface_albedo += p.metallic * luminance(metal_fresnel(p, mu)) * (1 - d.missing);
   }
   const float base = luminance(p.base) * d.base, missing = luminance(p.multiple) * d.missing;
@@ -63,14 +63,15 @@ Division divide(const BsdfParameters& p, float mu) {
 
 void prepare(BsdfParameters& p) {
   const Material& m = *p.material;
+  p.interface_albedo = m.interface_albedo ? *m.interface_albedo : InterfaceAlbedo(p.alpha, m.ior);
   if (p.metallic < 1) {
     p.base = p.reflectance * (1 - p.metallic);
-    p.base_norm = 1 / (pi * std::max(1e-6f, 1 - coat_albedo_average(p.alpha, m.ior)));
+    p.base_norm = 1 / (pi * std::max(1e-6f, 1 - p.interface_albedo.coat_average()));
   }
   if (p.metallic > 0 && p.alpha > 0) {
     const Rgb f = has_complex_index(m) ? fresnel_conductor_average(m.ior_rgb, m.ior_k_rgb)
                                        : fresnel_schlick_average(p.reflectance);
-    const float missing = conductor_missing_average(p.alpha);
+    const float missing = p.interface_albedo.missing_average();
     p.multiple = Rgb{repeated(f.r, missing), repeated(f.g, missing), repeated(f.b, missing)} * p.metallic;
     p.missing_norm[0] = 1 / (pi * missing);
   }

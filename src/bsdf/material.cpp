@@ -71,6 +71,12 @@ float radiance_scale(const BsdfParameters& p, const Vec3& wo, const Vec3& wi, Tr
 
 }  // namespace
 
+void prepare_interface(Material& m) {
+  if ((m.model != MaterialModel::plastic && m.model != MaterialModel::metal) || m.roughness_texture) return;
+  const float alpha = unit(m.roughness) * unit(m.roughness);
+  m.interface_albedo = InterfaceAlbedo(is_interface_smooth(m, alpha, m.ior) ? 0 : alpha, m.ior);
+}
+
 static_assert(std::is_trivially_copyable_v<Bsdf> && sizeof(Bsdf) <= 128);
 
 Bsdf::Bsdf(const Material& m, const Vec2& uv, float relative_ior) {

@@ -2,7 +2,9 @@
 // Material is immutable after commit; Bsdf is a small value on the stack of a walk.
 #pragma once
 #include <cstdint>
+#include <optional>
 
+#include "bsdf/albedo.h"
 #include "bsdf/bsdf.h"
 #include "geometry/texture.h"
 
@@ -20,8 +22,12 @@ struct Material {
   const Texture* reflectance_texture = nullptr;
   const Texture* roughness_texture = nullptr;
   const Texture* metallic_texture = nullptr;
+  std::optional<InterfaceAlbedo> interface_albedo;  // of plastic and metal where it is the same everywhere
   // Emission and alpha do not scatter; they live beside this in scene/snapshot.h.
 };
+
+// Fills interface_albedo where it can: without, it is found at every point.
+void prepare_interface(Material& material);
 
 // Below this GGX alpha a lobe is a delta lobe in all walks.
 inline constexpr float min_alpha = 3e-5f;
@@ -44,6 +50,7 @@ struct BsdfParameters {
   float metallic = 0;
   float ior = 1;         // glass: of the denser side over the other one, so at least 1
   bool flipped = false;  // glass: the denser side is in front
+  InterfaceAlbedo interface_albedo;  // plastic, metal
   // Lobes that close the energy balance of a rough interface, see bsdf/albedo.h.
   Rgb base, multiple;                   // share of the diffuse base; of light scattered repeatedly by metal
   float base_norm = 0;                  // 1 / (pi (1 - mean albedo of the coat))

@@ -2,6 +2,8 @@
 #include "geometry/texture.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <string>
 
@@ -18,11 +20,16 @@ struct Tap {
 // The two texels about a coordinate, and the weight of the second. In double, so that large coordinates keep their
 // place.
 Tap tap(float coordinate, uint32_t size) {
-  double wrapped = double(coordinate) - std::floor(double(coordinate));
-  if (!(wrapped >= 0 && wrapped < 1)) wrapped = 0;  // not finite
-  const double x = wrapped * size - 0.5, below = std::floor(x);
-  const uint32_t second = uint32_t(below + 1) % size;
-  return {below < 0 ? size - 1 : uint32_t(below), second, float(x - below)};
+  double wrapped = 0;  // beyond 2^24 floats have no fraction
+  if (std::abs(coordinate) < 0x1p24f) {
+    wrapped = double(coordinate) - int32_t(coordinate);
+    if (wrapped < 0) wrapped += 1;
+    if (wrapped >= 1) wrapped = 0;
+  }
+  const double x = wrapped * size - 0.5;
+  if (x < 0) return {size - 1, 0, float(x + 1)};
+  const auto below = uint32_t(x);
+  return {below, below + 1 == size ? 0 : below + 1, float(x - below)};
 }
 
 }  // namespace
@@ -39,18 +46,47 @@ Texture::Texture(uint32_t width, uint32_t height, uint32_t channels, std::vector
     min_first_ = std::min(min_first_, texels_[i]);
     if (channels >= 3) coloured_ = coloured_ || texels_[i] != texels_[i + 1] || texels_[i] != texels_[i + 2];
   }
+  if (index_texels()) texels_ = {};
+}
+
+bool Texture::index_texels() {
+  std::array<int16_t, 1024> numbers;  // of the values by a hash of their bits, open addressing
+  numbers.fill(-1);
+  const auto number = [&](float texel) {
+    const auto bits = std::bit_cast<uint32_t>(texel);
+    for (size_t at = bits * 0x9e3779b1u >> 22;; at = (at + 1) % numbers.size()) {
+      if (numbers[at] < 0) {
+        numbers[at] = int16_t(values_.size());
+        values_.push_back(texel);
+      }
+      if (std::bit_cast<uint32_t>(values_[size_t(numbers[at])]) == bits) return size_t(numbers[at]);
+    }
+  };
+  indices_.reserve(texels_.size());
+  for (const float t : texels_) {
+    indices_.push_back(uint8_t(number(t)));
+    if (values_.size() > 256) return values_ = {}, indices_ = {}, false;
+  }
+  return true;
 }
 
 template <int C>
 void Texture::fetch(const Vec2& uv, const int (&channel)[C], float (&out)[C]) const {
+  if (indices_.empty())
+    fetch(uv, channel, [this](size_t i) { return texels_[i]; }, out);
+  else
+    fetch(uv, channel, [this](size_t i) { return values_[indices_[i]]; }, out);
+}
+
+template <int C, class Texel>
+void Texture::fetch(const Vec2& uv, const int (&channel)[C], const Texel& texel, float (&out)[C]) const {
   const Tap x = tap(uv.x, width_), y = tap(uv.y, height_);
-  const float* row0 = texels_.data() + size_t(y.first) * width_ * channels_;
-  const float* row1 = texels_.data() + size_t(y.second) * width_ * channels_;
+  const size_t row0 = size_t(y.first) * width_ * channels_, row1 = size_t(y.second) * width_ * channels_;
   const size_t i = size_t(x.first) * channels_, j = size_t(x.second) * channels_;
   for (int c = 0; c < C; ++c) {
     const int k = channel[c];
-    const float a = row0[i + k] * (1 - x.fraction) + row0[j + k] * x.fraction;
-    const float b = row1[i + k] * (1 - x.fraction) + row1[j + k] * x.fraction;
+    const float a = texel(row0 + i + k) * (1 - x.fraction) + texel(row0 + j + k) * x.fraction;
+    const float b = texel(row1 + i + k) * (1 - x.fraction) + texel(row1 + j + k) * x.fraction;
     out[c] = a * (1 - y.fraction) + b * y.fraction;
   }
 }

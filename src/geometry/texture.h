@@ -18,9 +18,14 @@ class Texture {
   bool coloured() const { return coloured_; }
 
  private:
+  template <int C, class Texel>
+  void fetch(const Vec2& uv, const int (&channel)[C], const Texel& texel, float (&out)[C]) const;
   template <int C> void fetch(const Vec2& uv, const int (&channel)[C], float (&out)[C]) const;
+  bool index_texels();
   uint32_t width_, height_, channels_;
-  std::vector<float> texels_;
+  // Of no more than 256 different values, as those of 8-bit files are, numbers of bytes that stay in the caches.
+  std::vector<float> texels_, values_;
+  std::vector<uint8_t> indices_;
   float min_first_ = 1;
   bool coloured_ = false;
 };

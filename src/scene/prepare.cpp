@@ -112,6 +112,7 @@ void Builder::add_materials() {
     m.reflectance_texture = texture(d.reflectance_texture);
     m.roughness_texture = texture(d.roughness_texture);
     m.metallic_texture = texture(d.metallic_texture);
+    prepare_interface(m);
     out_->materials.push_back(m);
     SurfaceTexturing t;
     t.alpha = texture(d.alpha_texture);

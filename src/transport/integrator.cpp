@@ -22,13 +22,8 @@ Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSet
 void Integrator::choose_first_radii(const StopSignal& stop) {
   const uint32_t all = plan_.light_paths, few = settings_.automatic ? std::min(all, 1u << 12) : all;
   plan_.light_paths = few;
-  choose_radii(*scene_, settings_, pool_, stop, plan_);
+  choose_radii(*scene_, settings_, pool_, stop, all > 0 ? double(few) / all : 1, plan_);
   plan_.light_paths = all;
-  if (few == all || settings_.merge_radius > 0) return;
-  const double more = double(few) / all;
-  plan_.walk_radius *= float(std::sqrt(more));  // the spacing of photons; of a meter r^6 goes with the noise
-  for (auto& radii : plan_.meter_radius)
-    for (float& r : radii) r *= float(std::pow(more, 1.0 / 6));
 }
 
 void Integrator::select(const StopSignal& stop) {

@@ -78,7 +78,7 @@ void fix_radii(const Snapshot& scene, float radius, Plan& plan) {
 // The pilot's light paths say how dense light is, and are thrown away. Fits the discs of the meters that the iteration
 // visits; returns the vertices of its first pass.
 std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
-                                   const StopSignal& stop, uint32_t iteration, Plan& plan) {
+                                   const StopSignal& stop, double share, uint32_t iteration, Plan& plan) {
   set_largest_disc_radii(scene, pool, stop, iteration, plan);
   TransportSettings pilot = settings;
   pilot.method.weighted = false;
@@ -97,14 +97,14 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
     for (size_t d = 0; d < paths.crossings.size(); ++d)
       crossings[d].insert(crossings[d].end(), paths.crossings[d].begin(), paths.crossings[d].end());
   }
-  if (!stop.is_set()) fit_disc_radii(scene, sensors, crossings, passes, iteration, plan);
+  if (!stop.is_set()) fit_disc_radii(scene, sensors, crossings, passes, share, iteration, plan);
   return vertices;
 }
 
 }  // namespace
 
 void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const StopSignal& stop,
-                  Plan& plan) {
+                  double share, Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE) && !settings.actual_perturbation) return;
   if (settings.merge_radius > 0) return fix_radii(scene, settings.merge_radius, plan);
   for (size_t c = 0; c < scene.cameras.size(); ++c)
@@ -113,8 +113,8 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
     plan.meter_spacing.push_back(meter_spacing(set));
     plan.meter_radius.emplace_back(set.meters.size());
   }
-  std::vector<LightVertex> vertices = run_pilot(scene, settings, pool, stop, 0, plan);
-  plan.walk_radius = typical_spacing(vertices, 0.05f * scene.radius);
+  std::vector<LightVertex> vertices = run_pilot(scene, settings, pool, stop, share, 0, plan);
+  plan.walk_radius = typical_spacing(vertices, 0.05f * scene.radius) * float(std::sqrt(share));
   // A coarse image's pixels are wider than the light's detail that photons can show.
   for (auto& radii : plan.pixel_radius)
     for (float& r : radii) r = std::min(r, 4 * plan.walk_radius);
@@ -122,7 +122,7 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
 
 void choose_meter_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
                         const StopSignal& stop, uint32_t iteration, Plan& plan) {
-  if (!plan.meter_spacing.empty()) run_pilot(scene, settings, pool, stop, iteration, plan);
+  if (!plan.meter_spacing.empty()) run_pilot(scene, settings, pool, stop, 1, iteration, plan);
 }
 
 }  // namespace ups

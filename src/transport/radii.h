@@ -11,9 +11,9 @@
 namespace ups {
 
 // Fills plan.pixel_radius and plan.walk_radius where the settings merge, and plan.meter_radius of the meters that the
-// first iteration visits; with nothing useful once `stop` is set.
+// first iteration visits; with nothing useful once `stop` is set. share: plan.light_paths, over those of the render.
 void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const StopSignal& stop,
-                  Plan& plan);
+                  double share, Plan& plan);
 // Fills plan.meter_radius of the meters that a later iteration is the first to visit. So a million meters are no long
 // wait before the first iteration.
 void choose_meter_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
@@ -32,9 +32,9 @@ float meter_spacing(const MeterSet& set);
 // The parts for the meters that an iteration visits, in place. Limited by spacing, walls and the scene's size.
 void set_largest_disc_radii(const Snapshot& scene, ThreadPool& pool, const StopSignal& stop, uint32_t iteration,
                             Plan& plan);
-// Shrinks them by what `passes` passes of pilot photons found on discs of those radii.
+// Shrinks them by what `passes` passes of pilot photons, `share` of a render's, found on discs of those radii.
 void fit_disc_radii(const Snapshot& scene, const SensorIndex& sensors,
                     const std::vector<std::vector<PilotPaths::Crossing>>& crossings, uint32_t passes,
-                    uint32_t iteration, Plan& plan);
+                    double share, uint32_t iteration, Plan& plan);
 
 }  // namespace ups

@@ -20,6 +20,17 @@ TEST(Texture, TexelCentresAndBilinearBetween) {
   EXPECT_FLOAT_EQ(t.first({0.0f, 0.25f}), 0.5f);  // half way to the last column, which comes before the first
 }
 
+// Those of few different values are stored as bytes.
+TEST(Texture, AnyNumberOfDifferentValues) {
+  for (const uint32_t values : {1u, 255u, 256u, 257u, 1024u}) {
+    std::vector<float> texels;
+    for (uint32_t i = 0; i < 1024; ++i) texels.push_back(float(i * 7 % values) / 3 - 1);
+    const Texture t(32, 32, 1, texels);
+    for (uint32_t i = 0; i < 1024; ++i)
+      ASSERT_EQ(t.first({(float(i % 32) + 0.5f) / 32, (float(i / 32) + 0.5f) / 32}), texels[i]) << values;
+  }
+}
+
 TEST(Texture, RepeatsInBothDirections) {
   const Texture t(3, 2, 1, {0, 1, 2, 3, 4, 5});
   for (float u : {0.1f, 0.4f, 0.99f})
