@@ -76,6 +76,16 @@ struct Snapshot {
 
   SceneEffects effects;
   std::vector<std::string> warnings;
+  uint64_t pixel_count() const {
+    uint64_t n = 0;
+    for (const Camera& c : cameras) n += c.pixel_count();
+    return n;
+  }
+  uint64_t meter_count() const {
+    uint64_t n = 0;
+    for (const MeterSet& s : meter_sets) n += s.meters.size();
+    return n;
+  }
   size_t luminaire_count = 0, light_count = 0, emissive_instance_count = 0;
 };
 

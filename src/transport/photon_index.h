@@ -30,6 +30,7 @@ class PhotonIndex {
     std::vector<uint32_t> next(begin_.begin(), begin_.end() - 1);
     photons_.resize(which.size());
     for (size_t i = 0; i < which.size(); ++i) photons_[next[bucket[i]]++] = {vertices[which[i]].p, which[i]};
+    mark_neighbourhoods(max_radius);
   }
 
   bool empty() const { return photons_.empty(); }
@@ -37,7 +38,7 @@ class PhotonIndex {
   // visit(vertex index, squared distance) for every photon within the radius, each once.
   template <class Visit>
   void query(const Vec3& p, float radius, const Visit& visit) const {
-    if (photons_.empty()) return;
+    if (!may_find(p)) return;
     const float r2 = radius * radius;
     const Cell lo = cell_of(p - Vec3(radius, radius, radius)), hi = cell_of(p + Vec3(radius, radius, radius));
     uint32_t seen[8];
@@ -64,6 +65,34 @@ class PhotonIndex {
     Vec3 p;
     uint32_t vertex;
   };
+  // Caustics are mostly elsewhere: a coarse grid of bits about all photons says so at once.
+  static constexpr int side = 32;
+  int coarse(float x, float low) const { return std::clamp(int((x - low) * to_coarse_), 0, side - 1); }
+  void mark_neighbourhoods(float radius) {
+    if (photons_.empty()) return;
+    Vec3 high = low_ = photons_[0].p;
+    for (const Photon& f : photons_) {
+      low_ = {std::min(low_.x, f.p.x), std::min(low_.y, f.p.y), std::min(low_.z, f.p.z)};
+      high = {std::max(high.x, f.p.x), std::max(high.y, f.p.y), std::max(high.z, f.p.z)};
+    }
+    radius = 1.001f * radius + 0x1p-21f * std::max(max_abs(low_), max_abs(high));  // rounding
+    low_ = low_ - Vec3(radius, radius, radius);
+    extent_ = max_abs(high - low_) + radius;
+    to_coarse_ = side / (extent_ * 1.001f);
+    near_.assign(side * side, 0);
+    for (const Photon& f : photons_)
+      for (int z = coarse(f.p.z - radius, low_.z); z <= coarse(f.p.z + radius, low_.z); ++z)
+        for (int y = coarse(f.p.y - radius, low_.y); y <= coarse(f.p.y + radius, low_.y); ++y)
+          for (int x = coarse(f.p.x - radius, low_.x); x <= coarse(f.p.x + radius, low_.x); ++x)
+            near_[z * side + y] |= 1u << x;
+  }
+  bool may_find(const Vec3& p) const {
+    if (photons_.empty()) return false;
+    const Vec3 d = p - low_;
+    if (!(d.x >= 0 && d.y >= 0 && d.z >= 0 && d.x <= extent_ && d.y <= extent_ && d.z <= extent_)) return false;
+    return near_[coarse(p.z, low_.z) * side + coarse(p.y, low_.y)] >> coarse(p.x, low_.x) & 1;
+  }
+
   // A query's box spans at most two cells an axis because a cell is two radii wide.
   Cell cell_of(const Vec3& p) const {
     return {int64_t(std::floor(p.x / cell_)), int64_t(std::floor(p.y / cell_)), int64_t(std::floor(p.z / cell_))};
@@ -80,6 +109,9 @@ class PhotonIndex {
   uint32_t mask_ = 0;
   std::vector<uint32_t> begin_;
   std::vector<Photon> photons_;
+  Vec3 low_;
+  float extent_ = 0, to_coarse_ = 0;
+  std::vector<uint32_t> near_;  // rows of bits along x
 };
 
 }  // namespace ups

@@ -18,18 +18,6 @@ constexpr uint32_t max_light_paths = 1u << 15;
 constexpr uint32_t min_light_paths = 1u << 12;
 constexpr uint32_t goniometer_paths = 1u << 16;
 
-uint64_t count_pixels(const Snapshot& scene) {
-  uint64_t n = 0;
-  for (const Camera& c : scene.cameras) n += c.pixel_count();
-  return n;
-}
-
-uint64_t count_meters(const Snapshot& scene) {
-  uint64_t n = 0;
-  for (const MeterSet& s : scene.meter_sets) n += s.meters.size();
-  return n;
-}
-
 }  // namespace
 
 double Plan::radius2_factor(uint32_t visits, double alpha) {
@@ -78,7 +66,7 @@ bool Plan::traces_caustics_alone() const {
 }
 
 void set_path_counts(const Snapshot& scene, const TransportSettings& settings, uint32_t most, Plan& plan) {
-  const uint64_t pixels = count_pixels(scene), meters = count_meters(scene),
+  const uint64_t pixels = scene.pixel_count(), meters = scene.meter_count(),
                  camera_paths = std::min(most, camera_paths_per_iteration),
                  meter_paths = std::min(most, meter_paths_per_iteration),
                  most_meters = std::min(most, max_meters_per_iteration);

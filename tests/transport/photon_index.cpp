@@ -61,6 +61,23 @@ TEST(PhotonIndex, FlatPhotonsAreNotLostToRounding) {
   compare(vertices, 0.05f, queries);
 }
 
+// Far from the origin, a radius of a few steps of a float; one photon; and clusters with nothing in between.
+TEST(PhotonIndex, SparsePhotonsAreNotLostToRounding) {
+  for (const float offset : {0.0f, 1000.0f})
+    for (const uint32_t count : {1u, 2u, 40u})
+      for (const float radius : {2e-4f, 0.02f}) {
+        std::vector<LightVertex> vertices(count);
+        std::vector<Vec3> queries;
+        for (uint32_t i = 0; i < count; ++i) {
+          vertices[i].p = random_point(i, radius, offset + float(i % 2));
+          vertices[i].merge = true;
+          for (uint32_t k = 0; k < 100; ++k)
+            queries.push_back(vertices[i].p + (random_point(100 * i + k, 2, 0) - Vec3(1, 1, 1)) * radius);
+        }
+        compare(vertices, radius, queries);
+      }
+}
+
 TEST(PhotonIndex, EmptyIndexFindsNothing) {
   PhotonIndex().query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
   PhotonIndex(std::vector<LightVertex>(3), 1.0f).query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });

@@ -1,0 +1,140 @@
+// See pilot.h.
+#include "transport/pilot.h"
+
+#include <algorithm>
+
+namespace ups {
+
+namespace {
+
+class Pilot {
+ public:
+  Pilot(const Snapshot& scene, const Plan& plan, const Moments& moments)
+      : scene_(scene), plan_(plan), sets_(moments.count()), row_(moments.row()) {
+    for (auto* v : {&m_.variance, &m_.independent, &m_.of_light, &m_.eye_share, &m_.light, &m_.caustic})
+      v->resize(plan.units.count);
+    m_.excess.assign(plan.units.count, std::vector<double>(sets_));
+    for (const Camera& c : scene.cameras) points_.emplace_back(c.pixel_count());
+    for (const MeterSet& s : scene.meter_sets) points_.emplace_back(s.meters.size());
+  }
+
+  void add(const Iteration& in, const IterationTally& tally) {
+    const Units& units = plan_.units;
+    const size_t cameras = scene_.cameras.size();
+    for (size_t c = 0; c < cameras; ++c) {
+      const Camera& camera = scene_.cameras[c];
+      plan_.for_visited_pixels(in.number, camera.width(), camera.height(), [&](uint32_t i, uint32_t pixel) {
+        points_[c][pixel].of_iterations.add(luminance(tally.pixels[c][i]));
+        m_.eye_share[units.of_pixel(c, pixel)] += 1;
+        take(units.of_pixel(c, pixel), &tally.excess_of_pixels[c][i * row_], 1, 1, points_[c][pixel]);
+      });
+      // An iteration sees one of camera_subsets times that a pixel gets splats between two visits.
+      Point none;
+      for (uint32_t t = 0; t < units.tiles(c); ++t)
+        take(units.begin(c) + t, &tally.excess_of_splats[c][t * row_], plan_.camera_subsets, 0, none);
+      for (const Splat& s : tally.splats[c]) {
+        const double v = luminance(s.value);
+        m_.variance[units.of_pixel(c, s.pixel)] += v * v * plan_.camera_subsets / pilot_rounds;
+      }
+    }
+    for (size_t s = 0; s < scene_.meter_sets.size(); ++s)
+      for (size_t i = 0; i < tally.meters[s].size(); ++i) {
+        Point& point = points_[cameras + s][plan_.visited_meter(in.number, i)];
+        point.of_iterations.add(tally.meters[s][i].value);
+        m_.eye_share[units.of_set(s)] += plan_.meter_samples;
+        take(units.of_set(s), &tally.excess_of_meters[s][i * row_], 1, plan_.meter_samples, point);
+      }
+    m_.all.add(tally.work);
+    m_.light_work.add(tally.light_work);
+  }
+
+  const Measured& measured() {
+    const size_t cameras = scene_.cameras.size();
+    for (size_t s = 0; s < points_.size(); ++s)
+      for (uint32_t p = 0; p < points_[s].size(); ++p) {
+        const uint32_t unit = s < cameras ? plan_.units.of_pixel(s, p) : plan_.units.of_set(s - cameras);
+        m_.variance[unit] += points_[s][p].of_iterations.variance();
+        m_.independent[unit] +=
+            points_[s][p].of_paths.variance() * (s < cameras ? 1 : plan_.meter_samples);
+      }
+    double paths = 0;
+    for (const double share : m_.eye_share) paths += share;
+    for (double& share : m_.eye_share) share /= std::max(1.0, paths);
+    for (size_t c = 0; c < cameras; ++c) pool_tiles(c);
+    return m_;
+  }
+
+ private:
+  struct Sums {
+    double sum = 0, square = 0;
+    uint32_t count = 0;
+    void add(double v) { sum += v, square += v * v, ++count; }
+    double variance() const { return count < 2 ? 0.0 : std::max(0.0, (square - sum * sum / count) / (count - 1)); }
+  };
+  struct Point {
+    Sums of_iterations, of_paths;
+  };
+  void take(uint32_t unit, const double* row, double scale, uint32_t eye_paths, Point& point) {
+    for (size_t j = 0; j < sets_; ++j) m_.excess[unit][j] += row[j] * scale / pilot_rounds;
+    m_.independent[unit] += row[sets_ + 2] * scale / pilot_rounds;
+    m_.of_light[unit] += row[sets_ + 2] * scale / pilot_rounds;
+    m_.light[unit] += row[sets_ + 3] * scale;
+    m_.caustic[unit] += row[sets_ + 4] * scale;
+    point.of_paths.sum += row[sets_], point.of_paths.square += row[sets_ + 1], point.of_paths.count += eye_paths;
+  }
+
+  // Tiles are noisy: each is judged with its neighbours.
+  void pool_tiles(size_t camera) {
+    const Measured own = m_;
+    const Units& units = plan_.units;
+    const auto columns = int(units.columns(camera)), rows = int(units.tiles(camera)) / columns;
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < columns; ++x) {
+        const uint32_t unit = units.begin(camera) + uint32_t(y * columns + x);
+        for (int j = std::max(0, y - 1); j <= std::min(rows - 1, y + 1); ++j)
+          for (int i = std::max(0, x - 1); i <= std::min(columns - 1, x + 1); ++i) {
+            const uint32_t other = units.begin(camera) + uint32_t(j * columns + i);
+            if (other == unit) continue;
+            for (auto sums : {&Measured::variance, &Measured::independent, &Measured::of_light, &Measured::light,
+                              &Measured::caustic})
+              (m_.*sums)[unit] += (own.*sums)[other];
+            for (size_t k = 0; k < sets_; ++k) m_.excess[unit][k] += own.excess[other][k];
+          }
+      }
+  }
+
+  const Snapshot& scene_;
+  const Plan& plan_;
+  const size_t sets_, row_;
+  Measured m_;
+  std::vector<std::vector<Point>> points_;  // cameras' pixels, then sets' meters
+};
+
+}  // namespace
+
+Plan pilot_plan(const Snapshot& scene, const Plan& plan, const TransportSettings& settings) {
+  Plan pilot = plan;
+  set_path_counts(scene, settings, pilot_paths, pilot);
+  pilot.meter_samples = plan.meter_samples;
+  const size_t times = scene.meter_count() * plan.meter_samples / (pilot_paths * plan.meter_subsets);
+  pilot.meter_subsets = plan.meter_subsets * uint32_t(times | 1);
+  return pilot;
+}
+
+bool run_pilot(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, const StopSignal& stop,
+               const TraceIteration& trace, const Moments& moments, Measured& out) {
+  Pilot pilot(scene, plan, moments);
+  IterationTally tally;
+  for (uint32_t k = 0; k < pilot_rounds; ++k) {  // the same pixels and meters again
+    Iteration in =
+        Iteration::of_pilot(scene, plan, settings, k * plan.camera_subsets * plan.meter_subsets, stop, Stream::pilot);
+    in.light_visit = in.camera_visit = in.meter_visit = {k, 0};
+    in.moments = &moments;
+    if (!trace(in, tally)) return false;
+    pilot.add(in, tally);
+  }
+  out = pilot.measured();
+  return true;
+}
+
+}  // namespace ups

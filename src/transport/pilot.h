@@ -1,0 +1,29 @@
+// A few iterations of few paths, which say how noisy sets of techniques would be and are thrown away.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "transport/selection.h"
+
+namespace ups {
+
+// By unit.
+struct Measured {
+  std::vector<double> variance;             // of an iteration
+  std::vector<double> independent;          // the same, had its samples not been stratified
+  std::vector<double> of_light;             // of that, by landings and splats, which all eye paths share
+  std::vector<std::vector<double>> excess;  // of each set of techniques over `independent`
+  std::vector<double> eye_share;            // of all eye paths
+  std::vector<double> light, caustic;       // what was found, and by photons of caustics
+  WorkCounts light_work, all;
+};
+
+inline constexpr uint32_t pilot_rounds = 3, pilot_paths = 1u << 12;
+
+// A few sensors' iterations as they will be, by few light paths.
+Plan pilot_plan(const Snapshot& scene, const Plan& plan, const TransportSettings& settings);
+// False once `stop` is set.
+bool run_pilot(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, const StopSignal& stop,
+               const TraceIteration& trace, const Moments& moments, Measured& out);
+
+}  // namespace ups
