@@ -30,9 +30,8 @@ namespace {
 constexpr double most_caustic = 0.02;
 // Nor does it see what eye paths find once in a while only; that of light paths does, and says how much it would be.
 constexpr double most_excess = 20;  // over the variance of all techniques
-constexpr double least_gain = 1.15;
-// Over all techniques, which the scene calls for: what a few photons predict has been wrong by up to 1.4.
-constexpr double least_gain_over_all = 1.5;
+// Below, the choice stays as it would be without a pilot: what a few photons predict has been wrong by up to 1.8.
+constexpr double least_gain = 2;
 
 // A set of techniques that a sensor's part may take, at a share of the light paths.
 struct Candidate {
@@ -76,16 +75,18 @@ std::vector<Candidate> candidates(const TransportSettings& s) {
 struct Costs {
   double eye = 0, connect = 0, merge = 0, light = 0, caustic_light = 0;
 };
-// The pilot's, as an iteration of the plan would have them. eye, light: numbers of paths over all of the pilot's.
-Costs costs_of(const Measured& m, double eye, double light) {
+// The pilot's, as an iteration of the plan would have them. eye, photons: numbers of paths over those of a round.
+Costs costs_of(const Measured& m, double eye, double photons) {
   constexpr double start = 4;  // of a light path: its emitter and direction
   const double light_rays = double(m.light_work.rays), vertices = double(m.light_work.light_vertices),
                paths = std::max<double>(1, double(m.light_work.light_paths)), landings = double(m.light_work.merges);
+  const double light = photons / pilot_rounds;
+  eye /= pilot_rounds;
   Costs c;
   c.eye = eye * (double(m.all.rays) - light_rays - double(m.all.connections));
   c.connect = eye * double(m.all.connections) * (1 + 0.25 * vertices / paths);
-  c.merge = eye * (0.5 * light * (double(m.all.merges) - landings) + 0.2 * double(m.all.eye_paths));
-  c.light = light * (start * paths + light_rays + 0.5 * vertices + 0.5 * eye * landings);
+  c.merge = eye * (0.5 * photons * (double(m.all.merges) - landings) + 0.2 * double(m.all.eye_paths));
+  c.light = light * (start * paths + light_rays + 0.5 * vertices + 0.5 * pilot_rounds * eye * landings);
   c.caustic_light = light * (start * paths + 1.5 * double(m.light_work.caster_rays));
   return c;
 }
@@ -107,7 +108,7 @@ class Chooser {
       const uint32_t units = units_.end(s) - units_.begin(s);
       weight_.insert(weight_.end(), units, 1.0 / (double(units) * double(units_.sensors())));
     }
-    cost_ = costs_of(m, paths / std::max<double>(1, double(m.all.eye_paths)), photons / pilot_rounds);
+    cost_ = costs_of(m, paths * pilot_rounds / std::max<double>(1, double(m.all.eye_paths)), photons);
   }
 
   // The best at one number of light paths: mean variance x operations, to which each unit adds its part.
@@ -243,7 +244,7 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   for (const double n : caustic_shares) take(plain, chooser.at(n, false));
   best = plain;
   for (const double n : light_shares) take(best, chooser.at(n, true));
-  if (!settings.prefers_eye_paths && !(best.score * least_gain_over_all < whole)) return out;
+  if (!settings.prefers_eye_paths && !(best.score * least_gain < whole)) return out;
   if (best.shares.empty()) return out;
   out.light_paths = light_paths_of(plan, best.light_paths);
   out.shares = best.shares;
