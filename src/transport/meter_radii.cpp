@@ -27,7 +27,6 @@ float distance_in_plane(const Snapshot& scene, const Meter& meter, float radius)
 // noise / r^2, its bias curvature * r^2.
 struct DiscMoments {
   double noise = 0, curvature = 0;
-  double doubt = 0;  // variance of the curvature as the pilot tells it
 };
 
 DiscMoments moments(const std::vector<PilotPaths::Crossing>& crossings, double radius2, uint32_t passes) {
@@ -36,8 +35,7 @@ DiscMoments moments(const std::vector<PilotPaths::Crossing>& crossings, double r
     squares += c.value * c.value;
     difference += 2.0 * c.value * (2.0 * c.distance2 < radius2 ? -1 : 1);  // 2 (M_r - M_{r / sqrt 2})
   }
-  return {squares / passes * radius2, difference / passes / radius2,
-          4 * squares / (double(passes) * passes * radius2 * radius2)};
+  return {squares / passes * radius2, difference / passes / radius2};
 }
 
 // Means over each meter's neighbourhood: one meter's photons are too few to tell bias from noise. Of the meters that
@@ -60,15 +58,13 @@ std::vector<DiscMoments> pooled(const MeterSet& set, const Plan& plan, uint32_t 
       if (length2(other.p - meter.p) > reach * reach || dot(other.frame.n, meter.frame.n) < 0.9f) return;
       sum.noise += own[j].noise;
       sum.curvature += own[j].curvature;
-      sum.doubt += own[j].doubt;
       ++count;
     };
     take(order[at]);
     for (size_t k = at; k-- > 0 && count < enough && meter.p.x - x(order[k]) <= reach;) take(order[k]);
     for (size_t k = at + 1; k < order.size() && count < 2 * enough && x(order[k]) - meter.p.x <= reach; ++k)
       take(order[k]);
-    const auto n = double(count);
-    out[order[at]] = {sum.noise / n, sum.curvature / n, sum.doubt / (n * n)};
+    out[order[at]] = {sum.noise / double(count), sum.curvature / double(count)};
   }
   return out;
 }
@@ -78,9 +74,7 @@ std::vector<DiscMoments> pooled(const MeterSet& set, const Plan& plan, uint32_t 
 // drops out of r_1^6 = 0.1226 noise / curvature^2.
 double best_radius2(const DiscMoments& m, double largest2) {
   if (!(m.noise > 0)) return largest2;
-  // Of what the pilot's own noise explains an eighth stays, which makes the radius 1.4 times larger at most.
-  const double square = m.curvature * m.curvature, curvature2 = std::max(square - m.doubt, square / 8);
-  const double best = std::cbrt(0.1226 * m.noise / curvature2);
+  const double best = std::cbrt(0.1226 * m.noise / (m.curvature * m.curvature));
   return std::clamp(best, largest2 / 64, largest2);
 }
 
