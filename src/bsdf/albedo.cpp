@@ -114,8 +114,7 @@ struct Table {
     const float b = mix(value[r.index + 1][m.index], value[r.index + 1][m.index + 1], m.fraction);
     return mix(a, b, r.fraction);
   }
-  float average_at(float alpha) const {
-    const Position r = average_position(alpha);
+  float average_at(const Position& r) const {
     return mix(average[r.index], average[r.index + 1], r.fraction);
   }
   // Averages of value * scale(mu, alpha), over envelope_average(alpha).
@@ -270,9 +269,8 @@ float between(const std::array<Table, ior_count>& by_ior, float mu, float alpha,
   const Position n = ior_position(ior), r = alpha_position(alpha), m = mu_position(mu, alpha);
   return mix(by_ior[n.index].at(r, m), by_ior[n.index + 1].at(r, m), n.fraction);
 }
-float average_between(const std::array<Table, ior_count>& by_ior, float alpha, float ior) {
-  const Position n = ior_position(ior);
-  return mix(by_ior[n.index].average_at(alpha), by_ior[n.index + 1].average_at(alpha), n.fraction);
+float average_between(const std::array<Table, ior_count>& by_ior, const Position& alpha, const Position& ior) {
+  return mix(by_ior[ior.index].average_at(alpha), by_ior[ior.index + 1].average_at(alpha), ior.fraction);
 }
 
 }  // namespace
@@ -280,12 +278,12 @@ float average_between(const std::array<Table, ior_count>& by_ior, float alpha, f
 InterfaceAlbedo::InterfaceAlbedo(float alpha, float ior)
     : alpha_(alpha), ior_(ior), coat_average_(diffuse_fresnel_reflectance(ior)) {
   if (!(alpha > 0)) return;
-  const Position r = alpha_position(alpha), n = ior_position(ior);
+  const Position r = alpha_position(alpha), n = ior_position(ior), average = average_position(alpha);
   row_ = int16_t(r.index), row_fraction_ = r.fraction;
   table_ = int16_t(n.index), table_fraction_ = n.fraction;
   const float envelopes = envelope_average(alpha);
-  coat_average_ -= average_between(tables().coat, alpha, ior) * envelopes;
-  missing_average_ = tables().conductor.average_at(alpha) * envelopes;
+  coat_average_ -= average_between(tables().coat, average, n) * envelopes;
+  missing_average_ = tables().conductor.average_at(average) * envelopes;
 }
 float InterfaceAlbedo::coat(float mu) const {
   const float fresnel = fresnel_dielectric(mu, ior_);
@@ -304,7 +302,8 @@ float dielectric_missing(float mu, float alpha, float ior, bool inside) {
   return std::min(1.0f, between(by_ior, mu, alpha, ior) * envelope(mu, alpha));
 }
 float dielectric_missing_average(float alpha, float ior, bool inside) {
-  return average_between(inside ? tables().inside : tables().outside, alpha, ior) * envelope_average(alpha);
+  return average_between(inside ? tables().inside : tables().outside, average_position(alpha), ior_position(ior)) *
+         envelope_average(alpha);
 }
 
 float missing_lobe_pdf(float mu, float alpha) { return mu * envelope(mu, alpha) / (pi * envelope_average(alpha)); }

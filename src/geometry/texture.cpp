@@ -46,7 +46,7 @@ Texture::Texture(uint32_t width, uint32_t height, uint32_t channels, std::vector
     min_first_ = std::min(min_first_, texels_[i]);
     if (channels >= 3) coloured_ = coloured_ || texels_[i] != texels_[i + 1] || texels_[i] != texels_[i + 2];
   }
-  if (index_texels()) texels_ = {};
+  if (index_texels()) texels_ = std::vector<float>();  // which, other than {}, gives back the memory
 }
 
 bool Texture::index_texels() {
@@ -62,11 +62,13 @@ bool Texture::index_texels() {
       if (std::bit_cast<uint32_t>(values_[size_t(numbers[at])]) == bits) return size_t(numbers[at]);
     }
   };
-  indices_.reserve(texels_.size());
+  std::vector<uint8_t> indices;
+  indices.reserve(texels_.size());
   for (const float t : texels_) {
-    indices_.push_back(uint8_t(number(t)));
-    if (values_.size() > 256) return values_ = {}, indices_ = {}, false;
+    indices.push_back(uint8_t(number(t)));
+    if (values_.size() > 256) return false;
   }
+  indices_ = std::move(indices);
   return true;
 }
 

@@ -21,7 +21,7 @@ class Texture {
   template <int C, class Texel>
   void fetch(const Vec2& uv, const int (&channel)[C], const Texel& texel, float (&out)[C]) const;
   template <int C> void fetch(const Vec2& uv, const int (&channel)[C], float (&out)[C]) const;
-  bool index_texels();
+  bool index_texels();  // false where there are too many values
   uint32_t width_, height_, channels_;
   // Of no more than 256 different values, as those of 8-bit files are, numbers of bytes that stay in the caches.
   std::vector<float> texels_, values_;

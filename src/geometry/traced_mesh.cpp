@@ -104,7 +104,7 @@ void sort_out_triangles(TracedMesh& mesh) {
   }
   mesh.complete = mesh.primitives.size() == count;
   if (mesh.complete) {
-    mesh.primitives = {};
+    mesh.primitives = std::vector<uint32_t>();
     return;
   }
   for (const uint32_t p : mesh.primitives)

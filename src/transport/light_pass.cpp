@@ -85,7 +85,6 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       if (in_.stores_vertices && (light.merge || continuous)) store(light);
       if (continuous && in_.has(UPS_TECHNIQUE_SENSOR_CONNECT))
         for (uint32_t c = 0; c < scene_.cameras.size(); ++c) splat(c, light);
-      if (ends_with_casters_ && !light.caster && !light.bsdf->has_delta()) return;
       if (!scatter(light, [&](const BsdfSample& s) { return is_finite(s.weight) || drop(Drop::light_walk); })) return;
       casters_ = casters_ && (edge_.kind == Edge::delta || light.caster);
       if (ends_with_casters_ && !casters_) return;

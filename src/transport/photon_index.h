@@ -78,7 +78,7 @@ class PhotonIndex {
     radius = 1.001f * radius + 0x1p-21f * std::max(max_abs(low_), max_abs(high));  // rounding
     low_ = low_ - Vec3(radius, radius, radius);
     extent_ = max_abs(high - low_) + radius;
-    to_coarse_ = side / (extent_ * 1.001f);
+    to_coarse_ = 1 / std::max(extent_ * 1.001f / side, 2 * radius);  // so a photon marks few cells, crowded or not
     near_.assign(side * side, 0);
     for (const Photon& f : photons_)
       for (int z = coarse(f.p.z - radius, low_.z); z <= coarse(f.p.z + radius, low_.z); ++z)

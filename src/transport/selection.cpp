@@ -80,14 +80,13 @@ Costs costs_of(const Measured& m, double eye, double photons) {
   constexpr double start = 4;  // of a light path: its emitter and direction
   const double light_rays = double(m.light_work.rays), vertices = double(m.light_work.light_vertices),
                paths = std::max<double>(1, double(m.light_work.light_paths)), landings = double(m.light_work.merges);
-  const double light = photons / pilot_rounds;
-  eye /= pilot_rounds;
+  const double of_eye = eye / pilot_rounds, of_light = photons / pilot_rounds;
   Costs c;
-  c.eye = eye * (double(m.all.rays) - light_rays - double(m.all.connections));
-  c.connect = eye * double(m.all.connections) * (1 + 0.25 * vertices / paths);
-  c.merge = eye * (0.5 * photons * (double(m.all.merges) - landings) + 0.2 * double(m.all.eye_paths));
-  c.light = light * (start * paths + light_rays + 0.5 * vertices + 0.5 * pilot_rounds * eye * landings);
-  c.caustic_light = light * (start * paths + 1.5 * double(m.light_work.caster_rays));
+  c.eye = of_eye * (double(m.all.rays) - light_rays - double(m.all.connections));
+  c.connect = of_eye * double(m.all.connections) * (1 + 0.25 * vertices / paths);
+  c.merge = of_eye * (0.5 * photons * (double(m.all.merges) - landings) + 0.2 * double(m.all.eye_paths));
+  c.light = of_light * (start * paths + light_rays + 0.5 * vertices + 0.5 * eye * landings);
+  c.caustic_light = of_light * (start * paths + 1.5 * double(m.light_work.caster_rays));
   return c;
 }
 
@@ -157,8 +156,8 @@ class Chooser {
     return std::inner_product(by_unit.begin(), by_unit.end(), weight_.begin(), 0.0);
   }
   // Eye paths alone have a pilot of their own: stratification helps them more than those that meet photons, and a guide
-  // their photons. What leaving out others, or photons of theirs, adds to the variance is told by moments. What lands
-  // or is splatted falls with the number of light paths, the rest with that of eye paths.
+  // their photons. What leaving out others, or photons of theirs, adds to the variance is told by moments. The noise of
+  // what lands or is splatted falls with the number of light paths.
   double variance(uint32_t u, size_t j) const {
     if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
     const double traced = m_.independent[u];

@@ -37,10 +37,12 @@ struct Room {
 
 class Invariance : public ::testing::TestWithParam<ups_method> {};
 INSTANTIATE_TEST_SUITE_P(Methods, Invariance,
-                         ::testing::Values(UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING,
-                                           UPS_METHOD_LIGHT_TRACING, UPS_METHOD_PPM, UPS_METHOD_SPPM,
-                                           UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING),
-                         [](const auto& i) { return std::string(i.param == UPS_METHOD_AUTO ? "auto" : method_name(i.param)); });
+                         ::testing::Values(UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL,
+                                           UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_PPM,
+                                           UPS_METHOD_SPPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING),
+                         [](const auto& i) {
+                           return std::string(i.param == UPS_METHOD_AUTO ? "auto" : method_name(i.param));
+                         });
 
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
