@@ -127,9 +127,9 @@ def add_downlight(scene, flux=1000.0):
                 scene.material("black", {"model": "matte", "reflectance": 0.0}))
 
 
-def office(scene, effects=(), columns=4, rows=2):
+def office(scene, effects=(), columns=4, rows=2, grid=(32, 24)):
     """8 m x 6 m x 3 m under eight downlights, photometric points that share 32,000 lm; 768 meters. `effects`: words of
-    desks, gloss, pane, mirror, texture, downlight, water."""
+    desks, gloss, pane, mirror, texture, downlight, water; `grid`: columns and rows of meters."""
     length, width, height = OFFICE
     add_shell(scene, length, width, height, boards(scene) if "texture" in effects else None)
     add_luminaires(scene, length, width, height - 0.01, columns, rows, 32000.0)
@@ -145,7 +145,7 @@ def office(scene, effects=(), columns=4, rows=2):
         add_downlight(scene)
     if "water" in effects:
         add_water(scene)
-    workplane(scene, "workplane", (0, 0), (length, width), 0.75, 32, 24)
+    workplane(scene, "workplane", (0, 0), (length, width), 0.75, *grid)
 
 
 # ---- hall, atrium, glass --------------------------------------------------------------------------------------------
