@@ -1,21 +1,28 @@
 #!/usr/bin/env bash
 # Installs what building UPS needs on Debian 12, Debian 13 or Ubuntu 24.04; packages that are there are left alone.
 #   samples/setup.sh run           to build the library, its extras, the program and the samples
+#   samples/setup.sh report        the same and what draws the report of samples/accuracy
 #   samples/setup.sh test          the same and what the tests need
 #   samples/setup.sh benchmarks    the first and what the benchmarks need
 set -euo pipefail
 
 run_packages=(cmake ninja-build g++ pkgconf libembree-dev libtbb-dev libopenexr-dev libimath-dev libopencolorio-dev
   libtinygltf-dev libstb-dev nlohmann-json3-dev libcli11-dev python3-numpy)
-test_packages=(libgtest-dev python3-pytest python3-matplotlib mono-mcs mono-runtime abigail-tools clang libclang-rt-dev)
+report_packages=(python3-matplotlib)
+test_packages=(libgtest-dev python3-pytest mono-mcs mono-runtime abigail-tools clang libclang-rt-dev)
+optional_packages=() # installed with the others where there is such a package: Ubuntu has no chromium
 benchmark_packages=(libbenchmark-dev)
 
 case "${1-}" in
   run) wanted=("${run_packages[@]}") ;;
-  test) wanted=("${run_packages[@]}" "${test_packages[@]}") ;;
+  report) wanted=("${run_packages[@]}" "${report_packages[@]}") ;;
+  test)
+    wanted=("${run_packages[@]}" "${report_packages[@]}" "${test_packages[@]}")
+    optional_packages=(chromium)
+    ;;
   benchmarks) wanted=("${run_packages[@]}" "${benchmark_packages[@]}") ;;
   *)
-    echo "usage: $0 run|test|benchmarks" >&2
+    echo "usage: $0 run|report|test|benchmarks" >&2
     exit 2
     ;;
 esac
@@ -43,7 +50,10 @@ if [ "$(id -u)" -ne 0 ]; then
   fi
   as_root=(sudo)
 fi
-echo "setup: installing ${missing[*]}"
 # "env" because sudo clears the environment.
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q
+for package in ${optional_packages[@]+"${optional_packages[@]}"}; do
+  if apt-cache show "$package" >/dev/null 2>&1; then missing+=("$package"); fi
+done
+echo "setup: installing ${missing[*]}"
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"

@@ -18,9 +18,9 @@ import errors
 import page
 import plots
 
-SECONDS, RUNGS, REFERENCE = 5.0, 4, 12.0
-FAST_SECONDS, FAST_RUNGS, FAST_REFERENCE = 0.4, 2, 4.0
-A_RENDER = 0.3   # seconds beside its budget: start, reading the scene, files
+FULL = {"seconds": 5.0, "rungs": 4, "least": 24, "reference": 12.0, "full": True}
+FAST = {"seconds": 0.3, "rungs": 2, "least": 2, "reference": 2.0, "full": False}
+A_RENDER = 0.25  # seconds beside its budget: start, reading the scene, files
 PICTURES = 15.0
 
 COLUMNS = {
@@ -40,7 +40,7 @@ COLUMNS = {
 def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--ups", default="build/release/bin/ups", help="the program")
-    parser.add_argument("--seconds", type=float, help=f"the longest render but the references' ({SECONDS:g})")
+    parser.add_argument("--seconds", type=float, help=f"the longest render but the references' ({FULL['seconds']:g})")
     parser.add_argument("--fast", action="store_true", help="a minute: short renders, two values of each knob")
     parser.add_argument("--out", default="out/accuracy")
     arguments = parser.parse_args()
@@ -48,10 +48,10 @@ def parse():
         parser.error(f"--seconds {arguments.seconds:g}: a number of seconds from 0.1 to 100000 is wanted")
     if not os.access(arguments.ups, os.X_OK):
         parser.error(f"--ups {arguments.ups}: no such program; `samples/accuracy/run.sh` builds it")
-    fast = arguments.fast
-    return measure.Settings(os.path.abspath(arguments.ups), arguments.out,
-                            arguments.seconds or (FAST_SECONDS if fast else SECONDS), FAST_RUNGS if fast else RUNGS,
-                            FAST_REFERENCE if fast else REFERENCE, not fast)
+    size = dict(FAST if arguments.fast else FULL)
+    if arguments.seconds is not None:
+        size["seconds"] = arguments.seconds
+    return measure.Settings(os.path.abspath(arguments.ups), arguments.out, **size)
 
 
 def expected(settings):
@@ -59,8 +59,9 @@ def expected(settings):
     values = sum(len(k.values) if settings.full else 2 for k in measure.knobs())
     methods = len(measure.SCENES) * len(measure.METHODS)
     references = len(measure.SCENES) * settings.reference * settings.seconds
-    seconds = methods * sum(measure.budgets(settings)) + references + 1.25 * values * settings.seconds
-    renders = methods * settings.rungs + 2 * values + len(measure.SCENES)
+    candidates = methods + values + len(measure.SCENES)
+    seconds = methods * sum(measure.budgets(settings)) + references + (values + 0.2 * candidates) * settings.seconds
+    renders = methods * settings.rungs + values + len(measure.SCENES) + 2 * candidates
     return renders, seconds + A_RENDER * renders + PICTURES
 
 

@@ -1,12 +1,15 @@
 """The renders of the report: references, budgets by every method, and one knob at a time. Called by accuracy.py.
 
 Seconds are processor time over threads, what the render takes where the machine does nothing else: the program's
-processor time, less what reading the scene costs. `time_s` is the clock's.
+processor time, less what reading the scene costs. `time_s` is the clock's. Two short renders tell what an iteration costs;
+all others have the number of iterations that their seconds allow, so that a disturbance does not touch what they find.
 """
+import math
 import os
 import subprocess
 import sys
 from dataclasses import dataclass, field
+from typing import Optional
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", "scenes_common"), os.path.join(HERE, "..", "evaluation")]
@@ -21,7 +24,6 @@ from renders import Renderer, cpu_s, read_table, run  # noqa: E402
 METHODS = ("auto", "ups", "bpt", "pt", "ppm", "sppm")
 REFERENCE_METHOD, REFERENCE_SEED = "ups", 1001
 SIZE = "32x24"  # of cameras: the meters are what is judged
-TOO_SHORT = "before the first iteration was done"
 BATHROOM = os.path.join(HERE, "..", "bathroom", "bathroom.glb")
 OFFICE = {"effects": ("desks", "gloss")}
 SCENES = {
@@ -49,6 +51,7 @@ class Settings:
     out: str
     seconds: float         # budget of a render
     rungs: int             # budgets, each half of the next
+    least: int             # iterations of the longest render, whatever they take: 16 are the first to have an error
     reference: float       # budget of the reference over that of a render
     full: bool             # every value of every knob
 
@@ -73,25 +76,47 @@ def tables_of(summary, folder):
     return {name: read_table(folder, name) for name in summary["meters"]}
 
 
-def render(settings, scene, method, seed, limit, name, threads=None, size=SIZE, more=()):
-    """(summary, tables); where the time is over before the first iteration is done, that one iteration is made."""
-    folder = os.path.join(settings.out, "renders", name)
-    renderer = Renderer(settings.ups, scene.path, threads, size, tuple(more))
-    try:
-        summary = renderer.render(method, seed, limit, folder)
-    except SystemExit as stop:
-        if TOO_SHORT not in str(stop.code):
-            raise
-        summary = renderer.render(method, seed, ["--iterations", "1"], folder)
-    return summary, tables_of(summary, folder)
+@dataclass
+class Candidate:
+    """A method in a scene, with words of its own, and what it costs: seconds before and in an iteration."""
+    settings: Settings
+    scene: Scene
+    method: str
+    threads: Optional[int] = None
+    size: str = SIZE
+    more: tuple = ()
+
+    def __post_init__(self):
+        self.renderer = Renderer(self.settings.ups, self.scene.path, self.threads, self.size, tuple(self.more))
+        first = self.probe(1)
+        count = min(16, round(0.15 * self.settings.seconds / first))
+        self.each, self.before = first, 0.0
+        if count > 1 or self.settings.full:
+            count = max(2, count)
+            self.each = max((self.probe(count) - first) / (count - 1), 0.1 * first)
+            self.before = max(first - self.each, 0.0)
+
+    def probe(self, count):
+        return seconds_of(self.scene, self.renderer.render(self.method, 1, ["--iterations", str(count)]))
+
+    def iterations(self, seconds, least=1):
+        return max(least, round((seconds - self.before) / self.each))
+
+    def render(self, seed, count, name):
+        """(summary, tables)."""
+        folder = os.path.join(self.settings.out, "renders", name)
+        summary = self.renderer.render(self.method, seed, ["--iterations", str(count)], folder)
+        return summary, tables_of(summary, folder)
 
 
 def add_reference(settings, scene):
-    """One long render; used again where the scene and the words are the same."""
+    """One long render; used again where the scene and the words are the same, for which its iterations are a power of
+    two."""
     scene.reference_dir = os.path.join(settings.out, "references", scene.name)
-    renderer = Renderer(settings.ups, scene.path, None, SIZE)
-    limit = ["--time", f"{settings.reference * settings.seconds:g}"]
-    scene.reference_summary = renderer.reference(REFERENCE_METHOD, REFERENCE_SEED, limit, scene.reference_dir)
+    candidate = Candidate(settings, scene, REFERENCE_METHOD)
+    count = candidate.iterations(settings.reference * settings.seconds, 2 * settings.least)
+    scene.reference_summary = candidate.renderer.reference(
+        REFERENCE_METHOD, REFERENCE_SEED, ["--iterations", str(2 ** round(math.log2(count)))], scene.reference_dir)
     scene.reference = tables_of(scene.reference_summary, scene.reference_dir)
 
 
@@ -121,11 +146,12 @@ def measure_methods(settings, scene, say):
     """Every method with every budget, each a render of its own seed: (rows, {method: curve of the longest},
     predictions)."""
     rows, curves, summaries = [], {}, {}
+    candidates = {method: Candidate(settings, scene, method) for method in METHODS}
     for k, budget in enumerate(budgets(settings)):
-        for method in METHODS:
+        for method, candidate in candidates.items():
             say(f"{scene.name}: {method}, {budget:g} s")
-            summary, tables = render(settings, scene, method, k + 1, ["--time", f"{budget:g}"],
-                                     f"{scene.name}_{method}_{k}")
+            count = candidate.iterations(budget, max(1, settings.least >> settings.rungs - 1 - k))
+            summary, tables = candidate.render(k + 1, count, f"{scene.name}_{method}_{k}")
             rows.append(row_of(scene, method, budget, k + 1, summary, tables))
             curves[method] = curve(scene, summary)
             summaries.setdefault(method, []).append(summary)
@@ -151,6 +177,7 @@ class Knob:
     values: tuple          # (text, {threads, size, more, grid})
     default: str           # text of the value that is taken without the knob; "" where it depends
     same_meters: bool = True
+    image: bool = False    # judged, too
 
 
 def words(option, values):
@@ -176,7 +203,8 @@ def knobs():
         Knob("meters", "Meters", "office", "auto",
              tuple((f"{c * r:,}", {"grid": (c, r)}) for c, r in grids), "", same_meters=False),
         Knob("pixels", "Pixels of the image", "atrium", "auto",
-             tuple((size.replace("x", " × "), {"size": size}) for size in ("32x24", "64x48", "128x96", "256x192")), ""),
+             tuple((size.replace("x", " × "), {"size": size}) for size in ("32x24", "64x48", "128x96", "256x192")), "",
+             image=True),
         Knob("path_length", "Path length, edges", "office", "auto",
              (*words("--max-path-length", (2, 3, 4, 6)), ("no limit", {})), "no limit"),
     )
@@ -194,7 +222,7 @@ def image_noise(folder, summary):
 
 
 def measure_knob(settings, knob, scenes, say):
-    """One row a value, all for about the same seconds: a short render counts the iterations of the long one."""
+    """One row a value, all for about the same seconds."""
     values = knob.values if settings.full else knob.values[:2]
     rows, curves = [], []
     for text, value in values:
@@ -204,17 +232,16 @@ def measure_knob(settings, knob, scenes, say):
             grid = options.pop("grid")
             scene = make_scene(settings, knob.scene, f"{knob.scene}_{grid[0]}x{grid[1]}", grid=grid)
         name = f"knob_{knob.name}_{len(rows)}"
-        short, _ = render(settings, scene, knob.method, 1, ["--time", f"{settings.seconds / 4:g}"], name, **options)
-        spent = max(seconds_of(scene, short), 1e-3)
-        count = max(1, round(short["iterations"] * settings.seconds / spent))
-        summary, tables = render(settings, scene, knob.method, 1, ["--iterations", str(count)], name, **options)
+        candidate = Candidate(settings, scene, knob.method, **options)
+        summary, tables = candidate.render(1, candidate.iterations(settings.seconds), name)
         seconds = seconds_of(scene, summary)
         row = {"knob": knob.name, "value": text, "scene": knob.scene, "method": knob.method,
                "iterations": summary["iterations"], "threads": summary["threads"], "seconds": seconds,
                "cpu_ms_per_iteration": 1000 * seconds * summary["threads"] / summary["iterations"],
                "clock_ms_per_iteration": 1000 * summary["time_s"] / summary["iterations"]}
         true = errors.against(tables, scene.reference)["true_p95"] if knob.same_meters else errors.UNKNOWN
-        row |= {"true_p95": true, "image_noise": image_noise(os.path.join(settings.out, "renders", name), summary)}
+        noise = image_noise(os.path.join(settings.out, "renders", name), summary) if knob.image else errors.UNKNOWN
+        row |= {"true_p95": true, "image_noise": noise}
         curves.append(stated(curve(scene, summary)))
         rows.append(row)
     # A curve ends with a record, before the render does.

@@ -13,6 +13,9 @@ import measure
 from plots import number
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+RARE = 0.1  # of the mean: who is so far off has missed light
+WHAT = {"light_paths": "paths", "alpha": "alpha", "threads": "threads", "meters": "meters", "pixels": "pixels",
+        "path_length": "pieces"}
 METHODS = {
     "auto": "The program tries out which techniques pay in the room, and takes those.",
     "ups": "Unified Path Sampling: paths from the luminaires and from the meters, joined, and photons; everything at once.",
@@ -36,22 +39,23 @@ KNOBS = {
 
 
 def percent(value):
-    return f"{number(100 * value)}&nbsp;%" if value >= 0 else "not known"
+    return f"{number(100 * value, 2)}&nbsp;%" if value >= 0 else "not known"
 
 
 def duration(status, seconds):
     if status == "unknown":
         return "not known"
-    return {"sooner": "&lt; ", "later": "&gt; ", "reached": ""}[status] + number(seconds) + "&nbsp;s"
+    return {"sooner": "&lt;&nbsp;", "later": "&gt;&nbsp;", "reached": ""}[status] + number(seconds, 2) + "&nbsp;s"
 
 
-def table(header, rows, caption="", chosen=()):
-    """Rows of cells that are HTML already; `chosen`: numbers of marked rows."""
-    lines = [f'<div class="scroll"><table>{f"<caption>{caption}</caption>" if caption else ""}<thead><tr>',
+def table(header, rows, caption, chosen=()):
+    """Rows of cells that are HTML already; `chosen`: numbers of marked rows. On a phone each row is a block, its cells one
+    below another with the names of their columns."""
+    lines = [f'<p class="facts">{caption}</p><div class="scroll"><table><thead><tr>',
              *(f'<th scope="col">{cell}</th>' for cell in header), "</tr></thead><tbody>"]
     for k, (first, *rest) in enumerate(rows):
-        lines.append(f'<tr{" class=chosen" if k in chosen else ""}><th scope="row">{first}</th>'
-                     + "".join(f"<td>{cell}</td>" for cell in rest) + "</tr>")
+        cells = (f'<td data-name="{name}">{cell}</td>' for name, cell in zip(header[1:], rest))
+        lines.append(f'<tr{" class=chosen" if k in chosen else ""}><th scope="row">{first}</th>{"".join(cells)}</tr>')
     return "".join(lines) + "</tbody></table></div>"
 
 
@@ -89,7 +93,7 @@ class Report:
 
     def answer_of(self, scene):
         auto = self.errors_of(scene, "auto")[-1]
-        text = (f"<strong>{self.title(scene)}:</strong> after {number(auto['seconds'])}&nbsp;s of <code>auto</code>, "
+        text = (f"<strong>{self.title(scene)}:</strong> after {number(auto['seconds'], 2)}&nbsp;s of <code>auto</code>, "
                 f"95&nbsp;% of the meters are within {percent(auto['true_p95'])} of the reference, and the mean illuminance "
                 f"is {percent(abs(auto['mean_off']))} off")
         others = self.complete(scene)
@@ -100,7 +104,7 @@ class Report:
         best = min(scaled, key=scaled.get)
         ratio = auto["true_p95"] * math.sqrt(auto["seconds"]) / scaled[best]
         verdict = ("as good as" if 0.8 <= ratio <= 1.25 else "better than" if ratio < 1 else
-                   f"{number(ratio)} times the error of")
+                   f"{number(ratio, 2)} times the error of")
         return text + f"; at equal time {verdict} the best method chosen by hand, <code>{best}</code>."
 
     def summary_table(self):
@@ -118,10 +122,11 @@ class Report:
         size = " × ".join(f"{high - low:.1f}" for low, high in zip(f["bounds_min_m"], f["bounds_max_m"]))
         counts = ((f["luminaires"], "IES luminaires"), (f["emitting_instances"], "luminous bodies"),
                   (f["triangles"], "triangles"), (f["meters"], "meters"))
+        error = self.reference_error(scene)
         return (f"{size} m, {f['emitted_lm']:,.0f} lm; "
                 + ", ".join(f"{count:,} {what}" for count, what in counts if count)
-                + f". Reference: {self.scenes[scene].reference_summary['iterations']:,} iterations of method "
-                  f"{measure.REFERENCE_METHOD}, its typical meter known to {percent(self.reference_error(scene))}.")
+                + f". Iterations of the reference: {self.scenes[scene].reference_summary['iterations']:,}. Stated error of "
+                + ("its typical meter: " + percent(error) if error >= 0 else "its meters: not known") + ".")
 
     def reference_error(self, scene):
         return next(r["stated_median"] for r in self.tables["references"] if r["scene"] == scene)
@@ -151,22 +156,31 @@ class Report:
         header = ["method", *(f"time to {percent(level)} true error" for level in errors.LEVELS), "true error at the end",
                   "stated at the end", "meters whose bound holds", "mean off"]
         seconds = [self.errors_of(scene, m)[-1]["seconds"] for m in measure.METHODS]
-        caption = (f"After the longest renders, {number(min(seconds))} to {number(max(seconds))} s. A bound should hold for "
-                   "about 95 % of the meters. Time that no render of ours reached is given as &gt;.")
+        caption = (f"At the end: of the longest renders, {number(min(seconds), 2)} to {number(max(seconds), 2)} s. A bound should "
+                   "hold for about 95 % of the meters. &gt;: not within the longest render; &lt;: already in the shortest.")
         missing = [m for m in measure.METHODS if self.errors_of(scene, m)[-1]["light_missing"]]
         warning = ("" if not missing else
                    f"<p>* The program warns that {' and '.join(f'<code>{m}</code>' for m in missing)} cannot find all the "
                    "light of this room. The stated error knows nothing of light that is never found.</p>")
+        rare = [m for m in measure.METHODS if abs(self.errors_of(scene, m)[-1]["mean_off"]) > RARE]
+        if rare:
+            warning += (f"<p>{' and '.join(f'<code>{m}</code>' for m in rare)} found some of the light of this room so rarely "
+                        f"that even the mean is more than {percent(RARE)} off. What has not been found yet is in no stated "
+                        "error.</p>")
         floor = "" if self.reference_error(scene) < 0 else (
             " Hatched, where it shows: errors that the reference itself may have.")
-        return (f"<h3>{title}</h3><p>{words[0].upper()}{words[1:]}.</p><p class=facts>{self.facts(scene)}</p>"
-                f'<div class="figures">'
+        return (f'<h3>{title}</h3><div class="figures"><div><p>{words[0].upper()}{words[1:]}.</p>'
+                f'<p class="facts">{self.facts(scene)}</p></div>{self.map(scene)}</div><div class="figures">'
                 + self.svg(f"true_{scene}", f"True error against time in the {scene}, one line a method; the table below "
                            "has the figures", f"What is true: distance to the reference.{floor}")
-                + self.svg(f"stated_{scene}", f"Stated error against time in the {scene}, one line a method",
-                           "What the program says of itself. A line begins with the 16th iteration, the first that "
-                           "has an error; methods without a line made fewer.")
-                + "</div>" + table(header, rows, caption, (0,)) + warning + self.map(scene))
+                + self.stated(scene) + "</div>" + table(header, rows, caption, (0,)) + warning)
+
+    def stated(self, scene):
+        if f"stated_{scene}" not in self.pictures:
+            return "<p>The renders were too short for a stated error: the program gives one from 16 iterations on.</p>"
+        return self.svg(f"stated_{scene}", f"Stated error against time in the {scene}, one line a method",
+                        "What the program says of itself. A line begins with the 16th iteration, the first that has an "
+                        "error; methods without a line made fewer.")
 
     # ---- predictions --------------------------------------------------------------------------------------------------
 
@@ -183,11 +197,11 @@ class Report:
                    f"was within them in {inside}.")
         cells = []
         for r in rows:
-            limits = (f"{number(r['low_seconds'])} to {number(r['high_seconds'])}&nbsp;s"
+            limits = (f"{number(r['low_seconds'], 2)} to {number(r['high_seconds'], 2)}&nbsp;s"
                       if r["low_seconds"] >= 0 and r["high_seconds"] >= 0 else "not known")
             cells.append([self.title(r["scene"]), f"<code>{r['method']}</code>", percent(r["relative_error"]),
-                          f"{number(r['made_at_seconds'])}&nbsp;s",
-                          f"{number(r['predicted_seconds'])}&nbsp;s" if r["predicted_seconds"] >= 0 else "never",
+                          f"{number(r['made_at_seconds'], 2)}&nbsp;s",
+                          f"{number(r['predicted_seconds'], 2)}&nbsp;s" if r["predicted_seconds"] >= 0 else "never",
                           limits, html.escape(r["limited_by"]), duration(r["status"], r["actual_seconds"])])
         drawn = "" if "predictions" not in self.pictures else '<div class="figures">' + self.svg(
             "predictions", "Predicted against actual time; on the diagonal a prediction came true",
@@ -210,31 +224,35 @@ class Report:
         if len(known) < 2:
             return text + "The renders were too short for an error at equal time."
         best, worst = (f(known, key=lambda r: r[key]) for f in (min, max))
+        if worst[key] <= 1.15 * best[key]:
+            return text + f"At equal time the {kind} error hardly depends on it: {percent(best[key])} to {percent(worst[key])}."
         text += (f"At equal time the {kind} error is smallest with {best['value']} ({percent(best[key])}) and largest with "
                  f"{worst['value']} ({percent(worst[key])}).")
         default = next((r for r in known if r["value"] == knob.default), None)
         if default is not None and default is not best:
             text += (f" The program's own choice, {knob.default}, has {percent(default[key])}"
-                     + (": no reason to change it." if default[key] <= 1.25 * best[key] else "."))
+                     + (": no reason to change it." if default[key] <= 1.15 * best[key] else "."))
         return text
 
     def knob(self, knob):
         rows = [r for r in self.tables["knobs"] if r["knob"] == knob.name]
-        images = any(r["image_noise"] >= 0 for r in rows) and knob.name == "pixels"
-        header = [knob.title.lower(), "ms of processor an iteration", "ms by the clock", "iterations", "time",
-                  "stated error", "true error", *(["noise of the image"] if images else [])]
-        cells = [[r["value"], number(r["cpu_ms_per_iteration"]), number(r["clock_ms_per_iteration"]),
-                  f"{r['iterations']:,}", f"{number(r['seconds'])}&nbsp;s", percent(r["stated_median"]),
-                  percent(r["true_p95"]), *([percent(r["image_noise"])] if images else [])] for r in rows]
+        clock, true = knob.name == "threads", knob.same_meters
+        header = [WHAT[knob.name], "ms an iteration", *(["ms by the clock"] if clock else []), "itera&shy;tions", "time",
+                  "stated error", *(["true error"] if true else []), *(["noise of the image"] if knob.image else [])]
+        cells = [[r["value"], number(r["cpu_ms_per_iteration"]),
+                  *([number(r["clock_ms_per_iteration"])] if clock else []), f"{r['iterations']:,}",
+                  f"{number(r['seconds'], 2)}&nbsp;s", percent(r["stated_median"]),
+                  *([percent(r["true_p95"])] if true else []), *([percent(r["image_noise"])] if knob.image else [])]
+                 for r in rows]
         equal = rows[0]["equal_seconds"]
         caption = (f"{self.title(knob.scene)}, method <code>{knob.method}</code>."
-                   + (f" Stated error: after {number(equal)} s each." if equal >= 0 else "")
-                   + " True error: after the time that stands beside it.")
+                   + (f" Stated error: of the typical meter, after {number(equal, 2)} s each." if equal >= 0 else "")
+                   + (" True error: what 95 % of the meters are within, after the time beside it." if true else ""))
         chosen = [k for k, r in enumerate(rows) if r["value"] == knob.default]
         return (f'<h3>{knob.title}</h3><p>{KNOBS[knob.name]}</p><p><strong>Measured:</strong> {self.verdict(knob, rows)}</p>'
-                '<div class="figures">' + self.svg(f"knob_{knob.name}", f"{knob.title}: processor time of an iteration and "
+                '<div class="figures knob">' + self.svg(f"knob_{knob.name}", f"{knob.title}: processor time of an iteration and "
                                                    "error at equal time; the table has the figures")
-                + table(header, cells, caption, chosen) + "</div>")
+                + f"<div>{table(header, cells, caption, chosen)}</div></div>")
 
     # ---- all ----------------------------------------------------------------------------------------------------------
 
@@ -252,11 +270,13 @@ class Report:
     def how(self):
         s = self.settings
         return "\n".join(f"<li>{line}</li>" for line in (
-            f"Every method renders every room {s.rungs} times, for {', '.join(number(b) for b in measure.budgets(s))} s, each "
-            "time with other random numbers. One render a point: a line may lie some percent too high or too low.",
+            f"Every method renders every room {s.rungs} times, for about "
+            f"{', '.join(number(b, 2) for b in measure.budgets(s))} s, each time with other random numbers; where that is too "
+            f"short for {s.least} iterations the last has these. One render a point: a line may lie some percent too high or "
+            "too low.",
             "Time is processor time divided by threads, without reading the file: what the render takes on a machine that "
             "does nothing else. The tables beside this page have the time by the clock, too.",
-            f"The reference is a render of {number(s.reference * s.seconds)} s by method {measure.REFERENCE_METHOD}, again with "
+            f"The reference is a render of about {number(s.reference * s.seconds)} s by method {measure.REFERENCE_METHOD}, again with "
             "other random numbers. Its own error is contained in the true errors; where a method is nearly as good as "
             "the reference, it looks worse than it is.",
             "A time to 5, 2 or 1&nbsp;% is read between two measured points, on logarithmic scales, from where the error stays "

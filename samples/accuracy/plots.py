@@ -22,9 +22,13 @@ plt.rcParams.update({"font.size": 9.5, "axes.spines.top": False, "axes.spines.ri
                      "axes.edgecolor": "#555555", "font.family": "DejaVu Sans"})
 
 
-def number(value):
-    """Three digits, no exponent."""
-    return f"{value:.3g}" if 1e-3 <= abs(value) < 1e3 else f"{value:,.0f}" if abs(value) >= 1e3 else f"{value:.1g}"
+def number(value, digits=3):
+    """So many digits, at least those before the point; no exponent."""
+    if value == 0:
+        return "0"
+    places = max(0, digits - 1 - math.floor(math.log10(abs(float(f"{value:.{digits - 1}e}")))))
+    text = f"{value:,.{places}f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def logarithmic(axis):
@@ -73,7 +77,8 @@ def name_lines(axes, ends):
 
 
 def error_axes(axes, lines, title, floor=None, marked=()):
-    """Error, %, against seconds. lines: {method: points}; floor: error of the reference; marked: methods with a *."""
+    """Error, %, against seconds. lines: {method: points}, some known; floor: error of the reference; marked: methods with
+    a star."""
     ends, all_points = [], []
     for method, points in lines.items():
         points = known_points(points)
@@ -89,11 +94,6 @@ def error_axes(axes, lines, title, floor=None, marked=()):
     axes.set_yscale("log")
     axes.set_title(title)
     axes.set_xlabel("time, s")
-    if not all_points:
-        axes.text(0.5, 0.5, "no error is known yet:\nthe renders were too short", ha="center", transform=axes.transAxes)
-        axes.set_xticks([])
-        axes.set_yticks([])
-        return
     low_x, high_x = min(x for x, _ in all_points), max(x for x, _ in all_points)
     low_y, high_y = min(y for _, y in all_points), max(y for _, y in all_points)
     x_limits, y_limits = (low_x / 1.15, high_x * 1.15), (min(low_y / 1.4, 0.8), max(high_y * 1.4, 6))
@@ -124,6 +124,9 @@ def png(figure, path):
 
 
 def error_figure(lines, title, quantity, floor=None, marked=()):
+    """None where no error is known."""
+    if not any(known_points(points) for points in lines.values()):
+        return None
     figure, axes = plt.subplots(figsize=(4.7, 3.7))
     figure.subplots_adjust(left=0.15, right=0.83, top=0.90, bottom=0.14)
     error_axes(axes, lines, title, floor, marked)
@@ -184,6 +187,7 @@ def knob_figure(title, rows):
     above.margins(y=0.18)
     above.set_ylabel("an iteration,\nms of processor")
     above.set_title(title)
+    highest = 0.0
     series = (("stated", "stated_median", "o", "-", "#000000"), ("true", "true_p95", "s", (0, (4, 2)), "#D55E00"),
               ("image", "image_noise", "^", (0, (1, 1)), "#0072B2"))
     for label, key, marker, dashes, colour in series:
@@ -191,10 +195,11 @@ def knob_figure(title, rows):
         if points:
             below.plot(*zip(*points), marker=marker, linestyle=dashes, color=colour, markerfacecolor="white",
                        label=label)
-    below.set_ylim(bottom=0)
-    below.margins(x=0.12, y=0.15)
+            highest = max(highest, *(value for _, value in points))
+    below.set_ylim(0, 1.35 * highest or 1)  # room for the legend
+    below.margins(x=0.12)
     below.set_ylabel("error at\nequal time, %")
     below.set_xticks(list(x), [row["value"] for row in rows])
     if below.get_legend_handles_labels()[0]:
-        below.legend(frameon=False, fontsize=8.5, ncols=3)
+        below.legend(frameon=False, fontsize=8.5, ncols=3, loc="upper right")
     return figure

@@ -10,7 +10,7 @@ for word in "$@"; do
   case "$word" in --ups | --ups=* | -h | --help) given=1 ;; esac
 done
 
-program=()
+words=(--out "$root/out/accuracy")
 if [ -z "$given" ]; then
   bash "$root/samples/setup.sh" report
   if [ -f "$root/build/release/CMakeCache.txt" ]; then # keeps its options
@@ -19,13 +19,13 @@ if [ -z "$given" ]; then
     (cd "$root" && cmake --preset release -DUPS_BUILD_TESTS=OFF)
   fi
   cmake --build "$root/build/release" --parallel "$(nproc)" --target ups_program
-  program=(--ups "$root/build/release/bin/ups")
+  words+=(--ups "$root/build/release/bin/ups")
 fi
 
 # The system's python3 has the system's packages; the one on PATH may not.
 for python in /usr/bin/python3 python3; do
   if "$python" -c 'import numpy, matplotlib' 2>/dev/null; then
-    exec "$python" "$root/samples/accuracy/accuracy.py" "${program[@]}" "$@"
+    exec "$python" "$root/samples/accuracy/accuracy.py" "${words[@]}" "$@"
   fi
 done
 echo "run: no python3 imports numpy and matplotlib (Debian, Ubuntu: python3-numpy, python3-matplotlib)" >&2
