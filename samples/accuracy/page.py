@@ -99,6 +99,8 @@ class Report:
         others = self.complete(scene)
         if not others:
             return text + "."
+        if min(r["true_p95"] for r in (auto, *others.values())) < self.reference_error(scene):
+            return text + "; methods cannot be compared, as the reference itself is no better known. Take more time."
         # Errors fall with the square root of time: what they would be at the same time.
         scaled = {m: r["true_p95"] * math.sqrt(r["seconds"]) for m, r in others.items()}
         best = min(scaled, key=scaled.get)
@@ -152,7 +154,7 @@ class Report:
             rows.append([f"<code>{method}</code>{star}",
                          *(self.time(scene, method, "true", level) for level in errors.LEVELS),
                          percent(last["true_p95"]), percent(last["stated_median"]), held,
-                         f"{100 * last['mean_off']:+.2f}&nbsp;%"])
+                         f"{100 * last['mean_off']:+.2f}&nbsp;%".replace("-", "−")])
         header = ["method", *(f"time to {percent(level)} true error" for level in errors.LEVELS), "true error at the end",
                   "stated at the end", "meters whose bound holds", "mean off"]
         seconds = [self.errors_of(scene, m)[-1]["seconds"] for m in measure.METHODS]
