@@ -88,16 +88,24 @@ class Candidate:
 
     def __post_init__(self):
         self.renderer = Renderer(self.settings.ups, self.scene.path, self.threads, self.size, tuple(self.more))
-        first = self.probe(1)
+        self.first = self.renderer.render(self.method, 1, ["--iterations", "1"])
+        first = self.seconds(self.first)
         count = min(16, round(0.15 * self.settings.seconds / first))
         self.each, self.before = first, 0.0
         if count > 1 or self.settings.full:
             count = max(2, count)
-            self.each = max((self.probe(count) - first) / (count - 1), 0.1 * first)
+            more = self.renderer.render(self.method, 1, ["--iterations", str(count)])
+            self.each = max(self.share(more, self.seconds), 0.1 * first)
             self.before = max(first - self.each, 0.0)
 
-    def probe(self, count):
-        return seconds_of(self.scene, self.renderer.render(self.method, 1, ["--iterations", str(count)]))
+    def seconds(self, summary):
+        return seconds_of(self.scene, summary)
+
+    def share(self, summary, cost):
+        """An iteration's part of the cost, without what is done but once; of a single iteration, all."""
+        if summary["iterations"] < 2:
+            return cost(summary)
+        return max((cost(summary) - cost(self.first)) / (summary["iterations"] - 1), 1e-3 * cost(self.first))
 
     def iterations(self, seconds, least=1):
         return max(least, round((seconds - self.before) / self.each))
@@ -234,11 +242,11 @@ def measure_knob(settings, knob, scenes, say):
         name = f"knob_{knob.name}_{len(rows)}"
         candidate = Candidate(settings, scene, knob.method, **options)
         summary, tables = candidate.render(1, candidate.iterations(settings.seconds), name)
-        seconds = seconds_of(scene, summary)
         row = {"knob": knob.name, "value": text, "scene": knob.scene, "method": knob.method,
-               "iterations": summary["iterations"], "threads": summary["threads"], "seconds": seconds,
-               "cpu_ms_per_iteration": 1000 * seconds * summary["threads"] / summary["iterations"],
-               "clock_ms_per_iteration": 1000 * summary["time_s"] / summary["iterations"]}
+               "iterations": summary["iterations"], "threads": summary["threads"],
+               "seconds": candidate.seconds(summary),
+               "cpu_ms_per_iteration": 1000 * summary["threads"] * candidate.share(summary, candidate.seconds),
+               "clock_ms_per_iteration": 1000 * candidate.share(summary, lambda s: s["time_s"])}
         true = errors.against(tables, scene.reference)["true_p95"] if knob.same_meters else errors.UNKNOWN
         noise = image_noise(os.path.join(settings.out, "renders", name), summary) if knob.image else errors.UNKNOWN
         row |= {"true_p95": true, "image_noise": noise}
