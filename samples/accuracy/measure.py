@@ -1,8 +1,9 @@
 """The renders of the report: references, budgets by every method, and one knob at a time. Called by accuracy.py.
 
 Seconds are processor time over threads, what the render takes where the machine does nothing else: the program's
-processor time, less what reading the scene costs. `time_s` is the clock's. Two short renders tell what an iteration costs;
-all others have the number of iterations that their seconds allow, so that a disturbance does not touch what they find.
+processor time, less what reading the scene costs. `time_s` is the clock's. Two short renders tell what an iteration
+costs; all others have the number of iterations that their seconds allow, so that a disturbance does not touch what they
+find.
 """
 import math
 import os
@@ -174,7 +175,7 @@ def measure_methods(settings, scene, say):
     return rows, curves, predictions
 
 
-# ---- knobs ------------------------------------------------------------------------------------------------------------
+# ---- knobs ----------------------------------------------------------------------------------------------------------
 
 @dataclass(frozen=True)
 class Knob:

@@ -18,28 +18,32 @@ WHAT = {"light_paths": "paths", "alpha": "alpha", "threads": "threads", "meters"
         "path_length": "pieces"}
 METHODS = {
     "auto": "The program tries out which techniques pay in the room, and takes those.",
-    "ups": "Unified Path Sampling: paths from the luminaires and from the meters, joined, and photons; everything at once.",
+    "ups": "Unified Path Sampling: paths from the luminaires and from the meters, joined, and photons; all at once.",
     "bpt": "Bidirectional path tracing: paths from the luminaires and from the meters, joined. No photons.",
     "pt": "Path tracing: paths from the meters only. Fast in plain rooms, blind to much that glass and mirrors gather.",
     "ppm": "Progressive photon mapping: light that lands near a meter counts as its own, within a circle that shrinks.",
     "sppm": "Stochastic progressive photon mapping: as ppm, with glossy surfaces looked through."}
 KNOBS = {
-    "light_paths": "How many paths start at the luminaires in each iteration (<code>--light-paths</code>). More of them make "
-                   "an iteration dearer and the light of caustics smoother.",
-    "alpha": "How slowly the circle shrinks within which photons count (<code>--alpha</code>). Small: it shrinks fast, less "
-             "blur and more noise. Large: the reverse.",
-    "threads": "How many parts of the processor work at once (<code>--threads</code>). The numbers do not change with it, "
-               "only the time. An iteration's processor time should stay the same; where it rises, the cores hinder "
-               "each other.",
+    "light_paths": "How many paths start at the luminaires in each iteration (<code>--light-paths</code>). More of "
+                   "them make an iteration dearer and the light of caustics smoother.",
+    "alpha": "How slowly the circle shrinks within which photons count (<code>--alpha</code>). Small: it shrinks fast, "
+             "less blur and more noise. Large: the reverse.",
+    "threads": "How many parts of the processor work at once (<code>--threads</code>). The numbers do not change with "
+               "it, only the time. An iteration's processor time should stay the same; where it rises, the cores "
+               "hinder each other.",
     "meters": "How many points are computed. Each needs samples of its own; light paths serve all of them.",
     "pixels": "How large the image is that is computed beside the meters (<code>--size</code>).",
-    "path_length": "After how many straight pieces a path of light is cut off (<code>--max-path-length</code>). Cutting saves "
-                   "time and leaves light out: the stated error, which knows only of noise, does not see it; the "
-                   "true error does."}
+    "path_length": "After how many straight pieces a path of light is cut off (<code>--max-path-length</code>). "
+                   "Cutting saves time and leaves light out: the stated error, which knows only of noise, does not see "
+                   "it; the true error does."}
 
 
 def percent(value):
     return f"{number(100 * value, 2)}&nbsp;%" if value >= 0 else "not known"
+
+
+def codes(methods):
+    return " and ".join(f"<code>{m}</code>" for m in methods)
 
 
 def duration(status, seconds):
@@ -49,8 +53,8 @@ def duration(status, seconds):
 
 
 def table(header, rows, caption, chosen=()):
-    """Rows of cells that are HTML already; `chosen`: numbers of marked rows. On a phone each row is a block, its cells one
-    below another with the names of their columns."""
+    """Rows of cells that are HTML already; `chosen`: numbers of marked rows. On a phone each row is a block, its cells
+    one below another with the names of their columns."""
     lines = [f'<p class="facts">{caption}</p><div class="scroll"><table><thead><tr>',
              *(f'<th scope="col">{cell}</th>' for cell in header), "</tr></thead><tbody>"]
     for k, (first, *rest) in enumerate(rows):
@@ -61,7 +65,8 @@ def table(header, rows, caption, chosen=()):
 
 def picture(data, kind, text, caption="", style=""):
     coded = base64.b64encode(data).decode("ascii")
-    return (f'<figure{f" class={style}" if style else ""}><img src="data:{kind};base64,{coded}" alt="{html.escape(text)}">'
+    image = f'<img src="data:{kind};base64,{coded}" alt="{html.escape(text)}">'
+    return (f'<figure{f" class={style}" if style else ""}>' + image
             + (f"<figcaption>{caption}</figcaption>" if caption else "") + "</figure>")
 
 
@@ -84,7 +89,7 @@ class Report:
     def title(self, scene):
         return measure.SCENES[scene][0]
 
-    # ---- in short -----------------------------------------------------------------------------------------------------
+    # ---- in short ---------------------------------------------------------------------------------------------------
 
     def complete(self, scene):
         """Fixed methods that can find all the light of the scene, and their rows with the longest budget."""
@@ -93,9 +98,9 @@ class Report:
 
     def answer_of(self, scene):
         auto = self.errors_of(scene, "auto")[-1]
-        text = (f"<strong>{self.title(scene)}:</strong> after {number(auto['seconds'], 2)}&nbsp;s of <code>auto</code>, "
-                f"95&nbsp;% of the meters are within {percent(auto['true_p95'])} of the reference, and the mean illuminance "
-                f"is {percent(abs(auto['mean_off']))} off")
+        text = (f"<strong>{self.title(scene)}:</strong> after {number(auto['seconds'], 2)}&nbsp;s of "
+                f"<code>auto</code>, 95&nbsp;% of the meters are within {percent(auto['true_p95'])} of the reference, "
+                f"and the mean illuminance is {percent(abs(auto['mean_off']))} off")
         others = self.complete(scene)
         if not others:
             return text + "."
@@ -114,21 +119,21 @@ class Report:
                                       for level in errors.LEVELS)] for scene in self.scenes]
         words = {"true": "true error", "stated": "stated"}
         header = ["", *(f"{percent(level)} {words[kind]}" for kind in words for level in errors.LEVELS)]
-        return table(header, rows, "Time until method <code>auto</code> is within 5, 2 and 1 %. &gt;: not within the longest "
-                                   "render; &lt;: already in the shortest.")
+        return table(header, rows, "Time until method <code>auto</code> is within 5, 2 and 1 %. &gt;: not within the "
+                                   "longest render; &lt;: already in the shortest.")
 
-    # ---- rooms --------------------------------------------------------------------------------------------------------
+    # ---- rooms ------------------------------------------------------------------------------------------------------
 
     def facts(self, scene):
         f = self.scenes[scene].facts
         size = " × ".join(f"{high - low:.1f}" for low, high in zip(f["bounds_min_m"], f["bounds_max_m"]))
         counts = ((f["luminaires"], "IES luminaires"), (f["emitting_instances"], "luminous bodies"),
                   (f["triangles"], "triangles"), (f["meters"], "meters"))
-        error = self.reference_error(scene)
+        error, count = self.reference_error(scene), self.scenes[scene].reference_summary["iterations"]
+        known = f"its typical meter: {percent(error)}" if error >= 0 else "its meters: not known"
         return (f"{size} m, {f['emitted_lm']:,.0f} lm; "
                 + ", ".join(f"{count:,} {what}" for count, what in counts if count)
-                + f". Iterations of the reference: {self.scenes[scene].reference_summary['iterations']:,}. Stated error of "
-                + ("its typical meter: " + percent(error) if error >= 0 else "its meters: not known") + ".")
+                + f". Iterations of the reference: {count:,}. Stated error of {known}.")
 
     def reference_error(self, scene):
         return next(r["stated_median"] for r in self.tables["references"] if r["scene"] == scene)
@@ -155,26 +160,26 @@ class Report:
                          *(self.time(scene, method, "true", level) for level in errors.LEVELS),
                          percent(last["true_p95"]), percent(last["stated_median"]), held,
                          f"{100 * last['mean_off']:+.2f}&nbsp;%".replace("-", "−")])
-        header = ["method", *(f"time to {percent(level)} true error" for level in errors.LEVELS), "true error at the end",
-                  "stated at the end", "meters whose bound holds", "mean off"]
+        header = ["method", *(f"time to {percent(level)} true error" for level in errors.LEVELS),
+                  "true error at the end", "stated at the end", "meters whose bound holds", "mean off"]
         seconds = [self.errors_of(scene, m)[-1]["seconds"] for m in measure.METHODS]
-        caption = (f"At the end: of the longest renders, {number(min(seconds), 2)} to {number(max(seconds), 2)} s. A bound should "
-                   "hold for about 95 % of the meters. &gt;: not within the longest render; &lt;: already in the shortest.")
+        caption = (f"At the end: of the longest renders, {number(min(seconds), 2)} to {number(max(seconds), 2)} s. A "
+                   "bound should hold for about 95 % of the meters. &gt;: not within the longest render; &lt;: already "
+                   "in the shortest.")
         missing = [m for m in measure.METHODS if self.errors_of(scene, m)[-1]["light_missing"]]
         warning = ("" if not missing else
-                   f"<p>* The program warns that {' and '.join(f'<code>{m}</code>' for m in missing)} cannot find all the "
-                   "light of this room. The stated error knows nothing of light that is never found.</p>")
+                   f"<p>* The program warns that {codes(missing)} cannot find all the light of this room. The "
+                   "stated error knows nothing of light that is never found.</p>")
         rare = [m for m in measure.METHODS if abs(self.errors_of(scene, m)[-1]["mean_off"]) > RARE]
         if rare:
-            warning += (f"<p>{' and '.join(f'<code>{m}</code>' for m in rare)} found some of the light of this room so rarely "
-                        f"that even the mean is more than {percent(RARE)} off. What has not been found yet is in no stated "
-                        "error.</p>")
+            warning += (f"<p>{codes(rare)} found some of the light of this room so rarely that even the mean is more "
+                        f"than {percent(RARE)} off. What has not been found yet is in no stated error.</p>")
         floor = "" if self.reference_error(scene) < 0 else (
             " Hatched, where it shows: errors that the reference itself may have.")
         return (f'<h3>{title}</h3><div class="figures"><div><p>{words[0].upper()}{words[1:]}.</p>'
                 f'<p class="facts">{self.facts(scene)}</p></div>{self.map(scene)}</div><div class="figures">'
-                + self.svg(f"true_{scene}", f"True error against time in the {scene}, one line a method; the table below "
-                           "has the figures", f"What is true: distance to the reference.{floor}")
+                + self.svg(f"true_{scene}", f"True error against time in the {scene}, one line a method; the table "
+                           "below has the figures", f"What is true: distance to the reference.{floor}")
                 + self.stated(scene) + "</div>" + table(header, rows, caption, (0,)) + warning)
 
     def stated(self, scene):
@@ -184,19 +189,19 @@ class Report:
                         "What the program says of itself. A line begins with the 16th iteration, the first that has an "
                         "error; methods without a line made fewer.")
 
-    # ---- predictions --------------------------------------------------------------------------------------------------
+    # ---- predictions ------------------------------------------------------------------------------------------------
 
     def predictions(self):
         rows = self.tables["predictions"]
         if not rows:
             return ("<p>Not available: the renders gave no prediction of what later ones could check"
-                    f" (no <code>prediction</code> in the output of {html.escape(measure.version(self.settings.ups))}, or "
-                    "renders too short for one).</p>")
+                    f" (no <code>prediction</code> in the output of {html.escape(measure.version(self.settings.ups))}, "
+                    "or renders too short for one).</p>")
         reached = [r for r in rows if r["status"] == "reached"]
         known = [r for r in reached if r["low_seconds"] >= 0 and r["high_seconds"] >= 0]
         inside = sum(r["low_seconds"] <= r["actual_seconds"] <= r["high_seconds"] for r in known)
-        verdict = (f"{len(reached)} of {len(rows)} predictions could be checked; of {len(known)} with limits, the actual time "
-                   f"was within them in {inside}.")
+        verdict = (f"{len(reached)} of {len(rows)} predictions could be checked; of {len(known)} with limits, the "
+                   f"actual time was within them in {inside}.")
         cells = []
         for r in rows:
             limits = (f"{number(r['low_seconds'], 2)} to {number(r['high_seconds'], 2)}&nbsp;s"
@@ -208,13 +213,14 @@ class Report:
         drawn = "" if "predictions" not in self.pictures else '<div class="figures">' + self.svg(
             "predictions", "Predicted against actual time; on the diagonal a prediction came true",
             "On the grey diagonal the prediction came true. Bars: the limits that the program gave.") + "</div>"
-        return ("<p>While it runs, the program foretells when the <em>worst</em> meter will be within 5, 2, 1 and 0.5&nbsp;%. "
-                "Here stands what a short render foretold, and when a longer one, with other random numbers, got there. "
+        return ("<p>While it runs, the program foretells when the <em>worst</em> meter will be within 5, 2, 1 and "
+                "0.5&nbsp;%. Here stands what a short render foretold, and when a longer one, with other random "
+                "numbers, got there. "
                 f"{verdict}</p>{drawn}"
                 + table(["room", "method", "worst meter within", "foretold after", "foretold", "limits", "limited by",
                          "actual"], cells, "&gt;: not reached by the end of the longer render."))
 
-    # ---- knobs --------------------------------------------------------------------------------------------------------
+    # ---- knobs ------------------------------------------------------------------------------------------------------
 
     def verdict(self, knob, rows):
         """What the measurement says; by the true error where it is known, else by the stated one."""
@@ -227,9 +233,10 @@ class Report:
             return text + "The renders were too short for an error at equal time."
         best, worst = (f(known, key=lambda r: r[key]) for f in (min, max))
         if worst[key] <= 1.15 * best[key]:
-            return text + f"At equal time the {kind} error hardly depends on it: {percent(best[key])} to {percent(worst[key])}."
-        text += (f"At equal time the {kind} error is smallest with {best['value']} ({percent(best[key])}) and largest with "
-                 f"{worst['value']} ({percent(worst[key])}).")
+            return text + (f"At equal time the {kind} error hardly depends on it: {percent(best[key])} to "
+                           f"{percent(worst[key])}.")
+        text += (f"At equal time the {kind} error is smallest with {best['value']} ({percent(best[key])}) and largest "
+                 f"with {worst['value']} ({percent(worst[key])}).")
         default = next((r for r in known if r["value"] == knob.default), None)
         if default is not None and default is not best:
             text += (f" The program's own choice, {knob.default}, has {percent(default[key])}"
@@ -239,8 +246,9 @@ class Report:
     def knob(self, knob):
         rows = [r for r in self.tables["knobs"] if r["knob"] == knob.name]
         clock, true = knob.name == "threads", knob.same_meters
-        header = [WHAT[knob.name], "ms an iteration", *(["ms by the clock"] if clock else []), "itera&shy;tions", "time",
-                  "stated error", *(["true error"] if true else []), *(["noise of the image"] if knob.image else [])]
+        header = [WHAT[knob.name], "ms an iteration", *(["ms by the clock"] if clock else []), "itera&shy;tions",
+                  "time", "stated error", *(["true error"] if true else []),
+                  *(["noise of the image"] if knob.image else [])]
         cells = [[r["value"], number(r["cpu_ms_per_iteration"]),
                   *([number(r["clock_ms_per_iteration"])] if clock else []), f"{r['iterations']:,}",
                   f"{number(r['seconds'], 2)}&nbsp;s", percent(r["stated_median"]),
@@ -251,40 +259,42 @@ class Report:
                    + (f" Stated error: of the typical meter, after {number(equal, 2)} s each." if equal >= 0 else "")
                    + (" True error: what 95 % of the meters are within, after the time beside it." if true else ""))
         chosen = [k for k, r in enumerate(rows) if r["value"] == knob.default]
-        return (f'<h3>{knob.title}</h3><p>{KNOBS[knob.name]}</p><p><strong>Measured:</strong> {self.verdict(knob, rows)}</p>'
-                '<div class="figures knob">' + self.svg(f"knob_{knob.name}", f"{knob.title}: processor time of an iteration and "
-                                                   "error at equal time; the table has the figures")
+        drawn = self.svg(f"knob_{knob.name}", f"{knob.title}: processor time of an iteration and error at equal time; "
+                         "the table has the figures")
+        return (f"<h3>{knob.title}</h3><p>{KNOBS[knob.name]}</p><p><strong>Measured:</strong> "
+                f'{self.verdict(knob, rows)}</p><div class="figures knob">{drawn}'
                 + f"<div>{table(header, cells, caption, chosen)}</div></div>")
 
-    # ---- all ----------------------------------------------------------------------------------------------------------
+    # ---- all --------------------------------------------------------------------------------------------------------
 
     def machine(self):
         references = [scene.reference_summary for scene in self.scenes.values()]
-        busy = sum(r["cpu_s"] for r in self.tables["errors"]) / sum(r["time_s"] * r["threads"] for r in self.tables["errors"])
+        rows = self.tables["errors"]
+        busy = sum(r["cpu_s"] for r in rows) / sum(r["time_s"] * r["threads"] for r in rows)
         text = (f"{html.escape(measure.version(self.settings.ups))}, {references[0]['threads']} threads"
                 + (f", {html.escape(measure.processor_model())}" if measure.processor_model() else "")
                 + f". Renders of up to {number(self.settings.seconds)} s.")
         if busy < 0.8:
-            text += (f" Other programs ran meanwhile: the renders got {100 * busy:.0f} % of the processor. Times here are "
-                     "processor time over threads, which this hardly changes; times by the clock were longer.")
+            text += (f" Other programs ran meanwhile: the renders got {100 * busy:.0f} % of the processor. Times here "
+                     "are processor time over threads, which this hardly changes; times by the clock were longer.")
         return text
 
     def how(self):
         s = self.settings
         return "\n".join(f"<li>{line}</li>" for line in (
             f"Every method renders every room {s.rungs} times, for about "
-            f"{', '.join(number(b, 2) for b in measure.budgets(s))} s, each time with other random numbers; where that is too "
-            f"short for {s.least} iterations the last has these. One render a point: a line may lie some percent too high or "
-            "too low.",
-            "Time is processor time divided by threads, without reading the file: what the render takes on a machine that "
-            "does nothing else. The tables beside this page have the time by the clock, too.",
-            f"The reference is a render of about {number(s.reference * s.seconds)} s by method {measure.REFERENCE_METHOD}, again with "
-            "other random numbers. Its own error is contained in the true errors; where a method is nearly as good as "
-            "the reference, it looks worse than it is.",
-            "A time to 5, 2 or 1&nbsp;% is read between two measured points, on logarithmic scales, from where the error stays "
-            "below. Nothing is extrapolated.",
-            f"Images are made small ({measure.SIZE.replace('x', ' × ')} pixels), except where pixels are the question: the "
-            "meters are what is judged.",
+            f"{', '.join(number(b, 2) for b in measure.budgets(s))} s, each time with other random numbers; where that "
+            f"is too short for {s.least} iterations the last has these. One render a point: a line may lie some "
+            "percent too high or too low.",
+            "Time is processor time divided by threads, without reading the file: what the render takes on a machine "
+            "that does nothing else. The tables beside this page have the time by the clock, too.",
+            f"The reference is a render of about {number(s.reference * s.seconds)} s by method "
+            f"{measure.REFERENCE_METHOD}, again with other random numbers. Its own error is contained in the true "
+            "errors; where a method is nearly as good as the reference, it looks worse than it is.",
+            "A time to 5, 2 or 1&nbsp;% is read between two measured points, on logarithmic scales, from where the "
+            "error stays below. Nothing is extrapolated.",
+            f"Images are made small ({measure.SIZE.replace('x', ' × ')} pixels), except where pixels are the question: "
+            "the meters are what is judged.",
             "Three rooms are not all rooms. What is dear in yours, the program says itself: "
             "<code>ups info ROOM.glb</code> names the effects, and every render states its errors."))
 

@@ -77,8 +77,8 @@ def name_lines(axes, ends):
 
 
 def error_axes(axes, lines, title, floor=None, marked=()):
-    """Error, %, against seconds. lines: {method: points}, some known; floor: error of the reference; marked: methods with
-    a star."""
+    """Error, %, against seconds. lines: {method: points}, some known; floor: error of the reference; marked: methods
+    with a star."""
     ends, all_points = [], []
     for method, points in lines.items():
         points = known_points(points)

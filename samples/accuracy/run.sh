@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# What accuracy costs in time, from a bare Debian 12, Debian 13 or Ubuntu 24.04 (root or sudo): installs what is missing,
-# builds the program in build/release, measures for ten minutes, writes out/accuracy/report.html and what it is made of.
+# What accuracy costs in time, from a bare Debian 12, Debian 13 or Ubuntu 24.04 (root or sudo): installs what is
+# missing, builds the program in build/release, measures for ten minutes, writes out/accuracy/report.html and what it
+# is made of.
 #   bash samples/accuracy/run.sh                        --seconds 20: longer renders, finer figures; --fast: a minute
 #   bash samples/accuracy/run.sh --ups /path/to/ups     measures a program that is there; --out DIR: another folder
 set -euo pipefail

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The page of samples/accuracy in a browser: is it shown, whole, with all its pictures, without an error, on a phone, too?
+"""The page of samples/accuracy in a browser: is it shown whole, with all pictures, without an error, on a phone, too?
 
   test_page.py FOLDER     of test_tables.py
 """
@@ -15,7 +15,8 @@ import unittest
 
 PHONE, DESK = 390, 1200
 # The page in two frames; the outer one says what is within.
-FRAMES = """<!doctype html><body style="margin:0"><iframe id="phone" src="%(page)s" width="%(phone)d" height="900"></iframe>
+FRAMES = """<!doctype html><body style="margin:0">
+<iframe id="phone" src="%(page)s" width="%(phone)d" height="900"></iframe>
 <iframe id="desk" src="%(page)s" width="%(desk)d" height="900"></iframe><pre id="found"></pre><script>
 onload = () => {
   const found = {};
