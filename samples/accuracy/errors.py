@@ -77,15 +77,16 @@ def time_to(points, level):
     return "reached", s0 * (s1 / s0) ** fraction
 
 
-def predicted_and_actual(predictions, curve, scale, curve_scale, made_at):
-    """Rows of one render's "prediction" beside when a longer render's worst meter did reach each error. Times of the
-    clock are multiplied by the scales; errors that the first render had itself reached are left out."""
+def predicted_and_actual(predictions, criterion, curve, scale, curve_scale, made_at):
+    """Rows of one render's "prediction" of the criterion, `worst` or `median`, beside when a longer one got there.
+    Times of the clock are multiplied by the scales; errors that the first render had itself reached are left
+    out."""
     for p in predictions:
-        status, actual = time_to([(c["time_s"] * curve_scale, c["worst_relative_error"]) for c in curve],
+        status, actual = time_to([(c["time_s"] * curve_scale, c[f"{criterion}_relative_error"]) for c in curve],
                                  p["relative_error"])
         low, high, seconds = ((p[key] * scale if p[key] >= 0 else UNKNOWN) for key in ("low", "high", "seconds"))
         if status == "reached" and actual <= made_at or status == "sooner":
             continue
-        yield {"made_at_seconds": made_at, "relative_error": p["relative_error"], "predicted_seconds": seconds,
-               "low_seconds": low, "high_seconds": high, "limited_by": p["limited_by"],
+        yield {"criterion": criterion, "made_at_seconds": made_at, "relative_error": p["relative_error"],
+               "predicted_seconds": seconds, "low_seconds": low, "high_seconds": high, "limited_by": p["limited_by"],
                "actual_seconds": actual if status in ("reached", "later") else UNKNOWN, "status": status}

@@ -13,7 +13,7 @@ import measure
 from plots import number
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-RARE = 0.1  # of the mean: who is so far off has missed light
+FEW = 0.8  # of the bounds: a method of which fewer hold has hardly found some light
 WHAT = {"light_paths": "paths", "alpha": "alpha", "threads": "threads", "meters": "meters", "pixels": "pixels",
         "path_length": "pieces"}
 METHODS = {
@@ -31,7 +31,8 @@ KNOBS = {
     "threads": "How many parts of the processor work at once (<code>--threads</code>). The numbers do not change with "
                "it, only the time. An iteration's processor time should stay the same; where it rises, the cores "
                "hinder each other.",
-    "meters": "How many points are computed. Each needs samples of its own; light paths serve all of them.",
+    "meters": "How many points are computed. Where an iteration costs the same with more of them, its paths are shared "
+              "out: each point gets fewer.",
     "pixels": "How large the image is that is computed beside the meters (<code>--size</code>).",
     "path_length": "After how many straight pieces a path of light is cut off (<code>--max-path-length</code>). "
                    "Cutting saves time and leaves light out: the stated error, which knows only of noise, does not see "
@@ -170,10 +171,11 @@ class Report:
         warning = ("" if not missing else
                    f"<p>* The program warns that {codes(missing)} cannot find all the light of this room. The "
                    "stated error knows nothing of light that is never found.</p>")
-        rare = [m for m in measure.METHODS if abs(self.errors_of(scene, m)[-1]["mean_off"]) > RARE]
-        if rare:
-            warning += (f"<p>{codes(rare)} found some of the light of this room so rarely that even the mean is more "
-                        f"than {percent(RARE)} off. What has not been found yet is in no stated error.</p>")
+        for method in measure.METHODS:
+            last = self.errors_of(scene, method)[-1]
+            if 0 <= last["bounds_held"] < FEW and not last["light_missing"]:
+                warning += (f"<p>Of the bounds of <code>{method}</code>, {100 * last['bounds_held']:.0f}&nbsp;% hold: it "
+                            "finds some of the light of this room so rarely that its stated error does not know of it yet.</p>")
         floor = "" if self.reference_error(scene) < 0 else (
             " Hatched, where it shows: errors that the reference itself may have.")
         return (f'<h3>{title}</h3><div class="figures"><div><p>{words[0].upper()}{words[1:]}.</p>'
@@ -213,11 +215,12 @@ class Report:
         drawn = "" if "predictions" not in self.pictures else '<div class="figures">' + self.svg(
             "predictions", "Predicted against actual time; on the diagonal a prediction came true",
             "On the grey diagonal the prediction came true. Bars: the limits that the program gave.") + "</div>"
-        return ("<p>While it runs, the program foretells when the <em>worst</em> meter will be within 5, 2, 1 and "
-                "0.5&nbsp;%. Here stands what a short render foretold, and when a longer one, with other random "
+        which = {"worst": "worst", "median": "typical (median)"}[rows[0]["criterion"]]
+        return (f"<p>While it runs, the program foretells when the stated error of the <em>{which}</em> meter will be 5, "
+                "2, 1 and 0.5&nbsp;%. Here stands what a short render foretold, and when a longer one, with other random "
                 "numbers, got there. "
                 f"{verdict}</p>{drawn}"
-                + table(["room", "method", "worst meter within", "foretold after", "foretold", "limits", "limited by",
+                + table(["room", "method", "stated error", "foretold after", "foretold", "limits", "limited by",
                          "actual"], cells, "&gt;: not reached by the end of the longer render."))
 
     # ---- knobs ------------------------------------------------------------------------------------------------------

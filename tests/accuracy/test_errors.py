@@ -65,11 +65,11 @@ class AgainstTime(unittest.TestCase):
 
 class Predictions(unittest.TestCase):
     def test_predicted_beside_actual(self):
-        curve = [{"time_s": s, "worst_relative_error": e} for s, e in ROOT]
+        curve = [{"time_s": s, "median_relative_error": e, "worst_relative_error": 1.0} for s, e in ROOT]
         made = [{"relative_error": 0.05, "seconds": 0.5, "low": 0.4, "high": 0.6, "limited_by": "noise"},
                 {"relative_error": 0.02, "seconds": 4.5, "low": 3.0, "high": 6.0, "limited_by": "noise"},
                 {"relative_error": 0.005, "seconds": -1, "low": -1, "high": -1, "limited_by": "bias"}]
-        first, last = errors.predicted_and_actual(made, curve, 2.0, 0.5, 1.0)  # 5 % was there already
+        first, last = errors.predicted_and_actual(made, "median", curve, 2.0, 0.5, 1.0)  # 5 % was there already
         self.assertEqual((first["relative_error"], first["status"]), (0.02, "reached"))
         self.assertAlmostEqual(first["predicted_seconds"], 9.0)
         self.assertAlmostEqual(first["high_seconds"], 12.0)

@@ -15,7 +15,7 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 METHODS = {"auto", "ups", "bpt", "pt", "ppm", "sppm"}
 SCENES = {"office", "atrium", "bathroom"}
 KNOBS = {"light_paths", "alpha", "threads", "meters", "pixels", "path_length"}
-WORDS = {"scene", "method", "kind", "status", "knob", "value", "limited_by"}
+WORDS = {"scene", "method", "kind", "status", "knob", "value", "limited_by", "criterion"}
 STATUSES = {"reached", "sooner", "later", "unknown"}
 
 
