@@ -79,8 +79,7 @@ def time_to(points, level):
 
 def predicted_and_actual(predictions, criterion, curve, scale, curve_scale, made_at):
     """Rows of one render's "prediction" of the criterion, `worst` or `median`, beside when a longer one got there.
-    Times of the clock are multiplied by the scales; errors that the first render had itself reached are left
-    out."""
+    Times of the clock are multiplied by the scales; errors that were reached before are left out."""
     for p in predictions:
         status, actual = time_to([(c["time_s"] * curve_scale, c[f"{criterion}_relative_error"]) for c in curve],
                                  p["relative_error"])

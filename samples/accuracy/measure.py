@@ -152,8 +152,8 @@ def budgets(settings):
 
 
 def criterion_of(ups):
-    """(which meter's error is foretold, words for it): the median one's, which short renders reach; a program that cannot
-    be asked foretells the worst one's."""
+    """(which meter's error is foretold, words for it): the median one's, which short renders reach; a program that
+    cannot be asked foretells the worst one's."""
     shown = subprocess.run([ups, "render", "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
     return ("median", ("--target-of", "median")) if "--target-of" in shown else ("worst", ())
 

@@ -174,8 +174,9 @@ class Report:
         for method in measure.METHODS:
             last = self.errors_of(scene, method)[-1]
             if 0 <= last["bounds_held"] < FEW and not last["light_missing"]:
-                warning += (f"<p>Of the bounds of <code>{method}</code>, {100 * last['bounds_held']:.0f}&nbsp;% hold: it "
-                            "finds some of the light of this room so rarely that its stated error does not know of it yet.</p>")
+                held = f"{100 * last['bounds_held']:.0f}&nbsp;%"
+                warning += (f"<p>Of the bounds of <code>{method}</code>, {held} hold: it finds some of the light of this "
+                            "room so rarely that its stated error does not know of it yet.</p>")
         floor = "" if self.reference_error(scene) < 0 else (
             " Hatched, where it shows: errors that the reference itself may have.")
         return (f'<h3>{title}</h3><div class="figures"><div><p>{words[0].upper()}{words[1:]}.</p>'
@@ -216,10 +217,9 @@ class Report:
             "predictions", "Predicted against actual time; on the diagonal a prediction came true",
             "On the grey diagonal the prediction came true. Bars: the limits that the program gave.") + "</div>"
         which = {"worst": "worst", "median": "typical (median)"}[rows[0]["criterion"]]
-        return (f"<p>While it runs, the program foretells when the stated error of the <em>{which}</em> meter will be 5, "
-                "2, 1 and 0.5&nbsp;%. Here stands what a short render foretold, and when a longer one, with other random "
-                "numbers, got there. "
-                f"{verdict}</p>{drawn}"
+        return (f"<p>While it runs, the program foretells when the stated error of the <em>{which}</em> meter will be "
+                "5, 2, 1 and 0.5&nbsp;%. Here stands what a short render foretold, and when a longer one, with other "
+                f"random numbers, got there. {verdict}</p>{drawn}"
                 + table(["room", "method", "stated error", "foretold after", "foretold", "limits", "limited by",
                          "actual"], cells, "&gt;: not reached by the end of the longer render."))
 
