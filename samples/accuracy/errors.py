@@ -77,6 +77,15 @@ def time_to(points, level):
     return "reached", s0 * (s1 / s0) ** fraction
 
 
+def came_true(row):
+    """Whether the actual time lies within a prediction's limits (no lower one: never, no upper one: any time after);
+    None where the longer render ended too soon to say."""
+    low, high = (math.inf if row[key] < 0 else row[key] for key in ("low_seconds", "high_seconds"))
+    if row["status"] == "later":
+        return False if row["actual_seconds"] > high else None
+    return low <= row["actual_seconds"] <= high
+
+
 def predicted_and_actual(predictions, criterion, curve, scale, curve_scale, made_at):
     """Rows of one render's "prediction" of the criterion, `worst` or `median`, beside when a longer one got there.
     Times of the clock are multiplied by the scales; errors that were reached before are left out."""

@@ -200,19 +200,19 @@ class Report:
             return ("<p>Not available: the renders gave no prediction of what later ones could check"
                     f" (no <code>prediction</code> in the output of {html.escape(measure.version(self.settings.ups))}, "
                     "or renders too short for one).</p>")
-        reached = [r for r in rows if r["status"] == "reached"]
-        known = [r for r in reached if r["low_seconds"] >= 0 and r["high_seconds"] >= 0]
-        inside = sum(r["low_seconds"] <= r["actual_seconds"] <= r["high_seconds"] for r in known)
-        verdict = (f"{len(reached)} of {len(rows)} predictions could be checked; of {len(known)} with limits, the "
-                   f"actual time was within them in {inside}.")
+        checked = [r for r in rows if errors.came_true(r) is not None]
+        verdict = (f"Of {len(rows)} predictions, {len(checked)} could be checked: in {sum(map(errors.came_true, checked))} "
+                   "the actual time was within the limits that the program gave. The others lie beyond the end of the "
+                   "longer render.")
         cells = []
-        for r in rows:
-            limits = (f"{number(r['low_seconds'], 2)} to {number(r['high_seconds'], 2)}&nbsp;s"
-                      if r["low_seconds"] >= 0 and r["high_seconds"] >= 0 else "not known")
+        for r in checked:
+            limits = (f"{number(r['low_seconds'], 2)} to {number(r['high_seconds'], 2)}&nbsp;s" if r["high_seconds"] >= 0
+                      else f"from {number(r['low_seconds'], 2)}&nbsp;s")
             cells.append([self.title(r["scene"]), f"<code>{r['method']}</code>", percent(r["relative_error"]),
                           f"{number(r['made_at_seconds'], 2)}&nbsp;s",
                           f"{number(r['predicted_seconds'], 2)}&nbsp;s" if r["predicted_seconds"] >= 0 else "never",
-                          limits, html.escape(r["limited_by"]), duration(r["status"], r["actual_seconds"])])
+                          limits if r["low_seconds"] >= 0 else "none", html.escape(r["limited_by"]),
+                          duration(r["status"], r["actual_seconds"])])
         drawn = "" if "predictions" not in self.pictures else '<div class="figures">' + self.svg(
             "predictions", "Predicted against actual time; on the diagonal a prediction came true",
             "On the grey diagonal the prediction came true. Bars: the limits that the program gave.") + "</div>"
@@ -220,8 +220,8 @@ class Report:
         return (f"<p>While it runs, the program foretells when the stated error of the <em>{which}</em> meter will be "
                 "5, 2, 1 and 0.5&nbsp;%. Here stands what a short render foretold, and when a longer one, with other "
                 f"random numbers, got there. {verdict}</p>{drawn}"
-                + table(["room", "method", "stated error", "foretold after", "foretold", "limits", "limited by",
-                         "actual"], cells, "&gt;: not reached by the end of the longer render."))
+                + (table(["room", "method", "stated error", "foretold after", "foretold", "limits", "limited by",
+                          "actual"], cells, "&gt;: not reached by the end of the longer render.") if cells else ""))
 
     # ---- knobs ------------------------------------------------------------------------------------------------------
 

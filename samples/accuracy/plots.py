@@ -145,22 +145,21 @@ def main_figure(panels):
 
 
 def prediction_figure(rows):
-    """Predicted against actual seconds; None where no prediction has come true or failed yet."""
-    rows = [r for r in rows if r["status"] == "reached" and r["predicted_seconds"] > 0]
+    """Predicted against actual seconds; None where no prediction was of a time that was reached."""
+    rows = [r for r in rows if r["status"] == "reached" and r["predicted_seconds"] > 0 and r["low_seconds"] > 0]
     if not rows:
         return None
     figure, axes = plt.subplots(figsize=(4.7, 4.1))
     figure.subplots_adjust(left=0.15, right=0.95, top=0.90, bottom=0.14)
+    values = [r[key] for r in rows for key in ("actual_seconds", "predicted_seconds")]
+    limits = (min(values) / 2, max(values) * 2)
     for scene, marker in SCENE_MARKERS.items():
         of_scene = [r for r in rows if r["scene"] == scene]
-        x, y = ([r[key] for r in of_scene] for key in ("actual_seconds", "predicted_seconds"))
-        known = [r for r in of_scene if r["low_seconds"] > 0 and r["high_seconds"] > 0]
-        axes.vlines([r["actual_seconds"] for r in known], [r["low_seconds"] for r in known],
-                    [r["high_seconds"] for r in known], color="#777777", linewidth=1)
         if of_scene:
+            x, y, low, high = ([r[f"{key}_seconds"] for r in of_scene]
+                               for key in ("actual", "predicted", "low", "high"))
+            axes.vlines(x, low, [h if h >= 0 else limits[1] for h in high], color="#777777", linewidth=1)
             axes.plot(x, y, marker, color="#000000", markerfacecolor="white", markersize=6, label=scene)
-    values = [r[key] for r in rows for key in ("actual_seconds", "predicted_seconds")]
-    limits = (min(values) / 1.5, max(values) * 1.5)
     axes.plot(limits, limits, color="#999999", linewidth=0.8, zorder=0)
     for axis, set_scale in ((axes.xaxis, axes.set_xscale), (axes.yaxis, axes.set_yscale)):
         set_scale("log")

@@ -76,6 +76,18 @@ class Predictions(unittest.TestCase):
         self.assertAlmostEqual(first["actual_seconds"], 2.0)
         self.assertEqual((last["status"], last["predicted_seconds"], last["actual_seconds"]), ("later", -1.0, 8.0))
 
+    def test_within_the_limits(self):
+        def row(status, actual, low, high):
+            return {"status": status, "actual_seconds": actual, "low_seconds": low, "high_seconds": high}
+        self.assertTrue(errors.came_true(row("reached", 2, 1, 3)))
+        self.assertFalse(errors.came_true(row("reached", 4, 1, 3)))
+        self.assertFalse(errors.came_true(row("reached", 0.5, 1, -1)))
+        self.assertTrue(errors.came_true(row("reached", 400, 1, -1)))
+        self.assertIs(errors.came_true(row("later", 4, 1, 3)), False)  # not there yet, and should have been
+        self.assertIsNone(errors.came_true(row("later", 2, 1, 3)))
+        self.assertFalse(errors.came_true(row("reached", 2, -1, -1)))  # was to be never
+        self.assertIsNone(errors.came_true(row("later", 2, -1, -1)))
+
 
 if __name__ == "__main__":
     unittest.main()
