@@ -175,8 +175,8 @@ class Report:
             last = self.errors_of(scene, method)[-1]
             if 0 <= last["bounds_held"] < FEW and not last["light_missing"]:
                 held = f"{100 * last['bounds_held']:.0f}&nbsp;%"
-                warning += (f"<p>Of the bounds of <code>{method}</code>, {held} hold: it finds some of the light of this "
-                            "room so rarely that its stated error does not know of it yet.</p>")
+                warning += (f"<p>Of the bounds of <code>{method}</code>, {held} hold: it finds some of the light of "
+                            "this room so rarely that its stated error does not know of it yet.</p>")
         floor = "" if self.reference_error(scene) < 0 else (
             " Hatched, where it shows: errors that the reference itself may have.")
         return (f'<h3>{title}</h3><div class="figures"><div><p>{words[0].upper()}{words[1:]}.</p>'
@@ -201,13 +201,13 @@ class Report:
                     f" (no <code>prediction</code> in the output of {html.escape(measure.version(self.settings.ups))}, "
                     "or renders too short for one).</p>")
         checked = [r for r in rows if errors.came_true(r) is not None]
-        verdict = (f"Of {len(rows)} predictions, {len(checked)} could be checked: in {sum(map(errors.came_true, checked))} "
-                   "the actual time was within the limits that the program gave. The others lie beyond the end of the "
+        verdict = (f"Of {len(rows)} predictions, {len(checked)} could be checked: in "
+                   f"{sum(map(errors.came_true, checked))} the actual time was within the limits that the program gave. The others lie beyond the end of the "
                    "longer render.")
         cells = []
         for r in checked:
-            limits = (f"{number(r['low_seconds'], 2)} to {number(r['high_seconds'], 2)}&nbsp;s" if r["high_seconds"] >= 0
-                      else f"from {number(r['low_seconds'], 2)}&nbsp;s")
+            low, high = (number(r[key], 2) for key in ("low_seconds", "high_seconds"))
+            limits = f"{low} to {high}&nbsp;s" if r["high_seconds"] >= 0 else f"from {low}&nbsp;s"
             cells.append([self.title(r["scene"]), f"<code>{r['method']}</code>", percent(r["relative_error"]),
                           f"{number(r['made_at_seconds'], 2)}&nbsp;s",
                           f"{number(r['predicted_seconds'], 2)}&nbsp;s" if r["predicted_seconds"] >= 0 else "never",
