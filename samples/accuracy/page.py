@@ -202,8 +202,8 @@ class Report:
                     "or renders too short for one).</p>")
         checked = [r for r in rows if errors.came_true(r) is not None]
         verdict = (f"Of {len(rows)} predictions, {len(checked)} could be checked: in "
-                   f"{sum(map(errors.came_true, checked))} the actual time was within the limits that the program gave. The others lie beyond the end of the "
-                   "longer render.")
+                   f"{sum(map(errors.came_true, checked))} the actual time was within the limits that the program gave. "
+                   "The others lie beyond the end of the longer render.")
         cells = []
         for r in checked:
             low, high = (number(r[key], 2) for key in ("low_seconds", "high_seconds"))
