@@ -106,7 +106,8 @@ class Report:
         if not others:
             return text + "."
         if min(r["true_p95"] for r in (auto, *others.values())) < self.reference_error(scene):
-            return text + "; methods cannot be compared, as the reference itself is no better known. Take more time."
+            return text + ("; methods cannot be compared, as the reference itself is no better known: more "
+                           "<code>--seconds</code>.")
         # Errors fall with the square root of time: what they would be at the same time.
         scaled = {m: r["true_p95"] * math.sqrt(r["seconds"]) for m, r in others.items()}
         best = min(scaled, key=scaled.get)
@@ -202,8 +203,8 @@ class Report:
                     "or renders too short for one).</p>")
         checked = [r for r in rows if errors.came_true(r) is not None]
         verdict = (f"Of {len(rows)} predictions, {len(checked)} could be checked: in "
-                   f"{sum(map(errors.came_true, checked))} the actual time was within the limits that the program gave. "
-                   "The others lie beyond the end of the longer render.")
+                   f"{sum(map(errors.came_true, checked))} the actual time was within the limits that the program "
+                   "gave. The others lie beyond the end of the longer render.")
         cells = []
         for r in checked:
             low, high = (number(r[key], 2) for key in ("low_seconds", "high_seconds"))
@@ -244,6 +245,9 @@ class Report:
         if default is not None and default is not best:
             text += (f" The program's own choice, {knob.default}, has {percent(default[key])}"
                      + (": no reason to change it." if default[key] <= 1.15 * best[key] else "."))
+        if kind == "true" and self.reference_error(knob.scene) > best[key] / 2:
+            text += (f" The reference itself is known to {percent(self.reference_error(knob.scene))}: small differences "
+                     "say nothing.")
         return text
 
     def knob(self, knob):
