@@ -238,6 +238,9 @@ namespace Ups
         Illuminance = 2,
         PathIntegrationRgb = 3,
         DensityEstimationRgb = 4,
+        Bias = 5,
+        ErrorBound = 6,
+        RobustRgb = 7,
     }
 
     public enum Contribution : int

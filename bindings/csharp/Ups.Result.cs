@@ -146,10 +146,12 @@ namespace Ups
             return new Profile(profile);
         }
 
-        /// <summary>Rows from the top, tight: 3 floats a pixel, 1 for the illuminance. The camera's own size.</summary>
+        /// <summary>Rows from the top, tight: 3 floats a pixel, 1 for Illuminance, Bias and ErrorBound. The camera's own
+        /// size.</summary>
         public float[] Image(SensorId camera, int width, int height, Channel channel = Channel.LuminanceRgb)
         {
-            var values = new float[(long)width * height * (channel == Channel.Illuminance ? 1 : 3)];
+            bool single = channel == Channel.Illuminance || channel == Channel.Bias || channel == Channel.ErrorBound;
+            var values = new float[(long)width * height * (single ? 1 : 3)];
             fixed (float* v = values)
                 Library.Check(Native.ups_result_read_image(Handle, camera, channel, v, UIntPtr.Zero,
                                                            (UIntPtr)(sizeof(float) * (ulong)values.Length)));

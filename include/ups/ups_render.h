@@ -229,7 +229,15 @@ enum {
   /* Parts of LUMINANCE_RGB, which add up to it once every pixel was visited; with ups_render_desc.technique_images
    * alone */
   UPS_CHANNEL_PATH_INTEGRATION_RGB = 3,
-  UPS_CHANNEL_DENSITY_ESTIMATION_RGB = 4
+  UPS_CHANNEL_DENSITY_ESTIMATION_RGB = 4,
+  /* Of luminance, 1 float a pixel, cd/m^2: what merging photons within a radius has moved a pixel by, as estimated, mostly
+   * noise where it is small; and the 95 % bound of noise and bias together, -1: not known. A bias that the pixel's own
+   * photons do not tell from noise is that of the 8 x 8 pixels around it. */
+  UPS_CHANNEL_BIAS = 5,
+  UPS_CHANNEL_ERROR_BOUND = 6,
+  /* 3 floats a pixel: LUMINANCE_RGB, but where single samples dominate a pixel a mean without the outermost batches of
+   * its samples. Shows what bright specks hide; as a measured value it is too low. */
+  UPS_CHANNEL_ROBUST_RGB = 7
 };
 /* Row 0 is the image's top. row_stride_bytes 0: tight; size_bytes is the size of out. */
 UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel,

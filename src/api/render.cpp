@@ -75,6 +75,9 @@ Plane plane_of(const ImageReading& image, ups_channel channel) {
   switch (channel) {
     case UPS_CHANNEL_LUMINANCE_RGB: return {image.luminance_rgb, 3};
     case UPS_CHANNEL_STANDARD_ERROR_RGB: return {image.standard_error_rgb, 3};
+    case UPS_CHANNEL_ROBUST_RGB: return {image.robust_rgb, 3};
+    case UPS_CHANNEL_BIAS: return {image.bias, 1};
+    case UPS_CHANNEL_ERROR_BOUND: return {image.error_bound, 1};
     case UPS_CHANNEL_ILLUMINANCE:
       if (image.illuminance.empty())
         fail_argument("channel UPS_CHANNEL_ILLUMINANCE: this camera's desc did not set `illuminance`");

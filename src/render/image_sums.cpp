@@ -11,7 +11,8 @@ ImageSums::ImageSums(const Camera& camera, const Plan& plan)
       pending_(eye_.size()) {}
 
 double ImageSums::bytes_per_pixel(const Camera& camera, uint32_t technique_edges) {
-  constexpr double sums = 3 * (8 + 8 + 4 + 4 * batch_count) + 4, reading = 3 * (4 + 4) + 4,
+  constexpr double sums = 3 * (8 + 8 + 4 + 4 * batch_count) + 4 + PixelBias::bytes_per_pixel,
+                   reading = 3 * (4 + 4 + 4) + 4 + 2 * 4,
                    gaps = 1 + 3 * 4 * (1.0 / 3);          // of fill_gaps()
   const double illuminance = camera.illuminance() ? 8 + 4 : 0;
   constexpr double technique = 2 * 3 * (4 + 8 + 4);  // with weight and without: tally, sum, reading
@@ -21,8 +22,10 @@ double ImageSums::bytes_per_pixel(const Camera& camera, uint32_t technique_edges
 
 void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   if (!tally.techniques.empty()) add_techniques(tally.techniques[c]);
+  if (!bias_ && !tally.pixel_bias.empty()) bias_.emplace(width_, height_);
   plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
     if (!illuminance_.empty()) illuminance_[pixel] += tally.illuminance[c][i];
+    if (!tally.pixel_bias.empty()) bias_->add(pixel, tally.pixel_bias[c][i]);
     const Rgb& v = tally.pixels[c][i];
     const float rgb[3] = {v.r, v.g, v.b};
     for (size_t k = 0, at = size_t(pixel) * 3; k < 3; ++k, ++at) {
@@ -44,9 +47,52 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   batch.resize(pending_.size());
   for (size_t i = 0; i < batch.size(); ++i) batch[i] += pending_[i];
   std::fill(pending_.begin(), pending_.end(), 0.0f);
+  if (bias_) bias_->end_pass(plan_.pass(iteration));
 }
 
 namespace {
+
+double luminance_at(const std::vector<float>& rgb, size_t pixel) {
+  const float* p = &rgb[pixel * 3];
+  return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
+}
+
+uint32_t samples_of(uint32_t batch, uint32_t passes) { return passes / batch_count + (batch < passes % batch_count); }
+
+using Batches = std::array<float, batch_count>;
+
+// Batches that no single sample dominates.
+struct Kept {
+  std::array<uint8_t, batch_count> batches;
+  uint32_t count;
+  float mean(const Batches& sums, uint32_t passes) const {
+    float sum = 0;
+    for (uint32_t i = 0; i < count; ++i) sum += sums[batches[i]] / float(samples_of(batches[i], passes));
+    return sum / float(count);
+  }
+};
+
+// Of the batches in the order of their means, the more at both ends are left out the more unequal they are: all of them
+// stay where the Gini coefficient is small, their median where it is 1 (Buisine, Delepoulle, Renaud 2021, Firefly
+// removal in Monte Carlo rendering with adaptive median of means, section 4).
+Kept least_dominated(const Batches& means, uint32_t used) {
+  std::array<uint8_t, batch_count> order{};
+  for (uint32_t b = 0; b < used; ++b) {
+    uint32_t at = b;
+    for (; at > 0 && means[b] < means[order[at - 1]]; --at) order[at] = order[at - 1];
+    order[at] = uint8_t(b);
+  }
+  double sum = 0, ranked = 0;
+  for (uint32_t i = 0; i < used; ++i) {
+    sum += means[order[i]];
+    ranked += (i + 1.0) * means[order[i]];
+  }
+  const double gini = sum > 0 ? (2 * ranked / sum - (used + 1)) / used : 0;
+  const uint32_t left_out = std::min(uint32_t(gini * used / 2), (used - 1) / 2);
+  Kept kept{{}, used - 2 * left_out};
+  std::copy_n(order.begin() + left_out, kept.count, kept.batches.begin());
+  return kept;
+}
 
 void add_rgb(std::vector<double>& sums, const std::vector<Rgb>& values) {
   sums.resize(values.size() * 3);
@@ -75,9 +121,10 @@ std::vector<uint32_t> ImageSums::all_visits(uint32_t iterations) const {
 
 ImageReading ImageSums::read(uint32_t iterations) const {
   const size_t pixels = size_t(width_) * height_;
-  ImageReading r{width_, height_, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f),
+  ImageReading r{width_, height_, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f), {},
+                 std::vector<float>(pixels), std::vector<float>(pixels, -1.0f),
                  std::vector<float>(illuminance_.size()), {}, {}};
-  const uint32_t passes = iterations / plan_.camera_subsets, used = std::min(passes, batch_count);
+  const uint32_t passes = iterations / plan_.camera_subsets;
   const std::vector<uint32_t> all = all_visits(iterations);
   for (size_t p = 0; p < pixels; ++p) {
     const double per_visit = all[p] ? 1.0 / all[p] : 0.0;
@@ -86,12 +133,39 @@ ImageReading ImageSums::read(uint32_t iterations) const {
   }
   if (passes == 0) fill_unvisited(all, r);
   for (size_t i = 0; i < splat_.size(); ++i) r.luminance_rgb[i] += float(splat_[i] / iterations);
-  for (size_t i = 0; passes >= min_batches && i < pixels * 3; ++i) {
-    float sums[batch_count];
-    for (uint32_t b = 0; b < used; ++b) sums[b] = batches_[b][i];
-    r.standard_error_rgb[i] = float(spread(sums, passes).standard_error);
-  }
+  r.robust_rgb = r.luminance_rgb;
+  if (passes >= min_batches) read_errors(passes, r);
+  read_bounds(passes, all, r);
   return r;
+}
+
+void ImageSums::read_errors(uint32_t passes, ImageReading& r) const {
+  const uint32_t used = std::min(passes, batch_count);
+  for (size_t p = 0; p < r.bias.size(); ++p) {
+    Batches rgb[3], y{};
+    for (uint32_t b = 0; b < used; ++b) {
+      for (size_t k = 0; k < 3; ++k) rgb[k][b] = batches_[b][p * 3 + k];
+      y[b] = (0.2126f * rgb[0][b] + 0.7152f * rgb[1][b] + 0.0722f * rgb[2][b]) / float(samples_of(b, passes));
+    }
+    const Kept kept = least_dominated(y, used);
+    for (size_t k = 0; k < 3; ++k) {
+      r.standard_error_rgb[p * 3 + k] = float(spread(rgb[k].data(), passes).standard_error);
+      if (kept.count < used) r.robust_rgb[p * 3 + k] = kept.mean(rgb[k], passes);
+    }
+  }
+}
+
+void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, ImageReading& r) const {
+  std::vector<float> light(r.bias.size());
+  for (size_t p = 0; p < light.size(); ++p) light[p] = luminance_at(r.luminance_rgb, p);
+  std::vector<Spread> squares;
+  if (bias_ && passes >= min_batches) squares = bias_->of_squares(passes, light);
+  for (uint32_t p = 0; p < light.size(); ++p) {
+    if (bias_) r.bias[p] = bias_->mean(p, visits[p]);
+    if (passes < min_batches) continue;
+    const Spread bias = bias_ ? bias_->of_pixel(p, visits[p], light[p], squares) : Spread{0, 0};
+    r.error_bound[p] = ups::error_bound({light[p], luminance_at(r.standard_error_rgb, p)}, bias, passes);
+  }
 }
 
 // A render that ended within its first pass: what eye paths would have found at a pixel is what they found beside it.
@@ -135,13 +209,11 @@ ImageSums::Errors ImageSums::relative_errors(uint32_t iterations, std::vector<do
   if (passes < min_batches) return Errors::unknown;
   const ImageReading image = read(iterations);
   const size_t pixels = image.luminance_rgb.size() / 3;
-  const auto y = [](const float* p) { return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]; };
   double mean = 0;
-  for (size_t p = 0; p < pixels; ++p) mean += y(&image.luminance_rgb[p * 3]) / double(pixels);
+  for (size_t p = 0; p < pixels; ++p) mean += luminance_at(image.luminance_rgb, p) / double(pixels);
   if (!(mean > 0)) return Errors::dark;
   for (size_t p = 0; p < pixels; ++p)
-    out.push_back(t_quantile(passes) * y(&image.standard_error_rgb[p * 3]) /
-                  std::max(y(&image.luminance_rgb[p * 3]), share_of_mean * mean));
+    out.push_back(image.error_bound[p] / std::max(luminance_at(image.luminance_rgb, p), share_of_mean * mean));
   return Errors::known;
 }
 

@@ -2,9 +2,10 @@
 // accumulator.
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
-#include "render/spread.h"
+#include "render/pixel_bias.h"
 #include "transport/tally.h"
 
 namespace ups {
@@ -18,6 +19,8 @@ struct TechniqueReading {
 struct ImageReading {
   uint32_t width = 0, height = 0;
   std::vector<float> luminance_rgb, standard_error_rgb;  // 3 a pixel; standard error -1: not known
+  std::vector<float> robust_rgb;                         // 3 a pixel
+  std::vector<float> bias, error_bound;                  // of luminance; bound -1: not known
   std::vector<float> illuminance;                        // 1 a pixel; empty where not asked for
   std::array<std::vector<float>, 2> families;            // luminance_rgb apart by Family; empty where not asked for
   std::vector<TechniqueReading> techniques;
@@ -44,6 +47,8 @@ class ImageSums {
     return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);
   }
   std::vector<uint32_t> all_visits(uint32_t iterations) const;
+  void read_errors(uint32_t passes, ImageReading& reading) const;
+  void read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, ImageReading& reading) const;
   void fill_unvisited(const std::vector<uint32_t>& visits, ImageReading& reading) const;
 
   const Plan& plan_;
@@ -54,6 +59,7 @@ class ImageSums {
   std::vector<float> pending_;       // eye and splats of the pass under way
   // 3 a pixel, of whole passes; each is empty before its first.
   std::array<std::vector<float>, batch_count> batches_;
+  std::optional<PixelBias> bias_;  // where photons are merged
   // Of all iterations, 3 a pixel, technique by technique; empty where not asked for.
   std::vector<double> weighted_, unweighted_;
   std::array<std::vector<double>, 2> families_;  // of eye paths

@@ -57,13 +57,21 @@ void write_camera_exr(const std::string& path, const SensorEntry& camera, const 
                       Attributes attributes) {
   const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
   const auto error = read_image(result, camera, UPS_CHANNEL_STANDARD_ERROR_RGB);
+  const auto robust = read_image(result, camera, UPS_CHANNEL_ROBUST_RGB);
+  const auto bias = read_image(result, camera, UPS_CHANNEL_BIAS);
+  const auto bound = read_image(result, camera, UPS_CHANNEL_ERROR_BOUND);
   constexpr size_t pixel = 3 * sizeof(float);
   std::vector<ups_exr_channel> channels = {{"R", &luminance[0], pixel, 0},
                                            {"G", &luminance[1], pixel, 0},
                                            {"B", &luminance[2], pixel, 0},
                                            {"standard_error.R", &error[0], pixel, 0},
                                            {"standard_error.G", &error[1], pixel, 0},
-                                           {"standard_error.B", &error[2], pixel, 0}};
+                                           {"standard_error.B", &error[2], pixel, 0},
+                                           {"robust.R", &robust[0], pixel, 0},
+                                           {"robust.G", &robust[1], pixel, 0},
+                                           {"robust.B", &robust[2], pixel, 0},
+                                           {"bias.Y", bias.data(), 0, 0},
+                                           {"error_bound.Y", bound.data(), 0, 0}};
   for (const ups_exr_channel& channel : channels)
     attributes.emplace_back(std::string("unit.") + channel.name, "cd/m^2");
   std::vector<float> illuminance;
@@ -209,7 +217,9 @@ void probe_folder(const std::string& option, const std::string& folder) {
 }  // namespace
 
 std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel) {
-  const size_t channels = channel == UPS_CHANNEL_ILLUMINANCE ? 1 : 3;
+  const bool one = channel == UPS_CHANNEL_ILLUMINANCE || channel == UPS_CHANNEL_BIAS ||
+                   channel == UPS_CHANNEL_ERROR_BOUND;
+  const size_t channels = one ? 1 : 3;
   std::vector<float> pixels(size_t(camera.info.width) * camera.info.height * channels);
   check(ups_result_read_image(result, camera.info.sensor, channel, pixels.data(), 0, pixels.size() * sizeof(float)));
   return pixels;

@@ -75,6 +75,7 @@ uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_
   const Pairing pairing(in, photons.paths);
   const float walk_radius = float(std::sqrt(in.walk_radius2));
   tally.pixels[c].resize(pixels.size());
+  if (!tally.pixel_bias.empty()) tally.pixel_bias[c].resize(pixels.size());
   if (camera.illuminance()) tally.illuminance[c].resize(pixels.size());
   std::vector<WorkCounts> work((pixels.size() + pixels_per_block - 1) / pixels_per_block);
   pool.for_blocks(pixels.size(), pixels_per_block, [&](size_t b, size_t begin, size_t end) {
@@ -99,8 +100,10 @@ uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_
       PathSampler rng = sampler(Stream::camera);
       const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
       ++work[b].eye_paths;
-      tally.pixels[c][i] =
-          EyeWalk(in, photons, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d)).value;
+      const EyeTally found =
+          EyeWalk(in, photons, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d));
+      tally.pixels[c][i] = found.value;
+      if (!tally.pixel_bias.empty()) tally.pixel_bias[c][i] = found.bias;
       if (in.moments) in.moments->add_eye_path(luminance(tally.pixels[c][i]), sensor.excess);
       if (camera.illuminance())
         tally.illuminance[c][i] =

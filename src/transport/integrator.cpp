@@ -54,6 +54,7 @@ void reset(const Iteration& in, IterationTally& tally) {
     tally.techniques = std::move(techniques);
   }
   tally.pixels.resize(scene.cameras.size());
+  if (in.has(UPS_TECHNIQUE_MERGE)) tally.pixel_bias.resize(scene.cameras.size());
   tally.illuminance.resize(scene.cameras.size());
   tally.splats.resize(scene.cameras.size());
   const size_t sets = in.moments ? in.moments->row() : 0;

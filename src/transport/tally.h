@@ -66,6 +66,7 @@ struct Splat {
 // (Plan::for_visited_pixels, Plan::visited_meter).
 struct IterationTally {
   std::vector<std::vector<Rgb>> pixels;         // a camera: eye paths
+  std::vector<std::vector<float>> pixel_bias;   // a camera: see MeterTally, luminance; empty without merging
   std::vector<std::vector<float>> illuminance;  // a camera: lx on the first diffuse surface; empty where not asked for
   std::vector<std::vector<Splat>> splats;       // a camera
   std::vector<TechniqueTally> techniques;       // a camera, of all its pixels; empty where not asked for
@@ -91,7 +92,7 @@ inline size_t IterationTally::bytes() const {
   const auto count = [&](const auto& all) {
     for (const auto& one : all) sum += one.size() * sizeof one[0];
   };
-  count(pixels), count(illuminance), count(splats), count(meters), count(separated);
+  count(pixels), count(pixel_bias), count(illuminance), count(splats), count(meters), count(separated);
   for (const TechniqueTally& t : techniques)
     sum += (t.weighted.size() + t.unweighted.size() + 2 * t.pixels) * sizeof(Rgb);
   for (const GoniometerTally& g : goniometers) sum += (g.wide.size() + g.narrow.size()) * sizeof(double);

@@ -21,6 +21,8 @@ struct Image {
   uint32_t width = 0, height = 0;
   std::vector<float> luminance, standard_error;  // rgb
   std::vector<float> illuminance;                // lx; empty unless the camera has it
+  std::vector<float> bias, error_bound;          // of luminance
+  std::vector<float> robust;                     // rgb
 };
 
 struct Sensor {
@@ -112,7 +114,9 @@ class Result {
   Image image(const Sensor& camera) const {
     return {camera.width, camera.height, read(camera, UPS_CHANNEL_LUMINANCE_RGB, 3),
             read(camera, UPS_CHANNEL_STANDARD_ERROR_RGB, 3),
-            camera.illuminance ? read(camera, UPS_CHANNEL_ILLUMINANCE, 1) : std::vector<float>{}};
+            camera.illuminance ? read(camera, UPS_CHANNEL_ILLUMINANCE, 1) : std::vector<float>{},
+            read(camera, UPS_CHANNEL_BIAS, 1), read(camera, UPS_CHANNEL_ERROR_BOUND, 1),
+            read(camera, UPS_CHANNEL_ROBUST_RGB, 3)};
   }
   std::vector<float> technique(const Sensor& camera, uint32_t index, ups_contribution contribution) const {
     std::vector<float> out(3 * size_t(camera.width) * camera.height);

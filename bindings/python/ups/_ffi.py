@@ -210,6 +210,9 @@ class Channel(enum.IntEnum):
     ILLUMINANCE = 2
     PATH_INTEGRATION_RGB = 3
     DENSITY_ESTIMATION_RGB = 4
+    BIAS = 5
+    ERROR_BOUND = 6
+    ROBUST_RGB = 7
 
 
 class Contribution(enum.IntEnum):

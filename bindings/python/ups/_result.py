@@ -110,9 +110,10 @@ class Result(Handle):
         return Profile(create(lib.ups_result_get_goniometer_profile, self, sensor))
 
     def image(self, camera, channel=Channel.LUMINANCE_RGB):
-        """(height, width, 3), or (height, width) for the illuminance; row 0 is the image's top."""
+        """(height, width, 3), or (height, width) for ILLUMINANCE, BIAS and ERROR_BOUND; row 0 is the image's top."""
         shape = self._shape(camera, 2, "a camera")
-        out = np.empty(shape if channel == Channel.ILLUMINANCE else shape + (3,), dtype=np.float32)
+        single = (Channel.ILLUMINANCE, Channel.BIAS, Channel.ERROR_BOUND)
+        out = np.empty(shape if channel in single else shape + (3,), dtype=np.float32)
         check(lib.ups_result_read_image(self, camera, channel, address(out, ctypes.c_float), 0, out.nbytes))
         return out
 

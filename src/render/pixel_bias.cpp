@@ -1,0 +1,37 @@
+// See pixel_bias.h.
+#include "render/pixel_bias.h"
+
+namespace ups {
+
+void PixelBias::end_pass(uint32_t pass) {
+  std::vector<double>& batch = batches_[pass % batch_count];
+  batch.resize(pending_.size());
+  for (size_t i = 0; i < batch.size(); ++i) batch[i] += pending_[i];
+  std::fill(pending_.begin(), pending_.end(), 0.0);
+}
+
+std::vector<Spread> PixelBias::of_squares(uint32_t passes, const std::vector<float>& luminance) const {
+  std::vector<double> light(pending_.size());
+  for (uint32_t p = 0; p < luminance.size(); ++p) light[square_of(p)] += luminance[p];
+  std::vector<Spread> squares(light.size());
+  for (size_t i = 0; i < light.size(); ++i) {
+    if (!(light[i] > 0)) continue;
+    double sums[batch_count];
+    for (uint32_t b = 0; b < std::min(passes, batch_count); ++b) sums[b] = batches_[b][i] / light[i];
+    squares[i] = spread(sums, passes);
+  }
+  return squares;
+}
+
+Spread PixelBias::of_pixel(uint32_t pixel, uint32_t visits, float luminance, const std::vector<Spread>& squares) const {
+  Spread own{mean(pixel, visits)};
+  if (visits >= min_batches) {
+    const double variance = std::max(0.0, double(squares_[pixel]) / visits - own.mean * own.mean) / (visits - 1);
+    own.standard_error = std::sqrt(variance);
+    if (std::abs(own.mean) > 3 * own.standard_error) return own;
+  }
+  const Spread& square = squares[square_of(pixel)];
+  return {square.mean * luminance, square.standard_error * luminance};
+}
+
+}  // namespace ups

@@ -1,0 +1,82 @@
+// What an image says of its error, against luminance of closed form: the bounds of pixels that merging blurs and of such
+// that it does not, and the value beside the mean where single samples dominate.
+#include <algorithm>
+#include <vector>
+
+#include "../support/expect_lx.h"
+
+namespace ups::test {
+namespace {
+
+constexpr uint32_t side = 24;
+constexpr double camera_z = 2, half_extent = 0.5, mirror_z = 3, mirror_half = 0.35, candela = 300, reflectance = 0.8;
+const P3 lamp{0.15, -0.1, 1.5};
+
+// The lamp's image in the mirror lights the part of the floor from which it is seen through the mirror.
+double floor_luminance(const P3& p) {
+  const P3 image{lamp.x, lamp.y, 2 * mirror_z - lamp.z}, d = image - p, direct = lamp - p;
+  const double t = mirror_z / image.z;  // where the line to the image crosses the mirror's plane
+  const double x = p.x + t * d.x, y = p.y + t * d.y;
+  const bool seen = std::abs(x) < mirror_half && std::abs(y) < mirror_half;
+  return reflectance / pi_d * candela *
+         (direct.z / std::pow(length(direct), 3) + (seen ? d.z / std::pow(length(d), 3) : 0.0));
+}
+
+double pixel_mean(uint32_t x, uint32_t y) {
+  constexpr int n = 16;
+  double sum = 0;
+  for (int i = 0; i < n * n; ++i) {
+    const double u = (x + (i % n + 0.5) / n) / side, v = (y + (i / n + 0.5) / n) / side;
+    sum += floor_luminance({(2 * u - 1) * half_extent, (1 - 2 * v) * half_extent, 0});
+  }
+  return sum / (n * n);
+}
+
+float luminance_at(const std::vector<float>& rgb, size_t p) { return rgb[3 * p]; }  // all of it is grey
+
+struct Coverage {
+  double share, of_edges, median_width;
+};
+
+Coverage coverage(ups_method method, uint32_t seeds) {
+  Scene scene;
+  scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(reflectance));
+  scene.add(quad({-mirror_half, -mirror_half, mirror_z}, {0, 2 * mirror_half, 0}, {2 * mirror_half, 0, 0}), mirror(1));
+  scene.add_point_light(lamp, candela);
+  const Sensor camera =
+      scene.add_camera({0, 0, camera_z}, {0, 0, -1}, side, side, 2 * std::atan(half_extent / camera_z));
+  std::vector<double> truth, widths;
+  for (uint32_t p = 0; p < side * side; ++p) truth.push_back(pixel_mean(p % side, p / side));
+  size_t held = 0, edges = 0, held_at_edges = 0, all = 0;
+  for (uint32_t seed = 1; seed <= seeds; ++seed) {
+    const Image image =
+        scene.render({.method = method, .iterations = 64, .seed = seed, .light_paths = 1u << 14}).image(camera);
+    for (size_t p = 0; p < truth.size(); ++p) {
+      const double error = std::abs(luminance_at(image.luminance, p) - truth[p]), bound = image.error_bound[p];
+      const bool edge = image.bias[p] != 0 && std::abs(image.bias[p]) > 0.02 * truth[p];
+      ++all, edges += edge;
+      held += error <= bound, held_at_edges += edge && error <= bound;
+      widths.push_back(bound / std::max(error, 1e-9));
+    }
+  }
+  std::nth_element(widths.begin(), widths.begin() + ptrdiff_t(widths.size() / 2), widths.end());
+  return {double(held) / double(all), edges ? double(held_at_edges) / double(edges) : 1, widths[widths.size() / 2]};
+}
+
+// 1,152 readings that share photons: 93 % are 3 standard deviations below 95 % if a tenth of them are independent; bounds
+// of noise alone hold in 60 % of the pixels at edges. Measured: 0.98, 0.98 and 3.7; 0.97 and 3.2.
+TEST(ImageErrors, BoundsHoldWhereMergingBlurs) {
+  const Coverage c = coverage(UPS_METHOD_SPPM, 2);
+  EXPECT_GE(c.share, 0.93);
+  EXPECT_GE(c.of_edges, 0.9);
+  EXPECT_LE(c.median_width, 5);
+}
+
+TEST(ImageErrors, BoundsHoldForAllTechniques) {
+  const Coverage c = coverage(UPS_METHOD_UPS, 2);
+  EXPECT_GE(c.share, 0.93);
+  EXPECT_LE(c.median_width, 5);
+}
+
+}  // namespace
+}  // namespace ups::test

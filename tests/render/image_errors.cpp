@@ -1,0 +1,71 @@
+// What images say of bias and of single samples, from tallies made here.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "render/image_sums.h"
+
+namespace ups {
+namespace {
+
+struct Rig {
+  Rig() {
+    tally.pixels.assign(1, std::vector<Rgb>(camera.pixel_count(), Rgb(1.0f)));
+    tally.pixel_bias.assign(1, std::vector<float>(camera.pixel_count()));
+    tally.splats.resize(1);
+  }
+  const Camera camera{Affine(), 16, 8, 1.0f, false};
+  Plan plan;
+  IterationTally tally;
+};
+
+// Noise that all pixels of a square share in an iteration, as they share photons, does not pass for bias.
+TEST(PixelBias, SharedNoiseIsKnownAsNoise) {
+  Rig rig;
+  ImageSums sums(rig.camera, rig.plan);
+  std::mt19937 random(1);
+  std::normal_distribution<float> noise(0.0f, 1.0f);
+  for (uint32_t i = 0; i < 400; ++i) {
+    std::fill(rig.tally.pixel_bias[0].begin(), rig.tally.pixel_bias[0].end(), noise(random));
+    sums.add(i, rig.tally, 0);
+  }
+  const ImageReading image = sums.read(400);
+  for (float bound : image.error_bound) {  // t |b| and its noise of 0.05, the luminance has none
+    EXPECT_GT(bound, 2.1 * 0.05 * 0.5);    // 16 batches know a deviation to 18 %: 3 of them
+    EXPECT_LT(bound, (2.2 + 4) * 0.05 * 1.6);
+  }
+}
+
+// A pixel beside an edge has a bias that those around it have not: its own.
+TEST(PixelBias, OwnBiasStaysWhereItIsBeyondDoubt) {
+  Rig rig;
+  ImageSums sums(rig.camera, rig.plan);
+  std::mt19937 random(2);
+  std::normal_distribution<float> noise(0.0f, 0.1f);
+  for (uint32_t i = 0; i < 64; ++i) {
+    for (float& b : rig.tally.pixel_bias[0]) b = noise(random);
+    rig.tally.pixel_bias[0][5] += 0.5f;
+    sums.add(i, rig.tally, 0);
+  }
+  const ImageReading image = sums.read(64);
+  EXPECT_NEAR(image.bias[5], 0.5, 0.1);
+  EXPECT_GT(image.error_bound[5], 0.4);
+  EXPECT_LT(image.error_bound[6], 0.1);
+}
+
+// One sample in a thousand brings nearly all of a pixel's light.
+TEST(RobustImage, LeavesOutWhatASingleSampleBrought) {
+  Rig rig;
+  ImageSums sums(rig.camera, rig.plan);
+  for (uint32_t i = 0; i < 1000; ++i) {
+    rig.tally.pixels[0][7] = i == 500 ? Rgb(9000.0f) : Rgb(1.0f);
+    sums.add(i, rig.tally, 0);
+  }
+  const ImageReading image = sums.read(1000);
+  EXPECT_NEAR(image.luminance_rgb[7 * 3], 10, 1e-2);
+  EXPECT_NEAR(image.robust_rgb[7 * 3], 1, 1e-3);
+  EXPECT_FLOAT_EQ(image.robust_rgb[8 * 3], image.luminance_rgb[8 * 3]);
+}
+
+}  // namespace
+}  // namespace ups
