@@ -5,15 +5,22 @@
 
 namespace ups {
 
-ImageSums::ImageSums(const Camera& camera, const Plan& plan)
-    : plan_(plan), width_(camera.width()), height_(camera.height()),
+namespace {
+
+uint32_t tile_columns(uint32_t width) { return (width + Units::side - 1) / Units::side; }
+double luminance_of(const float* rgb) { return luminance(Rgb(rgb[0], rgb[1], rgb[2])); }
+
+}  // namespace
+
+ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2)
+    : plan_(plan), width_(camera.width()), height_(camera.height()), emitted_cd_m2_(emitted_cd_m2),
       illuminance_(camera.illuminance() ? camera.pixel_count() : 0), eye_(size_t(camera.pixel_count()) * 3),
-      pending_(eye_.size()) {}
+      pending_(eye_.size()), largest_(size_t(tile_columns(width_)) * ((height_ + Units::side - 1) / Units::side)) {}
 
 double ImageSums::bytes_per_pixel(const Camera& camera, uint32_t technique_edges) {
   constexpr double sums = 3 * (8 + 8 + 4 + 4 * batch_count) + 4, reading = 3 * (4 + 4) + 4,
                    gaps = 1 + 3 * 4 * (1.0 / 3);          // of fill_gaps()
-  const double illuminance = camera.illuminance() ? 8 + 4 : 0;
+  const double illuminance = camera.illuminance() ? 8 + 4 * batch_count + 4 + 4 : 0;
   constexpr double technique = 2 * 3 * (4 + 8 + 4);  // with weight and without: tally, sum, reading
   return sums + reading + gaps + illuminance +
          (technique_edges ? technique * (technique_count(technique_edges) + 1) : 0);
@@ -21,9 +28,15 @@ double ImageSums::bytes_per_pixel(const Camera& camera, uint32_t technique_edges
 
 void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   if (!tally.techniques.empty()) add_techniques(tally.techniques[c]);
+  if (!illuminance_.empty()) add_illuminance(iteration, tally.illuminance[c]);
+  const auto keep_largest = [&](uint32_t pixel, float value) {
+    float& largest =
+        largest_[pixel % width_ / Units::side + size_t(pixel / width_ / Units::side) * tile_columns(width_)];
+    largest = std::max(largest, value);
+  };
   plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
-    if (!illuminance_.empty()) illuminance_[pixel] += tally.illuminance[c][i];
     const Rgb& v = tally.pixels[c][i];
+    keep_largest(pixel, luminance(v));
     const float rgb[3] = {v.r, v.g, v.b};
     for (size_t k = 0, at = size_t(pixel) * 3; k < 3; ++k, ++at) {
       eye_[at] += rgb[k];
@@ -33,6 +46,7 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   const float per_pass = 1.0f / float(plan_.camera_subsets);
   if (!tally.splats[c].empty()) splat_.resize(eye_.size());
   for (const Splat& s : tally.splats[c]) {
+    keep_largest(s.pixel, luminance(s.value) * per_pass);
     const float rgb[3] = {s.value.r, s.value.g, s.value.b};
     for (size_t k = 0, at = size_t(s.pixel) * 3; k < 3; ++k, ++at) {
       splat_[at] += rgb[k];
@@ -44,6 +58,15 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   batch.resize(pending_.size());
   for (size_t i = 0; i < batch.size(); ++i) batch[i] += pending_[i];
   std::fill(pending_.begin(), pending_.end(), 0.0f);
+}
+
+void ImageSums::add_illuminance(uint32_t iteration, const std::vector<float>& found) {
+  std::vector<float>& batch = illuminance_batches_[plan_.pass(iteration) % batch_count];
+  batch.resize(illuminance_.size());
+  plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
+    illuminance_[pixel] += found[i];
+    batch[pixel] += found[i];
+  });
 }
 
 namespace {
@@ -76,20 +99,29 @@ std::vector<uint32_t> ImageSums::all_visits(uint32_t iterations) const {
 ImageReading ImageSums::read(uint32_t iterations) const {
   const size_t pixels = size_t(width_) * height_;
   ImageReading r{width_, height_, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f),
-                 std::vector<float>(illuminance_.size()), {}, {}};
-  const uint32_t passes = iterations / plan_.camera_subsets, used = std::min(passes, batch_count);
+                 std::vector<float>(illuminance_.size()), std::vector<float>(illuminance_.size(), -1.0f), {}, {}};
+  const uint32_t n = passes(iterations), used = std::min(n, batch_count);
   const std::vector<uint32_t> all = all_visits(iterations);
   for (size_t p = 0; p < pixels; ++p) {
     const double per_visit = all[p] ? 1.0 / all[p] : 0.0;
     if (!illuminance_.empty()) r.illuminance[p] = float(illuminance_[p] * per_visit);
     for (size_t i = p * 3; i < p * 3 + 3; ++i) r.luminance_rgb[i] = float(eye_[i] * per_visit);
   }
-  if (passes == 0) fill_unvisited(all, r);
+  if (n == 0) fill_unvisited(all, r);
   for (size_t i = 0; i < splat_.size(); ++i) r.luminance_rgb[i] += float(splat_[i] / iterations);
-  for (size_t i = 0; passes >= min_batches && i < pixels * 3; ++i) {
+  for (size_t p = 0; n >= min_batches && p < pixels; ++p) {
+    const bool known = !(emitted_cd_m2_ > 0) || chance(p, n).is_enough(n);
+    for (size_t i = p * 3; known && i < p * 3 + 3; ++i) {
+      float sums[batch_count];
+      for (uint32_t b = 0; b < used; ++b) sums[b] = batches_[b][i];
+      r.standard_error_rgb[i] = float(spread(sums, n).standard_error);
+    }
+  }
+  for (size_t p = 0; p < illuminance_.size(); ++p) {
     float sums[batch_count];
-    for (uint32_t b = 0; b < used; ++b) sums[b] = batches_[b][i];
-    r.standard_error_rgb[i] = float(spread(sums, passes).standard_error);
+    for (uint32_t b = 0; b < std::min(all[p], batch_count); ++b) sums[b] = illuminance_batches_[b][p];
+    if (!(emitted_cd_m2_ > 0) || chance_light(sums, all[p]).is_enough(all[p]))
+      r.illuminance_error[p] = float(spread(sums, all[p]).standard_error);
   }
   return r;
 }
@@ -130,19 +162,50 @@ size_t ImageSums::unvisited_pixels(uint32_t iterations) const {
   return size_t(std::count(all.begin(), all.end(), 0u));
 }
 
-ImageSums::Errors ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out) const {
-  const uint32_t passes = iterations / plan_.camera_subsets;
-  if (passes < min_batches) return Errors::unknown;
+ChanceLight ImageSums::chance(size_t pixel, uint32_t passes) const {
+  double sums[batch_count];
+  for (uint32_t b = 0; b < std::min(passes, batch_count); ++b) sums[b] = luminance_of(&batches_[b][pixel * 3]);
+  return chance_light(sums, passes);
+}
+
+std::vector<float> ImageSums::largest_around(double least) const {
+  const int columns = int(tile_columns(width_)), rows = int(largest_.size()) / columns;
+  std::vector<float> out(largest_.size(), float(least));
+  for (int i = 0; i < rows * columns; ++i)
+    for (int y = std::max(0, i / columns - 1); y <= std::min(rows - 1, i / columns + 1); ++y)
+      for (int x = std::max(0, i % columns - 1); x <= std::min(columns - 1, i % columns + 1); ++x)
+        out[size_t(i)] = std::max(out[size_t(i)], largest_[size_t(y * columns + x)]);
+  return out;
+}
+
+bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, double& sum) const {
+  const uint32_t n = passes(iterations);
+  if (n < min_batches) return false;
   const ImageReading image = read(iterations);
   const size_t pixels = image.luminance_rgb.size() / 3;
-  const auto y = [](const float* p) { return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]; };
-  double mean = 0;
-  for (size_t p = 0; p < pixels; ++p) mean += y(&image.luminance_rgb[p * 3]) / double(pixels);
-  if (!(mean > 0)) return Errors::dark;
-  for (size_t p = 0; p < pixels; ++p)
-    out.push_back(t_quantile(passes) * y(&image.standard_error_rgb[p * 3]) /
-                  std::max(y(&image.luminance_rgb[p * 3]), share_of_mean * mean));
-  return Errors::known;
+  double mean = 0, of_dark = 0;
+  for (size_t p = 0; p < pixels; ++p) mean += luminance_of(&image.luminance_rgb[p * 3]) / double(pixels);
+  const bool lit = mean > 0;
+  if (!lit) mean = emitted_cd_m2_;
+  const std::vector<float> largest = largest_around(mean);
+  for (size_t p = 0; p < pixels; ++p) {
+    const double own = luminance_of(&image.luminance_rgb[p * 3]), floor = std::max(own, share_of_mean * mean);
+    if (!(emitted_cd_m2_ > 0)) {
+      out.push_back(0);
+    } else if (const ChanceLight light = chance(p, n); light.is_enough(n)) {
+      out.push_back(t_quantile(n) * luminance_of(&image.standard_error_rgb[p * 3]) / floor);
+      sum += out.back();
+    } else {
+      const size_t tile = p % width_ / Units::side + p / width_ / Units::side * tile_columns(width_);
+      out.push_back(light.bound(largest[tile], n) / floor);
+      if (light.batches > 0 || !lit)
+        sum += out.back();
+      else
+        of_dark = std::max(of_dark, out.back());
+    }
+  }
+  sum += of_dark;
+  return true;
 }
 
 }  // namespace ups
