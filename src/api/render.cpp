@@ -44,7 +44,8 @@ size_t index_of(const RenderResult& r, const std::vector<uint32_t>& numbers, ups
   return size_t(it - numbers.begin());
 }
 
-void copy_readings(const std::vector<ups_meter_reading>& meters, ups_meter_reading* out, size_t count) {
+template <class Reading>
+void copy_readings(const std::vector<Reading>& meters, Reading* out, size_t count) {
   require(out, "out");
   if (count != meters.size())
     fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(meters.size()) + " meters");
@@ -76,9 +77,12 @@ Plane plane_of(const ImageReading& image, ups_channel channel) {
     case UPS_CHANNEL_LUMINANCE_RGB: return {image.luminance_rgb, 3};
     case UPS_CHANNEL_STANDARD_ERROR_RGB: return {image.standard_error_rgb, 3};
     case UPS_CHANNEL_ILLUMINANCE:
+    case UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR:
       if (image.illuminance.empty())
-        fail_argument("channel UPS_CHANNEL_ILLUMINANCE: this camera's desc did not set `illuminance`");
-      return {image.illuminance, 1};
+        fail_argument(std::string("channel UPS_CHANNEL_ILLUMINANCE") +
+                      (channel == UPS_CHANNEL_ILLUMINANCE ? "" : "_STANDARD_ERROR") +
+                      ": this camera's desc did not set `illuminance`");
+      return {channel == UPS_CHANNEL_ILLUMINANCE ? image.illuminance : image.illuminance_error, 1};
     case UPS_CHANNEL_PATH_INTEGRATION_RGB:
     case UPS_CHANNEL_DENSITY_ESTIMATION_RGB: {
       const bool edge = channel == UPS_CHANNEL_PATH_INTEGRATION_RGB;
@@ -208,6 +212,20 @@ ups_status ups_result_get_choice(const ups_result* result, ups_sensor_id sensor,
 ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor, ups_meter_reading* out,
                                   size_t count) {
   return guard(__func__, [&] { copy_readings(meters_of(result, sensor).meters, out, count); });
+}
+
+ups_status ups_result_read_meter_part(const ups_result* result, ups_sensor_id sensor, ups_light_part part,
+                                      ups_meter_part_reading* out, size_t count) {
+  return guard(__func__, [&] {
+    const MeterSetReading& set = meters_of(result, sensor);
+    if (part != UPS_LIGHT_PART_DIRECT && part != UPS_LIGHT_PART_INDIRECT)
+      fail_argument("part: " + std::to_string(part) + " is not a UPS_LIGHT_PART_* value");
+    copy_readings(set.parts[size_t(part)], out, count);
+  });
+}
+
+ups_status ups_result_read_meter_flags(const ups_result* result, ups_sensor_id sensor, uint32_t* out, size_t count) {
+  return guard(__func__, [&] { copy_readings(meters_of(result, sensor).flags, out, count); });
 }
 
 ups_status ups_result_get_source_count(const ups_result* result, uint32_t* out) {

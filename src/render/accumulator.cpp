@@ -5,6 +5,9 @@
 #include <cmath>
 #include <tuple>
 
+#include "render/meter_statistics.h"
+#include "render/tails.h"
+
 namespace ups {
 
 namespace {
@@ -122,6 +125,36 @@ ups_meter_reading Accumulator::reading_of(const MeterSums& sums, uint32_t visits
   return out;
 }
 
+// Light straight from emitters that no photon brings has no bias; the other part may have all of it.
+ups_meter_part_reading Accumulator::part_of(const MeterSums& sums, ups_light_part part, uint32_t visits, size_t set,
+                                            double largest) const {
+  if (visits == 0) return {-1, -1, -1, -1};
+  const LightPart of = part == UPS_LIGHT_PART_DIRECT ? direct_light : indirect_light;
+  const double direct = spread(sums.direct, visits).mean;
+  const bool biased = of == indirect_light || std::any_of(plan_.gates.begin(), plan_.gates.end(),
+                                                          [](const mis::Gates& g) { return g.merge_at_first; });
+  ups_meter_part_reading out;
+  out.illuminance_lx = float(of == direct_light ? direct : std::max(0.0, spread(sums.value, visits).mean - direct));
+  out.bias_lx = biased ? float(spread(sums.bias, visits).mean) : 0;
+  std::tie(out.standard_error_lx, out.error_bound_lx) = error_of(sums, of, visits, set, largest);
+  return out;
+}
+
+uint32_t Accumulator::flags_of(const MeterSums& sums, uint32_t visits, const ups_meter_reading& r) const {
+  if (r.error_bound_lx < 0) return UPS_READING_UNKNOWN;
+  if (r.standard_error_lx < 0) return UPS_READING_FEW_PATHS;
+  const PathRecord& paths = sums.paths[whole_light];
+  if (paths.count == 0) return UPS_READING_EXACT;
+  const double by_chance = spread(sums.value, visits).mean - sums.exact / visits,
+               batch = sums.value[sums.largest_batch] -
+                       sums.exact / visits * visits_of_batch(visits, sums.largest_batch);
+  uint32_t flags = 0;
+  if (single_path_dominates(paths.largest, paths.count, by_chance, batch, r.standard_error_lx, visits))
+    flags |= UPS_READING_SINGLE_PATH;
+  if (batch_kurtosis(sums.value, visits) > largest_kurtosis) flags |= UPS_READING_HEAVY_TAIL;
+  return flags;
+}
+
 MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
   MeterSetReading r = read_meters(set);
   const size_t columns = plan_.separation.columns.size();
@@ -134,11 +167,25 @@ MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
   return r;
 }
 
+std::vector<ups_meter_reading> Accumulator::readings_of(size_t set) const {
+  std::vector<ups_meter_reading> out;
+  out.reserve(meters_[set].size());
+  for (size_t m = 0; m < meters_[set].size(); ++m)
+    out.push_back(
+        reading_of(meters_[set][m], visits(m), set, largest_path(set, m, largest_[set], whole_light)));
+  return out;
+}
+
 MeterSetReading Accumulator::read_meters(size_t set) const {
   MeterSetReading r;
-  r.meters.reserve(meters_[set].size());
-  for (size_t m = 0; m < meters_[set].size(); ++m)
-    r.meters.push_back(reading_of(meters_[set][m], visits(m), set, largest_path(set, m, largest_[set], whole_light)));
+  r.meters = readings_of(set);
+  for (size_t m = 0; m < r.meters.size(); ++m) {
+    r.flags.push_back(flags_of(meters_[set][m], visits(m), r.meters[m]));
+    for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
+      r.parts[size_t(part)].push_back(
+          part_of(meters_[set][m], part, visits(m), set,
+                  largest_path(set, m, largest_[set], part == UPS_LIGHT_PART_DIRECT ? direct_light : indirect_light)));
+  }
   r.statistics = statistics_of(set, r.meters);
   return r;
 }
@@ -152,43 +199,37 @@ size_t Accumulator::unvisited_meters(size_t set) const {
 // Of the meters that were visited. A pass that is under way visited some of them more often than others: each meter's
 // batch counts as its mean.
 ups_meter_statistics Accumulator::statistics_of(size_t set, const std::vector<ups_meter_reading>& readings) const {
-  const uint32_t passes = plan_.meter_pass(iterations_);
-  double batch_sums[batch_count] = {}, sum = 0, minimum = INFINITY, maximum = 0;
-  size_t visited = 0;
+  MeterBatches batches(std::min(plan_.meter_pass(iterations_), batch_count));
   uint16_t reached = 0;  // batches, by any path
   for (size_t m = 0; m < readings.size(); ++m) {
     const uint32_t n = visits(m);
     if (n == 0) continue;
-    ++visited;
     const MeterSums& sums = meters_[set][m];
+    double means[batch_count] = {}, biases[batch_count] = {};
+    for (uint32_t b = 0; b < batches.used(); ++b) {
+      means[b] = sums.value[b] / visits_of_batch(n, b);
+      biases[b] = sums.bias[b] / visits_of_batch(n, b);
+    }
+    const Spread bias = spread(sums.bias, n);
+    const double unfound = readings[m].error_bound_lx - std::abs(bias.mean);
+    batches.add({spread(sums.value, n).mean, bias, readings[m].standard_error_lx < 0 ? std::max(0.0, unfound) : 0},
+                means, biases);
     reached |= sums.batches[whole_light];
-    const double mean = spread(sums.value, n).mean;
-    sum += mean;
-    minimum = std::min(minimum, mean);
-    maximum = std::max(maximum, mean);
-    for (uint32_t k = 0; k < batch_count; ++k)
-      if (const uint32_t of_set = visits_of_batch(passes, k))
-        batch_sums[k] += sums.value[k] * (double(of_set) / visits_of_batch(n, k)) / double(readings.size());
   }
-  ups_meter_statistics s{};
-  s.struct_size = sizeof s;
-  s.count = uint32_t(readings.size());
-  s.mean_lx = visited ? sum / double(visited) : -1;
-  s.min_lx = visited ? minimum : -1;
-  s.max_lx = visited ? maximum : -1;
-  s.uniformity = s.mean_lx > 0 ? minimum / s.mean_lx : 0;
   const bool exact = !emits_ || (plan_.exact_light && !scene_.meter_sets[set].is_cell());
   const ChanceLight light{0, uint32_t(std::popcount(reached)), 0};
-  s.mean_standard_error_lx = exact ? 0 : light.is_enough(passes) ? spread(batch_sums, passes).standard_error : -1;
+  const bool known = exact || light.is_enough(plan_.meter_pass(iterations_));
+  ups_meter_statistics s = meter_statistics(batches, plan_.meter_pass(iterations_), known);
   std::vector<double> errors;
   for (const ups_meter_reading& m : readings)
     if (m.error_bound_lx >= 0 && s.mean_lx > 0)
       errors.push_back(m.error_bound_lx / std::max(double(m.illuminance_lx), share_of_mean * s.mean_lx));
-  const bool known = s.mean_standard_error_lx >= 0 && !emits_;  // a set that no light has reached has no known error
   const ErrorSummary e = summary_of(std::move(errors), 0);
-  s.median_relative_error_bound = e.median >= 0 ? e.median : known ? 0 : -1;
-  s.p95_relative_error_bound = e.p95 >= 0 ? e.p95 : known ? 0 : -1;
-  s.worst_relative_error_bound = e.worst >= 0 ? e.worst : known ? 0 : -1;
+  const double of_dark = known && !emits_ ? 0 : -1;  // a set that no light has reached has no known error
+  s.count = uint32_t(readings.size());
+  s.median_relative_error_bound = e.median >= 0 ? e.median : of_dark;
+  s.p95_relative_error_bound = e.p95 >= 0 ? e.p95 : of_dark;
+  s.worst_relative_error_bound = e.worst >= 0 ? e.worst : of_dark;
   return s;
 }
 
@@ -203,9 +244,11 @@ ErrorSummary Accumulator::summarize() const {
   std::vector<double> errors;
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
-    const MeterSetReading set = read_meters(s);
-    const double mean = set.statistics.mean_lx > 0 ? set.statistics.mean_lx : scene_lx_;
-    for (const ups_meter_reading& m : set.meters) {
+    const std::vector<ups_meter_reading> readings = readings_of(s);
+    double mean = 0;
+    for (const ups_meter_reading& m : readings) mean += double(m.illuminance_lx) / double(readings.size());
+    if (!(mean > 0)) mean = scene_lx_;
+    for (const ups_meter_reading& m : readings) {
       if (m.error_bound_lx < 0) return {};
       errors.push_back(emits_ ? m.error_bound_lx / std::max(double(m.illuminance_lx), share_of_mean * mean) : 0);
       bias += std::abs(m.bias_lx);

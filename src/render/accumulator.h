@@ -25,6 +25,8 @@ struct MeterSums {
 
 struct MeterSetReading {
   std::vector<ups_meter_reading> meters;
+  std::vector<uint32_t> flags;                       // UPS_READING_*
+  std::array<std::vector<ups_meter_part_reading>, 2> parts;  // by ups_light_part
   std::vector<std::vector<ups_meter_reading>> separated;  // by column of Plan::separation; empty where not asked for
   ups_meter_statistics statistics{};
 };
@@ -65,6 +67,10 @@ class Accumulator {
                                    double largest) const;
   // What one path may bring to an iteration's reading, as far as is known.
   double largest_path(size_t set, size_t meter, const Largest& found, LightPart part) const;
+  ups_meter_part_reading part_of(const MeterSums& sums, ups_light_part part, uint32_t visits, size_t set,
+                                 double largest) const;
+  uint32_t flags_of(const MeterSums& sums, uint32_t visits, const ups_meter_reading& reading) const;
+  std::vector<ups_meter_reading> readings_of(size_t set) const;
   ups_meter_statistics statistics_of(size_t set, const std::vector<ups_meter_reading>& readings) const;
   ErrorSummary summarize_images() const;
   ErrorSummary summarize_goniometers() const;
