@@ -217,11 +217,27 @@ namespace Ups
         Failed = 3,
     }
 
+    [Flags]
+    public enum Reading : uint
+    {
+        Exact = 1,
+        Unknown = 2,
+        FewPaths = 4,
+        SinglePath = 8,
+        HeavyTail = 16,
+    }
+
     public enum Photons : int
     {
         None = 0,
         Caustic = 1,
         All = 2,
+    }
+
+    public enum LightPart : int
+    {
+        Direct = 0,
+        Indirect = 1,
     }
 
     public enum SourceKind : int
@@ -238,6 +254,7 @@ namespace Ups
         Illuminance = 2,
         PathIntegrationRgb = 3,
         DensityEstimationRgb = 4,
+        IlluminanceStandardError = 5,
     }
 
     public enum Contribution : int
@@ -1014,6 +1031,15 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MeterPartReading
+    {
+        public float IlluminanceLx;
+        public float StandardErrorLx;
+        public float BiasLx;
+        public float ErrorBoundLx;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct ConvergencePoint
     {
         public double ElapsedS;
@@ -1038,6 +1064,17 @@ namespace Ups
         public double MedianRelativeErrorBound;
         public double P95RelativeErrorBound;
         public double WorstRelativeErrorBound;
+        public double MeanBiasLx;
+        public double MeanErrorBoundLx;
+        public double MinLowLx;
+        public double MinHighLx;
+        public double MaxLowLx;
+        public double MaxHighLx;
+        public double UniformityLow;
+        public double UniformityHigh;
+        public double Percentile5Lx;
+        public double Percentile5LowLx;
+        public double Percentile5HighLx;
         internal static MeterStatistics Sized()
         {
             return new MeterStatistics { StructSize = (uint)sizeof(MeterStatistics) };
@@ -1342,6 +1379,12 @@ namespace Ups
         internal static extern Status ups_result_get_choice(ResultHandle result, SensorId sensor, SensorChoice* choice);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_meters(ResultHandle result, SensorId sensor, MeterReading* @out,
+            UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_meter_part(ResultHandle result, SensorId sensor, LightPart part,
+            MeterPartReading* @out, UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_meter_flags(ResultHandle result, SensorId sensor, uint* @out,
             UIntPtr count);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_meter_statistics(ResultHandle result, SensorId sensor,

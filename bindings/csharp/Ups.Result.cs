@@ -62,12 +62,32 @@ namespace Ups
             return choice;
         }
 
+        /// <summary>Light that no path has found, or few, has standard error -1 beside a positive bound; both are -1 where
+        /// nothing is known yet.</summary>
         public MeterReading[] Meters(SensorId sensor)
         {
             var readings = new MeterReading[Statistics(sensor).Count];
             fixed (MeterReading* r = readings)
                 Library.Check(Native.ups_result_read_meters(Handle, sensor, r, (UIntPtr)readings.Length));
             return readings;
+        }
+
+        /// <summary>Direct or indirect light of each meter, with errors of its own.</summary>
+        public MeterPartReading[] MeterPart(SensorId sensor, LightPart part)
+        {
+            var readings = new MeterPartReading[Statistics(sensor).Count];
+            fixed (MeterPartReading* r = readings)
+                Library.Check(Native.ups_result_read_meter_part(Handle, sensor, part, r, (UIntPtr)readings.Length));
+            return readings;
+        }
+
+        /// <summary>Of each meter: is its reading exact, hardly found, its interval unreliable?</summary>
+        public Reading[] MeterFlags(SensorId sensor)
+        {
+            var flags = new Reading[Statistics(sensor).Count];
+            fixed (Reading* f = flags)
+                Library.Check(Native.ups_result_read_meter_flags(Handle, sensor, (uint*)f, (UIntPtr)flags.Length));
+            return flags;
         }
 
         public MeterStatistics Statistics(SensorId sensor)
@@ -146,10 +166,12 @@ namespace Ups
             return new Profile(profile);
         }
 
-        /// <summary>Rows from the top, tight: 3 floats a pixel, 1 for the illuminance. The camera's own size.</summary>
+        /// <summary>Rows from the top, tight: 3 floats a pixel, 1 for the illuminance and its error. The camera's own
+        /// size.</summary>
         public float[] Image(SensorId camera, int width, int height, Channel channel = Channel.LuminanceRgb)
         {
-            var values = new float[(long)width * height * (channel == Channel.Illuminance ? 1 : 3)];
+            bool one = channel == Channel.Illuminance || channel == Channel.IlluminanceStandardError;
+            var values = new float[(long)width * height * (one ? 1 : 3)];
             fixed (float* v = values)
                 Library.Check(Native.ups_result_read_image(Handle, camera, channel, v, UIntPtr.Zero,
                                                            (UIntPtr)(sizeof(float) * (ulong)values.Length)));

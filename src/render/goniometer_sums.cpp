@@ -63,12 +63,9 @@ double GoniometerSums::mean_noise(uint32_t iterations) const {
     if (goniometer_.representative(node) != node) continue;
     const Spread s = spread(&wide_[size_t(node) * batch_count], iterations);  // flux, lm
     if (s.standard_error < 0) return -1;
-    const ChanceLight light = chance(node, iterations);
-    if (light.batches == 0)
+    if (const ChanceLight light = chance(node, iterations); light.batches == 0)
       of_dark = light.bound(largest_, iterations);
-    else
-      noise += light.is_enough(iterations) ? t_quantile(iterations) * s.standard_error
-                                           : light.bound(largest_, iterations);
+    noise += t_quantile(iterations) * s.standard_error;
     flux += s.mean;
   }
   if (!(emitted_lm_ > 0)) return 0;

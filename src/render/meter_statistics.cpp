@@ -153,11 +153,10 @@ Interval percentile_interval(const MeterBatches& meters, double share) {
   while (begin > 0 && value - meters.value(order[begin - 1]) <= noise) --begin;
   while (end < count && meters.value(order[end]) - value <= noise) ++end;
 
-  double batches[batch_count] = {}, mean = 0, offset = 0, bias_error = 0;
+  double batches[batch_count] = {}, offset = 0, bias_error = 0;
   for (size_t i = begin; i < end; ++i) {
     const uint32_t m = order[i];
     const double part = 1 / double(end - begin);
-    mean += part * meters.value(m);
     offset += part * meters.offset(m);
     bias_error += part * meters.bias_error(m);
     for (uint32_t b = 0; b < meters.used(); ++b) batches[b] += part * double(meters.batch(m, b));
@@ -165,7 +164,7 @@ Interval percentile_interval(const MeterBatches& meters, double share) {
   const double own = error_of_mean(meters.used(), 1, [&](uint32_t b) { return batches[b]; });
   const double below = offset + t_quantile(meters.used()) * std::hypot(own, bias_error);
   const CrossReading high = cross_reading(meters, begin, end);
-  return {value - below, std::max(value + below, value + (high.value - mean) + high.above)};
+  return {value - below, std::max(value + below, high.value + high.above)};
 }
 
 namespace {

@@ -41,6 +41,10 @@ std::string to_json(const Report& report) {
                         {"max_lx", number(s.max_lx)},
                         {"uniformity", number(s.uniformity)},
                         {"mean_standard_error_lx", number(s.mean_standard_error_lx)},
+                        {"mean_error_bound_lx", number(s.mean_error_bound_lx)},
+                        {"percentile_5_lx", number(s.percentile_5_lx)},
+                        {"uniformity_low", number(s.uniformity_low)},
+                        {"uniformity_high", number(s.uniformity_high)},
                         {"worst_relative_error_bound", number(s.worst_relative_error_bound)}};
   }
   for (const CameraReport& camera : report.cameras) {

@@ -62,9 +62,22 @@ class Result(Handle):
         return read_info(_ffi.SensorChoice, lib.ups_result_get_choice, self, sensor)
 
     def meters(self, sensor):
-        """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ..."""
+        """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ... Light that no
+        path has found, or few, has standard error -1 beside a positive bound; both are -1 where nothing is known yet."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterReading))
         check(lib.ups_result_read_meters(self, sensor, address(out, _ffi.MeterReading), len(out)))
+        return out
+
+    def meter_part(self, sensor, part):
+        """The LightPart.DIRECT or INDIRECT light of each meter, with errors of its own: as ups_meter_part_reading."""
+        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterPartReading))
+        check(lib.ups_result_read_meter_part(self, sensor, part, address(out, _ffi.MeterPartReading), len(out)))
+        return out
+
+    def meter_flags(self, sensor):
+        """Reading.EXACT, UNKNOWN, FEW_PATHS, SINGLE_PATH, HEAVY_TAIL of each meter, or-ed in an array of integers."""
+        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.uint32)
+        check(lib.ups_result_read_meter_flags(self, sensor, address(out, ctypes.c_uint32), len(out)))
         return out
 
     def statistics(self, sensor):
@@ -110,9 +123,10 @@ class Result(Handle):
         return Profile(create(lib.ups_result_get_goniometer_profile, self, sensor))
 
     def image(self, camera, channel=Channel.LUMINANCE_RGB):
-        """(height, width, 3), or (height, width) for the illuminance; row 0 is the image's top."""
+        """(height, width, 3), or (height, width) for the illuminance and its error; row 0 is the image's top."""
         shape = self._shape(camera, 2, "a camera")
-        out = np.empty(shape if channel == Channel.ILLUMINANCE else shape + (3,), dtype=np.float32)
+        one = channel in (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR)
+        out = np.empty(shape if one else shape + (3,), dtype=np.float32)
         check(lib.ups_result_read_image(self, camera, channel, address(out, ctypes.c_float), 0, out.nbytes))
         return out
 
