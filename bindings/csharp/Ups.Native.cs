@@ -1141,6 +1141,21 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct GoniometerBeam
+    {
+        public uint StructSize;
+        public float AngleDeg;
+        public float StandardErrorDeg;
+        public float BiasDeg;
+        public float LowDeg;
+        public float HighDeg;
+        internal static GoniometerBeam Sized()
+        {
+            return new GoniometerBeam { StructSize = (uint)sizeof(GoniometerBeam) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct TechniqueInfo
     {
         public uint StructSize;
@@ -1405,6 +1420,9 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_goniometer_angles(ResultHandle result, SensorId sensor, float*
             c_deg, UIntPtr c_count, float* gamma_deg, UIntPtr gamma_count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_goniometer_beam(ResultHandle result, SensorId sensor, float c_deg,
+            float fraction, GoniometerBeam* beam);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_goniometer_profile(ResultHandle result, SensorId sensor, out
             ProfileHandle @out);

@@ -158,6 +158,14 @@ namespace Ups
                                                                       (UIntPtr)info.GammaCount));
         }
 
+        /// <summary>The beam angle (fraction 0.5) or field angle (0.1) in the plane C / C + 180 with its error.</summary>
+        public GoniometerBeam GoniometerBeam(SensorId sensor, float cDeg = 0, float fraction = 0.5f)
+        {
+            var beam = Ups.GoniometerBeam.Sized();
+            Library.Check(Native.ups_result_get_goniometer_beam(Handle, sensor, cDeg, fraction, &beam));
+            return beam;
+        }
+
         /// <summary>For luminaires, and to write a photometric file. The caller disposes of it.</summary>
         public Profile GoniometerProfile(SensorId sensor)
         {

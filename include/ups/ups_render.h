@@ -254,6 +254,17 @@ UPS_API ups_status ups_result_read_goniometer(const ups_result *result, ups_sens
 /* The grid, as it was asked for or in equal steps. */
 UPS_API ups_status ups_result_get_goniometer_angles(const ups_result *result, ups_sensor_id sensor, float *c_deg,
                                                     size_t c_count, float *gamma_deg, size_t gamma_count);
+/* A beam or field angle of the distribution, as of ups_profile_get_beam, with its error. */
+typedef struct ups_goniometer_beam {
+  uint32_t struct_size;
+  float angle_deg;            /* < 0: nowhere below the level, or no light in this plane */
+  float standard_error_deg;   /* noise alone; < 0 here and below: not known */
+  float bias_deg;             /* estimated, of the mean over the nodes' surroundings; 0 where not known */
+  float low_deg, high_deg;    /* 95 % interval, noise and bias */
+} ups_goniometer_beam;
+/* c_deg finite, 0 < fraction <= 1; beam->struct_size must be set. */
+UPS_API ups_status ups_result_get_goniometer_beam(const ups_result *result, ups_sensor_id sensor, float c_deg,
+                                                  float fraction, ups_goniometer_beam *beam);
 /* The distribution as a profile, with the opening of the desc, rated for the emitted flux: for luminaires and for
  * ups_profile_write. The caller owns *out. */
 UPS_API ups_status ups_result_get_goniometer_profile(const ups_result *result, ups_sensor_id sensor, ups_profile **out);

@@ -1,9 +1,11 @@
 // ups_render.h: renders, jobs and results. A render is a job that the call waits for.
 #include <algorithm>
+#include <cmath>
 
 #include "api/desc.h"
 #include "api/handles.h"
 #include "photometry/writer_text.h"
+#include "render/beam_error.h"
 #include "render/job.h"
 
 using namespace ups;
@@ -285,6 +287,18 @@ ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor
     const auto to_float = [](double angle) { return float(angle); };
     std::transform(g.c_deg().begin(), g.c_deg().end(), c_deg, to_float);
     std::transform(g.gamma_deg().begin(), g.gamma_deg().end(), gamma_deg, to_float);
+  });
+}
+
+ups_status ups_result_get_goniometer_beam(const ups_result* result, ups_sensor_id sensor, float c_deg, float fraction,
+                                          ups_goniometer_beam* beam) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    const size_t index = index_of(r, r.scene->goniometer_ids, sensor, "goniometer");
+    if (!std::isfinite(c_deg)) fail_argument("c_deg is not finite");
+    if (!(fraction > 0 && fraction <= 1))
+      fail_argument("fraction is " + std::to_string(fraction) + "; it must be greater than 0 and at most 1");
+    write_info(beam, beam_with_error(r.scene->goniometers[index], r.goniometers[index], c_deg, fraction), "beam");
   });
 }
 

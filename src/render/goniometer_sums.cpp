@@ -98,6 +98,17 @@ GoniometerReading GoniometerSums::read(uint32_t iterations) const {
     const uint32_t own = goniometer_.representative(node);
     r.nodes.push_back(own < node ? r.nodes[own] : read_node(own, iterations));
   }
+  const uint32_t used = iterations < min_batches ? 0 : std::min(iterations, batch_count);
+  for (uint32_t b = 0; b < used; ++b) {
+    std::vector<float>& without = r.without_batch.emplace_back(goniometer_.node_count());
+    for (uint32_t node = 0; node < goniometer_.node_count(); ++node) {
+      if (goniometer_.representative(node) != node) continue;
+      const double* sums = &wide_[size_t(node) * batch_count];
+      const double left = spread(sums, iterations).mean * iterations - sums[b];
+      without[node] =
+          float(left / ((iterations - visits_of_batch(iterations, b)) * goniometer_.wide_solid_angle(node)));
+    }
+  }
   const Spread flux = spread(flux_, iterations);
   ups_goniometer_info& info = r.info;
   info.struct_size = sizeof info;

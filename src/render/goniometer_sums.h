@@ -12,6 +12,8 @@ namespace ups {
 struct GoniometerReading {
   ups_goniometer_info info{};  // without what the light balance adds: absorbed_flux_lm
   std::vector<ups_intensity_reading> nodes;  // gamma fastest
+  // cd of each node that stands for itself, by all batches but one; empty where there are too few.
+  std::vector<std::vector<float>> without_batch;
 };
 
 class GoniometerSums {
@@ -19,7 +21,8 @@ class GoniometerSums {
   // emitted_lm: by the scene's emitters; light_paths: an iteration, 0: none.
   GoniometerSums(const Goniometer& goniometer, double emitted_lm, uint32_t light_paths);
   // Sums, one iteration's tally, the reading.
-  static constexpr double bytes_per_node = 2 * sizeof(double) * (batch_count + 1) + sizeof(ups_intensity_reading);
+  static constexpr double bytes_per_node =
+      2 * sizeof(double) * (batch_count + 1) + sizeof(ups_intensity_reading) + sizeof(float) * batch_count;
   void add(uint32_t batch, const GoniometerTally& tally);
   GoniometerReading read(uint32_t iterations) const;
   // Of each node that stands for itself: bound / max(I, 5 % of the peak), without light of what the emitters would bring

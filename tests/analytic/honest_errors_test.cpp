@@ -90,6 +90,29 @@ TEST(HonestErrors, IlluminanceImagesHaveErrors) {
   EXPECT_NEAR(square, 1.15, 0.5);  // 192 pixels, t of 30 degrees: its variance is 1.07; standard deviation 0.13
 }
 
+// A spot whose intensity falls from 10 to 40 degrees as the square of a ramp in the cosine: 50 % where the ramp is
+// sqrt(1/2). 60 seeds of few light paths: an interval of 95 % for noise, and wider for blur, holds in 54 of them but for a
+// chance of 1 in 40 (binomial); in fewer than 51, 1 in 3000. The interval must say something too.
+TEST(HonestErrors, BeamAnglesHaveIntervals) {
+  constexpr double degree = 3.14159265358979323846 / 180;
+  const double inner = std::cos(10 * degree), outer = std::cos(40 * degree),
+               truth = 2 * std::acos(outer + std::sqrt(0.5) * (inner - outer)) / degree;
+  int covered = 0;
+  double width = 0;
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    Scene scene;
+    scene.add_spot({0, 0, 0}, {0, 0, -1}, 100, 10 * degree, 40 * degree);
+    const Sensor goniometer = scene.add_goniometer(8, 73);
+    const Result r = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 32, .seed = seed, .light_paths = 1024});
+    const ups_goniometer_beam b = r.goniometer_beam(goniometer, 0, 0.5f);
+    ASSERT_GT(b.standard_error_deg, 0);
+    covered += b.low_deg <= truth && truth <= b.high_deg;
+    width += double(b.high_deg - b.low_deg) / 60;
+  }
+  EXPECT_GE(covered, 51);
+  EXPECT_LT(width, 0.15 * truth);
+}
+
 // A room lit by a large panel, by path tracing: noise alone. Of 100 renders and 9 meters, whose eye paths share nothing,
 // 95 % of the bounds should hold; 900 of them: standard deviation 0.73 %, 3.4 of which are allowed (a false alarm in 1500).
 // The truth is the mean over all renders, whose own noise makes a hundredth of the variance. It would find errors that

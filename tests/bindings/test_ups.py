@@ -206,6 +206,15 @@ def test_readings_of_each_source_add_up(context):
     scene.commit()
     assert scene.render(iteration_count=1).sources() == []
     result = scene.render(iteration_count=64, seed=2, separation=ups.Separation.LUMINAIRES)
+    direct, indirect = (result.meter_part(meters, part) for part in (ups.LightPart.DIRECT, ups.LightPart.INDIRECT))
+    whole, statistics = result.meters(meters), result.statistics(meters)
+    assert np.allclose(direct["illuminance_lx"] + indirect["illuminance_lx"], whole["illuminance_lx"], rtol=1e-6)
+    assert np.all(direct["standard_error_lx"] <= whole["illuminance_lx"])
+    flags = result.meter_flags(meters)
+    assert flags.shape == (2,)
+    assert np.array_equal(flags & ups.Reading.FEW_PATHS != 0, whole["standard_error_lx"] < 0)
+    assert 0 <= statistics.uniformity_low <= statistics.uniformity <= statistics.uniformity_high <= 1
+    assert statistics.mean_error_bound_lx >= 0 and statistics.percentile_5_lx >= statistics.min_lx
     sources, lamp = result.sources(), ups.SourceKind.LUMINAIRE
     assert [(s.kind, s.id) for s in sources] == [(lamp, light.v), (lamp, second.v)]
     assert [s.flux_lm for s in sources] == pytest.approx([4 * math.pi * 400, 4 * math.pi * 200], rel=1e-5)

@@ -115,6 +115,13 @@ class Result {
           "ups_result_get_goniometer_profile");
     return {profile, ups_profile_destroy};
   }
+  ups_goniometer_beam goniometer_beam(const Sensor& goniometer, float c_deg, float fraction) const {
+    ups_goniometer_beam b{};
+    b.struct_size = sizeof b;
+    check(ups_result_get_goniometer_beam(result_.get(), goniometer.id, c_deg, fraction, &b),
+          "ups_result_get_goniometer_beam");
+    return b;
+  }
   ups_meter_statistics statistics(const Sensor& meters) const {
     ups_meter_statistics s{};
     s.struct_size = sizeof s;

@@ -815,6 +815,17 @@ class IntensityReading(Structure):
     ]
 
 
+class GoniometerBeam(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("angle_deg", c_float),
+        ("standard_error_deg", c_float),
+        ("bias_deg", c_float),
+        ("low_deg", c_float),
+        ("high_deg", c_float),
+    ]
+
+
 class TechniqueInfo(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -921,6 +932,7 @@ PROTOTYPES = {
     "ups_result_read_goniometer": (c_int32, [c_void_p, SensorId, POINTER(IntensityReading), c_size_t]),
     "ups_result_get_goniometer_angles": (c_int32, [c_void_p, SensorId, POINTER(c_float), c_size_t, POINTER(c_float),
         c_size_t]),
+    "ups_result_get_goniometer_beam": (c_int32, [c_void_p, SensorId, c_float, c_float, POINTER(GoniometerBeam)]),
     "ups_result_get_goniometer_profile": (c_int32, [c_void_p, SensorId, POINTER(c_void_p)]),
     "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t]),
     "ups_result_get_technique_count": (c_int32, [c_void_p, SensorId, POINTER(c_uint32)]),

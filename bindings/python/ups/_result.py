@@ -118,6 +118,11 @@ class Result(Handle):
                                                    address(gamma, ctypes.c_float), len(gamma)))
         return c, gamma
 
+    def goniometer_beam(self, sensor, c_deg=0, fraction=0.5):
+        """The beam angle (fraction 0.5) or field angle (0.1) in the plane C / C + 180 with its error, as
+        ups_goniometer_beam."""
+        return read_info(_ffi.GoniometerBeam, lib.ups_result_get_goniometer_beam, self, sensor, c_deg, fraction)
+
     def goniometer_profile(self, sensor):
         """The distribution as a Profile: for luminaires, and to write a photometric file."""
         return Profile(create(lib.ups_result_get_goniometer_profile, self, sensor))
