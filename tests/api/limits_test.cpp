@@ -114,7 +114,8 @@ TEST_F(Limits, ManyMetersComeInTurn) {
     ASSERT_GE(all[i].error_bound_lx, 0);
     errors += all[i].standard_error_lx >= 0;
   }
-  EXPECT_GT(errors, all.size() / 2) << "four paths of a meter seldom all find light";
+  EXPECT_GT(errors, 0u) << "all four paths of some meters find light that the ceiling sends back";
+  EXPECT_LT(errors, all.size() / 2) << "those of most do not: no spread is their error";
   EXPECT_GE(statistics().worst_relative_error_bound, 0);
 }
 
