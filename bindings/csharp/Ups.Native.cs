@@ -217,11 +217,27 @@ namespace Ups
         Failed = 3,
     }
 
+    [Flags]
+    public enum Reading : uint
+    {
+        Exact = 1,
+        Unknown = 2,
+        FewPaths = 4,
+        SinglePath = 8,
+        HeavyTail = 16,
+    }
+
     public enum Photons : int
     {
         None = 0,
         Caustic = 1,
         All = 2,
+    }
+
+    public enum LightPart : int
+    {
+        Direct = 0,
+        Indirect = 1,
     }
 
     public enum SourceKind : int
@@ -241,6 +257,7 @@ namespace Ups
         Bias = 5,
         ErrorBound = 6,
         RobustRgb = 7,
+        IlluminanceStandardError = 8,
     }
 
     public enum Contribution : int
@@ -1017,6 +1034,15 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MeterPartReading
+    {
+        public float IlluminanceLx;
+        public float StandardErrorLx;
+        public float BiasLx;
+        public float ErrorBoundLx;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct ConvergencePoint
     {
         public double ElapsedS;
@@ -1041,6 +1067,17 @@ namespace Ups
         public double MedianRelativeErrorBound;
         public double P95RelativeErrorBound;
         public double WorstRelativeErrorBound;
+        public double MeanBiasLx;
+        public double MeanErrorBoundLx;
+        public double MinLowLx;
+        public double MinHighLx;
+        public double MaxLowLx;
+        public double MaxHighLx;
+        public double UniformityLow;
+        public double UniformityHigh;
+        public double Percentile5Lx;
+        public double Percentile5LowLx;
+        public double Percentile5HighLx;
         internal static MeterStatistics Sized()
         {
             return new MeterStatistics { StructSize = (uint)sizeof(MeterStatistics) };
@@ -1104,6 +1141,21 @@ namespace Ups
         public float StandardErrorCd;
         public float BiasCd;
         public float ErrorBoundCd;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct GoniometerBeam
+    {
+        public uint StructSize;
+        public float AngleDeg;
+        public float StandardErrorDeg;
+        public float BiasDeg;
+        public float LowDeg;
+        public float HighDeg;
+        internal static GoniometerBeam Sized()
+        {
+            return new GoniometerBeam { StructSize = (uint)sizeof(GoniometerBeam) };
+        }
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -1347,6 +1399,12 @@ namespace Ups
         internal static extern Status ups_result_read_meters(ResultHandle result, SensorId sensor, MeterReading* @out,
             UIntPtr count);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_meter_part(ResultHandle result, SensorId sensor, LightPart part,
+            MeterPartReading* @out, UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_meter_flags(ResultHandle result, SensorId sensor, uint* @out,
+            UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_meter_statistics(ResultHandle result, SensorId sensor,
             MeterStatistics* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1365,6 +1423,9 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_goniometer_angles(ResultHandle result, SensorId sensor, float*
             c_deg, UIntPtr c_count, float* gamma_deg, UIntPtr gamma_count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_goniometer_beam(ResultHandle result, SensorId sensor, float c_deg,
+            float fraction, GoniometerBeam* beam);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_goniometer_profile(ResultHandle result, SensorId sensor, out
             ProfileHandle @out);

@@ -62,12 +62,32 @@ namespace Ups
             return choice;
         }
 
+        /// <summary>Light that no path has found, or few, has standard error -1 beside a positive bound; both are -1 where
+        /// nothing is known yet.</summary>
         public MeterReading[] Meters(SensorId sensor)
         {
             var readings = new MeterReading[Statistics(sensor).Count];
             fixed (MeterReading* r = readings)
                 Library.Check(Native.ups_result_read_meters(Handle, sensor, r, (UIntPtr)readings.Length));
             return readings;
+        }
+
+        /// <summary>Direct or indirect light of each meter, with errors of its own.</summary>
+        public MeterPartReading[] MeterPart(SensorId sensor, LightPart part)
+        {
+            var readings = new MeterPartReading[Statistics(sensor).Count];
+            fixed (MeterPartReading* r = readings)
+                Library.Check(Native.ups_result_read_meter_part(Handle, sensor, part, r, (UIntPtr)readings.Length));
+            return readings;
+        }
+
+        /// <summary>Of each meter: is its reading exact, hardly found, its interval unreliable?</summary>
+        public Reading[] MeterFlags(SensorId sensor)
+        {
+            var flags = new Reading[Statistics(sensor).Count];
+            fixed (Reading* f = flags)
+                Library.Check(Native.ups_result_read_meter_flags(Handle, sensor, (uint*)f, (UIntPtr)flags.Length));
+            return flags;
         }
 
         public MeterStatistics Statistics(SensorId sensor)
@@ -138,6 +158,14 @@ namespace Ups
                                                                       (UIntPtr)info.GammaCount));
         }
 
+        /// <summary>The beam angle (fraction 0.5) or field angle (0.1) in the plane C / C + 180 with its error.</summary>
+        public GoniometerBeam GoniometerBeam(SensorId sensor, float cDeg = 0, float fraction = 0.5f)
+        {
+            var beam = Ups.GoniometerBeam.Sized();
+            Library.Check(Native.ups_result_get_goniometer_beam(Handle, sensor, cDeg, fraction, &beam));
+            return beam;
+        }
+
         /// <summary>For luminaires, and to write a photometric file. The caller disposes of it.</summary>
         public Profile GoniometerProfile(SensorId sensor)
         {
@@ -146,11 +174,12 @@ namespace Ups
             return new Profile(profile);
         }
 
-        /// <summary>Rows from the top, tight: 3 floats a pixel, 1 for Illuminance, Bias and ErrorBound. The camera's own
-        /// size.</summary>
+        /// <summary>Rows from the top, tight: 3 floats a pixel, 1 for Illuminance and its error, Bias and
+        /// ErrorBound. The camera's own size.</summary>
         public float[] Image(SensorId camera, int width, int height, Channel channel = Channel.LuminanceRgb)
         {
-            bool single = channel == Channel.Illuminance || channel == Channel.Bias || channel == Channel.ErrorBound;
+            bool single = channel == Channel.Illuminance || channel == Channel.IlluminanceStandardError
+                || channel == Channel.Bias || channel == Channel.ErrorBound;
             var values = new float[(long)width * height * (single ? 1 : 3)];
             fixed (float* v = values)
                 Library.Check(Native.ups_result_read_image(Handle, camera, channel, v, UIntPtr.Zero,

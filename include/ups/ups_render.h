@@ -102,7 +102,10 @@ typedef struct ups_result_info {
 } ups_result_info;
 
 /* Plain array elements: these never grow. < 0 where not known (too few iterations). Of more than 32768 meters an
- * iteration visits each second, third, ... in turn; before its first visit nothing is known of a meter. */
+ * iteration visits each second, third, ... in turn; before its first visit nothing is known of a meter.
+ * Light that no path has found, or that few have, is not known to be dark: until half of the 16 batches have any, the
+ * standard error is -1, and the bound is that of the rule of three and its continuation: the most that one path may
+ * bring, times 3.00, 3.74, 4.30, ... after 0, 1, 2, ... paths, over the iterations. */
 typedef struct ups_meter_reading {
   float illuminance_lx;
   float standard_error_lx; /* noise alone */
@@ -110,6 +113,24 @@ typedef struct ups_meter_reading {
   float error_bound_lx;    /* 95 %, noise and bias together */
   float direct_lx, indirect_lx;
 } ups_meter_reading;
+
+typedef struct ups_meter_part_reading { /* never grows; < 0 where not known */
+  float illuminance_lx;
+  float standard_error_lx; /* noise alone; -1 and a bound: as of ups_meter_reading */
+  float bias_lx;           /* of the whole reading, where photons may have brought this part of it */
+  float error_bound_lx;    /* 95 %, noise and bias together */
+} ups_meter_part_reading;
+
+/* What a reading's error is worth, bit by bit; 0: an interval of 16 batches, as it should be. */
+enum {
+  UPS_READING_EXACT = 1,       /* no chance in it: the error is that of rounding */
+  UPS_READING_UNKNOWN = 2,     /* too few iterations: no error is known */
+  UPS_READING_FEW_PATHS = 4,   /* none or few have found light: standard error -1, bound by the rule of three */
+  UPS_READING_SINGLE_PATH = 8, /* interval unreliable: one path brought more than a tenth of its batch and a quarter of
+                                * the variance */
+  UPS_READING_HEAVY_TAIL = 16  /* interval unreliable: the kurtosis of the batches is above 7.1, as that of one in 1000
+                                * of Gaussian ones is */
+};
 
 typedef struct ups_convergence_point { /* what accuracy cost */
   double elapsed_s;
@@ -126,6 +147,13 @@ typedef struct ups_meter_statistics {
   double mean_standard_error_lx; /* of the mean */
   /* -1: not known, as in too short a render, or where the scene emits light and none has reached the set */
   double median_relative_error_bound, p95_relative_error_bound, worst_relative_error_bound;
+  double mean_bias_lx;           /* of the mean, estimated */
+  double mean_error_bound_lx;    /* of the mean: 95 %, its noise and bias, and light that was not found */
+  /* 95 % intervals of the true values, noise and bias; -1: not known (fewer than 6 iterations). The least of noisy
+   * readings is biased low, the largest high: an interval need not lie evenly about its value. */
+  double min_low_lx, min_high_lx, max_low_lx, max_high_lx, uniformity_low, uniformity_high;
+  double percentile_5_lx;        /* 5 % of the meters are below */
+  double percentile_5_low_lx, percentile_5_high_lx;
 } ups_meter_statistics;
 
 UPS_API void ups_render_desc_init(ups_render_desc *desc, uint32_t struct_size);
@@ -133,8 +161,8 @@ UPS_API void ups_render_desc_init(ups_render_desc *desc, uint32_t struct_size);
 /* Blocks until a limit or the target. The one call that a small program needs; for progress and cancel start a job.
  * INVALID_STATE where the time limit was over before the first iteration was done. While it renders and is read, a
  * camera takes up to 300 bytes a pixel, 60 at first and 12 more with each of the first 16 visits of all pixels
- * (`illuminance`: 12 more; technique_images: 96 more for each image), a meter 300, for each source of `separation`
- * 300 more. */
+ * (`illuminance`: 80 more; technique_images: 96 more for each image), a meter 700, for each source of `separation`
+ * 500 more. */
 UPS_API ups_status ups_render(const ups_scene *scene, const ups_render_desc *desc, ups_result **out);
 
 /* The same, without blocking: start, then poll or wait from any thread. */
@@ -173,6 +201,14 @@ UPS_API ups_status ups_result_get_choice(const ups_result *result, ups_sensor_id
 /* count must be the set's meter count. */
 UPS_API ups_status ups_result_read_meters(const ups_result *result, ups_sensor_id sensor, ups_meter_reading *out,
                                           size_t count);
+/* The part that came straight from emitters, and the rest, each with an error of its own. */
+typedef int32_t ups_light_part;
+enum { UPS_LIGHT_PART_DIRECT = 0, UPS_LIGHT_PART_INDIRECT = 1 };
+UPS_API ups_status ups_result_read_meter_part(const ups_result *result, ups_sensor_id sensor, ups_light_part part,
+                                              ups_meter_part_reading *out, size_t count);
+/* UPS_READING_* of each meter. */
+UPS_API ups_status ups_result_read_meter_flags(const ups_result *result, ups_sensor_id sensor, uint32_t *out,
+                                               size_t count);
 UPS_API ups_status ups_result_get_meter_statistics(const ups_result *result, ups_sensor_id sensor,
                                                    ups_meter_statistics *out);
 /* The sources that ups_render_desc.separation tells apart; those that emit nothing are among them, with readings
@@ -206,7 +242,7 @@ typedef struct ups_goniometer_info {
 } ups_goniometer_info;
 typedef struct ups_intensity_reading { /* never grows; < 0 where not known */
   float intensity_cd;
-  float standard_error_cd; /* noise alone */
+  float standard_error_cd; /* noise alone; -1 and a bound: as of ups_meter_reading */
   float bias_cd;           /* estimated, of the mean over the node's surroundings */
   float error_bound_cd;    /* 95 %, noise and bias together */
 } ups_intensity_reading;
@@ -218,13 +254,24 @@ UPS_API ups_status ups_result_read_goniometer(const ups_result *result, ups_sens
 /* The grid, as it was asked for or in equal steps. */
 UPS_API ups_status ups_result_get_goniometer_angles(const ups_result *result, ups_sensor_id sensor, float *c_deg,
                                                     size_t c_count, float *gamma_deg, size_t gamma_count);
+/* A beam or field angle of the distribution, as of ups_profile_get_beam, with its error. */
+typedef struct ups_goniometer_beam {
+  uint32_t struct_size;
+  float angle_deg;            /* < 0: nowhere below the level, or no light in this plane */
+  float standard_error_deg;   /* noise alone; < 0 here and below: not known */
+  float bias_deg;             /* estimated, of the mean over the nodes' surroundings; 0 where not known */
+  float low_deg, high_deg;    /* 95 % interval, noise and bias */
+} ups_goniometer_beam;
+/* c_deg finite, 0 < fraction <= 1; beam->struct_size must be set. */
+UPS_API ups_status ups_result_get_goniometer_beam(const ups_result *result, ups_sensor_id sensor, float c_deg,
+                                                  float fraction, ups_goniometer_beam *beam);
 /* The distribution as a profile, with the opening of the desc, rated for the emitted flux: for luminaires and for
  * ups_profile_write. The caller owns *out. */
 UPS_API ups_status ups_result_get_goniometer_profile(const ups_result *result, ups_sensor_id sensor, ups_profile **out);
 typedef int32_t ups_channel;
 enum {
   UPS_CHANNEL_LUMINANCE_RGB = 0,      /* 3 floats a pixel, cd/m^2 */
-  UPS_CHANNEL_STANDARD_ERROR_RGB = 1, /* 3 floats a pixel; -1: not known */
+  UPS_CHANNEL_STANDARD_ERROR_RGB = 1, /* 3 floats a pixel; -1: not known, as where few paths or none have found light */
   UPS_CHANNEL_ILLUMINANCE = 2,        /* 1 float a pixel, lx; cameras with `illuminance` */
   /* Parts of LUMINANCE_RGB, which add up to it once every pixel was visited; with ups_render_desc.technique_images
    * alone */
@@ -237,7 +284,8 @@ enum {
   UPS_CHANNEL_ERROR_BOUND = 6,
   /* 3 floats a pixel: LUMINANCE_RGB, but where single samples dominate a pixel a mean without the outermost batches of
    * its samples. Shows what bright specks hide; as a measured value it is too low. */
-  UPS_CHANNEL_ROBUST_RGB = 7
+  UPS_CHANNEL_ROBUST_RGB = 7,
+  UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR = 8 /* 1 float a pixel, lx; of ILLUMINANCE; -1: not known */
 };
 /* Row 0 is the image's top. row_stride_bytes 0: tight; size_bytes is the size of out. */
 UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel,

@@ -1,9 +1,11 @@
 // ups_render.h: renders, jobs and results. A render is a job that the call waits for.
 #include <algorithm>
+#include <cmath>
 
 #include "api/desc.h"
 #include "api/handles.h"
 #include "photometry/writer_text.h"
+#include "render/beam_error.h"
 #include "render/job.h"
 
 using namespace ups;
@@ -44,7 +46,8 @@ size_t index_of(const RenderResult& r, const std::vector<uint32_t>& numbers, ups
   return size_t(it - numbers.begin());
 }
 
-void copy_readings(const std::vector<ups_meter_reading>& meters, ups_meter_reading* out, size_t count) {
+template <class Reading>
+void copy_readings(const std::vector<Reading>& meters, Reading* out, size_t count) {
   require(out, "out");
   if (count != meters.size())
     fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(meters.size()) + " meters");
@@ -79,9 +82,12 @@ Plane plane_of(const ImageReading& image, ups_channel channel) {
     case UPS_CHANNEL_BIAS: return {image.bias, 1};
     case UPS_CHANNEL_ERROR_BOUND: return {image.error_bound, 1};
     case UPS_CHANNEL_ILLUMINANCE:
+    case UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR:
       if (image.illuminance.empty())
-        fail_argument("channel UPS_CHANNEL_ILLUMINANCE: this camera's desc did not set `illuminance`");
-      return {image.illuminance, 1};
+        fail_argument(std::string("channel UPS_CHANNEL_ILLUMINANCE") +
+                      (channel == UPS_CHANNEL_ILLUMINANCE ? "" : "_STANDARD_ERROR") +
+                      ": this camera's desc did not set `illuminance`");
+      return {channel == UPS_CHANNEL_ILLUMINANCE ? image.illuminance : image.illuminance_error, 1};
     case UPS_CHANNEL_PATH_INTEGRATION_RGB:
     case UPS_CHANNEL_DENSITY_ESTIMATION_RGB: {
       const bool edge = channel == UPS_CHANNEL_PATH_INTEGRATION_RGB;
@@ -213,6 +219,20 @@ ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor
   return guard(__func__, [&] { copy_readings(meters_of(result, sensor).meters, out, count); });
 }
 
+ups_status ups_result_read_meter_part(const ups_result* result, ups_sensor_id sensor, ups_light_part part,
+                                      ups_meter_part_reading* out, size_t count) {
+  return guard(__func__, [&] {
+    const MeterSetReading& set = meters_of(result, sensor);
+    if (part != UPS_LIGHT_PART_DIRECT && part != UPS_LIGHT_PART_INDIRECT)
+      fail_argument("part: " + std::to_string(part) + " is not a UPS_LIGHT_PART_* value");
+    copy_readings(set.parts[size_t(part)], out, count);
+  });
+}
+
+ups_status ups_result_read_meter_flags(const ups_result* result, ups_sensor_id sensor, uint32_t* out, size_t count) {
+  return guard(__func__, [&] { copy_readings(meters_of(result, sensor).flags, out, count); });
+}
+
 ups_status ups_result_get_source_count(const ups_result* result, uint32_t* out) {
   return guard(__func__, [&] { require(out, "out") = uint32_t(data_of(result).sources.size()); });
 }
@@ -270,6 +290,18 @@ ups_status ups_result_get_goniometer_angles(const ups_result* result, ups_sensor
     const auto to_float = [](double angle) { return float(angle); };
     std::transform(g.c_deg().begin(), g.c_deg().end(), c_deg, to_float);
     std::transform(g.gamma_deg().begin(), g.gamma_deg().end(), gamma_deg, to_float);
+  });
+}
+
+ups_status ups_result_get_goniometer_beam(const ups_result* result, ups_sensor_id sensor, float c_deg, float fraction,
+                                          ups_goniometer_beam* beam) {
+  return guard(__func__, [&] {
+    const RenderResult& r = data_of(result);
+    const size_t index = index_of(r, r.scene->goniometer_ids, sensor, "goniometer");
+    if (!std::isfinite(c_deg)) fail_argument("c_deg is not finite");
+    if (!(fraction > 0 && fraction <= 1))
+      fail_argument("fraction is " + std::to_string(fraction) + "; it must be greater than 0 and at most 1");
+    write_info(beam, beam_with_error(r.scene->goniometers[index], r.goniometers[index], c_deg, fraction), "beam");
   });
 }
 

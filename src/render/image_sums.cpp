@@ -2,19 +2,29 @@
 #include "render/image_sums.h"
 
 #include "render/fill_gaps.h"
+#include "render/robust_mean.h"
 
 namespace ups {
 
-ImageSums::ImageSums(const Camera& camera, const Plan& plan)
+namespace {
+
+double luminance_at(const std::vector<float>& rgb, size_t pixel) {
+  return luminance(Rgb(rgb[pixel * 3], rgb[pixel * 3 + 1], rgb[pixel * 3 + 2]));
+}
+
+}  // namespace
+
+ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2)
     : plan_(plan), width_(camera.width()), height_(camera.height()),
+      tile_columns_((width_ + Units::side - 1) / Units::side), emitted_cd_m2_(emitted_cd_m2),
       illuminance_(camera.illuminance() ? camera.pixel_count() : 0), eye_(size_t(camera.pixel_count()) * 3),
-      pending_(eye_.size()) {}
+      pending_(eye_.size()), largest_(size_t(tile_columns_) * ((height_ + Units::side - 1) / Units::side)) {}
 
 double ImageSums::bytes_per_pixel(const Camera& camera, uint32_t technique_edges) {
   constexpr double sums = 3 * (8 + 8 + 4 + 4 * batch_count) + 4 + PixelBias::bytes_per_pixel,
                    reading = 3 * (4 + 4 + 4) + 4 + 2 * 4,
                    gaps = 1 + 3 * 4 * (1.0 / 3);          // of fill_gaps()
-  const double illuminance = camera.illuminance() ? 8 + 4 : 0;
+  const double illuminance = camera.illuminance() ? 8 + 4 * batch_count + 4 + 4 : 0;
   constexpr double technique = 2 * 3 * (4 + 8 + 4);  // with weight and without: tally, sum, reading
   return sums + reading + gaps + illuminance +
          (technique_edges ? technique * (technique_count(technique_edges) + 1) : 0);
@@ -22,11 +32,15 @@ double ImageSums::bytes_per_pixel(const Camera& camera, uint32_t technique_edges
 
 void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   if (!tally.techniques.empty()) add_techniques(tally.techniques[c]);
+  if (!illuminance_.empty()) add_illuminance(iteration, tally.illuminance[c]);
   if (!bias_ && !tally.pixel_bias.empty()) bias_.emplace(width_, height_);
+  const auto keep_largest = [&](uint32_t pixel, float value) {
+    largest_[tile_of(pixel)] = std::max(largest_[tile_of(pixel)], value);
+  };
   plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
-    if (!illuminance_.empty()) illuminance_[pixel] += tally.illuminance[c][i];
     if (!tally.pixel_bias.empty()) bias_->add(pixel, tally.pixel_bias[c][i]);
     const Rgb& v = tally.pixels[c][i];
+    keep_largest(pixel, luminance(v));
     const float rgb[3] = {v.r, v.g, v.b};
     for (size_t k = 0, at = size_t(pixel) * 3; k < 3; ++k, ++at) {
       eye_[at] += rgb[k];
@@ -36,6 +50,7 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   const float per_pass = 1.0f / float(plan_.camera_subsets);
   if (!tally.splats[c].empty()) splat_.resize(eye_.size());
   for (const Splat& s : tally.splats[c]) {
+    keep_largest(s.pixel, luminance(s.value) * per_pass);
     const float rgb[3] = {s.value.r, s.value.g, s.value.b};
     for (size_t k = 0, at = size_t(s.pixel) * 3; k < 3; ++k, ++at) {
       splat_[at] += rgb[k];
@@ -50,49 +65,16 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   if (bias_) bias_->end_pass(plan_.pass(iteration));
 }
 
+void ImageSums::add_illuminance(uint32_t iteration, const std::vector<float>& found) {
+  std::vector<float>& batch = illuminance_batches_[plan_.pass(iteration) % batch_count];
+  batch.resize(illuminance_.size());
+  plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
+    illuminance_[pixel] += found[i];
+    batch[pixel] += found[i];
+  });
+}
+
 namespace {
-
-double luminance_at(const std::vector<float>& rgb, size_t pixel) {
-  const float* p = &rgb[pixel * 3];
-  return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
-}
-
-uint32_t samples_of(uint32_t batch, uint32_t passes) { return passes / batch_count + (batch < passes % batch_count); }
-
-using Batches = std::array<float, batch_count>;
-
-// Batches that no single sample dominates.
-struct Kept {
-  std::array<uint8_t, batch_count> batches;
-  uint32_t count;
-  float mean(const Batches& sums, uint32_t passes) const {
-    float sum = 0;
-    for (uint32_t i = 0; i < count; ++i) sum += sums[batches[i]] / float(samples_of(batches[i], passes));
-    return sum / float(count);
-  }
-};
-
-// Of the batches in the order of their means, the more at both ends are left out the more unequal they are: all of them
-// stay where the Gini coefficient is small, their median where it is 1 (Buisine, Delepoulle, Renaud 2021, Firefly
-// removal in Monte Carlo rendering with adaptive median of means, section 4).
-Kept least_dominated(const Batches& means, uint32_t used) {
-  std::array<uint8_t, batch_count> order{};
-  for (uint32_t b = 0; b < used; ++b) {
-    uint32_t at = b;
-    for (; at > 0 && means[b] < means[order[at - 1]]; --at) order[at] = order[at - 1];
-    order[at] = uint8_t(b);
-  }
-  double sum = 0, ranked = 0;
-  for (uint32_t i = 0; i < used; ++i) {
-    sum += means[order[i]];
-    ranked += (i + 1.0) * means[order[i]];
-  }
-  const double gini = sum > 0 ? (2 * ranked / sum - (used + 1)) / used : 0;
-  const uint32_t left_out = std::min(uint32_t(gini * used / 2), (used - 1) / 2);
-  Kept kept{{}, used - 2 * left_out};
-  std::copy_n(order.begin() + left_out, kept.count, kept.batches.begin());
-  return kept;
-}
 
 void add_rgb(std::vector<double>& sums, const std::vector<Rgb>& values) {
   sums.resize(values.size() * 3);
@@ -122,20 +104,21 @@ std::vector<uint32_t> ImageSums::all_visits(uint32_t iterations) const {
 ImageReading ImageSums::read(uint32_t iterations) const {
   const size_t pixels = size_t(width_) * height_;
   ImageReading r{width_, height_, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f), {},
-                 std::vector<float>(pixels), std::vector<float>(pixels, -1.0f),
-                 std::vector<float>(illuminance_.size()), {}, {}};
-  const uint32_t passes = iterations / plan_.camera_subsets;
+                 std::vector<float>(pixels), std::vector<float>(pixels, -1.0f), std::vector<float>(illuminance_.size()),
+                 std::vector<float>(illuminance_.size(), -1.0f), {}, {}};
+  const uint32_t n = passes(iterations);
   const std::vector<uint32_t> all = all_visits(iterations);
   for (size_t p = 0; p < pixels; ++p) {
     const double per_visit = all[p] ? 1.0 / all[p] : 0.0;
     if (!illuminance_.empty()) r.illuminance[p] = float(illuminance_[p] * per_visit);
     for (size_t i = p * 3; i < p * 3 + 3; ++i) r.luminance_rgb[i] = float(eye_[i] * per_visit);
   }
-  if (passes == 0) fill_unvisited(all, r);
+  if (n == 0) fill_unvisited(all, r);
   for (size_t i = 0; i < splat_.size(); ++i) r.luminance_rgb[i] += float(splat_[i] / iterations);
   r.robust_rgb = r.luminance_rgb;
-  if (passes >= min_batches) read_errors(passes, r);
-  read_bounds(passes, all, r);
+  if (n >= min_batches) read_errors(n, r);
+  read_bounds(n, all, r);
+  read_illuminance_errors(all, r);
   return r;
 }
 
@@ -145,11 +128,12 @@ void ImageSums::read_errors(uint32_t passes, ImageReading& r) const {
     Batches rgb[3], y{};
     for (uint32_t b = 0; b < used; ++b) {
       for (size_t k = 0; k < 3; ++k) rgb[k][b] = batches_[b][p * 3 + k];
-      y[b] = (0.2126f * rgb[0][b] + 0.7152f * rgb[1][b] + 0.0722f * rgb[2][b]) / float(samples_of(b, passes));
+      y[b] = luminance(Rgb(rgb[0][b], rgb[1][b], rgb[2][b])) / float(visits_of_batch(passes, b));
     }
-    const Kept kept = least_dominated(y, used);
+    const bool known = !(emitted_cd_m2_ > 0) || chance_light(y.data(), passes).is_enough(passes);
+    const KeptBatches kept = least_dominated(y, used);
     for (size_t k = 0; k < 3; ++k) {
-      r.standard_error_rgb[p * 3 + k] = float(spread(rgb[k].data(), passes).standard_error);
+      if (known) r.standard_error_rgb[p * 3 + k] = float(spread(rgb[k].data(), passes).standard_error);
       if (kept.count < used) r.robust_rgb[p * 3 + k] = kept.mean(rgb[k], passes);
     }
   }
@@ -157,14 +141,29 @@ void ImageSums::read_errors(uint32_t passes, ImageReading& r) const {
 
 void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, ImageReading& r) const {
   std::vector<float> light(r.bias.size());
-  for (size_t p = 0; p < light.size(); ++p) light[p] = luminance_at(r.luminance_rgb, p);
-  std::vector<Spread> squares;
-  if (bias_ && passes >= min_batches) squares = bias_->of_squares(passes, light);
+  double mean = 0;
+  for (size_t p = 0; p < light.size(); ++p) {
+    light[p] = float(luminance_at(r.luminance_rgb, p));
+    mean += light[p] / double(light.size());
+    if (bias_) r.bias[p] = bias_->mean(uint32_t(p), visits[p]);
+  }
+  if (passes < min_batches) return;
+  const std::vector<float> largest = largest_around(mean > 0 ? mean : emitted_cd_m2_);
+  const std::vector<Spread> squares = bias_ ? bias_->of_squares(passes, light) : std::vector<Spread>();
   for (uint32_t p = 0; p < light.size(); ++p) {
-    if (bias_) r.bias[p] = bias_->mean(p, visits[p]);
-    if (passes < min_batches) continue;
+    const double noise = luminance_at(r.standard_error_rgb, p);
     const Spread bias = bias_ ? bias_->of_pixel(p, visits[p], light[p], squares) : Spread{0, 0};
-    r.error_bound[p] = ups::error_bound({light[p], luminance_at(r.standard_error_rgb, p)}, bias, passes);
+    r.error_bound[p] = noise >= 0 ? ups::error_bound({light[p], noise}, bias, passes)
+                                  : float(chance(p, passes).bound(largest[tile_of(p)], passes));
+  }
+}
+
+void ImageSums::read_illuminance_errors(const std::vector<uint32_t>& visits, ImageReading& r) const {
+  for (size_t p = 0; p < illuminance_.size(); ++p) {
+    float sums[batch_count];
+    for (uint32_t b = 0; b < std::min(visits[p], batch_count); ++b) sums[b] = illuminance_batches_[b][p];
+    if (!(emitted_cd_m2_ > 0) || chance_light(sums, visits[p]).is_enough(visits[p]))
+      r.illuminance_error[p] = float(spread(sums, visits[p]).standard_error);
   }
 }
 
@@ -204,17 +203,41 @@ size_t ImageSums::unvisited_pixels(uint32_t iterations) const {
   return size_t(std::count(all.begin(), all.end(), 0u));
 }
 
-ImageSums::Errors ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out) const {
-  const uint32_t passes = iterations / plan_.camera_subsets;
-  if (passes < min_batches) return Errors::unknown;
+ChanceLight ImageSums::chance(size_t pixel, uint32_t passes) const {
+  double sums[batch_count];
+  for (uint32_t b = 0; b < std::min(passes, batch_count); ++b) sums[b] = luminance_at(batches_[b], pixel);
+  return chance_light(sums, passes);
+}
+
+std::vector<float> ImageSums::largest_around(double least) const {
+  const int columns = int(tile_columns_), rows = int(largest_.size()) / columns;
+  std::vector<float> out(largest_.size(), float(least));
+  for (int i = 0; i < rows * columns; ++i)
+    for (int y = std::max(0, i / columns - 1); y <= std::min(rows - 1, i / columns + 1); ++y)
+      for (int x = std::max(0, i % columns - 1); x <= std::min(columns - 1, i % columns + 1); ++x)
+        out[size_t(i)] = std::max(out[size_t(i)], largest_[size_t(y * columns + x)]);
+  return out;
+}
+
+bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, double& sum) const {
+  const uint32_t n = passes(iterations);
+  if (n < min_batches) return false;
   const ImageReading image = read(iterations);
   const size_t pixels = image.luminance_rgb.size() / 3;
-  double mean = 0;
+  double mean = 0, of_dark = 0;
   for (size_t p = 0; p < pixels; ++p) mean += luminance_at(image.luminance_rgb, p) / double(pixels);
-  if (!(mean > 0)) return Errors::dark;
-  for (size_t p = 0; p < pixels; ++p)
-    out.push_back(image.error_bound[p] / std::max(luminance_at(image.luminance_rgb, p), share_of_mean * mean));
-  return Errors::known;
+  const bool lit = mean > 0;
+  if (!lit) mean = emitted_cd_m2_;
+  for (size_t p = 0; p < pixels; ++p) {
+    const double own = luminance_at(image.luminance_rgb, p);
+    out.push_back(mean > 0 ? image.error_bound[p] / std::max(own, share_of_mean * mean) : 0);
+    if (own > 0 || !lit)
+      sum += out.back();
+    else
+      of_dark = std::max(of_dark, out.back());
+  }
+  sum += of_dark;
+  return true;
 }
 
 }  // namespace ups

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/pixel_bias.h"
+#include "render/zero_bound.h"
 #include "transport/tally.h"
 
 namespace ups {
@@ -21,14 +22,15 @@ struct ImageReading {
   std::vector<float> luminance_rgb, standard_error_rgb;  // 3 a pixel; standard error -1: not known
   std::vector<float> robust_rgb;                         // 3 a pixel
   std::vector<float> bias, error_bound;                  // of luminance; bound -1: not known
-  std::vector<float> illuminance;                        // 1 a pixel; empty where not asked for
+  std::vector<float> illuminance, illuminance_error;     // 1 a pixel, the latter standard; empty where not asked for
   std::array<std::vector<float>, 2> families;            // luminance_rgb apart by Family; empty where not asked for
   std::vector<TechniqueReading> techniques;
 };
 
 class ImageSums {
  public:
-  ImageSums(const Camera& camera, const Plan& plan);
+  // emitted_cd_m2: luminance of the scene's bounding sphere, were it to give off all light of the emitters.
+  ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2);
   // What the camera's image takes while it renders and is read: sums, batches, radii, the reading. technique_edges: of
   // TransportSettings; with them one iteration's tally too.
   static double bytes_per_pixel(const Camera& camera, uint32_t technique_edges);
@@ -37,11 +39,20 @@ class ImageSums {
   ImageReading read(uint32_t iterations) const;  // without its techniques
   void read_techniques(uint32_t iterations, ImageReading& reading) const;
   size_t unvisited_pixels(uint32_t iterations) const;  // by eye paths so far
-  // Adds those of all pixels, where they are known: bound / max(L, share_of_mean of the image's mean), of luminance.
-  enum class Errors { known, dark, unknown };
-  Errors relative_errors(uint32_t iterations, std::vector<double>& out) const;
+  // Adds those of all pixels: bound / max(L, share_of_mean of the image's mean), of luminance; and their sum to `sum`,
+  // to which all pixels that no path has brought light to add what one of them could have: had any of them much, some
+  // path would have found it. False where they are not known yet.
+  bool relative_errors(uint32_t iterations, std::vector<double>& out, double& sum) const;
 
  private:
+  uint32_t passes(uint32_t iterations) const { return iterations / plan_.camera_subsets; }
+  void add_illuminance(uint32_t iteration, const std::vector<float>& found);
+  size_t tile_of(uint32_t pixel) const {
+    return pixel % width_ / Units::side + size_t(pixel / width_ / Units::side) * tile_columns_;
+  }
+  ChanceLight chance(size_t pixel, uint32_t passes) const;
+  // That one path may bring to a pixel: what one brought to a tile or its neighbours; of all tiles.
+  std::vector<float> largest_around(double least) const;
   void add_techniques(const TechniqueTally& tally);
   uint32_t visits(uint32_t iterations, uint32_t x, uint32_t y) const {
     return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);
@@ -49,14 +60,18 @@ class ImageSums {
   std::vector<uint32_t> all_visits(uint32_t iterations) const;
   void read_errors(uint32_t passes, ImageReading& reading) const;
   void read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, ImageReading& reading) const;
+  void read_illuminance_errors(const std::vector<uint32_t>& visits, ImageReading& reading) const;
   void fill_unvisited(const std::vector<uint32_t>& visits, ImageReading& reading) const;
 
   const Plan& plan_;
-  const uint32_t width_, height_;
+  const uint32_t width_, height_, tile_columns_;
+  const double emitted_cd_m2_;
   std::vector<double> illuminance_;  // of all visits; empty where not asked for
+  std::array<std::vector<float>, batch_count> illuminance_batches_;  // the same, by a pixel's own visits
   std::vector<double> eye_;          // 3 a pixel, of all visits
   std::vector<double> splat_;        // 3 a pixel, of all iterations; empty until light paths bring something
   std::vector<float> pending_;       // eye and splats of the pass under way
+  std::vector<float> largest_;       // by tile, Units::side: luminance that a path brought to one of its pixels in a pass
   // 3 a pixel, of whole passes; each is empty before its first.
   std::array<std::vector<float>, batch_count> batches_;
   std::optional<PixelBias> bias_;  // where photons are merged

@@ -11,6 +11,7 @@
 #include "base/thread.h"
 #include "render/flux_pass.h"
 #include "render/radius_notice.h"
+#include "render/reading_warnings.h"
 
 namespace ups {
 
@@ -317,6 +318,8 @@ void RenderJob::add_warnings(RenderResult& r) const {
     if (r.meter_sets[s].statistics.mean_lx == 0)
       r.warnings += "meters " + std::to_string(scene_->meter_set_ids[s]) +
                     ": no light has reached them; they are dark, or this method has not found their light\n";
+    else
+      r.warnings += reading_warnings(scene_->meter_set_ids[s], r.meter_sets[s]);
 }
 
 }  // namespace ups

@@ -22,6 +22,10 @@ inline double t_quantile(uint32_t batches) {
   return table[std::min<uint32_t>(batches, batch_count) - min_batches];
 }
 
+inline uint32_t visits_of_batch(uint32_t visits, uint32_t batch) {
+  return visits / batch_count + (batch < visits % batch_count);
+}
+
 struct Spread {
   double mean = 0, standard_error = -1;  // -1: not known
 };
@@ -36,7 +40,7 @@ Spread spread(const T* sums, uint32_t samples, size_t stride = 1) {
   if (used < min_batches) return s;
   double square = 0;
   for (uint32_t b = 0; b < used; ++b) {
-    const double n = samples / batch_count + (b < samples % batch_count);
+    const double n = visits_of_batch(samples, b);
     const double d = sums[b * stride] / n - s.mean;
     square += n * d * d;
   }

@@ -95,13 +95,14 @@ void Goniometer::integrate_hats() {
 }
 
 GoniometerTally Goniometer::empty_tally() const {
-  return {std::vector<double>(node_count()), std::vector<double>(node_count()), 0, 0, {}};
+  return {std::vector<double>(node_count()), std::vector<double>(node_count()), 0, 0, 0, {}};
 }
 
 void Goniometer::add(const Vec3& direction, double flux, GoniometerTally& tally) const {
   const Vec3d local(frame_.to_local(direction));
   const double gamma = std::atan2(std::hypot(local.x, local.y), -local.z);
   tally.flux += flux;
+  tally.largest = std::max(tally.largest, flux);
   const double moments[4] = {local.x, local.y, local.x * local.y, local.x * local.x - local.y * local.y};
   for (int k = 0; k < 4; ++k) tally.moments[k] += flux * moments[k];
   if (gamma < gamma_rad_.front() || gamma > gamma_rad_.back()) {

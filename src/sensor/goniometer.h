@@ -17,6 +17,7 @@ namespace ups {
 struct GoniometerTally {
   std::vector<double> wide, narrow;  // lm
   double flux = 0, outside = 0;      // lm: all of it, the part beyond the range of gamma
+  double largest = 0;                // lm, of one light path
   // Flux times x, y, x y, x^2 - y^2 of its unit direction (x: C0, y: C90), lm: 0 where the light has the symmetry for it.
   double moments[4] = {};
 };

@@ -22,7 +22,8 @@ struct Plane {
   uint32_t width = 0, height = 0;
   std::vector<double> y;
   std::vector<std::vector<float>> channels;  // R, G, B, or Y
-  std::vector<double> variance;              // of each pixel, mean over its channels; empty: not known
+  // Of each pixel, mean over its channels; < 0: not known at this pixel; empty: not at any.
+  std::vector<double> variance;
 };
 
 bool has_channel(const ups_exr_image* image, const std::string& name) {
@@ -46,7 +47,7 @@ std::vector<float> read_channel(const ups_exr_image* image, const std::string& p
   return values;
 }
 
-// Left empty where a channel's standard error is missing, or not known at some pixel.
+// Left empty where a channel's standard error is missing, or known at no pixel.
 std::vector<double> read_variance(const ups_exr_image* image, const std::string& path,
                                   const std::vector<std::string>& names, size_t pixels) {
   std::vector<double> variance(pixels, 0);
@@ -54,10 +55,13 @@ std::vector<double> read_variance(const ups_exr_image* image, const std::string&
     if (!has_channel(image, "standard_error." + name)) return {};
     const std::vector<float> error = read_channel(image, path, "standard_error." + name, pixels);
     for (size_t i = 0; i < pixels; ++i) {
-      if (!(error[i] >= 0)) return {};
-      variance[i] += double(error[i]) * error[i] / double(names.size());
+      if (error[i] >= 0 && variance[i] >= 0)
+        variance[i] += double(error[i]) * error[i] / double(names.size());
+      else
+        variance[i] = -1;
     }
   }
+  if (std::none_of(variance.begin(), variance.end(), [](double v) { return v >= 0; })) return {};
   return variance;
 }
 
@@ -92,17 +96,18 @@ double mean_of(const std::vector<double>& values) {
   return sum / double(values.size());
 }
 
-// Over all but the last `left_out` of the pixels in `order`, each divided by its denominator where there are some;
-// -1: not known.
+// Over all but the last `left_out` of the pixels in `order`, each divided by its denominator where there are some, and
+// over those where the value is known; -1: not known.
 double mean_over(const std::vector<double>& values, const std::vector<uint32_t>& order, size_t left_out,
                  const std::vector<double>& denominators = {}) {
   if (values.empty() || left_out >= order.size()) return -1;
-  double sum = 0;
+  double sum = 0, known = 0;
   for (size_t k = 0; k + left_out < order.size(); ++k) {
     const double value = values[order[k]];
+    if (value >= 0) ++known;
     if (value > 0) sum += denominators.empty() ? value : value / denominators[order[k]];
   }
-  return std::isfinite(sum) ? sum / double(order.size() - left_out) : -1;
+  return std::isfinite(sum) && known > 0 ? sum / known : -1;
 }
 
 ChannelErrors compare_channels(const Plane& a, const Plane& reference, const std::vector<double>& denominators) {

@@ -41,6 +41,10 @@ std::string to_json(const Report& report) {
                         {"max_lx", number(s.max_lx)},
                         {"uniformity", number(s.uniformity)},
                         {"mean_standard_error_lx", number(s.mean_standard_error_lx)},
+                        {"mean_error_bound_lx", number(s.mean_error_bound_lx)},
+                        {"percentile_5_lx", number(s.percentile_5_lx)},
+                        {"uniformity_low", number(s.uniformity_low)},
+                        {"uniformity_high", number(s.uniformity_high)},
                         {"worst_relative_error_bound", number(s.worst_relative_error_bound)}};
   }
   for (const CameraReport& camera : report.cameras) {
@@ -130,6 +134,19 @@ ordered_json beam_json(const ups_profile_beam& beam) {
 
 ordered_json beams_json(const ups_profile_beam (&beam)[2]) {
   return {{"c0_c180", beam_json(beam[0])}, {"c90_c270", beam_json(beam[1])}};
+}
+
+// Measured: with the 95 % interval of each angle.
+ordered_json beams_json(const ups_profile_beam (&beam)[2], const ups_goniometer_beam (&measured)[2]) {
+  ordered_json json = beams_json(beam);
+  int plane = 0;
+  for (ordered_json& of_plane : json) {
+    const ups_goniometer_beam& b = measured[plane++];
+    of_plane.update({{"standard_error_deg", number(b.standard_error_deg)},
+                     {"low_deg", number(b.low_deg)},
+                     {"high_deg", number(b.high_deg)}});
+  }
+  return json;
 }
 
 template <class Values>
@@ -272,8 +289,8 @@ std::string to_json(const Measurement& m) {
                  {"error_bound_cd", number(m.peak.error_bound_cd)},
                  {"c_deg", number(profile.peak_c_deg)},
                  {"gamma_deg", number(profile.peak_gamma_deg)}}},
-               {"beam", beams_json(m.profile.beam)},
-               {"field", beams_json(m.profile.field)},
+               {"beam", beams_json(m.profile.beam, m.beam)},
+               {"field", beams_json(m.profile.field, m.field)},
                {"errors",
                 {{"median_relative_error_bound", number(info.median_relative_error_bound)},
                  {"worst_relative_error_bound", number(info.worst_relative_error_bound)},

@@ -74,11 +74,14 @@ void write_camera_exr(const std::string& path, const SensorEntry& camera, const 
                                            {"error_bound.Y", bound.data(), 0, 0}};
   for (const ups_exr_channel& channel : channels)
     attributes.emplace_back(std::string("unit.") + channel.name, "cd/m^2");
-  std::vector<float> illuminance;
+  std::vector<float> illuminance, illuminance_error;
   if (camera.info.illuminance) {
     illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);
+    illuminance_error = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR);
     channels.push_back({"illuminance.Y", illuminance.data(), 0, 0});
+    channels.push_back({"standard_error.illuminance.Y", illuminance_error.data(), 0, 0});
     attributes.emplace_back("unit.illuminance.Y", "lx");
+    attributes.emplace_back("unit.standard_error.illuminance.Y", "lx");
   }
   write_exr(path, camera.info.width, camera.info.height, channels, attributes);
 }
@@ -217,8 +220,8 @@ void probe_folder(const std::string& option, const std::string& folder) {
 }  // namespace
 
 std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel) {
-  const bool one = channel == UPS_CHANNEL_ILLUMINANCE || channel == UPS_CHANNEL_BIAS ||
-                   channel == UPS_CHANNEL_ERROR_BOUND;
+  const bool one = channel == UPS_CHANNEL_ILLUMINANCE || channel == UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR ||
+                   channel == UPS_CHANNEL_BIAS || channel == UPS_CHANNEL_ERROR_BOUND;
   const size_t channels = one ? 1 : 3;
   std::vector<float> pixels(size_t(camera.info.width) * camera.info.height * channels);
   check(ups_result_read_image(result, camera.info.sensor, channel, pixels.data(), 0, pixels.size() * sizeof(float)));

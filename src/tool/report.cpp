@@ -148,8 +148,10 @@ std::string to_text(const Report& report) {
                  info.absorbed_flux_lm, info.escaped_flux_lm);
   for (const MeterReport& meters : report.meters) {
     const ups_meter_statistics& s = meters.statistics;
-    text += format("meters %s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f, worst error %s\n",
-                   meters.name.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity,
+    const std::string interval =
+        s.uniformity_low < 0 ? "" : format(" (%.3f to %.3f)", s.uniformity_low, s.uniformity_high);
+    text += format("meters %s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, worst error %s\n",
+                   meters.name.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity, interval.c_str(),
                    percent_text(s.worst_relative_error_bound).c_str());
   }
   for (const CameraReport& camera : report.cameras) {

@@ -16,6 +16,8 @@ class DirectLight {
   void find(const Iteration& in, ThreadPool& pool, WorkCounts& work);
   // Adds it to what the iteration found.
   void add(const Iteration& in, IterationTally& tally) const;
+  // All light straight from the emitters of plan.exact to every point meter is found here.
+  bool finds_all() const { return !meters_.empty() && emitters_.size() <= most_; }
   // Light of an emitter of plan.exact that would bring at least so much, unoccluded, is found here.
   float found_from(size_t set, uint32_t meter) const {
     return meters_.empty() || meters_[set].empty() ? INFINITY : meters_[set][meter].found_from;
@@ -24,7 +26,7 @@ class DirectLight {
  private:
   struct OfMeter {
     double lx = 0;
-    float found_from = 0;  // all is
+    float found_from = 0, rounding = 0;  // found_from 0: all is
   };
   void find(const Iteration& in, size_t set, uint32_t meter, WorkCounts& work);
 

@@ -153,9 +153,7 @@ uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, const Di
                meter.frame.t * ((rng.get(0, Slot::cell_y) - 0.5f) * set.cell_height);
         ++work[b].eye_paths;
         const EyeTally found = EyeWalk(in, photons, sensor, rng, work[b]).from_meter(p, meter.error, meter.frame);
-        sum.value += luminance(found.value);
-        sum.direct += found.direct;
-        sum.bias += found.bias;
+        sum.add(MeterTally::of_path(luminance(found.value), found.direct, found.bias));
         if (in.moments) in.moments->add_eye_path(luminance(found.value) * sensor.share, sensor.excess);
       }
       tally.meters[s][i].add(sum, sensor.share);

@@ -1,6 +1,8 @@
 // See eye_walk.h: the walk, and which techniques are tried where.
 #include "transport/eye_walk.h"
 
+#include <algorithm>
+
 #include "base/per_thread.h"
 #include "base/warp.h"
 #include "emitter/profile.h"
@@ -36,7 +38,9 @@ EyeTally EyeWalk::from_meter(const Vec3& p, float error, const Frame& frame) {
     const Vec2 disc = square_to_disc({rng_.get(0, Slot::perturb_x), rng_.get(0, Slot::perturb_y)});
     eye.surface.p += (frame.s * disc.x + frame.t * disc.y) * float(sensor_.first.radius);
   }
-  return gather_at_meter(eye);
+  const EyeTally found = gather_at_meter(eye);
+  add_separated();
+  return found;
 }
 
 EyeTally EyeWalk::gather_at_meter(EyeEnd& eye) {
@@ -123,7 +127,33 @@ void EyeWalk::add(const Contribution& c, const Rgb& found, double pass, double s
   if (is_direct) tally_.direct += lx;
   if (sensor_.techniques) sensor_.techniques->add(c.technique, sensor_.pixel, value, unweighted);
   if (sensor_.excess) in_.moments->add(lx * sensor_.share, c.relative(pass), sensor_.excess);
-  add_separated(c.emitter, {lx, is_direct ? lx : 0.0, 0.0});
+  keep_separated(c.emitter, lx, is_direct ? lx : 0.0, 0.0);
+}
+
+namespace {
+
+// The columns that a path has brought light to, which are few.
+std::vector<std::pair<uint32_t, MeterTally>>& kept_columns() {
+  static const PerThread<std::vector<std::pair<uint32_t, MeterTally>>> kept;
+  return kept.get();
+}
+
+}  // namespace
+
+void EyeWalk::keep_separated(uint32_t emitter, double lx, double direct, double bias) {
+  if (!sensor_.separated) return;
+  const uint32_t column = in_.plan.separation.column_of_emitter[emitter];
+  auto& columns = kept_columns();
+  auto at = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.first == column; });
+  if (at == columns.end()) at = columns.insert(at, {column, {}});
+  at->second.value += lx, at->second.direct += direct, at->second.bias += bias;
+}
+
+void EyeWalk::add_separated() {
+  if (!sensor_.separated) return;
+  for (const auto& [column, t] : kept_columns())
+    sensor_.separated[column].add(MeterTally::of_path(t.value, t.direct, t.bias), sensor_.share);
+  kept_columns().clear();
 }
 
 // Luminous openings block nothing: they are found beside the surfaces.
@@ -206,7 +236,7 @@ void EyeWalk::merge(const EyeEnd& eye) {
     const float bias = 2 * luminance(c->value) * float(c->weight(in_, 1)) * (2 * d2 < r2 ? -1.0f : 1.0f);
     if (!std::isfinite(bias)) return;
     tally_.bias += bias;
-    add_separated(c->emitter, {0.0, 0.0, bias});
+    keep_separated(c->emitter, 0.0, 0.0, bias);
   });
 }
 

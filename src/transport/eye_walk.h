@@ -72,9 +72,8 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   // Tests the edge that it makes, if any, and adds it up; `share` of it was chosen to stand for the whole.
   void add(const Contribution& c, Drop drop, double share = 1);
   void add(const Contribution& c, const Rgb& unweighted, double pass, double share, Drop drop);
-  void add_separated(uint32_t emitter, const MeterTally& part) {
-    if (sensor_.separated) sensor_.separated[in_.plan.separation.column_of_emitter[emitter]].add(part, sensor_.share);
-  }
+  void keep_separated(uint32_t emitter, double lx, double direct, double bias);
+  void add_separated();  // what was kept, once for the whole path
 
   const Photons& photons_;
   const EyeSensor& sensor_;

@@ -7,10 +7,29 @@
 
 namespace ups {
 
+namespace {
+
+bool finds_all_emitters(const Snapshot& scene, const Plan& plan) {
+  for (size_t i = 0; i < plan.exact.size(); ++i)
+    if (!plan.exact[i] && max_component(scene.emitters[i].flux_rgb()) > 0) return false;
+  return true;
+}
+
+bool scatters(const Snapshot& scene) {
+  for (size_t i = 0; i < scene.materials.size(); ++i)
+    if (const MaterialTraits t = traits_of(scene.materials[i]); scene.material_used[i] && (t.delta || t.continuous))
+      return true;
+  return false;
+}
+
+}  // namespace
+
 Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
                        const StopSignal& stop)
     : scene_(std::move(scene)), settings_(settings), pool_(pool), plan_(make_plan(*scene_, settings)),
       direct_(*scene_, plan_, settings_) {
+  plan_.exact_direct = direct_.finds_all() && finds_all_emitters(*scene_, plan_);
+  plan_.exact_light = plan_.exact_direct && (settings_.max_path_length == 1 || !scatters(*scene_));
   choose_first_radii(stop);
   for (const auto& radii : plan_.pixel_radius)
     for (const float r : radii) largest_pixel_radius_ = std::max(largest_pixel_radius_, r);

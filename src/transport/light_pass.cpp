@@ -104,6 +104,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     carried_ = start_carried_ = start_.flux / choice.probability;
     if (!is_finite(carried_)) return drop(Drop::emission);
     if (is_black(carried_)) return false;
+    work_.brightest_lm = std::max(work_.brightest_lm, luminance(carried_));
     origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     direction_ = start_.direction;
     media_ = scene_.media_stacks[scene_.media_of_emitter[choice.index]];
@@ -162,7 +163,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     // The disc of half the area: its photons count twice,
     // so that the difference sees the curvature of illuminance alone.
     const double bias = cell ? 0.0 : 2.0 * (value - (2.0 * d2 < e.radius2 ? 2.0 * value : 0.0));
-    block_.landings.push_back({crossing.disc, emitter_index_, {value, a == 1 ? value : 0.0, bias}, d2, c.relative(1)});
+    block_.landings.push_back({crossing.disc, emitter_index_, MeterTally::of_path(value, a == 1 ? value : 0.0, bias), d2,
+                               c.relative(1)});
   }
 
   void store(const LightEnd& light) {

@@ -79,6 +79,8 @@ struct Plan {
   std::vector<mis::Gates> gates;  // by emitter
   // By emitter: nothing but next-event estimation brings its light straight to a point meter, without chance.
   std::vector<bool> exact;
+  // Of point meters: all light straight from emitters is found so; no other light can reach them.
+  bool exact_direct = false, exact_light = false;
   Separation separation;  // of meters' readings
   // r_1 of each pixel, for the first vertex of its eye paths that scatters, and of each meter's own disc, which catches
   // photons for all of a meter's eye paths at once; empty without merging. All other vertices merge within walk_radius:

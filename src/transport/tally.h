@@ -1,6 +1,7 @@
 // What one iteration found: sums for every sensor, and counts.
 // The accumulator in render/ turns iterations into readings.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iterator>
@@ -25,6 +26,7 @@ static_assert(std::size(drop_names) == size_t(Drop::count));
 struct WorkCounts {
   uint64_t rays = 0, light_paths = 0, eye_paths = 0, light_vertices = 0, merges = 0, connections = 0;
   uint64_t caster_rays = 0;  // of light paths that have met nothing but casters
+  float brightest_lm = 0;    // of all light paths, as they started
   std::array<uint64_t, size_t(Drop::count)> dropped{};
   double absorbed_lm = 0, escaped_lm = 0;  // summed over light paths, not yet divided by their number
 
@@ -37,9 +39,23 @@ struct WorkCounts {
     merges += o.merges;
     connections += o.connections;
     caster_rays += o.caster_rays;
+    brightest_lm = std::max(brightest_lm, o.brightest_lm);
     for (size_t i = 0; i < dropped.size(); ++i) dropped[i] += o.dropped[i];
     absorbed_lm += o.absorbed_lm;
     escaped_lm += o.escaped_lm;
+  }
+};
+
+enum LightPart { whole_light, direct_light, indirect_light, light_part_count };
+
+// Paths that brought light to one meter by chance: how many, and the most that one of them brought to one iteration.
+struct PathRecord {
+  float largest = 0;  // lx
+  uint32_t count = 0;
+
+  void add(const PathRecord& o, double scale = 1) {
+    largest = std::max(largest, float(o.largest * scale));
+    count += o.count;
   }
 };
 
@@ -48,11 +64,25 @@ struct MeterTally {
   double value = 0;
   double direct = 0;  // part of value that came straight from an emitter
   double bias = 0;    // 2 (M_r - M_{r/sqrt 2}) of all merges: its mean is their bias to O(r^4)
+  double exact = 0;   // part of direct that is no matter of chance
+  float rounding = 0;  // of exact, at most
+  std::array<PathRecord, light_part_count> paths;
 
+  static MeterTally of_path(double value, double direct, double bias) {
+    constexpr double rounding = 1e-5;  // direct light of a path that brought nothing else
+    MeterTally t{value, direct, bias};
+    const double parts[] = {value, direct, value - direct};
+    for (size_t k = 0; k < light_part_count; ++k)
+      if (parts[k] > rounding * value) t.paths[k] = {float(parts[k]), 1};
+    return t;
+  }
   void add(const MeterTally& o, double scale = 1) {
     value += o.value * scale;
     direct += o.direct * scale;
     bias += o.bias * scale;
+    exact += o.exact * scale;
+    rounding += float(o.rounding * scale);
+    for (size_t k = 0; k < light_part_count; ++k) paths[k].add(o.paths[k], scale);
   }
 };
 

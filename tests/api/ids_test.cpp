@@ -128,6 +128,13 @@ TEST_F(ForeignIds, AreRefusedByResults) {
                  "sensor", c);
   expect_refused(ups_result_get_technique_count(result, theirs.camera, &count), "sensor", c);
   expect_refused(ups_result_get_goniometer_info(result, theirs.goniometer, &info), "sensor", g);
+  ups_meter_part_reading parts[2];
+  uint32_t flags[2];
+  ups_goniometer_beam beam{};
+  beam.struct_size = sizeof beam;
+  expect_refused(ups_result_read_meter_part(result, theirs.meters, UPS_LIGHT_PART_DIRECT, parts, 2), "sensor", m);
+  expect_refused(ups_result_read_meter_flags(result, theirs.meters, flags, 2), "sensor", m);
+  expect_refused(ups_result_get_goniometer_beam(result, theirs.goniometer, 0, 0.5f, &beam), "sensor", g);
   ups_sensor_choice choice{};
   choice.struct_size = sizeof choice;
   expect_refused(ups_result_get_choice(result, theirs.meters, &choice), "sensor", m);

@@ -206,16 +206,25 @@ def test_readings_of_each_source_add_up(context):
     scene.commit()
     assert scene.render(iteration_count=1).sources() == []
     result = scene.render(iteration_count=64, seed=2, separation=ups.Separation.LUMINAIRES)
+    direct, indirect = (result.meter_part(meters, part) for part in (ups.LightPart.DIRECT, ups.LightPart.INDIRECT))
+    whole, statistics = result.meters(meters), result.statistics(meters)
+    assert np.allclose(direct["illuminance_lx"] + indirect["illuminance_lx"], whole["illuminance_lx"], rtol=1e-6)
+    assert np.all(direct["standard_error_lx"] <= whole["illuminance_lx"])
+    flags = result.meter_flags(meters)
+    assert flags.shape == (2,)
+    assert np.array_equal(flags & ups.Reading.FEW_PATHS != 0, whole["standard_error_lx"] < 0)
+    assert 0 <= statistics.uniformity_low <= statistics.uniformity <= statistics.uniformity_high <= 1
+    assert statistics.mean_error_bound_lx >= 0 and statistics.percentile_5_lx >= statistics.min_lx
     sources, lamp = result.sources(), ups.SourceKind.LUMINAIRE
     assert [(s.kind, s.id) for s in sources] == [(lamp, light.v), (lamp, second.v)]
     assert [s.flux_lm for s in sources] == pytest.approx([4 * math.pi * 400, 4 * math.pi * 200], rel=1e-5)
     readings = result.source_meters(meters)
     assert readings.shape == (2, 2)
     assert np.allclose(readings["illuminance_lx"].sum(axis=0), result.meters(meters)["illuminance_lx"], rtol=1e-5)
-    # 400 and 200 cd from 2 m above; each sample is of one lamp, so that their shares are noisy and their sum is not.
-    # Student's t of 15 degrees of freedom: beyond 5 in 1 of 6000 seeds, for each of the two, which are one number.
+    # 400 and 200 cd from 2 m above, by exact shadow rays; no path brings other light, so that its error is not known.
     off = np.abs(readings["illuminance_lx"][:, 0] - (100, 50))
-    assert np.all(off <= 5 * readings["standard_error_lx"][:, 0]) and np.all(off < 1)
+    assert np.all(off <= readings["error_bound_lx"][:, 0]) and np.all(off < 1e-3)
+    assert np.all(readings["standard_error_lx"] == -1) and np.all(readings["error_bound_lx"] > 0)
     by_group = scene.render(iteration_count=8, separation=ups.Separation.GROUPS)
     assert [(s.kind, s.id) for s in by_group.sources()] == [(ups.SourceKind.GROUP, 0), (ups.SourceKind.GROUP, 7)]
     with pytest.raises(ValueError, match="not a set of meters"):

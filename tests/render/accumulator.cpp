@@ -4,17 +4,29 @@
 #include <cmath>
 #include <random>
 
+#include "emitter/point.h"
 #include "render/accumulator.h"
 
 namespace {
 
 using namespace ups;
 
+MeterTally path(double value, double direct = 0, double bias = 0) { return MeterTally::of_path(value, direct, bias); }
+
+void add_lamp(Snapshot& scene) {
+  std::vector<std::unique_ptr<Emitter>> lamp;
+  lamp.push_back(std::make_unique<PointEmitter>(Vec3(), Rgb(1.0f), 0.0f));
+  scene.emitters = EmitterSet(std::move(lamp));
+  scene.radius = 1;
+}
+
+// The scene has a lamp of 4 pi lm and a radius of 1 m.
 struct Rig {
   Snapshot scene;
   Plan plan;
   IterationTally tally;
   explicit Rig(uint32_t meters) {
+    add_lamp(scene);
     scene.meter_sets.resize(1);
     scene.meter_sets[0].meters.resize(meters);
     tally.meters.assign(1, std::vector<MeterTally>(meters));
@@ -29,7 +41,7 @@ TEST(Accumulator, IntervalCoversTheTruth) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
   for (int i = 1; i <= 80; ++i) {
-    for (MeterTally& m : rig.tally.meters[0]) m = {100 + 10 * std::pow(i, 1.0 / 6) * normal(random), 0, 0};
+    for (MeterTally& m : rig.tally.meters[0]) m = path(100 + 10 * std::pow(i, 1.0 / 6) * normal(random));
     sums.add(rig.tally);
   }
   const MeterSetReading r = sums.read_meters(0);
@@ -55,7 +67,7 @@ TEST(Accumulator, BoundCoversBias) {
     const double bias = 8 * Plan::radius2_factor(i, 2.0 / 3);
     for (MeterTally& m : rig.tally.meters[0]) {
       const double noise = 6 * normal(random), other = 12 * normal(random);
-      m = {100 + bias + noise, 0, bias + other};
+      m = path(100 + bias + noise, 0, bias + other);
     }
     sums.add(rig.tally);
   }
@@ -72,7 +84,7 @@ TEST(Accumulator, ErrorIsUnknownBeforeFourIterations) {
   Rig rig(1);
   Accumulator sums(rig.scene, rig.plan);
   for (int i = 0; i < 3; ++i) {
-    rig.tally.meters[0][0] = {1, 0.25, 0};
+    rig.tally.meters[0][0] = path(1, 0.25);
     sums.add(rig.tally);
     const ups_meter_reading m = sums.read_meters(0).meters[0];
     EXPECT_EQ(m.standard_error_lx, -1);
@@ -89,6 +101,7 @@ TEST(Accumulator, ErrorIsUnknownBeforeFourIterations) {
 // Pixels come by subsets, splats in every iteration; the mean must not depend on where a pass stands.
 TEST(Accumulator, ImageAddsEyePathsAndSplats) {
   Snapshot scene;
+  add_lamp(scene);
   scene.cameras.emplace_back(Affine(), 8, 4, 1.0f, false);
   Plan plan;
   plan.camera_subsets = 3;
@@ -118,7 +131,8 @@ TEST(Accumulator, MetersCountTheirOwnVisits) {
   for (uint32_t i = 0; i < 60; ++i) {
     rig.tally.meters[0].resize(rig.plan.visited_meters(i, 7));
     for (size_t k = 0; k < rig.tally.meters[0].size(); ++k)
-      rig.tally.meters[0][k] = {10.0 + rig.plan.visited_meter(i, k) + (rig.plan.meter_pass(i) % 2 ? 1 : -1), 1, 0};
+      rig.tally.meters[0][k] =
+          path(10.0 + rig.plan.visited_meter(i, k) + (rig.plan.meter_pass(i) % 2 ? 1 : -1), 1);
     sums.add(rig.tally);
     const MeterSetReading r = sums.read_meters(0);
     double mean = 0;
@@ -137,6 +151,69 @@ TEST(Accumulator, MetersCountTheirOwnVisits) {
     ASSERT_EQ(sums.unvisited_meters(0), 7 - visited);
     ASSERT_EQ(r.statistics.mean_standard_error_lx >= 0, i + 1 >= 12);
   }
+}
+
+
+// Nothing found is not dark: after n iterations the bound is 3 c / n, of what one path brought to another meter, and it
+// falls as more paths find less; a reading of few batches goes on by the same rule.
+TEST(Accumulator, ZeroIsNotExact) {
+  Rig rig(3);
+  rig.plan.meter_samples = 4;
+  Accumulator sums(rig.scene, rig.plan);
+  for (int i = 1; i <= 64; ++i) {
+    rig.tally.meters[0] = {path(0), path(80), i == 20 || i == 30 ? path(16) : path(0)};
+    sums.add(rig.tally);
+    const MeterSetReading r = sums.read_meters(0);
+    EXPECT_EQ(r.meters[0].standard_error_lx, -1);
+    if (i < 4) {
+      EXPECT_EQ(r.meters[0].error_bound_lx, -1);
+      EXPECT_EQ(r.flags[0], uint32_t(UPS_READING_UNKNOWN));
+      continue;
+    }
+    EXPECT_FLOAT_EQ(r.meters[0].error_bound_lx, float(3.0 * 80 / i));
+    EXPECT_EQ(r.flags[0], uint32_t(UPS_READING_FEW_PATHS));
+    const double excess[] = {3.00, 3.74, 4.30};
+    EXPECT_FLOAT_EQ(r.meters[2].error_bound_lx, float(excess[(i >= 20) + (i >= 30)] * 80 / i));
+    EXPECT_FLOAT_EQ(r.parts[UPS_LIGHT_PART_DIRECT][2].error_bound_lx, float(3.0 * 0.25 / i)) << "the scene's mean / 4";
+    EXPECT_EQ(r.meters[1].standard_error_lx, 0);
+    const double mean = (80 + double(r.meters[2].illuminance_lx)) / 3;
+    EXPECT_GE(sums.summarize().worst, 2.99 * 80 / i / (0.05 * mean)) << "a target is not met by what nobody has seen";
+  }
+}
+
+// What few paths have found, by Poisson: the true mean is below the reading and its bound in 95 % of all cases, at the
+// worst in 94.4 % (Garwood's one-sided limit, table rounded), and the spread of eight batches and more takes over without
+// a gap below 90 %. 4000 renders of 64 iterations each: standard deviation 0.35 %.
+TEST(Accumulator, BoundOfFewPathsHolds) {
+  std::mt19937_64 random(9);
+  for (const double mean : {0.5, 1.0, 2.9, 4.7, 8.0, 14.0}) {
+    Rig rig(4000);
+    Accumulator sums(rig.scene, rig.plan);
+    std::poisson_distribution<uint32_t> paths(mean / 64);
+    for (int i = 0; i < 64; ++i) {
+      for (MeterTally& m : rig.tally.meters[0]) {
+        m = {};
+        for (uint32_t k = paths(random); k > 0; --k) m.add(path(1));
+      }
+      sums.add(rig.tally);
+    }
+    int above = 0;
+    for (const ups_meter_reading& m : sums.read_meters(0).meters)
+      above += double(m.illuminance_lx + m.error_bound_lx) < mean / 64;
+    EXPECT_LE(above / 4000.0, mean < 8 ? 0.05 + 0.014 : 0.08) << mean;
+  }
+}
+
+TEST(Accumulator, NothingEmitsIsExact) {
+  Rig rig(2);
+  rig.scene.emitters = {};
+  Accumulator sums(rig.scene, rig.plan);
+  for (int i = 0; i < 4; ++i) sums.add(rig.tally);
+  const MeterSetReading r = sums.read_meters(0);
+  EXPECT_EQ(r.flags[0], uint32_t(UPS_READING_EXACT));
+  EXPECT_EQ(r.meters[0].standard_error_lx, 0);
+  EXPECT_EQ(r.meters[0].error_bound_lx, 0);
+  EXPECT_EQ(sums.summarize().worst, 0);
 }
 
 }  // namespace

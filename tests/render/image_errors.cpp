@@ -22,7 +22,7 @@ struct Rig {
 // Noise that all pixels of a square share in an iteration, as they share photons, does not pass for bias.
 TEST(PixelBias, SharedNoiseIsKnownAsNoise) {
   Rig rig;
-  ImageSums sums(rig.camera, rig.plan);
+  ImageSums sums(rig.camera, rig.plan, 1);
   std::mt19937 random(1);
   std::normal_distribution<float> noise(0.0f, 1.0f);
   for (uint32_t i = 0; i < 400; ++i) {
@@ -39,7 +39,7 @@ TEST(PixelBias, SharedNoiseIsKnownAsNoise) {
 // A pixel beside an edge has a bias that those around it have not: its own.
 TEST(PixelBias, OwnBiasStaysWhereItIsBeyondDoubt) {
   Rig rig;
-  ImageSums sums(rig.camera, rig.plan);
+  ImageSums sums(rig.camera, rig.plan, 1);
   std::mt19937 random(2);
   std::normal_distribution<float> noise(0.0f, 0.1f);
   for (uint32_t i = 0; i < 64; ++i) {
@@ -56,7 +56,7 @@ TEST(PixelBias, OwnBiasStaysWhereItIsBeyondDoubt) {
 // One sample in a thousand brings nearly all of a pixel's light.
 TEST(RobustImage, LeavesOutWhatASingleSampleBrought) {
   Rig rig;
-  ImageSums sums(rig.camera, rig.plan);
+  ImageSums sums(rig.camera, rig.plan, 1);
   for (uint32_t i = 0; i < 1000; ++i) {
     rig.tally.pixels[0][7] = i == 500 ? Rgb(9000.0f) : Rgb(1.0f);
     sums.add(i, rig.tally, 0);

@@ -68,6 +68,19 @@ class Result {
                      "meter reading");
     return out;
   }
+  std::vector<ups_meter_part_reading> part(const Sensor& meters, ups_light_part part) const {
+    std::vector<ups_meter_part_reading> out(meters.count);
+    check(ups_result_read_meter_part(result_.get(), meters.id, part, out.data(), out.size()),
+          "ups_result_read_meter_part");
+    for (const auto& r : out)
+      require_finite({r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx}, "part of a meter's reading");
+    return out;
+  }
+  std::vector<uint32_t> flags(const Sensor& meters) const {
+    std::vector<uint32_t> out(meters.count);
+    check(ups_result_read_meter_flags(result_.get(), meters.id, out.data(), out.size()), "ups_result_read_meter_flags");
+    return out;
+  }
   std::vector<ups_source_info> sources() const {
     uint32_t count = 0;
     check(ups_result_get_source_count(result_.get(), &count), "ups_result_get_source_count");
@@ -104,11 +117,21 @@ class Result {
           "ups_result_get_goniometer_profile");
     return {profile, ups_profile_destroy};
   }
+  ups_goniometer_beam goniometer_beam(const Sensor& goniometer, float c_deg, float fraction) const {
+    ups_goniometer_beam b{};
+    b.struct_size = sizeof b;
+    check(ups_result_get_goniometer_beam(result_.get(), goniometer.id, c_deg, fraction, &b),
+          "ups_result_get_goniometer_beam");
+    return b;
+  }
   ups_meter_statistics statistics(const Sensor& meters) const {
     ups_meter_statistics s{};
     s.struct_size = sizeof s;
     check(ups_result_get_meter_statistics(result_.get(), meters.id, &s), "ups_result_get_meter_statistics");
-    require_finite({s.mean_lx, s.min_lx, s.max_lx, s.uniformity, s.mean_standard_error_lx}, "meter statistics");
+    require_finite({s.mean_lx, s.min_lx, s.max_lx, s.uniformity, s.mean_standard_error_lx, s.mean_bias_lx,
+                    s.mean_error_bound_lx, s.min_low_lx, s.min_high_lx, s.max_low_lx, s.max_high_lx, s.uniformity_low,
+                    s.uniformity_high, s.percentile_5_lx, s.percentile_5_low_lx, s.percentile_5_high_lx},
+                   "meter statistics");
     return s;
   }
   Image image(const Sensor& camera) const {

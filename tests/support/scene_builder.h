@@ -70,6 +70,7 @@ struct RenderOptions {
   double glossy_alpha = 0;
   ups_separation separation = UPS_SEPARATE_NOTHING;
   uint64_t flux_paths = 0;
+  double target_relative_error = 0;
 };
 
 // Local -Z along `direction`, at `position`; row-major 3x4.
@@ -213,6 +214,7 @@ class Scene {
     d.glossy_alpha = float(options.glossy_alpha);
     d.separation = options.separation;
     d.flux_paths = options.flux_paths;
+    d.target_relative_error = float(options.target_relative_error);
     ups_result* result = nullptr;
     check(ups_render(scene_.get(), &d, &result), "ups_render");
     return Result(result, sensors_);

@@ -60,7 +60,11 @@ class Comparisons(test_program.ProgramTest):
         found = json.loads(self.run_program("compare", b, plain, "--json").stdout)["channels"]
         self.assertEqual((found["mse"], found["noise_b"], found["trimmed_noise_b"]), (0, -1, -1))
         self.assertGreater(found["noise_a"], 0)
-        errors["standard_error.G"][3] = -1  # unknown at one pixel, hence unknown
+        errors["standard_error.G"][8] = -1  # unknown at one pixel: the mean is over the others
+        write_exr(b, 40, 50, {**grey, **errors})
+        found = json.loads(self.run_program("compare", a, b, "--json").stdout)["channels"]
+        self.assertAlmostEqual(found["noise_b"], 1.3125 / 3, delta=1e-6)
+        errors["standard_error.G"] = [-1] * pixels
         write_exr(b, 40, 50, {**grey, **errors})
         self.assertEqual(json.loads(self.run_program("compare", a, b, "--json").stdout)["channels"]["noise_b"], -1)
         write_exr(plain, 40, 50, {"Y": grey["G"]})

@@ -100,6 +100,9 @@ class Measures(GoniometerTest):
         scale = [max(row["intensity_cd"], 0.05 * peak["intensity_cd"]) for row in table]
         worst = max(range(73), key=lambda i: table[i]["error_bound_cd"] / scale[i])
         self.assertEqual(report["errors"]["worst_gamma_deg"], table[worst]["gamma_deg"])
+        for beam in (report["beam"]["c0_c180"], report["field"]["c90_c270"]):
+            self.assertLessEqual(beam["low_deg"], beam["angle_deg"])
+            self.assertGreaterEqual(beam["high_deg"], beam["angle_deg"])
         self.assertAlmostEqual(report["errors"]["worst_relative_error_bound"],
                                table[worst]["error_bound_cd"] / scale[worst], delta=1e-6)
         # A cone open below, but for the slits between the chords of the lamp's edge and the cone's round rim: two thirds

@@ -204,7 +204,11 @@ class Render(ProgramTest):
         self.assertEqual(list(result["meters"]), ["work_plane", "spot"])
         for statistics in result["meters"].values():
             self.assertEqual(set(statistics), {"mean_lx", "min_lx", "max_lx", "uniformity", "mean_standard_error_lx",
-                                               "worst_relative_error_bound"})
+                                               "mean_error_bound_lx", "percentile_5_lx", "uniformity_low",
+                                               "uniformity_high", "worst_relative_error_bound"})
+            if statistics["uniformity_low"] >= 0:
+                self.assertLessEqual(statistics["uniformity_low"], statistics["uniformity"])
+                self.assertGreaterEqual(statistics["uniformity_high"], statistics["uniformity_low"])
         self.assertEqual(set(result["cameras"]), {"view"})
         self.assertEqual({k: result["cameras"]["view"][k] for k in ("width", "height")}, {"width": 24, "height": 16})
         self.assertGreater(result["cameras"]["view"]["mean_luminance_cd_m2"], 0)

@@ -192,10 +192,23 @@ class JobState(enum.IntEnum):
     FAILED = 3
 
 
+class Reading(enum.IntFlag):
+    EXACT = 1
+    UNKNOWN = 2
+    FEW_PATHS = 4
+    SINGLE_PATH = 8
+    HEAVY_TAIL = 16
+
+
 class Photons(enum.IntEnum):
     NONE = 0
     CAUSTIC = 1
     ALL = 2
+
+
+class LightPart(enum.IntEnum):
+    DIRECT = 0
+    INDIRECT = 1
 
 
 class SourceKind(enum.IntEnum):
@@ -213,6 +226,7 @@ class Channel(enum.IntEnum):
     BIAS = 5
     ERROR_BOUND = 6
     ROBUST_RGB = 7
+    ILLUMINANCE_STANDARD_ERROR = 8
 
 
 class Contribution(enum.IntEnum):
@@ -710,6 +724,15 @@ class MeterReading(Structure):
     ]
 
 
+class MeterPartReading(Structure):
+    _fields_ = [
+        ("illuminance_lx", c_float),
+        ("standard_error_lx", c_float),
+        ("bias_lx", c_float),
+        ("error_bound_lx", c_float),
+    ]
+
+
 class ConvergencePoint(Structure):
     _fields_ = [
         ("elapsed_s", c_double),
@@ -734,6 +757,17 @@ class MeterStatistics(Structure):
         ("median_relative_error_bound", c_double),
         ("p95_relative_error_bound", c_double),
         ("worst_relative_error_bound", c_double),
+        ("mean_bias_lx", c_double),
+        ("mean_error_bound_lx", c_double),
+        ("min_low_lx", c_double),
+        ("min_high_lx", c_double),
+        ("max_low_lx", c_double),
+        ("max_high_lx", c_double),
+        ("uniformity_low", c_double),
+        ("uniformity_high", c_double),
+        ("percentile_5_lx", c_double),
+        ("percentile_5_low_lx", c_double),
+        ("percentile_5_high_lx", c_double),
     ]
 
 
@@ -781,6 +815,17 @@ class IntensityReading(Structure):
         ("standard_error_cd", c_float),
         ("bias_cd", c_float),
         ("error_bound_cd", c_float),
+    ]
+
+
+class GoniometerBeam(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("angle_deg", c_float),
+        ("standard_error_deg", c_float),
+        ("bias_deg", c_float),
+        ("low_deg", c_float),
+        ("high_deg", c_float),
     ]
 
 
@@ -880,6 +925,8 @@ PROTOTYPES = {
     "ups_result_get_info": (c_int32, [c_void_p, POINTER(ResultInfo)]),
     "ups_result_get_choice": (c_int32, [c_void_p, SensorId, POINTER(SensorChoice)]),
     "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t]),
+    "ups_result_read_meter_part": (c_int32, [c_void_p, SensorId, c_int32, POINTER(MeterPartReading), c_size_t]),
+    "ups_result_read_meter_flags": (c_int32, [c_void_p, SensorId, POINTER(c_uint32), c_size_t]),
     "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)]),
     "ups_result_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
     "ups_result_get_source": (c_int32, [c_void_p, c_uint32, POINTER(SourceInfo)]),
@@ -888,6 +935,7 @@ PROTOTYPES = {
     "ups_result_read_goniometer": (c_int32, [c_void_p, SensorId, POINTER(IntensityReading), c_size_t]),
     "ups_result_get_goniometer_angles": (c_int32, [c_void_p, SensorId, POINTER(c_float), c_size_t, POINTER(c_float),
         c_size_t]),
+    "ups_result_get_goniometer_beam": (c_int32, [c_void_p, SensorId, c_float, c_float, POINTER(GoniometerBeam)]),
     "ups_result_get_goniometer_profile": (c_int32, [c_void_p, SensorId, POINTER(c_void_p)]),
     "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t]),
     "ups_result_get_technique_count": (c_int32, [c_void_p, SensorId, POINTER(c_uint32)]),

@@ -62,9 +62,22 @@ class Result(Handle):
         return read_info(_ffi.SensorChoice, lib.ups_result_get_choice, self, sensor)
 
     def meters(self, sensor):
-        """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ..."""
+        """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ... Light that no
+        path has found, or few, has standard error -1 beside a positive bound; both are -1 where nothing is known yet."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterReading))
         check(lib.ups_result_read_meters(self, sensor, address(out, _ffi.MeterReading), len(out)))
+        return out
+
+    def meter_part(self, sensor, part):
+        """The LightPart.DIRECT or INDIRECT light of each meter, with errors of its own: as ups_meter_part_reading."""
+        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterPartReading))
+        check(lib.ups_result_read_meter_part(self, sensor, part, address(out, _ffi.MeterPartReading), len(out)))
+        return out
+
+    def meter_flags(self, sensor):
+        """Reading.EXACT, UNKNOWN, FEW_PATHS, SINGLE_PATH, HEAVY_TAIL of each meter, or-ed in an array of integers."""
+        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.uint32)
+        check(lib.ups_result_read_meter_flags(self, sensor, address(out, ctypes.c_uint32), len(out)))
         return out
 
     def statistics(self, sensor):
@@ -105,14 +118,19 @@ class Result(Handle):
                                                    address(gamma, ctypes.c_float), len(gamma)))
         return c, gamma
 
+    def goniometer_beam(self, sensor, c_deg=0, fraction=0.5):
+        """The beam angle (fraction 0.5) or field angle (0.1) in the plane C / C + 180 with its error, as
+        ups_goniometer_beam."""
+        return read_info(_ffi.GoniometerBeam, lib.ups_result_get_goniometer_beam, self, sensor, c_deg, fraction)
+
     def goniometer_profile(self, sensor):
         """The distribution as a Profile: for luminaires, and to write a photometric file."""
         return Profile(create(lib.ups_result_get_goniometer_profile, self, sensor))
 
     def image(self, camera, channel=Channel.LUMINANCE_RGB):
-        """(height, width, 3), or (height, width) for ILLUMINANCE, BIAS and ERROR_BOUND; row 0 is the image's top."""
+        """(height, width, 3), or (height, width) for ILLUMINANCE and its error, BIAS and ERROR_BOUND; row 0 is the image's top."""
         shape = self._shape(camera, 2, "a camera")
-        single = (Channel.ILLUMINANCE, Channel.BIAS, Channel.ERROR_BOUND)
+        single = (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR, Channel.BIAS, Channel.ERROR_BOUND)
         out = np.empty(shape if channel in single else shape + (3,), dtype=np.float32)
         check(lib.ups_result_read_image(self, camera, channel, address(out, ctypes.c_float), 0, out.nbytes))
         return out

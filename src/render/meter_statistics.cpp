@@ -1,0 +1,219 @@
+// See meter_statistics.h.
+//
+// The least of noisy readings is biased low, and which of them is the least says nothing new of its own noise. Below: each
+// true value is above its reading less its bound, 95 %, so the least true one is above the least of these. Above: a meter
+// that was chosen by half of the batches is read by the other half without that bias, and is at least the least true one.
+// Both hold for any field of true values; neither can be much tightened without knowing it: one meter may stand out as
+// far as noise hides.
+#include "render/meter_statistics.h"
+
+#include <numeric>
+
+namespace ups {
+
+void MeterBatches::add(const Meter& meter, const double* batch, const double* bias_batch) {
+  meters_.push_back(meter);
+  for (uint32_t b = 0; b < used_; ++b) {
+    batches_.push_back(float(batch[b]));
+    bias_sums_[b] += bias_batch[b];
+  }
+}
+
+namespace {
+
+// Of the mean of batches, about the mean of each half of them (even, odd): s^2 of so many less `means` degrees.
+template <class Value>
+double error_of_mean(uint32_t used, uint32_t means, const Value& value) {
+  double square = 0;
+  for (uint32_t half = 0; half < means; ++half) {
+    double sum = 0, count = 0;
+    for (uint32_t b = half; b < used; b += means) sum += value(b), ++count;
+    for (uint32_t b = half; b < used; b += means) square += std::pow(value(b) - sum / count, 2);
+  }
+  return std::sqrt(square / (double(used) * (used - means)));
+}
+
+// Indices in order of what all batches of one half say, up to `end`.
+std::vector<uint32_t> order_by_half(const MeterBatches& meters, uint32_t half, size_t end) {
+  std::vector<float> sums(meters.count());
+  for (size_t m = 0; m < sums.size(); ++m)
+    for (uint32_t b = half; b < meters.used(); b += 2) sums[m] += meters.batch(m, b);
+  std::vector<uint32_t> order(sums.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::partial_sort(order.begin(), order.begin() + ptrdiff_t(end), order.end(), [&](uint32_t i, uint32_t j) {
+    return sums[i] != sums[j] ? sums[i] < sums[j] : i < j;
+  });
+  return order;
+}
+
+// The mean of the meters at ranks [begin, end), chosen by one half of the batches and read by the other, and how far its
+// upper limit is above it.
+struct CrossReading {
+  double value, above;
+};
+CrossReading cross_reading(const MeterBatches& meters, size_t begin, size_t end) {
+  double batches[batch_count] = {}, offset = 0, bias_error = 0;
+  const double share = 1 / double(end - begin);
+  for (uint32_t half = 0; half < 2; ++half) {
+    const std::vector<uint32_t> order = order_by_half(meters, half, end);
+    for (size_t i = begin; i < end; ++i) {
+      const uint32_t m = order[i];
+      offset += 0.5 * share * meters.offset(m);
+      bias_error += 0.5 * share * meters.bias_error(m);
+      for (uint32_t b = 1 - half; b < meters.used(); b += 2) batches[b] += share * double(meters.batch(m, b));
+    }
+  }
+  const uint32_t used = meters.used();
+  const double noise = error_of_mean(used, 2, [&](uint32_t b) { return batches[b]; });
+  double halves[2] = {};
+  for (uint32_t b = 0; b < used; ++b) halves[b % 2] += batches[b] / (used / 2 + (used % 2 && b % 2 == 0));
+  return {0.5 * (halves[0] + halves[1]), offset + t_quantile(used - 1) * std::hypot(noise, bias_error)};
+}
+
+}  // namespace
+
+double MeterBatches::standard_error(size_t m) const {
+  return error_of_mean(used_, 1, [&](uint32_t b) { return double(batch(m, b)); });
+}
+
+double MeterBatches::bound(size_t m) const {
+  return offset(m) + (meters_[m].unfound > 0 ? 0 : t_quantile(used_) * std::hypot(standard_error(m), bias_error(m)));
+}
+
+double MeterBatches::mean() const {
+  double sum = 0;
+  for (const Meter& m : meters_) sum += m.value;
+  return sum / double(count());
+}
+
+double MeterBatches::unfound() const {
+  double sum = 0;
+  for (const Meter& m : meters_) sum += m.unfound;
+  return sum / double(count());
+}
+
+double MeterBatches::mean_of_batch(uint32_t b) const {
+  double sum = 0;
+  for (size_t m = 0; m < count(); ++m) sum += double(batch(m, b));
+  return sum / double(count());
+}
+
+// First order: (x_b - r mean_b) / mean about r = x / mean.
+MeterBatches MeterBatches::over_mean() const {
+  MeterBatches out(used_);
+  const double mean = this->mean();
+  double of_set[batch_count], own[batch_count], bias = 0;
+  const double no_bias[batch_count] = {};
+  for (uint32_t b = 0; b < used_; ++b) of_set[b] = mean_of_batch(b);
+  for (const Meter& m : meters_) bias += m.bias.mean / double(count());
+  for (size_t m = 0; m < count(); ++m) {
+    const double ratio = value(m) / mean;
+    for (uint32_t b = 0; b < used_; ++b) own[b] = ratio + (double(batch(m, b)) - ratio * of_set[b]) / mean;
+    out.add({ratio, {(meters_[m].bias.mean - ratio * bias) / mean, bias_error(m) / mean}, meters_[m].unfound / mean}, own,
+            no_bias);
+  }
+  return out;
+}
+
+MeterBatches MeterBatches::negative() const {
+  MeterBatches out = *this;
+  for (Meter& m : out.meters_) m.value = -m.value;
+  for (float& v : out.batches_) v = -v;
+  return out;
+}
+
+Interval minimum_interval(const MeterBatches& meters) {
+  if (meters.count() == 0 || meters.used() < min_batches_of_interval) return {};
+  double low = INFINITY, least = INFINITY;
+  for (size_t m = 0; m < meters.count(); ++m) {
+    low = std::min(low, meters.value(m) - meters.bound(m));
+    least = std::min(least, meters.value(m));
+  }
+  const CrossReading high = cross_reading(meters, 0, 1);
+  return {low, std::max(least, high.value + high.above)};
+}
+
+// As a minimum, but that noise averages over all meters whose readings it can exchange: those within a standard error.
+Interval percentile_interval(const MeterBatches& meters, double share) {
+  const size_t count = meters.count(), rank = size_t(share * double(count));
+  if (rank == 0) return minimum_interval(meters);
+  if (meters.used() < min_batches_of_interval) return {};
+  std::vector<uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](uint32_t i, uint32_t j) {
+    return meters.value(i) != meters.value(j) ? meters.value(i) < meters.value(j) : i < j;
+  });
+  const double value = meters.value(order[rank]);
+  double square = 0;
+  const size_t reach = std::max<size_t>(1, count / 40), first = rank - std::min(rank, reach),
+               last = std::min(count - 1, rank + reach);
+  for (size_t i = first; i <= last; ++i) square += std::pow(meters.standard_error(order[i]), 2) / double(last - first + 1);
+  const double noise = std::sqrt(square);
+  size_t begin = rank, end = rank + 1;
+  while (begin > 0 && value - meters.value(order[begin - 1]) <= noise) --begin;
+  while (end < count && meters.value(order[end]) - value <= noise) ++end;
+
+  double batches[batch_count] = {}, offset = 0, bias_error = 0;
+  for (size_t i = begin; i < end; ++i) {
+    const uint32_t m = order[i];
+    const double part = 1 / double(end - begin);
+    offset += part * meters.offset(m);
+    bias_error += part * meters.bias_error(m);
+    for (uint32_t b = 0; b < meters.used(); ++b) batches[b] += part * double(meters.batch(m, b));
+  }
+  const double own = error_of_mean(meters.used(), 1, [&](uint32_t b) { return batches[b]; });
+  const double below = offset + t_quantile(meters.used()) * std::hypot(own, bias_error);
+  const CrossReading high = cross_reading(meters, begin, end);
+  return {value - below, std::max(value + below, high.value + high.above)};
+}
+
+namespace {
+
+void add_intervals(const MeterBatches& meters, ups_meter_statistics& s) {
+  const auto positive = [](Interval i) { return Interval{std::max(0.0, i.low), std::max(0.0, i.high)}; };
+  const Interval least = positive(minimum_interval(meters)), fifth = positive(percentile_interval(meters, 0.05)),
+                 most = minimum_interval(meters.negative());
+  s.min_low_lx = least.low, s.min_high_lx = least.high;
+  s.max_low_lx = std::max(0.0, -most.high), s.max_high_lx = -most.low;
+  s.percentile_5_low_lx = fifth.low, s.percentile_5_high_lx = fifth.high;
+  if (!(s.mean_lx > 0)) return;
+  const Interval uniformity = positive(minimum_interval(meters.over_mean()));
+  s.uniformity_low = uniformity.low, s.uniformity_high = std::min(1.0, uniformity.high);
+}
+
+// Of all meters together: what few paths have found of one of them is found by the others' batches.
+void add_mean(const MeterBatches& meters, uint32_t passes, bool known, ups_meter_statistics& s) {
+  double values[batch_count] = {}, biases[batch_count] = {};
+  for (uint32_t b = 0; b < meters.used(); ++b) {
+    values[b] = meters.mean_of_batch(b) * visits_of_batch(passes, b);
+    biases[b] = meters.bias_of_batch(b) * visits_of_batch(passes, b);
+  }
+  const Spread value = spread(values, passes), bias = spread(biases, passes);
+  s.mean_bias_lx = bias.mean;
+  if (value.standard_error < 0) return;
+  if (known) s.mean_standard_error_lx = value.standard_error;
+  s.mean_error_bound_lx = meters.unfound() + (known ? double(error_bound(value, bias, passes)) : std::abs(bias.mean));
+}
+
+}  // namespace
+
+ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passes, bool known) {
+  ups_meter_statistics s{};
+  s.struct_size = sizeof s;
+  s.mean_lx = s.min_lx = s.max_lx = s.mean_standard_error_lx = s.mean_error_bound_lx = s.percentile_5_lx = -1;
+  s.min_low_lx = s.min_high_lx = s.max_low_lx = s.max_high_lx = s.uniformity_low = s.uniformity_high = -1;
+  s.percentile_5_low_lx = s.percentile_5_high_lx = -1;
+  if (meters.count() == 0) return s;
+  std::vector<double> values;
+  for (size_t m = 0; m < meters.count(); ++m) values.push_back(meters.value(m));
+  s.mean_lx = meters.mean();
+  s.min_lx = *std::min_element(values.begin(), values.end());
+  s.max_lx = *std::max_element(values.begin(), values.end());
+  s.uniformity = s.mean_lx > 0 ? s.min_lx / s.mean_lx : 0;
+  s.percentile_5_lx = quantile(values, 0.05);
+  add_mean(meters, passes, known, s);
+  if (meters.used() >= min_batches_of_interval) add_intervals(meters, s);
+  return s;
+}
+
+}  // namespace ups

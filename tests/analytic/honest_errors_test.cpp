@@ -1,0 +1,164 @@
+// Are errors honest where they are easily not: light that hardly any path finds, light that is exact, parts of a reading?
+// And do stated errors of a small room hold as often as they say?
+#include <gtest/gtest.h>
+
+#include "../support/scene_builder.h"
+
+namespace ups::test {
+namespace {
+
+// A black room. The second meter stands behind a screen; a mirror of 2 cm alone lights it, which one path in 400,000
+// meets on its way there: 3 in 10 renders of 32 iterations find none. No render may call the reading exact, or its target met.
+TEST(HonestErrors, AMeterThatASmallMirrorLights) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {6, 6, 3}).flipped(), matte(0));
+  scene.add(quad({2.99, 2.99, 2.999}, {0, 0.02, 0}, {0.02, 0, 0}), mirror(0.9));
+  scene.add(box({2.5, 2, 0}, {2.6, 4, 1.2}), matte(0));
+  scene.add_point_light({1, 3, 1}, 1000);
+  const Sensor meters = scene.add_meters({P3{0.5, 0.5, 0.75}, P3{5, 3, 1}}, {0, 0, 1});
+  for (uint64_t seed = 1; seed <= 100; ++seed) {
+    const Result r =
+        scene.render({.method = UPS_METHOD_AUTO, .iterations = 40, .seed = seed, .target_relative_error = 0.02});
+    const ups_meter_reading reading = r.readings(meters)[1];
+    const uint32_t flags = r.flags(meters)[1];
+    ASSERT_EQ(r.info().iterations, 40u) << "ended by its target, seed " << seed;
+    ASSERT_EQ(flags & UPS_READING_EXACT, 0u) << seed;
+    ASSERT_GT(reading.error_bound_lx, 0.02 * 0.05 * r.statistics(meters).mean_lx) << seed;
+    ASSERT_GT(r.statistics(meters).worst_relative_error_bound, 0.02) << seed;
+    ASSERT_EQ(reading.standard_error_lx < 0, (flags & UPS_READING_FEW_PATHS) != 0) << seed;
+    if (flags & UPS_READING_FEW_PATHS) {
+      ASSERT_NE(r.text(UPS_TEXT_WARNINGS).find("1) have light that no path or too few"), std::string::npos)
+          << r.text(UPS_TEXT_WARNINGS);
+    }
+  }
+}
+
+// One shadow ray each, and nothing that could send other light: no chance, and the truth is within the rounding.
+TEST(HonestErrors, ExactLightIsKnownToItsRounding) {
+  for (const double far : {0.0, 1000.0}) {
+    Scene scene;
+    scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0), {far, 0, 0});
+    scene.add_point_light({far + 0.3, 0.2, 2}, 100);
+    std::vector<P3> at;
+    for (int i = 0; i < 50; ++i) at.push_back({far + 0.07 * i - 1.7, 0.03 * i - 0.8, 0.01});
+    const Sensor meters = scene.add_meters(at, {0, 0, 1});
+    const Result r = scene.render({.method = UPS_METHOD_UPS, .iterations = 2});
+    const auto readings = r.readings(meters);
+    const auto flags = r.flags(meters);
+    for (size_t i = 0; i < at.size(); ++i) {
+      const double x = at[i].x - far - 0.3, y = at[i].y - 0.2, z = 1.99,
+                   truth = 100 * z * std::pow(x * x + y * y + z * z, -1.5);
+      EXPECT_EQ(flags[i], uint32_t(UPS_READING_EXACT));
+      EXPECT_EQ(readings[i].standard_error_lx, 0);
+      EXPECT_LE(std::abs(readings[i].illuminance_lx - truth), readings[i].error_bound_lx) << i << ", " << far;
+      EXPECT_LT(readings[i].error_bound_lx, 1e-4 * truth) << "a bound that says something";
+    }
+  }
+}
+
+TEST(HonestErrors, PartsHaveErrorsOfTheirOwn) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
+  scene.add_point_light({2, 2, 2.5}, 100);
+  const Sensor meters = scene.add_meters({P3{1, 1, 0.8}, P3{3, 2, 0.8}}, {0, 0, 1});
+  const Result r = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 32});
+  const auto whole = r.readings(meters);
+  const auto direct = r.part(meters, UPS_LIGHT_PART_DIRECT), indirect = r.part(meters, UPS_LIGHT_PART_INDIRECT);
+  for (size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_FLOAT_EQ(direct[i].illuminance_lx, whole[i].direct_lx);
+    EXPECT_FLOAT_EQ(indirect[i].illuminance_lx, whole[i].indirect_lx);
+    EXPECT_EQ(direct[i].standard_error_lx, 0) << "one shadow ray each";
+    EXPECT_LT(direct[i].error_bound_lx, 1e-4f * direct[i].illuminance_lx);
+    EXPECT_NEAR(indirect[i].standard_error_lx, whole[i].standard_error_lx, 1e-3 * whole[i].standard_error_lx);
+    EXPECT_EQ(r.flags(meters)[i], 0u);
+  }
+  std::vector<ups_meter_part_reading> wrong(2);
+  EXPECT_THROW(r.part(meters, 2), std::runtime_error);
+}
+
+TEST(HonestErrors, IlluminanceImagesHaveErrors) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
+  scene.add_point_light({2, 2, 2.5}, 100);
+  const Sensor camera = scene.add_camera({1, 1, 1}, {1, 0.8, 0}, 16, 12, 0.8, true);
+  const Result r = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 64}),
+               other = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 64, .seed = 2});
+  const auto a = r.image(camera).illuminance, b = other.image(camera).illuminance,
+             s = r.read(camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR, 1),
+             t = other.read(camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR, 1);
+  double square = 0;
+  for (size_t i = 0; i < a.size(); ++i) square += std::pow((a[i] - b[i]) / std::hypot(s[i], t[i]), 2) / double(a.size());
+  EXPECT_NEAR(square, 1.15, 0.5);  // 192 pixels, t of 30 degrees: its variance is 1.07; standard deviation 0.13
+}
+
+// A spot whose intensity falls from 10 to 40 degrees as the square of a ramp in the cosine: 50 % where the ramp is
+// sqrt(1/2). 60 seeds of few light paths: an interval of 95 % for noise, and wider for blur, holds in 54 of them but for a
+// chance of 1 in 40 (binomial); in fewer than 51, 1 in 3000. The interval must say something too.
+TEST(HonestErrors, BeamAnglesHaveIntervals) {
+  constexpr double degree = 3.14159265358979323846 / 180;
+  const double inner = std::cos(10 * degree), outer = std::cos(40 * degree),
+               truth = 2 * std::acos(outer + std::sqrt(0.5) * (inner - outer)) / degree;
+  int covered = 0;
+  double width = 0;
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    Scene scene;
+    scene.add_spot({0, 0, 0}, {0, 0, -1}, 100, 10 * degree, 40 * degree);
+    const Sensor goniometer = scene.add_goniometer(8, 73);
+    const Result r = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 32, .seed = seed, .light_paths = 1024});
+    const ups_goniometer_beam b = r.goniometer_beam(goniometer, 0, 0.5f);
+    ASSERT_GT(b.standard_error_deg, 0);
+    covered += b.low_deg <= truth && truth <= b.high_deg;
+    width += double(b.high_deg - b.low_deg) / 60;
+  }
+  EXPECT_GE(covered, 51);
+  EXPECT_LT(width, 0.15 * truth);
+}
+
+// A room lit by a large panel, by path tracing: noise alone. Of 60 renders and 9 meters, whose eye paths share nothing,
+// 95 % of the bounds should hold; 540 of them: standard deviation 0.94 %, 3.2 of which are allowed (a false alarm in 700
+// choices of seeds, which are fixed). The truth is the mean over all renders, whose own noise makes a sixtieth of the
+// variance. It would find errors that are 20 % too small (89 %) or 40 % too large (99 %) in four cases of five.
+TEST(HonestErrors, StatedErrorsOfASmallRoomHold) {
+  constexpr int renders = 60, side = 3;
+  Scene scene;
+  scene.add(box({0, 0, 0}, {3, 3, 2.5}).flipped(), matte(0.3));
+  scene.add(quad({0.8, 0.8, 2.4}, {0, 1.4, 0}, {1.4, 0, 0}), emitter(1000));
+  std::vector<P3> at;
+  for (int i = 0; i < side * side; ++i) at.push_back({0.5 + i % side, 0.5 + i / side, 0.8});
+  const Sensor meters = scene.add_meters(at, {0, 0, 1});
+  struct Reading {
+    double value, bound;
+  };
+  std::vector<std::vector<Reading>> found[3];
+  std::vector<Reading> means;
+  for (int k = 0; k < renders; ++k) {
+    const Result r = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16, .seed = uint64_t(k) + 1});
+    for (auto& f : found) f.emplace_back();
+    for (const ups_meter_reading& m : r.readings(meters)) found[0].back().push_back({m.illuminance_lx, m.error_bound_lx});
+    for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
+      for (const ups_meter_part_reading& m : r.part(meters, part))
+        found[1 + part].back().push_back({m.illuminance_lx, m.error_bound_lx});
+    const ups_meter_statistics s = r.statistics(meters);
+    means.push_back({s.mean_lx, s.mean_error_bound_lx});
+  }
+  const char* names[] = {"whole", "direct", "indirect"};
+  for (int part = 0; part < 3; ++part) {
+    double covered = 0, all = 0;
+    for (size_t m = 0; m < at.size(); ++m) {
+      double truth = 0;
+      for (const auto& r : found[part]) truth += r[m].value / renders;
+      for (const auto& r : found[part]) {
+        covered += std::abs(r[m].value - truth) <= r[m].bound;
+        ++all;
+      }
+    }
+    EXPECT_NEAR(covered / all, 0.95, 0.03) << names[part];
+  }
+  double truth = 0, covered = 0;
+  for (const Reading& m : means) truth += m.value / renders;
+  for (const Reading& m : means) covered += std::abs(m.value - truth) <= m.bound;
+  EXPECT_NEAR(covered / renders, 0.95, 0.09) << "the mean";  // standard deviation 2.8 %
+}
+
+}  // namespace
+}  // namespace ups::test
