@@ -41,42 +41,81 @@ bool LightTree::is_behind(const View& view, const Node& node) {
   return !(dot(view.n, node.center - view.p) > -dot(view.size_n, node.half));
 }
 
+// How a box looks from the receiver, its centre in the direction `to`. Real: float, or several at once.
+template <class Real>
+struct LightTree::Seen {
+  Vec3T<Real> to;
+  Real inverse, cosine, falloff, along, reach;  // 1 / distance; of the centre and the box along the normal
+};
+
+template <class Real>
+inline LightTree::Seen<Real> LightTree::see(const View& view, const Vec3T<Real>& center, const Vec3T<Real>& half) {
+  using std::abs, std::sqrt, ups::abs, ups::sqrt;
+  const Real least = all_lanes<Real>(1e-30f), one = all_lanes<Real>(1);
+  Seen<Real> out;
+  out.to = center - all_lanes<Real>(view.p);
+  const Real d2 = length2(out.to);
+  out.inverse = 1 / sqrt(d2 < least ? least : d2);
+  out.falloff = out.inverse * out.inverse;
+  out.reach = dot(all_lanes<Real>(view.size_n), half);
+  out.along = dot(all_lanes<Real>(view.n), out.to);
+  // On the average of a box that reaches this far to both sides of its centre, where part of it is behind the plane.
+  const Real reach = out.reach, height = view.both_sides ? abs(out.along) : out.along, above = height + reach;
+  const Real part = view.both_sides ? (height * height + reach * reach) / (2 * reach) : above * above / (4 * reach);
+  const Real cosine = (height < reach ? part : height) * out.inverse;
+  out.cosine = view.all_around ? one : cosine < one ? cosine : one;
+  return out;
+}
+
+inline float LightTree::estimate(const Node& node, const Seen<float>& seen, float lobe) {
+  const float intensity = node.intensity * lobe + node.spread * std::min(1.0f, node.radius2 * seen.falloff);
+  return intensity * seen.cosine * std::min(seen.falloff, node.largest_falloff);
+}
+
 // False where the node cannot shine.
 bool LightTree::weigh(const View& view, const Node& node, Shares& out) const {
   if (is_behind(view, node)) return false;
-  const Vec3 to = node.center - view.p;
-  const float d2 = std::max(length2(to), 1e-30f);
-  const float inverse = 1 / std::sqrt(d2);
-  float cosine = 1;
-  if (!view.all_around) {
-    // On the average of a box that reaches this far to both sides of its centre, where part of it is behind the plane.
-    const float reach = dot(view.size_n, node.half), along = dot(view.n, to);
-    float height = view.both_sides ? std::abs(along) : along;
-    if (height < reach) {
-      const float above = height + reach;
-      height = view.both_sides ? (height * height + reach * reach) / (2 * reach) : above * above / (4 * reach);
-    }
-    cosine = std::min(1.0f, height * inverse);
-  }
-  const float falloff = inverse * inverse;
-  const float intensity =
-      node.intensity * lobes_[node.lobe].towards(-to, inverse) + node.spread * std::min(1.0f, node.radius2 * falloff);
-  out.estimate = intensity * cosine * std::min(falloff, node.largest_falloff);
-  out.flux = node.flux;
+  const Seen<float> seen = see(view, node.center, node.half);
+  out = {estimate(node, seen, lobes_[node.lobe].towards(-seen.to, seen.inverse)), node.flux};
   return true;
 }
 
+void LightTree::fill_lanes() {
+  lanes_.assign((nodes_.size() + lane_count - 1) / lane_count, {});
+  for (size_t k = 0; k < nodes_.size(); ++k) {
+    Lanes& lanes = lanes_[k / lane_count];
+    const Frame& frame = lobes_[nodes_[k].lobe].frame;
+    const auto put = [lane = k % lane_count](const Vec3& v, Vec3T<Float4>& to) {
+      to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z;
+    };
+    put(nodes_[k].center, lanes.center), put(nodes_[k].half, lanes.half);
+    put(frame.s, lanes.s), put(frame.t, lanes.t), put(frame.n, lanes.n);
+  }
+}
+
+void LightTree::weigh_list(const View& view, Cut& out) const {
+  const bool one_side = !(view.all_around || view.both_sides);
+  for (uint32_t first = 0; first < nodes_.size(); first += lane_count) {
+    const Lanes& lanes = lanes_[first / lane_count];
+    const Seen<Float4> seen = see(view, lanes.center, lanes.half);
+    const Vec3T<Float4> from = -seen.to;
+    const Int4 texel = Lobe::Fine::texel(Vec3T<Float4>(dot(from, lanes.s), dot(from, lanes.t), dot(from, lanes.n)));
+    for (uint32_t i = 0; i < lane_count && first + i < nodes_.size(); ++i) {
+      if (one_side && !(seen.along[i] > -seen.reach[i])) continue;
+      const Node& node = nodes_[first + i];
+      const Lobe& lobe = lobes_[node.lobe];
+      const float towards = lobe.shape == Lobe::Shape::fine
+                                ? lobe.table[texel[i]]
+                                : lobe.towards({from.x[i], from.y[i], from.z[i]}, seen.inverse[i]);
+      out.shares[out.size] = {estimate(node, {{}, 0, seen.cosine[i], seen.falloff[i], 0, 0}, towards), node.flux};
+      out.node[out.size++] = first + i;
+    }
+  }
+}
+
 void LightTree::cut(const View& view, Cut& out) const {
-  float estimates = 0, fluxes = 0;
-  const auto add = [&](uint32_t k) {
-    if (!weigh(view, nodes_[k], out.shares[out.size])) return;
-    out.node[out.size] = k;
-    estimates += out.shares[out.size].estimate;
-    fluxes += out.shares[out.size].flux;
-    ++out.size;
-  };
   if (listed_) {
-    for (uint32_t k = 0; k < nodes_.size(); ++k) add(k);
+    weigh_list(view, out);
   } else {
     uint32_t queue[2 * max_cut] = {0}, first = 0, last = 1;
     while (first < last) {
@@ -86,10 +125,12 @@ void LightTree::cut(const View& view, Cut& out) const {
       const bool room = out.size + (last - first) + 2 <= max_cut && last + 2 <= 2 * max_cut;
       if (room && !is_leaf(k) && node.radius2 > large2 * length2(node.center - view.p))
         queue[last++] = k + 1, queue[last++] = right_of(k);
-      else
-        add(k);
+      else if (weigh(view, node, out.shares[out.size]))
+        out.node[out.size++] = k;
     }
   }
+  float estimates = 0, fluxes = 0;
+  for (uint32_t i = 0; i < out.size; ++i) estimates += out.shares[i].estimate, fluxes += out.shares[i].flux;
   const bool any = estimates > 1e-30f;
   const float of_estimates = any ? (1 - by_flux) / estimates : 0;
   const float of_fluxes = fluxes > 0 ? (any ? by_flux : 1) / fluxes : 0;
