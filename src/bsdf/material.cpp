@@ -77,7 +77,7 @@ void prepare_interface(Material& m) {
   m.interface_albedo = InterfaceAlbedo(is_interface_smooth(m, alpha, m.ior) ? 0 : alpha, m.ior);
 }
 
-static_assert(std::is_trivially_copyable_v<Bsdf> && sizeof(Bsdf) <= 128);
+static_assert(std::is_trivially_copyable_v<Bsdf> && sizeof(Bsdf) <= 160);
 
 Bsdf::Bsdf(const Material& m, const Vec2& uv, float relative_ior) {
   p_.material = &m;

@@ -41,6 +41,13 @@ inline bool is_interface_alone(MaterialModel model, float metallic) {
          (model == MaterialModel::plastic && metallic >= 1);
 }
 
+// How light from one direction divides among the lobes of plastic and metal, and the probabilities to sample them.
+struct Division {
+  float mu = -1;                // |cos| of the direction; negative: none
+  float base = 0, missing = 0;  // share of light that reaches the base; that single scattering by metal loses
+  float p_interface = 0, p_base = 0, p_missing = 0;
+};
+
 // What the models (bsdf/models.h) read: the material at one surface point, with what is the same for all directions.
 struct BsdfParameters {
   const Material* material;
@@ -56,6 +63,7 @@ struct BsdfParameters {
   float base_norm = 0;                  // 1 / (pi (1 - mean albedo of the coat))
   float missing_norm[2] = {0, 0};       // 1 / (pi mean missing albedo), outside and inside
   float missing_reflected[2] = {1, 1};  // share of the missing light that stays on its side
+  mutable Division division;            // the last that was found: of a vertex's own direction it is asked again
 };
 
 // `reflectance` of a plastic is the share of the light that enters its coat and comes out again; the total at an angle
