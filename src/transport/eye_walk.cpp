@@ -111,11 +111,11 @@ void EyeWalk::add(const Contribution& c, Drop drop, double share) {
   Passage way;
   if (c.media && is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
   if (in_.recorder) in_.recorder->found(c, way.pass, none);
-  add(c, c.value * way.transmittance, way.pass, share, drop);
+  add(c, c.value * way.transmittance, way.pass, float(c.weight(in_, way.pass)), drop, share);
 }
 
-void EyeWalk::add(const Contribution& c, const Rgb& found, double pass, double share, Drop where) {
-  const Rgb unweighted = found * float(share), value = unweighted * float(c.weight(in_, pass));
+void EyeWalk::add(const Contribution& c, const Rgb& found, double pass, float weight, Drop where, double share) {
+  const Rgb unweighted = found * float(share), value = unweighted * weight;
   if (!is_finite(value)) return work_.drop(where);
   const bool is_direct = c.technique.edges == 1;
   const float lx = luminance(value);
@@ -202,8 +202,9 @@ void EyeWalk::merge(const EyeEnd& eye) {
     if (!c) return;
     ++work_.merges;
     if (in_.recorder) in_.recorder->found(*c, 1, index);
-    add(*c, c->value, 1, 1, Drop::merge);
-    const float bias = 2 * luminance(c->value) * float(c->weight(in_, 1)) * (2 * d2 < r2 ? -1.0f : 1.0f);
+    const float weight = float(c->weight(in_, 1));
+    add(*c, c->value, 1, weight, Drop::merge);
+    const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);
     if (!std::isfinite(bias)) return;
     tally_.bias += bias;
     add_separated(c->emitter, {0.0, 0.0, bias});

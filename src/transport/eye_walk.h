@@ -71,7 +71,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
 
   // Tests the edge that it makes, if any, and adds it up; `share` of it was chosen to stand for the whole.
   void add(const Contribution& c, Drop drop, double share = 1);
-  void add(const Contribution& c, const Rgb& unweighted, double pass, double share, Drop drop);
+  void add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop drop, double share = 1);
   void add_separated(uint32_t emitter, const MeterTally& part) {
     if (sensor_.separated) sensor_.separated[in_.plan.separation.column_of_emitter[emitter]].add(part, sensor_.share);
   }
