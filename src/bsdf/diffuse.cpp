@@ -6,6 +6,7 @@ namespace ups::diffuse {
 namespace {
 
 float reflection_probability(const BsdfParameters& p) {
+  if (is_black(p.transmittance)) return is_black(p.reflectance) ? 0.0f : 1.0f;
   const float r = luminance(p.reflectance), t = luminance(p.transmittance);
   return r + t > 0 ? r / (r + t) : 0.0f;
 }

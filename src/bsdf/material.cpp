@@ -165,7 +165,7 @@ bool Bsdf::transmits_continuously() const {
 
 Scattering Bsdf::evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   Scattering s = evaluate_model(p_, wo, wi);
-  s.value *= radiance_scale(p_, wo, wi, mode);
+  if (p_.material->model == MaterialModel::glass) s.value *= radiance_scale(p_, wo, wi, mode);
   return s;
 }
 

@@ -76,6 +76,9 @@ class Bsdf {
 
   bool has_delta() const;       // some lobe can only be sampled
   bool has_continuous() const;  // eval() is not always 0: the point can be connected to and merged at
+  bool chooses_lobe() const {   // sample() reads u_lobe
+    return p_.material->model != MaterialModel::matte && p_.material->model != MaterialModel::mirror;
+  }
   bool transmits() const;       // eval() or sample() can cross the surface
   bool transmits_continuously() const;  // eval() can
   bool is_solid_dielectric() const { return p_.material->model == MaterialModel::glass; }
