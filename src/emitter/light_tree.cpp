@@ -25,7 +25,7 @@ struct LightTree::View {
 
 // What of all light falls to a node: by estimate, and by flux.
 struct LightTree::Shares {
-  float estimate = 0, flux = 0;
+  float estimate, flux;
   float sum() const { return estimate + flux; }
 };
 
@@ -117,7 +117,8 @@ void LightTree::cut(const View& view, Cut& out) const {
   if (listed_) {
     weigh_list(view, out);
   } else {
-    uint32_t queue[2 * max_cut] = {0}, first = 0, last = 1;
+    uint32_t queue[2 * max_cut], first = 0, last = 1;
+    queue[0] = 0;
     while (first < last) {
       const uint32_t k = queue[first++];
       const Node& node = nodes_[k];
@@ -143,7 +144,7 @@ void LightTree::cut(const View& view, Cut& out) const {
 // A node's shares among its children. Where neither is weighed to have any, they go by flux.
 void LightTree::halve(const View& view, uint32_t node, const Shares& shares, Shares& left, Shares& right) const {
   const uint32_t l = node + 1, r = right_of(node);
-  Shares a, b;
+  Shares a{}, b{};
   if (!weigh(view, nodes_[l], a) & !weigh(view, nodes_[r], b)) a.flux = nodes_[l].flux, b.flux = nodes_[r].flux;
   const float fluxes = a.flux + b.flux, estimates = a.estimate + b.estimate;
   const float flux = a.flux / fluxes, estimate = estimates > 0 ? a.estimate / estimates : flux;
