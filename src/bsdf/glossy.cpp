@@ -64,7 +64,8 @@ const Division& divide_again(const BsdfParameters& p, float mu) {
 
 void prepare(BsdfParameters& p) {
   const Material& m = *p.material;
-  p.interface_albedo = m.interface_albedo ? *m.interface_albedo : InterfaceAlbedo(p.alpha, m.ior);
+  p.interface_albedo = m.interface_albedo ? *m.interface_albedo : InterfaceAlbedo(m.ior);
+  if (!m.interface_albedo || m.roughness_texture) p.interface_albedo.set_alpha(p.alpha);
   if (p.metallic < 1) {
     p.base = p.reflectance * (1 - p.metallic);
     p.base_norm = 1 / (pi * std::max(1e-6f, 1 - p.interface_albedo.coat_average()));

@@ -22,11 +22,11 @@ struct Material {
   const Texture* reflectance_texture = nullptr;
   const Texture* roughness_texture = nullptr;
   const Texture* metallic_texture = nullptr;
-  std::optional<InterfaceAlbedo> interface_albedo;  // of plastic and metal where it is the same everywhere
+  std::optional<InterfaceAlbedo> interface_albedo;  // of plastic and metal; without alpha where that is textured
   // Emission and alpha do not scatter; they live beside this in scene/snapshot.h.
 };
 
-// Fills interface_albedo where it can: without, it is found at every point.
+// Fills interface_albedo: without, it is found at every point.
 void prepare_interface(Material& material);
 
 // Below this GGX alpha a lobe is a delta lobe in all walks.
@@ -66,13 +66,24 @@ struct BsdfParameters {
   mutable Division division;            // the last that was found: of a vertex's own direction it is asked again
 };
 
+// What is left of a material's textures at one point.
+struct Textured {
+  Rgb reflectance;
+  float alpha = 0, metallic = 0;  // as in BsdfParameters
+  Textured() = default;
+  Textured(const Material& material, const Vec2& uv, float relative_ior);
+};
+
 // `reflectance` of a plastic is the share of the light that enters its coat and comes out again; the total at an angle
 // is coat + reflectance * (1 - coat).
 class Bsdf {
  public:
   Bsdf(const Material& material, const Vec2& uv) : Bsdf(material, uv, material.ior) {}
   // relative_ior: of what lies behind a surface of glass over what lies in front of it. Others do not read it.
-  Bsdf(const Material& material, const Vec2& uv, float relative_ior);
+  Bsdf(const Material& material, const Vec2& uv, float relative_ior)
+      : Bsdf(material, Textured(material, uv, relative_ior), relative_ior) {}
+  Bsdf(const Material& material, const Textured& textured, float relative_ior);
+  Textured textured() const;
 
   bool has_delta() const;       // some lobe can only be sampled
   bool has_continuous() const;  // eval() is not always 0: the point can be connected to and merged at

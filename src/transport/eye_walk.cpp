@@ -67,6 +67,7 @@ EyeTally EyeWalk::gather_at_meter(EyeEnd& eye) {
 
 void EyeWalk::walk() {
   const Method& method = in_.settings.method;
+  EyeEnd eye;
   for (uint32_t edges = 1; !in_.is_too_long(edges); ++edges) {
     if (is_stopped(in_.stop, edges)) return;
     trace(edges);
@@ -79,7 +80,6 @@ void EyeWalk::walk() {
       hit_emitter(emitter, surface.primitive, surface.p, cos_in, met_.distance, edges, Rgb(1.0f));
     if (method.eye_end == EyeEndOf::first_surface) return;
 
-    EyeEnd eye;
     if (!shade(edges, eye)) return;
     const bool passes = method.passes_glossy && eye.bsdf->is_glossy(in_.settings.glossy_alpha);
     eye.merge = merge_gate(*eye.bsdf) && !passes;
@@ -155,17 +155,18 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
 }
 
 // The light path's vertices as connections read them, made at the first that needs them.
-const std::vector<std::pair<LightEnd, uint32_t>>& EyeWalk::light_ends() {
+std::span<const std::pair<LightEnd, uint32_t>> EyeWalk::light_ends() {
+  if (!light_ends_.empty()) return light_ends_;
   static const PerThread<std::vector<std::pair<LightEnd, uint32_t>>> kept;
   auto& ends = kept.get();
-  if (light_is_prepared_) return ends;
-  ends.clear();
-  for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
-    const LightVertex& l = photons_.paths.vertices[i];
-    ends.emplace_back(l.end(scene_), l.emitter);
+  const uint32_t first = sensor_.first_light_vertex, count = sensor_.end_light_vertex - first;
+  if (ends.size() < count) ends.resize(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const LightVertex& l = photons_.paths.vertices[first + i];
+    l.fill(scene_, ends[i].first);
+    ends[i].second = l.emitter;
   }
-  light_is_prepared_ = true;
-  return ends;
+  return light_ends_ = {ends.data(), count};
 }
 
 // All connections of a vertex, by one of them: each is weighed without its shadow ray, one is chosen in proportion and

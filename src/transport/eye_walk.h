@@ -1,5 +1,7 @@
 // One eye path: from a sensor's point through the scene, every technique at every vertex. Used by the eye pass.
 #pragma once
+#include <span>
+
 #include "transport/eye_pass.h"
 #include "transport/techniques.h"
 
@@ -64,7 +66,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   bool perturb(const EyeEnd& eye, Arrival& out);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
   void merge(const EyeEnd& eye);
-  const std::vector<std::pair<LightEnd, uint32_t>>& light_ends();  // with their emitters
+  std::span<const std::pair<LightEnd, uint32_t>> light_ends();  // with their emitters
   const EyeSensor::Disc& disc(const EyeEnd& eye) const {
     return eye.edges == 0 || (sensor_.camera && !scattered_) ? sensor_.first : sensor_.later;
   }
@@ -79,7 +81,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   const Photons& photons_;
   const EyeSensor& sensor_;
   EyeTally tally_;
-  bool light_is_prepared_ = false;
+  std::span<const std::pair<LightEnd, uint32_t>> light_ends_;
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
 };

@@ -82,7 +82,7 @@ class Subpath {
   bool shade(uint32_t edges, Vertex& v) {
     v.surface = met_.surface;
     v.edges = edges;
-    v.bsdf = met_.bsdf(scene_);
+    v.bsdf.emplace(scene_.materials[v.surface.material], v.surface.uv, met_.relative_ior);
     v.wo = -direction_;
     v.local_wo = v.surface.shading.to_local(v.wo);
     v.carried = carried_;
