@@ -67,9 +67,12 @@ inline LightTree::Seen<Real> LightTree::see(const View& view, const Vec3T<Real>&
   return out;
 }
 
-inline float LightTree::estimate(const Node& node, const Seen<float>& seen, float lobe) {
-  const float intensity = node.intensity * lobe + node.spread * std::min(1.0f, node.radius2 * seen.falloff);
-  return intensity * seen.cosine * std::min(seen.falloff, node.largest_falloff);
+// Of: a node, or several.
+template <class Real, class Of>
+inline Real LightTree::estimate(const Of& node, const Seen<Real>& seen, const Real& lobe) {
+  const Real one = all_lanes<Real>(1), large = node.radius2 * seen.falloff, most = node.largest_falloff;
+  const Real intensity = node.intensity * lobe + node.spread * (large < one ? large : one);
+  return intensity * seen.cosine * (most < seen.falloff ? most : seen.falloff);
 }
 
 // False where the node cannot shine.
@@ -81,7 +84,7 @@ bool LightTree::weigh(const View& view, const Node& node, Shares& out) const {
 }
 
 void LightTree::fill_lanes() {
-  lanes_.assign((nodes_.size() + lane_count - 1) / lane_count, {});
+  lanes_.assign((nodes_.size() + lane_count - 1) / lane_count, Lanes{});
   for (size_t k = 0; k < nodes_.size(); ++k) {
     Lanes& lanes = lanes_[k / lane_count];
     const Frame& frame = lobes_[nodes_[k].lobe].frame;
@@ -90,6 +93,9 @@ void LightTree::fill_lanes() {
     };
     put(nodes_[k].center, lanes.center), put(nodes_[k].half, lanes.half);
     put(frame.s, lanes.s), put(frame.t, lanes.t), put(frame.n, lanes.n);
+    lanes.intensity[k % lane_count] = nodes_[k].intensity, lanes.spread[k % lane_count] = nodes_[k].spread;
+    lanes.radius2[k % lane_count] = nodes_[k].radius2;
+    lanes.largest_falloff[k % lane_count] = nodes_[k].largest_falloff;
   }
 }
 
@@ -100,14 +106,19 @@ void LightTree::weigh_list(const View& view, Cut& out) const {
     const Seen<Float4> seen = see(view, lanes.center, lanes.half);
     const Vec3T<Float4> from = -seen.to;
     const Int4 texel = Lobe::Fine::texel(Vec3T<Float4>(dot(from, lanes.s), dot(from, lanes.t), dot(from, lanes.n)));
-    for (uint32_t i = 0; i < lane_count && first + i < nodes_.size(); ++i) {
-      if (one_side && !(seen.along[i] > -seen.reach[i])) continue;
-      const Node& node = nodes_[first + i];
-      const Lobe& lobe = lobes_[node.lobe];
-      const float towards = lobe.shape == Lobe::Shape::fine
-                                ? lobe.table[texel[i]]
-                                : lobe.towards({from.x[i], from.y[i], from.z[i]}, seen.inverse[i]);
-      out.shares[out.size] = {estimate(node, {{}, 0, seen.cosine[i], seen.falloff[i], 0, 0}, towards), node.flux};
+    const uint32_t count = std::min<uint32_t>(lane_count, uint32_t(nodes_.size()) - first);
+    Float4 towards{};
+    for (uint32_t i = 0; i < count; ++i) {
+      const Lobe& lobe = lobes_[nodes_[first + i].lobe];
+      towards[i] = lobe.shape == Lobe::Shape::fine
+                       ? lobe.table[texel[i]]
+                       : lobe.towards({from.x[i], from.y[i], from.z[i]}, seen.inverse[i]);
+    }
+    const Float4 estimates = estimate(lanes, seen, towards);
+    const Int4 behind = ~(seen.along > -seen.reach);
+    for (uint32_t i = 0; i < count; ++i) {
+      if (one_side && behind[i]) continue;
+      out.shares[out.size] = {estimates[i], nodes_[first + i].flux};
       out.node[out.size++] = first + i;
     }
   }

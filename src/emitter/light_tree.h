@@ -53,9 +53,10 @@ class LightTree {
     uint32_t lobe;
     uint32_t end;  // one past the last node below this one, which all follow it: the left child first
   };
-  // What is weighed four at once of a list's nodes: their boxes, and the frames of their lobes.
+  // What is weighed four at once of a list's nodes, with the frames of their lobes.
   struct Lanes {
     Vec3T<Float4> center, half, s, t, n;
+    Float4 intensity, spread, radius2, largest_falloff;
   };
   struct View;
   template <class Real> struct Seen;
@@ -68,7 +69,8 @@ class LightTree {
   static bool is_behind(const View& view, const Node& node);
   template <class Real>
   static Seen<Real> see(const View& view, const Vec3T<Real>& center, const Vec3T<Real>& half);
-  static float estimate(const Node& node, const Seen<float>& seen, float lobe);
+  template <class Real, class Of>
+  static Real estimate(const Of& node, const Seen<Real>& seen, const Real& lobe);
   bool weigh(const View& view, const Node& node, Shares& out) const;
   void weigh_list(const View& view, Cut& out) const;
   void fill_lanes();
