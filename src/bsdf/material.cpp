@@ -22,7 +22,7 @@ bool is_interface_smooth(const Material& m, float alpha, float ior) {
 // With the denser side behind. As a function of its own inverse it brings a result back, too.
 Vec3 turned(const BsdfParameters& p, const Vec3& w) { return p.flipped ? Vec3{w.x, w.y, -w.z} : w; }
 
-Scattering evaluate_model(const BsdfParameters& p, const Vec3& wo, const Vec3& wi) {
+inline Scattering evaluate_model(const BsdfParameters& p, const Vec3& wo, const Vec3& wi) {
   if (grazing(wo) || grazing(wi)) return {};
   switch (p.material->model) {
     case MaterialModel::matte:
