@@ -91,7 +91,7 @@ Textured::Textured(const Material& m, const Vec2& uv, float relative_ior)
   if (is_interface_smooth(m, alpha, relative_ior < 1 ? 1 / relative_ior : relative_ior)) alpha = 0;
 }
 
-Bsdf::Bsdf(const Material& m, const Textured& textured, float relative_ior) {
+Bsdf::Bsdf(const Material& m, float relative_ior, const Textured& textured) {
   p_.material = &m;
   p_.reflectance = textured.reflectance;
   p_.alpha = textured.alpha;

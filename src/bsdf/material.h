@@ -81,8 +81,8 @@ class Bsdf {
   Bsdf(const Material& material, const Vec2& uv) : Bsdf(material, uv, material.ior) {}
   // relative_ior: of what lies behind a surface of glass over what lies in front of it. Others do not read it.
   Bsdf(const Material& material, const Vec2& uv, float relative_ior)
-      : Bsdf(material, Textured(material, uv, relative_ior), relative_ior) {}
-  Bsdf(const Material& material, const Textured& textured, float relative_ior);
+      : Bsdf(material, relative_ior, Textured(material, uv, relative_ior)) {}
+  Bsdf(const Material& material, float relative_ior, const Textured& textured);
   Textured textured() const;
 
   bool has_delta() const;       // some lobe can only be sampled

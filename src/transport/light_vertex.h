@@ -26,7 +26,7 @@ struct LightVertex {
     e.surface.ng = ng;
     e.surface.shading = Frame(ns);
     e.surface.error = error;
-    e.bsdf.emplace(scene.materials[material], textured, relative_ior);
+    e.bsdf.emplace(scene.materials[material], relative_ior, textured);
     e.wo = wo;
     e.local_wo = e.surface.shading.to_local(wo);
     e.state = mis;
