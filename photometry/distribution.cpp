@@ -50,12 +50,11 @@ double Band::invert(double q) const {
   double low = 0, high = 1, t = v0 + v1 > 0 ? invert_linear(v0, v1, q) : q;
   for (int i = 0; i < 100; ++i) {
     const double excess = integral(t) - target, slope = density(t);
+    if (slope > 0 && std::abs(excess) <= 1e-14 * t * slope) break;  // t as an end of the bracket would lead away again
     (excess > 0 ? high : low) = t;
     double next = slope > 0 ? t - excess / slope : low;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const bool done = std::abs(next - t) <= 1e-14 * t;
     t = next;
-    if (done) break;
   }
   return t;
 }

@@ -67,10 +67,14 @@ struct Affine {
   }
   Vec3d column(int c) const { return {m[c], m[4 + c], m[8 + c]}; }
   double determinant() const { return dot(column(0), cross(column(1), column(2))); }
-  // Cofactor matrix times n: turns a normal as the surface turns, up to length; a mirroring transform keeps the side.
-  Vec3d normal(const Vec3d& n) const {
-    return cross(column(1), column(2)) * n.x + cross(column(2), column(0)) * n.y + cross(column(0), column(1)) * n.z;
-  }
+};
+
+// Turns normals as an Affine turns surfaces, up to length, by its cofactors; a mirroring transform keeps the side.
+struct NormalMatrix {
+  Vec3d x, y, z;
+  explicit NormalMatrix(const Affine& m)
+      : x(cross(m.column(1), m.column(2))), y(cross(m.column(2), m.column(0))), z(cross(m.column(0), m.column(1))) {}
+  Vec3d operator*(const Vec3d& n) const { return x * n.x + y * n.y + z * n.z; }
 };
 
 }  // namespace ups

@@ -275,14 +275,17 @@ float average_between(const std::array<Table, ior_count>& by_ior, const Position
 
 }  // namespace
 
-InterfaceAlbedo::InterfaceAlbedo(float alpha, float ior)
-    : alpha_(alpha), ior_(ior), coat_average_(diffuse_fresnel_reflectance(ior)) {
-  if (!(alpha > 0)) return;
-  const Position r = alpha_position(alpha), n = ior_position(ior), average = average_position(alpha);
-  row_ = int16_t(r.index), row_fraction_ = r.fraction;
+InterfaceAlbedo::InterfaceAlbedo(float ior) : ior_(ior), coat_average_(diffuse_fresnel_reflectance(ior)) {
+  const Position n = ior_position(ior);
   table_ = int16_t(n.index), table_fraction_ = n.fraction;
+}
+void InterfaceAlbedo::set_alpha(float alpha) {
+  alpha_ = alpha;
+  if (!(alpha > 0)) return;
+  const Position r = alpha_position(alpha), average = average_position(alpha);
+  row_ = int16_t(r.index), row_fraction_ = r.fraction;
   const float envelopes = envelope_average(alpha);
-  coat_average_ -= average_between(tables().coat, average, n) * envelopes;
+  coat_average_ -= average_between(tables().coat, average, {table_, table_fraction_}) * envelopes;
   missing_average_ = tables().conductor.average_at(average) * envelopes;
 }
 float InterfaceAlbedo::coat(float mu) const {

@@ -21,7 +21,8 @@ namespace ups {
 class InterfaceAlbedo {
  public:
   InterfaceAlbedo() = default;
-  InterfaceAlbedo(float alpha, float ior);
+  explicit InterfaceAlbedo(float ior);
+  void set_alpha(float alpha);  // once; until then 0
   // Reflection alone, from outside: the coat of a plastic. alpha 0: the exact Fresnel reflectance. `mu` is |cos| of the
   // direction.
   float coat(float mu) const;

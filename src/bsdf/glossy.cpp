@@ -32,13 +32,9 @@ Rgb interface_fresnel(const BsdfParameters& p, float cos_h) {
 // Light repeatedly reflected before it leaves: the share of the missing light that is not absorbed.
 float repeated(float fresnel, float missing) { return fresnel * fresnel * (1 - missing) / (1 - fresnel * missing); }
 
-// How light from one direction divides among the lobes, and the probabilities to sample them.
-struct Division {
-  float base = 0, missing = 0;  // share of light that reaches the base; that single scattering by metal loses
-  float p_interface = 0, p_base = 0, p_missing = 0;
-};
 Division divide(const BsdfParameters& p, float mu) {
   Division d;
+  d.mu = mu;
   float interface_albedo = 0;
   if (p.metallic < 1) {
     const float coat = p.interface_albedo.coat(mu);
@@ -58,12 +54,18 @@ Division divide(const BsdfParameters& p, float mu) {
   if (!(interface_albedo > 0)) d.p_interface = 0;
   return d;
 }
+// The same of the direction that a vertex was reached from.
+const Division& divide_again(const BsdfParameters& p, float mu) {
+  if (p.division.mu != mu) p.division = divide(p, mu);
+  return p.division;
+}
 
 }  // namespace
 
 void prepare(BsdfParameters& p) {
   const Material& m = *p.material;
-  p.interface_albedo = m.interface_albedo ? *m.interface_albedo : InterfaceAlbedo(p.alpha, m.ior);
+  p.interface_albedo = m.interface_albedo ? *m.interface_albedo : InterfaceAlbedo(m.ior);
+  if (!m.interface_albedo || m.roughness_texture) p.interface_albedo.set_alpha(p.alpha);
   if (p.metallic < 1) {
     p.base = p.reflectance * (1 - p.metallic);
     p.base_norm = 1 / (pi * std::max(1e-6f, 1 - p.interface_albedo.coat_average()));
@@ -80,7 +82,7 @@ void prepare(BsdfParameters& p) {
 Scattering evaluate(const BsdfParameters& p, const Vec3& wo_, const Vec3& wi_) {
   if (!(wo_.z * wi_.z > 0)) return {};
   const Vec3 wo{wo_.x, wo_.y, std::abs(wo_.z)}, wi{wi_.x, wi_.y, std::abs(wi_.z)};
-  const Division from = divide(p, wo.z), to = divide(p, wi.z);
+  const Division &from = divide_again(p, wo.z), to = divide(p, wi.z);
   Scattering s;
   s.value = p.base * (from.base * to.base * p.base_norm * wi.z) +
             p.multiple * (from.missing * to.missing * p.missing_norm[0] * wi.z);
@@ -101,7 +103,7 @@ Scattering evaluate(const BsdfParameters& p, const Vec3& wo_, const Vec3& wi_) {
 
 Sampled sample(const BsdfParameters& p, const Vec3& wo_, float u_lobe, const Vec2& u, BsdfSample& out) {
   const Vec3 wo{wo_.x, wo_.y, std::abs(wo_.z)};
-  const Division from = divide(p, wo.z);
+  const Division& from = divide_again(p, wo.z);
   if (u_lobe < from.p_base) {
     out.wi = square_to_cosine_hemisphere(u);
   } else if (u_lobe < from.p_base + from.p_missing) {

@@ -22,7 +22,7 @@ bool is_interface_smooth(const Material& m, float alpha, float ior) {
 // With the denser side behind. As a function of its own inverse it brings a result back, too.
 Vec3 turned(const BsdfParameters& p, const Vec3& w) { return p.flipped ? Vec3{w.x, w.y, -w.z} : w; }
 
-Scattering evaluate_model(const BsdfParameters& p, const Vec3& wo, const Vec3& wi) {
+inline Scattering evaluate_model(const BsdfParameters& p, const Vec3& wo, const Vec3& wi) {
   if (grazing(wo) || grazing(wi)) return {};
   switch (p.material->model) {
     case MaterialModel::matte:
@@ -72,43 +72,54 @@ float radiance_scale(const BsdfParameters& p, const Vec3& wo, const Vec3& wi, Tr
 }  // namespace
 
 void prepare_interface(Material& m) {
-  if ((m.model != MaterialModel::plastic && m.model != MaterialModel::metal) || m.roughness_texture) return;
-  const float alpha = unit(m.roughness) * unit(m.roughness);
-  m.interface_albedo = InterfaceAlbedo(is_interface_smooth(m, alpha, m.ior) ? 0 : alpha, m.ior);
+  if (m.model != MaterialModel::plastic && m.model != MaterialModel::metal) return;
+  m.interface_albedo = InterfaceAlbedo(m.ior);
+  if (!m.roughness_texture) m.interface_albedo->set_alpha(Textured(m, {}, m.ior).alpha);
 }
 
-static_assert(std::is_trivially_copyable_v<Bsdf> && sizeof(Bsdf) <= 128);
+static_assert(std::is_trivially_copyable_v<Bsdf> && sizeof(Bsdf) <= 160);
 
-Bsdf::Bsdf(const Material& m, const Vec2& uv, float relative_ior) {
+Textured::Textured(const Material& m, const Vec2& uv, float relative_ior)
+    : reflectance(unit(m.reflectance_texture ? m.reflectance * m.reflectance_texture->rgb(uv) : m.reflectance)) {
+  if (m.model == MaterialModel::metal) metallic = 1;
+  if (m.model == MaterialModel::plastic)
+    metallic = unit(m.metallic_texture ? m.metallic * m.metallic_texture->first(uv) : m.metallic);
+  else if (m.model != MaterialModel::metal && m.model != MaterialModel::glass)
+    return;
+  const float roughness = unit(m.roughness_texture ? m.roughness * m.roughness_texture->first(uv) : m.roughness);
+  alpha = roughness * roughness;
+  if (is_interface_smooth(m, alpha, relative_ior < 1 ? 1 / relative_ior : relative_ior)) alpha = 0;
+}
+
+Bsdf::Bsdf(const Material& m, float relative_ior, const Textured& textured) {
   p_.material = &m;
-  p_.reflectance = unit(m.reflectance_texture ? m.reflectance * m.reflectance_texture->rgb(uv) : m.reflectance);
-  p_.metallic = m.model == MaterialModel::metal ? 1 : 0;
+  p_.reflectance = textured.reflectance;
+  p_.alpha = textured.alpha;
+  p_.metallic = textured.metallic;
   switch (m.model) {
     case MaterialModel::matte:
     case MaterialModel::mirror:
     case MaterialModel::glazing:
-      return;
+      break;
     case MaterialModel::diffuser:
       p_.transmittance = unit(m.transmittance);
-      return;
+      break;
     case MaterialModel::plastic:
-      p_.metallic = unit(m.metallic_texture ? m.metallic * m.metallic_texture->first(uv) : m.metallic);
-      break;
     case MaterialModel::metal:
+      glossy::prepare(p_);
+      break;
     case MaterialModel::glass:
+      p_.flipped = relative_ior < 1;
+      p_.ior = p_.flipped ? 1 / relative_ior : relative_ior;
+      glass::prepare(p_);
       break;
   }
-  const float roughness = unit(m.roughness_texture ? m.roughness * m.roughness_texture->first(uv) : m.roughness);
-  const float alpha = roughness * roughness;
-  if (m.model == MaterialModel::glass) {
-    p_.flipped = relative_ior < 1;
-    p_.ior = p_.flipped ? 1 / relative_ior : relative_ior;
-  }
-  p_.alpha = is_interface_smooth(m, alpha, p_.ior) ? 0 : alpha;
-  if (m.model == MaterialModel::glass)
-    glass::prepare(p_);
-  else
-    glossy::prepare(p_);
+}
+
+Textured Bsdf::textured() const {
+  Textured out;
+  out.reflectance = p_.reflectance, out.alpha = p_.alpha, out.metallic = p_.metallic;
+  return out;
 }
 
 bool Bsdf::has_delta() const {
@@ -165,7 +176,7 @@ bool Bsdf::transmits_continuously() const {
 
 Scattering Bsdf::evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   Scattering s = evaluate_model(p_, wo, wi);
-  s.value *= radiance_scale(p_, wo, wi, mode);
+  if (p_.material->model == MaterialModel::glass) s.value *= radiance_scale(p_, wo, wi, mode);
   return s;
 }
 

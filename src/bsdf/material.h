@@ -22,11 +22,11 @@ struct Material {
   const Texture* reflectance_texture = nullptr;
   const Texture* roughness_texture = nullptr;
   const Texture* metallic_texture = nullptr;
-  std::optional<InterfaceAlbedo> interface_albedo;  // of plastic and metal where it is the same everywhere
+  std::optional<InterfaceAlbedo> interface_albedo;  // of plastic and metal; without alpha where that is textured
   // Emission and alpha do not scatter; they live beside this in scene/snapshot.h.
 };
 
-// Fills interface_albedo where it can: without, it is found at every point.
+// Fills interface_albedo: without, it is found at every point.
 void prepare_interface(Material& material);
 
 // Below this GGX alpha a lobe is a delta lobe in all walks.
@@ -40,6 +40,13 @@ inline bool is_interface_alone(MaterialModel model, float metallic) {
   return model == MaterialModel::metal || model == MaterialModel::glass ||
          (model == MaterialModel::plastic && metallic >= 1);
 }
+
+// How light from one direction divides among the lobes of plastic and metal, and the probabilities to sample them.
+struct Division {
+  float mu = -1;                // |cos| of the direction; negative: none
+  float base = 0, missing = 0;  // share of light that reaches the base; that single scattering by metal loses
+  float p_interface = 0, p_base = 0, p_missing = 0;
+};
 
 // What the models (bsdf/models.h) read: the material at one surface point, with what is the same for all directions.
 struct BsdfParameters {
@@ -56,6 +63,15 @@ struct BsdfParameters {
   float base_norm = 0;                  // 1 / (pi (1 - mean albedo of the coat))
   float missing_norm[2] = {0, 0};       // 1 / (pi mean missing albedo), outside and inside
   float missing_reflected[2] = {1, 1};  // share of the missing light that stays on its side
+  mutable Division division;            // the last that was found: of a vertex's own direction it is asked again
+};
+
+// What is left of a material's textures at one point.
+struct Textured {
+  Rgb reflectance;
+  float alpha = 0, metallic = 0;  // as in BsdfParameters
+  Textured() = default;
+  Textured(const Material& material, const Vec2& uv, float relative_ior);
 };
 
 // `reflectance` of a plastic is the share of the light that enters its coat and comes out again; the total at an angle
@@ -64,10 +80,16 @@ class Bsdf {
  public:
   Bsdf(const Material& material, const Vec2& uv) : Bsdf(material, uv, material.ior) {}
   // relative_ior: of what lies behind a surface of glass over what lies in front of it. Others do not read it.
-  Bsdf(const Material& material, const Vec2& uv, float relative_ior);
+  Bsdf(const Material& material, const Vec2& uv, float relative_ior)
+      : Bsdf(material, relative_ior, Textured(material, uv, relative_ior)) {}
+  Bsdf(const Material& material, float relative_ior, const Textured& textured);
+  Textured textured() const;
 
   bool has_delta() const;       // some lobe can only be sampled
   bool has_continuous() const;  // eval() is not always 0: the point can be connected to and merged at
+  bool chooses_lobe() const {   // sample() reads u_lobe
+    return p_.material->model != MaterialModel::matte && p_.material->model != MaterialModel::mirror;
+  }
   bool transmits() const;       // eval() or sample() can cross the surface
   bool transmits_continuously() const;  // eval() can
   bool is_solid_dielectric() const { return p_.material->model == MaterialModel::glass; }

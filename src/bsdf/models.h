@@ -6,6 +6,7 @@
 // sample()    one of: Sampled::none; ::delta with the whole BsdfSample filled in; ::direction with only wi chosen, the
 //             rest of which follows from evaluate().
 #pragma once
+#include "base/warp.h"
 #include "bsdf/material.h"
 
 namespace ups {
@@ -13,7 +14,19 @@ namespace ups {
 enum class Sampled { none, delta, direction };
 
 namespace diffuse {  // matte, diffuser
-Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi);
+inline float reflection_probability(const BsdfParameters& p) {
+  if (is_black(p.transmittance)) return is_black(p.reflectance) ? 0.0f : 1.0f;
+  const float r = luminance(p.reflectance), t = luminance(p.transmittance);
+  return r + t > 0 ? r / (r + t) : 0.0f;
+}
+inline Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi) {  // inline: most are of these
+  const bool reflected = wo.z * wi.z > 0;
+  const Rgb& albedo = reflected ? p.reflectance : p.transmittance;
+  if (is_black(albedo)) return {};
+  const float r = reflection_probability(p), probability = reflected ? r : 1 - r;
+  const float lambert = cosine_hemisphere_pdf(std::abs(wi.z));
+  return {albedo * lambert, probability * lambert, probability * cosine_hemisphere_pdf(std::abs(wo.z))};
+}
 Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, const Vec2& u, BsdfSample& out);
 }  // namespace diffuse
 

@@ -25,7 +25,7 @@ struct LightTree::View {
 
 // What of all light falls to a node: by estimate, and by flux.
 struct LightTree::Shares {
-  float estimate = 0, flux = 0;
+  float estimate, flux;
   float sum() const { return estimate + flux; }
 };
 
@@ -41,44 +41,95 @@ bool LightTree::is_behind(const View& view, const Node& node) {
   return !(dot(view.n, node.center - view.p) > -dot(view.size_n, node.half));
 }
 
+// How a box looks from the receiver, its centre in the direction `to`. Real: float, or several at once.
+template <class Real>
+struct LightTree::Seen {
+  Vec3T<Real> to;
+  Real inverse, cosine, falloff, along, reach;  // 1 / distance; of the centre and the box along the normal
+};
+
+template <class Real>
+inline LightTree::Seen<Real> LightTree::see(const View& view, const Vec3T<Real>& center, const Vec3T<Real>& half) {
+  using std::abs, std::sqrt, ups::abs, ups::sqrt;
+  const Real least = all_lanes<Real>(1e-30f), one = all_lanes<Real>(1);
+  Seen<Real> out;
+  out.to = center - all_lanes<Real>(view.p);
+  const Real d2 = length2(out.to);
+  out.inverse = 1 / sqrt(d2 < least ? least : d2);
+  out.falloff = out.inverse * out.inverse;
+  out.reach = dot(all_lanes<Real>(view.size_n), half);
+  out.along = dot(all_lanes<Real>(view.n), out.to);
+  // On the average of a box that reaches this far to both sides of its centre, where part of it is behind the plane.
+  const Real reach = out.reach, height = view.both_sides ? abs(out.along) : out.along, above = height + reach;
+  const Real part = view.both_sides ? (height * height + reach * reach) / (2 * reach) : above * above / (4 * reach);
+  const Real cosine = (height < reach ? part : height) * out.inverse;
+  out.cosine = view.all_around ? one : cosine < one ? cosine : one;
+  return out;
+}
+
+// Of: a node, or several.
+template <class Real, class Of>
+inline Real LightTree::estimate(const Of& node, const Seen<Real>& seen, const Real& lobe) {
+  const Real one = all_lanes<Real>(1), large = node.radius2 * seen.falloff, most = node.largest_falloff;
+  const Real intensity = node.intensity * lobe + node.spread * (large < one ? large : one);
+  return intensity * seen.cosine * (most < seen.falloff ? most : seen.falloff);
+}
+
 // False where the node cannot shine.
 bool LightTree::weigh(const View& view, const Node& node, Shares& out) const {
   if (is_behind(view, node)) return false;
-  const Vec3 to = node.center - view.p;
-  const float d2 = std::max(length2(to), 1e-30f);
-  const float inverse = 1 / std::sqrt(d2);
-  float cosine = 1;
-  if (!view.all_around) {
-    // On the average of a box that reaches this far to both sides of its centre, where part of it is behind the plane.
-    const float reach = dot(view.size_n, node.half), along = dot(view.n, to);
-    float height = view.both_sides ? std::abs(along) : along;
-    if (height < reach) {
-      const float above = height + reach;
-      height = view.both_sides ? (height * height + reach * reach) / (2 * reach) : above * above / (4 * reach);
-    }
-    cosine = std::min(1.0f, height * inverse);
-  }
-  const float falloff = inverse * inverse;
-  const float intensity =
-      node.intensity * lobes_[node.lobe].towards(-to, inverse) + node.spread * std::min(1.0f, node.radius2 * falloff);
-  out.estimate = intensity * cosine * std::min(falloff, node.largest_falloff);
-  out.flux = node.flux;
+  const Seen<float> seen = see(view, node.center, node.half);
+  out = {estimate(node, seen, lobes_[node.lobe].towards(-seen.to, seen.inverse)), node.flux};
   return true;
 }
 
+void LightTree::fill_lanes() {
+  lanes_.assign((nodes_.size() + lane_count - 1) / lane_count, Lanes{});
+  for (size_t k = 0; k < nodes_.size(); ++k) {
+    Lanes& lanes = lanes_[k / lane_count];
+    const Frame& frame = lobes_[nodes_[k].lobe].frame;
+    const auto put = [lane = k % lane_count](const Vec3& v, Vec3T<Float4>& to) {
+      to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z;
+    };
+    put(nodes_[k].center, lanes.center), put(nodes_[k].half, lanes.half);
+    put(frame.s, lanes.s), put(frame.t, lanes.t), put(frame.n, lanes.n);
+    lanes.intensity[k % lane_count] = nodes_[k].intensity, lanes.spread[k % lane_count] = nodes_[k].spread;
+    lanes.radius2[k % lane_count] = nodes_[k].radius2;
+    lanes.largest_falloff[k % lane_count] = nodes_[k].largest_falloff;
+  }
+}
+
+void LightTree::weigh_list(const View& view, Cut& out) const {
+  const bool one_side = !(view.all_around || view.both_sides);
+  for (uint32_t first = 0; first < nodes_.size(); first += lane_count) {
+    const Lanes& lanes = lanes_[first / lane_count];
+    const Seen<Float4> seen = see(view, lanes.center, lanes.half);
+    const Vec3T<Float4> from = -seen.to;
+    const Int4 texel = Lobe::Fine::texel(Vec3T<Float4>(dot(from, lanes.s), dot(from, lanes.t), dot(from, lanes.n)));
+    const uint32_t count = std::min<uint32_t>(lane_count, uint32_t(nodes_.size()) - first);
+    Float4 towards{};
+    for (uint32_t i = 0; i < count; ++i) {
+      const Lobe& lobe = lobes_[nodes_[first + i].lobe];
+      towards[i] = lobe.shape == Lobe::Shape::fine
+                       ? lobe.table[texel[i]]
+                       : lobe.towards({from.x[i], from.y[i], from.z[i]}, seen.inverse[i]);
+    }
+    const Float4 estimates = estimate(lanes, seen, towards);
+    const Int4 behind = ~(seen.along > -seen.reach);
+    for (uint32_t i = 0; i < count; ++i) {
+      if (one_side && behind[i]) continue;
+      out.shares[out.size] = {estimates[i], nodes_[first + i].flux};
+      out.node[out.size++] = first + i;
+    }
+  }
+}
+
 void LightTree::cut(const View& view, Cut& out) const {
-  float estimates = 0, fluxes = 0;
-  const auto add = [&](uint32_t k) {
-    if (!weigh(view, nodes_[k], out.shares[out.size])) return;
-    out.node[out.size] = k;
-    estimates += out.shares[out.size].estimate;
-    fluxes += out.shares[out.size].flux;
-    ++out.size;
-  };
   if (listed_) {
-    for (uint32_t k = 0; k < nodes_.size(); ++k) add(k);
+    weigh_list(view, out);
   } else {
-    uint32_t queue[2 * max_cut] = {0}, first = 0, last = 1;
+    uint32_t queue[2 * max_cut], first = 0, last = 1;
+    queue[0] = 0;
     while (first < last) {
       const uint32_t k = queue[first++];
       const Node& node = nodes_[k];
@@ -86,10 +137,12 @@ void LightTree::cut(const View& view, Cut& out) const {
       const bool room = out.size + (last - first) + 2 <= max_cut && last + 2 <= 2 * max_cut;
       if (room && !is_leaf(k) && node.radius2 > large2 * length2(node.center - view.p))
         queue[last++] = k + 1, queue[last++] = right_of(k);
-      else
-        add(k);
+      else if (weigh(view, node, out.shares[out.size]))
+        out.node[out.size++] = k;
     }
   }
+  float estimates = 0, fluxes = 0;
+  for (uint32_t i = 0; i < out.size; ++i) estimates += out.shares[i].estimate, fluxes += out.shares[i].flux;
   const bool any = estimates > 1e-30f;
   const float of_estimates = any ? (1 - by_flux) / estimates : 0;
   const float of_fluxes = fluxes > 0 ? (any ? by_flux : 1) / fluxes : 0;
@@ -102,7 +155,7 @@ void LightTree::cut(const View& view, Cut& out) const {
 // A node's shares among its children. Where neither is weighed to have any, they go by flux.
 void LightTree::halve(const View& view, uint32_t node, const Shares& shares, Shares& left, Shares& right) const {
   const uint32_t l = node + 1, r = right_of(node);
-  Shares a, b;
+  Shares a{}, b{};
   if (!weigh(view, nodes_[l], a) & !weigh(view, nodes_[r], b)) a.flux = nodes_[l].flux, b.flux = nodes_[r].flux;
   const float fluxes = a.flux + b.flux, estimates = a.estimate + b.estimate;
   const float flux = a.flux / fluxes, estimate = estimates > 0 ? a.estimate / estimates : flux;

@@ -10,6 +10,7 @@
 #include <deque>
 #include <vector>
 
+#include "base/lanes.h"
 #include "emitter/lobe.h"
 #include "emitter/outline.h"
 #include "emitter/receiver.h"
@@ -52,7 +53,13 @@ class LightTree {
     uint32_t lobe;
     uint32_t end;  // one past the last node below this one, which all follow it: the left child first
   };
+  // What is weighed four at once of a list's nodes, with the frames of their lobes.
+  struct Lanes {
+    Vec3T<Float4> center, half, s, t, n;
+    Float4 intensity, spread, radius2, largest_falloff;
+  };
   struct View;
+  template <class Real> struct Seen;
   struct Shares;
   struct Cut;
   static constexpr uint32_t none = 0xffffffffu;
@@ -60,7 +67,13 @@ class LightTree {
   bool is_leaf(uint32_t k) const { return nodes_[k].end == k + 1; }
   uint32_t right_of(uint32_t k) const { return nodes_[k + 1].end; }
   static bool is_behind(const View& view, const Node& node);
+  template <class Real>
+  static Seen<Real> see(const View& view, const Vec3T<Real>& center, const Vec3T<Real>& half);
+  template <class Real, class Of>
+  static Real estimate(const Of& node, const Seen<Real>& seen, const Real& lobe);
   bool weigh(const View& view, const Node& node, Shares& out) const;
+  void weigh_list(const View& view, Cut& out) const;
+  void fill_lanes();
   void cut(const View& view, Cut& out) const;
   void halve(const View& view, uint32_t node, const Shares& shares, Shares& left, Shares& right) const;
 
@@ -77,6 +90,7 @@ class LightTree {
   std::deque<FineTable> fine_;  // that lobes point to
   std::deque<CoarseTable> coarse_;
   bool listed_ = true;
+  std::vector<Lanes> lanes_;  // of a list
 };
 
 }  // namespace ups

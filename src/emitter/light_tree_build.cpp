@@ -109,6 +109,7 @@ LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count) : 
   for (uint32_t& leaf : emitter_of_node_) leaf = leaf == none ? none : emitters[leaf];
   for (uint32_t k = 0; k < nodes_.size(); ++k)
     if (is_leaf(k)) leaf_of_emitter_[emitter_of_node_[k]] = k;
+  if (listed_) fill_lanes();
 }
 
 LightTree::Node LightTree::leaf_of(const Entry& e, uint32_t lobe, double total_flux, float least) const {

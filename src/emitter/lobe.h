@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/frame.h"
+#include "base/lanes.h"
 
 namespace photometry {
 class Distribution;
@@ -16,17 +17,15 @@ namespace ups {
 template <int N>
 struct DirectionMap {
   static constexpr int size = N * N;
-  // w of any length.
-  static int texel(const Vec3& w) {
+  // w of any length. Real: float, or several at once.
+  template <class Real>
+  static auto texel(const Vec3T<Real>& w) {
+    using std::abs, std::copysign, ups::abs, ups::copysign;
     constexpr float half = 0.5f * N;
-    const float scale = half / std::max(std::abs(w.x) + std::abs(w.y) + std::abs(w.z), 1e-30f);
-    float u = w.x * scale, v = w.y * scale;
-    if (w.z < 0) {
-      const float folded = std::copysign(half - std::abs(v), u);
-      v = std::copysign(half - std::abs(u), v);
-      u = folded;
-    }
-    return std::clamp(int(v + half), 0, N - 1) * N + std::clamp(int(u + half), 0, N - 1);
+    const Real size = abs(w.x) + abs(w.y) + abs(w.z), least = all_lanes<Real>(1e-30f), zero{};
+    const Real scale = half / (size < least ? least : size), x = w.x * scale, y = w.y * scale;
+    const Real u = w.z < zero ? copysign(half - abs(y), x) : x, v = w.z < zero ? copysign(half - abs(x), y) : y;
+    return within(truncated(v + half)) * N + within(truncated(u + half));
   }
   // Unit; x, y in [0, 1] across the texel.
   static Vec3 direction(int texel, float x, float y) {
@@ -38,6 +37,13 @@ struct DirectionMap {
       u = unfolded;
     }
     return normalize(Vec3(u, v, z));
+  }
+
+ private:
+  template <class Integer>
+  static Integer within(const Integer& i) {
+    const Integer first{}, last = first + (N - 1), low = i < first ? first : i;
+    return last < low ? last : low;
   }
 };
 

@@ -83,6 +83,7 @@ struct Raytracer::Impl {
     bool baked;
     Affine to_scene;
     double side;                      // -1: the transform mirrors, so that winding and front part
+    NormalMatrix normals;             // of to_scene
     float error_offset, error_scale;  // error = gamma * (error_scale * (|p| + edge) + error_offset)
   };
   const std::vector<SurfaceTexturing>* texturing;
@@ -108,14 +109,12 @@ struct Raytracer::Impl {
   void place_baked(const Mesh& mesh, uint32_t id, Placed instance) {
     instance.traced = uint32_t(traced.size());
     instance.baked = true;
-    instance.error_offset = 0, instance.error_scale = 1;
     traced.push_back(make_traced_mesh(mesh, *texturing, &instance.to_scene));
     attach(device, *top, *traced.back(), id);
     placed.push_back(instance);
   }
   void place_instanced(RTCScene scene, uint32_t mesh, uint32_t id, Placed instance) {
     instance.traced = mesh;
-    instance.baked = false;
     // Embree takes rays to the object's frame in float: it loses digits of the translation, and more where stretched.
     const Affine& m = instance.to_scene;
     instance.error_scale = float(2 * std::max(1.0, stretch(m)));
@@ -161,9 +160,8 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
   for (size_t i = 0; i < instances.size(); ++i) {
     const Instance& instance = instances[i];
     const Mesh& mesh = *meshes[instance.mesh];
-    Impl::Placed placed{};
-    placed.to_scene = instance.to_scene;
-    placed.side = instance.to_scene.determinant() < 0 ? -1 : 1;
+    const double side = instance.to_scene.determinant() < 0 ? -1 : 1;
+    const Impl::Placed placed{0, false, instance.to_scene, side, NormalMatrix(instance.to_scene), 0, 1};
     if (baked[i]) {
       impl.place_baked(mesh, uint32_t(i), placed);
     } else {
@@ -324,7 +322,7 @@ bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& poin
   Vec3d n(point.ng);
   if (!mesh.normals.empty()) {
     const Vec3 at = interpolate(mesh.normals[i[0]], mesh.normals[i[1]], mesh.normals[i[2]], point.u, point.v);
-    n = instance.to_scene.normal(Vec3d(at)) * instance.side;
+    n = instance.normals * Vec3d(at) * instance.side;
     const double size = length(n);
     if (!(size > 0)) return false;
     n = n / size;
@@ -347,11 +345,13 @@ bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& poin
 namespace {
 
 // The point of a triangle, kept off its edges by `inset`: right at an edge rounding would put it behind the next wall.
-Vec3d point_on(const Triangle& triangle, double area, double u, double v, double inset) {
+Vec3d point_on(const Triangle& triangle, double area, double longest_edge, double u, double v, double inset) {
   double weights[3] = {1 - u - v, u, v}, sum = 0;
   for (int i = 0; i < 3; ++i) {
-    const double needed = inset * length(triangle.p[(i + 2) % 3] - triangle.p[(i + 1) % 3]);
-    if (weights[i] * area < needed && needed < 0.125 * area) weights[i] = needed / area;
+    if (weights[i] * area < inset * longest_edge) {
+      const double needed = inset * length(triangle.p[(i + 2) % 3] - triangle.p[(i + 1) % 3]);
+      if (weights[i] * area < needed && needed < 0.125 * area) weights[i] = needed / area;
+    }
     sum += weights[i];
   }
   return (triangle.p[0] * weights[0] + triangle.p[1] * weights[1] + triangle.p[2] * weights[2]) / sum;
@@ -368,11 +368,12 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   point.u = u, point.v = v;
   point.material = mesh.material;
   point.uv = uv_at(mesh, primitive, u, v);
-  const float extent = max_abs(Vec3(triangle.at(u, v))) + float(std::sqrt(triangle.longest_edge2()));
+  const double longest_edge = std::sqrt(triangle.longest_edge2());
+  const float extent = max_abs(Vec3(triangle.at(u, v))) + float(longest_edge);
   point.error = gamma_error * (placed.error_scale * extent + placed.error_offset);
   if (mesh.revolution) {
     const RevolutionPoint at = point_at(*mesh.revolution, primitive, double(u), double(v), double(point.error));
-    const Vec3d n = placed.to_scene.normal(at.n) * placed.side;
+    const Vec3d n = placed.normals * at.n * placed.side;
     const double size = length(n);
     point.p = Vec3(placed.to_scene.point(at.p));
     point.ng = size > 0 ? Vec3(n / size) : Vec3(0, 0, 1);
@@ -382,7 +383,7 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   const Vec3d area_normal = triangle.area_normal() * placed.side;
   const double area = length(area_normal);
   point.ng = area > 0 ? Vec3(area_normal / area) : Vec3(0, 0, 1);
-  point.p = Vec3(point_on(triangle, area, u, v, double(point.error)));
+  point.p = Vec3(point_on(triangle, area, longest_edge, u, v, double(point.error)));
   Vec3 n = point.ng;
   impl_->normal_at(placed, point, triangle, n);
   point.shading = Frame(n);

@@ -71,6 +71,7 @@ EyeTally EyeWalk::gather_at_meter(EyeEnd& eye) {
 
 void EyeWalk::walk() {
   const Method& method = in_.settings.method;
+  EyeEnd eye;
   for (uint32_t edges = 1; !in_.is_too_long(edges); ++edges) {
     if (is_stopped(in_.stop, edges)) return;
     trace(edges);
@@ -83,7 +84,6 @@ void EyeWalk::walk() {
       hit_emitter(emitter, surface.primitive, surface.p, cos_in, met_.distance, edges, Rgb(1.0f));
     if (method.eye_end == EyeEndOf::first_surface) return;
 
-    EyeEnd eye;
     if (!shade(edges, eye)) return;
     const bool passes = method.passes_glossy && eye.bsdf->is_glossy(in_.settings.glossy_alpha);
     eye.merge = merge_gate(*eye.bsdf) && !passes;
@@ -115,11 +115,11 @@ void EyeWalk::add(const Contribution& c, Drop drop, double share) {
   Passage way;
   if (c.media && is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
   if (in_.recorder) in_.recorder->found(c, way.pass, none);
-  add(c, c.value * way.transmittance, way.pass, share, drop);
+  add(c, c.value * way.transmittance, way.pass, float(c.weight(in_, way.pass)), drop, share);
 }
 
-void EyeWalk::add(const Contribution& c, const Rgb& found, double pass, double share, Drop where) {
-  const Rgb unweighted = found * float(share), value = unweighted * float(c.weight(in_, pass));
+void EyeWalk::add(const Contribution& c, const Rgb& found, double pass, float weight, Drop where, double share) {
+  const Rgb unweighted = found * float(share), value = unweighted * weight;
   if (!is_finite(value)) return work_.drop(where);
   const bool is_direct = c.technique.edges == 1;
   const float lx = luminance(value);
@@ -185,17 +185,18 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
 }
 
 // The light path's vertices as connections read them, made at the first that needs them.
-const std::vector<std::pair<LightEnd, uint32_t>>& EyeWalk::light_ends() {
+std::span<const std::pair<LightEnd, uint32_t>> EyeWalk::light_ends() {
+  if (!light_ends_.empty()) return light_ends_;
   static const PerThread<std::vector<std::pair<LightEnd, uint32_t>>> kept;
   auto& ends = kept.get();
-  if (light_is_prepared_) return ends;
-  ends.clear();
-  for (uint32_t i = sensor_.first_light_vertex; i < sensor_.end_light_vertex; ++i) {
-    const LightVertex& l = photons_.paths.vertices[i];
-    ends.emplace_back(l.end(scene_), l.emitter);
+  const uint32_t first = sensor_.first_light_vertex, count = sensor_.end_light_vertex - first;
+  if (ends.size() < count) ends.resize(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const LightVertex& l = photons_.paths.vertices[first + i];
+    l.fill(scene_, ends[i].first);
+    ends[i].second = l.emitter;
   }
-  light_is_prepared_ = true;
-  return ends;
+  return light_ends_ = {ends.data(), count};
 }
 
 // All connections of a vertex, by one of them: each is weighed without its shadow ray, one is chosen in proportion and
@@ -232,8 +233,9 @@ void EyeWalk::merge(const EyeEnd& eye) {
     if (!c) return;
     ++work_.merges;
     if (in_.recorder) in_.recorder->found(*c, 1, index);
-    add(*c, c->value, 1, 1, Drop::merge);
-    const float bias = 2 * luminance(c->value) * float(c->weight(in_, 1)) * (2 * d2 < r2 ? -1.0f : 1.0f);
+    const float weight = float(c->weight(in_, 1));
+    add(*c, c->value, 1, weight, Drop::merge);
+    const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);
     if (!std::isfinite(bias)) return;
     tally_.bias += bias;
     keep_separated(c->emitter, 0.0, 0.0, bias);

@@ -1,5 +1,7 @@
 // One eye path: from a sensor's point through the scene, every technique at every vertex. Used by the eye pass.
 #pragma once
+#include <span>
+
 #include "transport/eye_pass.h"
 #include "transport/techniques.h"
 
@@ -64,21 +66,21 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   bool perturb(const EyeEnd& eye, Arrival& out);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
   void merge(const EyeEnd& eye);
-  const std::vector<std::pair<LightEnd, uint32_t>>& light_ends();  // with their emitters
+  std::span<const std::pair<LightEnd, uint32_t>> light_ends();  // with their emitters
   const EyeSensor::Disc& disc(const EyeEnd& eye) const {
     return eye.edges == 0 || (sensor_.camera && !scattered_) ? sensor_.first : sensor_.later;
   }
 
   // Tests the edge that it makes, if any, and adds it up; `share` of it was chosen to stand for the whole.
   void add(const Contribution& c, Drop drop, double share = 1);
-  void add(const Contribution& c, const Rgb& unweighted, double pass, double share, Drop drop);
+  void add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop drop, double share = 1);
   void keep_separated(uint32_t emitter, double lx, double direct, double bias);
   void add_separated();  // what was kept, once for the whole path
 
   const Photons& photons_;
   const EyeSensor& sensor_;
   EyeTally tally_;
-  bool light_is_prepared_ = false;
+  std::span<const std::pair<LightEnd, uint32_t>> light_ends_;
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
 };

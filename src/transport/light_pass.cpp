@@ -62,6 +62,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
  private:
   friend Subpath;
   void walk() {
+    LightEnd light;
     for (uint32_t a = 1; !in_.is_too_long(a); ++a) {
       if (is_stopped(in_.stop, a)) return;
       trace(a);
@@ -75,7 +76,6 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       }
       if (!carry(met_.transmittance(scene_, met_.distance))) return;
       if (std::abs(dot(direction_, met_.surface.ng)) < min_cosine) return;
-      LightEnd light;
       if (!shade(a, light)) {
         absorb();
         return;
@@ -173,7 +173,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     v.ng = light.surface.ng;
     v.ns = light.surface.shading.n;
     v.wo = light.wo;
-    v.uv = light.surface.uv;
+    v.textured = light.bsdf->textured();
     v.flux = carried_;
     v.error = light.surface.error;
     v.material = light.surface.material;

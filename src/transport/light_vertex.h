@@ -10,7 +10,7 @@ namespace ups {
 struct LightVertex {
   Vec3 p, ng, ns;
   Vec3 wo;   // towards the vertex before
-  Vec2 uv;
+  Textured textured;
   Rgb flux;  // lm that this light path carries here; divide by N for a photon
   float error = 0;
   uint32_t material = 0;
@@ -20,15 +20,13 @@ struct LightVertex {
   bool merge = false;   // photons are merged here: the material's gate and g_1
   mis::LightState mis;
 
-  LightEnd end(const Snapshot& scene) const {
-    LightEnd e;
+  // Into one that is used again: its other members stay as they were made.
+  void fill(const Snapshot& scene, LightEnd& e) const {
     e.surface.p = p;
     e.surface.ng = ng;
     e.surface.shading = Frame(ns);
-    e.surface.uv = uv;
     e.surface.error = error;
-    e.surface.material = material;
-    e.bsdf = Bsdf(scene.materials[material], uv, relative_ior);
+    e.bsdf.emplace(scene.materials[material], relative_ior, textured);
     e.wo = wo;
     e.local_wo = e.surface.shading.to_local(wo);
     e.state = mis;
@@ -36,7 +34,6 @@ struct LightVertex {
     e.caster = e.bsdf->is_glossy(default_glossy_alpha);
     e.edges = depth;
     e.carried = flux;
-    return e;
   }
 };
 

@@ -46,11 +46,11 @@ class PhotonIndex {
     for (int64_t z = lo.z; z <= hi.z; ++z)
       for (int64_t y = lo.y; y <= hi.y; ++y)
         for (int64_t x = lo.x; x <= hi.x; ++x) {
-          const uint32_t b = bucket_of({x, y, z});
+          const uint32_t b = bucket_of({x, y, z}), begin = begin_[b], end = begin_[b + 1];
           // Two of the cells may share a bucket: its photons must not count twice.
-          if (std::find(seen, seen + count, b) != seen + count) continue;
+          if (begin == end || std::find(seen, seen + count, b) != seen + count) continue;
           if (count < 8) seen[count++] = b;
-          for (uint32_t i = begin_[b]; i < begin_[b + 1]; ++i) {
+          for (uint32_t i = begin; i < end; ++i) {
             const float d2 = length2(photons_[i].p - p);
             if (d2 < r2) visit(photons_[i].vertex, d2);
           }
@@ -95,7 +95,11 @@ class PhotonIndex {
 
   // A query's box spans at most two cells an axis because a cell is two radii wide.
   Cell cell_of(const Vec3& p) const {
-    return {int64_t(std::floor(p.x / cell_)), int64_t(std::floor(p.y / cell_)), int64_t(std::floor(p.z / cell_))};
+    const auto floored = [](float x) {
+      const auto towards_zero = int64_t(x);
+      return towards_zero - (x < float(towards_zero));
+    };
+    return {floored(p.x / cell_), floored(p.y / cell_), floored(p.z / cell_)};
   }
   uint32_t bucket_of(const Cell& c) const {
     uint64_t h = uint64_t(c.x) * 0x9e3779b97f4a7c15ull ^ uint64_t(c.y) * 0xc2b2ae3d27d4eb4full ^

@@ -37,9 +37,17 @@ inline constexpr std::array<Primitive, sobol_dimensions - 1> primitives = {{
     {7, 1, {1, 3, 7, 11, 23, 15, 103}},
 }};
 
-using Table = std::array<std::array<uint32_t, 32>, sobol_dimensions>;
+constexpr uint32_t reverse_bits(uint32_t x) {
+  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  return __builtin_bswap32(x);
+}
+
+// Bits reversed, as the scrambling wants them, of all 16 values of each four bits of an index.
+using Table = std::array<std::array<std::array<uint32_t, 16>, 8>, sobol_dimensions>;
 constexpr Table make_table() {
-  Table v{};
+  std::array<std::array<uint32_t, 32>, sobol_dimensions> v{};
   for (int i = 0; i < 32; ++i) v[0][i] = 1u << (31 - i);
   for (int d = 1; d < sobol_dimensions; ++d) {
     const Primitive& p = primitives[d - 1];
@@ -53,16 +61,14 @@ constexpr Table make_table() {
         if ((p.a >> (p.degree - 1 - k)) & 1) v[d][i] ^= v[d][i - k];
     }
   }
-  return v;
+  Table out{};
+  for (int d = 0; d < sobol_dimensions; ++d)
+    for (int bit = 0; bit < 32; ++bit)
+      for (int k = 0; k < 16; ++k)
+        if (k >> bit % 4 & 1) out[d][bit / 4][k] ^= reverse_bits(v[d][bit]);
+  return out;
 }
 inline constexpr Table table = make_table();
-
-constexpr uint32_t reverse_bits(uint32_t x) {
-  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-  return __builtin_bswap32(x);
-}
 
 // Nested uniform scramble of the reversed number; constants of Vegdahl 2021,
 // which fix the weak low bits of the original.
@@ -80,9 +86,8 @@ constexpr uint32_t laine_karras(uint32_t x, uint32_t seed) {
 // Point `index` of a dimension, scrambled by seed: 32 random-looking bits, stratified over indices.
 constexpr uint32_t sobol_owen(uint32_t index, int dimension, uint32_t seed) {
   uint32_t x = 0;
-  for (int bit = 0; index; index >>= 1, ++bit)
-    if (index & 1) x ^= sobol_detail::table[dimension][bit];
-  return sobol_detail::reverse_bits(sobol_detail::laine_karras(sobol_detail::reverse_bits(x), seed));
+  for (int k = 0; index; index >>= 4, ++k) x ^= sobol_detail::table[dimension][k][index & 15];
+  return sobol_detail::reverse_bits(sobol_detail::laine_karras(x, seed));
 }
 
 }  // namespace ups

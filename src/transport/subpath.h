@@ -82,7 +82,7 @@ class Subpath {
   bool shade(uint32_t edges, Vertex& v) {
     v.surface = met_.surface;
     v.edges = edges;
-    v.bsdf = met_.bsdf(scene_);
+    v.bsdf.emplace(scene_.materials[v.surface.material], v.surface.uv, met_.relative_ior);
     v.wo = -direction_;
     v.local_wo = v.surface.shading.to_local(v.wo);
     v.carried = carried_;
@@ -97,7 +97,8 @@ class Subpath {
   bool scatter(const Vertex& v, const Keep& keep) {
     BsdfSample s;
     // A pane that was met reflects: those that are gone through are crossed.
-    const float u_lobe = scene_.panes.is_pane(v.surface.instance) ? 0 : rng_.get(v.edges, Slot::lobe);
+    const bool chooses = v.bsdf->chooses_lobe() && !scene_.panes.is_pane(v.surface.instance);
+    const float u_lobe = chooses ? rng_.get(v.edges, Slot::lobe) : 0;
     if (!v.bsdf->sample(v.local_wo, u_lobe, rng_.direction(v.edges), mode, s)) return absorb();
     if (!keep(s)) return false;
     const Vec3 wi = v.surface.shading.to_world(s.wi);
@@ -110,7 +111,7 @@ class Subpath {
     if (!carry(s.weight * correction)) return false;
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
     const float q = survival(carried_, start_carried_, v.edges, lossless);
-    if (is_black(carried_) || rng_.get(v.edges, Slot::roulette) >= q) return false;
+    if (is_black(carried_) || (q < 1 && rng_.get(v.edges, Slot::roulette) >= q)) return false;
     carried_ *= 1 / q;
     if (in_.recorder) in_.recorder->scatter(s.delta);
     edge_.kind = s.delta ? Edge::delta : Edge::continuous;

@@ -33,7 +33,7 @@ struct Contribution {
     return all;
   }
   double weight(const Iteration& in, double pass) const {
-    return in.weighted() ? mis::weight(pass * others) : 1.0;
+    return in.weighted() ? mis::weight(pass == 1 ? others : pass * others) : 1.0;
   }
 };
 using Found = std::optional<Contribution>;

@@ -57,8 +57,11 @@ struct Gates {
 };
 
 // A merge's density belongs to one of two classes.
-inline Classes merge_class(double density, bool caustic, const Counts& n) {
-  return caustic ? Classes{.caustic = density} : Classes{.merge = n.merge_all * density};
+inline void add_merge(Classes& c, double density, bool caustic, const Counts& n) {
+  if (caustic)
+    c.caustic += density;
+  else
+    c.merge += n.merge_all * density;
 }
 
 // ---- light walk -----------------------------------------------------------------------------------------------------
@@ -177,7 +180,7 @@ inline EyeState eye_step_delta(const EyeState& e, double chi, double cos_out, do
 inline Classes eye_total(const EyeState& e, const Counts& n, const Gates& g, bool caster, bool first,
                          double pdf_reverse) {
   Classes c = e.before;
-  c += merge_class(e.caustic + e.newest_merge, caster, n);
+  add_merge(c, e.caustic + e.newest_merge, caster, n);
   c.light += e.newest_splat;
   c = pdf_reverse * c;
   if (!e.splats)
@@ -229,10 +232,10 @@ inline Classes others_of_light_sample(const Classes& from_emitter, const Counts&
 inline Classes others_of_connect(const LightState& l, const Scatter& light, const EyeState& e, const Scatter& eye,
                                  const Counts& n, double pb_light_a, double pf_eye_a) {
   Classes at_light = light_total(l, n, light.pdf_reverse);
-  if (light.merge) at_light += merge_class(n.eta, l.casters, n);
+  if (light.merge) add_merge(at_light, n.eta, l.casters, n);
   const bool caster = l.casters && light.caster;
   Classes at_eye = eye_total(e, n, {}, caster && eye.caster, false, eye.pdf_reverse);
-  if (eye.merge) at_eye += merge_class(e.eta, caster, n);
+  if (eye.merge) add_merge(at_eye, e.eta, caster, n);
   const double own = 1.0 / n.connect;
   Classes c = own * pb_light_a * at_light;
   c += own * pf_eye_a * at_eye;
@@ -242,7 +245,7 @@ inline Classes others_of_connect(const LightState& l, const Scatter& light, cons
 // An edge between light vertex x_{k-1} and a camera's own point.
 inline Classes others_of_splat(const LightState& l, const Scatter& light, const Counts& n, double pb_light_a) {
   Classes c = light_total(l, n, light.pdf_reverse);
-  if (light.merge) c += merge_class(n.eta_first, l.casters, n);
+  if (light.merge) add_merge(c, n.eta_first, l.casters, n);
   return pb_light_a / n.sensor_connect * c;
 }
 

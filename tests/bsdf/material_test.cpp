@@ -228,5 +228,38 @@ TEST(Glass, EqualIndicesAreNoBoundary) {
   }
 }
 
+bool same(const Scattering& a, const Scattering& b) {
+  return a.value.r == b.value.r && a.value.g == b.value.g && a.value.b == b.value.b && a.pdf == b.pdf &&
+         a.pdf_reverse == b.pdf_reverse;
+}
+
+// The same bits, whatever was asked before, and of what is left of the textures.
+TEST(Bsdf, AnswersAlikeWhateverItWasAskedBefore) {
+  for (const auto& [name, m] : all_cases()) {
+    const Bsdf asked(m, {0, 0}), copied(m, m.ior, asked.textured());
+    for (const float o : {0.9f, -0.4f, 0.05f, 0.9f})
+      for (const float i : {0.3f, 0.9f, -0.7f, 0.3f}) {
+        const Vec3 wo = direction(o), wi = direction(i, 2.1f);
+        const Scattering fresh = Bsdf(m, {0, 0}).evaluate(wo, wi, importance);
+        EXPECT_TRUE(same(asked.evaluate(wo, wi, importance), fresh)) << name;
+        EXPECT_TRUE(same(copied.evaluate(wo, wi, importance), fresh)) << name;
+      }
+  }
+}
+
+TEST(Bsdf, ReadsNoLobeWhereItChoosesNone) {
+  int choosing = 0;
+  for (const auto& [name, m] : all_cases()) {
+    const Bsdf bsdf(m, {0, 0});
+    choosing += bsdf.chooses_lobe();
+    if (bsdf.chooses_lobe()) continue;
+    BsdfSample a, b;
+    ASSERT_TRUE(bsdf.sample(direction(0.5f), 0, {0.2f, 0.6f}, importance, a)) << name;
+    ASSERT_TRUE(bsdf.sample(direction(0.5f), 0x1.fffffep-1f, {0.2f, 0.6f}, importance, b)) << name;
+    EXPECT_TRUE(a.wi.x == b.wi.x && a.wi.y == b.wi.y && a.pdf == b.pdf && a.weight.g == b.weight.g) << name;
+  }
+  EXPECT_EQ(choosing, int(all_cases().size()) - 2);  // matte and mirror
+}
+
 }  // namespace
 }  // namespace ups::test

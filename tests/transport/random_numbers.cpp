@@ -30,6 +30,19 @@ TEST(Sobol, EveryDimensionFillsEveryIntervalOnce) {
     }
 }
 
+// The point of a digit of an index is the sum of those of its bits.
+TEST(Sobol, TablesHoldEveryBitOfAnIndex) {
+  using namespace sobol_detail;
+  for (int d = 0; d < sobol_dimensions; ++d)
+    for (int k = 0; k < 8; ++k)
+      for (uint32_t digit = 0; digit < 16; ++digit) {
+        uint32_t sum = 0;
+        for (uint32_t bit = 1; bit < 16; bit *= 2)
+          if (digit & bit) sum ^= table[d][k][bit];
+        ASSERT_EQ(table[d][k][digit], sum) << "dimension " << d << ", digit " << k;
+      }
+}
+
 // The first two dimensions are a (0, 2)-sequence: 2^8 points put one into each cell of any 2^a x 2^b grid, a + b = 8.
 TEST(Sobol, FirstTwoDimensionsAreStratifiedTogether) {
   for (int a = 0; a <= 8; ++a) {

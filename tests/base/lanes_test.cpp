@@ -1,0 +1,35 @@
+// Has each of several floats at once the bits that it has by itself?
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "base/lanes.h"
+#include "base/rng.h"
+
+namespace ups::test {
+namespace {
+
+TEST(Lanes, HaveTheBitsOfFloats) {
+  constexpr float odd[] = {0.0f, -0.0f, 1.0f, -1.0f, 1e-40f, -3e38f, 0x1.fffffep30f, 0.1f};
+  for (uint32_t k = 0; k < 4096; ++k) {
+    Float4 a, b;
+    for (uint32_t i = 0; i < lane_count; ++i) {
+      a[i] = k % 16 == 0 ? odd[(k / 16 + i) % 8] : to_unit_float(uint32_t(mix64(8 * k + i))) * 200 - 100;
+      b[i] = k % 16 == 1 ? odd[(k / 16 + i) % 8] : to_unit_float(uint32_t(mix64(8 * k + 4 + i))) * 200 - 100;
+    }
+    const Float4 size = abs(a), copied = copysign(a, b), root = sqrt(size);
+    const Int4 whole = truncated(b);
+    const auto bits = [](float x) { return std::bit_cast<uint32_t>(x); };
+    for (int i = 0; i < lane_count; ++i) {
+      EXPECT_EQ(bits(size[i]), bits(std::abs(a[i])));
+      EXPECT_EQ(bits(copied[i]), bits(std::copysign(a[i], b[i])));
+      EXPECT_EQ(bits(root[i]), bits(std::sqrt(size[i])));
+      if (std::abs(b[i]) < 0x1p31f) {
+        EXPECT_EQ(whole[i], truncated(b[i]));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ups::test
