@@ -32,14 +32,12 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
   for (const MeterSet& set : scene.meter_sets) {
     meters_.emplace_back(set.meters.size());
     separated_.emplace_back(set.meters.size() * plan.separation.columns.size());
+    const size_t s = rings_.size();
+    const uint32_t rings = plan.lands_on(s) ? plan.meter_discs[s].ring_count() : 0;
+    rings_.emplace_back(rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0, rings,
+                        plan.merges_direct_light());
   }
   for (const Camera& c : scene.cameras) images_.emplace_back(c, plan);
-}
-
-void Accumulator::MeterSums::add(uint32_t batch, const MeterTally& t) {
-  value[batch] += t.value;
-  direct += t.direct;
-  bias[batch] += t.bias;
 }
 
 void Accumulator::add(const IterationTally& tally) {
@@ -52,23 +50,32 @@ void Accumulator::add(const IterationTally& tally) {
       for (size_t c = 0; c < columns; ++c)
         separated_[s][m * columns + c].add(meter_batch, tally.separated[s][i * columns + c]);
     }
+  for (size_t s = 0; s < tally.landings.size(); ++s)
+    for (const MeterLanding& l : tally.landings[s]) {
+      const size_t row = plan_.visited_meter(iterations_, l.visited) * (columns + 1);
+      rings_[s].add(row, meter_batch, l);
+      if (columns) rings_[s].add(row + 1 + l.column, meter_batch, l);
+    }
   for (size_t c = 0; c < images_.size(); ++c) images_[c].add(iterations_, tally, c);
   for (size_t g = 0; g < goniometers_.size(); ++g) goniometers_[g].add(batch, tally.goniometers[g]);
   work_.add(tally.work);
   ++iterations_;
 }
 
-ups_meter_reading Accumulator::reading_of(const MeterSums& sums, uint32_t visits) const {
-  if (visits == 0) return {-1, -1, -1, -1, -1, -1};
-  const Spread e = spread(sums.value, visits), b = spread(sums.bias, visits);
-  ups_meter_reading out;
-  out.illuminance_lx = float(e.mean);
-  out.direct_lx = float(sums.direct / visits);
-  out.indirect_lx = float(std::max(0.0, e.mean - double(out.direct_lx)));
-  out.bias_lx = float(b.mean);
-  out.standard_error_lx = float(e.standard_error);
-  out.error_bound_lx = error_bound(e, b, visits);
-  return out;
+// All columns take the disc that the meter chooses.
+Accumulator::Whole Accumulator::whole(size_t set, size_t m, size_t column) const {
+  const size_t columns = plan_.separation.columns.size(), row = m * (columns + 1);
+  Whole w{column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1], {}};
+  if (rings_[set].empty() || visits(m) == 0) return w;
+  const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
+  w.photons = rings_[set].read(row + column, rings, rings_[set].choose(row, rings, visits(m)), visits(m));
+  w.sums.add(w.photons);
+  return w;
+}
+
+ups_meter_reading Accumulator::reading_of(size_t set, size_t m, size_t column) const {
+  const Whole w = whole(set, m, column);
+  return ups::reading_of(w.sums, w.photons, visits(m));
 }
 
 MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
@@ -77,7 +84,7 @@ MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
   for (size_t c = 0; c < columns; ++c) {
     std::vector<ups_meter_reading>& column = r.separated.emplace_back();
     for (size_t m = 0; m < r.meters.size(); ++m)
-      column.push_back(reading_of(separated_[set][m * columns + c], visits(m)));
+      column.push_back(reading_of(set, m, c + 1));
   }
   return r;
 }
@@ -85,7 +92,7 @@ MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
 MeterSetReading Accumulator::read_meters(size_t set) const {
   MeterSetReading r;
   r.meters.reserve(meters_[set].size());
-  for (size_t m = 0; m < meters_[set].size(); ++m) r.meters.push_back(reading_of(meters_[set][m], visits(m)));
+  for (size_t m = 0; m < meters_[set].size(); ++m) r.meters.push_back(reading_of(set, m));
   r.statistics = statistics_of(set, r.meters);
   return r;
 }
@@ -109,7 +116,7 @@ ups_meter_statistics Accumulator::statistics_of(size_t set, const std::vector<up
     const uint32_t n = visits(m);
     if (n == 0) continue;
     ++visited;
-    const MeterSums& sums = meters_[set][m];
+    const MeterSums sums = whole(set, m, 0).sums;
     const double mean = spread(sums.value, n).mean;
     sum += mean;
     minimum = std::min(minimum, mean);

@@ -7,6 +7,7 @@
 
 #include "render/goniometer_sums.h"
 #include "render/image_sums.h"
+#include "render/meter_sums.h"
 #include "ups/ups_render.h"
 
 namespace ups {
@@ -25,7 +26,7 @@ struct ErrorSummary {
 class Accumulator {
  public:
   explicit Accumulator(const Snapshot& scene, const Plan& plan);
-  static constexpr double bytes_per_meter = sizeof(double) * (2 * batch_count + 1) + sizeof(ups_meter_reading);
+  static constexpr double bytes_per_meter = sizeof(MeterSums) + sizeof(ups_meter_reading);  // without MeterRings
   void add(const IterationTally& tally);  // the next iteration
   uint32_t iterations() const { return iterations_; }
   const WorkCounts& work() const { return work_; }
@@ -43,15 +44,15 @@ class Accumulator {
   size_t unvisited_meters(size_t set) const;
 
  private:
-  // value, direct, bias of each batch of one meter
-  struct MeterSums {
-    double value[batch_count] = {}, direct = 0, bias[batch_count] = {};
-    void add(uint32_t batch, const MeterTally& tally);
-  };
   uint32_t visits(size_t meter) const {
     return plan_.meter_pass(iterations_) + (meter % plan_.meter_subsets < iterations_ % plan_.meter_subsets);
   }
-  ups_meter_reading reading_of(const MeterSums& sums, uint32_t visits) const;
+  struct Whole {
+    MeterSums sums;  // with the photons
+    MeterRings::Photons photons;
+  };
+  Whole whole(size_t set, size_t meter, size_t column) const;  // column: 0, or one more than a separated one's
+  ups_meter_reading reading_of(size_t set, size_t meter, size_t column = 0) const;
   ups_meter_statistics statistics_of(size_t set, const std::vector<ups_meter_reading>& readings) const;
   ErrorSummary summarize_images() const;
   ErrorSummary summarize_goniometers() const;
@@ -64,6 +65,7 @@ class Accumulator {
   uint32_t iterations_ = 0;
   std::vector<std::vector<MeterSums>> meters_;
   std::vector<std::vector<MeterSums>> separated_;  // a meter by a column, column fastest
+  std::vector<MeterRings> rings_;  // a meter by all its light and the columns, these fastest; empty: nothing is merged
   std::vector<ImageSums> images_;
   std::vector<GoniometerSums> goniometers_;
   WorkCounts work_;

@@ -26,12 +26,6 @@ std::string radius_notice(const Integrator& integrator, uint32_t iterations) {
     tell("camera " + std::to_string(scene.camera_ids[c]), share(at, plan.pixel_radius[c].size(), "pixels"), at,
          plan.camera_subsets);
   }
-  // Until all meters were visited once the render is still choosing their radii.
-  for (size_t s = 0; s < plan.meter_radius.size() && plan.meter_pass(iterations) > 0; ++s) {
-    const Plan::AtFloor at = plan.at_floor(plan.meter_radius[s], plan.meter_pass(last), alpha);
-    tell("meters " + std::to_string(scene.meter_set_ids[s]), share(at, plan.meter_radius[s].size(), "meters"), at,
-         plan.meter_subsets);
-  }
   if (integrator.settings().has(UPS_TECHNIQUE_MERGE) &&
       integrator.settings().method.eye_end == Method::EyeEnd::of_path)
     tell("after the first surface", "", plan.at_floor({plan.walk_radius}, last, alpha), 1);

@@ -43,17 +43,26 @@ struct WorkCounts {
   }
 };
 
-// Estimates of this iteration for one meter, lx.
+// Estimates of this iteration for one meter, lx; of a point meter without what landed on its disc.
 struct MeterTally {
   double value = 0;
   double direct = 0;  // part of value that came straight from an emitter
-  double bias = 0;    // 2 (M_r - M_{r/sqrt 2}) of all merges: its mean is their bias to O(r^4)
+  double bias = 0;    // 2 (M_r - M_{r/sqrt 2}) of eye paths' merges: its mean is their bias to O(r^4)
 
   void add(const MeterTally& o, double scale = 1) {
     value += o.value * scale;
     direct += o.direct * scale;
     bias += o.bias * scale;
   }
+};
+
+// A photon on a point meter's disc.
+struct MeterLanding {
+  uint32_t visited;  // running number of the meter
+  uint32_t column;   // of Plan::separation, where there is one
+  uint8_t ring;      // of MeterDiscs
+  bool direct;       // straight from an emitter
+  double lm;         // weighted, already divided by N
 };
 
 // What a light path brought to a pixel, already divided by N.
@@ -70,6 +79,7 @@ struct IterationTally {
   std::vector<std::vector<Splat>> splats;       // a camera
   std::vector<TechniqueTally> techniques;       // a camera, of all its pixels; empty where not asked for
   std::vector<std::vector<MeterTally>> meters;
+  std::vector<std::vector<MeterLanding>> landings;  // a set, in an order that threads do not change
   // A set: a meter by a column of Plan::separation, column fastest; empty without.
   std::vector<std::vector<MeterTally>> separated;
   std::vector<GoniometerTally> goniometers;
@@ -91,7 +101,7 @@ inline size_t IterationTally::bytes() const {
   const auto count = [&](const auto& all) {
     for (const auto& one : all) sum += one.size() * sizeof one[0];
   };
-  count(pixels), count(illuminance), count(splats), count(meters), count(separated);
+  count(pixels), count(illuminance), count(splats), count(meters), count(landings), count(separated);
   for (const TechniqueTally& t : techniques)
     sum += (t.weighted.size() + t.unweighted.size() + 2 * t.pixels) * sizeof(Rgb);
   for (const GoniometerTally& g : goniometers) sum += (g.wide.size() + g.narrow.size()) * sizeof(double);
