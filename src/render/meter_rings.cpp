@@ -95,7 +95,7 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 // that look harmless again have only diluted it. Then one ring less, unless nothing limits the disc: the bias that is
 // not seen halves, so that the error bound holds, for sqrt(2) of the noise at the most. Variances are from the photons'
 // own squares: batches of a half are too few for that.
-uint32_t MeterRings::best(const Sums& s, const Rings& rings) {
+uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence) {
   const BiasKernel kernel(rings);
   const uint32_t first = s.first_with(least_photons, rings);
   double b1 = 0, q1 = 0, q2 = 0, least = INFINITY;
@@ -105,8 +105,8 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings) {
     const double u = rings.radius2[k], alpha = kernel.alpha[k], beta = kernel.beta[k];
     b1 += u * s.of_ring[k], q1 += u * s.square_of_ring[k], q2 += u * u * s.square_of_ring[k];
     if (k < first) continue;
-    const double bias = alpha * s.flux[k] + beta * b1, noise2 = s.variance(k),
-                 bias2 = std::max(0.0, alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2);
+    const double bias = alpha * s.flux[k] + beta * b1, noise2 = dependence.of_mean[k] * s.variance(k),
+                 bias2 = dependence.of_bias[k] * std::max(0.0, alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2);
     const double cost = noise2 + std::max(0.0, bias * bias - bias2);
     if (cost <= least) least = cost, chosen = k;
     if (k > first && bias * bias > 16 * bias2 && bias * bias > 4 * noise2) break;
@@ -114,11 +114,45 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings) {
   return chosen < last ? std::max(chosen, first + 1) - 1 : rings.count - 1;
 }
 
+// Photons of stratified passes and of one path are not independent: what the batches vary, over what squares say that
+// independent photons would. Of 15 degrees of freedom, so that discs of similar size are taken together, and with few
+// photons, whose dependence does not matter, the squares are believed.
+MeterRings::Dependence MeterRings::dependence(size_t row, const Rings& rings, uint32_t visits) const {
+  if (visits < batch_count) return {};
+  const Sums s = sums_of(row, rings, 0, halves, visits);
+  const BiasKernel kernel(rings);
+  Dependence own, out;
+  double mean[batch_count] = {}, first[batch_count] = {}, bias[batch_count] = {}, q1 = 0, q2 = 0;
+  for (uint32_t k = 0; k < rings.count; ++k) {
+    const double u = rings.radius2[k], alpha = kernel.alpha[k], beta = kernel.beta[k];
+    q1 += u * s.square_of_ring[k], q2 += u * u * s.square_of_ring[k];
+    for (uint32_t b = 0; b < batch_count; ++b) {
+      mean[b] += flux(row, b, k), first[b] += u * flux(row, b, k);
+      bias[b] = alpha * mean[b] + beta * first[b];
+    }
+    const double trust = double(s.count[k]) / double(s.count[k] + 256);
+    const auto over = [&](const double* of_batch, double independent) {
+      const double error = spread(of_batch, visits).standard_error;
+      return independent > 0 ? 1 + trust * (error * error / independent - 1) : 1;
+    };
+    own.of_mean[k] = over(mean, s.square[k]);
+    own.of_bias[k] = over(bias, alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2);
+  }
+  for (uint32_t k = 0; k < rings.count; ++k) {
+    const uint32_t from = k - (k > 0), to = k + (k + 1 < rings.count);
+    double of_mean = 0, of_bias = 0;
+    for (uint32_t j = from; j <= to; ++j) of_mean += own.of_mean[j], of_bias += own.of_bias[j];
+    out.of_mean[k] = of_mean / (to - from + 1), out.of_bias[k] = of_bias / (to - from + 1);
+  }
+  return out;
+}
+
 MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits) const {
   if (visits < min_batches || rings.count < 2) return {rings.nominal, rings.nominal};
+  const Dependence dependence = this->dependence(row, rings, visits);
   Choice choice;
   for (size_t half = 0; half < halves; ++half)
-    choice[1 - half] = best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings);
+    choice[1 - half] = best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence);
   return choice;
 }
 
@@ -140,13 +174,14 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
 
   const BiasKernel kernel(rings);
   const double share = double(visits_of_half(0, visits)) / visits;
-  double variance = 0;
+  double bias[batch_count] = {};
   for (uint32_t k = 0; k < rings.count; ++k) {
     const double d = share * kernel.at(rings, choice[0], k) + (1 - share) * kernel.at(rings, choice[1], k);
-    p.bias += d * s.of_ring[k];
-    variance += d * d * s.square_of_ring[k];
+    for (uint32_t b = 0; b < batch_count; ++b) bias[b] += d * flux(row, b, k);
   }
-  p.bias_error = std::sqrt(variance);
+  const Spread of_bias = spread(bias, visits);
+  p.bias = of_bias.mean;
+  p.bias_error = std::max(0.0, of_bias.standard_error);
 
   // Light narrower than the disc: narrower ones differ by more than the noise that the reading predicts for them.
   constexpr double t = 2.13, beyond_noise = 2.5;

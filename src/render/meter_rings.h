@@ -40,7 +40,12 @@ class MeterRings {
   static constexpr size_t halves = 2;
   struct Sums;
   Sums sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const;
-  static uint32_t best(const Sums& sums, const Rings& rings);
+  struct Dependence {
+    std::array<double, max_rings> of_mean, of_bias;
+    Dependence() { of_mean.fill(1), of_bias.fill(1); }
+  };
+  Dependence dependence(size_t row, const Rings& rings, uint32_t visits) const;
+  static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence);
   double flux(size_t row, uint32_t batch, uint32_t ring) const {
     return flux_[(row * batch_count + batch) * rings_ + ring];
   }
