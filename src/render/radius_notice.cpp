@@ -18,12 +18,10 @@ std::string radius_notice(const Integrator& integrator, uint32_t iterations) {
               " on, the merge radius " + whose + "is kept at " + check::text(double(plan.min_radius)) +
               " m, the least that the coordinates of this scene resolve; its bias shrinks no further\n";
   };
-  const auto share = [](const Plan::AtFloor& at, size_t of, const char* noun) {
-    return "of " + std::to_string(at.count) + " of " + std::to_string(of) + " " + noun + " ";
-  };
   for (size_t c = 0; c < plan.pixel_radius.size(); ++c) {
     const Plan::AtFloor at = plan.at_floor(plan.pixel_radius[c], plan.pass(last), alpha);
-    tell("camera " + std::to_string(scene.camera_ids[c]), share(at, plan.pixel_radius[c].size(), "pixels"), at,
+    tell("camera " + std::to_string(scene.camera_ids[c]),
+         "of " + std::to_string(at.count) + " of " + std::to_string(plan.pixel_radius[c].size()) + " pixels ", at,
          plan.camera_subsets);
   }
   if (integrator.settings().has(UPS_TECHNIQUE_MERGE) &&

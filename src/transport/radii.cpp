@@ -75,7 +75,8 @@ void plan_meter_discs(const Snapshot& scene, const TransportSettings& settings, 
   const uint32_t rings = whole ? 1 : MeterDiscs::rings_for(ring_rows(scene, plan.separation));
   for (const MeterSet& set : scene.meter_sets) {
     // Half the spacing keeps discs apart; 8 times its area is as far as noise may widen them.
-    const float spacing = meter_spacing(set), fixed = settings.merge_radius;
+    const float spacing = meter_spacing(set),
+                fixed = settings.merge_radius > 0 ? std::max(settings.merge_radius, plan.min_radius) : 0;
     const float largest = fixed > 0 ? fixed : std::min(largest_meter_disc * scene.radius, std::sqrt(2.0f) * spacing);
     const size_t visited = std::max<size_t>(1, set.meters.size() / plan.meter_subsets);
     const uint32_t rays = uint32_t(std::bit_floor(std::clamp(rays_an_iteration / visited, least_rays, most_rays)));
