@@ -148,7 +148,7 @@ MeterRings::Dependence MeterRings::dependence(size_t row, const Rings& rings, ui
 }
 
 MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits) const {
-  if (visits < min_batches || rings.count < 2) return {rings.nominal, rings.nominal};
+  if (visits < min_batches || rings.count < 2) return {rings.count - 1, rings.count - 1};
   const Dependence dependence = this->dependence(row, rings, visits);
   Choice choice;
   for (size_t half = 0; half < halves; ++half)

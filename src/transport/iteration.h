@@ -45,10 +45,10 @@ struct Iteration {
   double pixel_radius2(size_t c, uint32_t pixel) const {
     return plan.pixel_radius.empty() ? 0 : plan.radius2(plan.pixel_radius[c][pixel], camera_shrinkage);
   }
-  double meter_radius2(size_t s, uint32_t m) const {  // of a nominal disc, which does not shrink
+  double meter_radius2(size_t s, uint32_t m) const {  // of a disc of as much area as is seen, which does not shrink
     return plan.meter_discs.empty() || plan.meter_discs[s].empty()
                ? 0
-               : plan.meter_discs[s].nominal_area(m) / 3.14159265358979323846;
+               : plan.meter_discs[s].area(m) / 3.14159265358979323846;
   }
   double eta(double radius2) const;                 // N pi r^2 where photons are merged
   double photon_norm(double radius2) const;         // 1 / (N pi r^2)

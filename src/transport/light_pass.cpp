@@ -260,8 +260,7 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
         tally.landings[e.set].push_back({e.visited, column, uint8_t(l.ring), l.value.direct != 0, l.lm});
         continue;
       }
-      // A pilot has the nominal disc alone: it has no photons yet to choose one by.
-      if (l.ring != none && l.ring > in.plan.meter_discs[e.set].nominal_ring(e.meter)) continue;
+      // A pilot takes whole discs: its photons are too few to choose by.
       tally.meters[e.set][e.visited].add(l.value);
       if (in.moments)
         in.moments->add_light_path(l.value.value, l.relative, &tally.excess_of_meters[e.set][e.visited * in.moments->row()]);

@@ -10,8 +10,7 @@ namespace ups {
 
 MeterDiscs::MeterDiscs(size_t meters, uint32_t rings, float radius, uint32_t rays)
     : rings_(rings), sectors_(rays / 2), radius_(meters, radius),
-      nominal_area_(meters, 3.14159265358979323846 * radius * radius), nominal_(meters, uint8_t(rings - 1)),
-      limits_(meters * sectors_, uint8_t(rings)) {}
+      area_(meters, 3.14159265358979323846 * radius * radius), limits_(meters * sectors_, uint8_t(rings)) {}
 
 double MeterDiscs::seen(uint32_t m, uint32_t ring) const {
   if (limits_.empty()) return 1;
@@ -22,7 +21,6 @@ double MeterDiscs::seen(uint32_t m, uint32_t ring) const {
 Rings MeterDiscs::rings(uint32_t m, float min_radius) const {
   Rings r;
   r.count = rings_;
-  r.nominal = nominal_[m];
   double inner = 0;
   for (uint32_t k = 0; k < rings_; ++k) {
     const double outer = std::ldexp(double(radius_[m]) * radius_[m], int(k + 1) - int(rings_));
@@ -34,7 +32,7 @@ Rings MeterDiscs::rings(uint32_t m, float min_radius) const {
   return r;
 }
 
-void MeterDiscs::look_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest, float nominal) {
+void MeterDiscs::look_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest) {
   // Rays run between sectors, each of which ends with the shorter of its two: a flat wall is not crossed between them.
   const uint32_t half = sectors_, rays = 2 * half;
   const Vec3 o = lifted(meter.p, meter.frame.n, meter.error);
@@ -55,12 +53,8 @@ void MeterDiscs::look_around(const Snapshot& scene, const Meter& meter, uint32_t
   for (uint32_t i = 0; i < half; ++i) limits[ptrdiff_t(i)] = uint8_t(ring_of(sectors[i] * sectors[i], radius * radius));
   if (std::all_of(limits, limits + half, [](uint8_t limit) { return limit == 0; }))
     std::fill(limits, limits + half, uint8_t(1));  // without any area there is no light
-
-  const float reach = 1.0001f * std::min(nominal, radius);
-  nominal_[m] = uint8_t(std::clamp<int>(int(ring_of(reach * reach, radius * radius)) - 1, 0, int(rings_) - 1));
-  const Rings r = rings(m, 0);
-  nominal_area_[m] = 0;
-  for (uint32_t k = 0; k <= r.nominal; ++k) nominal_area_[m] += r.area[k];
+  area_[m] = 0;
+  for (const double area : rings(m, 0).area) area_[m] += area;
 }
 
 float meter_spacing(const MeterSet& set) {

@@ -1,6 +1,6 @@
 // Point meters as discs on which photons are merged, fixed for the whole render: rings out to a largest radius, of which
 // a reading takes as many as serve it best once the photons came (render/meter_rings.h), and the part of them that the
-// meter sees in its own plane. The weights know a nominal disc alone: they may be any partition of unity.
+// meter sees in its own plane. The weights know the whole disc alone: they may be any partition of unity.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,6 @@ inline constexpr uint32_t max_rings = 24;  // each to a radius sqrt(2) times tha
 // Of one meter, from the innermost ring on.
 struct Rings {
   uint32_t count = 0;
-  uint32_t nominal = 0;    // the outermost of the nominal disc
   uint32_t narrowest = 0;  // the outermost of the narrowest disc that coordinates resolve
   double area[max_rings] = {};     // m2, what is seen
   double radius2[max_rings] = {};  // m2, mean over the ring
@@ -25,21 +24,19 @@ struct Rings {
 class MeterDiscs {
  public:
   MeterDiscs() = default;  // of cells
-  // Everything is seen out to the radius, which is the nominal one too; 0: photons are not merged. rays: an even number
-  // for look_around().
+  // Everything is seen out to the radius. rays: an even number for look_around().
   MeterDiscs(size_t meters, uint32_t rings, float radius, uint32_t rays = 0);
   // Many rows of sums (a meter, or a column of one, each) take fewer rings.
   static uint32_t rings_for(size_t rows) { return rows <= 100000 ? max_rings : rows <= 1000000 ? max_rings / 2 : 8; }
 
   // A light path must not reach a meter through a wall: rays in its plane find how far it sees. A direction counts as
   // far as the opposite one does, as half a disc is biased by the light's slope. Of different meters at the same time.
-  void look_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest, float nominal);
+  void look_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest);
 
   bool empty() const { return radius_.empty(); }
   uint32_t ring_count() const { return rings_; }
   float radius(uint32_t m) const { return radius_[m]; }
-  double nominal_area(uint32_t m) const { return nominal_area_[m]; }
-  uint32_t nominal_ring(uint32_t m) const { return nominal_[m]; }
+  double area(uint32_t m) const { return area_[m]; }
   Rings rings(uint32_t m, float min_radius) const;
   // Of a point of the plane at x, y from the meter, along its frame's s and t.
   uint32_t ring_at(uint32_t m, float x, float y) const {
@@ -60,8 +57,7 @@ class MeterDiscs {
 
   uint32_t rings_ = 0, sectors_ = 0;  // sectors of half a turn
   std::vector<float> radius_;
-  std::vector<double> nominal_area_;
-  std::vector<uint8_t> nominal_;
+  std::vector<double> area_;  // what is seen
   std::vector<uint8_t> limits_;  // rings seen, a meter by a sector, sector fastest; empty: all
 };
 

@@ -87,10 +87,7 @@ struct Plan {
   std::vector<std::vector<float>> pixel_radius;
   // Of each set: what catches photons for all of a meter's eye paths at once; empty without merging.
   std::vector<MeterDiscs> meter_discs;
-  struct Reach {
-    float largest, nominal;  // radii of a set's discs; largest 0: nothing is in their way
-  };
-  std::vector<Reach> meter_reach;
+  std::vector<float> meter_reach;  // the largest radius of a set's discs; 0: nothing is in their way
   float walk_radius = 0;
 
   Units units;

@@ -74,7 +74,7 @@ void plan_meter_discs(const Snapshot& scene, const TransportSettings& settings, 
   const bool whole = settings.actual_perturbation;  // path integration draws from one disc, whatever is around
   const uint32_t rings = whole ? 1 : MeterDiscs::rings_for(ring_rows(scene, plan.separation));
   for (const MeterSet& set : scene.meter_sets) {
-    // Half the spacing keeps discs apart; 8 times its area is as far as noise may widen them.
+    // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
     const float spacing = meter_spacing(set),
                 fixed = settings.merge_radius > 0 ? std::max(settings.merge_radius, plan.min_radius) : 0;
     const float largest = fixed > 0 ? fixed : std::min(largest_meter_disc * scene.radius, std::sqrt(2.0f) * spacing);
@@ -83,7 +83,7 @@ void plan_meter_discs(const Snapshot& scene, const TransportSettings& settings, 
     const bool catches = !set.is_cell() && largest > 0;
     plan.meter_discs.push_back(catches ? MeterDiscs(set.meters.size(), rings, largest, whole ? 0 : rays)
                                        : MeterDiscs());
-    plan.meter_reach.push_back({catches && !whole ? largest : 0, fixed > 0 ? fixed : 0.5f * spacing});
+    plan.meter_reach.push_back(catches && !whole ? largest : 0);
   }
 }
 
@@ -115,14 +115,13 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
 void look_around_meters(const Snapshot& scene, ThreadPool& pool, const StopSignal& stop, uint32_t iteration,
                         Plan& plan) {
   for (size_t s = 0; s < plan.meter_reach.size(); ++s) {
-    const Plan::Reach& reach = plan.meter_reach[s];
     const MeterSet& set = scene.meter_sets[s];
-    if (!(reach.largest > 0) || !plan.merges_at(s)) continue;
+    if (!(plan.meter_reach[s] > 0) || !plan.merges_at(s)) continue;
     pool.for_blocks(plan.visited_meters(iteration, set.meters.size()), 64, [&](size_t, size_t begin, size_t end) {
       if (stop.is_set()) return;
       for (size_t i = begin; i < end; ++i) {
         const uint32_t m = plan.visited_meter(iteration, i);
-        plan.meter_discs[s].look_around(scene, set.meters[m], m, reach.largest, reach.nominal);
+        plan.meter_discs[s].look_around(scene, set.meters[m], m, plan.meter_reach[s]);
       }
     });
   }

@@ -96,11 +96,11 @@ TEST(MeterRings, ShareOutTheDisc) {
     }
   }
   EXPECT_EQ(discs.ring_at(1, 0, 0), 0u);
-  EXPECT_NEAR(discs.nominal_area(1), pi_d * radius * radius, 1e-7);
+  EXPECT_NEAR(discs.area(1), pi_d * radius * radius, 1e-7);
 }
 
-// Four visits are the least that say anything of noise: before, a reading is of the nominal disc.
-TEST(MeterRings, TakeTheNominalDiscFirst) {
+// Four visits are the least that say anything of noise: before, a reading is of the whole disc.
+TEST(MeterRings, TakeTheWholeDiscFirst) {
   Rig rig(1);
   rig.add(0, 0.1, 0.1, 2, true);
   rig.add(1, 0.3, -0.2, 4);
