@@ -55,13 +55,14 @@ typedef struct ups_render_desc {
   float target_relative_error;        /* stop when the worst meter's error_bound / max(E, 5 % of its set's mean) is
                                        * below, without meters the mean pixel's, without cameras too a goniometer's:
                                        * the noise of its nodes, 95 %, in the mean over the light; 0: off */
-  float merge_radius_m;               /* 0: from the scene */
+  float merge_radius_m;               /* of pixels and walks the first one; of point meters the widest disc, from
+                                       * whose rings each reading takes as many as serve it best. 0: from the scene */
   uint32_t iteration_count;           /* 0: until a limit or the target is met */
   uint32_t max_path_length;           /* edges; 0: none, roulette ends paths without bias */
   uint32_t light_paths_per_iteration; /* 0: chosen by the library */
   uint32_t techniques;                /* UPS_TECHNIQUE_* to allow; 0: those of the method */
-  float radius_alpha;                 /* (0, 1): r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1); 0: 2/3,
-                                       * where UPS falls fastest */
+  float radius_alpha;                 /* (0, 1): r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1), but for point meters'
+                                       * discs; 0: 2/3, where UPS falls fastest */
   float glossy_alpha;                 /* SPPM passes metal and rough glass of a GGX alpha below; 0: 0.2 */
   ups_perturbation perturbation;
   uint32_t technique_images;          /* cameras: an image of each technique for paths of up to so many edges, at

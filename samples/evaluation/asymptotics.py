@@ -3,13 +3,14 @@
 
   UPS_LIBRARY=build/release/src/api python3 samples/evaluation/asymptotics.py [--seeds 16] [--out out/asymptotics]
 
-Two scenes with an exact answer, one meter each.
+Two scenes with an exact answer, one sensor each.
 
-sds      A spot without extent, folded by four plane mirrors onto a floating meter: specular from end to end, so that of
-         all techniques only merging at the meter finds it. With the mirrors' images the light is that of a source at
-         the unfolded distance; its intensities are such that the illuminance is E0 (1 - (x / R)^2) at x from the beam's
-         axis, so that a disc of radius r is biased by -(r / R)^2 / 2 exactly, at every radius, and the meter on the
-         axis reads E0 = rho^4 I / d^2. Mirrors of rho = 0.6: roulette keeps 0.6^4 of the paths, at random. Without that
+sds      A spot without extent, folded by four plane mirrors onto a black plate that one pixel measures the illuminance
+         of: specular from end to end, so that of all techniques only merging on the plate finds it. (A point meter would
+         choose its own disc afterwards, and follow no schedule.) With the mirrors' images the light is that of a source
+         at the unfolded distance; its intensities are such that the illuminance is E0 (1 - (x / R)^2) at x from the
+         beam's axis, so that a disc of radius r is biased by -(r / R)^2 / 2 exactly, at every radius, and the pixel on
+         the axis reads E0 = rho^4 I / d^2. Mirrors of rho = 0.6: roulette keeps 0.6^4 of the paths, at random. Without that
          the directions of the photons would be one stratified (Sobol) pattern, whose noise falls faster than theory,
          which is about independent photons, has it.
 diffuse  A closed cube, its walls matte (rho = 0.7) and all emitting L: E = pi L / (1 - rho) at every point. Light of
@@ -20,7 +21,7 @@ b sum f_i / n, b that of the first disc, and the variance sum 1 / f_i / (M n^2),
 Zwicker 2011). For large n these fall as n^(alpha - 1) and n^-alpha, the MSE of merging alone as
 n^-min(alpha, 2 - 2 alpha): best at alpha = 2/3, by n^-2/3. Unbiased techniques: 1/n; UPS the same where they carry the
 light, as merging gets a weight that falls with r^2. PPM is listed by diffuse light, where its disc sees no curvature
-and has no bias, and so is SPPM, which does the same there; in `sds` all of them merge at the meter as UPS does.
+and has no bias, and so is SPPM, which does the same there; in `sds` all of them merge on the plate as UPS does.
 
 Constants. Variance and bias of the first disc are balanced so that the term that theory says wins does so from the
 first iterations on: for alpha = 1/2 the variance (small disc: b^2 M = 0.01), for alpha = 0.8 the bias (wide disc:
@@ -112,9 +113,14 @@ def folded_beam(context):
     z = -direction
     x = np.array([0.0, 1.0, 0.0])
     scene.add_luminaire(profile, use_opening=0, to_world=np.column_stack([x, np.cross(z, x), z, start]))
-    meter = scene.add_meters([[4.5, 0, 0]], normals=(-1, 0, 1))
+    black = scene.add_material(reflectance_rgb=[0] * 3)
+    along = np.array([1, 0, 1]) / math.sqrt(2)
+    add_quad(scene, np.array([4.5, -0.5, 0]) - 0.5 * along, along, (0, 1, 0), black)
+    up = -direction  # the pixel looks along local -Z
+    pixel = scene.add_camera(1, 1, vertical_fov_rad=1e-3, illuminance=1,
+                             to_world=np.column_stack([x, np.cross(up, x), up, np.array([4.5, 0, 0]) + 0.2 * normal]))
     scene.commit()
-    return scene, meter, REFLECTANCE ** MIRRORS * 100 / distance ** 2
+    return scene, lambda result: result.illuminance(pixel)[0, 0], REFLECTANCE ** MIRRORS * 100 / distance ** 2
 
 
 def furnace(context):
@@ -125,7 +131,7 @@ def furnace(context):
         add_quad(scene, corner, u, v, wall)
     meter = scene.add_meters([[0.4, 0.3, 0.6]], normals=(0, 0, 1))
     scene.commit()
-    return scene, meter, math.pi * LUMINANCE / (1 - WALLS)
+    return scene, lambda result: result.meters(meter)["illuminance_lx"][0], math.pi * LUMINANCE / (1 - WALLS)
 
 
 def measure(job):
@@ -133,11 +139,10 @@ def measure(job):
     case, iterations, seed = job
     region, method, alpha, radius, light_paths, _ = CASES[case]
     with ups.Context(thread_count=1) as context:
-        scene, meter, exact = (folded_beam if region == "sds" else furnace)(context)
+        scene, read, exact = (folded_beam if region == "sds" else furnace)(context)
         result = scene.render(method=ups.Method[method], iteration_count=iterations, seed=seed, radius_alpha=alpha,
                               merge_radius_m=radius, light_paths_per_iteration=light_paths)
-        value = float(result.meters(meter)["illuminance_lx"][0])
-        return case, iterations, value / exact - 1, result.info.elapsed_s / iterations
+        return case, iterations, float(read(result)) / exact - 1, result.info.elapsed_s / iterations
 
 
 def slope_of(iterations, squares, rng=None):

@@ -8,20 +8,10 @@
 
 #include "render/goniometer_sums.h"
 #include "render/image_sums.h"
+#include "render/meter_sums.h"
 #include "ups/ups_render.h"
 
 namespace ups {
-
-// Sums of one meter, or of one source's part of its light. By batch where they are arrays.
-struct MeterSums {
-  double value[batch_count] = {}, direct[batch_count] = {}, bias[batch_count] = {};
-  double exact = 0, rounding = 0;
-  std::array<PathRecord, light_part_count> paths;
-  std::array<uint16_t, light_part_count> batches{};  // a bit for each that such paths have brought light to
-  uint8_t largest_batch = 0;                         // that with paths[whole_light].largest
-
-  void add(uint32_t batch, const MeterTally& tally);
-};
 
 struct MeterSetReading {
   std::vector<ups_meter_reading> meters;
@@ -39,7 +29,7 @@ struct ErrorSummary {
 class Accumulator {
  public:
   explicit Accumulator(const Snapshot& scene, const Plan& plan);
-  static constexpr double bytes_per_meter = sizeof(MeterSums) + sizeof(ups_meter_reading);
+  static constexpr double bytes_per_meter = sizeof(MeterSums) + sizeof(ups_meter_reading);  // without MeterRings
   void add(const IterationTally& tally);  // the next iteration
   uint32_t iterations() const { return iterations_; }
   const WorkCounts& work() const { return work_; }
@@ -61,17 +51,12 @@ class Accumulator {
     return plan_.meter_pass(iterations_) + (meter % plan_.meter_subsets < iterations_ % plan_.meter_subsets);
   }
   using Largest = std::array<float, light_part_count>;
-  ups_meter_reading reading_of(const MeterSums& sums, uint32_t visits, size_t set, double largest) const;
-  // Of the light of one part: standard error and bound; -1: not known.
-  std::pair<float, float> error_of(const MeterSums& sums, LightPart part, uint32_t visits, size_t set,
-                                   double largest) const;
+  // column: 0, all its light, or one more than that of a separated source's.
+  MeterLight light_of(size_t set, size_t meter, size_t column = 0) const;
   // What one path may bring to an iteration's reading, as far as is known.
-  double largest_path(size_t set, size_t meter, const Largest& found, LightPart part) const;
-  ups_meter_part_reading part_of(const MeterSums& sums, ups_light_part part, uint32_t visits, size_t set,
-                                 double largest) const;
-  uint32_t flags_of(const MeterSums& sums, uint32_t visits, const ups_meter_reading& reading) const;
-  std::vector<ups_meter_reading> readings_of(size_t set) const;
-  ups_meter_statistics statistics_of(size_t set, const std::vector<ups_meter_reading>& readings) const;
+  double largest_path(size_t set, double disc_area, const Largest& found, LightPart part) const;
+  ups_meter_statistics statistics_of(size_t set, const std::vector<MeterLight>& lights,
+                                     const std::vector<ups_meter_reading>& readings) const;
   ErrorSummary summarize_images() const;
   ErrorSummary summarize_goniometers() const;
   const Snapshot& scene_;
@@ -86,6 +71,7 @@ class Accumulator {
   std::vector<Largest> largest_;
   std::vector<std::vector<Largest>> largest_separated_;
   std::vector<double> largest_exact_;
+  std::vector<MeterRings> rings_;  // a meter by all its light and the columns, these fastest; empty: nothing is merged
   std::vector<ImageSums> images_;
   std::vector<GoniometerSums> goniometers_;
   WorkCounts work_;

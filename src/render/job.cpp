@@ -51,11 +51,13 @@ void check(const ups_render_desc& d) {
 }
 
 // Linux grants more memory than there is and ends the process that takes it.
-void check_memory(const Snapshot& scene, uint32_t technique_edges, size_t columns) {
+void check_memory(const Snapshot& scene, uint32_t technique_edges, const Separation& separation, bool merges) {
   double needed = 0;
   for (const Camera& c : scene.cameras) needed += c.pixel_count() * ImageSums::bytes_per_pixel(c, technique_edges);
   for (const MeterSet& set : scene.meter_sets)
-    needed += double(set.meters.size()) * double(columns + 1) * Accumulator::bytes_per_meter;
+    needed += double(set.meters.size()) * double(separation.columns.size() + 1) * Accumulator::bytes_per_meter;
+  const size_t rows = merges ? ring_rows(scene, separation) : 0;
+  needed += double(rows) * MeterRings::bytes_per_row(MeterDiscs::rings_for(rows), true);
   for (const Goniometer& g : scene.goniometers) needed += double(g.node_count()) * GoniometerSums::bytes_per_node;
   const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   if (needed > there)
@@ -80,7 +82,8 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
         "merges");
   for (const Camera& c : scene_->cameras) reading_s_ += c.pixel_count() * reading_s_of_pixel;
   reading_s_ = std::min(reading_s_, 0.5 * desc_.time_limit_s);
-  check_memory(*scene_, desc_.technique_images, separate(*scene_, desc_.separation).columns.size());
+  check_memory(*scene_, desc_.technique_images, separate(*scene_, desc_.separation),
+               method_.techniques & UPS_TECHNIQUE_MERGE);
   if (scene_->cameras.empty() && scene_->meter_sets.empty() && scene_->goniometers.empty())
     throw Error(UPS_ERROR_INVALID_STATE,
                 "the scene has no sensor: add a camera, meters or a goniometer before ups_scene_commit");

@@ -18,19 +18,11 @@ std::string radius_notice(const Integrator& integrator, uint32_t iterations) {
               " on, the merge radius " + whose + "is kept at " + check::text(double(plan.min_radius)) +
               " m, the least that the coordinates of this scene resolve; its bias shrinks no further\n";
   };
-  const auto share = [](const Plan::AtFloor& at, size_t of, const char* noun) {
-    return "of " + std::to_string(at.count) + " of " + std::to_string(of) + " " + noun + " ";
-  };
   for (size_t c = 0; c < plan.pixel_radius.size(); ++c) {
     const Plan::AtFloor at = plan.at_floor(plan.pixel_radius[c], plan.pass(last), alpha);
-    tell("camera " + std::to_string(scene.camera_ids[c]), share(at, plan.pixel_radius[c].size(), "pixels"), at,
+    tell("camera " + std::to_string(scene.camera_ids[c]),
+         "of " + std::to_string(at.count) + " of " + std::to_string(plan.pixel_radius[c].size()) + " pixels ", at,
          plan.camera_subsets);
-  }
-  // Until all meters were visited once the render is still choosing their radii.
-  for (size_t s = 0; s < plan.meter_radius.size() && plan.meter_pass(iterations) > 0; ++s) {
-    const Plan::AtFloor at = plan.at_floor(plan.meter_radius[s], plan.meter_pass(last), alpha);
-    tell("meters " + std::to_string(scene.meter_set_ids[s]), share(at, plan.meter_radius[s].size(), "meters"), at,
-         plan.meter_subsets);
   }
   if (integrator.settings().has(UPS_TECHNIQUE_MERGE) &&
       integrator.settings().method.eye_end == Method::EyeEnd::of_path)

@@ -94,11 +94,12 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
       ->check(CLI::Range(uint32_t(1), uint32_t(1) << 24))
       ->type_name("N")
       ->group(group);
-  command.add_option("--merge-radius", desc.merge_radius_m, "First radius of merging, m; without it the scene decides")
+  command.add_option("--merge-radius", desc.merge_radius_m,
+                     "First radius of merging, of meters the widest, m; without it the scene decides")
       ->check(CLI::Validator(target, ""))
       ->type_name("M")
       ->group(group);
-  command.add_option("--alpha", desc.radius_alpha, "How slowly the radius falls, between 0 and 1 (2/3)")
+  command.add_option("--alpha", desc.radius_alpha, "How slowly the radius of pixels and walks falls, between 0 and 1 (2/3)")
       ->check(CLI::Validator(fraction, ""))
       ->type_name("A")
       ->group(group);

@@ -37,7 +37,7 @@ Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSet
   complete(*scene_, plan_, settings_, selection_.sensors);
 }
 
-// A choice of techniques may leave few light paths: it takes few to fit radii, whose noise is known for any number.
+// A choice of techniques may leave few light paths: it takes few to find a radius, whose noise is known for any number.
 void Integrator::choose_first_radii(const StopSignal& stop) {
   const uint32_t all = plan_.light_paths, few = settings_.automatic ? std::min(all, 1u << 12) : all;
   plan_.light_paths = few;
@@ -56,7 +56,7 @@ void Integrator::select(const StopSignal& stop) {
   for (const ups_sensor_choice& s : selection_.sensors) settings_.techniques |= s.techniques;
   if (plan_.traces_caustics_alone()) plan_.guide = guide;
   if (settings_.has(UPS_TECHNIQUE_MERGE)) return;
-  plan_.pixel_radius.clear(), plan_.meter_radius.clear(), plan_.meter_spacing.clear();
+  plan_.pixel_radius.clear(), plan_.meter_discs.clear(), plan_.meter_reach.clear();
   plan_.walk_radius = 0;
 }
 
@@ -85,6 +85,7 @@ void reset(const Iteration& in, IterationTally& tally) {
   for (const MeterSet& s : scene.meter_sets) {
     const size_t visited = in.plan.visited_meters(in.number, s.meters.size());
     tally.meters.emplace_back(visited);
+    tally.landings.emplace_back();
     tally.separated.emplace_back(visited * in.plan.separation.columns.size());
     if (sets) tally.excess_of_meters.emplace_back(visited * sets);
   }
@@ -140,7 +141,7 @@ bool Integrator::trace(const Iteration& in, IterationTally& tally) {
 
 bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally& tally) {
   if (iteration > 0 && plan_.meter_pass(iteration) == 0)
-    choose_meter_radii(*scene_, settings_, pool_, stop, iteration, plan_);
+    look_around_meters(*scene_, pool_, stop, iteration, plan_);
   const Iteration in(*scene_, plan_, settings_, iteration, stop);
   WorkCounts shadow_rays;
   direct_.find(in, pool_, shadow_rays);

@@ -15,7 +15,7 @@ class Integrator {
   // Traces a pilot; once `stop` is set only run() returning false is to be expected of it.
   Integrator(std::shared_ptr<const Snapshot> scene, const TransportSettings& settings, ThreadPool& pool,
              const StopSignal& stop);
-  const Plan& plan() const { return plan_; }  // run() adds the meters' radii to it, and nothing else
+  const Plan& plan() const { return plan_; }  // run() adds how far meters see, and nothing else
   const TransportSettings& settings() const { return settings_; }  // with the techniques that were selected
   const Selection& selection() const { return selection_; }
   // Its light paths are whole, and show where all flux goes.

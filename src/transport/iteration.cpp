@@ -12,7 +12,6 @@ Iteration::Iteration(const Snapshot& of_scene, const Plan& by_plan, const Transp
   camera_visit = visit(camera_pass);
   meter_visit = visit(meter_pass);
   camera_shrinkage = Plan::radius2_factor(camera_pass, settings.radius_alpha);
-  meter_shrinkage = Plan::radius2_factor(meter_pass, settings.radius_alpha);
   walk_radius2 = plan.radius2(plan.walk_radius, Plan::radius2_factor(number, settings.radius_alpha));
   stores_vertices = has(UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_CONNECT);
 }
@@ -22,7 +21,7 @@ Iteration Iteration::of_pilot(const Snapshot& of_scene, const Plan& by_plan, con
   Iteration in(of_scene, by_plan, by_settings, running_number, stop_signal);
   in.light_visit = {0, running_number};
   in.light_stream = stream;
-  in.camera_shrinkage = in.meter_shrinkage = 1;
+  in.camera_shrinkage = 1;
   in.walk_radius2 = by_plan.radius2(by_plan.walk_radius, 1);
   return in;
 }

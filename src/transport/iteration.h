@@ -32,8 +32,8 @@ struct Iteration {
   Visit light_visit, camera_visit, meter_visit;
   Stream light_stream = Stream::light;
   bool stores_vertices;
-  double camera_shrinkage, meter_shrinkage;  // r_i^2 / r_1^2
-  double walk_radius2;                       // of merges beyond the first vertex
+  double camera_shrinkage;  // r_i^2 / r_1^2
+  double walk_radius2;      // of merges beyond the first vertex
   bool trains_guide = false;
   const Moments* moments = nullptr;          // of a pilot that chooses techniques
   PathRecorder* recorder = nullptr;          // of a test
@@ -45,15 +45,17 @@ struct Iteration {
   double pixel_radius2(size_t c, uint32_t pixel) const {
     return plan.pixel_radius.empty() ? 0 : plan.radius2(plan.pixel_radius[c][pixel], camera_shrinkage);
   }
-  double meter_radius2(size_t s, uint32_t m) const {
-    return plan.meter_radius.empty() ? 0 : plan.radius2(plan.meter_radius[s][m], meter_shrinkage);
+  double meter_radius2(size_t s, uint32_t m) const {  // of a disc of as much area as is seen, which does not shrink
+    return plan.meter_discs.empty() || plan.meter_discs[s].empty()
+               ? 0
+               : plan.meter_discs[s].area(m) / 3.14159265358979323846;
   }
   double eta(double radius2) const;                 // N pi r^2 where photons are merged
   double photon_norm(double radius2) const;         // 1 / (N pi r^2)
   mis::Counts camera_counts(size_t c, uint32_t pixel) const;
   mis::Counts meter_counts(size_t set) const;
   bool merges_at(size_t set) const {
-    return has(UPS_TECHNIQUE_MERGE) && share(plan.units.of_set(set)).merge != TechniqueShare::no_merge;
+    return has(UPS_TECHNIQUE_MERGE) && plan.merges_at(set);
   }
   mis::Counts light_counts() const { return counts({}); }  // of what is baked into light vertices
   const mis::Gates& gates_of(uint32_t emitter) const { return plan.gates[emitter]; }

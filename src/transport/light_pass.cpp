@@ -26,7 +26,8 @@ struct Block {
   struct Landing {
     uint32_t disc, emitter;
     MeterTally value;
-    float distance2;
+    uint32_t ring;  // of a point's disc; none: a cell
+    double lm;
     mis::Classes relative;
   };
   std::vector<Landing> landings;
@@ -151,20 +152,19 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (cell && (std::abs(dot(offset, meter.frame.s)) * 2 > set.cell_width ||
                  std::abs(dot(offset, meter.frame.t)) * 2 > set.cell_height))
       return;
+    const uint32_t ring = cell ? none
+                               : in_.plan.meter_discs[e.set].ring_at(e.meter, dot(offset, meter.frame.s),
+                                                                     dot(offset, meter.frame.t));
+    if (!cell && ring == none) return;
     const double flux = luminance(carried_ * met_.transmittance(scene_, crossing.t));
-    const double area = cell ? double(set.cell_area()) : 3.14159265358979323846 * e.radius2;
     const mis::LightState state = in_.weighted() ? arrive({p, meter.frame.n}, cos_in, crossing.t) : mis::LightState{};
-    const Contribution c = ups::land(in_, e.counts, state, e.eta, area, cos_in, flux, a, emitter_index_);
+    const Contribution c = ups::land(in_, e.counts, state, e.eta, e.area, cos_in, flux, a, emitter_index_);
     if (in_.recorder) in_.recorder->landed(c, p, e.set, e.meter);
     const double value = luminance(c.value) * c.weight(in_, 1);
     if (!std::isfinite(value)) return work_.drop(cell ? Drop::sensor_hit : Drop::merge);
     useful_ |= casters_ && a > 1;
-    const float d2 = length2(offset);
-    // The disc of half the area: its photons count twice,
-    // so that the difference sees the curvature of illuminance alone.
-    const double bias = cell ? 0.0 : 2.0 * (value - (2.0 * d2 < e.radius2 ? 2.0 * value : 0.0));
-    block_.landings.push_back({crossing.disc, emitter_index_, MeterTally::of_path(value, a == 1 ? value : 0.0, bias), d2,
-                               c.relative(1)});
+    block_.landings.push_back({crossing.disc, emitter_index_, MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0), ring,
+                               value * e.area, c.relative(1)});
   }
 
   void store(const LightEnd& light) {
@@ -256,11 +256,16 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
     }
     for (const Block::Landing& l : b.landings) {
       const SensorIndex::Entry& e = sensors.entry(l.disc);
+      const uint32_t column = columns ? in.plan.separation.column_of_emitter[l.emitter] : 0;
+      if (l.ring != none && !in.moments) {
+        tally.landings[e.set].push_back({e.visited, column, uint8_t(l.ring), l.value.direct != 0, l.lm});
+        continue;
+      }
+      // A pilot takes whole discs: its photons are too few to choose by.
       tally.meters[e.set][e.visited].add(l.value);
       if (in.moments)
         in.moments->add_light_path(l.value.value, l.relative, &tally.excess_of_meters[e.set][e.visited * in.moments->row()]);
-      if (columns)
-        tally.separated[e.set][e.visited * columns + in.plan.separation.column_of_emitter[l.emitter]].add(l.value);
+      if (columns) tally.separated[e.set][e.visited * columns + column].add(l.value);
     }
     for (size_t g = 0; g < tally.goniometers.size(); ++g)
       for (const Block::Escape& e : b.escapes)
@@ -273,16 +278,11 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
   return paths;
 }
 
-PilotPaths trace_pilot_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool) {
-  PilotPaths paths;
-  for (const Block& b : run_blocks(in, sensors, pool)) {
-    for (const Block::Landing& l : b.landings) {
-      if (paths.crossings.size() <= l.disc) paths.crossings.resize(l.disc + 1);
-      paths.crossings[l.disc].push_back({l.distance2, l.value.value});
-    }
-    paths.vertices.insert(paths.vertices.end(), b.vertices.begin(), b.vertices.end());
-  }
-  return paths;
+std::vector<LightVertex> trace_pilot_vertices(const Iteration& in, ThreadPool& pool) {
+  std::vector<LightVertex> vertices;
+  for (const Block& b : run_blocks(in, {}, pool))
+    vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.end());
+  return vertices;
 }
 
 }  // namespace ups

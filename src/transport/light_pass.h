@@ -8,19 +8,11 @@
 
 namespace ups {
 
-// Adds to tally.splats, tally.meters, tally.work; the same bits for any number of threads.
+// Adds to tally.splats, tally.meters, tally.landings, tally.work; the same bits for any number of threads.
 LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool,
                              IterationTally& tally);
 
-// What is thrown away after radii are chosen from it.
-struct PilotPaths {
-  struct Crossing {
-    float distance2;  // to the disc's centre
-    double value;     // what the photon adds to a meter, lx
-  };
-  std::vector<std::vector<Crossing>> crossings;  // by disc of the sensor index
-  std::vector<LightVertex> vertices;
-};
-PilotPaths trace_pilot_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool);
+// What is thrown away after a radius is chosen from it.
+std::vector<LightVertex> trace_pilot_vertices(const Iteration& in, ThreadPool& pool);
 
 }  // namespace ups

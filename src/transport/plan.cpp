@@ -89,6 +89,12 @@ void set_path_counts(const Snapshot& scene, const TransportSettings& settings, u
   plan.light_paths = uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), least, std::min(most, largest)));
 }
 
+size_t ring_rows(const Snapshot& scene, const Separation& separation) {
+  size_t points = 0;
+  for (const MeterSet& set : scene.meter_sets) points += set.is_cell() ? 0 : set.meters.size();
+  return points * (separation.columns.size() + 1);
+}
+
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   Plan plan;
   plan.separation = separate(scene, settings.separation);

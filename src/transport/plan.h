@@ -1,12 +1,14 @@
 // What one iteration does: the techniques of the method, how many paths go where, and the merge radii. Fixed before the
 // first iteration from the scene alone, so that a seed and an iteration count determine every bit.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "emitter/guide.h"
 #include "scene/separation.h"
+#include "transport/meter_discs.h"
 #include "transport/method.h"
 #include "transport/weights.h"
 
@@ -82,15 +84,24 @@ struct Plan {
   // Of point meters: all light straight from emitters is found so; no other light can reach them.
   bool exact_direct = false, exact_light = false;
   Separation separation;  // of meters' readings
-  // r_1 of each pixel, for the first vertex of its eye paths that scatters, and of each meter's own disc, which catches
-  // photons for all of a meter's eye paths at once; empty without merging. All other vertices merge within walk_radius:
-  // a hemisphere away from the sensor blur is not seen, but few photons are.
-  std::vector<std::vector<float>> pixel_radius, meter_radius;
-  std::vector<float> meter_spacing;  // of each set, see radii.h
+  // r_1 of each pixel, for the first vertex of its eye paths that scatters; empty without merging. All other vertices
+  // merge within walk_radius: a hemisphere away from the sensor blur is not seen, but few photons are.
+  std::vector<std::vector<float>> pixel_radius;
+  // Of each set: what catches photons for all of a meter's eye paths at once; empty without merging.
+  std::vector<MeterDiscs> meter_discs;
+  std::vector<float> meter_reach;  // the largest radius of a set's discs; 0: nothing is in their way
   float walk_radius = 0;
 
   Units units;
   std::vector<TechniqueShare> shares;  // by unit; empty: all techniques everywhere
+  bool merges_at(size_t set) const {
+    return shares.empty() || shares[units.of_set(set)].merge != TechniqueShare::no_merge;
+  }
+  // Photons land on discs of the set; some of them straight from an emitter.
+  bool lands_on(size_t set) const { return set < meter_discs.size() && !meter_discs[set].empty() && merges_at(set); }
+  bool merges_direct_light() const {
+    return std::any_of(gates.begin(), gates.end(), [](const mis::Gates& g) { return g.merge_at_first; });
+  }
   // Light paths end where nothing but caustics is merged and they have met something that is no caster.
   bool traces_caustics_alone() const;
   // Where light paths start, which those of the books of flux may not be told.
@@ -138,6 +149,8 @@ struct Plan {
   uint32_t meter_pass(uint32_t iteration) const { return iteration / meter_subsets; }
 };
 
+// Rows of sums that photons on discs may need: each point meter's, and one more of it a column.
+size_t ring_rows(const Snapshot& scene, const Separation& separation);
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings);
 // Numbers of paths an iteration, of a pilot's for at most so many from each end.
 void set_path_counts(const Snapshot& scene, const TransportSettings& settings, uint32_t most, Plan& plan);

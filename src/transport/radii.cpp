@@ -1,7 +1,8 @@
-// See radii.h: a pixel's radius from its footprint, that of the walks from the spacing of pilot photons. Those of
-// meters are fitted in meter_radii.cpp.
+// See radii.h: a pixel's radius from its footprint, that of the walks from the spacing of pilot photons, those of
+// meters' discs from their spacing.
 #include "transport/radii.h"
 
+#include <bit>
 #include <limits>
 
 #include "transport/light_pass.h"
@@ -12,7 +13,6 @@ namespace ups {
 
 namespace {
 
-constexpr uint32_t meter_pilot_passes = 4;
 constexpr size_t walk_photons = 1;
 constexpr double max_radius_rays = 1u << 18;
 
@@ -68,37 +68,23 @@ float typical_spacing(const std::vector<LightVertex>& photons, float largest) {
   return median(spacings);
 }
 
-void fix_radii(const Snapshot& scene, float radius, Plan& plan) {
-  for (const Camera& camera : scene.cameras) plan.pixel_radius.emplace_back(camera.pixel_count(), radius);
-  for (const MeterSet& set : scene.meter_sets)
-    plan.meter_radius.emplace_back(set.meters.size(), set.is_cell() ? 0 : radius);
-  plan.walk_radius = radius;
-}
-
-// The pilot's light paths say how dense light is, and are thrown away. Fits the discs of the meters that the iteration
-// visits; returns the vertices of its first pass.
-std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
-                                   const StopSignal& stop, double share, uint32_t iteration, Plan& plan) {
-  set_largest_disc_radii(scene, pool, stop, iteration, plan);
-  TransportSettings pilot = settings;
-  pilot.method.weighted = false;
-  pilot.techniques &= ~uint32_t(UPS_TECHNIQUE_SENSOR_CONNECT);
-  const SensorIndex sensors(Iteration(scene, plan, pilot, iteration, stop), pool);
-  std::vector<LightVertex> vertices;
-  std::vector<std::vector<PilotPaths::Crossing>> crossings;
-  const uint32_t passes = sensors.empty() ? 1 : meter_pilot_passes;
-  for (uint32_t k = 0; k < passes; ++k) {
-    const uint32_t number = iteration * meter_pilot_passes + k;
-    Iteration in = Iteration::of_pilot(scene, plan, pilot, number, stop, Stream::pilot);
-    in.stores_vertices = k == 0;
-    PilotPaths paths = trace_pilot_paths(in, sensors, pool);
-    if (k == 0) vertices = std::move(paths.vertices);
-    if (crossings.size() < paths.crossings.size()) crossings.resize(paths.crossings.size());
-    for (size_t d = 0; d < paths.crossings.size(); ++d)
-      crossings[d].insert(crossings[d].end(), paths.crossings[d].begin(), paths.crossings[d].end());
+// How far discs may reach, and how many rays find how far they do.
+void plan_meter_discs(const Snapshot& scene, const TransportSettings& settings, Plan& plan) {
+  constexpr size_t rays_an_iteration = size_t(1) << 20, most_rays = 256, least_rays = 32;
+  const bool whole = settings.actual_perturbation;  // path integration draws from one disc, whatever is around
+  const uint32_t rings = whole ? 1 : MeterDiscs::rings_for(ring_rows(scene, plan.separation));
+  for (const MeterSet& set : scene.meter_sets) {
+    // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
+    const float spacing = meter_spacing(set),
+                fixed = settings.merge_radius > 0 ? std::max(settings.merge_radius, plan.min_radius) : 0;
+    const float largest = fixed > 0 ? fixed : std::min(largest_meter_disc * scene.radius, std::sqrt(2.0f) * spacing);
+    const size_t visited = std::max<size_t>(1, set.meters.size() / plan.meter_subsets);
+    const uint32_t rays = uint32_t(std::bit_floor(std::clamp(rays_an_iteration / visited, least_rays, most_rays)));
+    const bool catches = !set.is_cell() && largest > 0;
+    plan.meter_discs.push_back(catches ? MeterDiscs(set.meters.size(), rings, largest, whole ? 0 : rays)
+                                       : MeterDiscs());
+    plan.meter_reach.push_back(catches && !whole ? largest : 0);
   }
-  if (!stop.is_set()) fit_disc_radii(scene, sensors, crossings, passes, share, iteration, plan);
-  return vertices;
 }
 
 }  // namespace
@@ -106,23 +92,39 @@ std::vector<LightVertex> run_pilot(const Snapshot& scene, const TransportSetting
 void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const StopSignal& stop,
                   double share, Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE) && !settings.actual_perturbation) return;
-  if (settings.merge_radius > 0) return fix_radii(scene, settings.merge_radius, plan);
+  const float fixed = settings.merge_radius;
   for (size_t c = 0; c < scene.cameras.size(); ++c)
-    plan.pixel_radius.push_back(pixel_radii(scene, c, pool, stop));
-  for (const MeterSet& set : scene.meter_sets) {
-    plan.meter_spacing.push_back(meter_spacing(set));
-    plan.meter_radius.emplace_back(set.meters.size());
-  }
-  std::vector<LightVertex> vertices = run_pilot(scene, settings, pool, stop, share, 0, plan);
-  plan.walk_radius = typical_spacing(vertices, 0.05f * scene.radius) * float(std::sqrt(share));
+    plan.pixel_radius.push_back(fixed > 0 ? std::vector<float>(scene.cameras[c].pixel_count(), fixed)
+                                          : pixel_radii(scene, c, pool, stop));
+  plan_meter_discs(scene, settings, plan);
+  look_around_meters(scene, pool, stop, 0, plan);
+  plan.walk_radius = fixed;
+  if (fixed > 0) return;
+  TransportSettings pilot = settings;  // its light paths say how dense light is, and are thrown away
+  pilot.method.weighted = false;
+  pilot.techniques &= ~uint32_t(UPS_TECHNIQUE_SENSOR_CONNECT);
+  Iteration in = Iteration::of_pilot(scene, plan, pilot, 0, stop, Stream::pilot);
+  in.stores_vertices = true;
+  plan.walk_radius =
+      typical_spacing(trace_pilot_vertices(in, pool), 0.05f * scene.radius) * float(std::sqrt(share));
   // A coarse image's pixels are wider than the light's detail that photons can show.
   for (auto& radii : plan.pixel_radius)
     for (float& r : radii) r = std::min(r, 4 * plan.walk_radius);
 }
 
-void choose_meter_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool,
-                        const StopSignal& stop, uint32_t iteration, Plan& plan) {
-  if (!plan.meter_spacing.empty()) run_pilot(scene, settings, pool, stop, 1, iteration, plan);
+void look_around_meters(const Snapshot& scene, ThreadPool& pool, const StopSignal& stop, uint32_t iteration,
+                        Plan& plan) {
+  for (size_t s = 0; s < plan.meter_reach.size(); ++s) {
+    const MeterSet& set = scene.meter_sets[s];
+    if (!(plan.meter_reach[s] > 0) || !plan.merges_at(s)) continue;
+    pool.for_blocks(plan.visited_meters(iteration, set.meters.size()), 64, [&](size_t, size_t begin, size_t end) {
+      if (stop.is_set()) return;
+      for (size_t i = begin; i < end; ++i) {
+        const uint32_t m = plan.visited_meter(iteration, i);
+        plan.meter_discs[s].look_around(scene, set.meters[m], m, plan.meter_reach[s]);
+      }
+    });
+  }
 }
 
 }  // namespace ups

@@ -1,4 +1,4 @@
-// See sensor_index.h: every meter's disc or cell at the radius of this iteration.
+// See sensor_index.h: every meter's disc or cell.
 #include "transport/sensor_index.h"
 
 #include "transport/walk.h"
@@ -18,8 +18,9 @@ SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool) {
       const Meter& meter = set.meters[m];
       const double radius2 = cell ? 0 : in.meter_radius2(s, m);
       if (!cell && !(radius2 > 0)) continue;
-      entries_.push_back({s, m, i, radius2, in.eta(radius2) / in.plan.meter_samples, counts});
-      const float radius = cell ? half_diagonal * 1.0001f : float(std::sqrt(radius2));
+      const double area = cell ? double(set.cell_area()) : 3.14159265358979323846 * radius2;
+      entries_.push_back({s, m, i, area, in.eta(radius2) / in.plan.meter_samples, counts});
+      const float radius = cell ? half_diagonal * 1.0001f : in.plan.meter_discs[s].radius(m);
       discs.push_back({lifted(meter.p, meter.frame.n, meter.error), meter.frame.n, radius});
     }
   }

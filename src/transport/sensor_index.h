@@ -12,14 +12,15 @@ namespace ups {
 
 class SensorIndex {
  public:
+  SensorIndex() = default;
   // The meters that the iteration visits. Holds point meters where merging is on and cells where landing is on.
   SensorIndex(const Iteration& in, ThreadPool& pool);
 
   struct Entry {
     uint32_t set, meter;
     uint32_t visited;    // running number of the meter among those of its set that the iteration visits
-    double radius2 = 0;  // of a point; 0: a cell
-    double eta = 0;      // N pi radius2 / Ke: a disc merges once for all eye paths of its meter
+    double area = 0;     // of a cell, of a point's disc
+    double eta = 0;      // N area / Ke: a disc merges once for all eye paths of its meter; 0: a cell
     mis::Counts counts;
   };
   bool empty() const { return entries_.empty(); }

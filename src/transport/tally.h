@@ -59,11 +59,11 @@ struct PathRecord {
   }
 };
 
-// Estimates of this iteration for one meter, lx.
+// Estimates of this iteration for one meter, lx; of a point meter without what landed on its disc.
 struct MeterTally {
   double value = 0;
   double direct = 0;  // part of value that came straight from an emitter
-  double bias = 0;    // 2 (M_r - M_{r/sqrt 2}) of all merges: its mean is their bias to O(r^4)
+  double bias = 0;    // 2 (M_r - M_{r/sqrt 2}) of eye paths' merges: its mean is their bias to O(r^4)
   double exact = 0;   // part of direct that is no matter of chance
   float rounding = 0;  // of exact, at most
   std::array<PathRecord, light_part_count> paths;
@@ -86,6 +86,15 @@ struct MeterTally {
   }
 };
 
+// A photon on a point meter's disc.
+struct MeterLanding {
+  uint32_t visited;  // running number of the meter
+  uint32_t column;   // of Plan::separation, where there is one
+  uint8_t ring;      // of MeterDiscs
+  bool direct;       // straight from an emitter
+  double lm;         // weighted, already divided by N
+};
+
 // What a light path brought to a pixel, already divided by N.
 struct Splat {
   uint32_t pixel;
@@ -101,6 +110,7 @@ struct IterationTally {
   std::vector<std::vector<Splat>> splats;       // a camera
   std::vector<TechniqueTally> techniques;       // a camera, of all its pixels; empty where not asked for
   std::vector<std::vector<MeterTally>> meters;
+  std::vector<std::vector<MeterLanding>> landings;  // a set, in an order that threads do not change
   // A set: a meter by a column of Plan::separation, column fastest; empty without.
   std::vector<std::vector<MeterTally>> separated;
   std::vector<GoniometerTally> goniometers;
@@ -122,7 +132,8 @@ inline size_t IterationTally::bytes() const {
   const auto count = [&](const auto& all) {
     for (const auto& one : all) sum += one.size() * sizeof one[0];
   };
-  count(pixels), count(pixel_bias), count(illuminance), count(splats), count(meters), count(separated);
+  count(pixels), count(pixel_bias), count(illuminance), count(splats), count(meters), count(landings);
+  count(separated);
   for (const TechniqueTally& t : techniques)
     sum += (t.weighted.size() + t.unweighted.size() + 2 * t.pixels) * sizeof(Rgb);
   for (const GoniometerTally& g : goniometers) sum += (g.wide.size() + g.narrow.size()) * sizeof(double);

@@ -287,8 +287,8 @@ TEST(SceneWarnings, AMergeRadiusThatReachesTheLeast) {
   add_scaled_room(scene, p, 1);
   RenderOptions options{.iterations = 24, .merge_radius_m = 2e-5, .light_paths = 256, .radius_alpha = 1e-3};
   const std::string text = scene.render(options).text(UPS_TEXT_WARNINGS);
-  EXPECT_TRUE(tells(text, {"meters 1: from iteration 9 on, the merge radius of 1 of 1 meters is kept at 6.7",
-                           "after the first surface: from iteration 9 on, the merge radius is kept"}));
+  EXPECT_TRUE(tells(text, {"after the first surface: from iteration 9 on, the merge radius is kept at 6.7"}));
+  EXPECT_EQ(text.find("meters"), std::string::npos) << "their discs do not shrink";
   options.iterations = 4;
   EXPECT_EQ(scene.render(options).text(UPS_TEXT_WARNINGS).find("merge radius"), std::string::npos);
 }

@@ -59,7 +59,7 @@ class Replay {
   }
   double sensor_merge_share(const Replayed& r) const {
     if (!merges()) return 0;
-    const double own = r.of_pixel ? pixel_radius2(r) : shrunk(meter_radius, number) / plan_.meter_samples;
+    const double own = r.of_pixel ? pixel_radius2(r) : double(meter_radius) * meter_radius / plan_.meter_samples;
     return own / shrunk(plan_.walk_radius, number);
   }
   const Room& room() const { return room_; }
@@ -86,7 +86,7 @@ class Replay {
     plan_.pixel_radius.emplace_back(scene.cameras[0].pixel_count());
     for (size_t i = 0; i < plan_.pixel_radius[0].size(); ++i) plan_.pixel_radius[0][i] = 0.02f + 0.01f * float(i % 5);
     for (const MeterSet& set : scene.meter_sets)
-      plan_.meter_radius.emplace_back(set.meters.size(), set.is_cell() ? 0 : meter_radius);
+      plan_.meter_discs.push_back(set.is_cell() ? MeterDiscs() : MeterDiscs(set.meters.size(), max_rings, meter_radius));
     plan_.walk_radius = 0.04f;
   }
   EmissionGuide guide() const {
@@ -112,6 +112,7 @@ class Replay {
     IterationTally tally;
     tally.pixels.resize(1), tally.illuminance.resize(1), tally.splats.resize(1);
     for (const MeterSet& set : scene.meter_sets) tally.meters.emplace_back(set.meters.size());
+    tally.landings.resize(scene.meter_sets.size());
     tally.separated.resize(scene.meter_sets.size());
     const SensorIndex sensors(in, pool);
     Photons photons;

@@ -1,0 +1,214 @@
+// See meter_rings.h. Of discs out to ring k: plain, the mean; fourth, the fit of E + a r^2 at the centre, whose bias is
+// of fourth order. Their difference estimates the bias of the former. Both are linear in the rings' fluxes.
+#include "render/meter_rings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/spread.h"
+
+namespace ups {
+
+namespace {
+
+constexpr uint32_t least_photons = 5;  // of a disc that may be chosen
+
+uint32_t visits_of(uint32_t batch, uint32_t visits) {
+  return visits / batch_count + (batch < visits % batch_count);
+}
+
+uint32_t visits_of_half(size_t half, uint32_t visits) {
+  uint32_t sum = 0;
+  for (uint32_t b = uint32_t(half); b < batch_count; b += 2) sum += visits_of(b, visits);
+  return sum;
+}
+
+// plain - fourth = sum (alpha + beta r_j^2) flux_j out to each ring: with the moments m_i = sum area_j r_j^(2 i),
+// fourth = sum (m_2 - m_1 r_j^2) / (m_0 m_2 - m_1^2) flux_j.
+struct BiasKernel {
+  double alpha[max_rings] = {}, beta[max_rings] = {};
+  explicit BiasKernel(const Rings& rings) {
+    double m0 = 0, m1 = 0, m2 = 0;
+    for (uint32_t k = 0; k < rings.count; ++k) {
+      const double a = rings.area[k], u = rings.radius2[k];
+      m0 += a, m1 += a * u, m2 += a * u * u;
+      const double determinant = m0 * m2 - m1 * m1;
+      if (!(determinant > 1e-9 * m0 * m2)) continue;  // one ring: no bias is seen
+      alpha[k] = 1 / m0 - m2 / determinant;
+      beta[k] = m1 / determinant;
+    }
+  }
+  double at(const Rings& rings, uint32_t disc, uint32_t ring) const {
+    return ring <= disc ? alpha[disc] + beta[disc] * rings.radius2[ring] : 0.0;
+  }
+};
+
+}  // namespace
+
+// Of discs out to each ring, for one visit.
+struct MeterRings::Sums {
+  double area[max_rings], flux[max_rings], square[max_rings];
+  double of_ring[max_rings], square_of_ring[max_rings];
+  uint64_t count[max_rings];
+  double mean(uint32_t k) const { return flux[k] / area[k]; }
+  double variance(uint32_t k) const { return square[k] / (area[k] * area[k]); }
+  // The first that has so many photons, if any has; at least the narrowest that is resolved.
+  uint32_t first_with(uint64_t photons, const Rings& rings) const {
+    uint32_t k = rings.narrowest;
+    while (k + 1 < rings.count && count[k] < photons) ++k;
+    return k;
+  }
+};
+
+MeterRings::MeterRings(size_t rows, uint32_t rings, bool direct)
+    : rings_(rings), flux_(rows * batch_count * rings), direct_(direct ? flux_.size() : 0),
+      square_(rows * halves * rings), count_(rows * halves * rings),
+      largest_(rows * rings), largest_batch_(rows * rings) {}
+
+void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l) {
+  const size_t of_half = (row * halves + batch % halves) * rings_ + l.ring;
+  const size_t of_batch = (row * batch_count + batch) * rings_ + l.ring, of_row = row * rings_ + l.ring;
+  flux_[of_batch] += l.lm;
+  square_[of_half] += l.lm * l.lm;
+  ++count_[of_half];
+  if (l.direct && !direct_.empty()) direct_[of_batch] += l.lm;
+  if (float(l.lm) > largest_[of_row]) largest_[of_row] = float(l.lm), largest_batch_[of_row] = uint8_t(batch);
+}
+
+MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const {
+  Sums s;
+  double area = 0, flux = 0, square = 0;
+  uint64_t count = 0;
+  for (uint32_t k = 0; k < rings.count; ++k) {
+    s.of_ring[k] = s.square_of_ring[k] = 0;
+    for (size_t half = begin; half < end; ++half) {
+      for (uint32_t b = uint32_t(half); b < batch_count; b += 2) s.of_ring[k] += this->flux(row, b, k) / visits;
+      s.square_of_ring[k] += square_[(row * halves + half) * rings_ + k] / (double(visits) * visits);
+      count += count_[(row * halves + half) * rings_ + k];
+    }
+    s.area[k] = area += rings.area[k];
+    s.flux[k] = flux += s.of_ring[k];
+    s.square[k] = square += s.square_of_ring[k];
+    s.count[k] = count;
+  }
+  return s;
+}
+
+// Least noise^2 + max(0, b^2 - s_b^2) from narrow to wide, up to the first disc whose bias is beyond doubt: wider ones
+// that look harmless again have only diluted it. Then one ring less, unless nothing limits the disc: the bias that is
+// not seen halves, so that the error bound holds, for sqrt(2) of the noise at the most. Variances are from the photons'
+// own squares: batches of a half are too few for that.
+uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence) {
+  const BiasKernel kernel(rings);
+  const uint32_t first = s.first_with(least_photons, rings);
+  double b1 = 0, q1 = 0, q2 = 0, least = INFINITY;
+  uint32_t chosen = first, last = rings.count - 1;
+  while (last > first && !(rings.area[last] > 0)) --last;
+  for (uint32_t k = 0; k <= last; ++k) {
+    const double u = rings.radius2[k], alpha = kernel.alpha[k], beta = kernel.beta[k];
+    b1 += u * s.of_ring[k], q1 += u * s.square_of_ring[k], q2 += u * u * s.square_of_ring[k];
+    if (k < first) continue;
+    const double bias = alpha * s.flux[k] + beta * b1, noise2 = dependence.of_mean[k] * s.variance(k),
+                 bias2 = dependence.of_bias[k] * std::max(0.0, alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2);
+    const double cost = noise2 + std::max(0.0, bias * bias - bias2);
+    if (cost <= least) least = cost, chosen = k;
+    if (k > first && bias * bias > 16 * bias2 && bias * bias > 4 * noise2) break;
+  }
+  return chosen < last ? std::max(chosen, first + 1) - 1 : rings.count - 1;
+}
+
+// Photons of stratified passes and of one path are not independent: what the batches vary, over what squares say that
+// independent photons would. Of 15 degrees of freedom, so that discs of similar size are taken together, and with few
+// photons, whose dependence does not matter, the squares are believed.
+MeterRings::Dependence MeterRings::dependence(size_t row, const Rings& rings, uint32_t visits) const {
+  if (visits < batch_count) return {};
+  const Sums s = sums_of(row, rings, 0, halves, visits);
+  const BiasKernel kernel(rings);
+  Dependence own, out;
+  double mean[batch_count] = {}, first[batch_count] = {}, bias[batch_count] = {}, q1 = 0, q2 = 0;
+  for (uint32_t k = 0; k < rings.count; ++k) {
+    const double u = rings.radius2[k], alpha = kernel.alpha[k], beta = kernel.beta[k];
+    q1 += u * s.square_of_ring[k], q2 += u * u * s.square_of_ring[k];
+    for (uint32_t b = 0; b < batch_count; ++b) {
+      mean[b] += flux(row, b, k), first[b] += u * flux(row, b, k);
+      bias[b] = alpha * mean[b] + beta * first[b];
+    }
+    const double trust = double(s.count[k]) / double(s.count[k] + 256);
+    const auto over = [&](const double* of_batch, double independent) {
+      const double error = spread(of_batch, visits).standard_error;
+      return independent > 0 ? 1 + trust * (error * error / independent - 1) : 1;
+    };
+    own.of_mean[k] = over(mean, s.square[k]);
+    own.of_bias[k] = over(bias, alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2);
+  }
+  for (uint32_t k = 0; k < rings.count; ++k) {
+    const uint32_t from = k - (k > 0), to = k + (k + 1 < rings.count);
+    double of_mean = 0, of_bias = 0;
+    for (uint32_t j = from; j <= to; ++j) of_mean += own.of_mean[j], of_bias += own.of_bias[j];
+    out.of_mean[k] = of_mean / (to - from + 1), out.of_bias[k] = of_bias / (to - from + 1);
+  }
+  return out;
+}
+
+MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits) const {
+  if (visits < min_batches || rings.count < 2) return {rings.count - 1, rings.count - 1};
+  const Dependence dependence = this->dependence(row, rings, visits);
+  Choice choice;
+  for (size_t half = 0; half < halves; ++half)
+    choice[1 - half] = best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence);
+  return choice;
+}
+
+MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const {
+  Photons p;
+  const Sums s = sums_of(row, rings, 0, halves, visits);
+  if (s.count[rings.count - 1] == 0) return p;
+  p.halves_differ = choice[0] != choice[1];
+  double estimate = 0;
+  for (uint32_t b = 0; b < batch_count; ++b) {
+    const uint32_t out_to = choice[b % 2];
+    for (uint32_t k = 0; k <= out_to; ++k) {
+      p.value[b] += flux(row, b, k);
+      if (!direct_.empty()) p.direct[b] += direct_[(row * batch_count + b) * rings_ + k];
+    }
+    p.value[b] /= s.area[out_to];
+    p.direct[b] /= s.area[out_to];
+    estimate += p.value[b] / visits;
+  }
+  for (uint32_t k = 0; k <= std::max(choice[0], choice[1]); ++k) {
+    const size_t at = row * rings_ + k;
+    const float largest = float(largest_[at] / s.area[choice[largest_batch_[at] % halves]]);
+    if (k <= choice[largest_batch_[at] % halves] && largest > p.paths.largest)
+      p.paths.largest = largest, p.largest_batch = largest_batch_[at];
+    for (size_t half = 0; half < halves; ++half)
+      if (k <= choice[half]) p.paths.count += count_[(row * halves + half) * rings_ + k];
+  }
+
+  const BiasKernel kernel(rings);
+  const double share = double(visits_of_half(0, visits)) / visits;
+  double bias[batch_count] = {};
+  for (uint32_t k = 0; k < rings.count; ++k) {
+    const double d = share * kernel.at(rings, choice[0], k) + (1 - share) * kernel.at(rings, choice[1], k);
+    for (uint32_t b = 0; b < batch_count; ++b) bias[b] += d * flux(row, b, k);
+  }
+  const Spread of_bias = spread(bias, visits);
+  p.bias = of_bias.mean;
+  p.bias_error = std::max(0.0, of_bias.standard_error);
+
+  // Light narrower than the disc: narrower ones differ by more than the noise that the reading predicts for them.
+  constexpr double t = 2.13, beyond_noise = 2.5;
+  const uint32_t outermost = rings.count - 1, widest = std::max(choice[0], choice[1]);
+  const double photon = s.flux[outermost] > 0 ? s.square[outermost] / s.flux[outermost] : 0;
+  for (uint32_t k = s.first_with(3, rings); k < widest; ++k) {
+    const double off = std::abs(s.mean(k) - estimate);
+    if (s.flux[k] > 0 && off > beyond_noise * std::sqrt(std::max(estimate, 0.0) * photon / s.area[k]))
+      p.narrower = std::max(p.narrower, off + t * std::sqrt(s.variance(k)));
+  }
+  if (const uint64_t all = s.count[outermost]; all < 16) {
+    const double few = s.mean(s.first_with(std::min<uint64_t>(8, all), rings));
+    p.narrower = std::max(p.narrower, few * (1 + 2 * t / std::sqrt(double(all))));
+  }
+  return p;
+}
+
+}  // namespace ups

@@ -1,0 +1,65 @@
+// What landed on point meters' discs, summed by rings, and which disc a reading takes: chosen after the photons came, so
+// that noise and bias together are least, on one half of the batches for the other half and the other way round, so that
+// the choice does not bias what is read.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "transport/meter_discs.h"
+#include "transport/plan.h"
+#include "transport/tally.h"
+
+namespace ups {
+
+class MeterRings {
+ public:
+  // A row is a meter, or a column of one. direct: some light comes straight from emitters.
+  MeterRings(size_t rows, uint32_t rings, bool direct);
+  static double bytes_per_row(uint32_t rings, bool direct) {
+    return rings * (sizeof(double) * (batch_count + halves + (direct ? batch_count : 0)) + sizeof(uint32_t) * halves +
+                    sizeof(float) + 1);
+  }
+  bool empty() const { return flux_.empty(); }
+  void add(size_t row, uint32_t batch, const MeterLanding& landing);
+
+  // Even and odd batches: the outermost ring that is read of each.
+  using Choice = std::array<uint32_t, 2>;
+  Choice choose(size_t row, const Rings& rings, uint32_t visits) const;
+
+  // The photons of the chosen discs.
+  struct Photons {
+    std::array<double, batch_count> value{}, direct{};  // lx, sums of each batch
+    PathRecord paths;
+    uint8_t largest_batch = 0;                // that with paths.largest
+    double bias = 0, bias_error = 0;          // lx, estimated, and its standard error
+    double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
+    bool halves_differ = false;  // in their discs
+    bool has_bias() const { return std::abs(bias) > 2 * bias_error; }  // beyond doubt
+  };
+  Photons read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const;
+
+ private:
+  static constexpr size_t halves = 2;
+  struct Sums;
+  Sums sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const;
+  struct Dependence {
+    std::array<double, max_rings> of_mean, of_bias;
+    Dependence() { of_mean.fill(1), of_bias.fill(1); }
+  };
+  Dependence dependence(size_t row, const Rings& rings, uint32_t visits) const;
+  static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence);
+  double flux(size_t row, uint32_t batch, uint32_t ring) const {
+    return flux_[(row * batch_count + batch) * rings_ + ring];
+  }
+
+  uint32_t rings_;
+  std::vector<double> flux_, direct_;  // a row by a batch by a ring
+  std::vector<double> square_;         // a row by a half by a ring
+  std::vector<uint32_t> count_;        // the same
+  std::vector<float> largest_;         // lm, a row by a ring
+  std::vector<uint8_t> largest_batch_;
+};
+
+}  // namespace ups

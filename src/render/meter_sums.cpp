@@ -1,0 +1,130 @@
+// See meter_sums.h.
+#include "render/meter_sums.h"
+
+#include <bit>
+#include <tuple>
+
+#include "render/tails.h"
+#include "render/zero_bound.h"
+
+namespace ups {
+
+namespace {
+
+// Even and odd batches apart: their discs differ, and so does their bias.
+Spread spread_of_halves(const double* sums, uint32_t visits) {
+  Spread s = spread(sums, visits);
+  if (s.standard_error < 0) return s;
+  double variance = 0;
+  for (uint32_t half = 0; half < 2; ++half) {
+    uint32_t n = 0, used = 0;
+    double mean = 0, square = 0;
+    for (uint32_t b = half; b < std::min(visits, batch_count); b += 2, ++used)
+      n += visits_of_batch(visits, b), mean += sums[b];
+    mean /= n;
+    for (uint32_t b = half; b < std::min(visits, batch_count); b += 2) {
+      const double of_batch = visits_of_batch(visits, b), d = sums[b] / of_batch - mean;
+      square += of_batch * d * d;
+    }
+    variance += double(n) / visits * n / visits * square / (double(n) * (used - 1));
+  }
+  s.standard_error = std::sqrt(variance);
+  return s;
+}
+
+}  // namespace
+
+void MeterSums::add(uint32_t batch, const MeterTally& t) {
+  value[batch] += t.value;
+  direct[batch] += t.direct;
+  bias[batch] += t.bias;
+  exact += t.exact;
+  rounding += t.rounding;
+  if (t.paths[whole_light].largest > paths[whole_light].largest) largest_batch = uint8_t(batch);
+  for (size_t k = 0; k < light_part_count; ++k) {
+    paths[k].add(t.paths[k]);
+    if (t.paths[k].count > 0) batches[k] |= uint16_t(1u << batch);
+  }
+}
+
+void MeterSums::add(const MeterRings::Photons& photons) {
+  if (photons.paths.largest > paths[whole_light].largest) largest_batch = photons.largest_batch;
+  for (uint32_t b = 0; b < batch_count; ++b) {
+    value[b] += photons.value[b];
+    direct[b] += photons.direct[b];
+    const double parts[] = {photons.value[b], photons.direct[b], photons.value[b] - photons.direct[b]};
+    for (size_t k = 0; k < light_part_count; ++k)
+      if (parts[k] > 1e-9 * photons.value[b]) batches[k] |= uint16_t(1u << b);
+  }
+  for (PathRecord& part : paths) part.add(photons.paths);
+}
+
+// Where the photons' bias is noise its estimate counts once: a disc is chosen that has less of it than noise.
+Spread MeterLight::bias() const {
+  Spread b = spread(sums.bias, visits);
+  b.mean += photons.bias;
+  if (b.standard_error >= 0 && photons.has_bias()) b.standard_error = std::hypot(b.standard_error, photons.bias_error);
+  return b;
+}
+
+std::pair<float, float> MeterLight::error_of(LightPart part) const {
+  const bool direct = part == direct_light;
+  const double of_exact = part == indirect_light ? 0 : sums.exact / visits,
+               rounding = part == indirect_light ? 0 : sums.rounding / visits;
+  if (exact[part]) return {0.0f, float(rounding)};
+  double values[batch_count];
+  ChanceLight light{sums.paths[part].count, uint32_t(std::popcount(sums.batches[part])), 0};
+  for (uint32_t b = 0; b < batch_count; ++b) {
+    values[b] = direct ? sums.direct[b] : part == indirect_light ? sums.value[b] - sums.direct[b] : sums.value[b];
+    light.largest_batch = std::max(light.largest_batch, values[b] - of_exact * visits_of_batch(visits, b));
+  }
+  const Spread e = photons.halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
+  if (e.standard_error < 0) return {-1.0f, -1.0f};
+  Spread b = bias();
+  if (!photons.has_bias()) b.mean = std::abs(b.mean - photons.bias) + std::abs(photons.bias);
+  if (!light.is_enough(visits))
+    return {-1.0f, float(std::max(std::abs(b.mean) + light.bound(largest[part], visits), photons.narrower) + rounding)};
+  const float bound = error_bound(e, b, visits);
+  return {float(e.standard_error), float(std::max(double(bound), photons.narrower) + rounding)};
+}
+
+ups_meter_reading MeterLight::reading() const {
+  if (visits == 0) return {-1, -1, -1, -1, -1, -1};
+  const double value = spread(sums.value, visits).mean;
+  ups_meter_reading out;
+  out.illuminance_lx = float(value);
+  out.direct_lx = float(spread(sums.direct, visits).mean);
+  out.indirect_lx = float(std::max(0.0, value - double(out.direct_lx)));
+  out.bias_lx = float(bias().mean);
+  std::tie(out.standard_error_lx, out.error_bound_lx) = error_of(whole_light);
+  return out;
+}
+
+// Light straight from emitters that no photon brings has no bias; the other part may have all of it.
+ups_meter_part_reading MeterLight::part(ups_light_part part) const {
+  if (visits == 0) return {-1, -1, -1, -1};
+  const LightPart of = part == UPS_LIGHT_PART_DIRECT ? direct_light : indirect_light;
+  const double direct = spread(sums.direct, visits).mean;
+  ups_meter_part_reading out;
+  out.illuminance_lx = float(of == direct_light ? direct : std::max(0.0, spread(sums.value, visits).mean - direct));
+  out.bias_lx = of == indirect_light || merges_direct ? float(bias().mean) : 0;
+  std::tie(out.standard_error_lx, out.error_bound_lx) = error_of(of);
+  return out;
+}
+
+uint32_t MeterLight::flags(const ups_meter_reading& r) const {
+  if (r.error_bound_lx < 0) return UPS_READING_UNKNOWN;
+  if (r.standard_error_lx < 0) return UPS_READING_FEW_PATHS;
+  const PathRecord& paths = sums.paths[whole_light];
+  if (paths.count == 0) return UPS_READING_EXACT;
+  const double by_chance = spread(sums.value, visits).mean - sums.exact / visits,
+               batch = sums.value[sums.largest_batch] -
+                       sums.exact / visits * visits_of_batch(visits, sums.largest_batch);
+  uint32_t flags = 0;
+  if (single_path_dominates(paths.largest, paths.count, by_chance, batch, r.standard_error_lx, visits))
+    flags |= UPS_READING_SINGLE_PATH;
+  if (batch_kurtosis(sums.value, visits) > largest_kurtosis) flags |= UPS_READING_HEAVY_TAIL;
+  return flags;
+}
+
+}  // namespace ups

@@ -1,0 +1,41 @@
+// One meter's sums over iterations, and what they say together with what landed on its disc.
+#pragma once
+#include <utility>
+
+#include "render/meter_rings.h"
+#include "render/spread.h"
+#include "ups/ups_render.h"
+
+namespace ups {
+
+// Of a meter, or of one source's part of its light. By batch where they are arrays.
+struct MeterSums {
+  double value[batch_count] = {}, direct[batch_count] = {}, bias[batch_count] = {};
+  double exact = 0, rounding = 0;
+  std::array<PathRecord, light_part_count> paths;
+  std::array<uint16_t, light_part_count> batches{};  // a bit for each that such paths have brought light to
+  uint8_t largest_batch = 0;                         // that with paths[whole_light].largest
+
+  void add(uint32_t batch, const MeterTally& tally);
+  void add(const MeterRings::Photons& photons);
+};
+
+struct MeterLight {
+  MeterSums sums;  // with the photons
+  MeterRings::Photons photons;
+  uint32_t visits;
+  std::array<double, light_part_count> largest;  // that one path may bring to an iteration's reading, as far as is known
+  std::array<bool, light_part_count> exact;      // nothing of it is a matter of chance
+  bool merges_direct;                            // photons bring light straight from emitters, too
+
+  ups_meter_reading reading() const;
+  ups_meter_part_reading part(ups_light_part part) const;
+  uint32_t flags(const ups_meter_reading& reading) const;
+  // Estimated bias, the standard error of what a bound takes for bias beyond doubt.
+  Spread bias() const;
+
+ private:
+  std::pair<float, float> error_of(LightPart part) const;  // standard error and bound; -1: not known
+};
+
+}  // namespace ups

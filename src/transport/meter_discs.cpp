@@ -1,0 +1,75 @@
+// See meter_discs.h.
+#include "transport/meter_discs.h"
+
+#include <limits>
+
+#include "transport/radii.h"
+#include "transport/walk.h"
+
+namespace ups {
+
+MeterDiscs::MeterDiscs(size_t meters, uint32_t rings, float radius, uint32_t rays)
+    : rings_(rings), sectors_(rays / 2), radius_(meters, radius),
+      area_(meters, 3.14159265358979323846 * radius * radius), limits_(meters * sectors_, uint8_t(rings)) {}
+
+double MeterDiscs::seen(uint32_t m, uint32_t ring) const {
+  if (limits_.empty()) return 1;
+  const auto begin = limits_.begin() + ptrdiff_t(size_t(m) * sectors_);
+  return double(std::count_if(begin, begin + sectors_, [&](uint8_t limit) { return limit > ring; })) / sectors_;
+}
+
+Rings MeterDiscs::rings(uint32_t m, float min_radius) const {
+  Rings r;
+  r.count = rings_;
+  double inner = 0;
+  for (uint32_t k = 0; k < rings_; ++k) {
+    const double outer = std::ldexp(double(radius_[m]) * radius_[m], int(k + 1) - int(rings_));
+    r.area[k] = 3.14159265358979323846 * (outer - inner) * seen(m, k);
+    r.radius2[k] = 0.5 * (outer + inner);
+    if (outer < double(min_radius) * min_radius && k + 1 < rings_) r.narrowest = k + 1;
+    inner = outer;
+  }
+  return r;
+}
+
+void MeterDiscs::look_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest) {
+  // Rays run between sectors, each of which ends with the shorter of its two: a flat wall is not crossed between them.
+  const uint32_t half = sectors_, rays = 2 * half;
+  const Vec3 o = lifted(meter.p, meter.frame.n, meter.error);
+  std::vector<float> free(half, largest);
+  for (uint32_t i = 0; i < rays; ++i) {
+    const float phi = float(i) * (2 * pi / float(rays));
+    float& both = free[i % half];
+    Hit hit;
+    if (scene.raytracer->intersect(o, meter.frame.s * std::cos(phi) + meter.frame.t * std::sin(phi), both, hit))
+      both = std::min(both, 0.99f * hit.t);
+  }
+  std::vector<float> sectors(half);
+  for (uint32_t i = 0; i < half; ++i) sectors[i] = std::min(free[i], free[(i + 1) % half]);
+  const float radius = std::max(*std::max_element(sectors.begin(), sectors.end()), 0x1p-12f * largest);
+  radius_[m] = radius;
+
+  const auto limits = limits_.begin() + ptrdiff_t(size_t(m) * half);
+  for (uint32_t i = 0; i < half; ++i) limits[ptrdiff_t(i)] = uint8_t(ring_of(sectors[i] * sectors[i], radius * radius));
+  if (std::all_of(limits, limits + half, [](uint8_t limit) { return limit == 0; }))
+    std::fill(limits, limits + half, uint8_t(1));  // without any area there is no light
+  area_[m] = 0;
+  for (const double area : rings(m, 0).area) area_[m] += area;
+}
+
+float meter_spacing(const MeterSet& set) {
+  if (set.is_cell()) return 0;
+  std::vector<float> nearest;
+  const size_t n = set.meters.size(), probes = std::clamp<size_t>((size_t(1) << 24) / n, 16, 256),
+               step = std::max<size_t>(1, n / probes);
+  for (size_t i = 0; i < n; i += step) {
+    float best = std::numeric_limits<float>::infinity();
+    for (size_t j = 0; j < n; ++j)
+      if (j != i) best = std::min(best, length2(set.meters[j].p - set.meters[i].p));
+    if (std::isfinite(best) && best > 0) nearest.push_back(std::sqrt(best));
+  }
+  if (nearest.empty()) return std::numeric_limits<float>::infinity();
+  return median(nearest);
+}
+
+}  // namespace ups

@@ -1,0 +1,68 @@
+// Point meters as discs on which photons are merged, fixed for the whole render: rings out to a largest radius, of which
+// a reading takes as many as serve it best once the photons came (render/meter_rings.h), and the part of them that the
+// meter sees in its own plane. The weights know the whole disc alone: they may be any partition of unity.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "scene/snapshot.h"
+
+namespace ups {
+
+inline constexpr uint32_t max_rings = 24;  // each to a radius sqrt(2) times that of the one before: 4096 : 1 in all
+
+// Of one meter, from the innermost ring on.
+struct Rings {
+  uint32_t count = 0;
+  uint32_t narrowest = 0;  // the outermost of the narrowest disc that coordinates resolve
+  double area[max_rings] = {};     // m2, what is seen
+  double radius2[max_rings] = {};  // m2, mean over the ring
+};
+
+class MeterDiscs {
+ public:
+  MeterDiscs() = default;  // of cells
+  // Everything is seen out to the radius. rays: an even number for look_around().
+  MeterDiscs(size_t meters, uint32_t rings, float radius, uint32_t rays = 0);
+  // Many rows of sums (a meter, or a column of one, each) take fewer rings.
+  static uint32_t rings_for(size_t rows) { return rows <= 100000 ? max_rings : rows <= 1000000 ? max_rings / 2 : 8; }
+
+  // A light path must not reach a meter through a wall: rays in its plane find how far it sees. A direction counts as
+  // far as the opposite one does, as half a disc is biased by the light's slope. Of different meters at the same time.
+  void look_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest);
+
+  bool empty() const { return radius_.empty(); }
+  uint32_t ring_count() const { return rings_; }
+  float radius(uint32_t m) const { return radius_[m]; }
+  double area(uint32_t m) const { return area_[m]; }
+  Rings rings(uint32_t m, float min_radius) const;
+  // Of a point of the plane at x, y from the meter, along its frame's s and t.
+  uint32_t ring_at(uint32_t m, float x, float y) const {
+    const uint32_t ring = ring_of(x * x + y * y, radius_[m] * radius_[m]);
+    return ring < rings_ && (limits_.empty() || ring < limit(m, x, y)) ? ring : none;
+  }
+
+ private:
+  uint32_t ring_of(float d2, float radius2) const {
+    return uint32_t(std::max(int(rings_) + std::ilogb(std::max(d2 / radius2, 0x1p-100f)), 0));
+  }
+  uint32_t limit(uint32_t m, float x, float y) const {
+    const float turn = std::atan2(y, x) / pi;  // opposite directions are alike
+    const uint32_t sector = uint32_t((turn < 0 ? turn + 1 : turn) * float(sectors_));
+    return limits_[size_t(m) * sectors_ + std::min(sector, sectors_ - 1)];
+  }
+  double seen(uint32_t m, uint32_t ring) const;  // share of a ring
+
+  uint32_t rings_ = 0, sectors_ = 0;  // sectors of half a turn
+  std::vector<float> radius_;
+  std::vector<double> area_;  // what is seen
+  std::vector<uint8_t> limits_;  // rings seen, a meter by a sector, sector fastest; empty: all
+};
+
+// Median distance of a meter of the set to its nearest neighbour; infinite where there is none, 0 for cells, where
+// photons are counted, not merged.
+float meter_spacing(const MeterSet& set);
+
+}  // namespace ups
