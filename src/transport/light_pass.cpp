@@ -163,8 +163,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     // The disc of half the area: its photons count twice,
     // so that the difference sees the curvature of illuminance alone.
     const double bias = cell ? 0.0 : 2.0 * (value - (2.0 * d2 < e.radius2 ? 2.0 * value : 0.0));
-    block_.landings.push_back({crossing.disc, emitter_index_, MeterTally::of_path(value, a == 1 ? value : 0.0, bias), d2,
-                               c.relative(1)});
+    const MeterTally found = MeterTally::of_path(value, a == 1 ? value : 0.0, bias);
+    block_.landings.push_back({crossing.disc, emitter_index_, found, d2, c.relative(1)});
   }
 
   void store(const LightEnd& light) {
