@@ -62,8 +62,8 @@ namespace Ups
             return choice;
         }
 
-        /// <summary>Light that no path has found, or few, has standard error -1 beside a positive bound; both are -1 where
-        /// nothing is known yet.</summary>
+        /// <summary>Light that no path has found, or few, has standard error -1 beside a positive bound; both are -1
+        /// where nothing is known yet.</summary>
         public MeterReading[] Meters(SensorId sensor)
         {
             var readings = new MeterReading[Statistics(sensor).Count];
@@ -158,7 +158,8 @@ namespace Ups
                                                                       (UIntPtr)info.GammaCount));
         }
 
-        /// <summary>The beam angle (fraction 0.5) or field angle (0.1) in the plane C / C + 180 with its error.</summary>
+        /// <summary>The beam angle (fraction 0.5) or field angle (0.1) in the plane C / C + 180, with its
+        /// error.</summary>
         public GoniometerBeam GoniometerBeam(SensorId sensor, float cDeg = 0, float fraction = 0.5f)
         {
             var beam = Ups.GoniometerBeam.Sized();

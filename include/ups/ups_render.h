@@ -162,8 +162,8 @@ UPS_API void ups_render_desc_init(ups_render_desc *desc, uint32_t struct_size);
 /* Blocks until a limit or the target. The one call that a small program needs; for progress and cancel start a job.
  * INVALID_STATE where the time limit was over before the first iteration was done. While it renders and is read, a
  * camera takes up to 300 bytes a pixel, 60 at first and 12 more with each of the first 16 visits of all pixels
- * (`illuminance`: 80 more; technique_images: 96 more for each image), a meter 700, for each source of `separation`
- * 500 more. */
+ * (`illuminance`: 80 more; technique_images: 96 more for each image), a meter 900, for each source of `separation`
+ * 900 more. */
 UPS_API ups_status ups_render(const ups_scene *scene, const ups_render_desc *desc, ups_result **out);
 
 /* The same, without blocking: start, then poll or wait from any thread. */

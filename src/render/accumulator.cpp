@@ -5,7 +5,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "render/meter_statistics.h"
 #include "render/tails.h"
 
 namespace ups {

@@ -8,6 +8,7 @@
 
 #include "render/goniometer_sums.h"
 #include "render/image_sums.h"
+#include "render/meter_statistics.h"
 #include "render/meter_sums.h"
 #include "ups/ups_render.h"
 
@@ -29,7 +30,9 @@ struct ErrorSummary {
 class Accumulator {
  public:
   explicit Accumulator(const Snapshot& scene, const Plan& plan);
-  static constexpr double bytes_per_meter = sizeof(MeterSums) + sizeof(ups_meter_reading);  // without MeterRings
+  // Without MeterRings.
+  static constexpr double bytes_per_meter = sizeof(MeterSums) + sizeof(MeterLight) + sizeof(ups_meter_reading) +
+                                            2 * sizeof(ups_meter_part_reading) + MeterBatches::bytes_per_meter;
   void add(const IterationTally& tally);  // the next iteration
   uint32_t iterations() const { return iterations_; }
   const WorkCounts& work() const { return work_; }

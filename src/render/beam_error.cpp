@@ -1,5 +1,5 @@
-// See beam_error.h. An angle is no mean of batches: its noise is found by leaving out one batch after the other (Quenouille
-// 1956, Tukey 1958), its blur by the angle of intensities without their estimated bias.
+// See beam_error.h. An angle is no mean of batches: its noise is found by leaving out one batch after the other
+// (Quenouille 1956, Tukey 1958), its blur by the angle of intensities without their estimated bias.
 #include "render/beam_error.h"
 
 #include "photometry/metrics.h"

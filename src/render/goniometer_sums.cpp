@@ -4,7 +4,8 @@
 namespace ups {
 
 GoniometerSums::GoniometerSums(const Goniometer& goniometer, double emitted_lm, uint32_t light_paths)
-    : goniometer_(goniometer), emitted_lm_(emitted_lm), largest_(light_paths ? emitted_lm / light_paths : 0), wide_(goniometer.node_count() * batch_count), narrow_(wide_.size()) {}
+    : goniometer_(goniometer), emitted_lm_(emitted_lm), largest_(light_paths ? emitted_lm / light_paths : 0),
+      wide_(goniometer.node_count() * batch_count), narrow_(wide_.size()) {}
 
 void GoniometerSums::add(uint32_t batch, const GoniometerTally& tally) {
   for (size_t i = 0; i < tally.wide.size(); ++i) {

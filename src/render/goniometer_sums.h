@@ -25,8 +25,8 @@ class GoniometerSums {
       2 * sizeof(double) * (batch_count + 1) + sizeof(ups_intensity_reading) + sizeof(float) * batch_count;
   void add(uint32_t batch, const GoniometerTally& tally);
   GoniometerReading read(uint32_t iterations) const;
-  // Of each node that stands for itself: bound / max(I, 5 % of the peak), without light of what the emitters would bring
-  // to all directions alike. False where it is not known yet.
+  // Of each node that stands for itself: bound / max(I, 5 % of the peak), without light of what the emitters would
+  // bring to all directions alike. False where it is not known yet.
   bool relative_errors(uint32_t iterations, std::vector<double>& out) const;
   // Noise of a node's intensity, 95 %, relative, in the mean over the light: what more iterations lessen, as they do
   // not lessen blur. All nodes without light have together what one of them could have. < 0: not known yet.

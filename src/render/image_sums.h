@@ -71,7 +71,7 @@ class ImageSums {
   std::vector<double> eye_;          // 3 a pixel, of all visits
   std::vector<double> splat_;        // 3 a pixel, of all iterations; empty until light paths bring something
   std::vector<float> pending_;       // eye and splats of the pass under way
-  std::vector<float> largest_;       // by tile, Units::side: luminance that a path brought to one of its pixels in a pass
+  std::vector<float> largest_;       // by tile, Units::side: luminance that a path brought to a pixel of it in a pass
   // 3 a pixel, of whole passes; each is empty before its first.
   std::array<std::vector<float>, batch_count> batches_;
   std::optional<PixelBias> bias_;  // where photons are merged

@@ -1,10 +1,10 @@
 // See meter_statistics.h.
 //
-// The least of noisy readings is biased low, and which of them is the least says nothing new of its own noise. Below: each
-// true value is above its reading less its bound, 95 %, so the least true one is above the least of these. Above: a meter
-// that was chosen by half of the batches is read by the other half without that bias, and is at least the least true one.
-// Both hold for any field of true values; neither can be much tightened without knowing it: one meter may stand out as
-// far as noise hides.
+// The least of noisy readings is biased low, and which of them is the least says nothing new of its own noise. Below:
+// each true value is above its reading less its bound, 95 %, so the least true one is above the least of these. Above:
+// a meter that was chosen by half of the batches is read by the other half without that bias, and is at least the least
+// true one. Both hold for any field of true values; neither can be much tightened without knowing it: one meter may
+// stand out as far as noise hides.
 #include "render/meter_statistics.h"
 
 #include <numeric>
@@ -46,8 +46,8 @@ std::vector<uint32_t> order_by_half(const MeterBatches& meters, uint32_t half, s
   return order;
 }
 
-// The mean of the meters at ranks [begin, end), chosen by one half of the batches and read by the other, and how far its
-// upper limit is above it.
+// The mean of the meters at ranks [begin, end), chosen by one half of the batches and read by the other, and how far
+// its upper limit is above it.
 struct CrossReading {
   double value, above;
 };
@@ -109,8 +109,8 @@ MeterBatches MeterBatches::over_mean() const {
   for (size_t m = 0; m < count(); ++m) {
     const double ratio = value(m) / mean;
     for (uint32_t b = 0; b < used_; ++b) own[b] = ratio + (double(batch(m, b)) - ratio * of_set[b]) / mean;
-    out.add({ratio, {(meters_[m].bias.mean - ratio * bias) / mean, bias_error(m) / mean}, meters_[m].unfound / mean}, own,
-            no_bias);
+    const Spread own_bias{(meters_[m].bias.mean - ratio * bias) / mean, bias_error(m) / mean};
+    out.add({ratio, own_bias, meters_[m].unfound / mean}, own, no_bias);
   }
   return out;
 }
@@ -147,7 +147,8 @@ Interval percentile_interval(const MeterBatches& meters, double share) {
   double square = 0;
   const size_t reach = std::max<size_t>(1, count / 40), first = rank - std::min(rank, reach),
                last = std::min(count - 1, rank + reach);
-  for (size_t i = first; i <= last; ++i) square += std::pow(meters.standard_error(order[i]), 2) / double(last - first + 1);
+  for (size_t i = first; i <= last; ++i)
+    square += std::pow(meters.standard_error(order[i]), 2) / double(last - first + 1);
   const double noise = std::sqrt(square);
   size_t begin = rank, end = rank + 1;
   while (begin > 0 && value - meters.value(order[begin - 1]) <= noise) --begin;

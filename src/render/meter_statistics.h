@@ -20,6 +20,8 @@ class MeterBatches {
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);
 
+  static constexpr double bytes_per_meter = 3 * (batch_count * sizeof(float) + sizeof(Meter));  // with two copies
+
   size_t count() const { return meters_.size(); }
   uint32_t used() const { return used_; }
   double value(size_t m) const { return meters_[m].value; }

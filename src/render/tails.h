@@ -22,8 +22,8 @@ double batch_kurtosis(const T* sums, uint32_t samples) {
 }
 
 // One of so many paths brought more than a tenth of its batch, and without it the reading would be another by more than
-// half of its standard error: it makes a quarter of the variance. Of few paths one always brings much: then it must stand
-// out by six of their standard deviations, which one of Gaussian values does not.
+// half of its standard error: it makes a quarter of the variance. Of few paths one always brings much: then it must
+// stand out by six of their standard deviations, which one of Gaussian values does not.
 inline bool single_path_dominates(double largest, uint32_t paths, double mean, double batch, double standard_error,
                                   uint32_t samples) {
   if (paths == 0) return false;

@@ -25,8 +25,8 @@ struct ChanceLight {
   bool is_enough(uint32_t samples) const {  // for the spread of batches to be an error
     return batches >= std::min({samples, batch_count, batch_count / 2});
   }
-  // 95 %, of the mean of so many samples. largest: that one path may bring to a sample. Paths that come together are one
-  // event: so are those of a batch.
+  // 95 %, of the mean of so many samples. largest: that one path may bring to a sample. Paths that come together are
+  // one event: so are those of a batch.
   double bound(double largest, uint32_t samples) const {
     return std::max(largest * poisson_excess(paths), largest_batch * poisson_excess(batches)) / samples;
   }

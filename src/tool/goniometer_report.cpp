@@ -72,7 +72,8 @@ Measurement measure(const std::string& file, const SensorEntry& goniometer, cons
     return a.intensity_cd < b.intensity_cd;
   };
   const ups_intensity_reading peak = *std::max_element(nodes.readings.begin(), nodes.readings.end(), brighter);
-  Measurement m{std::move(render), make_report(file, profile), worst_of(nodes, double(peak.intensity_cd)), peak, {}, {}};
+  Measurement m{
+      std::move(render), make_report(file, profile), worst_of(nodes, double(peak.intensity_cd)), peak, {}, {}};
   const auto read_beam = [&](float c_deg, float fraction, ups_goniometer_beam& beam) {
     beam.struct_size = sizeof beam;
     check(ups_result_get_goniometer_beam(result, goniometer.info.sensor, c_deg, fraction, &beam));

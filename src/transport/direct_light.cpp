@@ -93,7 +93,8 @@ void DirectLight::add(const Iteration& in, IterationTally& tally) const {
       tally.meters[s][i].add({found.lx, found.lx, 0, found.lx, found.rounding, {}});
       for (size_t k = 0; k < columns; ++k) {
         const double lx = separated_[s][m * columns + k];
-        tally.separated[s][i * columns + k].add({lx, lx, 0, lx, lx > 0 ? float(lx / found.lx) * found.rounding : 0, {}});
+        const float rounding = lx > 0 ? float(lx / found.lx) * found.rounding : 0;
+        tally.separated[s][i * columns + k].add({lx, lx, 0, lx, rounding, {}});
       }
     }
 }

@@ -143,7 +143,7 @@ internal static partial class BindingTest
                 ExpectNear(readings[0].IlluminanceLx, 100, 1e-4, "below the lamp");
                 ExpectNear(readings[1].IlluminanceLx, 800 / Math.Pow(5, 1.5), 1e-4, "beside the lamp");
                 var direct = result.MeterPart(meters, LightPart.Direct);
-                Expect(direct[0].IlluminanceLx == readings[0].DirectLx && direct[0].StandardErrorLx == 0, "exact light");
+                Expect(direct[0].IlluminanceLx == readings[0].DirectLx && direct[0].StandardErrorLx == 0, "exact");
                 foreach (var flags in result.MeterFlags(meters))
                     Expect(flags == Reading.Exact || flags == Reading.FewPaths, "light by chance is none");
                 Expect(result.Image(eye, 6, 4, Channel.IlluminanceStandardError).Length == 24, "errors of an image");

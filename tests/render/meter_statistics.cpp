@@ -1,5 +1,5 @@
-// Do the intervals of a set's minimum, maximum, uniformity and fifth percentile cover the true values, whatever the field
-// and however the meters' noise goes together? And do the signs of heavy tails stay quiet for Gaussian noise?
+// Do the intervals of a set's minimum, maximum, uniformity and fifth percentile cover the true values, whatever the
+// field and however the meters' noise goes together? And do the signs of heavy tails stay quiet for Gaussian noise?
 #include "render/meter_statistics.h"
 
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ Coverage coverage_of(const Field& field, double common, std::mt19937_64& random)
   std::vector<double> truth;
   for (size_t m = 0; m < field.meters; ++m) truth.push_back(200 + field.truth(m));
   std::vector<double> sorted = truth;
-  const double least = *std::min_element(truth.begin(), truth.end()), most = *std::max_element(truth.begin(), truth.end()),
-               fifth = quantile(sorted, 0.05);
+  const double least = *std::min_element(truth.begin(), truth.end()),
+               most = *std::max_element(truth.begin(), truth.end()), fifth = quantile(sorted, 0.05);
   double true_mean = 0;
   for (const double e : truth) true_mean += e / double(truth.size());
   Coverage c;
@@ -92,8 +92,8 @@ TEST(MeterStatistics, IntervalsCoverTheTruth) {
     }
 }
 
-// Kurtosis of 16 Gaussian batches: 0.1 %. 40000 sets: 40 +- 6.3 alarms; more than 70 by chance: 1 in 10^5. A distribution
-// of which one batch in 16 stands out by 12 standard deviations of the others is found.
+// Kurtosis of 16 Gaussian batches: 0.1 %. 40000 sets: 40 +- 6.3 alarms; more than 70 by chance: 1 in 10^5. A
+// distribution of which one batch in 16 stands out by 12 standard deviations of the others is found.
 TEST(Tails, KurtosisIsQuietForGaussianNoise) {
   std::mt19937_64 random(12);
   std::normal_distribution<double> normal;
@@ -139,8 +139,9 @@ Dominance dominance_of(uint32_t per_batch, double mean, const Path& path) {
   return d;
 }
 
-// No alarm for Gaussian paths nor for equal chances in [0, 1], however few: at most 0.2 % (2000 renders: 4 of them). Where
-// the variance is infinite (Pareto, 1.5) or lognormal over decades, most are flagged, and intervals are indeed too short.
+// No alarm for Gaussian paths nor for equal chances in [0, 1], however few: at most 0.2 % (2000 renders: 4 of them).
+// Where the variance is infinite (Pareto, 1.5) or lognormal over decades, most are flagged, and intervals are indeed
+// too short.
 TEST(Tails, SinglePathIsQuietForGaussianNoise) {
   std::mt19937_64 random(13);
   std::normal_distribution<double> normal;

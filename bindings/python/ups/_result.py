@@ -62,8 +62,9 @@ class Result(Handle):
         return read_info(_ffi.SensorChoice, lib.ups_result_get_choice, self, sensor)
 
     def meters(self, sensor):
-        """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ... Light that no
-        path has found, or few, has standard error -1 beside a positive bound; both are -1 where nothing is known yet."""
+        """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ... Light that
+        no path has found, or few, has standard error -1 beside a positive bound; both are -1 where nothing is known
+        yet."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterReading))
         check(lib.ups_result_read_meters(self, sensor, address(out, _ffi.MeterReading), len(out)))
         return out
