@@ -10,7 +10,7 @@ sds      A spot without extent, folded by four plane mirrors onto a black plate 
          choose its own disc afterwards, and follow no schedule.) With the mirrors' images the light is that of a source
          at the unfolded distance; its intensities are such that the illuminance is E0 (1 - (x / R)^2) at x from the
          beam's axis, so that a disc of radius r is biased by -(r / R)^2 / 2 exactly, at every radius, and the pixel on
-         the axis reads E0 = rho^4 I / d^2. Mirrors of rho = 0.6: roulette keeps 0.6^4 of the paths, at random. Without that
+         the axis reads E0 = rho^4 I / d^2. Mirrors of rho = 0.6: roulette keeps 0.6^4 of the paths at random. Without that
          the directions of the photons would be one stratified (Sobol) pattern, whose noise falls faster than theory,
          which is about independent photons, has it.
 diffuse  A closed cube, its walls matte (rho = 0.7) and all emitting L: E = pi L / (1 - rho) at every point. Light of

@@ -132,7 +132,8 @@ ups_meter_statistics Accumulator::statistics_of(size_t set, const std::vector<up
   s.min_lx = visited ? minimum : -1;
   s.max_lx = visited ? maximum : -1;
   s.uniformity = s.mean_lx > 0 ? minimum / s.mean_lx : 0;
-  s.mean_standard_error_lx = spread(batch_sums, passes).standard_error;
+  s.mean_standard_error_lx =
+      (rings_[set].empty() ? spread(batch_sums, passes) : spread_of_halves(batch_sums, passes)).standard_error;
   std::vector<double> errors;
   for (const ups_meter_reading& m : readings)
     if (m.error_bound_lx >= 0 && s.mean_lx > 0)

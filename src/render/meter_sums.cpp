@@ -1,13 +1,8 @@
 // See meter_sums.h.
 #include "render/meter_sums.h"
 
-#include "render/spread.h"
-
 namespace ups {
 
-namespace {
-
-// Even and odd batches apart: their discs differ, and so does their bias.
 Spread spread_of_halves(const double* sums, uint32_t visits) {
   Spread s = spread(sums, visits);
   if (s.standard_error < 0) return s;
@@ -28,8 +23,6 @@ Spread spread_of_halves(const double* sums, uint32_t visits) {
   s.standard_error = std::sqrt(variance);
   return s;
 }
-
-}  // namespace
 
 void MeterSums::add(uint32_t batch, const MeterTally& t) {
   value[batch] += t.value;

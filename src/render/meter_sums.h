@@ -1,6 +1,7 @@
 // One meter's sums over iterations, and the reading that they make together with what landed on its disc.
 #pragma once
 #include "render/meter_rings.h"
+#include "render/spread.h"
 #include "ups/ups_render.h"
 
 namespace ups {
@@ -11,6 +12,8 @@ struct MeterSums {
   void add(const MeterRings::Photons& photons);
 };
 
+// Even and odd batches apart, as their discs differ, and so does their bias.
+Spread spread_of_halves(const double* sums, uint32_t visits);
 // sums: with the photons.
 ups_meter_reading reading_of(const MeterSums& sums, const MeterRings::Photons& photons, uint32_t visits);
 
