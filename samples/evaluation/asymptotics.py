@@ -6,11 +6,11 @@
 Two scenes with an exact answer, one sensor each.
 
 sds      A spot without extent, folded by four plane mirrors onto a black plate that one pixel measures the illuminance
-         of: specular from end to end, so that of all techniques only merging on the plate finds it. (A point meter would
-         choose its own disc afterwards, and follow no schedule.) With the mirrors' images the light is that of a source
+         of: specular from end to end, so that only merging on the plate finds it. (A point meter would choose its own
+         disc afterwards, and follow no schedule.) With the mirrors' images the light is that of a source
          at the unfolded distance; its intensities are such that the illuminance is E0 (1 - (x / R)^2) at x from the
          beam's axis, so that a disc of radius r is biased by -(r / R)^2 / 2 exactly, at every radius, and the pixel on
-         the axis reads E0 = rho^4 I / d^2. Mirrors of rho = 0.6: roulette keeps 0.6^4 of the paths, at random. Without that
+         the axis reads E0 = rho^4 I / d^2. Mirrors of rho = 0.6: roulette keeps 0.6^4 of the paths. Without that
          the directions of the photons would be one stratified (Sobol) pattern, whose noise falls faster than theory,
          which is about independent photons, has it.
 diffuse  A closed cube, its walls matte (rho = 0.7) and all emitting L: E = pi L / (1 - rho) at every point. Light of
@@ -118,9 +118,10 @@ def folded_beam(context):
     add_quad(scene, np.array([4.5, -0.5, 0]) - 0.5 * along, along, (0, 1, 0), black)
     up = -direction  # the pixel looks along local -Z
     pixel = scene.add_camera(1, 1, vertical_fov_rad=1e-3, illuminance=1,
-                             to_world=np.column_stack([x, np.cross(up, x), up, np.array([4.5, 0, 0]) + 0.2 * normal]))
+                             to_world=np.column_stack([x, np.cross(up, x), up, np.array([4.5, 0, 0]) + 0.2 * up]))
     scene.commit()
-    return scene, lambda result: result.illuminance(pixel)[0, 0], REFLECTANCE ** MIRRORS * 100 / distance ** 2
+    exact = REFLECTANCE ** MIRRORS * 100 / distance ** 2
+    return scene, lambda result: result.image(pixel, ups.Channel.ILLUMINANCE)[0, 0], exact
 
 
 def furnace(context):

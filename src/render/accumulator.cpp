@@ -150,10 +150,8 @@ ups_meter_statistics Accumulator::statistics_of(size_t set, const std::vector<Me
     if (n == 0) continue;
     const MeterSums& sums = lights[m].sums;
     double means[batch_count] = {}, biases[batch_count] = {};
-    for (uint32_t b = 0; b < batches.used(); ++b) {
-      means[b] = sums.value[b] / visits_of_batch(n, b);
-      biases[b] = sums.bias[b] / visits_of_batch(n, b);
-    }
+    lights[m].batch_means(means, batches.used());
+    for (uint32_t b = 0; b < batches.used(); ++b) biases[b] = sums.bias[b] / visits_of_batch(n, b);
     const Spread bias = lights[m].bias();
     const double unfound = readings[m].error_bound_lx - std::abs(bias.mean);
     batches.add({spread(sums.value, n).mean, bias, readings[m].standard_error_lx < 0 ? std::max(0.0, unfound) : 0},

@@ -95,9 +95,9 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 }
 
 // Least noise^2 + max(0, b^2 - s_b^2) from narrow to wide, up to the first disc whose bias is beyond doubt: wider ones
-// that look harmless again have only diluted it. Then one ring less, unless nothing limits the disc: the bias that is
-// not seen halves, so that the error bound holds, for sqrt(2) of the noise at the most. Variances are from the photons'
-// own squares: batches of a half are too few for that.
+// that look harmless again have only diluted it. Where there is such a one, one ring less: the bias that is not seen
+// halves, so that the error bound holds, for sqrt(2) of the noise at the most. Variances are from the photons' own
+// squares: batches of a half are too few for that.
 uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence) {
   const BiasKernel kernel(rings);
   const uint32_t first = s.first_with(least_photons, rings);
@@ -109,12 +109,13 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
     b1 += u * s.of_ring[k], q1 += u * s.square_of_ring[k], q2 += u * u * s.square_of_ring[k];
     if (k < first) continue;
     const double bias = alpha * s.flux[k] + beta * b1, noise2 = dependence.of_mean[k] * s.variance(k),
-                 bias2 = dependence.of_bias[k] * std::max(0.0, alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2);
+                 square = alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2,
+                 bias2 = dependence.of_bias[k] * std::max(0.0, square);
     const double cost = noise2 + std::max(0.0, bias * bias - bias2);
     if (cost <= least) least = cost, chosen = k;
-    if (k > first && bias * bias > 16 * bias2 && bias * bias > 4 * noise2) break;
+    if (k > first && bias * bias > 16 * bias2 && bias * bias > 4 * noise2) return std::max(chosen, first + 1) - 1;
   }
-  return chosen < last ? std::max(chosen, first + 1) - 1 : rings.count - 1;
+  return chosen;
 }
 
 // Photons of stratified passes and of one path are not independent: what the batches vary, over what squares say that

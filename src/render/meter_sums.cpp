@@ -67,6 +67,15 @@ Spread MeterLight::bias() const {
   return b;
 }
 
+void MeterLight::batch_means(double* means, uint32_t used) const {
+  double mean[2] = {}, count[2] = {}, all = 0;
+  for (uint32_t b = 0; b < used; ++b) {
+    means[b] = sums.value[b] / visits_of_batch(visits, b);
+    mean[b % 2] += means[b], count[b % 2] += 1, all += means[b] / used;
+  }
+  for (uint32_t b = 0; b < used && photons.halves_differ; ++b) means[b] += all - mean[b % 2] / count[b % 2];
+}
+
 std::pair<float, float> MeterLight::error_of(LightPart part) const {
   const bool direct = part == direct_light;
   const double of_exact = part == indirect_light ? 0 : sums.exact / visits,

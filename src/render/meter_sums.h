@@ -33,6 +33,8 @@ struct MeterLight {
   uint32_t flags(const ups_meter_reading& reading) const;
   // Estimated bias, the standard error of what a bound takes for bias beyond doubt.
   Spread bias() const;
+  // Of the first batches; without what the discs of even and odd ones differ by in bias, which is no noise.
+  void batch_means(double* means, uint32_t used) const;
 
  private:
   std::pair<float, float> error_of(LightPart part) const;  // standard error and bound; -1: not known

@@ -99,7 +99,8 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
       ->check(CLI::Validator(target, ""))
       ->type_name("M")
       ->group(group);
-  command.add_option("--alpha", desc.radius_alpha, "How slowly the radius of pixels and walks falls, between 0 and 1 (2/3)")
+  command.add_option("--alpha", desc.radius_alpha,
+                     "How slowly the radius of pixels and walks falls, between 0 and 1 (2/3)")
       ->check(CLI::Validator(fraction, ""))
       ->type_name("A")
       ->group(group);

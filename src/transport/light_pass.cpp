@@ -264,7 +264,8 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
       // A pilot takes whole discs: its photons are too few to choose by.
       tally.meters[e.set][e.visited].add(l.value);
       if (in.moments)
-        in.moments->add_light_path(l.value.value, l.relative, &tally.excess_of_meters[e.set][e.visited * in.moments->row()]);
+        in.moments->add_light_path(l.value.value, l.relative,
+                                   &tally.excess_of_meters[e.set][e.visited * in.moments->row()]);
       if (columns) tally.separated[e.set][e.visited * columns + column].add(l.value);
     }
     for (size_t g = 0; g < tally.goniometers.size(); ++g)

@@ -86,7 +86,8 @@ class Replay {
     plan_.pixel_radius.emplace_back(scene.cameras[0].pixel_count());
     for (size_t i = 0; i < plan_.pixel_radius[0].size(); ++i) plan_.pixel_radius[0][i] = 0.02f + 0.01f * float(i % 5);
     for (const MeterSet& set : scene.meter_sets)
-      plan_.meter_discs.push_back(set.is_cell() ? MeterDiscs() : MeterDiscs(set.meters.size(), max_rings, meter_radius));
+      plan_.meter_discs.push_back(set.is_cell() ? MeterDiscs()
+                                                : MeterDiscs(set.meters.size(), max_rings, meter_radius));
     plan_.walk_radius = 0.04f;
   }
   EmissionGuide guide() const {
