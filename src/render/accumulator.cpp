@@ -147,6 +147,8 @@ ImageReading Accumulator::read_image_and_techniques(size_t c) const {
 ErrorSummary Accumulator::summarize() const {
   if (meters_.empty()) return images_.empty() ? summarize_goniometers() : summarize_images();
   std::vector<double> errors;
+  std::vector<MeterError> parts;
+  std::optional<ErrorSummary::Place> worst;
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
     const MeterSetReading set = read_meters(s);
@@ -154,16 +156,23 @@ ErrorSummary Accumulator::summarize() const {
     if (!(set.statistics.mean_lx > 0)) {
       if (!takes_dark_for_dark()) return {};
       errors.push_back(0);
+      parts.emplace_back();
       continue;
     }
-    for (const ups_meter_reading& m : set.meters) {
+    for (size_t i = 0; i < set.meters.size(); ++i) {
+      const ups_meter_reading& m = set.meters[i];
       const double floor = share_of_mean * set.statistics.mean_lx;
       errors.push_back(m.error_bound_lx / std::max(double(m.illuminance_lx), floor));
+      parts.push_back(meter_error(m, floor, visits(i)));
+      if (!worst || parts.back().error() > worst->error.error()) worst = {s, i, parts.back()};
       bias += std::abs(m.bias_lx);
       bound += m.error_bound_lx;
     }
   }
-  return summary_of(std::move(errors), bound > 0 ? bias / bound : 0.0);
+  ErrorSummary all = summary_of(std::move(errors), bound > 0 ? bias / bound : 0.0);
+  all.meters = std::move(parts);
+  all.worst_place = worst;
+  return all;
 }
 
 GoniometerReading Accumulator::read_goniometer(size_t goniometer) const {

@@ -1,0 +1,186 @@
+// See prediction.h: errors of meters apart, the model's criterion, its fit to the looks, and the answers.
+#include "render/prediction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/spread.h"
+
+namespace ups {
+
+namespace {
+
+constexpr double least_error = 1e-9;  // 0 has no logarithm
+// 16 batches know a standard error to 1 / sqrt(2 15); counts for so many looks beside those that there are.
+constexpr double look_deviation = 0.18, looks_of_knowledge = 1;
+// Of the exponent about the model's: stratification makes noise fall a little faster; estimated bias is that of a
+// smooth illuminance, real bias may fall more slowly.
+constexpr double noise_exponent_deviation = 0.03, merging_exponent_deviation = 0.05;
+constexpr double interval = 2.1;  // standard deviations of a 95 % interval; Student's t for some 20 degrees of freedom
+constexpr double step = 0.1;      // of the curve, in the logarithm of iterations
+constexpr size_t steps = 185;     // to 10^8 times the last look's
+constexpr size_t most_parts = 512;
+
+double log_of(double error) { return std::log(std::max(error, least_error)); }
+
+// Estimated bias that may be noise counts as noise: |b| max(0, 1 - threshold / z^2) remains (Breiman 1995, the
+// nonnegative garrote), so that what chance alone makes of b goes on falling as noise does.
+void demote_bias(MeterError& m, double threshold) {
+  const double z2 = double(m.deviations) * m.deviations;
+  const double kept = m.bias * (z2 > threshold ? 1 - threshold / z2 : 0.0);
+  m.noise += float(m.bias - kept);
+  m.bias = float(kept);
+}
+
+void keep_largest(std::vector<MeterError>& all, std::vector<MeterError>& kept, float (*size)(const MeterError&)) {
+  const size_t count = std::min(all.size(), most_parts / 2);
+  std::partial_sort(all.begin(), all.begin() + ptrdiff_t(count), all.end(),
+                    [&](const MeterError& a, const MeterError& b) { return size(a) > size(b); });
+  kept.insert(kept.end(), all.begin(), all.begin() + ptrdiff_t(count));
+}
+
+}  // namespace
+
+MeterError meter_error(const ups_meter_reading& r, double floor, uint32_t visits) {
+  MeterError m;
+  const double scale = 1 / std::max(double(r.illuminance_lx), floor), bias = std::abs(double(r.bias_lx));
+  m.bias = float(bias * scale);
+  m.noise = float((r.error_bound_lx - bias) * scale);
+  // The bound is |b| + t sqrt(s^2 + s_b^2), see spread.h; merges make a quarter of s_b^2 in s^2, as their bias is
+  // estimated with four times their variance.
+  const double both = (r.error_bound_lx - bias) / t_quantile(visits), s = std::max(0.0, double(r.standard_error_lx));
+  const double of_bias = std::max(0.0, both * both - s * s);
+  if (both > 0) m.merged = float(std::min(1.0, (of_bias + std::min(s * s, of_bias / 4)) / (both * both)));
+  if (of_bias > 0) m.deviations = float(bias / std::sqrt(of_bias));
+  return m;
+}
+
+void Prediction::add_look(const Look& look, std::vector<MeterError> meters) {
+  looks_.push_back(look);
+  if (meters.empty()) meters.push_back({.noise = float(look.error)});
+  reduce(std::move(meters));
+  fit();
+}
+
+// A curve of the criterion is found many times over: of many meters some stand for all.
+void Prediction::reduce(std::vector<MeterError>&& meters) {
+  // Of many meters the worst one's bias is the largest of many that chance makes.
+  const double threshold = criterion_ == UPS_CRITERION_WORST ? 2 * std::max(1.0, std::log(double(meters.size()))) : 2;
+  for (MeterError& m : meters) demote_bias(m, threshold);
+  parts_.clear();
+  if (criterion_ == UPS_CRITERION_MEAN) {
+    double noise = 0, merged = 0, bias = 0;
+    for (const MeterError& m : meters) noise += m.noise, merged += double(m.noise) * m.merged, bias += m.bias;
+    const double count = double(meters.size());
+    parts_.push_back({float(noise / count), float(bias / count), noise > 0 ? float(merged / noise) : 0});
+  } else if (meters.size() <= most_parts) {
+    parts_ = std::move(meters);
+  } else if (criterion_ == UPS_CRITERION_WORST) {
+    keep_largest(meters, parts_, [](const MeterError& m) { return m.error(); });
+    keep_largest(meters, parts_, [](const MeterError& m) { return m.bias; });
+  } else {
+    const auto less = [](const MeterError& a, const MeterError& b) { return a.error() < b.error(); };
+    std::sort(meters.begin(), meters.end(), less);
+    for (size_t i = 0; i < most_parts; ++i)
+      parts_.push_back(meters[size_t((double(i) + 0.5) / most_parts * double(meters.size()))]);
+  }
+}
+
+Prediction::Model Prediction::model(double factor) const {
+  const double of_rest = 1 / factor, of_merged = std::pow(factor, -alpha_), of_bias = std::pow(factor, alpha_ - 1);
+  std::vector<std::pair<double, double>> all;  // error, bias
+  for (const MeterError& m : parts_) {
+    const double bias = m.bias * of_bias;
+    all.emplace_back(m.noise * std::sqrt((1 - m.merged) * of_rest + m.merged * of_merged) + bias, bias);
+  }
+  const double q = criterion_ == UPS_CRITERION_P95 ? 0.95 : criterion_ == UPS_CRITERION_MEDIAN ? 0.5 : 1;
+  const auto at = all.begin() + ptrdiff_t(std::min(all.size() - 1, size_t(q * double(all.size()))));
+  std::nth_element(all.begin(), at, all.end());
+  return {at->first, at->first > 0 ? at->second / at->first : 0};
+}
+
+// Deviations of looks about model, factor and exponent: those of two looks at n < n' have the correlation n / n', as
+// the later one's batches hold the earlier one's. Generalized least squares, whitened as in a first-order
+// autoregression, and the best linear prediction of later looks (Goldberger 1962).
+void Prediction::fit() {
+  const size_t count = looks_.size();
+  const double last = looks_.back().iterations;
+  std::vector<double> u(count), r(count);
+  for (size_t i = 0; i < count; ++i) {
+    u[i] = std::log(looks_[i].iterations / last);
+    r[i] = log_of(looks_[i].error) - log_of(model(looks_[i].iterations / last).error);
+  }
+  double merged = 0, noise = 0;
+  for (const MeterError& m : parts_) merged += m.noise * m.merged + m.bias, noise += m.error();
+  const double exponent_deviation =
+      noise_exponent_deviation + merging_exponent_deviation * (noise > 0 ? merged / noise : 0);
+  // level + exponent u; covariance caa, cab, cbb of the two.
+  double level = 0, exponent = 0, caa = 0, cab = 0, cbb = 0, variance = look_deviation * look_deviation;
+  for (int round = 0; round < 3; ++round) {
+    double aa = 0, ab = 0, bb = 1 / (exponent_deviation * exponent_deviation), ay = 0, by = 0;
+    const auto for_rows = [&](const auto& row) {
+      row(1.0, u[0], r[0], 1.0);
+      for (size_t i = 1; i < count; ++i) {
+        const double phi = looks_[i - 1].iterations / looks_[i].iterations;
+        row(1 - phi, u[i] - phi * u[i - 1], r[i] - phi * r[i - 1], 1 / (1 - phi * phi));
+      }
+    };
+    for_rows([&](double a, double b, double y, double weight) {
+      const double w = weight / variance;
+      aa += w * a * a, ab += w * a * b, bb += w * b * b, ay += w * a * y, by += w * b * y;
+    });
+    const double determinant = aa * bb - ab * ab;
+    caa = bb / determinant, cab = -ab / determinant, cbb = aa / determinant;
+    level = caa * ay + cab * by, exponent = cab * ay + cbb * by;
+    double squares = 0;
+    for_rows([&](double a, double b, double y, double weight) {
+      squares += weight * (y - a * level - b * exponent) * (y - a * level - b * exponent);
+    });
+    variance = (looks_of_knowledge * look_deviation * look_deviation + squares) / (looks_of_knowledge + double(count));
+  }
+  curve_.clear(), bias_share_.clear();
+  for (size_t i = 0; i < steps; ++i) {
+    const double later = double(i) * step, phi = std::exp(-later), a = 1 - phi;
+    const Model m = model(1 / phi);
+    const double mean = log_of(m.error) + level + exponent * later + phi * (r.back() - level);
+    const double unknown = a * a * caa + 2 * a * later * cab + later * later * cbb;
+    curve_.push_back({mean, std::sqrt(variance * (1 - phi * phi) + unknown)});
+    bias_share_.push_back(float(m.bias_share));
+  }
+}
+
+Prediction::LogError Prediction::log_error(double iterations) const {
+  const double at = std::clamp(std::log(iterations / looks_.back().iterations) / step, 0.0, double(steps - 1));
+  const size_t i = std::min(size_t(at), steps - 2);
+  const double f = at - double(i);
+  const LogError &a = curve_[i], &b = curve_[i + 1];
+  return {a.mean + f * (b.mean - a.mean), a.deviation + f * (b.deviation - a.deviation)};
+}
+
+Prediction::Expected Prediction::expect(double target) const {
+  Expected e;
+  if (looks_.back().error <= target) {
+    size_t i = looks_.size() - 1;
+    while (i > 0 && looks_[i - 1].error <= target) --i;
+    e.reached = &looks_[i];
+    e.iterations = e.low = e.high = e.reached->iterations;
+    e.by_bias = bias_share_[0] > 0.5;
+    return e;
+  }
+  // Where the curve, so many deviations off, first meets the target.
+  const auto meets = [&](double deviations) {
+    const auto above = [&](size_t i) { return curve_[i].mean + deviations * curve_[i].deviation - log_of(target); };
+    for (size_t i = 1; i < steps; ++i)
+      if (above(i) <= 0) return (double(i) - above(i) / (above(i) - above(i - 1))) * step;
+    return -1.0;
+  };
+  const auto iterations = [&](double later) { return later < 0 ? -1 : looks_.back().iterations * std::exp(later); };
+  const double later = meets(0);
+  e.iterations = iterations(later);
+  e.low = iterations(meets(-interval));
+  e.high = iterations(meets(interval));
+  e.by_bias = bias_share_[later < 0 ? steps - 1 : size_t(later / step)] > 0.5;
+  return e;
+}
+
+}  // namespace ups
