@@ -46,12 +46,12 @@ enum {
   UPS_SEPARATE_GROUPS = 2      /* by the `group` of their descs */
 };
 
-/* Which relative error of the sensors is judged by the target. A meter's is error_bound / max(E, 5 % of its set's mean),
- * a pixel's that of its luminance, from noise alone. */
+/* Which relative error of the sensors is judged by the target. A meter's is error_bound / max(E, 5 % of its set's
+ * mean), a pixel's that of its luminance, from noise alone. */
 typedef int32_t ups_criterion;
 enum {
   UPS_CRITERION_DEFAULT = 0, /* the worst meter; without meters the mean over pixels */
-  UPS_CRITERION_WORST = 1,   /* of all meters, without meters of all pixels, which noise reaches last */
+  UPS_CRITERION_WORST = 1,   /* of all meters, without meters of all pixels */
   UPS_CRITERION_P95 = 2,     /* 95 % of them are better */
   UPS_CRITERION_MEAN = 3,
   UPS_CRITERION_MEDIAN = 4
@@ -322,7 +322,8 @@ UPS_API ups_status ups_result_get_technique(const ups_result *result, ups_sensor
 UPS_API ups_status ups_result_read_technique(const ups_result *result, ups_sensor_id camera, uint32_t index,
                                              ups_contribution contribution, float *out, size_t row_stride_bytes,
                                              size_t size_bytes);
-/* The part of the curve that there has always been. *needed gets the number of points; BUFFER_TOO_SMALL where capacity is less. points may be NULL with capacity 0. */
+/* The part of the curve that there has always been.
+ * *needed gets the number of points; BUFFER_TOO_SMALL where capacity is less. points may be NULL with capacity 0. */
 UPS_API ups_status ups_result_read_convergence(const ups_result *result, ups_convergence_point *points, size_t capacity,
                                                size_t *needed);
 /* As those of a job, of all looks before the result was taken. */

@@ -15,7 +15,7 @@ constexpr double least_error = 1e-9;  // 0 has no logarithm
 constexpr double look_deviation = 0.18, looks_of_knowledge = 1;
 // Of the exponent about the model's: stratification makes noise fall a little faster; estimated bias is that of a
 // smooth illuminance, real bias may fall more slowly.
-constexpr double noise_exponent_deviation = 0.03, merging_exponent_deviation = 0.05;
+constexpr double rays_exponent_deviation = 0.03, merging_exponent_deviation = 0.06, bias_exponent_deviation = 0.13;
 constexpr double interval = 2.1;  // standard deviations of a 95 % interval; Student's t for some 20 degrees of freedom
 constexpr double step = 0.1;      // of the curve, in the logarithm of iterations
 constexpr size_t steps = 185;     // to 10^8 times the last look's
@@ -30,6 +30,14 @@ void demote_bias(MeterError& m, double threshold) {
   const double kept = m.bias * (z2 > threshold ? 1 - threshold / z2 : 0.0);
   m.noise += float(m.bias - kept);
   m.bias = float(kept);
+}
+
+// By what the errors are made of.
+double exponent_deviation(const std::vector<MeterError>& meters) {
+  double merged = 0, bias = 0, sum = least_error;
+  for (const MeterError& m : meters) merged += m.noise * m.merged, bias += m.bias, sum += m.error();
+  return (rays_exponent_deviation * (sum - merged - bias) + merging_exponent_deviation * merged +
+          bias_exponent_deviation * bias) / sum;
 }
 
 void keep_largest(std::vector<MeterError>& all, std::vector<MeterError>& kept, float (*size)(const MeterError&)) {
@@ -51,7 +59,7 @@ MeterError meter_error(const ups_meter_reading& r, double floor, uint32_t visits
   const double both = (r.error_bound_lx - bias) / t_quantile(visits), s = std::max(0.0, double(r.standard_error_lx));
   const double of_bias = std::max(0.0, both * both - s * s);
   if (both > 0) m.merged = float(std::min(1.0, (of_bias + std::min(s * s, of_bias / 4)) / (both * both)));
-  if (of_bias > 0) m.deviations = float(bias / std::sqrt(of_bias));
+  m.deviations = of_bias > 0 ? float(bias / std::sqrt(of_bias)) : 1e9f;
   return m;
 }
 
@@ -64,6 +72,7 @@ void Prediction::add_look(const Look& look, std::vector<MeterError> meters) {
 
 // A curve of the criterion is found many times over: of many meters some stand for all.
 void Prediction::reduce(std::vector<MeterError>&& meters) {
+  exponent_deviation_ = exponent_deviation(meters);
   // Of many meters the worst one's bias is the largest of many that chance makes.
   const double threshold = criterion_ == UPS_CRITERION_WORST ? 2 * std::max(1.0, std::log(double(meters.size()))) : 2;
   for (MeterError& m : meters) demote_bias(m, threshold);
@@ -99,52 +108,63 @@ Prediction::Model Prediction::model(double factor) const {
   return {at->first, at->first > 0 ? at->second / at->first : 0};
 }
 
-// Deviations of looks about model, factor and exponent: those of two looks at n < n' have the correlation n / n', as
+namespace {
+
+// level + exponent u, their covariances, and the variance of one point about them.
+struct Line {
+  double level = 0, exponent = 0, var_level = 0, covariance = 0, var_exponent = 0, variance = 0;
+};
+
+// Through points (u, r) whose deviations have the correlation exp(-|u - u'|): those of looks at n < n' have n / n', as
 // the later one's batches hold the earlier one's. Generalized least squares, whitened as in a first-order
-// autoregression, and the best linear prediction of later looks (Goldberger 1962).
-void Prediction::fit() {
-  const size_t count = looks_.size();
-  const double last = looks_.back().iterations;
-  std::vector<double> u(count), r(count);
-  for (size_t i = 0; i < count; ++i) {
-    u[i] = std::log(looks_[i].iterations / last);
-    r[i] = log_of(looks_[i].error) - log_of(model(looks_[i].iterations / last).error);
-  }
-  double merged = 0, noise = 0;
-  for (const MeterError& m : parts_) merged += m.noise * m.merged + m.bias, noise += m.error();
-  const double exponent_deviation =
-      noise_exponent_deviation + merging_exponent_deviation * (noise > 0 ? merged / noise : 0);
-  // level + exponent u; covariance caa, cab, cbb of the two.
-  double level = 0, exponent = 0, caa = 0, cab = 0, cbb = 0, variance = look_deviation * look_deviation;
+// autoregression; the exponent is 0 but for the deviation given.
+Line fit_line(const std::vector<double>& u, const std::vector<double>& r, double exponent_deviation) {
+  const auto for_rows = [&](const auto& row) {
+    row(1.0, u[0], r[0], 1.0);
+    for (size_t i = 1; i < u.size(); ++i) {
+      const double phi = std::exp(u[i - 1] - u[i]);
+      row(1 - phi, u[i] - phi * u[i - 1], r[i] - phi * r[i - 1], 1 / (1 - phi * phi));
+    }
+  };
+  Line l;
+  l.variance = look_deviation * look_deviation;
   for (int round = 0; round < 3; ++round) {
-    double aa = 0, ab = 0, bb = 1 / (exponent_deviation * exponent_deviation), ay = 0, by = 0;
-    const auto for_rows = [&](const auto& row) {
-      row(1.0, u[0], r[0], 1.0);
-      for (size_t i = 1; i < count; ++i) {
-        const double phi = looks_[i - 1].iterations / looks_[i].iterations;
-        row(1 - phi, u[i] - phi * u[i - 1], r[i] - phi * r[i - 1], 1 / (1 - phi * phi));
-      }
-    };
+    double aa = 0, ab = 0, bb = 1 / (exponent_deviation * exponent_deviation), ay = 0, by = 0, squares = 0;
     for_rows([&](double a, double b, double y, double weight) {
-      const double w = weight / variance;
+      const double w = weight / l.variance;
       aa += w * a * a, ab += w * a * b, bb += w * b * b, ay += w * a * y, by += w * b * y;
     });
     const double determinant = aa * bb - ab * ab;
-    caa = bb / determinant, cab = -ab / determinant, cbb = aa / determinant;
-    level = caa * ay + cab * by, exponent = cab * ay + cbb * by;
-    double squares = 0;
+    l.var_level = bb / determinant, l.covariance = -ab / determinant, l.var_exponent = aa / determinant;
+    l.level = l.var_level * ay + l.covariance * by, l.exponent = l.covariance * ay + l.var_exponent * by;
     for_rows([&](double a, double b, double y, double weight) {
-      squares += weight * (y - a * level - b * exponent) * (y - a * level - b * exponent);
+      squares += weight * (y - a * l.level - b * l.exponent) * (y - a * l.level - b * l.exponent);
     });
-    variance = (looks_of_knowledge * look_deviation * look_deviation + squares) / (looks_of_knowledge + double(count));
+    l.variance = (looks_of_knowledge * look_deviation * look_deviation + squares) /
+                 (looks_of_knowledge + double(u.size()));
   }
+  return l;
+}
+
+}  // namespace
+
+// What looks differ from the model by is fitted, and later looks get their best linear prediction (Goldberger 1962):
+// part of the last look's own deviation remains.
+void Prediction::fit() {
+  std::vector<double> u, r;
+  for (const Look& look : looks_) {
+    const double factor = look.iterations / looks_.back().iterations;
+    u.push_back(std::log(factor));
+    r.push_back(log_of(look.error) - log_of(model(factor).error));
+  }
+  const Line l = fit_line(u, r, exponent_deviation_);
   curve_.clear(), bias_share_.clear();
   for (size_t i = 0; i < steps; ++i) {
     const double later = double(i) * step, phi = std::exp(-later), a = 1 - phi;
     const Model m = model(1 / phi);
-    const double mean = log_of(m.error) + level + exponent * later + phi * (r.back() - level);
-    const double unknown = a * a * caa + 2 * a * later * cab + later * later * cbb;
-    curve_.push_back({mean, std::sqrt(variance * (1 - phi * phi) + unknown)});
+    const double unknown = a * a * l.var_level + 2 * a * later * l.covariance + later * later * l.var_exponent;
+    curve_.push_back({log_of(m.error) + l.level + l.exponent * later + phi * (r.back() - l.level),
+                      std::sqrt(l.variance * (1 - phi * phi) + unknown)});
     bias_share_.push_back(float(m.bias_share));
   }
 }

@@ -58,6 +58,7 @@ class Prediction {
   double alpha_;
   std::vector<Look> looks_;
   std::vector<MeterError> parts_;  // of the last look: what the criterion is found from
+  double exponent_deviation_ = 0;  // of the fitted exponent, before any look is fitted
   std::vector<LogError> curve_;    // from the last look on, in equal steps of the logarithm of iterations
   std::vector<float> bias_share_;  // beside curve_
 };
