@@ -55,10 +55,10 @@ MeterError meter_error(const ups_meter_reading& r, double floor, uint32_t visits
   m.bias = float(bias * scale);
   m.noise = float((r.error_bound_lx - bias) * scale);
   // The bound is |b| + t sqrt(s^2 + s_b^2), see spread.h; merges make a quarter of s_b^2 in s^2, as their bias is
-  // estimated with four times their variance.
+  // estimated with four times their variance. Without a standard error the bound says nothing of what merging makes.
   const double both = (r.error_bound_lx - bias) / t_quantile(visits), s = std::max(0.0, double(r.standard_error_lx));
   const double of_bias = std::max(0.0, both * both - s * s);
-  if (both > 0) m.merged = float(std::min(1.0, (of_bias + std::min(s * s, of_bias / 4)) / (both * both)));
+  if (both > 0 && s > 0) m.merged = float(std::min(1.0, (of_bias + std::min(s * s, of_bias / 4)) / (both * both)));
   m.deviations = of_bias > 0 ? float(bias / std::sqrt(of_bias)) : 1e9f;
   return m;
 }

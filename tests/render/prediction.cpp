@@ -183,6 +183,18 @@ TEST(Prediction, OfNoiseWithoutItsOwnNoise) {
   EXPECT_EQ(met.iterations, 32);
 }
 
+// A bound t sqrt(s^2 + s_b^2) from merging alone, s_b = 2 s; from rays alone; one without a standard error.
+TEST(Prediction, TellsWhatMergingMakes) {
+  const float t = float(t_quantile(16));
+  EXPECT_NEAR(meter_error({100, 1, 3, 3 + t * std::sqrt(5.0f), 0, 0}, 5, 16).merged, 1, 1e-4);
+  EXPECT_NEAR(meter_error({100, 1, 3, 3 + t * std::sqrt(5.0f), 0, 0}, 5, 16).deviations, 1.5, 1e-4);
+  EXPECT_NEAR(meter_error({100, 1, 0, t, 0, 0}, 5, 16).merged, 0, 1e-4);
+  const MeterError unknown = meter_error({100, -1, 0, 7, 0, 0}, 5, 16), dark = meter_error({1, 1, 1, 2, 0, 0}, 5, 16);
+  EXPECT_EQ(unknown.merged, 0);
+  EXPECT_FLOAT_EQ(unknown.error(), 0.07f);
+  EXPECT_FLOAT_EQ(dark.error(), 0.4f) << "bound / floor";
+}
+
 // What no rate reaches is told so: an error that has stopped falling, and one beyond 10^8 times what was done.
 TEST(Prediction, NeverIsTold) {
   Prediction stuck(UPS_CRITERION_WORST, alpha), far(UPS_CRITERION_WORST, alpha);
