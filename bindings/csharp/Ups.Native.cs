@@ -209,6 +209,15 @@ namespace Ups
         Groups = 2,
     }
 
+    public enum Criterion : int
+    {
+        Default = 0,
+        Worst = 1,
+        P95 = 2,
+        Mean = 3,
+        Median = 4,
+    }
+
     public enum JobState : int
     {
         Running = 0,
@@ -225,6 +234,13 @@ namespace Ups
         FewPaths = 4,
         SinglePath = 8,
         HeavyTail = 16,
+    }
+
+    public enum Limit : int
+    {
+        Unknown = 0,
+        Noise = 1,
+        Bias = 2,
     }
 
     public enum Photons : int
@@ -970,6 +986,8 @@ namespace Ups
         public Separation Separation;
         public uint Reserved;
         public ulong FluxPaths;
+        public Criterion TargetCriterion;
+        public uint Reserved2;
         /// <summary>With the library's defaults.</summary>
         public static RenderDesc Create()
         {
@@ -1081,6 +1099,59 @@ namespace Ups
         internal static MeterStatistics Sized()
         {
             return new MeterStatistics { StructSize = (uint)sizeof(MeterStatistics) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct CurvePoint
+    {
+        public uint StructSize;
+        public uint Iterations;
+        public double ElapsedS;
+        public float MedianRelativeError;
+        public float P95RelativeError;
+        public float WorstRelativeError;
+        public float MeanRelativeError;
+        public float BiasShare;
+        public uint Reserved;
+        public ulong Rays;
+        public ulong LightPaths;
+        public ulong EyePaths;
+        public ulong ResidentBytes;
+        internal static CurvePoint Sized()
+        {
+            return new CurvePoint { StructSize = (uint)sizeof(CurvePoint) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Prediction
+    {
+        public uint StructSize;
+        public Limit LimitedBy;
+        public double Seconds;
+        public double SecondsLow;
+        public double SecondsHigh;
+        public double Iterations;
+        internal static Prediction Sized()
+        {
+            return new Prediction { StructSize = (uint)sizeof(Prediction) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct LargestError
+    {
+        public uint StructSize;
+        public SensorId Sensor;
+        public uint Index;
+        public float RelativeError;
+        public float BiasShare;
+        public uint Reserved;
+        public Double3 PositionM;
+        internal static LargestError Sized()
+        {
+            return new LargestError { StructSize = (uint)sizeof(LargestError) };
         }
     }
 
@@ -1386,6 +1457,15 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_job_wait(JobHandle job, uint timeout_ms);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_job_get_prediction(JobHandle job, double relative_error, Prediction*
+            prediction);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_job_get_curve_count(JobHandle job, uint* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_job_get_curve_point(JobHandle job, uint index, CurvePoint* point);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_job_get_largest_error(JobHandle job, LargestError* error);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_job_cancel(JobHandle job);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_job_result(JobHandle job, out ResultHandle @out);
@@ -1443,6 +1523,15 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_convergence(ResultHandle result, ConvergencePoint* points, UIntPtr
             capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_prediction(ResultHandle result, double relative_error, Prediction*
+            prediction);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_curve_count(ResultHandle result, uint* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_curve_point(ResultHandle result, uint index, CurvePoint* point);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_largest_error(ResultHandle result, LargestError* error);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_text(ResultHandle result, ResultText topic, byte* text, UIntPtr
             capacity, UIntPtr* needed);

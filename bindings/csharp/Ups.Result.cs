@@ -24,6 +24,37 @@ namespace Ups
             return Library.Check(Native.ups_job_wait(Handle, timeoutMs));
         }
 
+        /// <summary>When the error by RenderDesc.TargetCriterion is so small, of all looks at it so far.</summary>
+        public Prediction Predict(double relativeError)
+        {
+            var prediction = Prediction.Sized();
+            Library.Check(Native.ups_job_get_prediction(Handle, relativeError, &prediction));
+            return prediction;
+        }
+
+        /// <summary>What accuracy cost so far: each look at the error.</summary>
+        public CurvePoint[] Curve()
+        {
+            uint count;
+            Library.Check(Native.ups_job_get_curve_count(Handle, &count));
+            var all = new CurvePoint[count];
+            for (uint i = 0; i < count; ++i)
+            {
+                var point = CurvePoint.Sized();
+                Library.Check(Native.ups_job_get_curve_point(Handle, i, &point));
+                all[i] = point;
+            }
+            return all;
+        }
+
+        /// <summary>The meter that had it at the last look.</summary>
+        public LargestError LargestError()
+        {
+            var error = Ups.LargestError.Sized();
+            Library.Check(Native.ups_job_get_largest_error(Handle, &error));
+            return error;
+        }
+
         public void Cancel() { Native.ups_job_cancel(Handle); }
 
         /// <summary>What is there after the last whole iteration.</summary>
@@ -214,6 +245,38 @@ namespace Ups
             return values;
         }
 
+        /// <summary>As Job.Predict.</summary>
+        public Prediction Predict(double relativeError)
+        {
+            var prediction = Prediction.Sized();
+            Library.Check(Native.ups_result_get_prediction(Handle, relativeError, &prediction));
+            return prediction;
+        }
+
+        /// <summary>What accuracy cost: each look at the error.</summary>
+        public CurvePoint[] Curve()
+        {
+            uint count;
+            Library.Check(Native.ups_result_get_curve_count(Handle, &count));
+            var all = new CurvePoint[count];
+            for (uint i = 0; i < count; ++i)
+            {
+                var point = CurvePoint.Sized();
+                Library.Check(Native.ups_result_get_curve_point(Handle, i, &point));
+                all[i] = point;
+            }
+            return all;
+        }
+
+        /// <summary>The meter that had it at the last look.</summary>
+        public LargestError LargestError()
+        {
+            var error = Ups.LargestError.Sized();
+            Library.Check(Native.ups_result_get_largest_error(Handle, &error));
+            return error;
+        }
+
+        /// <summary>The part of Curve() that there has always been.</summary>
         public ConvergencePoint[] Convergence()
         {
             UIntPtr needed;

@@ -46,15 +46,30 @@ enum {
   UPS_SEPARATE_GROUPS = 2      /* by the `group` of their descs */
 };
 
+/* Which relative error of the sensors is judged by the target. A meter's is error_bound / max(E, 5 % of its set's
+ * mean), a pixel's that of its luminance, from noise alone. */
+typedef int32_t ups_criterion;
+enum {
+  UPS_CRITERION_DEFAULT = 0, /* the worst meter; without meters the mean over pixels */
+  UPS_CRITERION_WORST = 1,   /* of all meters, without meters of all pixels */
+  UPS_CRITERION_P95 = 2,     /* 95 % of them are better */
+  UPS_CRITERION_MEAN = 3,
+  UPS_CRITERION_MEDIAN = 4
+};
+
 typedef struct ups_render_desc {
   uint32_t struct_size;
   ups_method method;
   uint64_t seed;                      /* same seed and iterations, same bits, whatever the thread count */
   double time_limit_s;                /* 0: none. From the start of the call; overrun by at most 0.1 s or 5 %,
                                        * whichever is more. An iteration that it cuts off leaves no trace */
-  float target_relative_error;        /* stop when the worst meter's error_bound / max(E, 5 % of its set's mean) is
-                                       * below, without meters the mean pixel's, without cameras too a goniometer's:
-                                       * the noise of its nodes, 95 %, in the mean over the light; 0: off */
+  float target_relative_error;        /* stop when the relative error that target_criterion says is below: by default
+                                       * the worst meter's error_bound / max(E, 5 % of its set's mean), without meters
+                                       * the mean pixel's; without cameras too a goniometer's, whatever the criterion:
+                                       * the noise of its nodes, 95 %, in the mean over the light; 0: off. The error is
+                                       * looked at after 16, 20, 25, 32, ... (steps of 1.25) visits of all meters.
+                                       * Against stopping by luck two looks one after the other must find it below, the
+                                       * second no sooner than after 32 */
   float merge_radius_m;               /* of pixels and walks the first one; of point meters the widest disc, from
                                        * whose rings each reading takes as many as serve it best. 0: from the scene */
   uint32_t iteration_count;           /* 0: until a limit or the target is met */
@@ -73,6 +88,8 @@ typedef struct ups_render_desc {
                                        * and escaped flux where the method traces none; where it does these cost
                                        * nothing and this is not read. A part after each iteration, the rest at the
                                        * end, within elapsed_s and the time limit. 0: none, that flux is not known */
+  ups_criterion target_criterion;     /* of target_relative_error and of predictions */
+  uint32_t reserved2;                 /* 0 */
 } ups_render_desc; /* at least one of time limit, target, iteration count must be set */
 
 typedef int32_t ups_job_state;
@@ -157,6 +174,45 @@ typedef struct ups_meter_statistics {
   double percentile_5_low_lx, percentile_5_high_lx;
 } ups_meter_statistics;
 
+/* What accuracy cost: one look at the error. Errors are relative, over all meters, without meters over all pixels or a
+ * goniometer's nodes. */
+typedef struct ups_curve_point {
+  uint32_t struct_size;
+  uint32_t iterations;
+  double elapsed_s;
+  float median_relative_error, p95_relative_error, worst_relative_error, mean_relative_error;
+  float bias_share;                         /* of the meters' bounds: estimated bias */
+  uint32_t reserved;                        /* 0 */
+  uint64_t rays, light_paths, eye_paths;    /* so far; without flux_paths */
+  uint64_t resident_bytes;                  /* memory of the process, all that it does; 0: not known */
+} ups_curve_point;
+
+/* What keeps an error up. */
+typedef int32_t ups_limit;
+enum { UPS_LIMIT_UNKNOWN = 0 /* no look at the error yet */, UPS_LIMIT_NOISE = 1, UPS_LIMIT_BIAS = 2 };
+/* When the error by ups_render_desc.target_criterion is small enough: what a look at it is expected to find. From all
+ * looks so far; the first comes after 16 visits of all meters. A render with that target ends at the second such look.
+ * Once a look found the error met, as all after it, the times are that look's. */
+typedef struct ups_prediction {
+  uint32_t struct_size;
+  ups_limit limited_by;             /* at that time */
+  double seconds;                   /* from the render's start, in all; -1: never at this rate, or after more than
+                                     * 10^7 s, or UPS_LIMIT_UNKNOWN */
+  double seconds_low, seconds_high; /* 95 % interval, iterations as fast as they were: it holds that 16 batches know a
+                                     * standard error to 18 %, and how surely the rate is known; -1 as above */
+  double iterations;                /* at `seconds`; -1 where that is */
+} ups_prediction;
+
+/* The meter that had the largest relative error at the last look. */
+typedef struct ups_largest_error {
+  uint32_t struct_size;
+  ups_sensor_id sensor;
+  uint32_t index;     /* within the set */
+  float relative_error, bias_share; /* bias_share: estimated bias / bound */
+  uint32_t reserved;  /* 0 */
+  double position_m[3];
+} ups_largest_error;
+
 UPS_API void ups_render_desc_init(ups_render_desc *desc, uint32_t struct_size);
 
 /* Blocks until a limit or the target. The one call that a small program needs; for progress and cancel start a job.
@@ -172,6 +228,14 @@ UPS_API ups_status ups_job_start(const ups_scene *scene, const ups_render_desc *
 UPS_API ups_status ups_job_poll(const ups_job *job, ups_progress *progress);
 /* OK, UPS_TIMEOUT, UPS_CANCELLED or the job's error. */
 UPS_API ups_status ups_job_wait(const ups_job *job, uint32_t timeout_ms);
+/* At once, as ups_job_poll, of all looks at the error so far; the same of a result further below. relative_error: a
+ * finite number > 0, 0.01 is 1 %. prediction->struct_size must be set. */
+UPS_API ups_status ups_job_get_prediction(const ups_job *job, double relative_error, ups_prediction *prediction);
+UPS_API ups_status ups_job_get_curve_count(const ups_job *job, uint32_t *out);
+/* index < count, in the order of time; point->struct_size must be set. */
+UPS_API ups_status ups_job_get_curve_point(const ups_job *job, uint32_t index, ups_curve_point *point);
+/* error->struct_size must be set; INVALID_STATE before the first look and without meters. */
+UPS_API ups_status ups_job_get_largest_error(const ups_job *job, ups_largest_error *error);
 UPS_API void ups_job_cancel(ups_job *job); /* asks; returns at once; NULL ok */
 /* What is there after the last whole iteration; INVALID_STATE before the first. The render goes on meanwhile, but with
  * technique_images. The caller owns *out. */
@@ -316,9 +380,16 @@ UPS_API ups_status ups_result_get_technique(const ups_result *result, ups_sensor
 UPS_API ups_status ups_result_read_technique(const ups_result *result, ups_sensor_id camera, uint32_t index,
                                              ups_contribution contribution, float *out, size_t row_stride_bytes,
                                              size_t size_bytes);
-/* *needed gets the number of points; BUFFER_TOO_SMALL where capacity is less. points may be NULL with capacity 0. */
+/* The part of the curve that there has always been.
+ * *needed gets the number of points; BUFFER_TOO_SMALL where capacity is less. points may be NULL with capacity 0. */
 UPS_API ups_status ups_result_read_convergence(const ups_result *result, ups_convergence_point *points, size_t capacity,
                                                size_t *needed);
+/* As those of a job, of all looks before the result was taken. */
+UPS_API ups_status ups_result_get_prediction(const ups_result *result, double relative_error,
+                                             ups_prediction *prediction);
+UPS_API ups_status ups_result_get_curve_count(const ups_result *result, uint32_t *out);
+UPS_API ups_status ups_result_get_curve_point(const ups_result *result, uint32_t index, ups_curve_point *point);
+UPS_API ups_status ups_result_get_largest_error(const ups_result *result, ups_largest_error *error);
 /* For people. Two calls: text NULL and capacity 0 give *needed (with the final zero), then the text. */
 typedef int32_t ups_result_text;
 enum { UPS_TEXT_WARNINGS = 0, UPS_TEXT_EFFECTS = 1, UPS_TEXT_TECHNIQUES = 2, UPS_TEXT_DROPPED = 3 };

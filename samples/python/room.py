@@ -64,6 +64,10 @@ def main():
         print("  ".join(f"{r['illuminance_lx']:6.1f} ±{r['error_bound_lx']:5.1f}" for r in row))
     statistics = result.statistics(meters)
     print(f"mean {statistics.mean_lx:.1f} lx, uniformity {statistics.uniformity:.2f}")
+    for error in (0.02, 0.01, 0.005):
+        p = result.predict(error)  # of the worst meter; target_criterion says otherwise
+        when = f"{p.seconds:.1f} s ({p.seconds_low:.1f} to {p.seconds_high:.1f})" if p.seconds >= 0 else "not known"
+        print(f"time for {error:.1%}: {when}")
 
     # The same seed and the same iterations give the same bits, whoever waits for them.
     again = scene.render(iteration_count=iterations, seed=7).meters(meters)

@@ -3,24 +3,12 @@
 #include <cmath>
 
 #include "api/desc.h"
-#include "api/handles.h"
+#include "api/render_handles.h"
 #include "photometry/writer_text.h"
 #include "render/beam_error.h"
-#include "render/job.h"
 
 using namespace ups;
 using namespace ups::api;
-
-struct ups_job {
-  ups::api::Owner<ups_job> owner;
-  std::shared_ptr<ContextCore> context;  // keeps threads and log alive
-  std::unique_ptr<RenderJob> job;
-};
-
-struct ups_result {
-  ups::api::Owner<ups_result> owner;
-  std::shared_ptr<const RenderResult> data;
-};
 
 namespace {
 
@@ -35,8 +23,6 @@ std::unique_ptr<ups_job> start(const ups_scene* scene, const ups_render_desc* de
 }
 
 ups_result* wrap(std::shared_ptr<const RenderResult> data) { return new ups_result{.data = std::move(data)}; }
-
-const RenderResult& data_of(const ups_result* result) { return *require(result, "result").data; }
 
 size_t index_of(const RenderResult& r, const std::vector<uint32_t>& numbers, ups_sensor_id sensor, const char* noun) {
   const uint32_t number = own_number_of(sensor.v, r.scene->tag->bits(), "sensor");
@@ -353,21 +339,6 @@ ups_status ups_result_read_technique(const ups_result* result, ups_sensor_id cam
       fail_argument("contribution: " + std::to_string(contribution) + " is not a UPS_CONTRIBUTION_* value");
     copy_plane(image, {contribution == UPS_CONTRIBUTION_WEIGHTED ? t.weighted : t.unweighted, 3}, out, row_stride_bytes,
                size_bytes);
-  });
-}
-
-ups_status ups_result_read_convergence(const ups_result* result, ups_convergence_point* points, size_t capacity,
-                                       size_t* needed) {
-  return guard(__func__, [&] {
-    const auto& all = data_of(result).convergence;
-    if (!points && capacity > 0) fail_argument("points is NULL, but capacity is " + std::to_string(capacity));
-    if (!points && !needed) fail_argument("needed is NULL; without points it is all that can be answered");
-    if (needed) *needed = all.size();
-    if (!points) return;
-    if (capacity < all.size())
-      throw Error(UPS_ERROR_BUFFER_TOO_SMALL,
-                  "capacity is " + std::to_string(capacity) + "; there are " + std::to_string(all.size()) + " points");
-    std::copy(all.begin(), all.end(), points);
   });
 }
 

@@ -184,6 +184,8 @@ ImageReading Accumulator::read_image_and_techniques(size_t c) const {
 ErrorSummary Accumulator::summarize() const {
   if (meters_.empty()) return images_.empty() ? summarize_goniometers() : summarize_images();
   std::vector<double> errors;
+  std::vector<MeterError> parts;
+  std::optional<ErrorSummary::Place> worst;
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
     std::vector<ups_meter_reading> readings;
@@ -191,14 +193,21 @@ ErrorSummary Accumulator::summarize() const {
     double mean = 0;
     for (const ups_meter_reading& m : readings) mean += double(m.illuminance_lx) / double(readings.size());
     if (!(mean > 0)) mean = scene_lx_;
-    for (const ups_meter_reading& m : readings) {
+    const double floor = share_of_mean * mean;
+    for (size_t i = 0; i < readings.size(); ++i) {
+      const ups_meter_reading& m = readings[i];
       if (m.error_bound_lx < 0) return {};
-      errors.push_back(emits_ ? m.error_bound_lx / std::max(double(m.illuminance_lx), share_of_mean * mean) : 0);
+      parts.push_back(emits_ ? meter_error(m, floor, visits(i)) : MeterError{});
+      errors.push_back(emits_ ? m.error_bound_lx / std::max(double(m.illuminance_lx), floor) : 0);
+      if (!worst || parts.back().error() > worst->error.error()) worst = {s, i, parts.back()};
       bias += std::abs(m.bias_lx);
       bound += m.error_bound_lx;
     }
   }
-  return summary_of(std::move(errors), bound > 0 ? bias / bound : 0.0);
+  ErrorSummary all = summary_of(std::move(errors), bound > 0 ? bias / bound : 0.0);
+  all.meters = std::move(parts);
+  all.worst_place = worst;
+  return all;
 }
 
 GoniometerReading Accumulator::read_goniometer(size_t goniometer) const {

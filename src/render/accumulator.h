@@ -4,12 +4,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render/goniometer_sums.h"
 #include "render/image_sums.h"
 #include "render/meter_statistics.h"
 #include "render/meter_sums.h"
+#include "render/prediction.h"
 #include "ups/ups_render.h"
 
 namespace ups {
@@ -25,6 +27,12 @@ struct MeterSetReading {
 // Quantiles of the relative error over all meters, without meters over all pixels; -1: not known yet.
 struct ErrorSummary {
   float median = -1, p95 = -1, worst = -1, mean = -1, bias_share = -1;
+  std::vector<MeterError> meters;  // of all sets; empty where the quantiles are over pixels or a goniometer's nodes
+  struct Place {
+    size_t set, meter;
+    MeterError error;
+  };
+  std::optional<Place> worst_place;  // of `meters`
 };
 
 class Accumulator {

@@ -43,6 +43,9 @@ void check(const ups_render_desc& d) {
   if (d.separation < UPS_SEPARATE_NOTHING || d.separation > UPS_SEPARATE_GROUPS)
     fail_argument("separation: " + std::to_string(d.separation) + " is not a UPS_SEPARATE_* value");
   if (d.reserved != 0) fail_argument("reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  if (d.reserved2 != 0) fail_argument("reserved2 is " + std::to_string(d.reserved2) + "; it must be 0");
+  if (d.target_criterion < UPS_CRITERION_DEFAULT || d.target_criterion > UPS_CRITERION_MEDIAN)
+    fail_argument("target_criterion: " + std::to_string(d.target_criterion) + " is not a UPS_CRITERION_* value");
   if (d.flux_paths > (1u << 24)) fail_argument("flux_paths: at most 16777216");
   if (d.techniques >= 64)
     fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
@@ -194,11 +197,36 @@ void RenderJob::add(const TallyQueue::Delivery& delivery) {
 
 void RenderJob::look_at_error(double elapsed_s) {
   const uint32_t n = sums_->iterations();
-  const ErrorSummary e = sums_->summarize();
-  if (e.median >= 0) convergence_.push_back({elapsed_s, n, 0, e.median, e.p95, e.worst, e.bias_share});
+  ErrorSummary e = sums_->summarize();
+  const bool nodes = scene_->meter_sets.empty() && scene_->cameras.empty();
+  const ups_criterion criterion =
+      nodes ? UPS_CRITERION_MEAN : resolve_criterion(desc_.target_criterion, !scene_->meter_sets.empty());
+  const double error = error_by(criterion, e);
+  const ups_largest_error largest = largest_error(*scene_, e);
+  const ups_curve_point point = curve_point(n, elapsed_s, sums_->work(), e);
+  std::shared_ptr<const Prediction> prediction = accuracy_.prediction;  // that only this function changes
+  if (error >= 0) {
+    auto next = prediction ? std::make_shared<Prediction>(*prediction)
+                           : std::make_shared<Prediction>(criterion, integrator_->settings().radius_alpha);
+    next->add_look({double(n), elapsed_s, error}, std::move(e.meters));
+    prediction = std::move(next);
+  }
   const std::lock_guard lock(mutex_);
-  last_error_ = e;
-  estimate_->add_look(n, scene_->meter_sets.empty() ? e.mean : e.worst);
+  worst_ = e.worst, median_ = e.median;
+  accuracy_.prediction = std::move(prediction);
+  accuracy_.largest = largest;
+  if (e.median >= 0) accuracy_.curve.push_back(point);
+  estimate_->add_look(n, error, accuracy_.prediction.get());
+}
+
+Accuracy RenderJob::accuracy() const {
+  const std::lock_guard lock(mutex_);
+  Accuracy a = accuracy_;
+  if (!estimate_) return a;
+  a.start_s = estimate_->start_s();
+  a.elapsed_s = elapsed_;
+  a.seconds_per_iteration = estimate_->seconds_per_iteration();
+  return a;
 }
 
 // reserved_s: of what is left to do after the iterations. One that the limit would cut off is not begun.
@@ -218,8 +246,8 @@ ups_progress RenderJob::progress() const {
   p.state = state_;
   p.iterations_done = iterations_;
   p.elapsed_s = elapsed_;
-  p.worst_relative_error = last_error_.worst;
-  p.median_relative_error = last_error_.median;
+  p.worst_relative_error = worst_;
+  p.median_relative_error = median_;
   p.fraction = estimate_ ? float(estimate_->fraction()) : 0;
   p.remaining_s = estimate_ ? estimate_->remaining_s() : -1;
   if (state_ != UPS_JOB_RUNNING) {
@@ -262,7 +290,7 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
     r->goniometers.push_back(sums_->read_goniometer(g));
     r->goniometers.back().info.absorbed_flux_lm = r->info.absorbed_flux_lm;
   }
-  r->convergence = convergence_;
+  r->accuracy = accuracy();
   r->warnings = lines(scene_->warnings) + lines(method_.warnings);
   add_warnings(*r);
   r->effects = scene_->effects.text;

@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "render/accumulator.h"
+#include "render/accuracy.h"
 #include "render/method.h"
 #include "render/progress.h"
 #include "render/tally_queue.h"
@@ -26,7 +27,7 @@ struct RenderResult {
   std::vector<ImageReading> images;
   std::vector<MeterSetReading> meter_sets;
   std::vector<ups_source_info> sources;  // columns of MeterSetReading::separated
-  std::vector<ups_convergence_point> convergence;
+  Accuracy accuracy;
   std::string warnings, effects, techniques, dropped;
 };
 
@@ -41,6 +42,7 @@ class RenderJob {
   void start();
   void cancel() { stop_.cancel(); }
   ups_progress progress() const;  // waits for nothing, as cancel()
+  Accuracy accuracy() const;      // neither
   // OK, TIMEOUT, CANCELLED or the job's error; message gets the error's text.
   ups_status wait(uint32_t timeout_ms, std::string& message) const;
   // Throws INVALID_STATE before the first whole iteration. Others go on meanwhile, but for who wants a result too.
@@ -77,7 +79,6 @@ class RenderJob {
   WorkCounts flux_;
   bool books_flux_ = false;  // the render's own light paths do
   double sums_elapsed_ = 0;
-  std::vector<ups_convergence_point> convergence_;
 
   mutable std::mutex mutex_;  // guards all below; never held for long
   mutable std::condition_variable changed_;
@@ -86,7 +87,8 @@ class RenderJob {
   std::string error_message_;
   uint32_t iterations_ = 0;  // traced; the sums may not have the last ones yet
   double elapsed_ = 0;
-  ErrorSummary last_error_;
+  float worst_ = -1, median_ = -1;  // relative errors
+  Accuracy accuracy_;               // but for its times
   std::optional<ProgressEstimate> estimate_;  // none before the first iteration begins
 };
 

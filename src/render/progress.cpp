@@ -6,11 +6,9 @@ namespace ups {
 
 namespace {
 
-// Standard deviation of one look's logarithm about the trend: 16 batches know a standard error to 18 %, half of which
-// the trend has taken in.
+// Standard deviation of one look's logarithm about its expectation, beside what it has in common with those before: 16
+// batches know a standard error to 18 %.
 constexpr double look_deviation = 0.1;
-constexpr double trend_weight = 0.5;   // of the last look
-constexpr double least_error = 1e-9;   // 0 has no logarithm
 
 double normal_cumulative(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
@@ -22,26 +20,22 @@ void ProgressEstimate::add_iterations(double iterations, double elapsed_s) {
   update();
 }
 
-void ProgressEstimate::add_look(double iterations, double error) {
+void ProgressEstimate::add_look(double iterations, double error, const Prediction* prediction) {
   look_ = iterations;
   next_look_ = rule_.next(iterations);
   if (error < 0) return;  // not known yet
   passed_ = error <= limits_.target ? passed_ + 1 : 0;
-  const double found = std::log(std::max(error, least_error)) + 0.5 * std::log(iterations);
-  trend_ = has_trend_ ? trend_ + trend_weight * (found - trend_) : found;
-  has_trend_ = true;
-  if (limits_.target > 0) end_ = target_is_met() ? iterations : expected_end();
+  if (limits_.target > 0 && prediction) end_ = target_is_met() ? iterations : expected_end(*prediction);
   update();
 }
 
-// Iterations in all. Noise falls as 1 / sqrt(n); each look to come is below the target with the chance that the trend
-// gives it.
-double ProgressEstimate::expected_end() const {
+// Iterations in all. Each look to come is below the target with the chance that the prediction gives it.
+double ProgressEstimate::expected_end(const Prediction& prediction) const {
   double expected = 0, alive = 1, passed = passed_ > 0 ? 1 : 0;  // passed: of what is alive, with its last look below
   double look = next_look_;
   for (int i = 0; i < 500 && alive > 1e-4; ++i, look = rule_.next(look)) {
-    const double error = trend_ - 0.5 * std::log(look);
-    const double chance = normal_cumulative((std::log(std::max(limits_.target, least_error)) - error) / look_deviation);
+    const double error = prediction.log_error(look).mean;
+    const double chance = normal_cumulative((std::log(limits_.target) - error) / look_deviation);
     const double end = look >= rule_.least() ? passed * chance : 0;
     expected += end * look;
     passed = alive * chance - end;

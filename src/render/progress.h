@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "render/prediction.h"
+
 namespace ups {
 
 // When the error is looked at, in iterations: after 16, 20, 25, 32 ... passes of all meters. Two looks one after the
@@ -33,10 +35,12 @@ class ProgressEstimate {
   explicit ProgressEstimate(const Limits& limits) : limits_(limits), rule_(limits.pass) {}
 
   void start(double elapsed_s) { start_s_ = elapsed_s; }  // of the first iteration
+  double start_s() const { return start_s_; }
   void add_iterations(double iterations, double elapsed_s);
   double seconds_per_iteration() const { return iterations_ > 0 ? (elapsed_s_ - start_s_) / iterations_ : 0; }
-  // The error after so many iterations, at a look of the rule's. The same iterations are added before or later.
-  void add_look(double iterations, double error);
+  // The error after so many iterations, at a look of the rule's, which the prediction, if any, has taken in. The same
+  // iterations are added before or later. error: -1: not known yet.
+  void add_look(double iterations, double error, const Prediction* prediction);
   bool target_is_met() const { return passed_ >= TargetRule::looks && look_ >= rule_.least(); }
   double next_look() const { return next_look_ > 0 ? next_look_ : rule_.first(); }
 
@@ -44,14 +48,13 @@ class ProgressEstimate {
   double remaining_s() const { return remaining_s_; }  // -1: not known
 
  private:
-  double expected_end() const;
+  double expected_end(const Prediction& prediction) const;
   void update();
 
   const Limits limits_;
   const TargetRule rule_;
   double start_s_ = 0, elapsed_s_ = 0, iterations_ = 0;
-  double look_ = 0, next_look_ = 0, trend_ = 0;  // trend: logarithm of error sqrt(iterations), smoothed
-  bool has_trend_ = false;
+  double look_ = 0, next_look_ = 0;
   double end_ = 0;  // by the target, in iterations; 0: not known
   uint32_t passed_ = 0;
   double fraction_ = 0, remaining_s_ = -1;

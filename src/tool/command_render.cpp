@@ -21,6 +21,11 @@ int render(const RenderOptions& options) {
   tell_interruption(finished);
   if (!finished.result) return exit_interrupted;
   Report report = make_report(options.scene, scene, finished.result.get());
+  const std::string advice =
+      finished.target > 0 ? advice_text(finished.target, finished.time_limit_s,
+                                        predict(finished.result.get(), finished.target), report.worst_meter)
+                          : "";
+  if (!advice.empty()) report.advice.push_back(advice);
   Written written;
   if (!options.out.empty()) written = write_outputs(options.out, scene, finished.result.get());
   append_once(report.warnings, written.warnings);

@@ -29,6 +29,26 @@ std::string dump(const ordered_json& json) {
   return printable_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
 }
 
+ordered_json predictions_json(const std::vector<PredictionReport>& predictions) {
+  ordered_json all = ordered_json::array();
+  for (const PredictionReport& p : predictions)
+    all.push_back({{"relative_error", number(p.relative_error)},
+                   {"seconds", number(p.prediction.seconds)},
+                   {"low", number(p.prediction.seconds_low)},
+                   {"high", number(p.prediction.seconds_high)},
+                   {"limited_by", p.prediction.limited_by == UPS_LIMIT_BIAS ? "bias" : "noise"}});
+  return all;
+}
+
+ordered_json worst_meter_json(const WorstMeter& worst) {
+  const ups_largest_error& e = worst.error;
+  return {{"meters", worst.set},
+          {"index", e.index},
+          {"position_m", {number(e.position_m[0]), number(e.position_m[1]), number(e.position_m[2])}},
+          {"relative_error", number(e.relative_error)},
+          {"bias_share", number(e.bias_share)}};
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -69,12 +89,18 @@ std::string to_json(const Report& report) {
                        {"light_paths", c.choice.light_paths_per_iteration},
                        {"photons", photons[c.choice.photons]},
                        {"predicted_gain", number(c.choice.predicted_gain)}};
-  for (const ups_convergence_point& point : report.convergence) {
+  for (const ups_curve_point& point : report.convergence) {
     convergence.push_back({{"time_s", number(point.elapsed_s)},
                            {"iterations", point.iterations},
                            {"median_relative_error", number(point.median_relative_error)},
                            {"p95_relative_error", number(point.p95_relative_error)},
-                           {"worst_relative_error", number(point.worst_relative_error)}});
+                           {"worst_relative_error", number(point.worst_relative_error)},
+                           {"mean_relative_error", number(point.mean_relative_error)},
+                           {"bias_share", number(point.bias_share)},
+                           {"rays", point.rays},
+                           {"light_paths", point.light_paths},
+                           {"eye_paths", point.eye_paths},
+                           {"bytes", point.resident_bytes}});
   }
   ordered_json all = {{"scene", report.scene},
                {"method", method_word(info.method)},
@@ -99,9 +125,12 @@ std::string to_json(const Report& report) {
                {"meters", meters},
                {"cameras", cameras},
                {"convergence", convergence},
+               {"prediction", predictions_json(report.predictions)},
+               {"advice", report.advice},
                {"warnings", report.warnings}};
   if (!report.goniometers.empty()) all["goniometers"] = goniometers;
   if (!report.sources.empty()) all["sources"] = sources;
+  if (report.worst_meter) all["largest_error"] = worst_meter_json(*report.worst_meter);
   return dump(all);
 }
 

@@ -172,6 +172,17 @@ void add_render(CLI::App& app, RenderOptions& options) {
   CLI::App* command = app.add_subcommand("render", "Compute illuminance and luminance of a glTF scene");
   add_job_options(*command, options, {"auto", "ups", "pt", "lt", "bpt", "ppm", "sppm", "bpm"},
                   "the worst meter's relative error, without meters the mean pixel's,");
+  static const std::map<std::string, ups_criterion> criteria = {{"worst", UPS_CRITERION_WORST},
+                                                                {"p95", UPS_CRITERION_P95},
+                                                                {"mean", UPS_CRITERION_MEAN},
+                                                                {"median", UPS_CRITERION_MEDIAN}};
+  command
+      ->add_option_function<std::string>(
+          "--target-of", [&options](const std::string& word) { options.desc.target_criterion = criteria.at(word); },
+          "worst, p95, mean or median: which error over all meters, without meters over all pixels, --target-error and "
+          "predictions are of")
+      ->check(CLI::IsMember({"worst", "p95", "mean", "median"}))
+      ->type_name("WORD");
   command
       ->add_option_function<std::string>(
           "--size", [&options](const std::string& text) { parse_size(text, options.width, options.height); },

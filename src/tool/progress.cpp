@@ -24,7 +24,9 @@ std::string percent(double fraction, int digits) {
 
 std::string duration_text(double seconds) {
   char text[32];
-  if (seconds < 99.5) {
+  if (seconds < 9.95) {
+    std::snprintf(text, sizeof text, "%.2g s", seconds);
+  } else if (seconds < 99.5) {
     std::snprintf(text, sizeof text, "%.0f s", seconds);
   } else if (seconds < 5400) {
     std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
@@ -34,28 +36,28 @@ std::string duration_text(double seconds) {
   return text;
 }
 
-std::string progress_text(const ups_progress& progress) {
+std::string progress_text(const ups_progress& progress, const std::string& foretold) {
   std::string text = percent(progress.fraction, 0) + ", " + std::to_string(progress.iterations_done) + " iterations";
   if (progress.worst_relative_error >= 0) text += ", worst error " + percent(progress.worst_relative_error, 1);
   if (progress.median_relative_error >= 0) text += ", median " + percent(progress.median_relative_error, 1);
   if (progress.remaining_s >= 0) text += ", " + duration_text(progress.remaining_s) + " left";
-  return text;
+  return foretold.empty() ? text : text + ", " + foretold;
 }
 
 Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1), next_line_s_(line_interval_s) {}
 
-void Progress::update(const ups_progress& progress) {
+void Progress::update(const ups_progress& progress, const std::string& foretold) {
   if (!terminal_) {
     if (progress.elapsed_s < next_line_s_) return;
     next_line_s_ = progress.elapsed_s + line_interval_s;
-    std::fprintf(stderr, "%s\n", progress_text(progress).c_str());
+    std::fprintf(stderr, "%s\n", progress_text(progress, foretold).c_str());
     return;
   }
   const int full = std::clamp(int(std::lround(progress.fraction * bar_width)), 0, bar_width);
   std::string line = "[";
   line.append(size_t(full), '#').append(size_t(bar_width - full), ' ');
   line += "] ";
-  line += progress_text(progress);
+  line += progress_text(progress, foretold);
   const size_t length = line.size();
   if (length < last_length_) line += std::string(last_length_ - length, ' ');  // over the longer line before
   last_length_ = length;

@@ -10,7 +10,8 @@ namespace ups::tool {
 class Progress {
  public:
   Progress();
-  void update(const ups_progress& progress);
+  // foretold: text, or none
+  void update(const ups_progress& progress, const std::string& foretold);
   void finish();  // ends the bar's line
 
  private:
@@ -20,7 +21,7 @@ class Progress {
   size_t last_length_ = 0;
 };
 
-std::string progress_text(const ups_progress& progress);
+std::string progress_text(const ups_progress& progress, const std::string& foretold);
 std::string duration_text(double seconds);
 
 }  // namespace ups::tool

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "tool/accuracy.h"
 #include "tool/interrupt.h"
 #include "tool/progress.h"
 
@@ -20,8 +21,21 @@ void set_limits(ups_render_desc& desc) {
   desc.time_limit_s = default_time_s;
 }
 
+// When the target is reached, without one the next of those that are always told.
+std::string foretell(const ups_job* job, double target) {
+  if (target > 0) {
+    const ups_prediction p = predict(job, target);
+    return p.limited_by == UPS_LIMIT_UNKNOWN ? "" : prediction_text(target, p);
+  }
+  for (const double error : foretold_errors) {
+    const ups_prediction p = predict(job, error);
+    if (p.limited_by != UPS_LIMIT_UNKNOWN && p.seconds_low != p.seconds_high) return prediction_text(error, p);
+  }
+  return "";
+}
+
 // Waits for the job's end. False where it was interrupted.
-bool wait_for(ups_job* job) {
+bool wait_for(ups_job* job, double target) {
   Progress progress;
   bool cancelled = false;
   for (;;) {
@@ -34,7 +48,7 @@ bool wait_for(ups_job* job) {
     ups_progress state{};
     state.struct_size = sizeof state;
     check(ups_job_poll(job, &state));
-    progress.update(state);
+    progress.update(state, foretell(job, target));
     if (status == UPS_CANCELLED) {
       progress.finish();
       return false;
@@ -55,11 +69,11 @@ Finished run_render(const ups_scene* scene, ups_render_desc desc) {
   ups_job* started = nullptr;
   check(ups_job_start(scene, &desc, &started));
   const Job job(started);
-  const bool complete = wait_for(job.get());
+  const bool complete = wait_for(job.get(), desc.target_relative_error);
   ups_result* taken = nullptr;
   const ups_status status = ups_job_result(job.get(), &taken);
   if (complete || status != UPS_ERROR_INVALID_STATE) check(status);
-  return {Result(taken), complete};
+  return {Result(taken), complete, desc.target_relative_error, desc.time_limit_s};
 }
 
 void tell_interruption(const Finished& finished) {

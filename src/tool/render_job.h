@@ -9,6 +9,7 @@ namespace ups::tool {
 struct Finished {
   Result result;  // none: interrupted before the first iteration
   bool complete;  // false: interrupted
+  double target, time_limit_s;  // that the render had; 0: none
   int exit_code() const { return complete ? exit_done : exit_interrupted; }
 };
 

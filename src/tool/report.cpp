@@ -131,10 +131,9 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
   }
   for (const SourceEntry& source : sources_of(scene, result))
     report.sources.push_back({source.name, source.info.flux_lm});
-  size_t count = 0;
-  check(ups_result_read_convergence(result, nullptr, 0, &count));
-  report.convergence.resize(count);
-  if (count > 0) check(ups_result_read_convergence(result, report.convergence.data(), count, &count));
+  report.convergence = read_curve(result);
+  report.predictions = read_predictions(result);
+  report.worst_meter = read_worst_meter(scene, result);
   return report;
 }
 
@@ -167,6 +166,10 @@ std::string to_text(const Report& report) {
   }
   for (const SourceReport& source : report.sources)
     text += format("source %s: %.6g lm\n", source.name.c_str(), source.flux_lm);
+  for (const PredictionReport& p : report.predictions)
+    text += format("accuracy: %s, limited by %s\n", prediction_text(p.relative_error, p.prediction).c_str(),
+                   p.prediction.limited_by == UPS_LIMIT_BIAS ? "bias" : "noise");
+  for (const std::string& advice : report.advice) text += "advice: " + advice + "\n";
   for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
   return text;
 }

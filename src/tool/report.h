@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tool/accuracy.h"
 #include "tool/handles.h"
 
 namespace ups::tool {
@@ -43,7 +44,10 @@ struct Report {
   std::vector<CameraReport> cameras;
   std::vector<GoniometerReport> goniometers;
   std::vector<SourceReport> sources;  // empty without --separate
-  std::vector<ups_convergence_point> convergence;
+  std::vector<ups_curve_point> convergence;
+  std::vector<PredictionReport> predictions;
+  std::optional<WorstMeter> worst_meter;
+  std::vector<std::string> advice;
 };
 
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);

@@ -150,6 +150,11 @@ internal static partial class BindingTest
                 // 400 cd / (2.5 m)^2 below the lamp; 0.5 % less at the picture's corners.
                 foreach (var e in result.Image(eye, 6, 4, Channel.Illuminance)) ExpectNear(e, 64, 0.01, "floor");
                 Expect(result.Convergence().Length > 0, "convergence");
+                var curve = result.Curve();
+                Expect(curve.Length == 1 && curve[0].Iterations == 16 && curve[0].Rays > 0, "the curve");
+                var foretold = result.Predict(0.01);
+                Expect(foretold.LimitedBy == Limit.Noise && foretold.Iterations == 16, "the prediction");
+                Expect(result.LargestError().Sensor.V == meters.V, "the worst meter");
                 Expect(result.Info.Iterations == 16 && result.Info.Seed == 5, "the render's own data");
                 foreach (var sensor in new[] { meters, eye })
                     Expect(result.Choice(sensor).Techniques != 0 && result.Choice(sensor).PredictedGain > 0,

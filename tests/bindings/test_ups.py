@@ -185,6 +185,26 @@ def test_results_report_their_render(context):
     assert isinstance(result.text(ups.ResultText.TECHNIQUES), str)
 
 
+def test_accuracy_and_its_cost(context):
+    scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
+    scene.add_instance(scene.add_mesh([(-9, -9, 4), (9, -9, 4), (0, 9, 4)], [(0, 1, 2)],
+                                      scene.add_material(reflectance_rgb=[0.8] * 3)))  # what it reflects has noise
+    scene.commit()
+    with scene.start(iteration_count=40, target_criterion=ups.Criterion.MEAN) as job:
+        job.wait()
+        result, looks, error = job.result(), job.curve(), job.largest_error()
+        foretold = job.predict(1e-5)
+    assert [p.iterations for p in looks] == [p.iterations for p in result.curve()] == [16, 20, 25, 32, 40]
+    assert all(a.rays < b.rays for a, b in zip(looks, looks[1:])) and looks[-1].resident_bytes > 0
+    assert error.sensor.v == result.largest_error().sensor.v == meters.v
+    assert error.relative_error == looks[-1].worst_relative_error > 0
+    for p in (foretold, result.predict(1e-5)):
+        assert p.limited_by == ups.Limit.NOISE and p.iterations > 40
+        assert p.seconds_low < p.seconds and (p.seconds < p.seconds_high or p.seconds_high == -1)
+    with pytest.raises(ups.Error, match="relative_error"):
+        result.predict(0)
+
+
 def test_results_tell_how_light_is_found(context):
     scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
     camera = scene.add_camera(2, 2, vertical_fov_rad=1, to_world=ups.translation(0, 0, 2))

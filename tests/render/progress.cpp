@@ -20,12 +20,17 @@ struct Told {
 std::vector<Told> run(const ProgressEstimate::Limits& limits, double c, double deviation, uint32_t seed,
                       double most = 1e6) {
   ProgressEstimate estimate(limits);
+  Prediction prediction(UPS_CRITERION_WORST, 2.0 / 3);
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::vector<Told> all;
   for (double n = 1; n <= most && !estimate.target_is_met(); ++n) {
     estimate.add_iterations(n, n * second_an_iteration);
-    if (n >= estimate.next_look()) estimate.add_look(n, c / std::sqrt(n) * std::exp(deviation * normal(random)));
+    if (n >= estimate.next_look()) {
+      const double error = c / std::sqrt(n) * std::exp(deviation * normal(random));
+      prediction.add_look({n, n * second_an_iteration, error}, {});
+      estimate.add_look(n, error, &prediction);
+    }
     all.push_back({n, estimate.fraction(), estimate.remaining_s()});
   }
   return all;

@@ -104,6 +104,7 @@ class Usage(ProgramTest):
                           ["render", scene, "--time", "nan"], ["render", scene, "--time", "soon"],
                           ["render", scene, "--iterations", "0"], ["render", scene, "--iterations", "-5"],
                           ["render", scene, "--target-error", "0"], ["render", scene, "--seed", "-1"],
+                          ["render", scene, "--target-of", "best"],
                           ["render", scene, "--seed", "x"], ["render", scene, "--seed", "18446744073709551616"],
                           ["render", scene, "--iterations", "4294967296"], ["render", scene, "--threads", "-1"],
                           ["render", scene, "--threads", "4294967296"],
@@ -192,7 +193,7 @@ class Render(ProgramTest):
         result = self.render("--iterations", 32, "--threads", 1)
         self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
                                        "seed", "flux", "dropped_samples", "work", "meters", "cameras", "convergence",
-                                       "warnings", "choice"})
+                                       "warnings", "choice", "prediction", "advice", "largest_error"})
         self.assertEqual(result["scene"], self.path("room.gltf"))
         self.assertEqual(result["iterations"], 32)
         self.assertEqual(result["seed"], 7)
@@ -218,7 +219,15 @@ class Render(ProgramTest):
             self.assertLessEqual(set(choice["techniques"]), set(result["techniques"]))
         for point in result["convergence"]:
             self.assertEqual(set(point), {"time_s", "iterations", "median_relative_error", "p95_relative_error",
-                                          "worst_relative_error"})
+                                          "worst_relative_error", "mean_relative_error", "bias_share", "rays",
+                                          "light_paths", "eye_paths", "bytes"})
+            self.assertGreater(point["bytes"], 1e6)
+        self.assertEqual([p["relative_error"] for p in result["prediction"]], [0.05, 0.02, 0.01, 0.005])
+        for p in result["prediction"]:
+            self.assertEqual(set(p), {"relative_error", "seconds", "low", "high", "limited_by"})
+            self.assertIn(p["limited_by"], ("noise", "bias"))
+        self.assertEqual(set(result["largest_error"]), {"meters", "index", "position_m", "relative_error",
+                                                        "bias_share"})
         # 100 cd, 2 m straight above, on a floor that sees nothing else: 100 / 2^2 lx.
         self.assertAlmostEqual(result["meters"]["spot"]["mean_lx"], 25, delta=0.25)
         self.assertEqual(os.listdir(self.folder.name), ["room.gltf"])  # without --out no file
@@ -331,16 +340,46 @@ class Render(ProgramTest):
         self.assertLess(result["time_s"], 10)  # generous: machines that test are busy
 
     def test_target_error(self):
-        scene = room()
-        scene["nodes"].append({"mesh": 0, "translation": [0, 3, 0]})  # a ceiling: light that is reflected has noise
-        scene["scenes"][0]["nodes"].append(5)
-        result = self.render("--target-error", 0.05, "--time", 100, scene=scene)
+        result = self.render("--target-error", 0.05, "--time", 100, scene=self.lit_by_its_ceiling())
         self.assertLess(result["time_s"], 50)
         self.assertGreaterEqual(result["iterations"], 16)
         for name, statistics in result["meters"].items():
             self.assertGreaterEqual(statistics["worst_relative_error_bound"], 0, msg=name)
             self.assertLessEqual(statistics["worst_relative_error_bound"], 0.05, msg=name)
         self.assertLessEqual(result["convergence"][-1]["worst_relative_error"], 0.05)
+
+    def lit_by_its_ceiling(self):
+        """The room with a ceiling: light that is reflected has noise."""
+        scene = room()
+        scene["nodes"].append({"mesh": 0, "translation": [0, 3, 0]})
+        scene["scenes"][0]["nodes"].append(5)
+        return scene
+
+    def test_target_of(self):
+        scene, iterations = self.lit_by_its_ceiling(), {}
+        for word in ("worst", "p95", "mean", "median"):
+            result = self.render("--target-error", 0.002, "--time", 100, "--target-of", word, scene=scene)
+            self.assertLessEqual(result["convergence"][-1][word + "_relative_error"], 0.002, msg=word)
+            iterations[word] = result["iterations"]
+        self.assertEqual(self.render("--target-error", 0.002, "--time", 100, scene=scene)["iterations"],
+                         iterations["worst"])
+        self.assertLess(iterations["median"], iterations["worst"])
+
+    def test_advice(self):
+        scene = self.lit_by_its_ceiling()
+        result = self.render("--target-error", 1e-5, "--time", 1.5, scene=scene)
+        worst = result["largest_error"]
+        self.assertIn(worst["meters"], result["meters"])
+        self.assertEqual(worst["relative_error"], result["convergence"][-1]["worst_relative_error"])
+        [advice] = result["advice"]
+        self.assertRegex(advice, r"^within 1\.5 s the target is out of reach: at this rate 0\.001 % "
+                                 r"(after \S+ (s|min|h) \(.* to .*\)|(perhaps )?never at this rate.*), limited by "
+                                 rf"noise; meter {worst['index']} of {worst['meters']}, at \(.*\), has the largest "
+                                 r"error, \S+ %$")
+        self.assertEqual(self.render("--target-error", 0.1, "--time", 100, scene=scene)["advice"], [])
+        done = self.run_program("render", self.path("room.gltf"), "--target-error", "1e-5", "--time", "1.5")
+        self.assertIn("advice: within 1.5 s the target is out of reach", done.stdout)
+        self.assertIn("accuracy: 5 % after ", done.stdout)
 
     def test_text(self):
         done = self.run_program("render", self.write("room.gltf", room()), "--iterations", 16)

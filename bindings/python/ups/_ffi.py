@@ -185,6 +185,14 @@ class Separation(enum.IntEnum):
     GROUPS = 2
 
 
+class Criterion(enum.IntEnum):
+    DEFAULT = 0
+    WORST = 1
+    P95 = 2
+    MEAN = 3
+    MEDIAN = 4
+
+
 class JobState(enum.IntEnum):
     RUNNING = 0
     FINISHED = 1
@@ -198,6 +206,12 @@ class Reading(enum.IntFlag):
     FEW_PATHS = 4
     SINGLE_PATH = 8
     HEAVY_TAIL = 16
+
+
+class Limit(enum.IntEnum):
+    UNKNOWN = 0
+    NOISE = 1
+    BIAS = 2
 
 
 class Photons(enum.IntEnum):
@@ -675,6 +689,8 @@ class RenderDesc(Structure):
         ("separation", c_int32),
         ("reserved", c_uint32),
         ("flux_paths", c_uint64),
+        ("target_criterion", c_int32),
+        ("reserved2", c_uint32),
     ]
 
 
@@ -768,6 +784,47 @@ class MeterStatistics(Structure):
         ("percentile_5_lx", c_double),
         ("percentile_5_low_lx", c_double),
         ("percentile_5_high_lx", c_double),
+    ]
+
+
+class CurvePoint(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("iterations", c_uint32),
+        ("elapsed_s", c_double),
+        ("median_relative_error", c_float),
+        ("p95_relative_error", c_float),
+        ("worst_relative_error", c_float),
+        ("mean_relative_error", c_float),
+        ("bias_share", c_float),
+        ("reserved", c_uint32),
+        ("rays", c_uint64),
+        ("light_paths", c_uint64),
+        ("eye_paths", c_uint64),
+        ("resident_bytes", c_uint64),
+    ]
+
+
+class Prediction(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("limited_by", c_int32),
+        ("seconds", c_double),
+        ("seconds_low", c_double),
+        ("seconds_high", c_double),
+        ("iterations", c_double),
+    ]
+
+
+class LargestError(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("sensor", SensorId),
+        ("index", c_uint32),
+        ("relative_error", c_float),
+        ("bias_share", c_float),
+        ("reserved", c_uint32),
+        ("position_m", c_double * 3),
     ]
 
 
@@ -919,6 +976,10 @@ PROTOTYPES = {
     "ups_job_start": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
     "ups_job_poll": (c_int32, [c_void_p, POINTER(Progress)]),
     "ups_job_wait": (c_int32, [c_void_p, c_uint32]),
+    "ups_job_get_prediction": (c_int32, [c_void_p, c_double, POINTER(Prediction)]),
+    "ups_job_get_curve_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
+    "ups_job_get_curve_point": (c_int32, [c_void_p, c_uint32, POINTER(CurvePoint)]),
+    "ups_job_get_largest_error": (c_int32, [c_void_p, POINTER(LargestError)]),
     "ups_job_cancel": (None, [c_void_p]),
     "ups_job_result": (c_int32, [c_void_p, POINTER(c_void_p)]),
     "ups_job_destroy": (None, [c_void_p]),
@@ -943,6 +1004,10 @@ PROTOTYPES = {
     "ups_result_read_technique": (c_int32, [c_void_p, SensorId, c_uint32, c_int32, POINTER(c_float), c_size_t,
         c_size_t]),
     "ups_result_read_convergence": (c_int32, [c_void_p, POINTER(ConvergencePoint), c_size_t, POINTER(c_size_t)]),
+    "ups_result_get_prediction": (c_int32, [c_void_p, c_double, POINTER(Prediction)]),
+    "ups_result_get_curve_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
+    "ups_result_get_curve_point": (c_int32, [c_void_p, c_uint32, POINTER(CurvePoint)]),
+    "ups_result_get_largest_error": (c_int32, [c_void_p, POINTER(LargestError)]),
     "ups_result_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_result_destroy": (None, [c_void_p]),
 }

@@ -13,6 +13,12 @@ from ._ffi import Channel, Contribution, ResultText, Status
 from ._profile import Profile
 
 
+def read_curve(count_of, point_of, owner):
+    count = ctypes.c_uint32()
+    check(count_of(owner, byref(count)))
+    return [read_info(_ffi.CurvePoint, point_of, owner, i) for i in range(count.value)]
+
+
 class Job(Handle):
     """A render on the library's own threads; any thread may call. Closing it cancels it."""
 
@@ -31,6 +37,19 @@ class Job(Handle):
             status = check(lib.ups_job_wait(self, 100))
             if status != Status.TIMEOUT:
                 return status
+
+    def predict(self, relative_error):
+        """When the error by target_criterion is so small, of all looks at it so far, as ups_prediction: seconds from
+        the start, seconds_low, seconds_high (95 %; -1: never at this rate), limited_by, iterations."""
+        return read_info(_ffi.Prediction, lib.ups_job_get_prediction, self, relative_error)
+
+    def curve(self):
+        """What accuracy cost so far: a ups_curve_point of each look at the error."""
+        return read_curve(lib.ups_job_get_curve_count, lib.ups_job_get_curve_point, self)
+
+    def largest_error(self):
+        """The meter that had it at the last look, as ups_largest_error."""
+        return read_info(_ffi.LargestError, lib.ups_job_get_largest_error, self)
 
     def cancel(self):
         lib.ups_job_cancel(self)
@@ -151,8 +170,21 @@ class Result(Handle):
                                             out.nbytes))
         return out
 
+    def predict(self, relative_error):
+        """As Job.predict."""
+        return read_info(_ffi.Prediction, lib.ups_result_get_prediction, self, relative_error)
+
+    def curve(self):
+        """What accuracy cost: a ups_curve_point of each look at the error: time, errors, rays, paths, memory."""
+        return read_curve(lib.ups_result_get_curve_count, lib.ups_result_get_curve_point, self)
+
+    def largest_error(self):
+        """The meter that had it at the last look, as ups_largest_error."""
+        return read_info(_ffi.LargestError, lib.ups_result_get_largest_error, self)
+
     def convergence(self):
-        """What accuracy cost: a record array with a field for each of ups_convergence_point."""
+        """The part of curve() that there has always been: a record array with a field for each of
+        ups_convergence_point."""
         needed = ctypes.c_size_t()
         status = lib.ups_result_read_convergence(self, None, 0, byref(needed))
         if status != Status.ERROR_BUFFER_TOO_SMALL:

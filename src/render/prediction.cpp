@@ -1,0 +1,206 @@
+// See prediction.h: errors of meters apart, the model's criterion, its fit to the looks, and the answers.
+#include "render/prediction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/spread.h"
+
+namespace ups {
+
+namespace {
+
+constexpr double least_error = 1e-9;  // 0 has no logarithm
+// 16 batches know a standard error to 1 / sqrt(2 15); counts for so many looks beside those that there are.
+constexpr double look_deviation = 0.18, looks_of_knowledge = 1;
+// Of the exponent about the model's: stratification makes noise fall a little faster; estimated bias is that of a
+// smooth illuminance, real bias may fall more slowly.
+constexpr double rays_exponent_deviation = 0.03, merging_exponent_deviation = 0.06, bias_exponent_deviation = 0.13;
+constexpr double interval = 2.1;  // standard deviations of a 95 % interval; Student's t for some 20 degrees of freedom
+constexpr double step = 0.1;      // of the curve, in the logarithm of iterations
+constexpr size_t steps = 185;     // to 10^8 times the last look's
+constexpr size_t most_parts = 512;
+
+double log_of(double error) { return std::log(std::max(error, least_error)); }
+
+// Estimated bias that may be noise counts as noise: |b| max(0, 1 - threshold / z^2) remains (Breiman 1995, the
+// nonnegative garrote), so that what chance alone makes of b goes on falling as noise does.
+void demote_bias(MeterError& m, double threshold) {
+  const double z2 = double(m.deviations) * m.deviations;
+  const double kept = m.bias * (z2 > threshold ? 1 - threshold / z2 : 0.0);
+  m.noise += float(m.bias - kept);
+  m.bias = float(kept);
+}
+
+// By what the errors are made of.
+double exponent_deviation(const std::vector<MeterError>& meters) {
+  double merged = 0, bias = 0, sum = least_error;
+  for (const MeterError& m : meters) merged += m.noise * m.merged, bias += m.bias, sum += m.error();
+  return (rays_exponent_deviation * (sum - merged - bias) + merging_exponent_deviation * merged +
+          bias_exponent_deviation * bias) / sum;
+}
+
+void keep_largest(std::vector<MeterError>& all, std::vector<MeterError>& kept, float (*size)(const MeterError&)) {
+  const size_t count = std::min(all.size(), most_parts / 2);
+  std::partial_sort(all.begin(), all.begin() + ptrdiff_t(count), all.end(),
+                    [&](const MeterError& a, const MeterError& b) { return size(a) > size(b); });
+  kept.insert(kept.end(), all.begin(), all.begin() + ptrdiff_t(count));
+}
+
+}  // namespace
+
+MeterError meter_error(const ups_meter_reading& r, double floor, uint32_t visits) {
+  MeterError m;
+  const double scale = 1 / std::max(double(r.illuminance_lx), floor), bias = std::abs(double(r.bias_lx));
+  m.bias = float(bias * scale);
+  m.noise = float((r.error_bound_lx - bias) * scale);
+  // The bound is |b| + t sqrt(s^2 + s_b^2), see spread.h; merges make a quarter of s_b^2 in s^2, as their bias is
+  // estimated with four times their variance. Without a standard error the bound says nothing of what merging makes.
+  const double both = (r.error_bound_lx - bias) / t_quantile(visits), s = std::max(0.0, double(r.standard_error_lx));
+  const double of_bias = std::max(0.0, both * both - s * s);
+  if (both > 0 && s > 0) m.merged = float(std::min(1.0, (of_bias + std::min(s * s, of_bias / 4)) / (both * both)));
+  m.deviations = of_bias > 0 ? float(bias / std::sqrt(of_bias)) : 1e9f;
+  return m;
+}
+
+void Prediction::add_look(const Look& look, std::vector<MeterError> meters) {
+  looks_.push_back(look);
+  if (meters.empty()) meters.push_back({.noise = float(look.error)});
+  reduce(std::move(meters));
+  fit();
+}
+
+// A curve of the criterion is found many times over: of many meters some stand for all.
+void Prediction::reduce(std::vector<MeterError>&& meters) {
+  exponent_deviation_ = exponent_deviation(meters);
+  // Of many meters the worst one's bias is the largest of many that chance makes.
+  const double threshold = criterion_ == UPS_CRITERION_WORST ? 2 * std::max(1.0, std::log(double(meters.size()))) : 2;
+  for (MeterError& m : meters) demote_bias(m, threshold);
+  parts_.clear();
+  if (criterion_ == UPS_CRITERION_MEAN) {
+    double noise = 0, merged = 0, bias = 0;
+    for (const MeterError& m : meters) noise += m.noise, merged += double(m.noise) * m.merged, bias += m.bias;
+    const double count = double(meters.size());
+    parts_.push_back({float(noise / count), float(bias / count), noise > 0 ? float(merged / noise) : 0});
+  } else if (meters.size() <= most_parts) {
+    parts_ = std::move(meters);
+  } else if (criterion_ == UPS_CRITERION_WORST) {
+    keep_largest(meters, parts_, [](const MeterError& m) { return m.error(); });
+    keep_largest(meters, parts_, [](const MeterError& m) { return m.bias; });
+  } else {
+    const auto less = [](const MeterError& a, const MeterError& b) { return a.error() < b.error(); };
+    std::sort(meters.begin(), meters.end(), less);
+    for (size_t i = 0; i < most_parts; ++i)
+      parts_.push_back(meters[size_t((double(i) + 0.5) / most_parts * double(meters.size()))]);
+  }
+}
+
+Prediction::Model Prediction::model(double factor) const {
+  const double of_rest = 1 / factor, of_merged = std::pow(factor, -alpha_), of_bias = std::pow(factor, alpha_ - 1);
+  std::vector<std::pair<double, double>> all;  // error, bias
+  for (const MeterError& m : parts_) {
+    const double bias = m.bias * of_bias;
+    all.emplace_back(m.noise * std::sqrt((1 - m.merged) * of_rest + m.merged * of_merged) + bias, bias);
+  }
+  const double q = criterion_ == UPS_CRITERION_P95 ? 0.95 : criterion_ == UPS_CRITERION_MEDIAN ? 0.5 : 1;
+  const auto at = all.begin() + ptrdiff_t(std::min(all.size() - 1, size_t(q * double(all.size()))));
+  std::nth_element(all.begin(), at, all.end());
+  return {at->first, at->first > 0 ? at->second / at->first : 0};
+}
+
+namespace {
+
+// level + exponent u, their covariances, and the variance of one point about them.
+struct Line {
+  double level = 0, exponent = 0, var_level = 0, covariance = 0, var_exponent = 0, variance = 0;
+};
+
+// Through points (u, r) whose deviations have the correlation exp(-|u - u'|): those of looks at n < n' have n / n', as
+// the later one's batches hold the earlier one's. Generalized least squares, whitened as in a first-order
+// autoregression; the exponent is 0 but for the deviation given.
+Line fit_line(const std::vector<double>& u, const std::vector<double>& r, double exponent_deviation) {
+  const auto for_rows = [&](const auto& row) {
+    row(1.0, u[0], r[0], 1.0);
+    for (size_t i = 1; i < u.size(); ++i) {
+      const double phi = std::exp(u[i - 1] - u[i]);
+      row(1 - phi, u[i] - phi * u[i - 1], r[i] - phi * r[i - 1], 1 / (1 - phi * phi));
+    }
+  };
+  Line l;
+  l.variance = look_deviation * look_deviation;
+  for (int round = 0; round < 3; ++round) {
+    double aa = 0, ab = 0, bb = 1 / (exponent_deviation * exponent_deviation), ay = 0, by = 0, squares = 0;
+    for_rows([&](double a, double b, double y, double weight) {
+      const double w = weight / l.variance;
+      aa += w * a * a, ab += w * a * b, bb += w * b * b, ay += w * a * y, by += w * b * y;
+    });
+    const double determinant = aa * bb - ab * ab;
+    l.var_level = bb / determinant, l.covariance = -ab / determinant, l.var_exponent = aa / determinant;
+    l.level = l.var_level * ay + l.covariance * by, l.exponent = l.covariance * ay + l.var_exponent * by;
+    for_rows([&](double a, double b, double y, double weight) {
+      squares += weight * (y - a * l.level - b * l.exponent) * (y - a * l.level - b * l.exponent);
+    });
+    l.variance = (looks_of_knowledge * look_deviation * look_deviation + squares) /
+                 (looks_of_knowledge + double(u.size()));
+  }
+  return l;
+}
+
+}  // namespace
+
+// What looks differ from the model by is fitted, and later looks get their best linear prediction (Goldberger 1962):
+// part of the last look's own deviation remains.
+void Prediction::fit() {
+  std::vector<double> u, r;
+  for (const Look& look : looks_) {
+    const double factor = look.iterations / looks_.back().iterations;
+    u.push_back(std::log(factor));
+    r.push_back(log_of(look.error) - log_of(model(factor).error));
+  }
+  const Line l = fit_line(u, r, exponent_deviation_);
+  curve_.clear(), bias_share_.clear();
+  for (size_t i = 0; i < steps; ++i) {
+    const double later = double(i) * step, phi = std::exp(-later), a = 1 - phi;
+    const Model m = model(1 / phi);
+    const double unknown = a * a * l.var_level + 2 * a * later * l.covariance + later * later * l.var_exponent;
+    curve_.push_back({log_of(m.error) + l.level + l.exponent * later + phi * (r.back() - l.level),
+                      std::sqrt(l.variance * (1 - phi * phi) + unknown)});
+    bias_share_.push_back(float(m.bias_share));
+  }
+}
+
+Prediction::LogError Prediction::log_error(double iterations) const {
+  const double at = std::clamp(std::log(iterations / looks_.back().iterations) / step, 0.0, double(steps - 1));
+  const size_t i = std::min(size_t(at), steps - 2);
+  const double f = at - double(i);
+  const LogError &a = curve_[i], &b = curve_[i + 1];
+  return {a.mean + f * (b.mean - a.mean), a.deviation + f * (b.deviation - a.deviation)};
+}
+
+Prediction::Expected Prediction::expect(double target) const {
+  Expected e;
+  if (looks_.back().error <= target) {
+    size_t i = looks_.size() - 1;
+    while (i > 0 && looks_[i - 1].error <= target) --i;
+    e.reached = &looks_[i];
+    e.iterations = e.low = e.high = e.reached->iterations;
+    e.by_bias = bias_share_[0] > 0.5;
+    return e;
+  }
+  // Where the curve, so many deviations off, first meets the target.
+  const auto meets = [&](double deviations) {
+    const auto above = [&](size_t i) { return curve_[i].mean + deviations * curve_[i].deviation - log_of(target); };
+    for (size_t i = 1; i < steps; ++i)
+      if (above(i) <= 0) return (double(i) - above(i) / (above(i) - above(i - 1))) * step;
+    return -1.0;
+  };
+  const auto iterations = [&](double later) { return later < 0 ? -1 : looks_.back().iterations * std::exp(later); };
+  const double later = meets(0);
+  e.iterations = iterations(later);
+  e.low = iterations(meets(-interval));
+  e.high = iterations(meets(interval));
+  e.by_bias = bias_share_[later < 0 ? steps - 1 : size_t(later / step)] > 0.5;
+  return e;
+}
+
+}  // namespace ups
