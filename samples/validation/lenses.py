@@ -132,7 +132,7 @@ def case_etendue():
     return Case("etendue", "etendue: luminous surface through a lens, sin a 0.43",
                 lambda path: build_etendue(path, lens, hole, height),
                 [Check("focus", lux, note=f"T {share:.4f}, pi L sin^2 a {math.pi * LUMINANCE * limit ** 2:.1f}")],
-                iterations={"ups": 256})
+                iterations={"ups": 1024})
 
 
 # Inside glass, n^2 more: the centre of a ball sees the furnace in all directions, E = n^2 pi L; so does every point

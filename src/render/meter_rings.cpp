@@ -50,8 +50,25 @@ struct MeterRings::Sums {
   double area[max_rings], flux[max_rings], square[max_rings];
   double of_ring[max_rings], square_of_ring[max_rings];
   uint64_t count[max_rings];
+  uint32_t max_ring;
   double mean(uint32_t k) const { return flux[k] / area[k]; }
   double variance(uint32_t k) const { return square[k] / (area[k] * area[k]); }
+  // Light is narrower than the disc that a mean is of: the disc to ring k holds another number of photons than that mean
+  // predicts, in standard deviations of the root of a Poisson number (Anscombe 1948). So many of them that of a thousand
+  // meters with a score of discs each one at most is taken for such light by chance.
+  bool differs(uint32_t k, double mean) const {
+    if (!(flux[k] > 0)) return false;
+    const double photon = std::max(square[max_ring] / flux[max_ring], square[k] / flux[k]);
+    const auto root = [](double photons) { return 2 * std::sqrt(std::max(photons, 0.0) + 0.375); };
+    return std::abs(root(flux[k] / photon) - root(mean * area[k] / photon)) > 4;
+  }
+  // The last before one from which a narrower one differs.
+  uint32_t widest(uint32_t first) const {
+    for (uint32_t k = first; k < max_ring; ++k)
+      for (uint32_t narrower = first; narrower <= k; ++narrower)
+        if (differs(narrower, mean(k + 1))) return k;
+    return max_ring;
+  }
   // The first that has so many photons, if any has; at least the narrowest that is resolved.
   uint32_t first_with(uint64_t photons, const Rings& rings) const {
     uint32_t k = rings.narrowest;
@@ -77,6 +94,7 @@ void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l) {
 
 MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const {
   Sums s;
+  s.max_ring = rings.count - 1;
   double area = 0, flux = 0, square = 0;
   uint64_t count = 0;
   for (uint32_t k = 0; k < rings.count; ++k) {
@@ -94,26 +112,35 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
   return s;
 }
 
-// Least noise^2 + max(0, b^2 - s_b^2) from narrow to wide, up to the first disc whose bias is beyond doubt: wider ones
-// that look harmless again have only diluted it. Where there is such a one, one ring less: the bias that is not seen
-// halves, so that the error bound holds, for sqrt(2) of the noise at the most. Variances are from the photons' own
-// squares: batches of a half are too few for that.
-uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence) {
+// Least noise^2 + bias^2, searched from narrow to wide up to the first disc whose bias is beyond doubt: wider ones that
+// look harmless again have only diluted it. A disc's own bias hides in its noise long after it matters: that of each wider
+// disc, b^2 - s_b^2, stands for it too, as light that curves evenly has it, in proportion to r^2. Variances are from the
+// photons' own squares: batches of a half are too few for that. So are the photons of a half to tell light that is
+// narrower than a disc: widest is told by all.
+uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence, uint32_t widest) {
   const BiasKernel kernel(rings);
   const uint32_t first = s.first_with(least_photons, rings);
-  double b1 = 0, q1 = 0, q2 = 0, least = INFINITY;
-  uint32_t chosen = first, last = rings.count - 1;
+  double b1 = 0, q1 = 0, q2 = 0, noise2[max_rings], bias2[max_rings];
+  uint32_t last = std::max(first, widest);
   while (last > first && !(rings.area[last] > 0)) --last;
   for (uint32_t k = 0; k <= last; ++k) {
     const double u = rings.radius2[k], alpha = kernel.alpha[k], beta = kernel.beta[k];
     b1 += u * s.of_ring[k], q1 += u * s.square_of_ring[k], q2 += u * u * s.square_of_ring[k];
     if (k < first) continue;
-    const double bias = alpha * s.flux[k] + beta * b1, noise2 = dependence.of_mean[k] * s.variance(k),
+    const double bias = alpha * s.flux[k] + beta * b1,
                  square = alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2,
-                 bias2 = dependence.of_bias[k] * std::max(0.0, square);
-    const double cost = noise2 + std::max(0.0, bias * bias - bias2);
-    if (cost <= least) least = cost, chosen = k;
-    if (k > first && bias * bias > 16 * bias2 && bias * bias > 4 * noise2) return std::max(chosen, first + 1) - 1;
+                 of_noise = dependence.of_bias[k] * std::max(0.0, square);
+    noise2[k] = 0.5 * dependence.of_mean[k] * s.variance(k);
+    bias2[k] = std::max(0.0, bias * bias - of_noise);
+    if (k > first && bias * bias > 16 * of_noise && bias * bias > 4 * noise2[k]) last = k;
+  }
+  uint32_t chosen = last;
+  double least = INFINITY, curved = 0;  // of wider discs: bias^2 / r^4
+  for (uint32_t k = last + 1; k-- > first;) {
+    const double r4 = rings.radius2[k] * rings.radius2[k];
+    curved = std::max(curved, bias2[k] / r4);
+    const double cost = noise2[k] + std::max(bias2[k], 0.5 * curved * r4);
+    if (cost < least) least = cost, chosen = k;
   }
   return chosen;
 }
@@ -154,9 +181,11 @@ MeterRings::Dependence MeterRings::dependence(size_t row, const Rings& rings, ui
 MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits) const {
   if (visits < min_batches || rings.count < 2) return {rings.count - 1, rings.count - 1};
   const Dependence dependence = this->dependence(row, rings, visits);
+  const Sums all = sums_of(row, rings, 0, halves, visits);
+  const uint32_t widest = all.widest(all.first_with(least_photons, rings));
   Choice choice;
   for (size_t half = 0; half < halves; ++half)
-    choice[1 - half] = best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence);
+    choice[1 - half] = best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, widest);
   return choice;
 }
 
@@ -196,15 +225,11 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   p.bias = of_bias.mean;
   p.bias_error = std::max(0.0, of_bias.standard_error);
 
-  // Light narrower than the disc: narrower ones differ by more than the noise that the reading predicts for them.
-  constexpr double t = 2.13, beyond_noise = 2.5;
+  constexpr double t = 2.13;
   const uint32_t outermost = rings.count - 1, widest = std::max(choice[0], choice[1]);
-  const double photon = s.flux[outermost] > 0 ? s.square[outermost] / s.flux[outermost] : 0;
-  for (uint32_t k = s.first_with(3, rings); k < widest; ++k) {
-    const double off = std::abs(s.mean(k) - estimate);
-    if (s.flux[k] > 0 && off > beyond_noise * std::sqrt(std::max(estimate, 0.0) * photon / s.area[k]))
-      p.narrower = std::max(p.narrower, off + t * std::sqrt(s.variance(k)));
-  }
+  for (uint32_t k = s.first_with(3, rings); k < widest; ++k)
+    if (s.differs(k, estimate))
+      p.narrower = std::max(p.narrower, std::abs(s.mean(k) - estimate) + t * std::sqrt(s.variance(k)));
   if (const uint64_t all = s.count[outermost]; all < 16) {
     const double few = s.mean(s.first_with(std::min<uint64_t>(8, all), rings));
     p.narrower = std::max(p.narrower, few * (1 + 2 * t / std::sqrt(double(all))));

@@ -59,7 +59,8 @@ void MeterSums::add(const MeterRings::Photons& photons) {
   for (PathRecord& part : paths) part.add(photons.paths);
 }
 
-// Where the photons' bias is noise its estimate counts once: a disc is chosen that has less of it than noise.
+// Where the photons' bias is noise, it and its standard error count once: a disc is chosen that has less of it than
+// noise.
 Spread MeterLight::bias() const {
   Spread b = spread(sums.bias, visits);
   b.mean += photons.bias;
@@ -93,7 +94,8 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
   if (!photons.has_bias()) b.mean = std::abs(b.mean - photons.bias) + std::abs(photons.bias);
   if (!light.is_enough(visits))
     return {-1.0f, float(std::max(std::abs(b.mean) + light.bound(largest[part], visits), photons.narrower) + rounding)};
-  const float bound = error_bound(e, b, visits);
+  float bound = error_bound(e, b, visits);
+  if (!photons.has_bias()) bound = std::hypot(bound - float(b.mean), float(photons.bias_error)) + float(b.mean);
   return {float(e.standard_error), float(std::max(double(bound), photons.narrower) + rounding)};
 }
 

@@ -163,7 +163,7 @@ TEST_P(MeterRingsOf, ReadWellAndBoundTheirError) {
   EXPECT_LT(std::sqrt(square / best), field.worst_error);
   EXPECT_GE(inside, 87);
   EXPECT_GT(widths[runs / 2], 2);
-  EXPECT_LT(widths[runs / 2], 8);
+  EXPECT_LT(widths[runs / 2], 5);
 }
 
 }  // namespace
