@@ -53,9 +53,9 @@ struct MeterRings::Sums {
   uint32_t max_ring;
   double mean(uint32_t k) const { return flux[k] / area[k]; }
   double variance(uint32_t k) const { return square[k] / (area[k] * area[k]); }
-  // Light is narrower than the disc that a mean is of: the disc to ring k holds another number of photons than that mean
-  // predicts, in standard deviations of the root of a Poisson number (Anscombe 1948). So many of them that of a thousand
-  // meters with a score of discs each one at most is taken for such light by chance.
+  // Light is narrower than the disc that a mean is of: the disc to ring k holds another number of photons than that
+  // mean predicts, in standard deviations of the root of a Poisson number (Anscombe 1948). So many of them that of a
+  // thousand meters with a score of discs each one at most is taken for such light by chance.
   bool differs(uint32_t k, double mean) const {
     if (!(flux[k] > 0)) return false;
     const double photon = std::max(square[max_ring] / flux[max_ring], square[k] / flux[k]);
@@ -113,10 +113,10 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 }
 
 // Least noise^2 + bias^2, searched from narrow to wide up to the first disc whose bias is beyond doubt: wider ones that
-// look harmless again have only diluted it. A disc's own bias hides in its noise long after it matters: that of each wider
-// disc, b^2 - s_b^2, stands for it too, as light that curves evenly has it, in proportion to r^2. Variances are from the
-// photons' own squares: batches of a half are too few for that. So are the photons of a half to tell light that is
-// narrower than a disc: widest is told by all.
+// look harmless again have only diluted it. A disc's own bias hides in its noise long after it matters: that of each
+// wider disc, b^2 - s_b^2, stands for half of its own too, in proportion to r^2 as light has it that curves evenly. The
+// noise is that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few.
+// So are its photons to tell light that is narrower than a disc: `widest` is told by all.
 uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence, uint32_t widest) {
   const BiasKernel kernel(rings);
   const uint32_t first = s.first_with(least_photons, rings);
@@ -185,7 +185,8 @@ MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t v
   const uint32_t widest = all.widest(all.first_with(least_photons, rings));
   Choice choice;
   for (size_t half = 0; half < halves; ++half)
-    choice[1 - half] = best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, widest);
+    choice[1 - half] =
+        best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, widest);
   return choice;
 }
 

@@ -148,7 +148,8 @@ class Result(Handle):
         return Profile(create(lib.ups_result_get_goniometer_profile, self, sensor))
 
     def image(self, camera, channel=Channel.LUMINANCE_RGB):
-        """(height, width, 3), or (height, width) for ILLUMINANCE and its error, BIAS and ERROR_BOUND; row 0 is the image's top."""
+        """(height, width, 3), or (height, width) for ILLUMINANCE and its error, BIAS and ERROR_BOUND; row 0 is the
+        image's top."""
         shape = self._shape(camera, 2, "a camera")
         single = (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR, Channel.BIAS, Channel.ERROR_BOUND)
         out = np.empty(shape if channel in single else shape + (3,), dtype=np.float32)
