@@ -83,8 +83,8 @@ class Row:
 
 
 def quiet(error, reference):
-    """Is the noise small enough? An unknown standard error is negative; more iterations darken no meter."""
-    return error >= 0 and (reference == 0 or error <= LARGEST_NOISE * reference)
+    """Is the noise small enough? More iterations darken no meter."""
+    return reference == 0 or 0 <= error <= LARGEST_NOISE * reference
 
 
 def judge(case, method, check, reading, iterations, time_s):
@@ -97,13 +97,19 @@ def judge(case, method, check, reading, iterations, time_s):
                iterations, time_s)
 
 
+def noise(standard_error, error_bound):
+    """Light that no path or too few have found has no standard error: half of its bound of 95 % stands for it."""
+    return standard_error if standard_error >= 0 else error_bound / 2
+
+
 def read_meters(folder, summary):
     """{set: ((mean, its standard error, None), [(E, standard error, bias), ...])}"""
     sets = {}
     for name, meters in summary["meters"].items():
-        readings = [tuple(row[column] for column in ("illuminance_lx", "standard_error_lx", "bias_lx"))
+        readings = [(row["illuminance_lx"], noise(row["standard_error_lx"], row["error_bound_lx"]), row["bias_lx"])
                     for row in read_table(folder, name)]
-        sets[name] = ((meters["mean_lx"], meters["mean_standard_error_lx"], None), readings)
+        mean = meters["mean_lx"], noise(meters["mean_standard_error_lx"], meters["mean_error_bound_lx"]), None
+        sets[name] = (mean, readings)
     return sets
 
 
