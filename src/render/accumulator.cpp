@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-
-#include "render/tails.h"
 
 namespace ups {
 
@@ -87,22 +84,26 @@ double Accumulator::largest_path(size_t set, double disc_area, const Largest& fo
   return std::max({double(found[part]), photon, seen});
 }
 
-// All columns take the disc that the meter chooses.
-MeterLight Accumulator::light_of(size_t set, size_t m, size_t column) const {
+Accumulator::Disc Accumulator::disc_of(size_t set, size_t m) const {
+  if (rings_[set].empty() || visits(m) == 0) return {};
+  const MeterDiscs& discs = plan_.meter_discs[set];
+  Disc disc{discs.rings(uint32_t(m), plan_.min_radius), {}, discs.area(uint32_t(m))};
+  disc.choice = rings_[set].choose(m * (plan_.separation.columns.size() + 1), disc.rings, visits(m));
+  return disc;
+}
+
+MeterLight Accumulator::light_of(size_t set, size_t m, const Disc& disc, size_t column) const {
   const size_t columns = plan_.separation.columns.size(), row = m * (columns + 1);
   const bool point = !scene_.meter_sets[set].is_cell();
   MeterLight light{column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1], {}, visits(m), {}, {},
                    plan_.merges_direct_light()};
-  double disc_area = 0;
-  if (!rings_[set].empty() && light.visits > 0) {
-    const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
-    disc_area = plan_.meter_discs[set].area(uint32_t(m));
-    light.photons = rings_[set].read(row + column, rings, rings_[set].choose(row, rings, light.visits), light.visits);
+  if (disc.area > 0) {
+    light.photons = rings_[set].read(row + column, disc.rings, disc.choice, light.visits);
     light.sums.add(light.photons);
   }
   const Largest& found = column == 0 ? largest_[set] : largest_separated_[set][column - 1];
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
-    light.largest[part] = std::max(largest_path(set, disc_area, found, part), double(light.sums.paths[part].largest));
+    light.largest[part] = std::max(largest_path(set, disc.area, found, part), double(light.sums.paths[part].largest));
     light.exact[part] = !emits_ || (point && (part == direct_light ? plan_.exact_direct : plan_.exact_light));
   }
   return light;
@@ -111,9 +112,10 @@ MeterLight Accumulator::light_of(size_t set, size_t m, size_t column) const {
 MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
   MeterSetReading r = read_meters(set);
   const size_t columns = plan_.separation.columns.size();
-  for (size_t c = 0; c < columns; ++c) {
-    std::vector<ups_meter_reading>& column = r.separated.emplace_back();
-    for (size_t m = 0; m < r.meters.size(); ++m) column.push_back(light_of(set, m, c + 1).reading());
+  r.separated.resize(columns);
+  for (size_t m = 0; columns && m < r.meters.size(); ++m) {
+    const Disc disc = disc_of(set, m);
+    for (size_t c = 0; c < columns; ++c) r.separated[c].push_back(light_of(set, m, disc, c + 1).reading());
   }
   return r;
 }
@@ -123,13 +125,13 @@ MeterSetReading Accumulator::read_meters(size_t set) const {
   std::vector<MeterLight> lights;
   lights.reserve(meters_[set].size());
   for (size_t m = 0; m < meters_[set].size(); ++m) {
-    const MeterLight& light = lights.emplace_back(light_of(set, m));
+    const MeterLight& light = lights.emplace_back(light_of(set, m, disc_of(set, m)));
     r.meters.push_back(light.reading());
     r.flags.push_back(light.flags(r.meters.back()));
     for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
       r.parts[size_t(part)].push_back(light.part(part));
   }
-  r.statistics = statistics_of(set, lights, r.meters);
+  r.statistics = statistics_of(lights, r.meters);
   return r;
 }
 
@@ -141,7 +143,7 @@ size_t Accumulator::unvisited_meters(size_t set) const {
 
 // Of the meters that were visited. A pass that is under way visited some of them more often than others: each meter's
 // batch counts as its mean.
-ups_meter_statistics Accumulator::statistics_of(size_t set, const std::vector<MeterLight>& lights,
+ups_meter_statistics Accumulator::statistics_of(const std::vector<MeterLight>& lights,
                                                 const std::vector<ups_meter_reading>& readings) const {
   MeterBatches batches(std::min(plan_.meter_pass(iterations_), batch_count));
   uint16_t reached = 0;  // batches, by any path
@@ -158,9 +160,8 @@ ups_meter_statistics Accumulator::statistics_of(size_t set, const std::vector<Me
                 means, biases);
     reached |= sums.batches[whole_light];
   }
-  const bool exact = !emits_ || (plan_.exact_light && !scene_.meter_sets[set].is_cell());
   const ChanceLight light{0, uint32_t(std::popcount(reached)), 0};
-  const bool known = exact || light.is_enough(plan_.meter_pass(iterations_));
+  const bool known = lights.front().exact[whole_light] || light.is_enough(plan_.meter_pass(iterations_));
   ups_meter_statistics s = meter_statistics(batches, plan_.meter_pass(iterations_), known);
   std::vector<double> errors;
   for (const ups_meter_reading& m : readings)
@@ -189,7 +190,7 @@ ErrorSummary Accumulator::summarize() const {
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
     std::vector<ups_meter_reading> readings;
-    for (size_t m = 0; m < meters_[s].size(); ++m) readings.push_back(light_of(s, m).reading());
+    for (size_t m = 0; m < meters_[s].size(); ++m) readings.push_back(light_of(s, m, disc_of(s, m)).reading());
     double mean = 0;
     for (const ups_meter_reading& m : readings) mean += double(m.illuminance_lx) / double(readings.size());
     if (!(mean > 0)) mean = scene_lx_;

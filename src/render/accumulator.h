@@ -62,11 +62,18 @@ class Accumulator {
     return plan_.meter_pass(iterations_) + (meter % plan_.meter_subsets < iterations_ % plan_.meter_subsets);
   }
   using Largest = std::array<float, light_part_count>;
-  // column: 0, all its light, or one more than that of a separated source's.
-  MeterLight light_of(size_t set, size_t meter, size_t column = 0) const;
+  // A point meter's, where photons are merged on it.
+  struct Disc {
+    Rings rings;
+    MeterRings::Choice choice{};
+    double area = 0;
+  };
+  Disc disc_of(size_t set, size_t meter) const;
+  // column: 0, all its light, or one more than that of a separated source's; all take the disc that the meter chooses.
+  MeterLight light_of(size_t set, size_t meter, const Disc& disc, size_t column = 0) const;
   // What one path may bring to an iteration's reading, as far as is known.
   double largest_path(size_t set, double disc_area, const Largest& found, LightPart part) const;
-  ups_meter_statistics statistics_of(size_t set, const std::vector<MeterLight>& lights,
+  ups_meter_statistics statistics_of(const std::vector<MeterLight>& lights,
                                      const std::vector<ups_meter_reading>& readings) const;
   ErrorSummary summarize_images() const;
   ErrorSummary summarize_goniometers() const;

@@ -148,9 +148,8 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
 // Photons of stratified passes and of one path are not independent: what the batches vary, over what squares say that
 // independent photons would. Of 15 degrees of freedom, so that discs of similar size are taken together, and with few
 // photons, whose dependence does not matter, the squares are believed.
-MeterRings::Dependence MeterRings::dependence(size_t row, const Rings& rings, uint32_t visits) const {
+MeterRings::Dependence MeterRings::dependence(size_t row, const Sums& s, const Rings& rings, uint32_t visits) const {
   if (visits < batch_count) return {};
-  const Sums s = sums_of(row, rings, 0, halves, visits);
   const BiasKernel kernel(rings);
   Dependence own, out;
   double mean[batch_count] = {}, first[batch_count] = {}, bias[batch_count] = {}, q1 = 0, q2 = 0;
@@ -180,8 +179,8 @@ MeterRings::Dependence MeterRings::dependence(size_t row, const Rings& rings, ui
 
 MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits) const {
   if (visits < min_batches || rings.count < 2) return {rings.count - 1, rings.count - 1};
-  const Dependence dependence = this->dependence(row, rings, visits);
   const Sums all = sums_of(row, rings, 0, halves, visits);
+  const Dependence dependence = this->dependence(row, all, rings, visits);
   const uint32_t widest = all.widest(all.first_with(least_photons, rings));
   Choice choice;
   for (size_t half = 0; half < halves; ++half)

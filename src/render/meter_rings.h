@@ -48,7 +48,7 @@ class MeterRings {
     std::array<double, max_rings> of_mean, of_bias;
     Dependence() { of_mean.fill(1), of_bias.fill(1); }
   };
-  Dependence dependence(size_t row, const Rings& rings, uint32_t visits) const;
+  Dependence dependence(size_t row, const Sums& all, const Rings& rings, uint32_t visits) const;
   static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence, uint32_t widest);
   double flux(size_t row, uint32_t batch, uint32_t ring) const {
     return flux_[(row * batch_count + batch) * rings_ + ring];
