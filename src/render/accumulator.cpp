@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/pooled_bias.h"
+
 namespace ups {
 
 namespace {
@@ -84,48 +86,56 @@ double Accumulator::largest_path(size_t set, double disc_area, const Largest& fo
   return std::max({double(found[part]), photon, seen});
 }
 
-Accumulator::Disc Accumulator::disc_of(size_t set, size_t m) const {
-  if (rings_[set].empty() || visits(m) == 0) return {};
-  const MeterDiscs& discs = plan_.meter_discs[set];
-  Disc disc{discs.rings(uint32_t(m), plan_.min_radius), {}, discs.area(uint32_t(m))};
-  disc.choice = rings_[set].choose(m * (plan_.separation.columns.size() + 1), disc.rings, visits(m));
-  return disc;
+Accumulator::Choices Accumulator::choose_discs(size_t set) const {
+  Choices choices(rings_[set].empty() ? 0 : meters_[set].size());
+  for (size_t m = 0; m < choices.size(); ++m)
+    if (visits(m) > 0)
+      choices[m] = rings_[set].choose(m * (plan_.separation.columns.size() + 1),
+                                      plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius), visits(m));
+  return choices;
 }
 
-MeterLight Accumulator::light_of(size_t set, size_t m, const Disc& disc, size_t column) const {
+MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, size_t column) const {
   const size_t columns = plan_.separation.columns.size(), row = m * (columns + 1);
   const bool point = !scene_.meter_sets[set].is_cell();
   MeterLight light{column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1], {}, visits(m), {}, {},
                    plan_.merges_direct_light()};
-  if (disc.area > 0) {
-    light.photons = rings_[set].read(row + column, disc.rings, disc.choice, light.visits);
+  double area = 0;
+  if (!discs.empty() && light.visits > 0) {
+    const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
+    area = plan_.meter_discs[set].area(uint32_t(m));
+    light.photons = rings_[set].read(row + column, rings, discs[m], light.visits);
     light.sums.add(light.photons);
   }
   const Largest& found = column == 0 ? largest_[set] : largest_separated_[set][column - 1];
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
-    light.largest[part] = std::max(largest_path(set, disc.area, found, part), double(light.sums.paths[part].largest));
+    light.largest[part] = std::max(largest_path(set, area, found, part), double(light.sums.paths[part].largest));
     light.exact[part] = !emits_ || (point && (part == direct_light ? plan_.exact_direct : plan_.exact_light));
   }
   return light;
 }
 
+std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs, size_t column) const {
+  std::vector<MeterLight> lights;
+  lights.reserve(meters_[set].size());
+  for (size_t m = 0; m < meters_[set].size(); ++m) lights.push_back(light_of(set, m, discs, column));
+  pool_bias(lights);
+  return lights;
+}
+
 MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
-  MeterSetReading r = read_meters(set);
-  const size_t columns = plan_.separation.columns.size();
-  r.separated.resize(columns);
-  for (size_t m = 0; columns && m < r.meters.size(); ++m) {
-    const Disc disc = disc_of(set, m);
-    for (size_t c = 0; c < columns; ++c) r.separated[c].push_back(light_of(set, m, disc, c + 1).reading());
-  }
+  const Choices discs = choose_discs(set);
+  MeterSetReading r = read_meters(set, discs);
+  r.separated.resize(plan_.separation.columns.size());
+  for (size_t c = 0; c < r.separated.size(); ++c)
+    for (const MeterLight& light : lights_of(set, discs, c + 1)) r.separated[c].push_back(light.reading());
   return r;
 }
 
-MeterSetReading Accumulator::read_meters(size_t set) const {
+MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const {
   MeterSetReading r;
-  std::vector<MeterLight> lights;
-  lights.reserve(meters_[set].size());
-  for (size_t m = 0; m < meters_[set].size(); ++m) {
-    const MeterLight& light = lights.emplace_back(light_of(set, m, disc_of(set, m)));
+  const std::vector<MeterLight> lights = lights_of(set, discs);
+  for (const MeterLight& light : lights) {
     r.meters.push_back(light.reading());
     r.flags.push_back(light.flags(r.meters.back()));
     for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
@@ -190,7 +200,7 @@ ErrorSummary Accumulator::summarize() const {
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
     std::vector<ups_meter_reading> readings;
-    for (size_t m = 0; m < meters_[s].size(); ++m) readings.push_back(light_of(s, m, disc_of(s, m)).reading());
+    for (const MeterLight& light : lights_of(s, choose_discs(s))) readings.push_back(light.reading());
     double mean = 0;
     for (const ups_meter_reading& m : readings) mean += double(m.illuminance_lx) / double(readings.size());
     if (!(mean > 0)) mean = scene_lx_;

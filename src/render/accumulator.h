@@ -45,7 +45,7 @@ class Accumulator {
   uint32_t iterations() const { return iterations_; }
   const WorkCounts& work() const { return work_; }
 
-  MeterSetReading read_meters(size_t set) const;  // without what is separated
+  MeterSetReading read_meters(size_t set) const { return read_meters(set, choose_discs(set)); }  // nothing separated
   MeterSetReading read_meters_and_sources(size_t set) const;
   GoniometerReading read_goniometer(size_t goniometer) const;
   std::string goniometer_asymmetry(size_t goniometer) const {
@@ -62,17 +62,14 @@ class Accumulator {
     return plan_.meter_pass(iterations_) + (meter % plan_.meter_subsets < iterations_ % plan_.meter_subsets);
   }
   using Largest = std::array<float, light_part_count>;
-  // A point meter's, where photons are merged on it.
-  struct Disc {
-    Rings rings;
-    MeterRings::Choice choice{};
-    double area = 0;
-  };
-  Disc disc_of(size_t set, size_t meter) const;
+  using Choices = std::vector<MeterRings::Choice>;  // by meter; of cells and where nothing is merged, none
+  Choices choose_discs(size_t set) const;
   // column: 0, all its light, or one more than that of a separated source's; all take the disc that the meter chooses.
-  MeterLight light_of(size_t set, size_t meter, const Disc& disc, size_t column = 0) const;
+  MeterLight light_of(size_t set, size_t meter, const Choices& discs, size_t column) const;
+  std::vector<MeterLight> lights_of(size_t set, const Choices& discs, size_t column = 0) const;
   // What one path may bring to an iteration's reading, as far as is known.
   double largest_path(size_t set, double disc_area, const Largest& found, LightPart part) const;
+  MeterSetReading read_meters(size_t set, const Choices& discs) const;
   ups_meter_statistics statistics_of(const std::vector<MeterLight>& lights,
                                      const std::vector<ups_meter_reading>& readings) const;
   ErrorSummary summarize_images() const;

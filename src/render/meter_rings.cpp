@@ -12,6 +12,9 @@ namespace ups {
 namespace {
 
 constexpr uint32_t least_photons = 5;  // of a disc that may be chosen
+// Standard deviations. A disc that is left by chance costs a reading most of its photons, and the narrower one is just
+// the one that chance has most to do with: not one of 10,000 meters with a score of discs each. A bound only widens.
+constexpr double beyond_doubt = 5, likely = 4;
 
 uint32_t visits_of(uint32_t batch, uint32_t visits) {
   return visits / batch_count + (batch < visits % batch_count);
@@ -43,6 +46,12 @@ struct BiasKernel {
   }
 };
 
+double mean_radius2(const Rings& rings, uint32_t disc) {
+  double m0 = 0, m1 = 0;
+  for (uint32_t k = 0; k <= disc; ++k) m0 += rings.area[k], m1 += rings.area[k] * rings.radius2[k];
+  return m0 > 0 ? m1 / m0 : 0;
+}
+
 }  // namespace
 
 // Of discs out to each ring, for one visit.
@@ -54,19 +63,19 @@ struct MeterRings::Sums {
   double mean(uint32_t k) const { return flux[k] / area[k]; }
   double variance(uint32_t k) const { return square[k] / (area[k] * area[k]); }
   // Light is narrower than the disc that a mean is of: the disc to ring k holds another number of photons than that
-  // mean predicts, in standard deviations of the root of a Poisson number (Anscombe 1948). So many of them that of a
-  // thousand meters with a score of discs each one at most is taken for such light by chance.
-  bool differs(uint32_t k, double mean) const {
-    if (!(flux[k] > 0)) return false;
-    const double photon = std::max(square[max_ring] / flux[max_ring], square[k] / flux[k]);
+  // mean predicts, by so many standard deviations of the root of a Poisson number (Anscombe 1948).
+  bool differs(uint32_t k, double mean, double sigmas) const {
+    if (!(flux[max_ring] > 0)) return false;
+    double photon = square[max_ring] / flux[max_ring];
+    if (flux[k] > 0) photon = std::max(photon, square[k] / flux[k]);
     const auto root = [](double photons) { return 2 * std::sqrt(std::max(photons, 0.0) + 0.375); };
-    return std::abs(root(flux[k] / photon) - root(mean * area[k] / photon)) > 4;
+    return std::abs(root(flux[k] / photon) - root(mean * area[k] / photon)) > sigmas;
   }
   // The last before one from which a narrower one differs.
   uint32_t widest(uint32_t first) const {
     for (uint32_t k = first; k < max_ring; ++k)
       for (uint32_t narrower = first; narrower <= k; ++narrower)
-        if (differs(narrower, mean(k + 1))) return k;
+        if (differs(narrower, mean(k + 1), beyond_doubt)) return k;
     return max_ring;
   }
   // The first that has so many photons, if any has; at least the narrowest that is resolved.
@@ -224,11 +233,12 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const Spread of_bias = spread(bias, visits);
   p.bias = of_bias.mean;
   p.bias_error = std::max(0.0, of_bias.standard_error);
+  p.mean_radius2 = share * mean_radius2(rings, choice[0]) + (1 - share) * mean_radius2(rings, choice[1]);
 
-  constexpr double t = 2.13;
+  const double t = t_quantile(std::max(visits, min_batches));
   const uint32_t outermost = rings.count - 1, widest = std::max(choice[0], choice[1]);
   for (uint32_t k = s.first_with(3, rings); k < widest; ++k)
-    if (s.differs(k, estimate))
+    if (s.differs(k, estimate, likely))
       p.narrower = std::max(p.narrower, std::abs(s.mean(k) - estimate) + t * std::sqrt(s.variance(k)));
   if (const uint64_t all = s.count[outermost]; all < 16) {
     const double few = s.mean(s.first_with(std::min<uint64_t>(8, all), rings));

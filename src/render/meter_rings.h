@@ -34,6 +34,7 @@ class MeterRings {
     PathRecord paths;
     uint8_t largest_batch = 0;                // that with paths.largest
     double bias = 0, bias_error = 0;          // lx, estimated, and its standard error
+    double mean_radius2 = 0;                  // m2, over the discs: light that curves evenly is biased in proportion
     double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
     bool halves_differ = false;  // in their discs
     bool has_bias() const { return std::abs(bias) > 2 * bias_error; }  // beyond doubt

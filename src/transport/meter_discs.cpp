@@ -12,19 +12,16 @@ MeterDiscs::MeterDiscs(size_t meters, uint32_t rings, float radius, uint32_t ray
     : rings_(rings), sectors_(rays / 2), radius_(meters, radius),
       area_(meters, 3.14159265358979323846 * radius * radius), limits_(meters * sectors_, uint8_t(rings)) {}
 
-double MeterDiscs::seen(uint32_t m, uint32_t ring) const {
-  if (limits_.empty()) return 1;
-  const auto begin = limits_.begin() + ptrdiff_t(size_t(m) * sectors_);
-  return double(std::count_if(begin, begin + sectors_, [&](uint8_t limit) { return limit > ring; })) / sectors_;
-}
-
 Rings MeterDiscs::rings(uint32_t m, float min_radius) const {
   Rings r;
   r.count = rings_;
+  uint32_t ending[max_rings + 1] = {}, seen = sectors_;  // sectors before a ring; that reach it
+  for (uint32_t i = 0; i < sectors_; ++i) ++ending[limits_[size_t(m) * sectors_ + i]];
   double inner = 0;
   for (uint32_t k = 0; k < rings_; ++k) {
+    seen -= ending[k];
     const double outer = std::ldexp(double(radius_[m]) * radius_[m], int(k + 1) - int(rings_));
-    r.area[k] = 3.14159265358979323846 * (outer - inner) * seen(m, k);
+    r.area[k] = 3.14159265358979323846 * (outer - inner) * (sectors_ ? double(seen) / sectors_ : 1.0);
     r.radius2[k] = 0.5 * (outer + inner);
     if (outer < double(min_radius) * min_radius && k + 1 < rings_) r.narrowest = k + 1;
     inner = outer;

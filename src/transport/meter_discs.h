@@ -53,7 +53,6 @@ class MeterDiscs {
     const uint32_t sector = uint32_t((turn < 0 ? turn + 1 : turn) * float(sectors_));
     return limits_[size_t(m) * sectors_ + std::min(sector, sectors_ - 1)];
   }
-  double seen(uint32_t m, uint32_t ring) const;  // share of a ring
 
   uint32_t rings_ = 0, sectors_ = 0;  // sectors of half a turn
   std::vector<float> radius_;
