@@ -86,12 +86,21 @@ double Accumulator::largest_path(size_t set, double disc_area, const Largest& fo
   return std::max({double(found[part]), photon, seen});
 }
 
+// By what the meter alone tells, then by what its neighbours found with that.
 Accumulator::Choices Accumulator::choose_discs(size_t set) const {
-  Choices choices(rings_[set].empty() ? 0 : meters_[set].size());
-  for (size_t m = 0; m < choices.size(); ++m)
-    if (visits(m) > 0)
-      choices[m] = rings_[set].choose(m * (plan_.separation.columns.size() + 1),
-                                      plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius), visits(m));
+  const size_t count = rings_[set].empty() ? 0 : meters_[set].size(), rows = plan_.separation.columns.size() + 1;
+  Choices choices(count);
+  std::vector<MeterRings::Photons> photons(count);
+  std::vector<NeighbourCurvature> neighbours(count);
+  for (const bool alone : {true, false}) {
+    for (size_t m = 0; m < count; ++m) {
+      if (visits(m) == 0) continue;
+      const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
+      choices[m] = rings_[set].choose(m * rows, rings, visits(m), neighbours[m]);
+      if (alone) photons[m] = rings_[set].read(m * rows, rings, choices[m], visits(m));
+    }
+    if (alone) neighbours = neighbour_curvatures(photons);
+  }
   return choices;
 }
 
@@ -118,8 +127,13 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
 std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs, size_t column) const {
   std::vector<MeterLight> lights;
   lights.reserve(meters_[set].size());
-  for (size_t m = 0; m < meters_[set].size(); ++m) lights.push_back(light_of(set, m, discs, column));
-  pool_bias(lights);
+  std::vector<MeterRings::Photons> photons;
+  for (size_t m = 0; m < meters_[set].size(); ++m) {
+    lights.push_back(light_of(set, m, discs, column));
+    photons.push_back(lights.back().photons);
+  }
+  const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(photons);
+  for (size_t m = 0; m < lights.size(); ++m) pool_bias(lights[m].photons, neighbours[m]);
   return lights;
 }
 

@@ -46,17 +46,11 @@ struct BiasKernel {
   }
 };
 
-double mean_radius2(const Rings& rings, uint32_t disc) {
-  double m0 = 0, m1 = 0;
-  for (uint32_t k = 0; k <= disc; ++k) m0 += rings.area[k], m1 += rings.area[k] * rings.radius2[k];
-  return m0 > 0 ? m1 / m0 : 0;
-}
-
 }  // namespace
 
 // Of discs out to each ring, for one visit.
 struct MeterRings::Sums {
-  double area[max_rings], flux[max_rings], square[max_rings];
+  double area[max_rings], flux[max_rings], square[max_rings], mean_radius2[max_rings];
   double of_ring[max_rings], square_of_ring[max_rings];
   uint64_t count[max_rings];
   uint32_t max_ring;
@@ -72,9 +66,9 @@ struct MeterRings::Sums {
     return std::abs(root(flux[k] / photon) - root(mean * area[k] / photon)) > sigmas;
   }
   // The last before one from which a narrower one differs.
-  uint32_t widest(uint32_t first) const {
-    for (uint32_t k = first; k < max_ring; ++k)
-      for (uint32_t narrower = first; narrower <= k; ++narrower)
+  uint32_t widest(const Rings& rings) const {
+    for (uint32_t k = first_with(least_photons, rings); k < max_ring; ++k)
+      for (uint32_t narrower = rings.narrowest; narrower <= k; ++narrower)
         if (differs(narrower, mean(k + 1), beyond_doubt)) return k;
     return max_ring;
   }
@@ -104,7 +98,7 @@ void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l) {
 MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const {
   Sums s;
   s.max_ring = rings.count - 1;
-  double area = 0, flux = 0, square = 0;
+  double area = 0, flux = 0, square = 0, moment = 0;
   uint64_t count = 0;
   for (uint32_t k = 0; k < rings.count; ++k) {
     s.of_ring[k] = s.square_of_ring[k] = 0;
@@ -114,6 +108,8 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
       count += count_[(row * halves + half) * rings_ + k];
     }
     s.area[k] = area += rings.area[k];
+    moment += rings.area[k] * rings.radius2[k];
+    s.mean_radius2[k] = area > 0 ? moment / area : 0;
     s.flux[k] = flux += s.of_ring[k];
     s.square[k] = square += s.square_of_ring[k];
     s.count[k] = count;
@@ -125,11 +121,13 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 // look harmless again have only diluted it. A disc's own bias hides in its noise long after it matters: that of each
 // wider disc, b^2 - s_b^2, stands for half of its own too, in proportion to r^2 as light has it that curves evenly. The
 // noise is that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few.
-// So are its photons to tell light that is narrower than a disc: `widest` is told by all.
-uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence, uint32_t widest) {
+// So are its photons to tell light that is narrower than a disc: `widest` is told by all. What a disc's own bias does
+// not tell, being noise, its neighbours' curvature does.
+uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence,
+                          const NeighbourCurvature& neighbours, uint32_t widest) {
   const BiasKernel kernel(rings);
   const uint32_t first = s.first_with(least_photons, rings);
-  double b1 = 0, q1 = 0, q2 = 0, noise2[max_rings], bias2[max_rings];
+  double b1 = 0, q1 = 0, q2 = 0, noise2[max_rings], bias2[max_rings], bias_noise2[max_rings];
   uint32_t last = std::max(first, widest);
   while (last > first && !(rings.area[last] > 0)) --last;
   for (uint32_t k = 0; k <= last; ++k) {
@@ -138,7 +136,7 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
     if (k < first) continue;
     const double bias = alpha * s.flux[k] + beta * b1,
                  square = alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2,
-                 of_noise = dependence.of_bias[k] * std::max(0.0, square);
+                 of_noise = bias_noise2[k] = dependence.of_bias[k] * std::max(0.0, square);
     noise2[k] = 0.5 * dependence.of_mean[k] * s.variance(k);
     bias2[k] = std::max(0.0, bias * bias - of_noise);
     if (k > first && bias * bias > 16 * of_noise && bias * bias > 4 * noise2[k]) last = k;
@@ -148,7 +146,9 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
   for (uint32_t k = last + 1; k-- > first;) {
     const double r4 = rings.radius2[k] * rings.radius2[k];
     curved = std::max(curved, bias2[k] / r4);
-    const double cost = noise2[k] + std::max(bias2[k], 0.5 * curved * r4);
+    const double r2 = s.mean_radius2[k], own = neighbours.share_of_own(r2, bias_noise2[k]),
+                 cost = noise2[k] + own * std::max(bias2[k], 0.5 * curved * r4) +
+                        (1 - own) * r2 * r2 * neighbours.mean * neighbours.mean;
     if (cost < least) least = cost, chosen = k;
   }
   return chosen;
@@ -186,15 +186,16 @@ MeterRings::Dependence MeterRings::dependence(size_t row, const Sums& s, const R
   return out;
 }
 
-MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits) const {
+MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits,
+                                      const NeighbourCurvature& neighbours) const {
   if (visits < min_batches || rings.count < 2) return {rings.count - 1, rings.count - 1};
   const Sums all = sums_of(row, rings, 0, halves, visits);
   const Dependence dependence = this->dependence(row, all, rings, visits);
-  const uint32_t widest = all.widest(all.first_with(least_photons, rings));
+  const uint32_t widest = all.widest(rings);
   Choice choice;
   for (size_t half = 0; half < halves; ++half)
     choice[1 - half] =
-        best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, widest);
+        best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, neighbours, widest);
   return choice;
 }
 
@@ -233,11 +234,11 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const Spread of_bias = spread(bias, visits);
   p.bias = of_bias.mean;
   p.bias_error = std::max(0.0, of_bias.standard_error);
-  p.mean_radius2 = share * mean_radius2(rings, choice[0]) + (1 - share) * mean_radius2(rings, choice[1]);
+  p.mean_radius2 = share * s.mean_radius2[choice[0]] + (1 - share) * s.mean_radius2[choice[1]];
 
   const double t = t_quantile(std::max(visits, min_batches));
   const uint32_t outermost = rings.count - 1, widest = std::max(choice[0], choice[1]);
-  for (uint32_t k = s.first_with(3, rings); k < widest; ++k)
+  for (uint32_t k = rings.narrowest; k < widest; ++k)
     if (s.differs(k, estimate, likely))
       p.narrower = std::max(p.narrower, std::abs(s.mean(k) - estimate) + t * std::sqrt(s.variance(k)));
   if (const uint64_t all = s.count[outermost]; all < 16) {

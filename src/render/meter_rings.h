@@ -13,6 +13,17 @@
 
 namespace ups {
 
+// Of light about a meter and its neighbours: a disc's bias over its mean squared radius, lx/m2.
+struct NeighbourCurvature {
+  double mean = 0, variance_of_mean = 0;
+  double between = INFINITY;  // variance between meters; infinite: nothing is known
+  // How much of a bias that is known with such a variance a meter keeps.
+  double share_of_own(double mean_radius2, double variance) const {
+    const double prior = between * mean_radius2 * mean_radius2;
+    return std::isfinite(prior) ? prior / (prior + variance) : 1;
+  }
+};
+
 class MeterRings {
  public:
   // A row is a meter, or a column of one. direct: some light comes straight from emitters.
@@ -26,7 +37,7 @@ class MeterRings {
 
   // Even and odd batches: the outermost ring that is read of each.
   using Choice = std::array<uint32_t, 2>;
-  Choice choose(size_t row, const Rings& rings, uint32_t visits) const;
+  Choice choose(size_t row, const Rings& rings, uint32_t visits, const NeighbourCurvature& neighbours = {}) const;
 
   // The photons of the chosen discs.
   struct Photons {
@@ -50,7 +61,8 @@ class MeterRings {
     Dependence() { of_mean.fill(1), of_bias.fill(1); }
   };
   Dependence dependence(size_t row, const Sums& all, const Rings& rings, uint32_t visits) const;
-  static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence, uint32_t widest);
+  static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence,
+                       const NeighbourCurvature& neighbours, uint32_t widest);
   double flux(size_t row, uint32_t batch, uint32_t ring) const {
     return flux_[(row * batch_count + batch) * rings_ + ring];
   }

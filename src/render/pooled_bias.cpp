@@ -10,10 +10,10 @@ namespace ups {
 
 namespace {
 
-constexpr size_t reach = 8, least_neighbours = 4;  // on either side; without the meter itself
+constexpr size_t reach = 16, least_neighbours = 4;  // on either side; without the meter itself
 
 struct Curvature {
-  double value, variance;  // lx/m2, of a disc's mean; (lx/m2)^2
+  double value, variance;  // lx/m2, its square
 };
 
 // Of meters with discs of similar size: a disc is narrow where light is not like its neighbours'.
@@ -21,49 +21,41 @@ bool alike(const MeterRings::Photons& a, const MeterRings::Photons& b) {
   return b.bias_error > 0 && b.mean_radius2 <= 2.1 * a.mean_radius2 && a.mean_radius2 <= 2.1 * b.mean_radius2;
 }
 
-Curvature curvature_of(const MeterRings::Photons& p) {
-  const double error = p.bias_error / p.mean_radius2;
-  return {p.bias / p.mean_radius2, error * error};
-}
-
-// Mean and variance between meters.
-struct Pool {
-  double mean = 0, variance_of_mean = 0, between = 0;
-};
-Pool pool(const std::vector<Curvature>& all) {
+NeighbourCurvature pool(const std::vector<Curvature>& all) {
   double w = 0, w2 = 0, sum = 0, q = 0;
   for (const Curvature& c : all) w += 1 / c.variance, w2 += 1 / (c.variance * c.variance), sum += c.value / c.variance;
   for (const Curvature& c : all) q += (c.value - sum / w) * (c.value - sum / w) / c.variance;
-  Pool p;
-  p.between = std::max(0.0, (q - double(all.size() - 1)) / (w - w2 / w));
+  const double between = std::max(0.0, (q - double(all.size() - 1)) / (w - w2 / w));
   w = sum = 0;
-  for (const Curvature& c : all) w += 1 / (c.variance + p.between), sum += c.value / (c.variance + p.between);
-  p.mean = sum / w, p.variance_of_mean = 1 / w;
-  return p;
+  for (const Curvature& c : all) w += 1 / (c.variance + between), sum += c.value / (c.variance + between);
+  return {sum / w, 1 / w, between};
 }
 
 }  // namespace
 
-void pool_bias(std::vector<MeterLight>& lights) {
-  std::vector<Spread> pooled(lights.size());
+std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<MeterRings::Photons>& photons) {
+  std::vector<NeighbourCurvature> out(photons.size());
   std::vector<Curvature> group;
-  for (size_t m = 0; m < lights.size(); ++m) {
-    const MeterRings::Photons& p = lights[m].photons;
-    pooled[m] = {p.bias, p.bias_error};
-    if (!(p.bias_error > 0) || p.has_bias()) continue;
+  for (size_t m = 0; m < photons.size(); ++m) {
+    const MeterRings::Photons& p = photons[m];
+    if (!(p.bias_error > 0)) continue;
     group.clear();
-    for (size_t j = m - std::min(m, reach), end = std::min(lights.size(), m + reach + 1); j < end; ++j)
-      if (alike(p, lights[j].photons)) group.push_back(curvature_of(lights[j].photons));
-    if (group.size() <= least_neighbours) continue;
-    const Pool of_group = pool(group);
-    const Curvature c = curvature_of(p);
-    const double share = of_group.between / (of_group.between + c.variance),  // what it keeps of its own
-        variance = share * c.variance + (1 - share) * (1 - share) * of_group.variance_of_mean;
-    pooled[m] = {p.mean_radius2 * (share * c.value + (1 - share) * of_group.mean),
-                 p.mean_radius2 * std::sqrt(variance)};
+    for (size_t j = m - std::min(m, reach), end = std::min(photons.size(), m + reach + 1); j < end; ++j) {
+      const MeterRings::Photons& n = photons[j];
+      const double error = n.bias_error / n.mean_radius2;
+      if (alike(p, n)) group.push_back({n.bias / n.mean_radius2, error * error});
+    }
+    if (group.size() > least_neighbours) out[m] = pool(group);
   }
-  for (size_t m = 0; m < lights.size(); ++m)
-    lights[m].photons.bias = pooled[m].mean, lights[m].photons.bias_error = pooled[m].standard_error;
+  return out;
+}
+
+void pool_bias(MeterRings::Photons& p, const NeighbourCurvature& neighbours) {
+  if (!(p.bias_error > 0) || p.has_bias()) return;
+  const double r2 = p.mean_radius2, variance = p.bias_error * p.bias_error,
+               own = neighbours.share_of_own(r2, variance), other = 1 - own;
+  p.bias = own * p.bias + (own < 1 ? other * neighbours.mean * r2 : 0);
+  p.bias_error = std::sqrt(own * variance + (own < 1 ? other * other * neighbours.variance_of_mean * r2 * r2 : 0));
 }
 
 }  // namespace ups

@@ -2,12 +2,14 @@
 #pragma once
 #include <vector>
 
-#include "render/meter_sums.h"
+#include "render/meter_rings.h"
 
 namespace ups {
 
-// Of a set's meters, in its order, in which neighbours follow each other. Each bias that is not beyond doubt becomes
-// what is to be expected of it when the neighbours' curvatures are known.
-void pool_bias(std::vector<MeterLight>& lights);
+// Of a set's meters, in its order, in which neighbours follow each other; before their biases are pooled.
+std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<MeterRings::Photons>& photons);
+
+// What is to be expected of a meter's bias when the neighbours' curvature is known; its own where that is beyond doubt.
+void pool_bias(MeterRings::Photons& photons, const NeighbourCurvature& neighbours);
 
 }  // namespace ups
