@@ -25,7 +25,8 @@ NeighbourCurvature pool(const std::vector<Curvature>& all) {
   double w = 0, w2 = 0, sum = 0, q = 0;
   for (const Curvature& c : all) w += 1 / c.variance, w2 += 1 / (c.variance * c.variance), sum += c.value / c.variance;
   for (const Curvature& c : all) q += (c.value - sum / w) * (c.value - sum / w) / c.variance;
-  const double between = std::max(0.0, (q - double(all.size() - 1)) / (w - w2 / w));
+  // A standard deviation more than estimated, as q has a chi-square's: taken for alike, meters would know too much.
+  const double dof = double(all.size() - 1), between = std::max(0.0, (q - dof + std::sqrt(2 * dof)) / (w - w2 / w));
   w = sum = 0;
   for (const Curvature& c : all) w += 1 / (c.variance + between), sum += c.value / (c.variance + between);
   return {sum / w, 1 / w, between};
