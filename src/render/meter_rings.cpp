@@ -122,7 +122,8 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 // wider disc, b^2 - s_b^2, stands for half of its own too, in proportion to r^2 as light has it that curves evenly. The
 // noise is that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few.
 // So are its photons to tell light that is narrower than a disc: `widest` is told by all. What a disc's own bias does
-// not tell, being noise, its neighbours' curvature does.
+// not tell, being noise, its neighbours' curvature does. A small disc that only dim photons have reached does not know
+// its noise: as long as bright ones are due there by chance, the widest disc's tells.
 uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence,
                           const NeighbourCurvature& neighbours, uint32_t widest) {
   const BiasKernel kernel(rings);
@@ -137,7 +138,9 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
     const double bias = alpha * s.flux[k] + beta * b1,
                  square = alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2,
                  of_noise = bias_noise2[k] = dependence.of_bias[k] * std::max(0.0, square);
-    noise2[k] = 0.5 * dependence.of_mean[k] * s.variance(k);
+    const double due = s.flux[last] > 0 ? s.flux[last] * s.flux[last] / s.square[last] * s.area[k] / s.area[last] : 0,
+                 noise = due < 16 ? s.variance(last) * s.area[last] / s.area[k] : 0;
+    noise2[k] = 0.5 * dependence.of_mean[k] * std::max(noise, s.variance(k));
     bias2[k] = std::max(0.0, bias * bias - of_noise);
     if (k > first && bias * bias > 16 * of_noise && bias * bias > 4 * noise2[k]) last = k;
   }
@@ -146,9 +149,9 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
   for (uint32_t k = last + 1; k-- > first;) {
     const double r4 = rings.radius2[k] * rings.radius2[k];
     curved = std::max(curved, bias2[k] / r4);
-    const double r2 = s.mean_radius2[k], own = neighbours.share_of_own(r2, bias_noise2[k]),
-                 cost = noise2[k] + own * std::max(bias2[k], 0.5 * curved * r4) +
-                        (1 - own) * r2 * r2 * neighbours.mean * neighbours.mean;
+    const double scale = s.mean(last) * s.mean_radius2[k], own = neighbours.share_of_own(scale, bias_noise2[k]),
+                 told = neighbours.mean * scale,
+                 cost = noise2[k] + own * std::max(bias2[k], 0.5 * curved * r4) + (1 - own) * told * told;
     if (cost < least) least = cost, chosen = k;
   }
   return chosen;
@@ -204,7 +207,6 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const Sums s = sums_of(row, rings, 0, halves, visits);
   if (s.count[rings.count - 1] == 0) return p;
   p.halves_differ = choice[0] != choice[1];
-  double estimate = 0;
   for (uint32_t b = 0; b < batch_count; ++b) {
     const uint32_t out_to = choice[b % 2];
     for (uint32_t k = 0; k <= out_to; ++k) {
@@ -213,7 +215,7 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
     }
     p.value[b] /= s.area[out_to];
     p.direct[b] /= s.area[out_to];
-    estimate += p.value[b] / visits;
+    p.lx += p.value[b] / visits;
   }
   for (uint32_t k = 0; k <= std::max(choice[0], choice[1]); ++k) {
     const size_t at = row * rings_ + k;
@@ -239,8 +241,8 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const double t = t_quantile(std::max(visits, min_batches));
   const uint32_t outermost = rings.count - 1, widest = std::max(choice[0], choice[1]);
   for (uint32_t k = rings.narrowest; k < widest; ++k)
-    if (s.differs(k, estimate, likely))
-      p.narrower = std::max(p.narrower, std::abs(s.mean(k) - estimate) + t * std::sqrt(s.variance(k)));
+    if (s.differs(k, p.lx, likely))
+      p.narrower = std::max(p.narrower, std::abs(s.mean(k) - p.lx) + t * std::sqrt(s.variance(k)));
   if (const uint64_t all = s.count[outermost]; all < 16) {
     const double few = s.mean(s.first_with(std::min<uint64_t>(8, all), rings));
     p.narrower = std::max(p.narrower, few * (1 + 2 * t / std::sqrt(double(all))));

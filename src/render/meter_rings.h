@@ -13,14 +13,15 @@
 
 namespace ups {
 
-// Of light about a meter and its neighbours: a disc's bias over its mean squared radius, lx/m2.
+// Of light about a meter and its neighbours, relative to it: a disc's bias over its illuminance and mean squared radius,
+// 1/m2.
 struct NeighbourCurvature {
   double mean = 0, variance_of_mean = 0;
   double between = INFINITY;  // variance between meters; infinite: nothing is known
-  // How much of a bias that is known with such a variance a meter keeps.
-  double share_of_own(double mean_radius2, double variance) const {
-    const double prior = between * mean_radius2 * mean_radius2;
-    return std::isfinite(prior) ? prior / (prior + variance) : 1;
+  // How much a meter keeps of a bias, lx, that it knows with such a variance; scale: lx m2, illuminance and radius.
+  double share_of_own(double scale, double variance) const {
+    const double prior = between * scale * scale;
+    return std::isfinite(prior) && prior + variance > 0 ? prior / (prior + variance) : 1;
   }
 };
 
@@ -42,6 +43,7 @@ class MeterRings {
   // The photons of the chosen discs.
   struct Photons {
     std::array<double, batch_count> value{}, direct{};  // lx, sums of each batch
+    double lx = 0;  // their mean
     PathRecord paths;
     uint8_t largest_batch = 0;                // that with paths.largest
     double bias = 0, bias_error = 0;          // lx, estimated, and its standard error

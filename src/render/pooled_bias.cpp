@@ -13,12 +13,12 @@ namespace {
 constexpr size_t reach = 16, least_neighbours = 4;  // on either side; without the meter itself
 
 struct Curvature {
-  double value, variance;  // lx/m2, its square
+  double value, variance;  // 1/m2, its square
 };
 
 // Of meters with discs of similar size: a disc is narrow where light is not like its neighbours'.
 bool alike(const MeterRings::Photons& a, const MeterRings::Photons& b) {
-  return b.bias_error > 0 && b.mean_radius2 <= 2.1 * a.mean_radius2 && a.mean_radius2 <= 2.1 * b.mean_radius2;
+  return b.bias_error > 0 && b.lx > 0 && b.mean_radius2 <= 2.1 * a.mean_radius2 && a.mean_radius2 <= 2.1 * b.mean_radius2;
 }
 
 NeighbourCurvature pool(const std::vector<Curvature>& all) {
@@ -39,12 +39,12 @@ std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<MeterRing
   std::vector<Curvature> group;
   for (size_t m = 0; m < photons.size(); ++m) {
     const MeterRings::Photons& p = photons[m];
-    if (!(p.bias_error > 0)) continue;
+    if (!(p.bias_error > 0 && p.lx > 0)) continue;
     group.clear();
     for (size_t j = m - std::min(m, reach), end = std::min(photons.size(), m + reach + 1); j < end; ++j) {
       const MeterRings::Photons& n = photons[j];
-      const double error = n.bias_error / n.mean_radius2;
-      if (alike(p, n)) group.push_back({n.bias / n.mean_radius2, error * error});
+      const double scale = n.lx * n.mean_radius2, error = n.bias_error / scale;
+      if (alike(p, n)) group.push_back({n.bias / scale, error * error});
     }
     if (group.size() > least_neighbours) out[m] = pool(group);
   }
@@ -53,10 +53,10 @@ std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<MeterRing
 
 void pool_bias(MeterRings::Photons& p, const NeighbourCurvature& neighbours) {
   if (!(p.bias_error > 0) || p.has_bias()) return;
-  const double r2 = p.mean_radius2, variance = p.bias_error * p.bias_error,
-               own = neighbours.share_of_own(r2, variance), other = 1 - own;
-  p.bias = own * p.bias + (own < 1 ? other * neighbours.mean * r2 : 0);
-  p.bias_error = std::sqrt(own * variance + (own < 1 ? other * other * neighbours.variance_of_mean * r2 * r2 : 0));
+  const double scale = p.lx * p.mean_radius2, variance = p.bias_error * p.bias_error,
+               own = neighbours.share_of_own(scale, variance), told = (1 - own) * scale;
+  p.bias = own * p.bias + told * neighbours.mean;
+  p.bias_error = std::sqrt(own * variance + told * told * neighbours.variance_of_mean);
 }
 
 }  // namespace ups

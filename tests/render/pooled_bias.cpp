@@ -24,6 +24,7 @@ struct Row {
       p.bias = truth.back() + normal(random);
       p.bias_error = 1;
       p.mean_radius2 = r2;
+      p.lx = 100;
     }
   }
   // Mean square error over mean variance of those that are not beyond doubt by themselves.
