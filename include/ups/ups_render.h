@@ -74,7 +74,8 @@ typedef struct ups_render_desc {
                                        * whose rings each reading takes as many as serve it best. 0: from the scene */
   uint32_t iteration_count;           /* 0: until a limit or the target is met */
   uint32_t max_path_length;           /* edges; 0: none, roulette ends paths without bias */
-  uint32_t light_paths_per_iteration; /* 0: chosen by the library */
+  uint32_t light_paths_per_iteration; /* a power of two, or rounded up to one; auto may still trace none. 0: chosen by
+                                       * the library */
   uint32_t techniques;                /* UPS_TECHNIQUE_* to allow; 0: those of the method */
   float radius_alpha;                 /* (0, 1): r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1), but for point meters'
                                        * discs; 0: 2/3, where UPS falls fastest */

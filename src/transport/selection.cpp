@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "transport/pilot.h"
 
@@ -50,6 +51,15 @@ struct Candidate {
 
 constexpr double light_shares[] = {1.0, 1.0 / 4, 1.0 / 16};
 constexpr double caustic_shares[] = {1.0 / 64, 1.0 / 4};  // where only caustics need light paths
+constexpr double whole_share[] = {1.0};
+
+// A number of light paths that the user named stays.
+std::span<const double> of_light(const TransportSettings& s) {
+  return s.light_paths ? std::span<const double>(whole_share) : light_shares;
+}
+std::span<const double> of_caustics(const TransportSettings& s) {
+  return s.light_paths ? std::span<const double>(whole_share) : caustic_shares;
+}
 
 TechniqueShare eye_paths_alone(const TransportSettings& s) {
   return {false, false, s.has(UPS_TECHNIQUE_MERGE) ? TechniqueShare::merge_caustics : TechniqueShare::no_merge};
@@ -58,7 +68,7 @@ TechniqueShare eye_paths_alone(const TransportSettings& s) {
 // The first has all techniques.
 std::vector<Candidate> candidates(const TransportSettings& s) {
   std::vector<Candidate> out;
-  for (const double n : light_shares)
+  for (const double n : of_light(s))
     for (const auto merge : {TechniqueShare::merge_all, TechniqueShare::merge_caustics, TechniqueShare::no_merge})
       for (const bool connect : {true, false})
         for (const bool light : {true, false}) {
@@ -67,7 +77,7 @@ std::vector<Candidate> candidates(const TransportSettings& s) {
                                 (!light || s.has(UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_SENSOR_HIT));
           if (possible) out.push_back({n, {connect, light, merge}});
         }
-  for (const double n : caustic_shares) out.push_back({n, eye_paths_alone(s)});
+  for (const double n : of_caustics(s)) out.push_back({n, eye_paths_alone(s)});
   return out;
 }
 
@@ -240,9 +250,9 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   const auto take = [](Chooser::Outcome& of, Chooser::Outcome o) {
     if (o.score * least_gain < of.score) of = std::move(o);
   };
-  for (const double n : caustic_shares) take(plain, chooser.at(n, false));
+  for (const double n : of_caustics(settings)) take(plain, chooser.at(n, false));
   best = plain;
-  for (const double n : light_shares) take(best, chooser.at(n, true));
+  for (const double n : of_light(settings)) take(best, chooser.at(n, true));
   if (!settings.prefers_eye_paths && !(best.score * least_gain < whole)) return out;
   if (best.shares.empty()) return out;
   out.light_paths = light_paths_of(plan, best.light_paths);

@@ -68,6 +68,15 @@ TEST_F(Choice, APictureGlassNeedsCausticPhotonsAlone) {
   EXPECT_EQ(2 * c.light_paths_per_iteration, result.info().light_paths);
 }
 
+TEST_F(Choice, ANumberOfLightPathsThatIsAskedForStays) {
+  auto glazing = material(UPS_MATERIAL_GLAZING, 1);
+  for (float& t : glazing.transmittance_rgb) t = 0.84f;
+  scene.add(quad({2, 0.01, 1.1}, {0, 0, 0.8}, {0.8, 0, 0}), glazing);
+  const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 2, .light_paths = 2048});
+  EXPECT_EQ(choice_of(result, points).light_paths_per_iteration, 2048u);
+  EXPECT_EQ(result.info().light_paths, 4096u);
+}
+
 // What fits each kind of sensor of a method's techniques, as tests of what each method measures have it.
 TEST_F(Choice, AMethodThatWasAskedForIsNoChoice) {
   const Sensor cell = add_cell(), camera = scene.add_camera({0.3, 2, 1.5}, {1, 0, -0.1}, 32, 24, 1);
