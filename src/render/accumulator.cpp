@@ -90,16 +90,18 @@ double Accumulator::largest_path(size_t set, double disc_area, const Largest& fo
 Accumulator::Choices Accumulator::choose_discs(size_t set) const {
   const size_t count = rings_[set].empty() ? 0 : meters_[set].size(), rows = plan_.separation.columns.size() + 1;
   Choices choices(count);
-  std::vector<MeterRings::Photons> photons(count);
+  std::vector<OwnBias> own(count);
   std::vector<NeighbourCurvature> neighbours(count);
   for (const bool alone : {true, false}) {
     for (size_t m = 0; m < count; ++m) {
       if (visits(m) == 0) continue;
       const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
       choices[m] = rings_[set].choose(m * rows, rings, visits(m), neighbours[m]);
-      if (alone) photons[m] = rings_[set].read(m * rows, rings, choices[m], visits(m));
+      if (!alone) continue;
+      const MeterRings::Photons p = rings_[set].read(m * rows, rings, choices[m], visits(m));
+      own[m] = {spread(p.bias.data(), visits(m)), p.lx, p.mean_radius2};
     }
-    if (alone) neighbours = neighbour_curvatures(photons);
+    if (alone) neighbours = neighbour_curvatures(own);
   }
   return choices;
 }
@@ -108,7 +110,7 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   const size_t columns = plan_.separation.columns.size(), row = m * (columns + 1);
   const bool point = !scene_.meter_sets[set].is_cell();
   MeterLight light{column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1], {}, visits(m), {}, {},
-                   plan_.merges_direct_light()};
+                   plan_.merges_direct_light(), {}};
   double area = 0;
   if (!discs.empty() && light.visits > 0) {
     const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
@@ -127,13 +129,13 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
 std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs, size_t column) const {
   std::vector<MeterLight> lights;
   lights.reserve(meters_[set].size());
-  std::vector<MeterRings::Photons> photons;
+  std::vector<OwnBias> own;
   for (size_t m = 0; m < meters_[set].size(); ++m) {
     lights.push_back(light_of(set, m, discs, column));
-    photons.push_back(lights.back().photons);
+    own.push_back(lights.back().own_bias());
   }
-  const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(photons);
-  for (size_t m = 0; m < lights.size(); ++m) pool_bias(lights[m].photons, neighbours[m]);
+  const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(own);
+  for (size_t m = 0; m < lights.size(); ++m) lights[m].bias = pooled_bias(own[m], neighbours[m]);
   return lights;
 }
 
@@ -178,7 +180,7 @@ ups_meter_statistics Accumulator::statistics_of(const std::vector<MeterLight>& l
     double means[batch_count] = {}, biases[batch_count] = {};
     lights[m].batch_means(means, batches.used());
     for (uint32_t b = 0; b < batches.used(); ++b) biases[b] = sums.bias[b] / visits_of_batch(n, b);
-    const Spread bias = lights[m].bias();
+    const Spread& bias = lights[m].bias;
     const double unfound = readings[m].error_bound_lx - std::abs(bias.mean);
     batches.add({spread(sums.value, n).mean, bias, readings[m].standard_error_lx < 0 ? std::max(0.0, unfound) : 0},
                 means, biases);

@@ -228,14 +228,10 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
 
   const BiasKernel kernel(rings);
   const double share = double(visits_of_half(0, visits)) / visits;
-  double bias[batch_count] = {};
   for (uint32_t k = 0; k < rings.count; ++k) {
     const double d = share * kernel.at(rings, choice[0], k) + (1 - share) * kernel.at(rings, choice[1], k);
-    for (uint32_t b = 0; b < batch_count; ++b) bias[b] += d * flux(row, b, k);
+    for (uint32_t b = 0; b < batch_count; ++b) p.bias[b] += d * flux(row, b, k);
   }
-  const Spread of_bias = spread(bias, visits);
-  p.bias = of_bias.mean;
-  p.bias_error = std::max(0.0, of_bias.standard_error);
   p.mean_radius2 = share * s.mean_radius2[choice[0]] + (1 - share) * s.mean_radius2[choice[1]];
 
   const double t = t_quantile(std::max(visits, min_batches));

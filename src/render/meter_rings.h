@@ -42,15 +42,13 @@ class MeterRings {
 
   // The photons of the chosen discs.
   struct Photons {
-    std::array<double, batch_count> value{}, direct{};  // lx, sums of each batch
-    double lx = 0;  // their mean
+    std::array<double, batch_count> value{}, direct{}, bias{};  // lx, sums of each batch; bias as estimated
+    double lx = 0;  // mean value
     PathRecord paths;
     uint8_t largest_batch = 0;                // that with paths.largest
-    double bias = 0, bias_error = 0;          // lx, estimated, and its standard error
-    double mean_radius2 = 0;                  // m2, over the discs: light that curves evenly is biased in proportion
+    double mean_radius2 = 0;                  // m2, over the discs: in proportion to it light that curves evenly is biased
     double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
     bool halves_differ = false;  // in their discs
-    bool has_bias() const { return std::abs(bias) > 2 * bias_error; }  // beyond doubt
   };
   Photons read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const;
 

@@ -52,20 +52,12 @@ void MeterSums::add(const MeterRings::Photons& photons) {
   for (uint32_t b = 0; b < batch_count; ++b) {
     value[b] += photons.value[b];
     direct[b] += photons.direct[b];
+    bias[b] += photons.bias[b];
     const double parts[] = {photons.value[b], photons.direct[b], photons.value[b] - photons.direct[b]};
     for (size_t k = 0; k < light_part_count; ++k)
       if (parts[k] > 1e-9 * photons.value[b]) batches[k] |= uint16_t(1u << b);
   }
   for (PathRecord& part : paths) part.add(photons.paths);
-}
-
-// Where the photons' bias is noise, it and its standard error count once: a disc is chosen that has less of it than
-// noise.
-Spread MeterLight::bias() const {
-  Spread b = spread(sums.bias, visits);
-  b.mean += photons.bias;
-  if (b.standard_error >= 0 && photons.has_bias()) b.standard_error = std::hypot(b.standard_error, photons.bias_error);
-  return b;
 }
 
 void MeterLight::batch_means(double* means, uint32_t used) const {
@@ -90,13 +82,15 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
   }
   const Spread e = photons.halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
   if (e.standard_error < 0) return {-1.0f, -1.0f};
-  Spread b = bias();
-  if (!photons.has_bias()) b.mean = std::abs(b.mean - photons.bias) + std::abs(photons.bias);
+  const double offset = std::abs(bias.mean);
   if (!light.is_enough(visits))
-    return {-1.0f, float(std::max(std::abs(b.mean) + light.bound(largest[part], visits), photons.narrower) + rounding)};
-  float bound = error_bound(e, b, visits);
-  if (!photons.has_bias()) bound = std::hypot(bound - float(b.mean), float(photons.bias_error)) + float(b.mean);
-  return {float(e.standard_error), float(std::max(double(bound), photons.narrower) + rounding)};
+    return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), photons.narrower) + rounding)};
+  // A disc is chosen that has less bias than noise: where it may be noise, its standard error counts once.
+  const bool once = photons.mean_radius2 > 0 && offset <= 2 * bias.standard_error;
+  // A fit of even curvature sees three fifths of a slope's bias, nine tenths and more of what is smooth.
+  const double t = t_quantile(visits), model = 0.25 * offset,
+               bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * bias.standard_error, t * model);
+  return {float(e.standard_error), float(std::max(bound, photons.narrower) + rounding)};
 }
 
 ups_meter_reading MeterLight::reading() const {
@@ -106,7 +100,7 @@ ups_meter_reading MeterLight::reading() const {
   out.illuminance_lx = float(value);
   out.direct_lx = float(spread(sums.direct, visits).mean);
   out.indirect_lx = float(std::max(0.0, value - double(out.direct_lx)));
-  out.bias_lx = float(bias().mean);
+  out.bias_lx = float(bias.mean);
   std::tie(out.standard_error_lx, out.error_bound_lx) = error_of(whole_light);
   return out;
 }
@@ -118,7 +112,7 @@ ups_meter_part_reading MeterLight::part(ups_light_part part) const {
   const double direct = spread(sums.direct, visits).mean;
   ups_meter_part_reading out;
   out.illuminance_lx = float(of == direct_light ? direct : std::max(0.0, spread(sums.value, visits).mean - direct));
-  out.bias_lx = of == indirect_light || merges_direct ? float(bias().mean) : 0;
+  out.bias_lx = of == indirect_light || merges_direct ? float(bias.mean) : 0;
   std::tie(out.standard_error_lx, out.error_bound_lx) = error_of(of);
   return out;
 }

@@ -2,7 +2,7 @@
 #pragma once
 #include <utility>
 
-#include "render/meter_rings.h"
+#include "render/pooled_bias.h"
 #include "render/spread.h"
 #include "ups/ups_render.h"
 
@@ -27,12 +27,12 @@ struct MeterLight {
   std::array<double, light_part_count> largest;  // that one path may bring to an iteration's reading, as far as is known
   std::array<bool, light_part_count> exact;      // nothing of it is a matter of chance
   bool merges_direct;                            // photons bring light straight from emitters, too
+  Spread bias;                                   // of merging, estimated: its own, or what neighbours tell besides
 
   ups_meter_reading reading() const;
   ups_meter_part_reading part(ups_light_part part) const;
   uint32_t flags(const ups_meter_reading& reading) const;
-  // Estimated bias, the standard error of what a bound takes for bias beyond doubt.
-  Spread bias() const;
+  OwnBias own_bias() const { return {spread(sums.bias, visits), spread(sums.value, visits).mean, photons.mean_radius2}; }
   // Of the first batches; without what the discs of even and odd ones differ by in bias, which is no noise.
   void batch_means(double* means, uint32_t used) const;
 

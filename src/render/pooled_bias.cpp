@@ -17,8 +17,8 @@ struct Curvature {
 };
 
 // Of meters with discs of similar size: a disc is narrow where light is not like its neighbours'.
-bool alike(const MeterRings::Photons& a, const MeterRings::Photons& b) {
-  return b.bias_error > 0 && b.lx > 0 && b.mean_radius2 <= 2.1 * a.mean_radius2 && a.mean_radius2 <= 2.1 * b.mean_radius2;
+bool alike(const OwnBias& a, const OwnBias& b) {
+  return b.mean_radius2 <= 2.1 * a.mean_radius2 && a.mean_radius2 <= 2.1 * b.mean_radius2;
 }
 
 NeighbourCurvature pool(const std::vector<Curvature>& all) {
@@ -34,29 +34,30 @@ NeighbourCurvature pool(const std::vector<Curvature>& all) {
 
 }  // namespace
 
-std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<MeterRings::Photons>& photons) {
-  std::vector<NeighbourCurvature> out(photons.size());
+std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>& meters) {
+  std::vector<NeighbourCurvature> out(meters.size());
   std::vector<Curvature> group;
-  for (size_t m = 0; m < photons.size(); ++m) {
-    const MeterRings::Photons& p = photons[m];
-    if (!(p.bias_error > 0 && p.lx > 0)) continue;
+  const auto tells = [](const OwnBias& m) { return m.bias.standard_error > 0 && m.lx > 0; };
+  for (size_t m = 0; m < meters.size(); ++m) {
+    if (!tells(meters[m])) continue;
     group.clear();
-    for (size_t j = m - std::min(m, reach), end = std::min(photons.size(), m + reach + 1); j < end; ++j) {
-      const MeterRings::Photons& n = photons[j];
-      const double scale = n.lx * n.mean_radius2, error = n.bias_error / scale;
-      if (alike(p, n)) group.push_back({n.bias / scale, error * error});
+    for (size_t j = m - std::min(m, reach), end = std::min(meters.size(), m + reach + 1); j < end; ++j) {
+      const OwnBias& n = meters[j];
+      if (!tells(n) || !alike(meters[m], n)) continue;
+      const double error = n.bias.standard_error / n.scale();
+      group.push_back({n.bias.mean / n.scale(), error * error});
     }
     if (group.size() > least_neighbours) out[m] = pool(group);
   }
   return out;
 }
 
-void pool_bias(MeterRings::Photons& p, const NeighbourCurvature& neighbours) {
-  if (!(p.bias_error > 0) || p.has_bias()) return;
-  const double scale = p.lx * p.mean_radius2, variance = p.bias_error * p.bias_error,
-               own = neighbours.share_of_own(scale, variance), told = (1 - own) * scale;
-  p.bias = own * p.bias + told * neighbours.mean;
-  p.bias_error = std::sqrt(own * variance + told * told * neighbours.variance_of_mean);
+Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours) {
+  const auto [mean, error] = own.bias;
+  if (!(error > 0) || own.is_beyond_doubt()) return own.bias;
+  const double share = neighbours.share_of_own(own.scale(), error * error), told = (1 - share) * own.scale();
+  return {share * mean + told * neighbours.mean,
+          std::sqrt(share * error * error + told * told * neighbours.variance_of_mean)};
 }
 
 }  // namespace ups

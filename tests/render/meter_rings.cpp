@@ -67,8 +67,9 @@ struct Rig {
     }
   }
   ups_meter_reading read(uint32_t visits = batch_count) const {
-    MeterLight light{{}, sums.read(0, rings, sums.choose(0, rings, visits), visits), visits, {}, {}, true};
+    MeterLight light{{}, sums.read(0, rings, sums.choose(0, rings, visits), visits), visits, {}, {}, true, {}};
     light.sums.add(light.photons);
+    light.bias = light.own_bias().bias;
     light.largest.fill(light.photons.paths.largest);
     return light.reading();
   }

@@ -15,27 +15,24 @@ constexpr double r2 = 0.04;
 // Biases c r2 with c from a normal distribution, each known with a standard error of 1 lx.
 struct Row {
   std::vector<double> truth;
-  std::vector<MeterRings::Photons> photons{meters};
+  std::vector<OwnBias> own;
+  std::vector<Spread> pooled;
   Row(double mean, double deviation) {
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
-    for (MeterRings::Photons& p : photons) {
+    for (size_t m = 0; m < meters; ++m) {
       truth.push_back(mean + deviation * normal(random));
-      p.bias = truth.back() + normal(random);
-      p.bias_error = 1;
-      p.mean_radius2 = r2;
-      p.lx = 100;
+      own.push_back({{truth.back() + normal(random), 1}, 100, r2});
     }
   }
   // Mean square error over mean variance of those that are not beyond doubt by themselves.
   double pool() {
-    const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(photons);
+    const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(own);
     double square = 0, variance = 0;
-    for (size_t m = 0; m < meters; ++m) {
-      MeterRings::Photons& p = photons[m];
-      if (p.has_bias()) continue;
-      pool_bias(p, neighbours[m]);
-      square += std::pow(p.bias - truth[m], 2), variance += p.bias_error * p.bias_error;
+    for (size_t m = 0; m < own.size(); ++m) {
+      const Spread& b = pooled.emplace_back(pooled_bias(own[m], neighbours[m]));
+      if (own[m].is_beyond_doubt()) continue;
+      square += std::pow(b.mean - truth[m], 2), variance += b.standard_error * b.standard_error;
     }
     return square / variance;
   }
@@ -46,7 +43,7 @@ TEST(PooledBias, NeighboursTellWhereLightCurvesAlike) {
   Row row(0.3, 0);
   EXPECT_LT(row.pool(), 1);
   size_t told = 0;
-  for (const MeterRings::Photons& p : row.photons) told += p.bias_error < 0.6;
+  for (const Spread& b : row.pooled) told += b.standard_error < 0.6;
   EXPECT_GT(told, meters * 7 / 10);
 }
 
@@ -58,24 +55,38 @@ TEST(PooledBias, MetersKeepTheirOwnWhereTheyDiffer) {
 
 TEST(PooledBias, ANarrowDiscIsNotToldByWideOnes) {
   Row row(0, 0);
-  row.photons[200].mean_radius2 = r2 / 4;
-  const double own = row.photons[200].bias;
+  row.own[200].mean_radius2 = r2 / 4;
   row.pool();
-  EXPECT_EQ(row.photons[200].bias, own);
-  EXPECT_EQ(row.photons[200].bias_error, 1);
+  EXPECT_EQ(row.pooled[200].mean, row.own[200].bias.mean);
+  EXPECT_EQ(row.pooled[200].standard_error, 1);
 }
 
 TEST(PooledBias, WhatIsBeyondDoubtStays) {
   Row row(0, 0);
-  row.photons[200].bias = 4;
+  row.own[200].bias.mean = 4;
   row.pool();
-  EXPECT_EQ(row.photons[200].bias, 4);
+  EXPECT_EQ(row.pooled[200].mean, 4);
+}
+
+// 2,000 lx beside 2 lx, each biased by 1 %: the bias is told relative to the light.
+TEST(PooledBias, BrightAndDarkMetersTellEachOther) {
+  Row row(0, 0);
+  for (size_t m = 0; m < meters; ++m) {
+    OwnBias& own = row.own[m];
+    own.lx = m % 2 ? 2000 : 2;
+    own.bias = {0.01 * own.lx, 0.02 * own.lx};
+  }
+  row.pool();
+  for (size_t m = 0; m < meters; ++m) {
+    EXPECT_NEAR(row.pooled[m].mean, 0.01 * row.own[m].lx, 1e-9);
+    EXPECT_LT(row.pooled[m].standard_error, 0.01 * row.own[m].lx);
+  }
 }
 
 TEST(PooledBias, FewMetersAreAlone) {
   Row row(0, 0);
-  row.photons.resize(4);
-  for (const NeighbourCurvature& n : neighbour_curvatures(row.photons)) EXPECT_FALSE(std::isfinite(n.between));
+  row.own.resize(4);
+  for (const NeighbourCurvature& n : neighbour_curvatures(row.own)) EXPECT_FALSE(std::isfinite(n.between));
 }
 
 }  // namespace
