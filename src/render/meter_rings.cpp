@@ -12,6 +12,7 @@ namespace ups {
 namespace {
 
 constexpr uint32_t least_photons = 5;  // of a disc that may be chosen
+constexpr uint32_t quarter = 4;        // rings, to a quarter of the radius
 // Standard deviations. A disc that is left by chance costs a reading most of its photons, and the narrower one is just
 // the one that chance has most to do with: not one of 10,000 meters with a score of discs each. A bound only widens.
 constexpr double beyond_doubt = 5, likely = 4;
@@ -64,6 +65,14 @@ struct MeterRings::Sums {
     if (flux[k] > 0) photon = std::max(photon, square[k] / flux[k]);
     const auto root = [](double photons) { return 2 * std::sqrt(std::max(photons, 0.0) + 0.375); };
     return std::abs(root(flux[k] / photon) - root(mean * area[k] / photon)) > sigmas;
+  }
+  // Beside an edge the fit sees a third of a wide disc's bias, a much narrower disc all but its own; less three times
+  // what noise contributes, as the narrower disc has much of it.
+  double bias2_to_narrower(uint32_t k, uint32_t narrower) const {
+    const double share = area[narrower] / area[k], d = mean(k) - mean(narrower);
+    const double noise2 = (1 - share) * (1 - share) * variance(narrower) +
+                          (square[k] - square[narrower]) / (area[k] * area[k]);
+    return d * d - 3 * noise2;
   }
   // The last before one from which a narrower one differs.
   uint32_t widest(const Rings& rings) const {
@@ -142,6 +151,7 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
                  noise = due < 16 ? s.variance(last) * s.area[last] / s.area[k] : 0;
     noise2[k] = 0.5 * dependence.of_mean[k] * std::max(noise, s.variance(k));
     bias2[k] = std::max(0.0, bias * bias - of_noise);
+    if (k >= first + quarter) bias2[k] = std::max(bias2[k], s.bias2_to_narrower(k, k - quarter));
     if (k > first && bias * bias > 16 * of_noise && bias * bias > 4 * noise2[k]) last = k;
   }
   uint32_t chosen = last;
@@ -235,13 +245,14 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   p.mean_radius2 = share * s.mean_radius2[choice[0]] + (1 - share) * s.mean_radius2[choice[1]];
 
   const double t = t_quantile(std::max(visits, min_batches));
+  constexpr uint64_t few = 8;
   const uint32_t outermost = rings.count - 1, widest = std::max(choice[0], choice[1]);
   for (uint32_t k = rings.narrowest; k < widest; ++k)
-    if (s.differs(k, p.lx, likely))
-      p.narrower = std::max(p.narrower, std::abs(s.mean(k) - p.lx) + t * std::sqrt(s.variance(k)));
-  if (const uint64_t all = s.count[outermost]; all < 16) {
-    const double few = s.mean(s.first_with(std::min<uint64_t>(8, all), rings));
-    p.narrower = std::max(p.narrower, few * (1 + 2 * t / std::sqrt(double(all))));
+    if (s.differs(k, p.lx, likely) && (s.mean(k) < p.lx || s.count[k] >= few))
+      p.narrower = std::max(p.narrower, std::abs(s.mean(k) - p.lx) + std::sqrt(s.variance(k)));
+  if (const uint64_t all = s.count[outermost]; all < 2 * few) {
+    const double mean = s.mean(s.first_with(std::min(few, all), rings));
+    p.narrower = std::max(p.narrower, mean * (1 + 2 * t / std::sqrt(double(all))));
   }
   return p;
 }

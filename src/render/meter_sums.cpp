@@ -87,8 +87,8 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
     return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), photons.narrower) + rounding)};
   // A disc is chosen that has less bias than noise: where it may be noise, its standard error counts once.
   const bool once = photons.mean_radius2 > 0 && offset <= 2 * bias.standard_error;
-  // A fit of even curvature sees three fifths of a slope's bias, nine tenths and more of what is smooth.
-  const double t = t_quantile(visits), model = 0.25 * offset,
+  // Bias beyond doubt is not known better than its model: a fit of even curvature sees three fifths of a slope's.
+  const double t = t_quantile(visits), model = once ? 0 : 0.25 * offset,
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * bias.standard_error, t * model);
   return {float(e.standard_error), float(std::max(bound, photons.narrower) + rounding)};
 }
