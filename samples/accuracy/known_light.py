@@ -40,13 +40,17 @@ class Known:
         scene = GltfBuilder("UPS known_light.py")
         self.build(scene)
         scene.meters("meters", Frame.upright((0, 0, 0)), points_m=self.points.tolist())
-        with contextlib.redirect_stdout(io.StringIO()):  # the builder says what it has written
-            scene.write(path)
+        write_quietly(scene, path)
         return path
 
     def truth(self, _ups, _scene, _folder):
         """(lx, standard error) of the meters."""
         return self.lux, np.zeros_like(self.lux)
+
+
+def write_quietly(scene, path):
+    with contextlib.redirect_stdout(io.StringIO()):  # the builder says what it has written
+        scene.write(path)
 
 
 def paths(light_paths, iterations):
@@ -75,18 +79,33 @@ def from_image(points, lamp, mirror_z):
     return RHO * CANDELA * (image[2] - points[:, 2]) / np.linalg.norm(image - points, axis=1) ** 3
 
 
+LARGE, LARGE_Z, BELOW = 2.0, 2.999, (2.9, 3.0, 0.9)  # side and height of a mirror; a lamp that lies below the meters
+
+
+def large_mirror(scene):
+    add_room(scene, (0, 0, 0), (6, 6, 3))
+    scene.shape("mirror", facing_down((3, 3), LARGE_Z, LARGE), scene.material("mirror", MIRROR))
+    scene.point_light("lamp", BELOW, CANDELA)
+
+
 def mirror(iterations):
     """2 m x 2 m at the ceiling, over a lamp that stands below the meters."""
-    lamp, z = (2.9, 3.0, 0.9), 2.999
     points = square_of(5, (3, 3), 0.25, 0.95)
+    return Known(f"mirror_{iterations}", f"flat mirror, {iterations} iterations of 16384 light paths", large_mirror,
+                 points, from_image(points, BELOW, LARGE_Z), paths(16384, iterations))
 
-    def build(scene):
-        add_room(scene, (0, 0, 0), (6, 6, 3))
-        scene.shape("mirror", facing_down((3, 3), z, 2), scene.material("mirror", MIRROR))
-        scene.point_light("lamp", lamp, CANDELA)
 
-    return Known(f"mirror_{iterations}", f"flat mirror, {iterations} iterations of 16384 light paths", build, points,
-                 from_image(points, lamp, z), paths(16384, iterations))
+AT_EDGE = 7
+
+
+def mirror_edge(beside):
+    """Eight meters under the same mirror, half a metre apart; AT_EDGE stands so far within the edge of its light."""
+    points = np.array([(x, y, 0.95) for x in (2.0, 2.5, 3.0, 3.5) for y in (2.5, 3.5)])
+    image_z = 2 * LARGE_Z - BELOW[2]
+    edge = BELOW[0] + (3 + LARGE / 2 - BELOW[0]) * (image_z - 0.95) / (image_z - LARGE_Z)
+    points[AT_EDGE] = edge - beside, 3.0, 0.95
+    return Known("mirror_edge", "flat mirror, beside the edge of its light", large_mirror, points,
+                 from_image(points, BELOW, LARGE_Z), ())
 
 
 # Where the patches of light lie, m: the meter of a 7 x 7 grid (column, row) and the patch's centre beside it. Each patch

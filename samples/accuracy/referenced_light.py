@@ -35,11 +35,11 @@ class Referenced:
     def scene(self, folder):
         return self.make(folder)
 
-    def truth(self, ups, scene, folder):
-        """(lx, standard error) of the meters."""
+    def truth(self, ups, scene, folder, sets=None):
+        """(lx, standard error) of the meters, of all or of these sets."""
         out = os.path.join(folder, "reference")
         summary = Renderer(ups, scene, size=self.size).reference(self.method, SEED, list(self.reference_words), out)
-        rows = [row for name in summary["meters"] for row in read_table(out, name)]
+        rows = [row for name in sets or summary["meters"] for row in read_table(out, name)]
         return (np.array([row["illuminance_lx"] for row in rows]),
                 np.array([noise(row["standard_error_lx"], row["error_bound_lx"]) for row in rows]))
 
@@ -65,8 +65,3 @@ def bathroom():
     """All meters. No technique but merging finds some of its light: the reference's discs are small at once."""
     return Referenced("bathroom", "the bathroom's meters", lambda _: os.path.join(BATHROOM, "bathroom.glb"),
                       ("--iterations", "32"), "ups", ("--merge-radius", "0.05", "--iterations", "3072"))
-
-
-def bathroom_floor():
-    return Referenced("bathroom_floor", "the bathroom's floor", make_bathroom_floor, ("--iterations", "32"), "ups",
-                      ("--merge-radius", "0.05", "--iterations", "3072"))
