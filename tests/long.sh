@@ -89,8 +89,8 @@ asymptotics() {
 # With seeds that no run had before, and as many iterations as ever.
 calibration() {
   local status=0
-  "$python" samples/accuracy/calibrate.py --ups "$ups" --out "$out/calibration" || status=1
-  "$python" samples/accuracy/calibrate.py --ups "$ups" --target --out "$out/calibration" || status=1
+  "$python" samples/accuracy/calibrate.py --ups "$ups" --jobs "$(nproc)" --out "$out/calibration" || status=1
+  "$python" samples/accuracy/calibrate.py --ups "$ups" --target --jobs "$(nproc)" --out "$out/calibration" || status=1
   return "$status"
 }
 

@@ -123,8 +123,8 @@ def end_by_target(arguments, pool, seeds):
     for row, failures in stopping.measure(arguments.ups, pool, seeds, arguments.out):
         print(f"{row['scene']}, {row['criterion']} meter to {row['target']:.0%}: kept in {row['kept']:.0%} of "
               f"{row['seeds']} seeds (largest true error {row['largest_error']:.2%}, mean {row['mean_error']:.2%}), "
-              f"bounds hold in {row['held']:.1%}; {row['iterations']:.0f} iterations, {row['cpu_s']:.1f} s of processor "
-              "time", flush=True)
+              f"bounds hold in {row['held']:.1%}; {row['iterations']:.0f} iterations, {row['cpu_s']:.1f} s of "
+              "processor time", flush=True)
         failed |= tell(failures)
         rows.append(row)
         write_table(os.path.join(arguments.out, "targets.csv"), rows)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Point meters in light that only photons find: prints each figure beside what is wanted; the exit code is 1 where one is
-not reached.
+"""Point meters in light that only photons find: prints each figure beside what is wanted; the exit code is 1 where one
+is not reached.
 
   hard_meters.py --ups build/release/bin/ups [--baseline ../earlier/build/release/bin/ups] [ball image]
 
@@ -93,8 +93,9 @@ def ball(arguments, figures):
     os.makedirs(out, exist_ok=True)
     path = ball_scene(os.path.join(out, "points.glb"), cells=False)
     reference = ball_reference(arguments.ups, out)
-    print(f"  L2 of the reference's own noise: {np.sqrt((reference[1].clip(0) ** 2).sum() / (reference[0] ** 2).sum()):.2%}"
-          f", {(reference[0] > 0.01 * reference[0].max()).sum()} meters lit")
+    lux, noise = reference
+    print(f"  L2 of the reference's own noise: {np.sqrt((noise.clip(0) ** 2).sum() / (lux ** 2).sum()):.2%}, "
+          f"{(lux > 0.01 * lux.max()).sum()} meters lit")
 
     def of(ups, words, name):
         return ball_distances(ups, path, words, arguments.seeds, reference, os.path.join(out, name))
@@ -126,8 +127,9 @@ def image(arguments, figures):
             errors.append(np.abs(E / lux - 1))
             held.append(np.abs(E - lux) <= bound)
         errors, held = np.array(errors), np.array(held)
-        print(f"  after {seconds} s ({iterations} iterations), rms over {arguments.seeds} seeds, % of each meter: "
-              + ", ".join(f"{100 * e:.2f}" for e in np.sqrt((errors ** 2).mean(0))) + f"; bounds held {held.mean():.1%}")
+        of_each = ", ".join(f"{100 * e:.2f}" for e in np.sqrt((errors ** 2).mean(0)))
+        print(f"  after {seconds} s ({iterations} iterations), rms of each meter over {arguments.seeds} seeds, %: "
+              f"{of_each}; bounds held {held.mean():.1%}")
         if seconds == 5:
             figures.tell("image: largest error of a meter after 5 s, %", 100 * errors.max(), 1)
             figures.tell("image: seeds in which the bound beside the edge holds, %", 100 * held[:, edge].mean(), 93,

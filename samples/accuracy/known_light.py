@@ -1,5 +1,5 @@
-"""Scenes whose meters' illuminance is known in closed form and comes by photons alone: from a flat mirror, through a water
-surface, from a parabolic reflector, from mirrors of 2 cm. Called by calibrate.py and the tests.
+"""Scenes whose meters' illuminance is known in closed form and comes by photons alone: from a flat mirror, through a
+water surface, from a parabolic reflector, from mirrors of 2 cm. Called by calibrate.py and the tests.
 
 All stand in black rooms, so that nothing but the light of the formula reaches a meter.
 """
@@ -108,8 +108,8 @@ def mirror_edge(beside):
                  from_image(points, BELOW, LARGE_Z), ())
 
 
-# Where the patches of light lie, m: the meter of a 7 x 7 grid (column, row) and the patch's centre beside it. Each patch
-# is 4 cm wide, so that a meter more than 2 cm beside its centre is dark.
+# Where the patches of light lie, m: the meter of a 7 x 7 grid (column, row) and the patch's centre beside it. Each
+# patch is 4 cm wide, so that a meter more than 2 cm beside its centre is dark.
 PATCHES = (((1, 1), (0.000, 0.000)), ((3, 1), (0.010, 0.000)), ((5, 1), (0.012, 0.012)), ((1, 3), (0.016, 0.000)),
            ((3, 3), (0.000, -0.017)), ((5, 3), (-0.025, 0.000)), ((1, 5), (0.005, 0.005)), ((3, 5), (0.030, 0.030)),
            ((5, 5), (-0.015, 0.010)))

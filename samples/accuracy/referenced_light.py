@@ -1,8 +1,9 @@
 """Rooms without a closed form, whose meters are judged by one long render: an office with IES luminaires and the sample
 bathroom. Called by calibrate.py and stopping.py.
 
-The reference is made once and kept as long as scene and words stay the same. Its own standard error adds to what a bound
-is to hold (calibration.py); what its bias may be adds nothing, so it can only make the shares that are told smaller.
+The reference is made once and kept as long as scene and words stay the same. Its own standard error adds to what a
+bound is to hold (calibration.py); what its bias may be adds nothing, so it can only make the shares that are told
+smaller.
 """
 import os
 import subprocess

@@ -1,5 +1,5 @@
-"""Is a target kept that a render ended by? Renders of the office's work plane and of the bathroom's floor end by the target
-of 2 % with many seeds; the same error is then taken against the reference. Called by calibrate.py --target.
+"""Is a target kept that a render ended by? Renders of the office's work plane and of the bathroom's floor end by the
+target of 2 % with many seeds; the same error is then taken against the reference. Called by calibrate.py --target.
 """
 import os
 import statistics

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""samples/accuracy/calibrate.py: its arithmetic by numbers of known spread, and its fast set, two scenes with fixed seeds.
+"""samples/accuracy/calibrate.py: its arithmetic by numbers of known spread, and its fast set: two scenes, fixed seeds.
 
   test_calibration.py UPS
 
@@ -26,8 +26,8 @@ FAST_SEEDS = range(1, 7)
 
 
 def gaussian(stated=1.0, bias=0.0, shared=0.0, reference=0.0):
-    """Readings of 100 lx with errors of 1 lx, of which `shared` is that of all meters of a seed; the bound that holds in
-    95 % is stated `stated` times as wide."""
+    """Readings of 100 lx with errors of 1 lx, of which `shared` is that of all meters of a seed; the bound that holds
+    in 95 % is stated `stated` times as wide."""
     rng = np.random.default_rng(2)
     error = (np.sqrt(1 - shared ** 2) * rng.normal(size=(SEEDS, METERS)) + shared * rng.normal(size=(SEEDS, 1)) + bias)
     flat = np.ones_like(error)
@@ -105,7 +105,8 @@ class KnownLight(unittest.TestCase):
         flux = float(np.sum((rings[1:] + rings[:-1]) / 2 * np.diff(radius)))
         t = (np.arange(100000) + 0.5) / 100000  # cos of the angle of incidence, over the half space
         s, p = known_light.fresnel(t, 1.33)
-        self.assertAlmostEqual(flux / (2 * np.pi * known_light.CANDELA * float(np.mean(1 - (s + p) / 2))), 1, delta=0.005)
+        passed = 2 * np.pi * known_light.CANDELA * float(np.mean(1 - (s + p) / 2))
+        self.assertAlmostEqual(flux / passed, 1, delta=0.005)
 
     def test_patches_are_lit_where_they_are_said_to_be(self):
         known = known_light.caustic(1024, 64)
