@@ -82,7 +82,8 @@ def parse():
     parser.add_argument("--ups", default="build/release/bin/ups", help="the program")
     parser.add_argument("--scenes", nargs="+", choices=list(SCENES), default=list(SCENES), metavar="SCENE",
                         help="some of: " + ", ".join(SCENES))
-    parser.add_argument("--target", action="store_true", help="end renders by a target of 2 %% instead")
+    parser.add_argument("--target", action="store_true",
+                        help="instead, of the office and the bathroom: renders that a target of 2 %% ends")
     parser.add_argument("--seeds", type=int, help="renders of each scene (100; with --target 50)")
     parser.add_argument("--seed", type=int, help="the first seed")
     parser.add_argument("--jobs", type=int, default=1, help="renders at once, each on one thread (1)")
@@ -92,6 +93,8 @@ def parse():
         arguments.seeds = 50 if arguments.target else 100
     if arguments.seeds < 2:
         parser.error("--seeds: at least 2, of whose spread the figures are judged")
+    if arguments.target and not {"office", "bathroom"} & set(arguments.scenes):
+        parser.error("--target: of the scenes office and bathroom alone")
     return arguments
 
 
@@ -120,7 +123,7 @@ def calibrate(arguments, pool, seeds):
 def end_by_target(arguments, pool, seeds):
     """Whether a target is not kept."""
     rows, failed = [], False
-    for row, failures in stopping.measure(arguments.ups, pool, seeds, arguments.out):
+    for row, failures in stopping.measure(arguments.ups, pool, arguments.scenes, seeds, arguments.out):
         print(f"{row['scene']}, {row['criterion']} meter to {row['target']:.0%}: kept in {row['kept']:.0%} of "
               f"{row['seeds']} seeds (largest true error {row['largest_error']:.2%}, mean {row['mean_error']:.2%}), "
               f"bounds hold in {row['held']:.1%}; {row['iterations']:.0f} iterations, {row['cpu_s']:.1f} s of "

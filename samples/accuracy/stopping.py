@@ -62,9 +62,11 @@ def failures(row, seeds):
     return found
 
 
-def measure(ups, pool, seeds, out):
-    """(row, failures) of each plane and criterion."""
+def measure(ups, pool, scenes, seeds, out):
+    """(row, failures) of each plane of these scenes and each criterion."""
     for plane in planes():
+        if plane.judge.name not in scenes:
+            continue
         folder = os.path.join(out, f"target_{plane.name}")
         os.makedirs(folder, exist_ok=True)
         path = plane.make(folder)
