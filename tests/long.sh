@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # The checks of accuracy in samples/evaluation/README.md, one after another, then all cases of samples/validation, and a
-# summary: about two hours.
+# summary: about four hours.
 # Not part of tests/run.sh: they compare at equal time, so nothing else may run beside them. Exit code 1 where one
 # fails.
 #   tests/long.sh                       all
 #   tests/long.sh office spheres        some of: office caustic spheres agreement bathroom validation
-#                                       asymptotics
+#                                       asymptotics calibration
 # UPS_PROGRAM: a program `ups` that is there; without it the one in build/release is built, after what it needs.
 # UPS_TIME_SCALE: multiplies every time. Below 1 the limits cannot be kept: it shows only that the checks run.
 # shellcheck disable=SC2317  # the checks are called by name
@@ -86,6 +86,14 @@ asymptotics() {
   UPS_LIBRARY=${UPS_LIBRARY:-build/release/src/api} "$python" samples/evaluation/asymptotics.py --out "$out/asymptotics"
 }
 
+# With seeds that no run had before, and as many iterations as ever.
+calibration() {
+  local status=0
+  "$python" samples/accuracy/calibrate.py --ups "$ups" --jobs "$(nproc)" --out "$out/calibration" || status=1
+  "$python" samples/accuracy/calibrate.py --ups "$ups" --target --jobs "$(nproc)" --out "$out/calibration" || status=1
+  return "$status"
+}
+
 # Runs one check; the table that it prints is kept for the summary.
 check() {
   local name=$1 log=$out/long_$1.txt result=passed
@@ -114,12 +122,13 @@ summary() {
 }
 
 wanted=("$@")
-[ $# -gt 0 ] || wanted=(office caustic spheres agreement bathroom validation asymptotics)
+[ $# -gt 0 ] || wanted=(office caustic spheres agreement bathroom validation asymptotics calibration)
 for name in "${wanted[@]}"; do
   case "$name" in
-    office | caustic | spheres | agreement | bathroom | validation | asymptotics) ;;
+    office | caustic | spheres | agreement | bathroom | validation | asymptotics | calibration) ;;
     *)
-      echo "usage: $0 [office] [caustic] [spheres] [agreement] [bathroom] [validation] [asymptotics]" >&2
+      echo "usage: $0 [office] [caustic] [spheres] [agreement] [bathroom] [validation] [asymptotics]" \
+        "[calibration]" >&2
       exit 2
       ;;
   esac

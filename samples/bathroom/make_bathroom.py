@@ -172,8 +172,12 @@ def add_check_sensors(scene):
         scene.meters(name, Frame.upright((2.30, 1.05, z)), width_m=1.5, height_m=1.8, columns=4, rows=4)
 
 
-def add_sensors(scene):
+def add_floor_meters(scene):
     scene.meters("floor", Frame.upright((2.30, 1.05, 0.002)), width_m=1.7, height_m=2.0, columns=12, rows=10)
+
+
+def add_sensors(scene):
+    add_floor_meters(scene)
     scene.meters("workplane", Frame.upright((1.975, 1.05, 0.75)), width_m=2.25, height_m=2.0, columns=16, rows=12)
     scene.meters("face", Frame.facing((VANITY_X, 1.85, 1.55), (0, 1, 0)), width_m=0.36, height_m=0.48,
                  columns=6, rows=8)
@@ -189,6 +193,7 @@ def main():
     parser.add_argument("--out", default=os.path.join(HERE, "bathroom.glb"))
     sensors = parser.add_mutually_exclusive_group()
     sensors.add_argument("--check", action="store_true", help="32 meters and no camera: for a check by path tracing")
+    sensors.add_argument("--floor", action="store_true", help="the meters of the floor alone and no camera")
     sensors.add_argument("--picture", action="store_true", help="a camera of 320 x 240 and no meters: for comparisons")
     arguments = parser.parse_args()
     scene = GltfBuilder("UPS make_bathroom.py")
@@ -197,6 +202,8 @@ def main():
         add(scene, materials)
     if arguments.picture:
         add_view(scene, 320, 240)
+    elif arguments.floor:
+        add_floor_meters(scene)
     else:
         (add_check_sensors if arguments.check else add_sensors)(scene)
     os.makedirs(os.path.dirname(os.path.abspath(arguments.out)), exist_ok=True)
