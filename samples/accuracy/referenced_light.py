@@ -63,6 +63,7 @@ def office():
 
 
 def bathroom():
-    """All meters. No technique but merging finds some of its light: the reference's discs are small at once."""
+    """All meters. No technique but merging finds some of its light: the reference is of the same kind, with 64 times the
+    iterations. A first radius of its own would cost it more than it gains: of 5 cm, that of the walks loses 1.3 %."""
     return Referenced("bathroom", "the bathroom's meters", lambda _: os.path.join(BATHROOM, "bathroom.glb"),
-                      ("--iterations", "32"), "ups", ("--merge-radius", "0.05", "--iterations", "3072"))
+                      ("--iterations", "32"), "ups", ("--iterations", "2048"))
