@@ -24,6 +24,7 @@ from renders import Renderer, cpu_s, read_table, run  # noqa: E402
 
 METHODS = ("auto", "ups", "bpt", "pt", "ppm", "sppm")
 REFERENCE_METHOD, REFERENCE_SEED = "ups", 1001
+FORETOLD = "median"  # the meter whose error is: short renders reach it
 SIZE = "32x24"  # of cameras: the meters are what is judged
 BATHROOM = os.path.join(HERE, "..", "bathroom", "bathroom.glb")
 OFFICE = {"effects": ("desks", "gloss")}
@@ -151,19 +152,11 @@ def budgets(settings):
     return [settings.seconds / 2 ** k for k in reversed(range(settings.rungs))]
 
 
-def criterion_of(ups):
-    """(which meter's error is foretold, words for it): the median one's, which short renders reach; a program that
-    cannot be asked foretells the worst one's."""
-    shown = subprocess.run([ups, "render", "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
-    return ("median", ("--target-of", "median")) if "--target-of" in shown else ("worst", ())
-
-
 def measure_methods(settings, scene, say):
     """Every method with every budget, each a render of its own seed: (rows, {method: curve of the longest},
     predictions)."""
     rows, curves, summaries = [], {}, {}
-    criterion, more = criterion_of(settings.ups)
-    candidates = {method: Candidate(settings, scene, method, more=more) for method in METHODS}
+    candidates = {method: Candidate(settings, scene, method, more=("--target-of", FORETOLD)) for method in METHODS}
     for k, budget in enumerate(budgets(settings)):
         for method, candidate in candidates.items():
             say(f"{scene.name}: {method}, {budget:g} s")
@@ -179,7 +172,7 @@ def measure_methods(settings, scene, say):
             made_at = seconds_of(scene, summary)
             scales = (made_at / summary["time_s"], seconds_of(scene, longest) / longest["time_s"])
             predictions += [{"scene": scene.name, "method": method, **p} for p in errors.predicted_and_actual(
-                summary.get("prediction", []), criterion, longest["convergence"], *scales, made_at)]
+                summary.get("prediction", []), FORETOLD, longest["convergence"], *scales, made_at)]
     return rows, curves, predictions
 
 
