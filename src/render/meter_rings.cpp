@@ -66,13 +66,12 @@ struct MeterRings::Sums {
     const auto root = [](double photons) { return 2 * std::sqrt(std::max(photons, 0.0) + 0.375); };
     return std::abs(root(flux[k] / photon) - root(mean * area[k] / photon)) > sigmas;
   }
-  // Beside an edge the fit sees a third of a wide disc's bias, a much narrower disc all but its own; less three times
-  // what noise contributes, as the narrower disc has much of it.
-  double bias2_to_narrower(uint32_t k, uint32_t narrower) const {
+  // What two discs differ in by bias, less so many times what noise contributes.
+  double bias2_between(uint32_t k, uint32_t narrower, double times) const {
     const double share = area[narrower] / area[k], d = mean(k) - mean(narrower);
     const double noise2 = (1 - share) * (1 - share) * variance(narrower) +
                           (square[k] - square[narrower]) / (area[k] * area[k]);
-    return d * d - 3 * noise2;
+    return std::max(0.0, d * d - times * noise2);
   }
   // The last before one from which a narrower one differs.
   uint32_t widest(const Rings& rings) const {
@@ -131,7 +130,8 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 // wider disc, b^2 - s_b^2, stands for half of its own too, in proportion to r^2 as light has it that curves evenly. The
 // noise is that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few.
 // So are its photons to tell light that is narrower than a disc: `widest` is told by all. What a disc's own bias does
-// not tell, being noise, its neighbours' curvature does. A small disc that only dim photons have reached does not know
+// not tell, being noise, its neighbours' curvature does. Beside an edge the fit sees but a third of a wide disc's bias, a
+// disc of a quarter of the radius all but its own; as that has much noise, three times of it are taken off. A small disc that only dim photons have reached does not know
 // its noise: as long as bright ones are due there by chance, the widest disc's tells.
 uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence,
                           const NeighbourCurvature& neighbours, uint32_t widest) {
@@ -151,7 +151,7 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
                  noise = due < 16 ? s.variance(last) * s.area[last] / s.area[k] : 0;
     noise2[k] = 0.5 * dependence.of_mean[k] * std::max(noise, s.variance(k));
     bias2[k] = std::max(0.0, bias * bias - of_noise);
-    if (k >= first + quarter) bias2[k] = std::max(bias2[k], s.bias2_to_narrower(k, k - quarter));
+    if (k >= first + quarter) bias2[k] = std::max(bias2[k], s.bias2_between(k, k - quarter, 3));
     if (k > first && bias * bias > 16 * of_noise && bias * bias > 4 * noise2[k]) last = k;
   }
   uint32_t chosen = last;
@@ -242,6 +242,10 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
     const double d = share * kernel.at(rings, choice[0], k) + (1 - share) * kernel.at(rings, choice[1], k);
     for (uint32_t b = 0; b < batch_count; ++b) p.bias[b] += d * flux(row, b, k);
   }
+  // The discs are as random as the halves that choose them: on the average over renders, a quarter of what they differ
+  // in is the variance of the halves' mean by that choice. Twice the noise is taken off: it had its part in the choice.
+  if (p.halves_differ)
+    p.choice_variance = 0.25 * s.bias2_between(std::max(choice[0], choice[1]), std::min(choice[0], choice[1]), 2);
   p.mean_radius2 = share * s.mean_radius2[choice[0]] + (1 - share) * s.mean_radius2[choice[1]];
 
   const double t = t_quantile(std::max(visits, min_batches));

@@ -46,6 +46,7 @@ class MeterRings {
     double lx = 0;  // mean value
     PathRecord paths;
     uint8_t largest_batch = 0;                // that with paths.largest
+    double choice_variance = 0;               // lx2, of the reading by which discs were chosen
     double mean_radius2 = 0;                  // m2, over the discs: in proportion to it light that curves evenly is biased
     double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
     bool halves_differ = false;  // in their discs

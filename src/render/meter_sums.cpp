@@ -80,16 +80,18 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
     values[b] = direct ? sums.direct[b] : part == indirect_light ? sums.value[b] - sums.direct[b] : sums.value[b];
     light.largest_batch = std::max(light.largest_batch, values[b] - of_exact * visits_of_batch(visits, b));
   }
-  const Spread e = photons.halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
+  Spread e = photons.halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
   if (e.standard_error < 0) return {-1.0f, -1.0f};
+  e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));
   const double offset = std::abs(bias.mean);
   if (!light.is_enough(visits))
     return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), photons.narrower) + rounding)};
   // A disc is chosen that has less bias than noise: where it may be noise, its standard error counts once. Bias beyond
-  // doubt is not known better than its model: a fit of even curvature sees three fifths of a slope's.
+  // doubt is not known better than its model: a fit of even curvature sees three fifths of a slope's, so 95 % are
+  // within two thirds of it.
   const bool noise = offset <= 2 * bias.standard_error, once = noise && photons.mean_radius2 > 0;
   const double t = noise ? t_quantile(visits, offset, e.standard_error) : t_quantile(visits),
-               model = noise ? 0 : 0.25 * offset,
+               model = noise ? 0 : 0.31 * offset,
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * bias.standard_error, t * model);
   return {float(e.standard_error), float(std::max(bound, photons.narrower) + rounding)};
 }
