@@ -87,12 +87,12 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
   if (!light.is_enough(visits))
     return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), photons.narrower) + rounding)};
   // A disc is chosen that has less bias than noise: where it may be noise, its standard error counts once, unless it is
-  // so large beside the reading's own, whose photons are stratified, that it could not tell. Bias beyond doubt is not
-  // known better than its model: a fit of even curvature sees three fifths of a slope's, so 95 % are within two thirds.
+  // so large beside the reading's own, whose photons are stratified, that it could not tell. Nor is bias known better
+  // than its model: a fit of even curvature sees three fifths of a slope's, so 95 % are taken to be within two thirds.
   const bool noise = offset <= 2 * bias.standard_error,
-             once = noise && photons.mean_radius2 > 0 && bias.standard_error < 2 * e.standard_error;
+             once = noise && photons.mean_radius2 > 0 && bias.standard_error < 3 * e.standard_error;
   const double t = noise ? t_quantile(visits, offset, e.standard_error) : t_quantile(visits),
-               model = noise ? 0 : 0.31 * offset,
+               model = 0.31 * offset,
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * bias.standard_error, t * model);
   return {float(e.standard_error), float(std::max(bound, photons.narrower) + rounding)};
 }
