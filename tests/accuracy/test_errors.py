@@ -8,6 +8,7 @@ sys.path[:0] = [os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "
                 for folder in ("scenes_common", "accuracy")]
 import need_numpy  # noqa: E402,F401
 import errors  # noqa: E402
+import foretold  # noqa: E402
 
 ROOT = [(1.0, 0.04), (4.0, 0.02), (16.0, 0.01)]  # falls with the square root of time
 
@@ -87,6 +88,40 @@ class Predictions(unittest.TestCase):
         self.assertIsNone(errors.came_true(row("later", 2, 1, 3)))
         self.assertFalse(errors.came_true(row("reached", 2, -1, -1)))  # was to be never
         self.assertIsNone(errors.came_true(row("later", 2, -1, -1)))
+
+
+class Foretelling(unittest.TestCase):
+    """An error of 0.04 sqrt(16 / n) meets 1 % after 256 iterations; 2 s are spent before the first, 0.1 s on each."""
+    class Render:
+        def __init__(self, seconds):
+            self.seconds = seconds
+
+        def render(self, _method, _seed, limit):
+            count = 320 if limit[0] == "--target-error" else int(limit[1])
+            curve = [{"time_s": 2 + 0.1 * n, "iterations": n, "median_relative_error": 0.04 * (16 / n) ** 0.5}
+                     for n in (16, 64, 128, 320) if n <= count]
+            made = {"relative_error": 0.01, "seconds": self.seconds, "low": 20.0, "high": 40.0, "limited_by": "noise"}
+            return {"iterations": count, "time_s": 3 * (2 + 0.1 * count), "convergence": curve,  # by a slower clock
+                    "prediction": [{**made, **{key: 3 * made[key] for key in ("seconds", "low", "high")
+                                               if made[key] >= 0}}]}
+
+    def test_foretold_over_actual(self):
+        row = foretold.compare(self.Render(2 + 25.6), "median", 0.01, 1)
+        self.assertAlmostEqual(row["actual_iterations"], 256)
+        self.assertEqual(row["made_at_iterations"], 64)
+        self.assertAlmostEqual(row["ratio"], 1)
+        self.assertEqual(row["came_true"], 1)
+        row = foretold.compare(self.Render(2 + 2 * 25.6), "median", 0.01, 1)
+        self.assertAlmostEqual(row["ratio"], 2)
+
+    def test_what_is_foretold_never(self):
+        row = foretold.compare(self.Render(-1), "median", 0.01, 1)
+        self.assertEqual((row["ratio"], row["foretold_iterations"]), (errors.UNKNOWN, errors.UNKNOWN))
+        self.assertEqual(foretold.told_of(row), "never")
+
+    def test_what_ends_too_soon_foretells_nothing(self):
+        row = foretold.compare(self.Render(1), "median", 0.05, 1)
+        self.assertEqual((row["status"], row["ratio"]), ("sooner", errors.UNKNOWN))
 
 
 if __name__ == "__main__":
