@@ -14,8 +14,8 @@ namespace {
 constexpr uint32_t least_photons = 5;  // of a disc that may be chosen
 constexpr uint32_t quarter = 4;        // rings, to a quarter of the radius
 // Standard deviations. A disc that is left by chance costs a reading most of its photons, and the narrower one is just
-// the one that chance has most to do with: not one of 10,000 meters with a score of discs each. A bound only widens.
-constexpr double beyond_doubt = 5, likely = 4;
+// the one that chance has most to do with; and photons are not quite as random as Poisson's. A bound only widens.
+constexpr double beyond_doubt = 6, likely = 4;
 
 uint32_t visits_of(uint32_t batch, uint32_t visits) {
   return visits / batch_count + (batch < visits % batch_count);
