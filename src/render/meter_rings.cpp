@@ -126,13 +126,14 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 }
 
 // Least noise^2 + bias^2, searched from narrow to wide up to the first disc whose bias is beyond doubt: wider ones that
-// look harmless again have only diluted it. A disc's own bias hides in its noise long after it matters: that of each
-// wider disc, b^2 - s_b^2, stands for half of its own too, in proportion to r^2 as light has it that curves evenly. The
-// noise is that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few.
-// So are its photons to tell light that is narrower than a disc: `widest` is told by all. What a disc's own bias does
-// not tell, being noise, its neighbours' curvature does. Beside an edge the fit sees but a third of a wide disc's bias, a
-// disc of a quarter of the radius all but its own; as that has much noise, three times of it are taken off. A small disc that only dim photons have reached does not know
-// its noise: as long as bright ones are due there by chance, the widest disc's tells.
+// look harmless again have only diluted it.
+// Bias: a disc's own hides in its noise long after it matters: that of each wider disc, b^2 - s_b^2, stands for half of
+// its own too, in proportion to r^2 as light has it that curves evenly. Beside an edge the fit sees but a third of a
+// wide disc's bias, a disc of a quarter of the radius all but its own: as that has much noise, three times of it are
+// taken off. What is noise of all that, the neighbours' curvature replaces.
+// Noise: that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few. So
+// are its photons to tell light that is narrower than a disc: `widest` is told by all. A small disc that only dim
+// photons have reached does not know its noise: as long as bright ones are due there by chance, the widest disc's tells.
 uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence,
                           const NeighbourCurvature& neighbours, uint32_t widest) {
   const BiasKernel kernel(rings);

@@ -47,7 +47,7 @@ class MeterRings {
     PathRecord paths;
     uint8_t largest_batch = 0;                // that with paths.largest
     double choice_variance = 0;               // lx2, of the reading by which discs were chosen
-    double mean_radius2 = 0;                  // m2, over the discs: in proportion to it light that curves evenly is biased
+    double mean_radius2 = 0;                  // m2, of the discs: light that curves evenly is biased in proportion
     double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
     bool halves_differ = false;  // in their discs
   };
