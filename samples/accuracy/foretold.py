@@ -8,8 +8,8 @@ iterations. Another render of the same seed, so with the same random numbers, en
 foretells for the target is compared. Its seconds become iterations by what its own took, so that it does not matter
 what else runs on the machine.
 
-Wanted: foretold over actual within a factor of 1.5 in 9 of 10 seeds. The exit code is 1 where that is not reached, or
-where a quarter is too short to foretell anything. OUT gets foretold.csv, a row a seed. README.md says what stands in it.
+Wanted: foretold over actual within a factor of 1.5 in 9 of 10 seeds; a quarter that foretells nothing is a miss.
+The exit code is 1 where that is not reached. OUT gets foretold.csv, a row a seed; README.md says what stands in it.
 """
 import argparse
 import math
