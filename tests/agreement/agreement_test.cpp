@@ -87,7 +87,7 @@ TEST_F(AreaLitRoom, MetersByBidirectionalPhotonMappingAgree) {
   const Sensor meters = scene.add_meters(grid(0.9), {0, 0, 1});
   std::vector<std::pair<ups_method, Readings>> all;
   for (ups_method m : {UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING})
-    all.emplace_back(m, scene.render({.method = m, .iterations = 96}).readings(meters));
+    all.emplace_back(m, scene.render({.method = m, .iterations = 192}).readings(meters));
   expect_agreement(all, 0.03);
 }
 
