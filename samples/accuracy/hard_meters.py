@@ -14,7 +14,6 @@ image   a lamp that only a large mirror shows to eight meters, one of them 12 cm
 Seconds on two cores are twice as many of processor time on one thread, so that the machine may do something else too.
 All is read from the worst of the seeds; of the ball's figures, from their mean.
 """
-import argparse
 import os
 import statistics
 import sys
@@ -27,11 +26,10 @@ import numpy as np  # noqa: E402
 from gltf_builder import Frame, GltfBuilder  # noqa: E402
 from ies import write_axial  # noqa: E402
 from measuring import Candidate  # noqa: E402
-from must_show import Figures  # noqa: E402
+from must_show import run_cases  # noqa: E402
 from renders import Renderer, read_table  # noqa: E402
 from shapes import check_closed, sphere  # noqa: E402
 
-CASES = ("ball", "image")
 CORES = 2
 GRID, PITCH, CELL = 32, 0.04, 0.005
 BALL, BALL_AT, LAMP_AT = 1.2, np.array([0, 0, 1.5]), np.array([1.0, 0, 4.4])
@@ -155,22 +153,5 @@ def image(arguments, figures):
             figures.tell("image: largest error beside the edge after 10 s, %", 100 * errors[:, edge].max(), 1)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("cases", nargs="*", metavar="CASE", help="some of: " + ", ".join(CASES))
-    parser.add_argument("--ups", default="build/release/bin/ups", help="the program")
-    parser.add_argument("--baseline", help="an earlier build of the program")
-    parser.add_argument("--seeds", type=int, default=4, help="renders of each (4)")
-    parser.add_argument("--out", default="out/hard_meters")
-    arguments = parser.parse_args()
-    unknown = set(arguments.cases) - set(CASES)
-    if unknown:
-        parser.error(f"{sorted(unknown)}: the cases are {list(CASES)}")
-    figures = Figures()
-    for name in arguments.cases or CASES:
-        globals()[name](arguments, figures)
-    sys.exit(1 if figures.missed else 0)
-
-
 if __name__ == "__main__":
-    main()
+    run_cases(__doc__, {"ball": ball, "image": image}, "out/hard_meters")

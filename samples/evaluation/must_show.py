@@ -23,8 +23,6 @@ import choose
 import judged_scenes
 from measuring import BATCHES, Candidate, image_costs_by_reference, take_turns, to_1_percent
 
-CASES = ("glass", "hall", "best", "bathroom")
-
 
 class Figures:
     """Prints figures as they come; remembers whether one missed what is wanted."""
@@ -99,24 +97,27 @@ def bathroom(arguments, figures):
     print("  CPU seconds of a render: " + ", ".join(f"{label} {s:.1f}" for label, s in spent.items()))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("cases", nargs="*", metavar="CASE", help="some of: " + ", ".join(CASES))
+def run_cases(doc, cases, out, **numbers):
+    """The command line of a script of cases, functions of (arguments, figures) by name; numbers: (default, help) of further
+    options. Exits with 1 where a figure is missed."""
+    parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("cases", nargs="*", metavar="CASE", help="some of: " + ", ".join(cases))
     parser.add_argument("--ups", default="build/release/bin/ups", help="the program")
     parser.add_argument("--baseline", help="an earlier build of the program")
-    parser.add_argument("--seconds", type=float, default=10, help="CPU time of a render (10)")
+    for name, (default, help_text) in numbers.items():
+        parser.add_argument(f"--{name}", type=float, default=default, help=f"{help_text} ({default})")
     parser.add_argument("--seeds", type=int, default=4, help="renders of each (4)")
-    parser.add_argument("--reference", type=float, default=12, help="of the bathroom: renders' times so much (12)")
-    parser.add_argument("--out", default="out/must_show")
+    parser.add_argument("--out", default=out)
     arguments = parser.parse_args()
-    unknown = set(arguments.cases) - set(CASES)
+    unknown = set(arguments.cases) - set(cases)
     if unknown:
-        parser.error(f"{sorted(unknown)}: the cases are {list(CASES)}")
+        parser.error(f"{sorted(unknown)}: the cases are {list(cases)}")
     figures = Figures()
-    for name in arguments.cases or CASES:
-        globals()[name](arguments, figures)
+    for name in arguments.cases or cases:
+        cases[name](arguments, figures)
     sys.exit(1 if figures.missed else 0)
 
 
 if __name__ == "__main__":
-    main()
+    run_cases(__doc__, {case.__name__: case for case in (glass, hall, best, bathroom)}, "out/must_show",
+              seconds=(10, "CPU time of a render"), reference=(12, "of the bathroom: renders' times so much"))

@@ -94,7 +94,7 @@ Accumulator::Choices Accumulator::choose_discs(size_t set) const {
   std::vector<NeighbourCurvature> neighbours(count);
   for (const bool alone : {true, false}) {
     for (size_t m = 0; m < count; ++m) {
-      if (visits(m) == 0) continue;
+      if (visits(m) == 0 || (!alone && !neighbours[m].tell())) continue;
       const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
       choices[m] = rings_[set].choose(m * rows, rings, visits(m), neighbours[m]);
       if (!alone) continue;

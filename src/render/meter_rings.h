@@ -18,6 +18,7 @@ namespace ups {
 struct NeighbourCurvature {
   double mean = 0, variance_of_mean = 0;
   double between = INFINITY;  // variance between meters; infinite: nothing is known
+  bool tell() const { return std::isfinite(between); }
   // How much a meter keeps of a bias, lx, that it knows with such a variance; scale: lx m2, illuminance and radius.
   double share_of_own(double scale, double variance) const {
     const double prior = between * scale * scale;

@@ -85,7 +85,7 @@ TEST(Accuracy, NoiseOfAnOfficeIsForetold) {
 
 // A mirror throws a patch of light into a black room; the outer meters stand near its edge, so that bias is what
 // remains. A disc is kept until its bias shows, and then a narrower one is taken: no power of the time, but the time is
-// foretold to a factor of three, in the mean of 3 renders. Before discs have a thousand photons or so they do not see
+// foretold to a factor of two, in the mean of 3 renders. Before discs have a thousand photons or so they do not see
 // the edge, and their error does not fall.
 TEST(Accuracy, BiasAtAnEdgeIsForetold) {
   Scene scene;
@@ -104,7 +104,7 @@ TEST(Accuracy, BiasAtAnEdgeIsForetold) {
     ASSERT_GT(ratio, 0);
     mean += std::log(ratio) / 3;
   }
-  EXPECT_NEAR(mean, 0, std::log(3));
+  EXPECT_NEAR(mean, 0, std::log(2));
 }
 
 // Each criterion ends a render at the second look in a row at which its own error is below.

@@ -86,7 +86,7 @@ TEST(PooledBias, BrightAndDarkMetersTellEachOther) {
 TEST(PooledBias, FewMetersAreAlone) {
   Row row(0, 0);
   row.own.resize(4);
-  for (const NeighbourCurvature& n : neighbour_curvatures(row.own)) EXPECT_FALSE(std::isfinite(n.between));
+  for (const NeighbourCurvature& n : neighbour_curvatures(row.own)) EXPECT_FALSE(n.tell());
 }
 
 }  // namespace
