@@ -144,6 +144,7 @@ struct Raytracer::Impl {
     hit.v = float(weights[2] / sum);
   }
   Hit to_hit(const RTCHit& hit, float t, const Vec3& o, const Vec3& d) const;
+  void place_on_revolution(const Placed& instance, const Revolution& revolution, SurfacePoint& point) const;
   bool normal_at(const Placed& instance, const SurfacePoint& point, const Triangle& triangle, Vec3& out) const;
 };
 
@@ -344,46 +345,66 @@ bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& poin
 
 namespace {
 
-// The point of a triangle, kept off its edges by `inset`: right at an edge rounding would put it behind the next wall.
-Vec3d point_on(const Triangle& triangle, double area, double longest_edge, double u, double v, double inset) {
-  double weights[3] = {1 - u - v, u, v}, sum = 0;
-  for (int i = 0; i < 3; ++i) {
+// Weights of a point of a triangle that is kept off its edges by `inset`: right at an edge rounding would put it behind
+// the next wall.
+void keep_off_edges(const Triangle& triangle, double area, double longest_edge, double inset, double (&weights)[3]) {
+  for (int i = 0; i < 3; ++i)
     if (weights[i] * area < inset * longest_edge) {
       const double needed = inset * length(triangle.p[(i + 2) % 3] - triangle.p[(i + 1) % 3]);
       if (weights[i] * area < needed && needed < 0.125 * area) weights[i] = needed / area;
     }
-    sum += weights[i];
-  }
-  return (triangle.p[0] * weights[0] + triangle.p[1] * weights[1] + triangle.p[2] * weights[2]) / sum;
+}
+
+Vec3d point_by(const Triangle& triangle, const double (&w)[3]) {
+  const Vec3d sum = triangle.p[0] * w[0] + triangle.p[1] * w[1] + triangle.p[2] * w[2];
+  const double total = w[0] + w[1] + w[2];
+  return total == 1 ? sum : sum / total;
 }
 
 }  // namespace
 
+// Of a surface of revolution; error and address are there.
+void Raytracer::Impl::place_on_revolution(const Placed& instance, const Revolution& revolution,
+                                          SurfacePoint& point) const {
+  const RevolutionPoint at =
+      point_at(revolution, point.primitive, double(point.u), double(point.v), double(point.error));
+  const Vec3d n = instance.normals * at.n * instance.side;
+  const double size = length(n);
+  point.p = Vec3(instance.to_scene.point(at.p));
+  point.ng = size > 0 ? Vec3(n / size) : Vec3(0, 0, 1);
+  point.shading = Frame(point.ng);
+}
+
 SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float u, float v) const {
   const Impl::Placed& placed = impl_->placed[instance];
-  const Mesh& mesh = *impl_->traced[placed.traced]->source;
+  const TracedMesh& traced = *impl_->traced[placed.traced];
+  const Mesh& mesh = *traced.source;
+  const Facet* facet = traced.facets.empty() ? nullptr : &traced.facets[primitive];
   const Triangle triangle = impl_->triangle(placed, primitive);
   SurfacePoint point;
   point.instance = instance, point.primitive = primitive;
   point.u = u, point.v = v;
   point.material = mesh.material;
   point.uv = uv_at(mesh, primitive, u, v);
-  const double longest_edge = std::sqrt(triangle.longest_edge2());
-  const float extent = max_abs(Vec3(triangle.at(u, v))) + float(longest_edge);
+  double weights[3] = {1 - double(u) - double(v), double(u), double(v)};
+  const Vec3d at = triangle.p[0] * weights[0] + triangle.p[1] * weights[1] + triangle.p[2] * weights[2];
+  const double longest_edge = facet ? double(facet->longest_edge) : std::sqrt(triangle.longest_edge2());
+  const float extent = max_abs(Vec3(at)) + float(longest_edge);
   point.error = gamma_error * (placed.error_scale * extent + placed.error_offset);
   if (mesh.revolution) {
-    const RevolutionPoint at = point_at(*mesh.revolution, primitive, double(u), double(v), double(point.error));
-    const Vec3d n = placed.normals * at.n * placed.side;
-    const double size = length(n);
-    point.p = Vec3(placed.to_scene.point(at.p));
-    point.ng = size > 0 ? Vec3(n / size) : Vec3(0, 0, 1);
-    point.shading = Frame(point.ng);
+    impl_->place_on_revolution(placed, *mesh.revolution, point);
     return point;
   }
-  const Vec3d area_normal = triangle.area_normal() * placed.side;
-  const double area = length(area_normal);
-  point.ng = area > 0 ? Vec3(area_normal / area) : Vec3(0, 0, 1);
-  point.p = Vec3(point_on(triangle, area, longest_edge, u, v, double(point.error)));
+  const double inset = double(point.error);
+  if (facet && std::min({weights[0], weights[1], weights[2]}) * double(facet->low_height) >= inset) {
+    point.ng = placed.side < 0 ? -facet->ng : facet->ng;
+  } else {
+    const Vec3d area_normal = triangle.area_normal() * placed.side;
+    const double area = length(area_normal);
+    point.ng = area > 0 ? Vec3(area_normal / area) : Vec3(0, 0, 1);
+    keep_off_edges(triangle, area, std::sqrt(triangle.longest_edge2()), inset, weights);
+  }
+  point.p = Vec3(point_by(triangle, weights));
   Vec3 n = point.ng;
   impl_->normal_at(placed, point, triangle, n);
   point.shading = Frame(n);

@@ -111,6 +111,13 @@ void sort_out_triangles(TracedMesh& mesh) {
     for (int k = 0; k < 3; ++k) mesh.indices.push_back(mesh.source->indices[3 * size_t(p) + size_t(k)]);
 }
 
+Facet facet_of(const Triangle& triangle) {
+  const Vec3d area_normal = triangle.area_normal();
+  const double area = length(area_normal), edge = std::sqrt(triangle.longest_edge2());
+  if (!(area > 0)) return {Vec3(0, 0, 1), float(edge), 0};
+  return {Vec3(area_normal / area), float(edge), float(area / edge * (1 - 0x1p-20))};
+}
+
 }  // namespace
 
 std::unique_ptr<TracedMesh> make_traced_mesh(const Mesh& mesh, const std::vector<SurfaceTexturing>& texturing,
@@ -126,6 +133,11 @@ std::unique_ptr<TracedMesh> make_traced_mesh(const Mesh& mesh, const std::vector
     sort_out_triangles(*traced);
   else if (bake)
     traced->to_frame = *bake, traced->from_frame = inverse(*bake);
+  if (bake && !mesh.revolution) {
+    traced->facets.reserve(mesh.triangle_count());
+    for (size_t i = 0; i < mesh.triangle_count(); ++i)
+      traced->facets.push_back(facet_of(traced->triangle(uint32_t(i))));
+  }
   return traced;
 }
 

@@ -21,6 +21,13 @@ struct Triangle {
 // plane.
 bool meet_plane(const Triangle& triangle, const Vec3d& o, const Vec3d& d, double (&weights)[3], double& t);
 
+// What a triangle of a baked mesh always is, found once.
+struct Facet {
+  Vec3 ng;             // by its winding; unit, (0, 0, 1) where it has no area
+  float longest_edge;
+  float low_height;    // above the longest edge, rounded down
+};
+
 struct TracedMesh {
   const Mesh* source = nullptr;
   const SurfaceTexturing* texturing = nullptr;
@@ -29,6 +36,7 @@ struct TracedMesh {
   std::vector<uint32_t> primitives;  // their numbers in the mesh
   std::vector<uint32_t> indices;     // their vertices
   bool has_thin = false;             // some triangle is so thin that Embree's hits of it are checked
+  std::vector<Facet> facets;         // of a baked mesh of triangles, by their numbers in the mesh
 
   // Of a surface of revolution: from its own frame to Embree's and back, and what has a box of its own.
   struct Piece {
