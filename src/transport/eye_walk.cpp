@@ -17,6 +17,7 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
   edge_.scatter.pdf = pdf_w;
   specular_ = true;
   walk();
+  test_edges();
   return tally_;
 }
 
@@ -28,7 +29,9 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
     merge(eye);
     eye.surface.ng = frame.n;
   }
-  return gather_at_meter(eye);
+  gather_at_meter(eye);
+  test_edges();
+  return tally_;
 }
 
 EyeTally EyeWalk::from_meter(const Vec3& p, float error, const Frame& frame) {
@@ -38,26 +41,27 @@ EyeTally EyeWalk::from_meter(const Vec3& p, float error, const Frame& frame) {
     const Vec2 disc = square_to_disc({rng_.get(0, Slot::perturb_x), rng_.get(0, Slot::perturb_y)});
     eye.surface.p += (frame.s * disc.x + frame.t * disc.y) * float(sensor_.first.radius);
   }
-  const EyeTally found = gather_at_meter(eye);
+  gather_at_meter(eye);
+  test_edges();
   add_separated();
-  return found;
+  return tally_;
 }
 
-EyeTally EyeWalk::gather_at_meter(EyeEnd& eye) {
+void EyeWalk::gather_at_meter(EyeEnd& eye) {
   const Method& method = in_.settings.method;
-  if (method.eye_end == EyeEndOf::first_merge) return tally_;  // photons land on the meter itself
+  if (method.eye_end == EyeEndOf::first_merge) return;  // photons land on the meter itself
   const bool ends = method.eye_end == EyeEndOf::first_surface;
-  if (ends && sensor_.cell) return tally_;  // so do light paths
+  if (ends && sensor_.cell) return;  // so do light paths
   const Arrival arrival{eye.surface};
   if (ends || in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE))
     if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(0, Slot::choice), rng_.position(0),
                                      sensor_.direct_found_from))
-      add(*c, Drop::light_sample);
+      offer(*c, Drop::light_sample);
   if (counts_.connect > 0) connect_one(eye, arrival);
-  if (ends) return tally_;
+  if (ends) return;
 
   const Vec3 local = square_to_cosine_hemisphere(rng_.direction(0));
-  if (local.z < min_cosine) return tally_;
+  if (local.z < min_cosine) return;
   last_ = {eye.surface.p, eye.surface.ng};
   direction_ = eye.surface.shading.to_world(local);
   origin_ = eye.surface.ray_origin(eye.surface.ng);
@@ -66,7 +70,6 @@ EyeTally EyeWalk::gather_at_meter(EyeEnd& eye) {
   edge_.state = eye.state;
   edge_.scatter = {local.z * inv_pi, 1, local.z, eye.merge};
   walk();
-  return tally_;
 }
 
 void EyeWalk::walk() {
@@ -105,13 +108,65 @@ void EyeWalk::gather(const EyeEnd& eye) {
     if (in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE))
       if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice),
                                        rng_.position(eye.edges)))
-        add(*c, Drop::light_sample);
+        offer(*c, Drop::light_sample);
     if (counts_.connect > 0) connect_one(eye, arrival);
   }
   if (eye.merge) merge(eye);
 }
 
-void EyeWalk::add(const Contribution& c, Drop drop, double share) {
+// Emptied: of a path that was broken off some may be left.
+std::vector<EyeWalk::WaitingEdge>& EyeWalk::kept_edges() {
+  static const PerThread<std::vector<WaitingEdge>> kept;
+  kept.get().clear();
+  return kept.get();
+}
+
+void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
+  if (!c.media || in_.recorder) return test_edge(c, drop, share);
+  const double size = luminance(c.value) * share * c.weight(in_, 1);
+  if (!std::isfinite(size)) return work_.drop(drop);
+  if (size > 0) edges_.push_back({c, *c.media, drop, share, size});
+}
+
+namespace {
+
+// Of an eye path. Timed against 1, 2, 4 and all of them at equal error: in the bathroom 0.90 of the time of all, in an
+// office and in a box with two balls 0.97.
+constexpr int shadow_rays = 3;
+
+}  // namespace
+
+// The size t for which probabilities min(1, size / t) have the sum `shadow_rays`.
+double EyeWalk::size_of_certain_edges() const {
+  double t = INFINITY;
+  for (;;) {
+    double rest = 0;
+    int certain = 0;
+    for (const WaitingEdge& e : edges_)
+      if (e.size >= t) ++certain;
+      else rest += e.size;
+    const double next = rest / (shadow_rays - certain);
+    if (!(next < t)) return t;
+    t = next;
+  }
+}
+
+// Which edges get a shadow ray is drawn in proportion to what they would bring, with a fixed number in all: where all
+// are free, nothing is lost by it (systematic sampling with probabilities in proportion to size, Madow 1949).
+void EyeWalk::test_edges() {
+  const bool all = edges_.size() <= size_t(shadow_rays);
+  const double certain = all ? 0 : size_of_certain_edges();
+  double sum = all ? 0 : rng_.get(0, Slot::roulette);
+  for (WaitingEdge& e : edges_) {
+    const double probability = all ? 1 : std::min(1.0, e.size / certain), before = sum;
+    if (probability < 1 && std::floor(sum += probability) == std::floor(before)) continue;
+    e.found.media = &e.media;
+    test_edge(e.found, e.drop, e.share / probability);
+  }
+  edges_.clear();
+}
+
+void EyeWalk::test_edge(const Contribution& c, Drop drop, double share) {
   Passage way;
   if (c.media && is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
   if (in_.recorder) in_.recorder->found(c, way.pass, none);
@@ -181,7 +236,7 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
   const double pdf_a = edge_.scatter.pdf * met_.pass(distance) * cos_in / (double(distance) * distance);
   const EyeHit eye{arrive({p, {}}, cos_in, distance), counts_, last_, p, -direction_, pdf_a,
                    edge_.kind == Edge::continuous, edges, carried_ * transmittance};
-  if (const Found c = hit(in_, eye, emitter, primitive)) add(*c, Drop::emitter_hit);
+  if (const Found c = hit(in_, eye, emitter, primitive)) offer(*c, Drop::emitter_hit);
 }
 
 // The light path's vertices as connections read them, made at the first that needs them.
@@ -220,7 +275,7 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
   size_t chosen = 0;
   while (chosen + 1 < all.size() && (target -= all[chosen].second) >= 0) ++chosen;
   ++work_.connections;
-  add(all[chosen].first, Drop::connect, sum / all[chosen].second);
+  offer(all[chosen].first, Drop::connect, sum / all[chosen].second);
 }
 
 // Density estimation at an eye vertex: photons on the same side of the same surface within the radius.

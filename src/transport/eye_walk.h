@@ -1,6 +1,7 @@
 // One eye path: from a sensor's point through the scene, every technique at every vertex. Used by the eye pass.
 #pragma once
 #include <span>
+#include <vector>
 
 #include "transport/eye_pass.h"
 #include "transport/techniques.h"
@@ -38,7 +39,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
  public:
   EyeWalk(const Iteration& in, const Photons& photons, const EyeSensor& sensor, const PathSampler& rng,
           WorkCounts& work)
-      : Subpath(in, rng, work), photons_(photons), sensor_(sensor) {
+      : Subpath(in, rng, work), photons_(photons), sensor_(sensor), edges_(kept_edges()) {
     counts_ = sensor.counts;
     media_ = *sensor.media;
   }
@@ -57,7 +58,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   mis::EyeState first_state(const Receiver&, float cos_in, double d2, double pass) const {
     return mis::eye_first(counts_, edge_.scatter.pdf, cos_in, d2, pass);
   }
-  EyeTally gather_at_meter(EyeEnd& eye);
+  void gather_at_meter(EyeEnd& eye);
   void gather(const EyeEnd& eye);
   void walk();
   void hit_openings(uint32_t edges);
@@ -71,8 +72,20 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
     return eye.edges == 0 || (sensor_.camera && !scattered_) ? sensor_.first : sensor_.later;
   }
 
-  // Tests the edge that it makes, if any, and adds it up; `share` of it was chosen to stand for the whole.
-  void add(const Contribution& c, Drop drop, double share = 1);
+  // An edge of path integration that waits for its shadow ray.
+  struct WaitingEdge {
+    Contribution found;
+    MediaStack media;
+    Drop drop;
+    double share;
+    double size;  // lx or cd/m^2 that it brings if it is free
+  };
+  static std::vector<WaitingEdge>& kept_edges();
+  // Adds it up, or where it makes an edge keeps it until the path's end; `share` of it was chosen to stand for the whole.
+  void offer(const Contribution& c, Drop drop, double share = 1);
+  void test_edges();  // of those kept
+  double size_of_certain_edges() const;
+  void test_edge(const Contribution& c, Drop drop, double share);
   void add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop drop, double share = 1);
   void keep_separated(uint32_t emitter, double lx, double direct, double bias);
   void add_separated();  // what was kept, once for the whole path
@@ -80,6 +93,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   const Photons& photons_;
   const EyeSensor& sensor_;
   EyeTally tally_;
+  std::vector<WaitingEdge>& edges_;
   std::span<const std::pair<LightEnd, uint32_t>> light_ends_;
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
