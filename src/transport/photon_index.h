@@ -14,7 +14,7 @@ class PhotonIndex {
  public:
   PhotonIndex() = default;
   // Holds the vertices whose `merge` gate is open. max_radius > 0 bounds every later query.
-  PhotonIndex(const std::vector<LightVertex>& vertices, float max_radius) : cell_(2 * max_radius) {
+  PhotonIndex(const std::vector<LightVertex>& vertices, float max_radius) : per_cell_(1 / (2 * max_radius)) {
     std::vector<uint32_t> which;
     for (uint32_t i = 0; i < vertices.size(); ++i)
       if (vertices[i].merge) which.push_back(i);
@@ -41,20 +41,27 @@ class PhotonIndex {
     if (!may_find(p)) return;
     const float r2 = radius * radius;
     const Cell lo = cell_of(p - Vec3(radius, radius, radius)), hi = cell_of(p + Vec3(radius, radius, radius));
-    uint32_t seen[8];
+    // Rows of cells along x. All their places are asked for before the first photon is looked at, so that
+    // memory answers to all at once.
+    uint32_t seen[27], begin[27], end[27];  // 8, but for rounding
     int count = 0;
     for (int64_t z = lo.z; z <= hi.z; ++z)
-      for (int64_t y = lo.y; y <= hi.y; ++y)
+      for (int64_t y = lo.y; y <= hi.y; ++y) {
+        const uint32_t row = hash(y, z);
         for (int64_t x = lo.x; x <= hi.x; ++x) {
-          const uint32_t b = bucket_of({x, y, z}), begin = begin_[b], end = begin_[b + 1];
+          const uint32_t b = (row + uint32_t(x)) & mask_;
           // Two of the cells may share a bucket: its photons must not count twice.
-          if (begin == end || std::find(seen, seen + count, b) != seen + count) continue;
-          if (count < 8) seen[count++] = b;
-          for (uint32_t i = begin; i < end; ++i) {
-            const float d2 = length2(photons_[i].p - p);
-            if (d2 < r2) visit(photons_[i].vertex, d2);
-          }
+          if (std::find(seen, seen + count, b) != seen + count) continue;
+          seen[count] = b, begin[count] = begin_[b], end[count] = begin_[b + 1];
+          ++count;
         }
+      }
+    for (int k = 0; k < count; ++k) __builtin_prefetch(photons_.data() + begin[k]);
+    for (int k = 0; k < count; ++k)
+      for (uint32_t i = begin[k]; i < end[k]; ++i) {
+        const float d2 = length2(photons_[i].p - p);
+        if (d2 < r2) visit(photons_[i].vertex, d2);
+      }
   }
 
  private:
@@ -93,23 +100,24 @@ class PhotonIndex {
     return near_[coarse(p.z, low_.z) * side + coarse(p.y, low_.y)] >> coarse(p.x, low_.x) & 1;
   }
 
-  // A query's box spans at most two cells an axis because a cell is two radii wide.
+  // A query's box spans at most two cells an axis, or rounding makes it three: a cell is two radii wide.
   Cell cell_of(const Vec3& p) const {
     const auto floored = [](float x) {
       const auto towards_zero = int64_t(x);
       return towards_zero - (x < float(towards_zero));
     };
-    return {floored(p.x / cell_), floored(p.y / cell_), floored(p.z / cell_)};
+    return {floored(p.x * per_cell_), floored(p.y * per_cell_), floored(p.z * per_cell_)};
   }
-  uint32_t bucket_of(const Cell& c) const {
-    uint64_t h = uint64_t(c.x) * 0x9e3779b97f4a7c15ull ^ uint64_t(c.y) * 0xc2b2ae3d27d4eb4full ^
-                 uint64_t(c.z) * 0x165667b19e3779f9ull;
+  // Cells that follow one another along x are neighbours in memory, too.
+  static uint32_t hash(int64_t y, int64_t z) {
+    uint64_t h = uint64_t(y) * 0xc2b2ae3d27d4eb4full ^ uint64_t(z) * 0x165667b19e3779f9ull;
     h ^= h >> 32;
     h *= 0xd6e8feb86659fd93ull;
-    return uint32_t(h >> 32) & mask_;
+    return uint32_t(h >> 32);
   }
+  uint32_t bucket_of(const Cell& c) const { return (hash(c.y, c.z) + uint32_t(c.x)) & mask_; }
 
-  float cell_ = 1;
+  float per_cell_ = 1;
   uint32_t mask_ = 0;
   std::vector<uint32_t> begin_;
   std::vector<Photon> photons_;
