@@ -239,43 +239,51 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
   if (const Found c = hit(in_, eye, emitter, primitive)) offer(*c, Drop::emitter_hit);
 }
 
-// The light path's vertices as connections read them, made at the first that needs them.
-std::span<const std::pair<LightEnd, uint32_t>> EyeWalk::light_ends() {
-  if (!light_ends_.empty()) return light_ends_;
-  static const PerThread<std::vector<std::pair<LightEnd, uint32_t>>> kept;
-  auto& ends = kept.get();
-  const uint32_t first = sensor_.first_light_vertex, count = sensor_.end_light_vertex - first;
-  if (ends.size() < count) ends.resize(count);
-  for (uint32_t i = 0; i < count; ++i) {
-    const LightVertex& l = photons_.paths.vertices[first + i];
-    l.fill(scene_, ends[i].first);
-    ends[i].second = l.emitter;
+LightEnd& EyeWalk::light_end(uint32_t i) {
+  if (!light_ends_) {
+    static const PerThread<std::vector<LightEnd>> kept;
+    light_ends_ = &kept.get();
+    const uint32_t count = sensor_.end_light_vertex - sensor_.first_light_vertex;
+    if (light_ends_->size() < count) light_ends_->resize(count);
+    for (uint32_t k = 0; k < count; ++k) (*light_ends_)[k].edges = 0;
   }
-  return light_ends_ = {ends.data(), count};
+  LightEnd& end = (*light_ends_)[i];
+  if (end.edges == 0) photons_.paths.vertices[sensor_.first_light_vertex + i].fill(scene_, end);
+  return end;
 }
 
-// All connections of a vertex, by one of them: each is weighed without its shadow ray, one is chosen in proportion and
-// stands for their sum if its ray is free (Talbot et al. 2005, resampled importance sampling).
+// All connections of a vertex, by one of them: chosen about in proportion to what each would bring without its shadow
+// ray, it stands for their sum if its ray is free (Talbot et al. 2005, resampled importance sampling). Between Lambertian
+// surfaces an estimate does; else all is evaluated.
 void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
-  static const PerThread<std::vector<std::pair<Contribution, double>>> kept;
-  auto& all = kept.get();
-  all.clear();
+  static const PerThread<std::vector<double>> kept;
+  std::vector<double>& sizes = kept.get();
+  sizes.clear();
+  const bool estimates = !in_.settings.actual_perturbation && (!eye.bsdf || eye.bsdf->min_alpha_continuous() == 1);
+  const LightVertex* lights = photons_.paths.vertices.data() + sensor_.first_light_vertex;
+  const uint32_t count = sensor_.end_light_vertex - sensor_.first_light_vertex;
+  const auto found = [&](uint32_t i) { return connect(in_, counts_, eye, arrival, light_end(i), lights[i].emitter); };
   double sum = 0;
-  for (const auto& [light, emitter] : light_ends()) {
-    const Found c = connect(in_, counts_, eye, arrival, light, emitter);
-    if (!c) continue;
-    const double size = luminance(c->value) * c->weight(in_, 1);
+  for (uint32_t i = 0; i < count; ++i) {
+    double size = 0;
+    if (estimates && lights[i].lambertian)
+      size = connection_estimate(in_, counts_, eye, lights[i]);
+    else if (const Found c = found(i))
+      size = luminance(c->value) * c->weight(in_, 1);
     if (!std::isfinite(size)) work_.drop(Drop::connect);
-    if (!(size > 0) || !std::isfinite(size)) continue;
-    sum += size;
-    all.emplace_back(*c, size);
+    sizes.push_back(size > 0 && std::isfinite(size) ? size : 0);
+    sum += sizes.back();
   }
-  if (all.empty()) return;
+  if (!(sum > 0)) return;
   double target = sum * rng_.get(eye.edges, Slot::connection);
-  size_t chosen = 0;
-  while (chosen + 1 < all.size() && (target -= all[chosen].second) >= 0) ++chosen;
+  uint32_t chosen = none;
+  for (uint32_t i = 0; i < count; ++i) {
+    if (!(sizes[i] > 0)) continue;
+    chosen = i;
+    if ((target -= sizes[i]) < 0) break;
+  }
   ++work_.connections;
-  offer(all[chosen].first, Drop::connect, sum / all[chosen].second);
+  if (const Found c = found(chosen)) offer(*c, Drop::connect, sum / sizes[chosen]);
 }
 
 // Density estimation at an eye vertex: photons on the same side of the same surface within the radius.

@@ -1,6 +1,5 @@
 // One eye path: from a sensor's point through the scene, every technique at every vertex. Used by the eye pass.
 #pragma once
-#include <span>
 #include <vector>
 
 #include "transport/eye_pass.h"
@@ -67,7 +66,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   bool perturb(const EyeEnd& eye, Arrival& out);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
   void merge(const EyeEnd& eye);
-  std::span<const std::pair<LightEnd, uint32_t>> light_ends();  // with their emitters
+  LightEnd& light_end(uint32_t i);  // the light path's vertex as connections read it
   const EyeSensor::Disc& disc(const EyeEnd& eye) const {
     return eye.edges == 0 || (sensor_.camera && !scattered_) ? sensor_.first : sensor_.later;
   }
@@ -94,7 +93,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   const EyeSensor& sensor_;
   EyeTally tally_;
   std::vector<WaitingEdge>& edges_;
-  std::span<const std::pair<LightEnd, uint32_t>> light_ends_;
+  std::vector<LightEnd>* light_ends_ = nullptr;  // of edges 0: not yet made
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
 };

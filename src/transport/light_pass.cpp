@@ -181,6 +181,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     v.relative_ior = met_.relative_ior;
     v.depth = uint16_t(std::min<uint32_t>(light.edges, 0xffff));
     v.merge = light.merge;
+    v.lambertian = light.bsdf->min_alpha_continuous() == 1;
+    v.both_sides = light.bsdf->transmits_continuously();
     v.mis = light.state;
     block_.vertices.push_back(v);
     ++block_.counts.back();

@@ -6,15 +6,16 @@
 
 namespace ups {
 
-// What a vertex draws. A light path's vertex 0 is the emitter, an eye path's the sensor.
+// What a vertex draws. A light path's vertex 0 is the emitter, an eye path's the sensor. Philox gives four at a time,
+// so those that are drawn together stand together.
 enum class Slot {
   choice, position_x, position_y,  // next-event estimation; a light path's vertex 0: its emitter
-  direction_x, direction_y, lobe, roulette,
+  connection,                      // which of a vertex's connections gets its shadow ray
+  direction_x, direction_y, lobe, roulette,  // an eye path's vertex 0: roulette of its shadow rays
   cell_x, cell_y,  // a point in a meter's cell
-  pane = cell_x,   // of a later vertex: which panes the edge to it goes through
-  connection = cell_y + 1,  // which of a vertex's connections gets its shadow ray
   perturb_x, perturb_y,  // where path integration arrives beside the vertex
-  count
+  count,
+  pane = cell_x  // of a later vertex: which panes the edge to it goes through
 };
 
 // All that draws numbers of its own. Two streams share none, whatever their seeds: the seed alone is Philox's key, by a
@@ -76,9 +77,9 @@ class PathSampler {
  private:
   // The best dimensions go where most of the variance is: the first two directions, then emitters, lobes, later ones.
   static int sobol_dimension(uint32_t vertex, Slot slot) {
-    static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, 0, 1, -1, -1, 18, 19, -1, -1, -1},
-                                                      {9, 10, 11, 2, 3, 8, -1, 7, -1, -1, -1, -1},
-                                                      {15, 16, 17, 12, 13, 14, -1, -1, -1, -1, -1, -1}};
+    static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, -1, 0, 1, -1, -1, 18, 19, -1, -1},
+                                                      {9, 10, 11, -1, 2, 3, 8, 7, -1, -1, -1, -1},
+                                                      {15, 16, 17, -1, 12, 13, 14, -1, -1, -1, -1, -1}};
     return vertex < 3 ? table[vertex][int(slot)] : -1;
   }
 

@@ -140,6 +140,24 @@ Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, cons
   return c;
 }
 
+// The geometry and, of the weight, the techniques that make the same edge in another way: connections next to it and
+// merges at its ends (mis::others_of_connect).
+float connection_estimate(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& light) {
+  if (in.is_too_long(eye.edges + 1 + light.depth)) return 0;
+  const Vec3 to = light.p - eye.surface.p;
+  const float d2 = length2(to), cos_eye = dot(to, eye.surface.ng), cos_light = -dot(to, light.ng);
+  if (!(d2 > 0)) return 0;
+  const bool eye_faces = eye.bsdf ? eye.bsdf->transmits_continuously() || cos_eye * dot(eye.wo, eye.surface.ng) > 0
+                                  : cos_eye > 0;
+  if (!eye_faces || !(light.both_sides || cos_light * dot(light.wo, light.ng) > 0)) return 0;
+  const float g = std::abs(cos_eye * cos_light) / (d2 * d2);
+  constexpr float dark = 0.05f;  // of a coat or what shines through
+  const float size = luminance(light.flux) * std::max(dark, max_component(light.textured.reflectance)) * g;
+  if (!in.weighted()) return size;
+  const double photons = light.merge ? (light.mis.casters ? 1.0 : n.merge_all) * n.eta : 0.0;
+  return size / float(1 + g * double(inv_pi) * (light.mis.inverse_density + eye.state.by_connection + photons));
+}
+
 std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd& light, uint32_t emitter) {
   const Camera& camera = in.scene.cameras[index];
   const uint32_t edges = light.edges + 1;

@@ -58,6 +58,9 @@ Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye,
                    const Vec2& u_position, float found_from = INFINITY);
 Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // 2 <= s <= k
               const LightEnd& light, uint32_t emitter);
+// About what that brings, unoccluded, where both ends are Lambertian: for a choice among light vertices.
+// Zero only where it brings nothing.
+float connection_estimate(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& light);
 struct Splatted {
   Contribution contribution;
   uint32_t pixel;
