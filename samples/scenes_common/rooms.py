@@ -161,6 +161,36 @@ def hall(scene, luminaires=64):
     workplane(scene, "workplane", (0, 0), (side, side), 0.75, 16, 16)
 
 
+def ball(radius, facets_around):
+    """Of facets_around x facets_around / 2 faces with smooth normals."""
+    angle = np.linspace(0, np.pi, facets_around // 2 + 1)
+    sine, cosine = np.sin(angle), np.cos(angle)
+    sine[[0, -1]] = 0
+    return lathe([np.stack([radius * sine, radius * cosine, sine, cosine], 1)], facets_around)
+
+
+def box_with_balls(scene, facets_around=384):
+    """A box of twelve quads, 2 m wide, with a mirror ball and a glass ball under a point light, and a camera: what small
+    research renderers are shown with."""
+    colours = {"white": 0.76, "red": [0.60, 0.06, 0.06], "green": [0.10, 0.50, 0.10]}
+    paints = {name: scene.material(name, {"model": "matte", "reflectance": c}) for name, c in colours.items()}
+
+    def halves(corner, a, b):
+        corner, half, b = np.array(corner, float), np.array(a) / 2, np.array(b)
+        return [quad(corner, half, b), quad(corner + half, half, b)]
+
+    scene.shape("white", merged(halves((-1, -1, -1), (2, 0, 0), (0, 2, 0)) + halves((-1, 1, 1), (2, 0, 0), (0, -2, 0)) +
+                                halves((-1, 1, -1), (2, 0, 0), (0, 0, 2)) + halves((1, -1, -1), (-2, 0, 0), (0, 0, 2))),
+                paints["white"])
+    scene.shape("red", merged(halves((-1, -1, -1), (0, 2, 0), (0, 0, 2))), paints["red"])
+    scene.shape("green", merged(halves((1, 1, -1), (0, -2, 0), (0, 0, 2))), paints["green"])
+    for name, x, y, words in (("mirror", -0.45, 0.3, {"model": "mirror", "reflectance": 1.0}),
+                              ("glass", 0.45, -0.3, {"model": "glass", "ior": 1.5})):
+        scene.shape(name + " ball", ball(0.4, facets_around).moved(x, y, -0.6), scene.material(name, words))
+    scene.point_light("lamp", (0, 0, 0.8), 50)
+    scene.camera("view", (0, -0.97, 0), (0, 1, -0.2), 80, 512, 512)
+
+
 def add_plants(scene, places, scale):
     parts = (("pots", plant.pot(), "clay"), ("soil", plant.soil(), "clay"), ("leaves", plant.leaves(), "leaf"))
     for name, part, material in parts:
