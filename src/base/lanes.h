@@ -19,6 +19,11 @@ inline Float4 copysign(Float4 size, Float4 sign) {
 inline Float4 sqrt(Float4 x) {
   return Float4{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
 }
+inline bool any(Int4 mask) {
+  using Long2 = int64_t __attribute__((vector_size(16)));
+  return (Long2(mask)[0] | Long2(mask)[1]) != 0;
+}
+inline bool any(bool mask) { return mask; }
 inline Int4 truncated(Float4 x) { return __builtin_convertvector(x, Int4); }
 inline int truncated(float x) { return int(x); }
 

@@ -53,10 +53,11 @@ class LightTree {
     uint32_t lobe;
     uint32_t end;  // one past the last node below this one, which all follow it: the left child first
   };
-  // What is weighed four at once of a list's nodes, with the frames of their lobes.
+  // What is weighed four at once of a list's nodes, with the frames of their lobes. The last lanes may repeat a node.
   struct Lanes {
     Vec3T<Float4> center, half, s, t, n;
-    Float4 intensity, spread, radius2, largest_falloff;
+    Float4 intensity, spread, flux, radius2, largest_falloff;
+    const Lobe* lobe[lane_count];
   };
   struct View;
   template <class Real> struct Seen;
