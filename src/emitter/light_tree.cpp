@@ -168,15 +168,15 @@ EmitterChoice LightTree::choose(const Receiver& receiver, float u) const {
   const View view(receiver);
   Cut c;
   cut(view, c);
+  // Where the sum of shares passes u. All are added up, as that takes less time than a wrong guess where to end.
   double below = 0, start = 0;
   uint32_t at = none;
   for (uint32_t i = 0; i < c.size; ++i) {
     const double share = c.shares(i).sum();
-    if (!(share > 0)) continue;
-    at = i;
-    start = below;
-    below += share;
-    if (u < below) break;  // rounding may leave u above the last one, which is then taken
+    const bool taken = share > 0 && !(u < below);  // rounding may leave u above the last one, which is then taken
+    at = taken ? i : at;
+    start = taken ? below : start;
+    below += share > 0 ? share : 0;
   }
   if (at == none) return {};
   uint32_t k = c.node[at];
