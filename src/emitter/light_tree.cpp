@@ -56,28 +56,28 @@ inline LightTree::Seen<Real> LightTree::see(const View& view, const Vec3T<Real>&
   Seen<Real> out;
   out.to = center - all_lanes<Real>(view.p);
   const Real d2 = length2(out.to);
-  out.inverse = 1 / sqrt(d2 < least ? least : d2);
+  out.inverse = 1 / sqrt(larger(least, d2));
   out.falloff = out.inverse * out.inverse;
   out.reach = dot(all_lanes<Real>(view.size_n), half);
   out.along = dot(all_lanes<Real>(view.n), out.to);
   const Real reach = out.reach, height = view.both_sides ? abs(out.along) : out.along;
   Real seen = height;
-  if (const auto is_cut = abs(height) < reach; any(is_cut)) {  // on the average of a box partly behind the plane
+  if (const auto is_cut = abs(height) < reach; bits_of(is_cut)) {  // on the average of a box partly behind the plane
     const Real above = height + reach;
     const Real part = view.both_sides ? (height * height + reach * reach) / (2 * reach) : above * above / (4 * reach);
     seen = is_cut ? part : height;
   }
   const Real cosine = seen * out.inverse;
-  out.cosine = view.all_around ? one : cosine < one ? cosine : one;
+  out.cosine = view.all_around ? one : smaller(cosine, one);
   return out;
 }
 
 // Of: a node, or several.
 template <class Real, class Of>
 inline Real LightTree::estimate(const Of& node, const Seen<Real>& seen, const Real& lobe) {
-  const Real one = all_lanes<Real>(1), large = node.radius2 * seen.falloff, most = node.largest_falloff;
-  const Real intensity = node.intensity * lobe + node.spread * (large < one ? large : one);
-  return intensity * seen.cosine * (most < seen.falloff ? most : seen.falloff);
+  const Real large = smaller(node.radius2 * seen.falloff, all_lanes<Real>(1));
+  const Real intensity = node.intensity * lobe + node.spread * large;
+  return intensity * seen.cosine * smaller(Real(node.largest_falloff), seen.falloff);
 }
 
 // False where the node cannot shine.
@@ -97,31 +97,41 @@ void LightTree::fill_lanes() {
     const Lobe& lobe = lobes_[node.lobe];
     const auto put = [lane](const Vec3& v, Vec3T<Float4>& to) { to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z; };
     put(node.center, lanes.center), put(node.half, lanes.half);
-    put(lobe.frame.s, lanes.s), put(lobe.frame.t, lanes.t), put(lobe.frame.n, lanes.n);
+    put(-lobe.frame.s, lanes.minus_s), put(-lobe.frame.t, lanes.minus_t), put(-lobe.frame.n, lanes.minus_n);
     lanes.intensity[lane] = node.intensity, lanes.spread[lane] = node.spread, lanes.flux[lane] = node.flux;
     lanes.radius2[lane] = node.radius2, lanes.largest_falloff[lane] = node.largest_falloff;
     lanes.lobe[lane] = &lobe;
+    lanes.all_fine = (lane == 0 || lanes.all_fine) && lobe.shape == Lobe::Shape::fine;
+    lanes.used[lane] = k < nodes_.size() ? -1 : 0;
   }
+}
+
+Float4 LightTree::lobes(const Lanes& lanes, const Seen<Float4>& seen) {
+  Float4 out;
+  for (int i = 0; i < lane_count; ++i)
+    out[i] = lanes.lobe[i]->towards({-seen.to.x[i], -seen.to.y[i], -seen.to.z[i]}, seen.inverse[i]);
+  return out;
+}
+
+inline Float4 LightTree::fine_lobes(const Lanes& lanes, const Seen<Float4>& seen) {
+  const Int4 texel = Lobe::Fine::texel(
+      Vec3T<Float4>(dot(seen.to, lanes.minus_s), dot(seen.to, lanes.minus_t), dot(seen.to, lanes.minus_n)));
+  const auto towards = [&](int i) { return lanes.lobe[i]->table[texel[i]]; };
+  return Float4{towards(0), towards(1), towards(2), towards(3)};
 }
 
 void LightTree::weigh_list(const View& view, Cut& out) const {
   const bool one_side = !(view.all_around || view.both_sides);
-  const uint32_t size = uint32_t(nodes_.size());
-  for (uint32_t first = 0; first < size; first += lane_count) {
-    const Lanes& lanes = lanes_[first / lane_count];
+  for (size_t group = 0; group < lanes_.size(); ++group) {
+    const Lanes& lanes = lanes_[group];
     const Seen<Float4> seen = see(view, lanes.center, lanes.half);
-    const Vec3T<Float4> from = -seen.to;
-    const Int4 texel = Lobe::Fine::texel(Vec3T<Float4>(dot(from, lanes.s), dot(from, lanes.t), dot(from, lanes.n)));
-    const auto towards = [&](int i) {
-      const Lobe& lobe = *lanes.lobe[i];
-      return lobe.shape == Lobe::Shape::fine ? lobe.table[texel[i]]
-                                             : lobe.towards({from.x[i], from.y[i], from.z[i]}, seen.inverse[i]);
-    };
-    const Float4 estimates = estimate(lanes, seen, Float4{towards(0), towards(1), towards(2), towards(3)});
-    const Int4 front = seen.along > -seen.reach;
+    const uint32_t counts = bits_of(one_side ? lanes.used & (seen.along > -seen.reach) : lanes.used);
+    if (!counts) continue;
+    const Float4 estimates = estimate(lanes, seen, lanes.all_fine ? fine_lobes(lanes, seen) : lobes(lanes, seen));
     for (uint32_t i = 0; i < lane_count; ++i) {  // without a branch: each in turn where the next one is to go
-      out.estimate[out.size] = estimates[i], out.flux[out.size] = lanes.flux[i], out.node[out.size] = first + i;
-      out.size += uint32_t(first + i < size) & (uint32_t(!one_side) | uint32_t(front[i] != 0));
+      out.estimate[out.size] = estimates[i], out.flux[out.size] = lanes.flux[i];
+      out.node[out.size] = uint32_t(group) * lane_count + i;
+      out.size += counts >> i & 1;
     }
   }
 }
