@@ -22,7 +22,7 @@ inline Float4 copysign(Float4 size, Float4 sign) {
 inline Float4 sqrt(Float4 x) {
   return Float4{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
 }
-// a where it is the larger or smaller, else b: of one number that is none, b. Compilers see no single instruction in it.
+// a where it is the larger or smaller, else b, also where either is no number: single instructions.
 inline float larger(float a, float b) { return a > b ? a : b; }
 inline float smaller(float a, float b) { return a < b ? a : b; }
 #if defined(__SSE2__)
