@@ -87,13 +87,16 @@ void check_angles(const std::vector<double>& angle, const char* field, double fi
   }
 }
 
-struct Direction {
-  double x, y, z;
+template <class Real>
+struct DirectionT {
+  Real x, y, z;
 };
+using Direction = DirectionT<double>;
 
 // Into the frame in which a table of this type is azimuth and polar angle (the polar angle counts from -z): signed axes
 // of the luminaire's frame. 0 - z rather than -z, so that the horizon is not at an azimuth of 180 degrees.
-Direction to_native(PhotometricType type, const Direction& d) {
+template <class Real>
+DirectionT<Real> to_native(PhotometricType type, const DirectionT<Real>& d) {
   if (type == PhotometricType::b) return {0 - d.z, d.x, 0 - d.y};  // forward, up, right
   if (type == PhotometricType::a) return {0 - d.z, 0 - d.y, d.x};  // forward, right, up
   return d;
@@ -130,6 +133,7 @@ Distribution::Distribution(PhotometricType type, std::vector<double> plane_deg, 
   build_sampling_tables();
   if (!std::isfinite(band_flux_lm_) || !std::isfinite(interpolated_flux_lm_))
     throw std::invalid_argument("intensity_cd has values too large to add up");
+  if (interpolated_flux_lm_ > 0) build_density_table();
 }
 
 void Distribution::check_table() const {
@@ -205,6 +209,22 @@ void Distribution::build_sampling_tables() {
   interpolated_flux_lm_ = band_cumulative_.back();
 }
 
+void Distribution::build_density_table() {
+  std::vector<float> density;
+  for (const double intensity : table_) density.push_back(float(intensity / interpolated_flux_lm_));
+  std::vector<double> planes = c_rad_;
+  if (type_ == PhotometricType::c) {
+    const auto rows = std::ptrdiff_t(gamma_deg_.size());
+    const bool alike = std::equal(table_.begin() + rows, table_.end(), table_.begin());  // each plane the one before
+    if (alike) planes.resize(1);
+    else planes.push_back(2 * pi);
+    const std::vector<float> first(density.begin(), density.begin() + rows);
+    density.resize(alike ? 0 : density.size());
+    density.insert(density.end(), first.begin(), first.end());
+  }
+  density_ = DensityTable(planes, gamma_rad_, std::move(density));
+}
+
 double Distribution::c_width(size_t c) const {
   return (c + 1 < c_rad_.size() ? c_rad_[c + 1] : 2 * pi + c_rad_[0]) - c_rad_[c];
 }
@@ -215,7 +235,7 @@ double Distribution::plane_value(size_t c, size_t gamma, double t) const {
 }
 
 bool Distribution::locate(double x, double y, double z, Place& place) const {
-  const Direction d = to_native(type_, {x, y, z});
+  const Direction d = to_native(type_, Direction{x, y, z});
   const double gamma = std::atan2(std::hypot(d.x, d.y), -d.z);
   if (!(gamma >= gamma_rad_.front() && gamma <= gamma_rad_.back())) return false;
   const auto row = std::upper_bound(gamma_rad_.begin() + 1, gamma_rad_.end() - 1, gamma);
@@ -243,6 +263,12 @@ double Distribution::pdf_w(double x, double y, double z) const {
   return interpolated_flux_lm_ > 0 ? eval(x, y, z) / interpolated_flux_lm_ : 0;
 }
 
+float Distribution::fast_pdf_w(float x, float y, float z) const {
+  if (!(interpolated_flux_lm_ > 0)) return 0;
+  const DirectionT<float> d = to_native(type_, DirectionT<float>{x, y, z});
+  return density_.at(d.x, d.y, d.z);
+}
+
 Distribution::Sample Distribution::sample(double u1, double u2) const {
   if (!(interpolated_flux_lm_ > 0)) return {0, 0, -1, 0, 0};
   const size_t n = cells();
@@ -267,7 +293,7 @@ Distribution::Sample Distribution::sample(double u1, double u2) const {
 }
 
 double Distribution::turns(double x, double y, double z) const {
-  const Direction d = to_native(type_, {x, y, z});
+  const Direction d = to_native(type_, Direction{x, y, z});
   const double t = (std::atan2(d.y, d.x) - c_rad_[0]) / (2 * pi);
   return t - std::floor(t);
 }

@@ -4,14 +4,23 @@
 
 namespace ups {
 
+// Of an angle in [-pi/4, pi/4], each within 1e-7: by the polynomials of Moshier's Cephes library (sinf.c).
+inline Vec2 cosine_and_sine(float angle) {
+  const float x = angle, x2 = x * x;
+  const float c = (2.443315711809948e-5f * x2 - 1.388731625493765e-3f) * x2 + 4.166664568298827e-2f;
+  const float s = (-1.9515295891e-4f * x2 + 8.3321608736e-3f) * x2 - 1.6666654611e-1f;
+  return {c * (x2 * x2) - 0.5f * x2 + 1, s * (x2 * x) + x};
+}
+
 // Concentric map (Shirley, Chiu 1997) onto the unit disc; density 1/pi.
 inline Vec2 square_to_disc(const Vec2& u) {
   const float a = 2 * u.x - 1, b = 2 * u.y - 1;
   if (a == 0 && b == 0) return {0, 0};
   const bool first = std::abs(a) > std::abs(b);
-  const float r = first ? a : b;
-  const float phi = first ? (pi / 4) * (b / a) : (pi / 2) - (pi / 4) * (a / b);
-  return {r * std::cos(phi), r * std::sin(phi)};
+  const float r = first ? a : b, other = first ? b : a;
+  const Vec2 q = cosine_and_sine((pi / 4) * (other / r));  // from the axis that r lies along
+  const float along = r * q.x, across = r * q.y;
+  return {first ? along : across, first ? across : along};
 }
 
 inline Vec2 disc_to_square(const Vec2& d) {

@@ -7,7 +7,7 @@ namespace {
 constexpr float by_flux = 0.05f;  // the share that no estimate takes part in
 constexpr size_t max_cut = 64;    // nodes that are weighed for a receiver
 constexpr float large2 = 0.16f;   // a node is opened whose radius is more than 0.4 of its distance
-static_assert(max_cut >= LightTree::max_listed);
+static_assert(max_cut >= LightTree::max_listed && LightTree::max_listed % lane_count == 0);
 
 }  // namespace
 
@@ -32,7 +32,8 @@ struct LightTree::Shares {
 struct LightTree::Cut {
   uint32_t size = 0;
   uint32_t node[max_cut];
-  Shares shares[max_cut];
+  float estimate[max_cut], flux[max_cut];
+  Shares shares(uint32_t i) const { return {estimate[i], flux[i]}; }
 };
 
 // Altogether behind the receiver's plane.
@@ -55,24 +56,28 @@ inline LightTree::Seen<Real> LightTree::see(const View& view, const Vec3T<Real>&
   Seen<Real> out;
   out.to = center - all_lanes<Real>(view.p);
   const Real d2 = length2(out.to);
-  out.inverse = 1 / sqrt(d2 < least ? least : d2);
+  out.inverse = 1 / sqrt(larger(least, d2));
   out.falloff = out.inverse * out.inverse;
   out.reach = dot(all_lanes<Real>(view.size_n), half);
   out.along = dot(all_lanes<Real>(view.n), out.to);
-  // On the average of a box that reaches this far to both sides of its centre, where part of it is behind the plane.
-  const Real reach = out.reach, height = view.both_sides ? abs(out.along) : out.along, above = height + reach;
-  const Real part = view.both_sides ? (height * height + reach * reach) / (2 * reach) : above * above / (4 * reach);
-  const Real cosine = (height < reach ? part : height) * out.inverse;
-  out.cosine = view.all_around ? one : cosine < one ? cosine : one;
+  const Real reach = out.reach, height = view.both_sides ? abs(out.along) : out.along;
+  Real seen = height;
+  if (const auto is_cut = abs(height) < reach; bits_of(is_cut)) {  // on the average of a box partly behind the plane
+    const Real above = height + reach;
+    const Real part = view.both_sides ? (height * height + reach * reach) / (2 * reach) : above * above / (4 * reach);
+    seen = is_cut ? part : height;
+  }
+  const Real cosine = seen * out.inverse;
+  out.cosine = view.all_around ? one : smaller(cosine, one);
   return out;
 }
 
 // Of: a node, or several.
 template <class Real, class Of>
 inline Real LightTree::estimate(const Of& node, const Seen<Real>& seen, const Real& lobe) {
-  const Real one = all_lanes<Real>(1), large = node.radius2 * seen.falloff, most = node.largest_falloff;
-  const Real intensity = node.intensity * lobe + node.spread * (large < one ? large : one);
-  return intensity * seen.cosine * (most < seen.falloff ? most : seen.falloff);
+  const Real large = smaller(node.radius2 * seen.falloff, all_lanes<Real>(1));
+  const Real intensity = node.intensity * lobe + node.spread * large;
+  return intensity * seen.cosine * smaller(Real(node.largest_falloff), seen.falloff);
 }
 
 // False where the node cannot shine.
@@ -85,41 +90,48 @@ bool LightTree::weigh(const View& view, const Node& node, Shares& out) const {
 
 void LightTree::fill_lanes() {
   lanes_.assign((nodes_.size() + lane_count - 1) / lane_count, Lanes{});
-  for (size_t k = 0; k < nodes_.size(); ++k) {
+  for (size_t k = 0; k < lanes_.size() * lane_count; ++k) {
     Lanes& lanes = lanes_[k / lane_count];
-    const Frame& frame = lobes_[nodes_[k].lobe].frame;
-    const auto put = [lane = k % lane_count](const Vec3& v, Vec3T<Float4>& to) {
-      to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z;
-    };
-    put(nodes_[k].center, lanes.center), put(nodes_[k].half, lanes.half);
-    put(frame.s, lanes.s), put(frame.t, lanes.t), put(frame.n, lanes.n);
-    lanes.intensity[k % lane_count] = nodes_[k].intensity, lanes.spread[k % lane_count] = nodes_[k].spread;
-    lanes.radius2[k % lane_count] = nodes_[k].radius2;
-    lanes.largest_falloff[k % lane_count] = nodes_[k].largest_falloff;
+    const size_t lane = k % lane_count;
+    const Node& node = nodes_[std::min(k, nodes_.size() - 1)];
+    const Lobe& lobe = lobes_[node.lobe];
+    const auto put = [lane](const Vec3& v, Vec3T<Float4>& to) { to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z; };
+    put(node.center, lanes.center), put(node.half, lanes.half);
+    put(-lobe.frame.s, lanes.minus_s), put(-lobe.frame.t, lanes.minus_t), put(-lobe.frame.n, lanes.minus_n);
+    lanes.intensity[lane] = node.intensity, lanes.spread[lane] = node.spread, lanes.flux[lane] = node.flux;
+    lanes.radius2[lane] = node.radius2, lanes.largest_falloff[lane] = node.largest_falloff;
+    lanes.lobe[lane] = &lobe;
+    lanes.all_fine = (lane == 0 || lanes.all_fine) && lobe.shape == Lobe::Shape::fine;
+    lanes.used[lane] = k < nodes_.size() ? -1 : 0;
   }
+}
+
+Float4 LightTree::lobes(const Lanes& lanes, const Seen<Float4>& seen) {
+  Float4 out;
+  for (int i = 0; i < lane_count; ++i)
+    out[i] = lanes.lobe[i]->towards({-seen.to.x[i], -seen.to.y[i], -seen.to.z[i]}, seen.inverse[i]);
+  return out;
+}
+
+inline Float4 LightTree::fine_lobes(const Lanes& lanes, const Seen<Float4>& seen) {
+  const Int4 texel = Lobe::Fine::texel(
+      Vec3T<Float4>(dot(seen.to, lanes.minus_s), dot(seen.to, lanes.minus_t), dot(seen.to, lanes.minus_n)));
+  const auto towards = [&](int i) { return lanes.lobe[i]->table[texel[i]]; };
+  return Float4{towards(0), towards(1), towards(2), towards(3)};
 }
 
 void LightTree::weigh_list(const View& view, Cut& out) const {
   const bool one_side = !(view.all_around || view.both_sides);
-  for (uint32_t first = 0; first < nodes_.size(); first += lane_count) {
-    const Lanes& lanes = lanes_[first / lane_count];
+  for (size_t group = 0; group < lanes_.size(); ++group) {
+    const Lanes& lanes = lanes_[group];
     const Seen<Float4> seen = see(view, lanes.center, lanes.half);
-    const Vec3T<Float4> from = -seen.to;
-    const Int4 texel = Lobe::Fine::texel(Vec3T<Float4>(dot(from, lanes.s), dot(from, lanes.t), dot(from, lanes.n)));
-    const uint32_t count = std::min<uint32_t>(lane_count, uint32_t(nodes_.size()) - first);
-    Float4 towards{};
-    for (uint32_t i = 0; i < count; ++i) {
-      const Lobe& lobe = lobes_[nodes_[first + i].lobe];
-      towards[i] = lobe.shape == Lobe::Shape::fine
-                       ? lobe.table[texel[i]]
-                       : lobe.towards({from.x[i], from.y[i], from.z[i]}, seen.inverse[i]);
-    }
-    const Float4 estimates = estimate(lanes, seen, towards);
-    const Int4 behind = ~(seen.along > -seen.reach);
-    for (uint32_t i = 0; i < count; ++i) {
-      if (one_side && behind[i]) continue;
-      out.shares[out.size] = {estimates[i], nodes_[first + i].flux};
-      out.node[out.size++] = first + i;
+    const uint32_t counts = bits_of(one_side ? lanes.used & (seen.along > -seen.reach) : lanes.used);
+    if (!counts) continue;
+    const Float4 estimates = estimate(lanes, seen, lanes.all_fine ? fine_lobes(lanes, seen) : lobes(lanes, seen));
+    for (uint32_t i = 0; i < lane_count; ++i) {  // without a branch: each in turn where the next one is to go
+      out.estimate[out.size] = estimates[i], out.flux[out.size] = lanes.flux[i];
+      out.node[out.size] = uint32_t(group) * lane_count + i;
+      out.size += counts >> i & 1;
     }
   }
 }
@@ -137,19 +149,18 @@ void LightTree::cut(const View& view, Cut& out) const {
       const bool room = out.size + (last - first) + 2 <= max_cut && last + 2 <= 2 * max_cut;
       if (room && !is_leaf(k) && node.radius2 > large2 * length2(node.center - view.p))
         queue[last++] = k + 1, queue[last++] = right_of(k);
-      else if (weigh(view, node, out.shares[out.size]))
+      else if (Shares shares; weigh(view, node, shares)) {
+        out.estimate[out.size] = shares.estimate, out.flux[out.size] = shares.flux;
         out.node[out.size++] = k;
+      }
     }
   }
   float estimates = 0, fluxes = 0;
-  for (uint32_t i = 0; i < out.size; ++i) estimates += out.shares[i].estimate, fluxes += out.shares[i].flux;
+  for (uint32_t i = 0; i < out.size; ++i) estimates += out.estimate[i], fluxes += out.flux[i];
   const bool any = estimates > 1e-30f;
   const float of_estimates = any ? (1 - by_flux) / estimates : 0;
   const float of_fluxes = fluxes > 0 ? (any ? by_flux : 1) / fluxes : 0;
-  for (uint32_t i = 0; i < out.size; ++i) {
-    out.shares[i].estimate *= of_estimates;
-    out.shares[i].flux *= of_fluxes;
-  }
+  for (uint32_t i = 0; i < out.size; ++i) out.estimate[i] *= of_estimates, out.flux[i] *= of_fluxes;
 }
 
 // A node's shares among its children. Where neither is weighed to have any, they go by flux.
@@ -167,19 +178,19 @@ EmitterChoice LightTree::choose(const Receiver& receiver, float u) const {
   const View view(receiver);
   Cut c;
   cut(view, c);
+  // Where the sum of shares passes u. All are added up, as that takes less time than a wrong guess where to end.
   double below = 0, start = 0;
   uint32_t at = none;
   for (uint32_t i = 0; i < c.size; ++i) {
-    const double share = c.shares[i].sum();
-    if (!(share > 0)) continue;
-    at = i;
-    start = below;
-    below += share;
-    if (u < below) break;  // rounding may leave u above the last one, which is then taken
+    const double share = c.shares(i).sum();
+    const bool taken = share > 0 && !(u < below);  // rounding may leave u above the last one, which is then taken
+    at = taken ? i : at;
+    start = taken ? below : start;
+    below += share > 0 ? share : 0;
   }
   if (at == none) return {};
   uint32_t k = c.node[at];
-  Shares shares = c.shares[at];
+  Shares shares = c.shares(at);
   double rest = std::clamp((u - start) / shares.sum(), 0.0, 1.0);
   while (!is_leaf(k)) {
     Shares left, right;
@@ -202,7 +213,7 @@ float LightTree::probability(const Receiver& receiver, size_t emitter) const {
   for (uint32_t i = 0; i < c.size; ++i) {
     uint32_t k = c.node[i];
     if (leaf < k || leaf >= nodes_[k].end) continue;
-    Shares shares = c.shares[i];
+    Shares shares = c.shares(i);
     while (!is_leaf(k)) {
       Shares left, right;
       halve(view, k, shares, left, right);

@@ -53,10 +53,14 @@ class LightTree {
     uint32_t lobe;
     uint32_t end;  // one past the last node below this one, which all follow it: the left child first
   };
-  // What is weighed four at once of a list's nodes, with the frames of their lobes.
+  // What is weighed four at once of a list's nodes, with the frames of their lobes turned to look at the receiver. The
+  // last lanes may repeat a node.
   struct Lanes {
-    Vec3T<Float4> center, half, s, t, n;
-    Float4 intensity, spread, radius2, largest_falloff;
+    Vec3T<Float4> center, half, minus_s, minus_t, minus_n;
+    Float4 intensity, spread, flux, radius2, largest_falloff;
+    Int4 used;  // -1 or 0
+    const Lobe* lobe[lane_count];
+    bool all_fine;  // their shapes
   };
   struct View;
   template <class Real> struct Seen;
@@ -72,6 +76,8 @@ class LightTree {
   template <class Real, class Of>
   static Real estimate(const Of& node, const Seen<Real>& seen, const Real& lobe);
   bool weigh(const View& view, const Node& node, Shares& out) const;
+  static Float4 lobes(const Lanes& lanes, const Seen<Float4>& seen);
+  static Float4 fine_lobes(const Lanes& lanes, const Seen<Float4>& seen);
   void weigh_list(const View& view, Cut& out) const;
   void fill_lanes();
   void cut(const View& view, Cut& out) const;

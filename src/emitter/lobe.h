@@ -22,10 +22,11 @@ struct DirectionMap {
   static auto texel(const Vec3T<Real>& w) {
     using std::abs, std::copysign, ups::abs, ups::copysign;
     constexpr float half = 0.5f * N;
-    const Real size = abs(w.x) + abs(w.y) + abs(w.z), least = all_lanes<Real>(1e-30f), zero{};
-    const Real scale = half / (size < least ? least : size), x = w.x * scale, y = w.y * scale;
+    const Real zero{}, least = all_lanes<Real>(1e-30f), last = all_lanes<Real>(N - 0.5f);
+    const Real scale = half / larger(least, abs(w.x) + abs(w.y) + abs(w.z)), x = w.x * scale, y = w.y * scale;
     const Real u = w.z < zero ? copysign(half - abs(y), x) : x, v = w.z < zero ? copysign(half - abs(x), y) : y;
-    return within(truncated(v + half)) * N + within(truncated(u + half));
+    const auto within = [&](const Real& a) { return truncated(smaller(larger(a + half, zero), last)); };
+    return within(v) * N + within(u);
   }
   // Unit; x, y in [0, 1] across the texel.
   static Vec3 direction(int texel, float x, float y) {
@@ -37,13 +38,6 @@ struct DirectionMap {
       u = unfolded;
     }
     return normalize(Vec3(u, v, z));
-  }
-
- private:
-  template <class Integer>
-  static Integer within(const Integer& i) {
-    const Integer first{}, last = first + (N - 1), low = i < first ? first : i;
-    return last < low ? last : low;
   }
 };
 

@@ -5,14 +5,17 @@ namespace ups {
 
 PlacedProfile::PlacedProfile(std::shared_ptr<const photometry::Distribution> distribution, const Frame& frame,
                              const Rgb& scale)
-    : distribution_(std::move(distribution)), frame_(frame), scale_(scale), emits_(!is_black(flux())) {}
+    : distribution_(std::move(distribution)),
+      frame_(frame),
+      scale_(scale),
+      flux_(scale * float(distribution_->interpolated_flux_lm())),
+      emits_(!is_black(flux_)) {}
 
 bool PlacedProfile::eval(const Vec3& direction, Rgb& intensity, float& pdf_w) const {
   if (!emits_) return false;
   const Vec3 local = frame_.to_local(direction);
-  const double value = distribution_->eval(local.x, local.y, local.z);
-  intensity = scale_ * float(value);
-  pdf_w = float(value / distribution_->interpolated_flux_lm());
+  pdf_w = distribution_->fast_pdf_w(local.x, local.y, local.z);
+  intensity = flux_ * pdf_w;
   return pdf_w > 0;
 }
 

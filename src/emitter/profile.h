@@ -15,7 +15,7 @@ class PlacedProfile {
  public:
   PlacedProfile(std::shared_ptr<const photometry::Distribution> distribution, const Frame& frame, const Rgb& scale);
   const Frame& frame() const { return frame_; }
-  Rgb flux() const { return scale_ * float(distribution_->interpolated_flux_lm()); }
+  const Rgb& flux() const { return flux_; }
   bool emits() const { return emits_; }
   Outline outline(const Vec3& center, const Vec3& half) const;
   // Intensity, cd, towards a direction of the scene, and the density with which sample() takes it. False where it is 0.
@@ -26,7 +26,7 @@ class PlacedProfile {
  private:
   std::shared_ptr<const photometry::Distribution> distribution_;
   Frame frame_;
-  Rgb scale_;
+  Rgb scale_, flux_;
   bool emits_;
 };
 
