@@ -80,6 +80,12 @@ struct MeterRings::Sums {
         if (differs(narrower, mean(k + 1), beyond_doubt)) return k;
     return max_ring;
   }
+  RingProfile profile(const Rings& rings, double lx) const {
+    RingProfile p{lx, rings.radius2[max_ring], rings.narrowest, {}, {}};
+    for (uint32_t k = 0; k <= max_ring && lx > 0; ++k)
+      if (area[k] > 0) p.mean[k] = float(mean(k) / lx), p.variance[k] = float(variance(k) / (lx * lx));
+    return p;
+  }
   // The first that has so many photons, if any has; at least the narrowest that is resolved.
   uint32_t first_with(uint64_t photons, const Rings& rings) const {
     uint32_t k = rings.narrowest;
@@ -131,11 +137,13 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 // its own too, in proportion to r^2 as light has it that curves evenly. Beside an edge the fit sees but a third of a
 // wide disc's bias, a disc of a quarter of the radius all but its own: as that has much noise, three times of it are
 // taken off. What is noise of all that, the neighbours' curvature replaces.
+// Neighbours' steps add what one meter's photons are too few to show: bias squared, less twice its noise, and what the
+// meter may differ from them in.
 // Noise: that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few. So
 // are its photons to tell light that is narrower than a disc: `widest` is told by all. A small disc that only dim
 // photons have reached does not know its noise: as long as bright ones are due there by chance, the widest disc's tells.
-uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence,
-                          const NeighbourCurvature& neighbours, uint32_t widest) {
+uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence, const Told& told, double lx,
+                          uint32_t widest) {
   const BiasKernel kernel(rings);
   const uint32_t first = s.first_with(least_photons, rings);
   double b1 = 0, q1 = 0, q2 = 0, noise2[max_rings], bias2[max_rings], bias_noise2[max_rings];
@@ -157,13 +165,18 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
   }
   uint32_t chosen = last;
   double least = INFINITY, curved = 0;  // of wider discs: bias^2 / r^4
+  const RingProfile profile = s.profile(rings, lx);
   for (uint32_t k = last + 1; k-- > first;) {
     const double r4 = rings.radius2[k] * rings.radius2[k];
     curved = std::max(curved, bias2[k] / r4);
-    const double scale = s.mean(last) * s.mean_radius2[k], own = neighbours.share_of_own(scale, bias_noise2[k]),
-                 told = neighbours.mean * scale,
-                 cost = noise2[k] + own * std::max(bias2[k], 0.5 * curved * r4) + (1 - own) * told * told;
-    if (cost < least) least = cost, chosen = k;
+    const double scale = s.mean(last) * s.mean_radius2[k], own = told.curvature.share_of_own(scale, bias_noise2[k]),
+                 curvature = told.curvature.mean * scale;
+    double bias = own * std::max(bias2[k], 0.5 * curved * r4) + (1 - own) * curvature * curvature;
+    if (told.steps && noise2[k] + bias < least) {
+      const StepBias b = told.steps(profile, k);
+      bias = std::max(bias, lx * lx * (std::max(0.0, b.mean * b.mean - 2 * b.told_variance) + b.own_variance));
+    }
+    if (noise2[k] + bias < least) least = noise2[k] + bias, chosen = k;
   }
   return chosen;
 }
@@ -200,17 +213,21 @@ MeterRings::Dependence MeterRings::dependence(size_t row, const Sums& s, const R
   return out;
 }
 
-MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits,
-                                      const NeighbourCurvature& neighbours) const {
+MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits, const Told& told) const {
   if (visits < min_batches || rings.count < 2) return {rings.count - 1, rings.count - 1};
   const Sums all = sums_of(row, rings, 0, halves, visits);
   const Dependence dependence = this->dependence(row, all, rings, visits);
   const uint32_t widest = all.widest(rings);
   Choice choice;
   for (size_t half = 0; half < halves; ++half)
-    choice[1 - half] =
-        best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, neighbours, widest);
+    choice[1 - half] = best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, told,
+                            all.mean(rings.count - 1), widest);
   return choice;
+}
+
+RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits) const {
+  const Sums s = sums_of(row, rings, 0, halves, visits);
+  return s.profile(rings, s.mean(rings.count - 1));
 }
 
 MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const {

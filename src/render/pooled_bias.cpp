@@ -11,9 +11,13 @@ namespace ups {
 namespace {
 
 constexpr size_t reach = 16, least_neighbours = 4;  // on either side; without the meter itself
+constexpr uint32_t quarter = 4, narrower = 2, most_narrow = 8;  // rings: to a quarter of a radius; steps down to a 16th
 
-struct Curvature {
-  double value, variance;  // 1/m2, its square
+struct Estimate {
+  double value, variance;
+};
+struct Pooled {
+  double mean, variance_of_mean, between;
 };
 
 // Of meters with discs of similar size: a disc is narrow where light is not like its neighbours'.
@@ -21,14 +25,15 @@ bool alike(const OwnBias& a, const OwnBias& b) {
   return b.mean_radius2 <= 2.1 * a.mean_radius2 && a.mean_radius2 <= 2.1 * b.mean_radius2;
 }
 
-NeighbourCurvature pool(const std::vector<Curvature>& all) {
+// between: so many standard deviations of chance, of the chi-square that tells of it, more than estimated.
+Pooled pool(const std::vector<Estimate>& all, double more) {
   double w = 0, w2 = 0, sum = 0, q = 0;
-  for (const Curvature& c : all) w += 1 / c.variance, w2 += 1 / (c.variance * c.variance), sum += c.value / c.variance;
-  for (const Curvature& c : all) q += (c.value - sum / w) * (c.value - sum / w) / c.variance;
-  // A standard deviation more than estimated, as q has a chi-square's: taken for alike, meters would know too much.
-  const double dof = double(all.size() - 1), between = std::max(0.0, (q - dof + std::sqrt(2 * dof)) / (w - w2 / w));
+  for (const Estimate& e : all) w += 1 / e.variance, w2 += 1 / (e.variance * e.variance), sum += e.value / e.variance;
+  for (const Estimate& e : all) q += (e.value - sum / w) * (e.value - sum / w) / e.variance;
+  const double dof = double(all.size() - 1),
+               between = std::max(0.0, (q - dof + more * std::sqrt(2 * dof)) / (w - w2 / w));
   w = sum = 0;
-  for (const Curvature& c : all) w += 1 / (c.variance + between), sum += c.value / (c.variance + between);
+  for (const Estimate& e : all) w += 1 / (e.variance + between), sum += e.value / (e.variance + between);
   return {sum / w, 1 / w, between};
 }
 
@@ -36,7 +41,7 @@ NeighbourCurvature pool(const std::vector<Curvature>& all) {
 
 std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>& meters) {
   std::vector<NeighbourCurvature> out(meters.size());
-  std::vector<Curvature> group;
+  std::vector<Estimate> group;
   const auto tells = [](const OwnBias& m) { return m.bias.standard_error > 0 && m.lx > 0; };
   for (size_t m = 0; m < meters.size(); ++m) {
     if (!tells(meters[m])) continue;
@@ -47,7 +52,10 @@ std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>&
       const double error = n.bias.standard_error / n.scale();
       group.push_back({n.bias.mean / n.scale(), error * error});
     }
-    if (group.size() > least_neighbours) out[m] = pool(group);
+    // Taken for alike, meters would know too much.
+    if (group.size() <= least_neighbours) continue;
+    const Pooled p = pool(group, 1);
+    out[m] = {p.mean, p.variance_of_mean, p.between};
   }
   return out;
 }
@@ -58,6 +66,56 @@ Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours) {
   const double share = neighbours.share_of_own(own.scale(), error * error), told = (1 - share) * own.scale();
   return {share * mean + told * neighbours.mean,
           std::sqrt(share * error * error + told * told * neighbours.variance_of_mean)};
+}
+
+bool NeighbourSteps::tell(size_t m) const { return meters_.size() > least_neighbours && meters_[m].lx > 0; }
+
+// Where meters differ, each may be biased by as much, which narrows its disc and widens its bound: chance must not do
+// that, so it is taken for less than estimated.
+StepBias NeighbourSteps::bias_from(size_t m, const RingProfile& own, uint32_t from, uint32_t ring) const {
+  if (!own.has(from, ring)) return {};
+  std::vector<Estimate> group;
+  group.reserve(2 * reach + 1);
+  for (size_t j = m - std::min(m, reach), end = std::min(meters_.size(), m + reach + 1); j < end; ++j) {
+    const RingProfile& n = meters_[j];
+    if (!(n.lx > 0)) continue;
+    const double wider = n.radius2 / own.radius2;  // its rings count from its own radius
+    const uint32_t shift = wider == 1 ? 0 : uint32_t(std::lround(std::log2(wider)));
+    if (n.has(from - shift, ring - shift))
+      group.push_back({n.step(from - shift, ring - shift), n.step_variance(from - shift, ring - shift)});
+  }
+  if (group.size() <= least_neighbours) return {};
+  const Pooled p = pool(group, -1);
+  const double v = own.step_variance(from, ring), share = p.between / (p.between + v);
+  return {share * own.step(from, ring) + (1 - share) * p.mean, share * v,
+          (1 - share) * (1 - share) * p.variance_of_mean};
+}
+
+// From the disc of a quarter of the radius, which holds most of the bias of any light; from narrower ones where these
+// show beyond doubt more than it may be.
+StepBias NeighbourSteps::bias(size_t m, const RingProfile& own, uint32_t ring) const {
+  if (!tell(m) || ring < quarter) return {};
+  StepBias found = bias_from(m, own, ring - quarter, ring);
+  const auto surely = [](const StepBias& b, double errors) {
+    return std::abs(b.mean) - errors * std::sqrt(b.variance());
+  };
+  for (uint32_t down = quarter + narrower; down <= std::min(most_narrow, ring); down += narrower) {
+    const StepBias b = bias_from(m, own, ring - down, ring);
+    if (surely(b, 2.5) > std::max(0.0, surely(found, 2))) found = b;
+  }
+  return found;
+}
+
+// What the meter may differ from its neighbours in stands for twice its standard error, 95 %: a bound counts it once.
+Spread NeighbourSteps::added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const {
+  if (!tell(m)) return bias;
+  const RingProfile& own = meters_[m];
+  const StepBias a = this->bias(m, own, discs[0]), b = this->bias(m, own, discs[1]);
+  const StepBias both{0.5 * (a.mean + b.mean), 0.5 * (a.own_variance + b.own_variance),
+                      0.5 * (a.told_variance + b.told_variance)};
+  if (!both.is_beyond(2)) return {bias.mean, std::max(bias.standard_error, 2 * std::sqrt(both.own_variance) * own.lx)};
+  if (std::abs(both.mean) * own.lx <= std::abs(bias.mean)) return bias;
+  return {both.mean * own.lx, std::sqrt(both.variance()) * own.lx};
 }
 
 }  // namespace ups
