@@ -96,7 +96,7 @@ struct MeterRings::Sums {
 
 MeterRings::MeterRings(size_t rows, uint32_t rings, bool direct)
     : rings_(rings), flux_(rows * batch_count * rings), direct_(direct ? flux_.size() : 0),
-      square_(rows * halves * rings), count_(rows * halves * rings),
+      square_(rows * halves * rings), count_(rows * halves * rings), lean_(rows * rings * 2),
       largest_(rows * rings), largest_batch_(rows * rings) {}
 
 void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l) {
@@ -105,6 +105,11 @@ void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l) {
   flux_[of_batch] += l.lm;
   square_[of_half] += l.lm * l.lm;
   ++count_[of_half];
+  // The mean direction over an octant: between pi/8 and its neighbours' edges, sin(pi/8) / (pi/8) long.
+  const double near = 0.9003163, off = 0.3729232;
+  const double s = l.octant & 1 ? off : near, t = l.octant & 1 ? near : off;
+  lean_[of_row * 2] += l.octant & 2 ? -s * l.lm : s * l.lm;
+  lean_[of_row * 2 + 1] += l.octant & 4 ? -t * l.lm : t * l.lm;
   if (l.direct && !direct_.empty()) direct_[of_batch] += l.lm;
   if (float(l.lm) > largest_[of_row]) largest_[of_row] = float(l.lm), largest_batch_[of_row] = uint8_t(batch);
 }
@@ -226,8 +231,20 @@ MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t v
 }
 
 RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits) const {
-  const Sums s = sums_of(row, rings, 0, halves, visits);
-  return s.profile(rings, s.mean(rings.count - 1));
+  const Sums sums = sums_of(row, rings, 0, halves, visits);
+  RingProfile p = sums.profile(rings, sums.mean(rings.count - 1));
+  // Least squares by rings, weighted by area: m_i = sum area_j r_j^i, e = (m_2 sum f_j - m_1 sum r_j f_j) / (m_0 m_2 -
+  // m_1^2).
+  double m0 = 0, m1 = 0, m2 = 0, s0 = 0, s1 = 0, t0 = 0, t1 = 0;
+  for (uint32_t k = 0; k < rings.count && p.lx > 0; ++k) {
+    const double r = std::sqrt(rings.radius2[k]), *lean = &lean_[(row * rings_ + k) * 2];
+    m0 += rings.area[k], m1 += rings.area[k] * r, m2 += rings.area[k] * r * r;
+    s0 += lean[0], s1 += r * lean[0], t0 += lean[1], t1 += r * lean[1];
+    const double determinant = (m0 * m2 - m1 * m1) * visits * p.lx;
+    if (!(m0 * m2 - m1 * m1 > 1e-9 * m0 * m2)) continue;
+    p.lean_s[k] = float((m2 * s0 - m1 * s1) / determinant), p.lean_t[k] = float((m2 * t0 - m1 * t1) / determinant);
+  }
+  return p;
 }
 
 MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const {

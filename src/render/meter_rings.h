@@ -32,6 +32,10 @@ struct RingProfile {
   double lx = 0, radius2 = 0;  // mean squared radius of the outermost ring, m2
   uint32_t narrowest = 0;
   std::array<float, max_rings> mean{}, variance{};
+  // How light leans to one side at the meter, along its frame: e over lx, of the fit e + f r over the rings of a disc to
+  // the means of light times the direction to where it falls. A slope has none; a step beside the meter, 1/pi of it.
+  std::array<float, max_rings> lean_s{}, lean_t{};
+  static constexpr double lean_noise = 4.87;  // of either, its variance over the disc's
   // Whether it tells how light goes on from the disc out to one ring to a wider one. What noise such a step has is what
   // the wide disc predicts: a narrow one does not know it, and would seem to be sure where it has too few photons.
   bool has(uint32_t from, uint32_t to) const {
@@ -56,8 +60,8 @@ class MeterRings {
   // A row is a meter, or a column of one. direct: some light comes straight from emitters.
   MeterRings(size_t rows, uint32_t rings, bool direct);
   static double bytes_per_row(uint32_t rings, bool direct) {
-    return rings * (sizeof(double) * (batch_count + halves + (direct ? batch_count : 0)) + sizeof(uint32_t) * halves +
-                    sizeof(float) + 1);
+    return rings * (sizeof(double) * (batch_count + halves + 2 + (direct ? batch_count : 0)) +
+                    sizeof(uint32_t) * halves + sizeof(float) + 1);
   }
   bool empty() const { return flux_.empty(); }
   void add(size_t row, uint32_t batch, const MeterLanding& landing);
@@ -104,6 +108,7 @@ class MeterRings {
   std::vector<double> flux_, direct_;  // a row by a batch by a ring
   std::vector<double> square_;         // a row by a half by a ring
   std::vector<uint32_t> count_;        // the same
+  std::vector<double> lean_;           // flux by its direction from the meter, a row by a ring by s and t
   std::vector<float> largest_;         // lm, a row by a ring
   std::vector<uint8_t> largest_batch_;
 };

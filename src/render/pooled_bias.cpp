@@ -12,9 +12,11 @@ namespace {
 
 constexpr size_t reach = 16, least_neighbours = 4;  // on either side; without the meter itself
 constexpr uint32_t quarter = 4, narrower = 2, most_narrow = 8;  // rings: to a quarter of a radius; steps down to a 16th
+constexpr double certain = 2.5;  // standard deviations, of one of several estimates that are looked at
+constexpr double pi_d = 3.14159265358979323846;
 
 struct Estimate {
-  double value, variance;
+  double value = 0, variance = 0;
 };
 struct Pooled {
   double mean, variance_of_mean, between;
@@ -68,32 +70,40 @@ Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours) {
           std::sqrt(share * error * error + told * told * neighbours.variance_of_mean)};
 }
 
-bool NeighbourSteps::tell(size_t m) const { return meters_.size() > least_neighbours && meters_[m].lx > 0; }
+bool NeighbourProfiles::tell(size_t m) const { return meters_.size() > least_neighbours && meters_[m].lx > 0; }
 
-// Where meters differ, each may be biased by as much, which narrows its disc and widens its bound: chance must not do
-// that, so it is taken for less than estimated.
-StepBias NeighbourSteps::bias_from(size_t m, const RingProfile& own, uint32_t from, uint32_t ring) const {
-  if (!own.has(from, ring)) return {};
+// Of an estimate of each meter, by its profile and by how many rings further in a disc of that size ends there; without
+// a variance where it has none. Where meters differ, each may be biased by as much, which narrows its disc and widens
+// its bound: chance must not do that, so it is taken for less than estimated.
+template <class Of>
+StepBias NeighbourProfiles::together(size_t m, const RingProfile& own, const StepBias& alone,
+                                     const Of& estimate) const {
+  const Estimate e = estimate(own, 0);
+  if (!(e.variance > 0)) return {};
   std::vector<Estimate> group;
   group.reserve(2 * reach + 1);
   for (size_t j = m - std::min(m, reach), end = std::min(meters_.size(), m + reach + 1); j < end; ++j) {
     const RingProfile& n = meters_[j];
     if (!(n.lx > 0)) continue;
-    const double wider = n.radius2 / own.radius2;  // its rings count from its own radius
-    const uint32_t shift = wider == 1 ? 0 : uint32_t(std::lround(std::log2(wider)));
-    if (n.has(from - shift, ring - shift))
-      group.push_back({n.step(from - shift, ring - shift), n.step_variance(from - shift, ring - shift)});
+    const int shift = n.radius2 == own.radius2 ? 0 : int(std::lround(std::log2(n.radius2 / own.radius2)));
+    if (const Estimate of = estimate(n, uint32_t(shift)); of.variance > 0) group.push_back(of);
   }
-  if (group.size() <= least_neighbours) return {};
+  if (group.size() <= least_neighbours) return alone;
   const Pooled p = pool(group, -1);
-  const double v = own.step_variance(from, ring), share = p.between / (p.between + v);
-  return {share * own.step(from, ring) + (1 - share) * p.mean, share * v,
-          (1 - share) * (1 - share) * p.variance_of_mean};
+  const double share = p.between / (p.between + e.variance), told = 1 - share;
+  return {share * e.value + told * p.mean, share * e.variance, told * told * p.variance_of_mean};
+}
+
+StepBias NeighbourProfiles::bias_from(size_t m, const RingProfile& own, uint32_t from, uint32_t ring) const {
+  return together(m, own, {}, [=](const RingProfile& p, uint32_t shift) {
+    const uint32_t a = from - shift, b = ring - shift;
+    return p.has(a, b) ? Estimate{p.step(a, b), p.step_variance(a, b)} : Estimate{};
+  });
 }
 
 // From the disc of a quarter of the radius, which holds most of the bias of any light; from narrower ones where these
 // show beyond doubt more than it may be.
-StepBias NeighbourSteps::bias(size_t m, const RingProfile& own, uint32_t ring) const {
+StepBias NeighbourProfiles::bias(size_t m, const RingProfile& own, uint32_t ring) const {
   if (!tell(m) || ring < quarter) return {};
   StepBias found = bias_from(m, own, ring - quarter, ring);
   const auto surely = [](const StepBias& b, double errors) {
@@ -101,21 +111,44 @@ StepBias NeighbourSteps::bias(size_t m, const RingProfile& own, uint32_t ring) c
   };
   for (uint32_t down = quarter + narrower; down <= std::min(most_narrow, ring); down += narrower) {
     const StepBias b = bias_from(m, own, ring - down, ring);
-    if (surely(b, 2.5) > std::max(0.0, surely(found, 2))) found = b;
+    if (surely(b, certain) > std::max(0.0, surely(found, 2))) found = b;
   }
   return found;
 }
 
+// A step beside the meter leans by 1/pi of its height, and half of its height is the bias. On which side the meter is
+// does not show. Within a wide disc several steps may be like a slope: then a narrower one shows the nearest.
+double NeighbourProfiles::bias_by_edge(size_t m, uint32_t ring) const {
+  double square = 0, sure = 0;
+  for (uint32_t down = 0; down <= std::min(quarter, ring); down += narrower) {
+    StepBias lean[2];
+    for (const bool t : {false, true}) {
+      const auto estimate = [=](const RingProfile& p, uint32_t shift) {
+        const uint32_t k = ring - down - shift;
+        if (k <= p.narrowest || k >= max_rings) return Estimate{};
+        return Estimate{double(t ? p.lean_t[k] : p.lean_s[k]), RingProfile::lean_noise * double(p.variance[k])};
+      };
+      const Estimate own = estimate(meters_[m], 0);
+      lean[t] = together(m, meters_[m], {own.value, own.variance, 0}, estimate);
+    }
+    const double variance = lean[0].variance() + lean[1].variance(),
+                 length2 = lean[0].mean * lean[0].mean + lean[1].mean * lean[1].mean,
+                 surely = std::sqrt(length2) - certain * std::sqrt(variance);
+    if (surely > sure) sure = surely, square = length2 - variance;
+  }
+  return 0.5 * pi_d * std::sqrt(square);
+}
+
 // What the meter may differ from its neighbours in stands for twice its standard error, 95 %: a bound counts it once.
-Spread NeighbourSteps::added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const {
-  if (!tell(m)) return bias;
+Spread NeighbourProfiles::added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const {
   const RingProfile& own = meters_[m];
+  if (!(own.lx > 0)) return bias;
   const StepBias a = this->bias(m, own, discs[0]), b = this->bias(m, own, discs[1]);
   const StepBias both{0.5 * (a.mean + b.mean), 0.5 * (a.own_variance + b.own_variance),
                       0.5 * (a.told_variance + b.told_variance)};
-  if (!both.is_beyond(2)) return {bias.mean, std::max(bias.standard_error, 2 * std::sqrt(both.own_variance) * own.lx)};
-  if (std::abs(both.mean) * own.lx <= std::abs(bias.mean)) return bias;
-  return {both.mean * own.lx, std::sqrt(both.variance()) * own.lx};
+  const double edge = std::hypot(bias_by_edge(m, discs[0]), bias_by_edge(m, discs[1])) / std::sqrt(2.0);
+  if (both.is_beyond(2)) return {both.mean * own.lx, std::max(std::sqrt(both.variance()), edge) * own.lx};
+  return {bias.mean, std::max({bias.standard_error, 2 * std::sqrt(both.own_variance) * own.lx, edge * own.lx})};
 }
 
 }  // namespace ups

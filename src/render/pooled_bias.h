@@ -15,20 +15,23 @@ struct OwnBias {
   bool is_beyond_doubt() const { return std::abs(bias.mean) > 2 * bias.standard_error; }
 };
 
-// By how light goes on from narrow discs to wide ones, at a set's meters. An edge beside a meter shows in that, and too
-// little in the curvature of the disc that it lies in; but a narrow disc has so few photons that one meter alone does
-// not show it.
-class NeighbourSteps {
+// By how light goes on from narrow discs to wide ones, and leans to one side, at a set's meters. An edge beside a meter
+// shows in that, and too little in the curvature of the disc that it lies in; but a narrow disc has so few photons that
+// one meter alone does not show it.
+class NeighbourProfiles {
  public:
-  explicit NeighbourSteps(std::vector<RingProfile> meters) : meters_(std::move(meters)) {}
+  explicit NeighbourProfiles(std::vector<RingProfile> meters) : meters_(std::move(meters)) {}
   bool tell(size_t m) const;
   // Of the disc out to a ring, of the meter with the profile, own; 0 where too few neighbours tell.
   StepBias bias(size_t m, const RingProfile& own, uint32_t ring) const;
-  // A bias estimated otherwise, and what steps say of the discs of both halves.
+  // A bias estimated otherwise, and what profiles say of the discs of both halves.
   Spread added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const;
 
  private:
+  template <class Of>
+  StepBias together(size_t m, const RingProfile& own, const StepBias& alone, const Of& estimate) const;
   StepBias bias_from(size_t m, const RingProfile& own, uint32_t from, uint32_t ring) const;
+  double bias_by_edge(size_t m, uint32_t ring) const;
   std::vector<RingProfile> meters_;
 };
 
