@@ -1,5 +1,6 @@
 // Does a row of meters show together what none of them shows alone: an edge beside it, within the disc that each would
-// take? Photons fall on discs of 0.5 m by a Poisson process, in 16 batches; fixed seeds.
+// take? 4000 to 5600 photons fall on each disc of 0.5 m by a Poisson process, in 16 batches; fixed seeds. Of 720 readings
+// of which 90 % hold, the share has a standard deviation of 1.1 %.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,30 +82,58 @@ struct Row {
   }
 };
 
-TEST(NeighbourSteps, ShowAnEdgeAlongARow) {
+// 69 % of the bounds hold by what each meter tells alone.
+TEST(NeighbourProfiles, ShowAnEdgeAlongARow) {
   const Row row([](size_t, double x) { return x < 0.12 ? 10 : 13; }, 13, 400);
-  std::printf("edge alone %g %g %g together %g %g %g\n", row.alone.error, row.alone.held, row.alone.bound,
-              row.together.error, row.together.held, row.together.bound);
+  EXPECT_GT(row.together.held, 0.93);
+  EXPECT_LT(row.together.error, 0.95 * row.alone.error);
+  EXPECT_LT(row.together.bound, 1.6 * row.alone.bound);
 }
-TEST(NeighbourSteps, ShowEdgesHereAndThere) {
+
+// Of different height, one in three the other way, 4 to 18 cm from the meters: 59 % hold alone.
+TEST(NeighbourProfiles, ShowEdgesHereAndThere) {
   const Row row([](size_t m, double x) { return x < 0.02 * double(m % 8 + 2) ? 10 : m % 3 ? 14 : 8; }, 14, 400);
-  std::printf("edges alone %g %g %g together %g %g %g\n", row.alone.error, row.alone.held, row.alone.bound,
-              row.together.error, row.together.held, row.together.bound);
+  EXPECT_GT(row.together.held, 0.83);
+  EXPECT_LT(row.together.error, row.alone.error);
 }
-TEST(NeighbourSteps, Lean) {
+
+// An edge so near that no disc of more than a few photons ends before it: what is read does not change. Alone, 50 %.
+TEST(NeighbourProfiles, ShowAnEdgeAtTheMetersByItsLean) {
   const Row row([](size_t, double x) { return x < 0.01 ? 10 : 12; }, 12, 400);
-  std::printf("lean alone %g %g %g together %g %g %g\n", row.alone.error, row.alone.held, row.alone.bound,
-              row.together.error, row.together.held, row.together.bound);
+  EXPECT_GT(row.together.held, 0.87);
 }
-TEST(NeighbourSteps, LeaveEvenLightAsItIs) {
-  const Row row([](size_t, double) { return 10; }, 10, 400);
-  std::printf("even alone %g %g %g together %g %g %g\n", row.alone.error, row.alone.held, row.alone.bound,
-              row.together.error, row.together.held, row.together.bound);
+
+TEST(NeighbourProfiles, LeaveEvenAndSlopingLightAsItIs) {
+  for (const double slope : {0.0, 10.0}) {
+    const Row row([&](size_t, double x) { return 10 + slope * x; }, 10 + slope * radius, 400);
+    EXPECT_GT(row.together.held, 0.95) << slope;
+    EXPECT_LT(row.together.error, 1.1 * row.alone.error) << slope;
+    EXPECT_LT(row.together.bound, 1.12 * row.alone.bound) << slope;
+  }
 }
-TEST(NeighbourSteps, Slope) {
-  const Row row([](size_t, double x) { return 10 + 10 * x; }, 15, 400);
-  std::printf("slope alone %g %g %g together %g %g %g\n", row.alone.error, row.alone.held, row.alone.bound,
-              row.together.error, row.together.held, row.together.bound);
+
+// Photons on a square grid of 1 mm, no noise: 3 lx that step up by 2 at the meter lean by 2/pi, those that slope do not.
+TEST(NeighbourProfiles, LightLeansBesideAStepAndNotOnASlope) {
+  const MeterDiscs discs(1, max_rings, radius);
+  const Rings rings = discs.rings(0, 0);
+  const auto profile = [&](const std::function<double(double, double)>& lx) {
+    MeterRings sums(1, max_rings, false);
+    for (int i = -500; i < 500; ++i)
+      for (int j = -500; j < 500; ++j) {
+        const float x = float(i + 0.5) / 1000, y = float(j + 0.5) / 1000;
+        if (const uint32_t ring = discs.ring_at(0, x, y); ring != none)
+          sums.add(0, uint32_t(i + j) % batch_count,
+                   {0, 0, uint8_t(ring), false, MeterDiscs::octant_of(x, y), batch_count * 1e-6 * lx(x, y)});
+      }
+    return sums.profile(0, rings, batch_count);
+  };
+  constexpr uint32_t ring = max_rings - 1;
+  const RingProfile step = profile([](double, double y) { return y > 0 ? 5 : 3; }),
+                    slope = profile([](double x, double y) { return 4 + x - 3 * y; });
+  EXPECT_NEAR(step.lx, 4, 0.01);
+  EXPECT_NEAR(step.lean_s[ring] * step.lx, 0, 0.01);
+  EXPECT_NEAR(step.lean_t[ring] * step.lx, 2 / pi_d, 0.01);
+  EXPECT_NEAR(std::hypot(slope.lean_s[ring], slope.lean_t[ring]) * slope.lx, 0, 0.02);
 }
 
 }  // namespace
