@@ -73,8 +73,8 @@ Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours) {
 bool NeighbourProfiles::tell(size_t m) const { return meters_.size() > least_neighbours && meters_[m].lx > 0; }
 
 // Of an estimate of each meter, by its profile and by how many rings further in a disc of that size ends there; without
-// a variance where it has none. Where meters differ, each may be biased by as much, which narrows its disc and widens
-// its bound: chance must not do that, so it is taken for less than estimated.
+// a variance where it has none. alone: where too few tell. Where meters differ, each may be biased by as much, which
+// narrows its disc and widens its bound: chance must not do that, so it is taken for less than estimated.
 template <class Of>
 StepBias NeighbourProfiles::together(size_t m, const RingProfile& own, const StepBias& alone,
                                      const Of& estimate) const {

@@ -1,6 +1,6 @@
 // Does a row of meters show together what none of them shows alone: an edge beside it, within the disc that each would
-// take? 4000 to 5600 photons fall on each disc of 0.5 m by a Poisson process, in 16 batches; fixed seeds. Of 720 readings
-// of which 90 % hold, the share has a standard deviation of 1.1 %.
+// take? 4000 to 5600 photons fall on each disc of 0.5 m by a Poisson process, in 16 batches; fixed seeds. The share of
+// 720 bounds of which 90 % hold has a standard deviation of 1.1 %.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -112,7 +112,7 @@ TEST(NeighbourProfiles, LeaveEvenAndSlopingLightAsItIs) {
   }
 }
 
-// Photons on a square grid of 1 mm, no noise: 3 lx that step up by 2 at the meter lean by 2/pi, those that slope do not.
+// Photons on a square grid of 1 mm, no noise: light that steps up by 2 lx at the meter leans by 2/pi, a slope does not.
 TEST(NeighbourProfiles, LightLeansBesideAStepAndNotOnASlope) {
   const MeterDiscs discs(1, max_rings, radius);
   const Rings rings = discs.rings(0, 0);
