@@ -108,7 +108,8 @@ Accumulator::Choices Accumulator::choose_discs(size_t set) const {
       if (visits(m) == 0 || (!alone && !neighbours[m].tell() && !profiles.tell(m))) continue;
       const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
       MeterRings::Told told{neighbours[m], {}};
-      if (!alone) told.steps = [&](const RingProfile& half, uint32_t ring) { return profiles.bias(m, half, ring); };
+      if (!alone)
+        told.steps = [&](const RingProfile& half, uint32_t ring) { return profiles.bias_to_choose_by(m, half, ring); };
       choices[m] = rings_[set].choose(m * rows, rings, visits(m), told);
       if (!alone) continue;
       const MeterRings::Photons p = rings_[set].read(m * rows, rings, choices[m], visits(m));

@@ -74,28 +74,30 @@ bool NeighbourProfiles::tell(size_t m) const { return meters_.size() > least_nei
 
 // Of an estimate of each meter, by its profile and by how many rings further in a disc of that size ends there; without
 // a variance where it has none. alone: where too few tell. Where meters differ, each may be biased by as much, which
-// narrows its disc and widens its bound: chance must not do that, so it is taken for less than estimated.
+// narrows its disc and widens its bound: chance must not do that, so it is taken for less than estimated; all the more
+// where discs are chosen, as one of several that chance lets seem biased is enough to take another.
 template <class Of>
-StepBias NeighbourProfiles::together(size_t m, const RingProfile& own, const StepBias& alone,
+StepBias NeighbourProfiles::together(size_t m, const RingProfile& own, double sure, const StepBias& alone,
                                      const Of& estimate) const {
   const Estimate e = estimate(own, 0);
   if (!(e.variance > 0)) return {};
   std::vector<Estimate> group;
   group.reserve(2 * reach + 1);
   for (size_t j = m - std::min(m, reach), end = std::min(meters_.size(), m + reach + 1); j < end; ++j) {
-    const RingProfile& n = meters_[j];
+    const RingProfile& n = j == m ? own : meters_[j];  // a half must not be told of the other by itself
     if (!(n.lx > 0)) continue;
     const int shift = n.radius2 == own.radius2 ? 0 : int(std::lround(std::log2(n.radius2 / own.radius2)));
     if (const Estimate of = estimate(n, uint32_t(shift)); of.variance > 0) group.push_back(of);
   }
   if (group.size() <= least_neighbours) return alone;
-  const Pooled p = pool(group, -1);
+  const Pooled p = pool(group, -sure);
   const double share = p.between / (p.between + e.variance), told = 1 - share;
   return {share * e.value + told * p.mean, share * e.variance, told * told * p.variance_of_mean};
 }
 
-StepBias NeighbourProfiles::bias_from(size_t m, const RingProfile& own, uint32_t from, uint32_t ring) const {
-  return together(m, own, {}, [=](const RingProfile& p, uint32_t shift) {
+StepBias NeighbourProfiles::bias_from(size_t m, const RingProfile& own, uint32_t from, uint32_t ring,
+                                      double sure) const {
+  return together(m, own, sure, {}, [=](const RingProfile& p, uint32_t shift) {
     const uint32_t a = from - shift, b = ring - shift;
     return p.has(a, b) ? Estimate{p.step(a, b), p.step_variance(a, b)} : Estimate{};
   });
@@ -103,14 +105,14 @@ StepBias NeighbourProfiles::bias_from(size_t m, const RingProfile& own, uint32_t
 
 // From the disc of a quarter of the radius, which holds most of the bias of any light; from narrower ones where these
 // show beyond doubt more than it may be.
-StepBias NeighbourProfiles::bias(size_t m, const RingProfile& own, uint32_t ring) const {
+StepBias NeighbourProfiles::bias(size_t m, const RingProfile& own, uint32_t ring, double sure) const {
   if (!tell(m) || ring < quarter) return {};
-  StepBias found = bias_from(m, own, ring - quarter, ring);
+  StepBias found = bias_from(m, own, ring - quarter, ring, sure);
   const auto surely = [](const StepBias& b, double errors) {
     return std::abs(b.mean) - errors * std::sqrt(b.variance());
   };
   for (uint32_t down = quarter + narrower; down <= std::min(most_narrow, ring); down += narrower) {
-    const StepBias b = bias_from(m, own, ring - down, ring);
+    const StepBias b = bias_from(m, own, ring - down, ring, sure);
     if (surely(b, certain) > std::max(0.0, surely(found, 2))) found = b;
   }
   return found;
@@ -129,7 +131,7 @@ double NeighbourProfiles::bias_by_edge(size_t m, uint32_t ring) const {
         return Estimate{double(t ? p.lean_t[k] : p.lean_s[k]), RingProfile::lean_noise * double(p.variance[k])};
       };
       const Estimate own = estimate(meters_[m], 0);
-      lean[t] = together(m, meters_[m], {own.value, own.variance, 0}, estimate);
+      lean[t] = together(m, meters_[m], to_state, {own.value, own.variance, 0}, estimate);
     }
     const double variance = lean[0].variance() + lean[1].variance(),
                  length2 = lean[0].mean * lean[0].mean + lean[1].mean * lean[1].mean,
@@ -143,7 +145,7 @@ double NeighbourProfiles::bias_by_edge(size_t m, uint32_t ring) const {
 Spread NeighbourProfiles::added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const {
   const RingProfile& own = meters_[m];
   if (!(own.lx > 0)) return bias;
-  const StepBias a = this->bias(m, own, discs[0]), b = this->bias(m, own, discs[1]);
+  const StepBias a = this->bias(m, own, discs[0], to_state), b = this->bias(m, own, discs[1], to_state);
   const StepBias both{0.5 * (a.mean + b.mean), 0.5 * (a.own_variance + b.own_variance),
                       0.5 * (a.told_variance + b.told_variance)};
   const double edge = std::hypot(bias_by_edge(m, discs[0]), bias_by_edge(m, discs[1])) / std::sqrt(2.0);
