@@ -34,6 +34,7 @@ SCENES = {"mirror": lambda: (known_light.mirror(64), known_light.mirror(256)),
           "parabola": lambda: (known_light.parabola(),),
           "caustic": lambda: (known_light.caustic(1024, 64), known_light.caustic(16384, 64)),
           "office": lambda: (referenced_light.office(),),
+          "atrium": lambda: (referenced_light.atrium(),),
           "bathroom": lambda: (referenced_light.bathroom(),)}
 
 

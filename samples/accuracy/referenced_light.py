@@ -1,5 +1,5 @@
-"""Rooms without a closed form, whose meters are judged by one long render: an office with IES luminaires and the sample
-bathroom. Called by calibrate.py and stopping.py.
+"""Rooms without a closed form, whose meters are judged by one long render: an office with IES luminaires, an atrium
+under glass and the sample bathroom. Called by calibrate.py and stopping.py.
 
 The reference is made once and kept as long as scene and words stay the same. Its own standard error adds to what a
 bound is to hold (calibration.py); what its bias may be adds nothing, so it can only make the shares that are told
@@ -49,6 +49,10 @@ def make_office(folder):
     return rooms.write(os.path.join(folder, "office.glb"), rooms.office, effects=("desks", "gloss"))
 
 
+def make_atrium(folder):
+    return rooms.write(os.path.join(folder, "atrium.glb"), rooms.atrium)
+
+
 def make_bathroom_floor(folder):
     path = os.path.join(folder, "bathroom.glb")
     subprocess.run([sys.executable, os.path.join(BATHROOM, "make_bathroom.py"), "--floor", "--out", path], check=True,
@@ -60,6 +64,13 @@ def office():
     """By path tracing, which finds all of its light: points over matte and glossy things."""
     return Referenced("office", "an office with IES luminaires", make_office, ("--iterations", "32"), "pt",
                       ("--iterations", "8192"))
+
+
+def atrium():
+    """Its roof and rails mirror 400 luminaires: light that only photons find, with edges beside whole rows of meters. The
+    reference has 64 times as many of them."""
+    return Referenced("atrium", "an atrium under a glass roof", make_atrium, ("--iterations", "64"), "ups",
+                      ("--light-paths", "131072", "--iterations", "512"))
 
 
 def bathroom():

@@ -86,17 +86,31 @@ double Accumulator::largest_path(size_t set, double disc_area, const Largest& fo
   return std::max({double(found[part]), photon, seen});
 }
 
+NeighbourProfiles Accumulator::profiles_of(size_t set, size_t column) const {
+  const size_t rows = plan_.separation.columns.size() + 1;
+  std::vector<RingProfile> profiles(rings_[set].empty() ? 0 : meters_[set].size());
+  for (size_t m = 0; m < profiles.size(); ++m) {
+    const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
+    if (visits(m) > 0) profiles[m] = rings_[set].profile(m * rows + column, rings, visits(m));
+  }
+  return NeighbourProfiles(std::move(profiles));
+}
+
 // By what the meter alone tells, then by what its neighbours found with that.
 Accumulator::Choices Accumulator::choose_discs(size_t set) const {
   const size_t count = rings_[set].empty() ? 0 : meters_[set].size(), rows = plan_.separation.columns.size() + 1;
   Choices choices(count);
   std::vector<OwnBias> own(count);
   std::vector<NeighbourCurvature> neighbours(count);
+  const NeighbourProfiles profiles = profiles_of(set, 0);
   for (const bool alone : {true, false}) {
     for (size_t m = 0; m < count; ++m) {
-      if (visits(m) == 0 || (!alone && !neighbours[m].tell())) continue;
+      if (visits(m) == 0 || (!alone && !neighbours[m].tell() && !profiles.tell(m))) continue;
       const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
-      choices[m] = rings_[set].choose(m * rows, rings, visits(m), neighbours[m]);
+      MeterRings::Told told{neighbours[m], {}};
+      if (!alone)
+        told.steps = [&](const RingProfile& half, uint32_t ring) { return profiles.bias_to_choose_by(m, half, ring); };
+      choices[m] = rings_[set].choose(m * rows, rings, visits(m), told);
       if (!alone) continue;
       const MeterRings::Photons p = rings_[set].read(m * rows, rings, choices[m], visits(m));
       own[m] = {spread(p.bias.data(), visits(m)), p.lx, p.mean_radius2};
@@ -135,7 +149,11 @@ std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs,
     own.push_back(lights.back().own_bias());
   }
   const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(own);
-  for (size_t m = 0; m < lights.size(); ++m) lights[m].bias = pooled_bias(own[m], neighbours[m]);
+  const NeighbourProfiles profiles = profiles_of(set, column);
+  for (size_t m = 0; m < lights.size(); ++m) {
+    lights[m].bias = pooled_bias(own[m], neighbours[m]);
+    if (!discs.empty()) lights[m].bias = profiles.added_to(lights[m].bias, m, discs[m]);
+  }
   return lights;
 }
 

@@ -40,7 +40,8 @@ class Accumulator {
   explicit Accumulator(const Snapshot& scene, const Plan& plan);
   // Without MeterRings.
   static constexpr double bytes_per_meter = sizeof(MeterSums) + sizeof(MeterLight) + sizeof(ups_meter_reading) +
-                                            2 * sizeof(ups_meter_part_reading) + MeterBatches::bytes_per_meter;
+                                            2 * sizeof(ups_meter_part_reading) + sizeof(RingProfile) +
+                                            MeterBatches::bytes_per_meter;
   void add(const IterationTally& tally);  // the next iteration
   uint32_t iterations() const { return iterations_; }
   const WorkCounts& work() const { return work_; }
@@ -63,6 +64,7 @@ class Accumulator {
   }
   using Largest = std::array<float, light_part_count>;
   using Choices = std::vector<MeterRings::Choice>;  // by meter; of cells and where nothing is merged, none
+  NeighbourProfiles profiles_of(size_t set, size_t column) const;
   Choices choose_discs(size_t set) const;
   // column: 0, all its light, or one more than that of a separated source's; all take the disc that the meter chooses.
   MeterLight light_of(size_t set, size_t meter, const Choices& discs, size_t column) const;

@@ -80,6 +80,12 @@ struct MeterRings::Sums {
         if (differs(narrower, mean(k + 1), beyond_doubt)) return k;
     return max_ring;
   }
+  RingProfile profile(const Rings& rings, double lx) const {
+    RingProfile p{lx, rings.radius2[max_ring], rings.narrowest, {}, {}};
+    for (uint32_t k = 0; k <= max_ring && lx > 0; ++k)
+      if (area[k] > 0) p.mean[k] = float(mean(k) / lx), p.variance[k] = float(variance(k) / (lx * lx));
+    return p;
+  }
   // The first that has so many photons, if any has; at least the narrowest that is resolved.
   uint32_t first_with(uint64_t photons, const Rings& rings) const {
     uint32_t k = rings.narrowest;
@@ -90,7 +96,7 @@ struct MeterRings::Sums {
 
 MeterRings::MeterRings(size_t rows, uint32_t rings, bool direct)
     : rings_(rings), flux_(rows * batch_count * rings), direct_(direct ? flux_.size() : 0),
-      square_(rows * halves * rings), count_(rows * halves * rings),
+      square_(rows * halves * rings), count_(rows * halves * rings), lean_(rows * rings * 2),
       largest_(rows * rings), largest_batch_(rows * rings) {}
 
 void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l) {
@@ -99,6 +105,11 @@ void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l) {
   flux_[of_batch] += l.lm;
   square_[of_half] += l.lm * l.lm;
   ++count_[of_half];
+  // The mean direction over an octant: between pi/8 and its neighbours' edges, sin(pi/8) / (pi/8) long.
+  const double near = 0.9003163, off = 0.3729232;
+  const double s = l.octant & 1 ? off : near, t = l.octant & 1 ? near : off;
+  lean_[of_row * 2] += l.octant & 2 ? -s * l.lm : s * l.lm;
+  lean_[of_row * 2 + 1] += l.octant & 4 ? -t * l.lm : t * l.lm;
   if (l.direct && !direct_.empty()) direct_[of_batch] += l.lm;
   if (float(l.lm) > largest_[of_row]) largest_[of_row] = float(l.lm), largest_batch_[of_row] = uint8_t(batch);
 }
@@ -131,11 +142,13 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 // its own too, in proportion to r^2 as light has it that curves evenly. Beside an edge the fit sees but a third of a
 // wide disc's bias, a disc of a quarter of the radius all but its own: as that has much noise, three times of it are
 // taken off. What is noise of all that, the neighbours' curvature replaces.
+// Neighbours' steps add what one meter's photons are too few to show: bias squared, less twice its noise, and what the
+// meter may differ from them in.
 // Noise: that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few. So
 // are its photons to tell light that is narrower than a disc: `widest` is told by all. A small disc that only dim
 // photons have reached does not know its noise: as long as bright ones are due there by chance, the widest disc's tells.
-uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence,
-                          const NeighbourCurvature& neighbours, uint32_t widest) {
+uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence, const Told& told, double lx,
+                          uint32_t widest) {
   const BiasKernel kernel(rings);
   const uint32_t first = s.first_with(least_photons, rings);
   double b1 = 0, q1 = 0, q2 = 0, noise2[max_rings], bias2[max_rings], bias_noise2[max_rings];
@@ -157,13 +170,18 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
   }
   uint32_t chosen = last;
   double least = INFINITY, curved = 0;  // of wider discs: bias^2 / r^4
+  const RingProfile profile = s.profile(rings, lx);
   for (uint32_t k = last + 1; k-- > first;) {
     const double r4 = rings.radius2[k] * rings.radius2[k];
     curved = std::max(curved, bias2[k] / r4);
-    const double scale = s.mean(last) * s.mean_radius2[k], own = neighbours.share_of_own(scale, bias_noise2[k]),
-                 told = neighbours.mean * scale,
-                 cost = noise2[k] + own * std::max(bias2[k], 0.5 * curved * r4) + (1 - own) * told * told;
-    if (cost < least) least = cost, chosen = k;
+    const double scale = s.mean(last) * s.mean_radius2[k], own = told.curvature.share_of_own(scale, bias_noise2[k]),
+                 curvature = told.curvature.mean * scale;
+    double bias = own * std::max(bias2[k], 0.5 * curved * r4) + (1 - own) * curvature * curvature;
+    if (told.steps && noise2[k] + bias < least) {
+      const StepBias b = told.steps(profile, k);
+      bias = std::max(bias, lx * lx * (std::max(0.0, b.mean * b.mean - 2 * b.told_variance) + b.own_variance));
+    }
+    if (noise2[k] + bias < least) least = noise2[k] + bias, chosen = k;
   }
   return chosen;
 }
@@ -200,17 +218,33 @@ MeterRings::Dependence MeterRings::dependence(size_t row, const Sums& s, const R
   return out;
 }
 
-MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits,
-                                      const NeighbourCurvature& neighbours) const {
+MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits, const Told& told) const {
   if (visits < min_batches || rings.count < 2) return {rings.count - 1, rings.count - 1};
   const Sums all = sums_of(row, rings, 0, halves, visits);
   const Dependence dependence = this->dependence(row, all, rings, visits);
   const uint32_t widest = all.widest(rings);
   Choice choice;
   for (size_t half = 0; half < halves; ++half)
-    choice[1 - half] =
-        best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, neighbours, widest);
+    choice[1 - half] = best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, told,
+                            all.mean(rings.count - 1), widest);
   return choice;
+}
+
+RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits) const {
+  const Sums sums = sums_of(row, rings, 0, halves, visits);
+  RingProfile p = sums.profile(rings, sums.mean(rings.count - 1));
+  // Least squares by rings, weighted by area: m_i = sum area_j r_j^i, e = (m_2 sum f_j - m_1 sum r_j f_j) / (m_0 m_2 -
+  // m_1^2).
+  double m0 = 0, m1 = 0, m2 = 0, s0 = 0, s1 = 0, t0 = 0, t1 = 0;
+  for (uint32_t k = 0; k < rings.count && p.lx > 0; ++k) {
+    const double r = std::sqrt(rings.radius2[k]), *lean = &lean_[(row * rings_ + k) * 2];
+    m0 += rings.area[k], m1 += rings.area[k] * r, m2 += rings.area[k] * r * r;
+    s0 += lean[0], s1 += r * lean[0], t0 += lean[1], t1 += r * lean[1];
+    const double determinant = (m0 * m2 - m1 * m1) * visits * p.lx;
+    if (!(m0 * m2 - m1 * m1 > 1e-9 * m0 * m2)) continue;
+    p.lean_s[k] = float((m2 * s0 - m1 * s1) / determinant), p.lean_t[k] = float((m2 * t0 - m1 * t1) / determinant);
+  }
+  return p;
 }
 
 MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const {

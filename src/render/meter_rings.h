@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "transport/meter_discs.h"
@@ -26,20 +27,54 @@ struct NeighbourCurvature {
   }
 };
 
+// Of a meter's light: means of discs out to each ring over lx, that of the widest, and their variances.
+struct RingProfile {
+  double lx = 0, radius2 = 0;  // mean squared radius of the outermost ring, m2
+  uint32_t narrowest = 0;
+  std::array<float, max_rings> mean{}, variance{};
+  // How light leans to one side at the meter, along its frame: e over lx, of the fit e + f r over the rings of a disc
+  // to the means of light times the direction to where it falls. A slope has none; a step at the meter, 1/pi of it.
+  std::array<float, max_rings> lean_s{}, lean_t{};
+  static constexpr double lean_noise = 4.87;  // of either, its variance over the disc's
+  // Whether it tells how light goes on from the disc out to one ring to a wider one. What noise such a step has is what
+  // the wide disc predicts: a narrow one does not know it, and would seem to be sure where it has too few photons.
+  bool has(uint32_t from, uint32_t to) const {
+    return narrowest <= from && from < to && to < max_rings && variance[to] > 0;
+  }
+  double step(uint32_t from, uint32_t to) const { return double(mean[to]) - double(mean[from]); }
+  double step_variance(uint32_t from, uint32_t to) const {
+    return double(variance[to]) * (std::ldexp(1.0, int(to - from)) - 1);
+  }
+};
+
+// A disc's bias as a meter and its neighbours show it by such steps, over the same lx.
+struct StepBias {
+  double mean = 0;
+  double own_variance = 0, told_variance = 0;  // of what the meter differs from its neighbours in; of their mean
+  double variance() const { return own_variance + told_variance; }
+  bool is_beyond(double errors) const { return mean * mean > errors * errors * variance(); }
+};
+
 class MeterRings {
  public:
   // A row is a meter, or a column of one. direct: some light comes straight from emitters.
   MeterRings(size_t rows, uint32_t rings, bool direct);
   static double bytes_per_row(uint32_t rings, bool direct) {
-    return rings * (sizeof(double) * (batch_count + halves + (direct ? batch_count : 0)) + sizeof(uint32_t) * halves +
-                    sizeof(float) + 1);
+    return rings * (sizeof(double) * (batch_count + halves + 2 + (direct ? batch_count : 0)) +
+                    sizeof(uint32_t) * halves + sizeof(float) + 1);
   }
   bool empty() const { return flux_.empty(); }
   void add(size_t row, uint32_t batch, const MeterLanding& landing);
 
   // Even and odd batches: the outermost ring that is read of each.
   using Choice = std::array<uint32_t, 2>;
-  Choice choose(size_t row, const Rings& rings, uint32_t visits, const NeighbourCurvature& neighbours = {}) const;
+  // What is told of neighbours. steps: by the profile of half of the photons and the outermost ring; empty: nothing.
+  struct Told {
+    NeighbourCurvature curvature;
+    std::function<StepBias(const RingProfile&, uint32_t)> steps;
+  };
+  Choice choose(size_t row, const Rings& rings, uint32_t visits, const Told& told = {}) const;
+  RingProfile profile(size_t row, const Rings& rings, uint32_t visits) const;
 
   // The photons of the chosen discs.
   struct Photons {
@@ -63,8 +98,8 @@ class MeterRings {
     Dependence() { of_mean.fill(1), of_bias.fill(1); }
   };
   Dependence dependence(size_t row, const Sums& all, const Rings& rings, uint32_t visits) const;
-  static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence,
-                       const NeighbourCurvature& neighbours, uint32_t widest);
+  static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence, const Told& told,
+                       double lx, uint32_t widest);
   double flux(size_t row, uint32_t batch, uint32_t ring) const {
     return flux_[(row * batch_count + batch) * rings_ + ring];
   }
@@ -73,6 +108,7 @@ class MeterRings {
   std::vector<double> flux_, direct_;  // a row by a batch by a ring
   std::vector<double> square_;         // a row by a half by a ring
   std::vector<uint32_t> count_;        // the same
+  std::vector<double> lean_;           // flux by its direction from the meter, a row by a ring by s and t
   std::vector<float> largest_;         // lm, a row by a ring
   std::vector<uint8_t> largest_batch_;
 };

@@ -11,9 +11,15 @@ namespace ups {
 namespace {
 
 constexpr size_t reach = 16, least_neighbours = 4;  // on either side; without the meter itself
+constexpr uint32_t quarter = 4, narrower = 2, most_narrow = 8;  // rings: to a quarter of a radius; steps down to a 16th
+constexpr double certain = 2.5;  // standard deviations, of one of several estimates that are looked at
+constexpr double pi_d = 3.14159265358979323846;
 
-struct Curvature {
-  double value, variance;  // 1/m2, its square
+struct Estimate {
+  double value = 0, variance = 0;
+};
+struct Pooled {
+  double mean, variance_of_mean, between;
 };
 
 // Of meters with discs of similar size: a disc is narrow where light is not like its neighbours'.
@@ -21,14 +27,15 @@ bool alike(const OwnBias& a, const OwnBias& b) {
   return b.mean_radius2 <= 2.1 * a.mean_radius2 && a.mean_radius2 <= 2.1 * b.mean_radius2;
 }
 
-NeighbourCurvature pool(const std::vector<Curvature>& all) {
+// between: so many standard deviations of chance, of the chi-square that tells of it, more than estimated.
+Pooled pool(const std::vector<Estimate>& all, double more) {
   double w = 0, w2 = 0, sum = 0, q = 0;
-  for (const Curvature& c : all) w += 1 / c.variance, w2 += 1 / (c.variance * c.variance), sum += c.value / c.variance;
-  for (const Curvature& c : all) q += (c.value - sum / w) * (c.value - sum / w) / c.variance;
-  // A standard deviation more than estimated, as q has a chi-square's: taken for alike, meters would know too much.
-  const double dof = double(all.size() - 1), between = std::max(0.0, (q - dof + std::sqrt(2 * dof)) / (w - w2 / w));
+  for (const Estimate& e : all) w += 1 / e.variance, w2 += 1 / (e.variance * e.variance), sum += e.value / e.variance;
+  for (const Estimate& e : all) q += (e.value - sum / w) * (e.value - sum / w) / e.variance;
+  const double dof = double(all.size() - 1),
+               between = std::max(0.0, (q - dof + more * std::sqrt(2 * dof)) / (w - w2 / w));
   w = sum = 0;
-  for (const Curvature& c : all) w += 1 / (c.variance + between), sum += c.value / (c.variance + between);
+  for (const Estimate& e : all) w += 1 / (e.variance + between), sum += e.value / (e.variance + between);
   return {sum / w, 1 / w, between};
 }
 
@@ -36,7 +43,7 @@ NeighbourCurvature pool(const std::vector<Curvature>& all) {
 
 std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>& meters) {
   std::vector<NeighbourCurvature> out(meters.size());
-  std::vector<Curvature> group;
+  std::vector<Estimate> group;
   const auto tells = [](const OwnBias& m) { return m.bias.standard_error > 0 && m.lx > 0; };
   for (size_t m = 0; m < meters.size(); ++m) {
     if (!tells(meters[m])) continue;
@@ -47,7 +54,10 @@ std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>&
       const double error = n.bias.standard_error / n.scale();
       group.push_back({n.bias.mean / n.scale(), error * error});
     }
-    if (group.size() > least_neighbours) out[m] = pool(group);
+    // Taken for alike, meters would know too much.
+    if (group.size() <= least_neighbours) continue;
+    const Pooled p = pool(group, 1);
+    out[m] = {p.mean, p.variance_of_mean, p.between};
   }
   return out;
 }
@@ -58,6 +68,89 @@ Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours) {
   const double share = neighbours.share_of_own(own.scale(), error * error), told = (1 - share) * own.scale();
   return {share * mean + told * neighbours.mean,
           std::sqrt(share * error * error + told * told * neighbours.variance_of_mean)};
+}
+
+bool NeighbourProfiles::tell(size_t m) const { return meters_.size() > least_neighbours && meters_[m].lx > 0; }
+
+// Of an estimate of each meter, by its profile and by how many rings further in a disc of that size ends there; without
+// a variance where it has none. alone: where too few tell. Where meters differ, each may be biased by as much, which
+// narrows its disc and widens its bound: chance must not do that, so it is taken for less than estimated; all the more
+// where discs are chosen, as one of several that chance lets seem biased is enough to take another.
+template <class Of>
+StepBias NeighbourProfiles::together(size_t m, const RingProfile& own, double sure, const StepBias& alone,
+                                     const Of& estimate) const {
+  const Estimate e = estimate(own, 0);
+  if (!(e.variance > 0)) return {};
+  std::vector<Estimate> group;
+  group.reserve(2 * reach + 1);
+  for (size_t j = m - std::min(m, reach), end = std::min(meters_.size(), m + reach + 1); j < end; ++j) {
+    const RingProfile& n = j == m ? own : meters_[j];  // a half must not be told of the other by itself
+    if (!(n.lx > 0)) continue;
+    const int shift = n.radius2 == own.radius2 ? 0 : int(std::lround(std::log2(n.radius2 / own.radius2)));
+    if (const Estimate of = estimate(n, uint32_t(shift)); of.variance > 0) group.push_back(of);
+  }
+  if (group.size() <= least_neighbours) return alone;
+  const Pooled p = pool(group, -sure);
+  const double share = p.between / (p.between + e.variance), told = 1 - share;
+  return {share * e.value + told * p.mean, share * e.variance, told * told * p.variance_of_mean};
+}
+
+StepBias NeighbourProfiles::bias_from(size_t m, const RingProfile& own, uint32_t from, uint32_t ring,
+                                      double sure) const {
+  return together(m, own, sure, {}, [=](const RingProfile& p, uint32_t shift) {
+    const uint32_t a = from - shift, b = ring - shift;
+    return p.has(a, b) ? Estimate{p.step(a, b), p.step_variance(a, b)} : Estimate{};
+  });
+}
+
+// From the disc of a quarter of the radius, which holds most of the bias of any light; from narrower ones where these
+// show beyond doubt more than it may be.
+StepBias NeighbourProfiles::bias(size_t m, const RingProfile& own, uint32_t ring, double sure) const {
+  if (!tell(m) || ring < quarter) return {};
+  StepBias found = bias_from(m, own, ring - quarter, ring, sure);
+  const auto surely = [](const StepBias& b, double errors) {
+    return std::abs(b.mean) - errors * std::sqrt(b.variance());
+  };
+  for (uint32_t down = quarter + narrower; down <= std::min(most_narrow, ring); down += narrower) {
+    const StepBias b = bias_from(m, own, ring - down, ring, sure);
+    if (surely(b, certain) > std::max(0.0, surely(found, 2))) found = b;
+  }
+  return found;
+}
+
+// A step beside the meter leans by 1/pi of its height, and half of its height is the bias. On which side the meter is
+// does not show. Within a wide disc several steps may be like a slope: then a narrower one shows the nearest.
+double NeighbourProfiles::bias_by_edge(size_t m, uint32_t ring) const {
+  double square = 0, sure = 0;
+  for (uint32_t down = 0; down <= std::min(quarter, ring); down += narrower) {
+    StepBias lean[2];
+    for (const bool t : {false, true}) {
+      const auto estimate = [=](const RingProfile& p, uint32_t shift) {
+        const uint32_t k = ring - down - shift;
+        if (k <= p.narrowest || k >= max_rings) return Estimate{};
+        return Estimate{double(t ? p.lean_t[k] : p.lean_s[k]), RingProfile::lean_noise * double(p.variance[k])};
+      };
+      const Estimate own = estimate(meters_[m], 0);
+      lean[t] = together(m, meters_[m], to_state, {own.value, own.variance, 0}, estimate);
+    }
+    const double variance = lean[0].variance() + lean[1].variance(),
+                 length2 = lean[0].mean * lean[0].mean + lean[1].mean * lean[1].mean,
+                 surely = std::sqrt(length2) - certain * std::sqrt(variance);
+    if (surely > sure) sure = surely, square = length2 - variance;
+  }
+  return 0.5 * pi_d * std::sqrt(square);
+}
+
+// What the meter may differ from its neighbours in stands for twice its standard error, 95 %: a bound counts it once.
+Spread NeighbourProfiles::added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const {
+  const RingProfile& own = meters_[m];
+  if (!(own.lx > 0)) return bias;
+  const StepBias a = this->bias(m, own, discs[0], to_state), b = this->bias(m, own, discs[1], to_state);
+  const StepBias both{0.5 * (a.mean + b.mean), 0.5 * (a.own_variance + b.own_variance),
+                      0.5 * (a.told_variance + b.told_variance)};
+  const double edge = std::hypot(bias_by_edge(m, discs[0]), bias_by_edge(m, discs[1])) / std::sqrt(2.0);
+  if (both.is_beyond(2)) return {both.mean * own.lx, std::max(std::sqrt(both.variance()), edge) * own.lx};
+  return {bias.mean, std::max({bias.standard_error, 2 * std::sqrt(both.own_variance) * own.lx, edge * own.lx})};
 }
 
 }  // namespace ups

@@ -15,6 +15,31 @@ struct OwnBias {
   bool is_beyond_doubt() const { return std::abs(bias.mean) > 2 * bias.standard_error; }
 };
 
+// By how light goes on from narrow discs to wide ones, and leans to one side, at a set's meters. An edge beside a meter
+// shows in that, and too little in the curvature of the disc that it lies in; but a narrow disc has so few photons that
+// one meter alone does not show it.
+class NeighbourProfiles {
+ public:
+  explicit NeighbourProfiles(std::vector<RingProfile> meters) : meters_(std::move(meters)) {}
+  bool tell(size_t m) const;
+  // To choose the disc out to a ring by half of the photons, which have the profile `half`; 0 where too few tell.
+  StepBias bias_to_choose_by(size_t m, const RingProfile& half, uint32_t ring) const {
+    return bias(m, half, ring, to_choose);
+  }
+  // A bias estimated otherwise, and what profiles say of the discs of both halves.
+  Spread added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const;
+
+ private:
+  // sure: standard deviations of chance that meters must differ by.
+  static constexpr double to_choose = 2, to_state = 1;
+  template <class Of>
+  StepBias together(size_t m, const RingProfile& own, double sure, const StepBias& alone, const Of& estimate) const;
+  StepBias bias_from(size_t m, const RingProfile& own, uint32_t from, uint32_t ring, double sure) const;
+  StepBias bias(size_t m, const RingProfile& own, uint32_t ring, double sure) const;
+  double bias_by_edge(size_t m, uint32_t ring) const;
+  std::vector<RingProfile> meters_;
+};
+
 // Of a set's meters, in its order, in which neighbours follow each other.
 std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>& meters);
 

@@ -27,6 +27,7 @@ struct Block {
     uint32_t disc, emitter;
     MeterTally value;
     uint32_t ring;  // of a point's disc; none: a cell
+    uint8_t octant;
     double lm;
     mis::Classes relative;
   };
@@ -149,12 +150,9 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (cos_in < min_cosine || !(crossing.t > 0)) return;
     const Vec3 p = origin_ + direction_ * crossing.t;
     const Vec3 offset = p - lifted(meter.p, meter.frame.n, meter.error);
-    if (cell && (std::abs(dot(offset, meter.frame.s)) * 2 > set.cell_width ||
-                 std::abs(dot(offset, meter.frame.t)) * 2 > set.cell_height))
-      return;
-    const uint32_t ring = cell ? none
-                               : in_.plan.meter_discs[e.set].ring_at(e.meter, dot(offset, meter.frame.s),
-                                                                     dot(offset, meter.frame.t));
+    const float x = dot(offset, meter.frame.s), y = dot(offset, meter.frame.t);
+    if (cell && (std::abs(x) * 2 > set.cell_width || std::abs(y) * 2 > set.cell_height)) return;
+    const uint32_t ring = cell ? none : in_.plan.meter_discs[e.set].ring_at(e.meter, x, y);
     if (!cell && ring == none) return;
     const double flux = luminance(carried_ * met_.transmittance(scene_, crossing.t));
     const mis::LightState state = in_.weighted() ? arrive({p, meter.frame.n}, cos_in, crossing.t) : mis::LightState{};
@@ -163,8 +161,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const double value = luminance(c.value) * c.weight(in_, 1);
     if (!std::isfinite(value)) return work_.drop(cell ? Drop::sensor_hit : Drop::merge);
     useful_ |= casters_ && a > 1;
-    block_.landings.push_back({crossing.disc, emitter_index_, MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0), ring,
-                               value * e.area, c.relative(1)});
+    block_.landings.push_back({crossing.disc, emitter_index_, MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0),
+                               ring, MeterDiscs::octant_of(x, y), value * e.area, c.relative(1)});
   }
 
   void store(const LightEnd& light) {
@@ -260,7 +258,7 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
       const SensorIndex::Entry& e = sensors.entry(l.disc);
       const uint32_t column = columns ? in.plan.separation.column_of_emitter[l.emitter] : 0;
       if (l.ring != none && !in.moments) {
-        tally.landings[e.set].push_back({e.visited, column, uint8_t(l.ring), l.value.direct != 0, l.lm});
+        tally.landings[e.set].push_back({e.visited, column, uint8_t(l.ring), l.value.direct != 0, l.octant, l.lm});
         continue;
       }
       // A pilot takes whole discs: its photons are too few to choose by.

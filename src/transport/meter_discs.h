@@ -38,6 +38,10 @@ class MeterDiscs {
   float radius(uint32_t m) const { return radius_[m]; }
   double area(uint32_t m) const { return area_[m]; }
   Rings rings(uint32_t m, float min_radius) const;
+  // The eighth of a turn in which a point lies, by signs and by the larger of x and y.
+  static uint8_t octant_of(float x, float y) {
+    return uint8_t((std::abs(y) > std::abs(x)) | (x < 0) << 1 | (y < 0) << 2);
+  }
   // Of a point of the plane at x, y from the meter, along its frame's s and t.
   uint32_t ring_at(uint32_t m, float x, float y) const {
     const uint32_t ring = ring_of(x * x + y * y, radius_[m] * radius_[m]);

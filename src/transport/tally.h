@@ -92,6 +92,7 @@ struct MeterLanding {
   uint32_t column;   // of Plan::separation, where there is one
   uint8_t ring;      // of MeterDiscs
   bool direct;       // straight from an emitter
+  uint8_t octant;    // of MeterDiscs, about the meter
   double lm;         // weighted, already divided by N
 };
 
