@@ -210,10 +210,11 @@ bool is_free_through(const Snapshot& scene, const MediaStack& media, const Vec3&
   float before = 0, distance = 0;
   Hit hit;
   for (Ray ray{scene, a, d}; ray.next(length, work, hit, distance); ray.pass(e.surface, distance)) {
-    e.surface = scene.raytracer->surface_at(hit);
     const bool pane = scene.panes.is_pane(hit);
+    if (!pane && !(nest && scene.media.of_instance[hit.instance] != none)) return false;
+    e.surface = scene.raytracer->surface_at(hit);
     if (nest) find_nested_sides(scene, d, e);  // which changes nothing at a pane
-    if (!pane && !(nest && is_without_effect(scene, e))) return false;
+    if (!pane && !is_without_effect(scene, e)) return false;
     if (nest) passage.transmittance *= attenuation(scene, e.media, distance - before);
     before = distance;
     if (pane) {
