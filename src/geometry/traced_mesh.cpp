@@ -27,6 +27,49 @@ Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v) {
   return {w * a.x + u * b.x + v * c.x, w * a.y + u * b.y + v * c.y};
 }
 
+bool tangents_at(const Mesh& mesh, const uint32_t* i, const SurfacePoint& point, const Affine& to_scene, double side,
+                 const Triangle& triangle, const Vec3d& n, Vec3d& tangent, Vec3d& bitangent) {
+  double handedness;
+  if (!mesh.tangents.empty()) {
+    const auto get = [&](uint32_t k) {
+      const float* t = &mesh.tangents[4 * size_t(k)];
+      return Vec3(t[0], t[1], t[2]);
+    };
+    tangent = to_scene.vector(Vec3d(interpolate(get(i[0]), get(i[1]), get(i[2]), point.u, point.v)));
+    handedness = side * (mesh.tangents[4 * size_t(i[0]) + 3] < 0 ? -1 : 1);
+  } else if (!mesh.uvs.empty()) {
+    const Vec2 &a = mesh.uvs[i[0]], &b = mesh.uvs[i[1]], &c = mesh.uvs[i[2]];
+    const double u1 = double(b.x) - a.x, v1 = double(b.y) - a.y, u2 = double(c.x) - a.x, v2 = double(c.y) - a.y;
+    const double det = u1 * v2 - u2 * v1;
+    if (det == 0) return false;
+    const Vec3d e1 = triangle.p[1] - triangle.p[0], e2 = triangle.p[2] - triangle.p[0];
+    tangent = (e1 * v2 - e2 * v1) / det;
+    handedness = dot(cross(n, tangent), (e2 * u1 - e1 * u2) / det) > 0 ? -1 : 1;
+  } else {
+    return false;
+  }
+  tangent = tangent - n * dot(tangent, n);
+  const double size = length(tangent);
+  if (!(size > 0)) return false;
+  tangent = tangent / size;
+  bitangent = cross(n, tangent) * handedness;
+  return true;
+}
+
+void keep_off_edges(const Triangle& triangle, double area, double longest_edge, double inset, double (&weights)[3]) {
+  for (int i = 0; i < 3; ++i)
+    if (weights[i] * area < inset * longest_edge) {
+      const double needed = inset * length(triangle.p[(i + 2) % 3] - triangle.p[(i + 1) % 3]);
+      if (weights[i] * area < needed && needed < 0.125 * area) weights[i] = needed / area;
+    }
+}
+
+Vec3d point_by(const Triangle& triangle, const double (&w)[3]) {
+  const Vec3d sum = triangle.p[0] * w[0] + triangle.p[1] * w[1] + triangle.p[2] * w[2];
+  const double total = w[0] + w[1] + w[2];
+  return total == 1 ? sum : sum / total;
+}
+
 namespace {
 
 Affine inverse(const Affine& m) {

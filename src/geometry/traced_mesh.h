@@ -54,6 +54,20 @@ struct TracedMesh {
   }
 };
 
+inline Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, float u, float v) {
+  return a * (1 - u - v) + b * u + c * v;
+}
+
+// Tangent and bitangent of the texture's u axis and of its upward direction, which is -v in glTF, at a point with the
+// normal n of the triangle of vertices i; false where there are none. side: -1 where `to_scene` mirrors.
+bool tangents_at(const Mesh& mesh, const uint32_t* i, const SurfacePoint& point, const Affine& to_scene, double side,
+                 const Triangle& triangle, const Vec3d& n, Vec3d& tangent, Vec3d& bitangent);
+
+// Weights of a point of a triangle that is kept off its edges by `inset`: right at an edge rounding would put it behind
+// the next wall.
+void keep_off_edges(const Triangle& triangle, double area, double longest_edge, double inset, double (&weights)[3]);
+Vec3d point_by(const Triangle& triangle, const double (&weights)[3]);
+
 // Interpolated texture coordinates; 0 where the mesh has none.
 Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v);
 

@@ -122,7 +122,8 @@ std::vector<EyeWalk::WaitingEdge>& EyeWalk::kept_edges() {
 }
 
 void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
-  if (!c.media || in_.recorder) return test_edge(c, drop, share);
+  // Images of techniques show what has next to no weight, too.
+  if (!c.media || in_.recorder || sensor_.techniques) return test_edge(c, drop, share);
   const double size = luminance(c.value) * share * c.weight(in_, 1);
   if (!std::isfinite(size)) return work_.drop(drop);
   if (size > 0) edges_.push_back({c, *c.media, drop, share, size});
@@ -263,6 +264,11 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
   const LightVertex* lights = photons_.paths.vertices.data() + sensor_.first_light_vertex;
   const uint32_t count = sensor_.end_light_vertex - sensor_.first_light_vertex;
   const auto found = [&](uint32_t i) { return connect(in_, counts_, eye, arrival, light_end(i), lights[i].emitter); };
+  if (sensor_.techniques) {  // by their weights, those of next to none would stand for the others
+    for (uint32_t i = 0; i < count; ++i)
+      if (const Found c = found(i)) ++work_.connections, offer(*c, Drop::connect);
+    return;
+  }
   double sum = 0;
   for (uint32_t i = 0; i < count; ++i) {
     double size = 0;

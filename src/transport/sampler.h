@@ -78,7 +78,7 @@ class PathSampler {
   // The best dimensions go where most of the variance is: the first two directions, then emitters, lobes, later ones.
   static int sobol_dimension(uint32_t vertex, Slot slot) {
     static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, -1, 0, 1, -1, -1, 18, 19, -1, -1},
-                                                      {9, 10, 11, -1, 2, 3, 8, 7, -1, -1, -1, -1},
+                                                      {9, 10, 11, -1, 2, 3, 8, -1, 7, -1, -1, -1},
                                                       {15, 16, 17, -1, 12, 13, 14, -1, -1, -1, -1, -1}};
     return vertex < 3 ? table[vertex][int(slot)] : -1;
   }

@@ -87,7 +87,7 @@ struct Ratio {
 
 // Of a Lambertian disc: 16 sets of a lattice (Korobov's rule in three dimensions), each shifted by chance.
 Ratio exact_ratio(const std::vector<Quadric>& shapes, double disc) {
-  constexpr int sets = 16, points = 65521;
+  constexpr int sets = 32, points = 65521;
   constexpr uint64_t generator = 17364;
   std::mt19937_64 rng(1);
   std::uniform_real_distribution<double> uniform;

@@ -32,7 +32,8 @@ class Case:
         self.iterations, self.size, self.threads = iterations, size, threads
 
     def render(self, ups, iterations):
-        report = Renderer(ups, self.scene, self.threads, self.size).render(self.method, 1, ["--iterations", str(iterations)])
+        renderer = Renderer(ups, self.scene, self.threads, self.size)
+        report = renderer.render(self.method, 1, ["--iterations", str(iterations)])
         return {"cpu_s": report["cpu_s"], "wall_s": report["time_s"], **report["work"]}
 
     def iteration(self, ups):
