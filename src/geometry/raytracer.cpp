@@ -329,9 +329,9 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   point.material = mesh.material;
   point.uv = uv_at(mesh, primitive, u, v);
   double weights[3] = {1 - double(u) - double(v), double(u), double(v)};
-  const Vec3d at = triangle.p[0] * weights[0] + triangle.p[1] * weights[1] + triangle.p[2] * weights[2];
-  const double longest_edge = facet ? double(facet->longest_edge) : std::sqrt(triangle.longest_edge2());
-  const float extent = max_abs(Vec3(at)) + float(longest_edge);
+  Vec3d sum = triangle.sum(weights);
+  double longest_edge = facet ? double(facet->longest_edge) : std::sqrt(triangle.longest_edge2());
+  const float extent = max_abs(Vec3(sum)) + float(longest_edge);
   point.error = gamma_error * (placed.error_scale * extent + placed.error_offset);
   if (mesh.revolution) {
     impl_->place_on_revolution(placed, *mesh.revolution, point);
@@ -344,9 +344,12 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
     const Vec3d area_normal = triangle.area_normal() * placed.side;
     const double area = length(area_normal);
     point.ng = area > 0 ? Vec3(area_normal / area) : Vec3(0, 0, 1);
-    keep_off_edges(triangle, area, std::sqrt(triangle.longest_edge2()), inset, weights);
+    if (facet) longest_edge = std::sqrt(triangle.longest_edge2());  // which facets have rounded
+    keep_off_edges(triangle, area, longest_edge, inset, weights);
+    sum = triangle.sum(weights);
   }
-  point.p = Vec3(point_by(triangle, weights));
+  const double total = weights[0] + weights[1] + weights[2];
+  point.p = Vec3(total == 1 ? sum : sum / total);
   Vec3 n = point.ng;
   impl_->normal_at(placed, point, triangle, n);
   point.shading = Frame(n);

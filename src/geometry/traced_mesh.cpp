@@ -64,12 +64,6 @@ void keep_off_edges(const Triangle& triangle, double area, double longest_edge, 
     }
 }
 
-Vec3d point_by(const Triangle& triangle, const double (&w)[3]) {
-  const Vec3d sum = triangle.p[0] * w[0] + triangle.p[1] * w[1] + triangle.p[2] * w[2];
-  const double total = w[0] + w[1] + w[2];
-  return total == 1 ? sum : sum / total;
-}
-
 namespace {
 
 Affine inverse(const Affine& m) {

@@ -14,7 +14,7 @@ struct Triangle {
   Vec3d p[3];
   Vec3d area_normal() const { return cross(p[1] - p[0], p[2] - p[0]); }
   double longest_edge2() const { return std::max({length2(p[1] - p[0]), length2(p[2] - p[1]), length2(p[0] - p[2])}); }
-  Vec3d at(double u, double v) const { return p[0] * (1 - u - v) + p[1] * u + p[2] * v; }
+  Vec3d sum(const double (&weights)[3]) const { return p[0] * weights[0] + p[1] * weights[1] + p[2] * weights[2]; }
 };
 
 // Where the line o + t d meets the triangle's plane: weights of the three vertices. False where it runs within the
@@ -66,7 +66,6 @@ bool tangents_at(const Mesh& mesh, const uint32_t* i, const SurfacePoint& point,
 // Weights of a point of a triangle that is kept off its edges by `inset`: right at an edge rounding would put it behind
 // the next wall.
 void keep_off_edges(const Triangle& triangle, double area, double longest_edge, double inset, double (&weights)[3]);
-Vec3d point_by(const Triangle& triangle, const double (&weights)[3]);
 
 // Interpolated texture coordinates; 0 where the mesh has none.
 Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v);

@@ -117,8 +117,9 @@ void EyeWalk::gather(const EyeEnd& eye) {
 // Emptied: of a path that was broken off some may be left.
 std::vector<EyeWalk::WaitingEdge>& EyeWalk::kept_edges() {
   static const PerThread<std::vector<WaitingEdge>> kept;
-  kept.get().clear();
-  return kept.get();
+  std::vector<WaitingEdge>& edges = kept.get();
+  edges.clear();
+  return edges;
 }
 
 void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
@@ -257,9 +258,13 @@ LightEnd& EyeWalk::light_end(uint32_t i) {
 // ray, it stands for their sum if its ray is free (Talbot et al. 2005, resampled importance sampling). Between Lambertian
 // surfaces an estimate does; else all is evaluated.
 void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
-  static const PerThread<std::vector<double>> kept;
-  std::vector<double>& sizes = kept.get();
-  sizes.clear();
+  struct Candidate {
+    double size = 0;
+    Found found;  // where it was evaluated
+  };
+  static const PerThread<std::vector<Candidate>> kept;
+  std::vector<Candidate>& all = kept.get();
+  all.clear();
   const bool estimates = !in_.settings.actual_perturbation && (!eye.bsdf || eye.bsdf->min_alpha_continuous() == 1);
   const LightVertex* lights = photons_.paths.vertices.data() + sensor_.first_light_vertex;
   const uint32_t count = sensor_.end_light_vertex - sensor_.first_light_vertex;
@@ -271,25 +276,27 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
   }
   double sum = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    double size = 0;
+    Candidate& c = all.emplace_back();
     if (estimates && lights[i].lambertian)
-      size = connection_estimate(in_, counts_, eye, lights[i]);
-    else if (const Found c = found(i))
-      size = luminance(c->value) * c->weight(in_, 1);
-    if (!std::isfinite(size)) work_.drop(Drop::connect);
-    sizes.push_back(size > 0 && std::isfinite(size) ? size : 0);
-    sum += sizes.back();
+      c.size = connection_estimate(in_, counts_, eye, lights[i]);
+    else if ((c.found = found(i)))
+      c.size = luminance(c.found->value) * c.found->weight(in_, 1);
+    if (!std::isfinite(c.size)) work_.drop(Drop::connect);
+    if (!(c.size > 0 && std::isfinite(c.size))) c.size = 0;
+    sum += c.size;
   }
   if (!(sum > 0)) return;
   double target = sum * rng_.get(eye.edges, Slot::connection);
   uint32_t chosen = none;
   for (uint32_t i = 0; i < count; ++i) {
-    if (!(sizes[i] > 0)) continue;
+    if (!(all[i].size > 0)) continue;
     chosen = i;
-    if ((target -= sizes[i]) < 0) break;
+    if ((target -= all[i].size) < 0) break;
   }
   ++work_.connections;
-  if (const Found c = found(chosen)) offer(*c, Drop::connect, sum / sizes[chosen]);
+  Candidate& c = all[chosen];
+  if (!c.found) c.found = found(chosen);
+  if (c.found) offer(*c.found, Drop::connect, sum / c.size);
 }
 
 // Density estimation at an eye vertex: photons on the same side of the same surface within the radius.

@@ -23,7 +23,8 @@ class PhotonIndex {
     begin_.assign(buckets + 1, 0);
     std::vector<uint32_t> bucket(which.size());
     for (size_t i = 0; i < which.size(); ++i) {
-      bucket[i] = bucket_of(cell_of(vertices[which[i]].p));
+      const Cell c = cell_of(vertices[which[i]].p);
+      bucket[i] = bucket_of(row_of(c.y, c.z), c.x);
       ++begin_[bucket[i] + 1];
     }
     for (size_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
@@ -47,9 +48,9 @@ class PhotonIndex {
     int count = 0;
     for (int64_t z = lo.z; z <= hi.z; ++z)
       for (int64_t y = lo.y; y <= hi.y; ++y) {
-        const uint32_t row = hash(y, z);
+        const uint32_t row = row_of(y, z);
         for (int64_t x = lo.x; x <= hi.x; ++x) {
-          const uint32_t b = (row + uint32_t(x)) & mask_;
+          const uint32_t b = bucket_of(row, x);
           // Two of the cells may share a bucket: its photons must not count twice.
           if (std::find(seen, seen + count, b) != seen + count) continue;
           seen[count] = b, begin[count] = begin_[b], end[count] = begin_[b + 1];
@@ -109,13 +110,13 @@ class PhotonIndex {
     return {floored(p.x * per_cell_), floored(p.y * per_cell_), floored(p.z * per_cell_)};
   }
   // Cells that follow one another along x are neighbours in memory, too.
-  static uint32_t hash(int64_t y, int64_t z) {
+  static uint32_t row_of(int64_t y, int64_t z) {
     uint64_t h = uint64_t(y) * 0xc2b2ae3d27d4eb4full ^ uint64_t(z) * 0x165667b19e3779f9ull;
     h ^= h >> 32;
     h *= 0xd6e8feb86659fd93ull;
     return uint32_t(h >> 32);
   }
-  uint32_t bucket_of(const Cell& c) const { return (hash(c.y, c.z) + uint32_t(c.x)) & mask_; }
+  uint32_t bucket_of(uint32_t row, int64_t x) const { return (row + uint32_t(x)) & mask_; }
 
   float per_cell_ = 1;
   uint32_t mask_ = 0;

@@ -58,27 +58,7 @@ namespace {
 const Intersect intersect_1 = next<Intersect>("rtcIntersect1");
 const Occluded occluded_1 = next<Occluded>("rtcOccluded1");
 
-void closest(RTCScene scene, ups::embree::QueryContext& context, RTCRayHit& query) {
-#if UPS_EMBREE_MAJOR >= 4
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  arguments.context = &context;
-  intersect_1(scene, &query, &arguments);
-#else
-  intersect_1(scene, &context, &query);
-#endif
-}
-void any(RTCScene scene, ups::embree::QueryContext& context, RTCRay& ray) {
-#if UPS_EMBREE_MAJOR >= 4
-  RTCOccludedArguments arguments;
-  rtcInitOccludedArguments(&arguments);
-  arguments.context = &context;
-  occluded_1(scene, &ray, &arguments);
-#else
-  occluded_1(scene, &context, &ray);
-#endif
-}
-
+// By the functions below, which let them pass: enough are noted.
 void trace_again() {
   const double before = cpu_s();
   for (const Noted& n : notes().rays) {
@@ -87,10 +67,10 @@ void trace_again() {
       RTCRayHit query;
       query.ray = n.ray;
       query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      closest(n.scene, context, query);
+      ups::embree::intersect(n.scene, context, query);
     } else {
       RTCRay ray = n.ray;
-      any(n.scene, context, ray);
+      ups::embree::occluded(n.scene, context, ray);
     }
   }
   std::fprintf(stderr, "{\"rays\": %zu, \"embree_s\": %.6f}\n", notes().rays.size(), cpu_s() - before);
