@@ -290,6 +290,21 @@ namespace Ups
         Dropped = 3,
     }
 
+    public enum Walk : int
+    {
+        Eye = 0,
+        Light = 1,
+    }
+
+    public enum PathEvent : int
+    {
+        Start = 0,
+        End = 1,
+        Scattered = 2,
+        Mirrored = 3,
+        Refracted = 4,
+    }
+
     /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct Double3 : IEnumerable<double>
@@ -716,6 +731,13 @@ namespace Ups
         {
             return new SceneInfo { StructSize = (uint)sizeof(SceneInfo) };
         }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Segment
+    {
+        public Double3 FromM;
+        public Double3 ToM;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -1243,6 +1265,65 @@ namespace Ups
         }
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Sample
+    {
+        public ulong Seed;
+        public SensorId Sensor;
+        public uint Index;
+        public uint Iteration;
+        public Walk Walk;
+        public uint Path;
+        public float Value;
+        public float Share;
+        public uint Reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct PathInfo
+    {
+        public uint StructSize;
+        public uint Walks;
+        public double Value;
+        public uint Contributions;
+        public uint Reserved;
+        internal static PathInfo Sized()
+        {
+            return new PathInfo { StructSize = (uint)sizeof(PathInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct PathVertex
+    {
+        public Double3 PositionM;
+        public Float3 Normal;
+        public float Throughput;
+        public float Pdf;
+        public float PdfReverse;
+        public float Survival;
+        public uint Walk;
+        public InstanceId Instance;
+        public PathEvent Event;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct PathContribution
+    {
+        public Double3 FromM;
+        public Double3 ToM;
+        public float Value;
+        public float Weight;
+        public uint Technique;
+        public uint Edges;
+        public uint LightVertices;
+        public uint Walk;
+        public uint LightPath;
+        public SourceKind SourceKind;
+        public uint Source;
+        public uint Reserved;
+    }
+
     public sealed class ContextHandle : NativeHandle
     {
         protected override bool ReleaseHandle() { Native.ups_context_destroy(handle); return true; }
@@ -1271,6 +1352,11 @@ namespace Ups
     public sealed class FixtureHandle : NativeHandle
     {
         protected override bool ReleaseHandle() { Native.ups_fixture_destroy(handle); return true; }
+    }
+
+    public sealed class PathHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_path_destroy(handle); return true; }
     }
 
     internal static unsafe class Native
@@ -1389,6 +1475,9 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_get_text(SceneHandle scene, SceneText topic, byte* text, UIntPtr
             capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_read_section(SceneHandle scene, double* point_m, double* normal,
+            Segment* segments, UIntPtr capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_fixture_emitter_desc_init(FixtureEmitterDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1537,5 +1626,23 @@ namespace Ups
             capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_result_destroy(IntPtr result);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_largest_samples(ResultHandle result, SensorId sensor, Sample*
+            samples, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_replay(SceneHandle scene, RenderDesc* desc, Sample* sample, out PathHandle
+            @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_path_destroy(IntPtr path);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_path_get_info(PathHandle path, PathInfo* info);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_path_read_vertices(PathHandle path, PathVertex* vertices, UIntPtr capacity,
+            UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_path_read_contributions(PathHandle path, PathContribution* contributions,
+            UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_path_get_text(PathHandle path, byte* text, UIntPtr capacity, UIntPtr* needed);
     }
 }

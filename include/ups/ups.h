@@ -8,5 +8,6 @@
 #include "ups_fixture.h"
 #include "ups_sensor.h"
 #include "ups_render.h"
+#include "ups_replay.h"
 
 #endif

@@ -71,14 +71,8 @@ ups_status ups_result_read_convergence(const ups_result* result, ups_convergence
                                        size_t* needed) {
   return guard(__func__, [&] {
     const auto& all = data_of(result).accuracy.curve;
-    if (!points && capacity > 0) fail_argument("points is NULL, but capacity is " + std::to_string(capacity));
-    if (!points && !needed) fail_argument("needed is NULL; without points it is all that can be answered");
-    if (needed) *needed = all.size();
-    if (!points) return;
-    if (capacity < all.size())
-      throw Error(UPS_ERROR_BUFFER_TOO_SMALL,
-                  "capacity is " + std::to_string(capacity) + "; there are " + std::to_string(all.size()) + " points");
-    std::transform(all.begin(), all.end(), points, [](const ups_curve_point& p) {
+    copy_array(all.size(), points, capacity, needed, "points", [&](size_t i) {
+      const ups_curve_point& p = all[i];
       return ups_convergence_point{p.elapsed_s,           p.iterations,           0,           p.median_relative_error,
                                    p.p95_relative_error, p.worst_relative_error, p.bias_share};
     });

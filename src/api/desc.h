@@ -82,4 +82,18 @@ inline bool copy_text(const std::string& from, char* text, size_t capacity, size
   return true;
 }
 
+// The same for arrays of plain elements; *needed gets their number. element: the one of an index.
+template <class Element, class Get>
+void copy_array(size_t count, Element* out, size_t capacity, size_t* needed, const std::string& noun,
+                const Get& element) {
+  if (!out && capacity > 0) fail_argument(noun + " is NULL, but capacity is " + std::to_string(capacity));
+  if (!out && !needed) fail_argument("needed is NULL; without " + noun + " it is all that can be answered");
+  if (needed) *needed = count;
+  if (!out) return;
+  if (capacity < count)
+    throw Error(UPS_ERROR_BUFFER_TOO_SMALL,
+                "capacity is " + std::to_string(capacity) + "; there are " + std::to_string(count) + " " + noun);
+  for (size_t i = 0; i < count; ++i) out[i] = element(i);
+}
+
 }  // namespace ups::api

@@ -24,14 +24,6 @@ std::unique_ptr<ups_job> start(const ups_scene* scene, const ups_render_desc* de
 
 ups_result* wrap(std::shared_ptr<const RenderResult> data) { return new ups_result{.data = std::move(data)}; }
 
-size_t index_of(const RenderResult& r, const std::vector<uint32_t>& numbers, ups_sensor_id sensor, const char* noun) {
-  const uint32_t number = own_number_of(sensor.v, r.scene->tag->bits(), "sensor");
-  const auto it = std::find(numbers.begin(), numbers.end(), number);
-  if (it == numbers.end())
-    fail_argument("sensor id " + std::to_string(number) + " is not a " + noun + " of the scene as it was committed");
-  return size_t(it - numbers.begin());
-}
-
 template <class Reading>
 void copy_readings(const std::vector<Reading>& meters, Reading* out, size_t count) {
   require(out, "out");

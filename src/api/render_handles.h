@@ -1,5 +1,7 @@
 // Jobs and results as handles. Included by the files of src/api that render and that read results.
 #pragma once
+#include <algorithm>
+
 #include "api/handles.h"
 #include "render/job.h"
 
@@ -17,5 +19,15 @@ struct ups_result {
 namespace ups::api {
 
 inline const RenderResult& data_of(const ups_result* result) { return *require(result, "result").data; }
+
+// numbers: of the sensors of one kind, or of several, in the scene as the result is of it.
+inline size_t index_of(const RenderResult& r, const std::vector<uint32_t>& numbers, ups_sensor_id sensor,
+                       const char* noun) {
+  const uint32_t number = own_number_of(sensor.v, r.scene->tag->bits(), "sensor");
+  const auto it = std::find(numbers.begin(), numbers.end(), number);
+  if (it == numbers.end())
+    fail_argument("sensor id " + std::to_string(number) + " is not a " + noun + " of the scene as it was committed");
+  return size_t(it - numbers.begin());
+}
 
 }  // namespace ups::api

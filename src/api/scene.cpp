@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "scene/check.h"
 #include "scene/prepare.h"
+#include "scene/section.h"
 
 using namespace ups;
 using namespace ups::api;
@@ -195,5 +196,20 @@ ups_status ups_scene_get_text(const ups_scene* scene, ups_scene_text topic, char
                              : topic == UPS_SCENE_TEXT_EFFECTS ? s.effects.text
                                                                : scene->method.text;
     copy_text(from, text, capacity, needed);
+  });
+}
+
+ups_status ups_scene_read_section(const ups_scene* scene, const double point_m[3], const double normal[3],
+                                  ups_segment* segments, size_t capacity, size_t* needed) {
+  return guard(__func__, [&] {
+    const Snapshot& s = committed(scene);
+    check::pointer(point_m, "point_m");
+    check::pointer(normal, "normal");
+    const Vec3d p(point_m[0], point_m[1], point_m[2]), n(normal[0], normal[1], normal[2]);
+    for (int i = 0; i < 3; ++i)
+      if (!std::isfinite(p[i])) fail_argument("point_m[" + std::to_string(i) + "] is not finite");
+    if (!std::isfinite(dot(n, n)) || !(dot(n, n) > 0)) fail_argument("normal has no finite length > 0");
+    const std::vector<ups_segment> all = section(s, p, n);
+    copy_array(all.size(), segments, capacity, needed, "segments", [&](size_t i) { return all[i]; });
   });
 }

@@ -360,6 +360,13 @@ SurfacePoint Raytracer::surface_at(const Hit& hit) const {
   return surface_at(hit.instance, hit.primitive, hit.u, hit.v);
 }
 
+void Raytracer::each_triangle(const std::function<void(const Vec3d (&)[3])>& visit) const {
+  for (const Impl::Placed& instance : impl_->placed) {
+    const size_t count = impl_->traced[instance.traced]->source->triangle_count();
+    for (uint32_t t = 0; t < count; ++t) visit(impl_->triangle(instance, t).p);
+  }
+}
+
 size_t Raytracer::triangle_count() const { return impl_->triangles; }
 Vec3 Raytracer::bounds_min() const { return Vec3(impl_->bounds.lower); }
 Vec3 Raytracer::bounds_max() const { return Vec3(impl_->bounds.upper); }

@@ -64,6 +64,8 @@ class Raytracer {
   bool visible(const SurfacePoint& a, const Vec3& b, float b_error) const;
 
   size_t triangle_count() const;  // instances expanded
+  // Vertices of each, in the scene's frame; of a surface of revolution those of its mesh.
+  void each_triangle(const std::function<void(const Vec3d (&)[3])>& visit) const;
   Vec3 bounds_min() const;
   Vec3 bounds_max() const;
 

@@ -52,7 +52,7 @@ void Accumulator::add(const IterationTally& tally) {
   const uint32_t batch = iterations_ % batch_count, meter_batch = plan_.meter_pass(iterations_) % batch_count;
   const size_t columns = plan_.separation.columns.size();
   const auto add = [&](const MeterTally& t, MeterSums& sums, Largest& largest) {
-    sums.add(meter_batch, t);
+    sums.add(meter_batch, t, iterations_);
     for (size_t k = 0; k < light_part_count; ++k) largest[k] = std::max(largest[k], t.paths[k].largest);
   };
   for (size_t s = 0; s < meters_.size(); ++s)
@@ -66,8 +66,8 @@ void Accumulator::add(const IterationTally& tally) {
   for (size_t s = 0; s < tally.landings.size(); ++s)
     for (const MeterLanding& l : tally.landings[s]) {
       const size_t row = plan_.visited_meter(iterations_, l.visited) * (columns + 1);
-      rings_[s].add(row, meter_batch, l);
-      if (columns) rings_[s].add(row + 1 + l.column, meter_batch, l);
+      rings_[s].add(row, meter_batch, l, iterations_);
+      if (columns) rings_[s].add(row + 1 + l.column, meter_batch, l, iterations_);
     }
   for (size_t c = 0; c < images_.size(); ++c) images_[c].add(iterations_, tally, c);
   for (size_t g = 0; g < goniometers_.size(); ++g) goniometers_[g].add(batch, tally.goniometers[g]);
@@ -172,11 +172,25 @@ MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const
   for (const MeterLight& light : lights) {
     r.meters.push_back(light.reading());
     r.flags.push_back(light.flags(r.meters.back()));
+    r.largest.push_back(light.largest_sample());
     for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
       r.parts[size_t(part)].push_back(light.part(part));
   }
   r.statistics = statistics_of(lights, r.meters);
   return r;
+}
+
+std::vector<ups_sample> Accumulator::largest_samples(size_t camera, const ImageReading& image, uint64_t seed) const {
+  LargestSamples largest(scene_.camera_ids[camera], seed);
+  images_[camera].find_largest(iterations_, image, largest);
+  return largest.take();
+}
+
+std::vector<ups_sample> Accumulator::largest_samples(size_t set, const MeterSetReading& r, uint64_t seed) const {
+  LargestSamples largest(scene_.meter_set_ids[set], seed);
+  for (uint32_t m = 0; m < r.meters.size(); ++m)
+    largest.add(m, r.largest[m], visits(m), double(r.meters[m].illuminance_lx), r.statistics.mean_lx);
+  return largest.take();
 }
 
 size_t Accumulator::unvisited_meters(size_t set) const {

@@ -19,6 +19,7 @@ namespace ups {
 struct MeterSetReading {
   std::vector<ups_meter_reading> meters;
   std::vector<uint32_t> flags;                       // UPS_READING_*
+  std::vector<Sample> largest;                       // of each meter; 0: none by chance
   std::array<std::vector<ups_meter_part_reading>, 2> parts;  // by ups_light_part
   std::vector<std::vector<ups_meter_reading>> separated;  // by column of Plan::separation; empty where not asked for
   ups_meter_statistics statistics{};
@@ -54,6 +55,8 @@ class Accumulator {
   }
   ImageReading read_image(size_t camera) const { return images_[camera].read(iterations_); }  // without its techniques
   ImageReading read_image_and_techniques(size_t camera) const;
+  std::vector<ups_sample> largest_samples(size_t camera, const ImageReading& image, uint64_t seed) const;
+  std::vector<ups_sample> largest_samples(size_t set, const MeterSetReading& meters, uint64_t seed) const;
   ErrorSummary summarize() const;
   size_t unvisited_pixels(size_t camera) const { return images_[camera].unvisited_pixels(iterations_); }
   size_t unvisited_meters(size_t set) const;

@@ -16,12 +16,13 @@ double luminance_at(const std::vector<float>& rgb, size_t pixel) {
 
 ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2)
     : plan_(plan), width_(camera.width()), height_(camera.height()),
-      tile_columns_((width_ + Units::side - 1) / Units::side), emitted_cd_m2_(emitted_cd_m2),
+      tile_columns_((width_ + Units::side - 1) / Units::side), tile_rows_((height_ + Units::side - 1) / Units::side),
+      emitted_cd_m2_(emitted_cd_m2),
       illuminance_(camera.illuminance() ? camera.pixel_count() : 0), eye_(size_t(camera.pixel_count()) * 3),
-      pending_(eye_.size()), largest_(size_t(tile_columns_) * ((height_ + Units::side - 1) / Units::side)) {}
+      pending_(eye_.size()), largest_(camera.pixel_count()) {}
 
 double ImageSums::bytes_per_pixel(const Camera& camera, uint32_t technique_edges) {
-  constexpr double sums = 3 * (8 + 8 + 4 + 4 * batch_count) + 4 + PixelBias::bytes_per_pixel,
+  constexpr double sums = 3 * (8 + 8 + 4 + 4 * batch_count) + sizeof(Sample) + PixelBias::bytes_per_pixel,
                    reading = 3 * (4 + 4 + 4) + 4 + 2 * 4,
                    gaps = 1 + 3 * 4 * (1.0 / 3);          // of fill_gaps()
   const double illuminance = camera.illuminance() ? 8 + 4 * batch_count + 4 + 4 : 0;
@@ -34,13 +35,13 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   if (!tally.techniques.empty()) add_techniques(tally.techniques[c]);
   if (!illuminance_.empty()) add_illuminance(iteration, tally.illuminance[c]);
   if (!bias_ && !tally.pixel_bias.empty()) bias_.emplace(width_, height_);
-  const auto keep_largest = [&](uint32_t pixel, float value) {
-    largest_[tile_of(pixel)] = std::max(largest_[tile_of(pixel)], value);
+  const auto keep_largest = [&](uint32_t pixel, float value, PathNumber path) {
+    if (value > largest_[pixel].value) largest_[pixel] = {value, {iteration, path}};
   };
   plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
     if (!tally.pixel_bias.empty()) bias_->add(pixel, tally.pixel_bias[c][i]);
     const Rgb& v = tally.pixels[c][i];
-    keep_largest(pixel, luminance(v));
+    keep_largest(pixel, luminance(v), {});
     const float rgb[3] = {v.r, v.g, v.b};
     for (size_t k = 0, at = size_t(pixel) * 3; k < 3; ++k, ++at) {
       eye_[at] += rgb[k];
@@ -50,7 +51,7 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   const float per_pass = 1.0f / float(plan_.camera_subsets);
   if (!tally.splats[c].empty()) splat_.resize(eye_.size());
   for (const Splat& s : tally.splats[c]) {
-    keep_largest(s.pixel, luminance(s.value) * per_pass);
+    keep_largest(s.pixel, luminance(s.value) * per_pass, PathNumber::light(s.path));
     const float rgb[3] = {s.value.r, s.value.g, s.value.b};
     for (size_t k = 0, at = size_t(s.pixel) * 3; k < 3; ++k, ++at) {
       splat_[at] += rgb[k];
@@ -209,14 +210,28 @@ ChanceLight ImageSums::chance(size_t pixel, uint32_t passes) const {
   return chance_light(sums, passes);
 }
 
+std::vector<float> ImageSums::largest_of_tiles() const {
+  std::vector<float> out(size_t(tile_columns_) * tile_rows_);
+  for (uint32_t p = 0; p < largest_.size(); ++p) out[tile_of(p)] = std::max(out[tile_of(p)], largest_[p].value);
+  return out;
+}
+
 std::vector<float> ImageSums::largest_around(double least) const {
-  const int columns = int(tile_columns_), rows = int(largest_.size()) / columns;
-  std::vector<float> out(largest_.size(), float(least));
+  const int columns = int(tile_columns_), rows = int(tile_rows_);
+  const std::vector<float> own = largest_of_tiles();
+  std::vector<float> out(own.size(), float(least));
   for (int i = 0; i < rows * columns; ++i)
     for (int y = std::max(0, i / columns - 1); y <= std::min(rows - 1, i / columns + 1); ++y)
       for (int x = std::max(0, i % columns - 1); x <= std::min(columns - 1, i % columns + 1); ++x)
-        out[size_t(i)] = std::max(out[size_t(i)], largest_[size_t(y * columns + x)]);
+        out[size_t(i)] = std::max(out[size_t(i)], own[size_t(y * columns + x)]);
   return out;
+}
+
+void ImageSums::find_largest(uint32_t iterations, const ImageReading& r, LargestSamples& out) const {
+  double mean = 0;
+  for (size_t p = 0; p < largest_.size(); ++p) mean += luminance_at(r.luminance_rgb, p) / double(largest_.size());
+  for (uint32_t p = 0; p < largest_.size(); ++p)
+    out.add(p, largest_[p], visits(iterations, p % width_, p / width_), luminance_at(r.luminance_rgb, p), mean);
 }
 
 bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, double& sum) const {

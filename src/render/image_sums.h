@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/largest_samples.h"
 #include "render/pixel_bias.h"
 #include "render/zero_bound.h"
 #include "transport/tally.h"
@@ -38,6 +39,7 @@ class ImageSums {
   void add(uint32_t iteration, const IterationTally& tally, size_t camera);
   ImageReading read(uint32_t iterations) const;  // without its techniques
   void read_techniques(uint32_t iterations, ImageReading& reading) const;
+  void find_largest(uint32_t iterations, const ImageReading& reading, LargestSamples& out) const;
   size_t unvisited_pixels(uint32_t iterations) const;  // by eye paths so far
   // Adds those of all pixels: bound / max(L, share_of_mean of the image's mean), of luminance; and their sum to `sum`,
   // to which all pixels that no path has brought light to add what one of them could have: had any of them much, some
@@ -51,8 +53,9 @@ class ImageSums {
     return pixel % width_ / Units::side + size_t(pixel / width_ / Units::side) * tile_columns_;
   }
   ChanceLight chance(size_t pixel, uint32_t passes) const;
-  // That one path may bring to a pixel: what one brought to a tile or its neighbours; of all tiles.
+  // That one path may bring to a pixel: what one brought to a tile (Units::side) or its neighbours; of all tiles.
   std::vector<float> largest_around(double least) const;
+  std::vector<float> largest_of_tiles() const;
   void add_techniques(const TechniqueTally& tally);
   uint32_t visits(uint32_t iterations, uint32_t x, uint32_t y) const {
     return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);
@@ -64,14 +67,14 @@ class ImageSums {
   void fill_unvisited(const std::vector<uint32_t>& visits, ImageReading& reading) const;
 
   const Plan& plan_;
-  const uint32_t width_, height_, tile_columns_;
+  const uint32_t width_, height_, tile_columns_, tile_rows_;
   const double emitted_cd_m2_;
   std::vector<double> illuminance_;  // of all visits; empty where not asked for
   std::array<std::vector<float>, batch_count> illuminance_batches_;  // the same, by a pixel's own visits
   std::vector<double> eye_;          // 3 a pixel, of all visits
   std::vector<double> splat_;        // 3 a pixel, of all iterations; empty until light paths bring something
   std::vector<float> pending_;       // eye and splats of the pass under way
-  std::vector<float> largest_;       // by tile, Units::side: luminance that a path brought to a pixel of it in a pass
+  std::vector<Sample> largest_;      // of each pixel, luminance
   // 3 a pixel, of whole passes; each is empty before its first.
   std::array<std::vector<float>, batch_count> batches_;
   std::optional<PixelBias> bias_;  // where photons are merged

@@ -283,6 +283,10 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
       r->dropped += std::string(drop_names[d]) + ": " + std::to_string(n) + " samples were not finite\n";
   for (size_t c = 0; c < scene_->cameras.size(); ++c) r->images.push_back(sums_->read_image_and_techniques(c));
   for (size_t s = 0; s < scene_->meter_sets.size(); ++s) r->meter_sets.push_back(sums_->read_meters_and_sources(s));
+  for (size_t c = 0; c < r->images.size(); ++c)
+    r->largest_samples.push_back(sums_->largest_samples(c, r->images[c], desc_.seed));
+  for (size_t s = 0; s < r->meter_sets.size(); ++s)
+    r->largest_samples.push_back(sums_->largest_samples(s, r->meter_sets[s], desc_.seed));
   r->sources = integrator_->plan().separation.columns;
   r->scene = scene_;
   r->choices = integrator_->selection().sensors;
@@ -296,6 +300,12 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
   r->effects = scene_->effects.text;
   r->techniques = method_.text;
   return r;
+}
+
+PathReplay RenderJob::replay(const ups_sample& sample) {
+  desc_.seed = sample.seed;
+  Integrator integrator(scene_, settings_of(desc_, method_), *pool_, stop_);
+  return ups::replay(integrator, sample, stop_);
 }
 
 ups_result_info RenderJob::read_info() const {

@@ -14,6 +14,7 @@
 #include "render/accuracy.h"
 #include "render/method.h"
 #include "render/progress.h"
+#include "render/replay.h"
 #include "render/tally_queue.h"
 
 namespace ups {
@@ -27,6 +28,7 @@ struct RenderResult {
   std::vector<ImageReading> images;
   std::vector<MeterSetReading> meter_sets;
   std::vector<ups_source_info> sources;  // columns of MeterSetReading::separated
+  std::vector<std::vector<ups_sample>> largest_samples;  // of cameras, then of meter sets; sensors by their numbers
   Accuracy accuracy;
   std::string warnings, effects, techniques, dropped;
 };
@@ -47,6 +49,8 @@ class RenderJob {
   ups_status wait(uint32_t timeout_ms, std::string& message) const;
   // Throws INVALID_STATE before the first whole iteration. Others go on meanwhile, but for who wants a result too.
   std::shared_ptr<const RenderResult> result() const;
+  // Instead of start(): one sample of the render again. sensor: its number.
+  PathReplay replay(const ups_sample& sample);
 
  private:
   using Clock = StopSignal::Clock;

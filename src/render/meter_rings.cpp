@@ -97,9 +97,9 @@ struct MeterRings::Sums {
 MeterRings::MeterRings(size_t rows, uint32_t rings, bool direct)
     : rings_(rings), flux_(rows * batch_count * rings), direct_(direct ? flux_.size() : 0),
       square_(rows * halves * rings), count_(rows * halves * rings), lean_(rows * rings * 2),
-      largest_(rows * rings), largest_batch_(rows * rings) {}
+      largest_(rows * rings) {}
 
-void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l) {
+void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l, uint32_t iteration) {
   const size_t of_half = (row * halves + batch % halves) * rings_ + l.ring;
   const size_t of_batch = (row * batch_count + batch) * rings_ + l.ring, of_row = row * rings_ + l.ring;
   flux_[of_batch] += l.lm;
@@ -111,7 +111,8 @@ void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l) {
   lean_[of_row * 2] += l.octant & 2 ? -s * l.lm : s * l.lm;
   lean_[of_row * 2 + 1] += l.octant & 4 ? -t * l.lm : t * l.lm;
   if (l.direct && !direct_.empty()) direct_[of_batch] += l.lm;
-  if (float(l.lm) > largest_[of_row]) largest_[of_row] = float(l.lm), largest_batch_[of_row] = uint8_t(batch);
+  if (float(l.lm) > largest_[of_row].photon.value)
+    largest_[of_row] = {{float(l.lm), {iteration, PathNumber::light(l.path)}}, uint8_t(batch)};
 }
 
 MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const {
@@ -263,10 +264,11 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
     p.lx += p.value[b] / visits;
   }
   for (uint32_t k = 0; k <= std::max(choice[0], choice[1]); ++k) {
-    const size_t at = row * rings_ + k;
-    const float largest = float(largest_[at] / s.area[choice[largest_batch_[at] % halves]]);
-    if (k <= choice[largest_batch_[at] % halves] && largest > p.paths.largest)
-      p.paths.largest = largest, p.largest_batch = largest_batch_[at];
+    const Largest& of_ring = largest_[row * rings_ + k];
+    const uint32_t out_to = choice[of_ring.batch % halves];
+    const float largest = float(of_ring.photon.value / s.area[out_to]);
+    if (k <= out_to && largest > p.paths.largest)
+      p.paths.largest = largest, p.largest_batch = of_ring.batch, p.largest = of_ring.photon.from;
     for (size_t half = 0; half < halves; ++half)
       if (k <= choice[half]) p.paths.count += count_[(row * halves + half) * rings_ + k];
   }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "render/largest_samples.h"
 #include "transport/meter_discs.h"
 #include "transport/plan.h"
 #include "transport/tally.h"
@@ -61,10 +62,10 @@ class MeterRings {
   MeterRings(size_t rows, uint32_t rings, bool direct);
   static double bytes_per_row(uint32_t rings, bool direct) {
     return rings * (sizeof(double) * (batch_count + halves + 2 + (direct ? batch_count : 0)) +
-                    sizeof(uint32_t) * halves + sizeof(float) + 1);
+                    sizeof(uint32_t) * halves + sizeof(Largest));
   }
   bool empty() const { return flux_.empty(); }
-  void add(size_t row, uint32_t batch, const MeterLanding& landing);
+  void add(size_t row, uint32_t batch, const MeterLanding& landing, uint32_t iteration);
 
   // Even and odd batches: the outermost ring that is read of each.
   using Choice = std::array<uint32_t, 2>;
@@ -82,6 +83,7 @@ class MeterRings {
     double lx = 0;  // mean value
     PathRecord paths;
     uint8_t largest_batch = 0;                // that with paths.largest
+    SampleOrigin largest;                     // the same
     double choice_variance = 0;               // lx2, of the reading by which discs were chosen
     double mean_radius2 = 0;                  // m2, of the discs: light that curves evenly is biased in proportion
     double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
@@ -91,6 +93,10 @@ class MeterRings {
 
  private:
   static constexpr size_t halves = 2;
+  struct Largest {
+    Sample photon;  // lm
+    uint8_t batch = 0;
+  };
   struct Sums;
   Sums sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const;
   struct Dependence {
@@ -109,8 +115,7 @@ class MeterRings {
   std::vector<double> square_;         // a row by a half by a ring
   std::vector<uint32_t> count_;        // the same
   std::vector<double> lean_;           // flux by its direction from the meter, a row by a ring by s and t
-  std::vector<float> largest_;         // lm, a row by a ring
-  std::vector<uint8_t> largest_batch_;
+  std::vector<Largest> largest_;       // a row by a ring
 };
 
 }  // namespace ups

@@ -34,13 +34,14 @@ Spread spread_of_halves(const double* sums, uint32_t visits) {
 
 }  // namespace
 
-void MeterSums::add(uint32_t batch, const MeterTally& t) {
+void MeterSums::add(uint32_t batch, const MeterTally& t, uint32_t iteration) {
   value[batch] += t.value;
   direct[batch] += t.direct;
   bias[batch] += t.bias;
   exact += t.exact;
   rounding += t.rounding;
-  if (t.paths[whole_light].largest > paths[whole_light].largest) largest_batch = uint8_t(batch);
+  if (t.paths[whole_light].largest > paths[whole_light].largest)
+    largest_batch = uint8_t(batch), largest = {iteration, t.largest};
   for (size_t k = 0; k < light_part_count; ++k) {
     paths[k].add(t.paths[k]);
     if (t.paths[k].count > 0) batches[k] |= uint16_t(1u << batch);
@@ -48,7 +49,8 @@ void MeterSums::add(uint32_t batch, const MeterTally& t) {
 }
 
 void MeterSums::add(const MeterRings::Photons& photons) {
-  if (photons.paths.largest > paths[whole_light].largest) largest_batch = photons.largest_batch;
+  if (photons.paths.largest > paths[whole_light].largest)
+    largest_batch = photons.largest_batch, largest = photons.largest;
   for (uint32_t b = 0; b < batch_count; ++b) {
     value[b] += photons.value[b];
     direct[b] += photons.direct[b];

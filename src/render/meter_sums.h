@@ -15,8 +15,9 @@ struct MeterSums {
   std::array<PathRecord, light_part_count> paths;
   std::array<uint16_t, light_part_count> batches{};  // a bit for each that such paths have brought light to
   uint8_t largest_batch = 0;                         // that with paths[whole_light].largest
+  SampleOrigin largest;                              // the same
 
-  void add(uint32_t batch, const MeterTally& tally);
+  void add(uint32_t batch, const MeterTally& tally, uint32_t iteration);
   void add(const MeterRings::Photons& photons);
 };
 
@@ -32,6 +33,7 @@ struct MeterLight {
   ups_meter_reading reading() const;
   ups_meter_part_reading part(ups_light_part part) const;
   uint32_t flags(const ups_meter_reading& reading) const;
+  Sample largest_sample() const { return {sums.paths[whole_light].largest, sums.largest}; }
   OwnBias own_bias() const { return {spread(sums.bias, visits), spread(sums.value, visits).mean, photons.mean_radius2}; }
   // Of the first batches; without what the discs of even and odd ones differ by in bias, which is no noise.
   void batch_means(double* means, uint32_t used) const;

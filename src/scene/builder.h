@@ -79,7 +79,6 @@ class Builder {
   ThreadPool& threads_;
   std::shared_ptr<Snapshot> out_;
   std::vector<Raytracer::Instance> instances_;
-  std::vector<uint32_t> instance_ids_;
   std::vector<std::unique_ptr<Emitter>> emitters_;
   std::vector<Vec3> emitter_probes_;  // a point of each, off any surface
   std::vector<DiscIndex::Disc> openings_;

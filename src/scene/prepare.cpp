@@ -134,7 +134,7 @@ void Builder::add_geometry() {
   in_.meshes().each([&](uint32_t, const std::shared_ptr<const Mesh>& mesh) { out_->meshes.push_back(mesh); });
   in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
     instances_.push_back({i.mesh - 1, to_scene(i.to_world)});
-    instance_ids_.push_back(id);
+    out_->instance_ids.push_back(id);
     out_->material_used[out_->meshes[i.mesh - 1]->material] = true;
   });
   out_->media = rank_media(out_->meshes, instances_, out_->materials, out_->texturing);

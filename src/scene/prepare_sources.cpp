@@ -53,8 +53,8 @@ void Builder::add_emissive_instances() {
       triangles.push_back(triangle);
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
-    const std::string name = "instance " + std::to_string(instance_ids_[i]);
-    out_->sources.push_back({UPS_SOURCE_INSTANCE, instance_ids_[i], in_.instances().at(instance_ids_[i]).group});
+    const std::string name = "instance " + std::to_string(out_->instance_ids[i]);
+    out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], in_.instances().at(out_->instance_ids[i]).group});
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;
     in_context(name, [&] {

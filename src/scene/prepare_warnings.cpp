@@ -47,8 +47,8 @@ void Builder::warn_of_overlaps() {
   constexpr size_t most_named = 8;
   const std::vector<PartialOverlap> overlaps = find_partial_overlaps(*out_, instances_, threads_);
   for (size_t i = 0; i < std::min(overlaps.size(), most_named); ++i)
-    warn("instances " + std::to_string(instance_ids_[overlaps[i].instance_a]) + " and " +
-         std::to_string(instance_ids_[overlaps[i].instance_b]) +
+    warn("instances " + std::to_string(out_->instance_ids[overlaps[i].instance_a]) + " and " +
+         std::to_string(out_->instance_ids[overlaps[i].instance_b]) +
          " are glass of different index and overlap in part: where they do the smaller one counts; give the material "
          "of the one that should a higher priority");
   if (overlaps.size() > most_named)
@@ -59,7 +59,7 @@ void Builder::warn_of_triangles() {
   const Duplicates duplicates = find_duplicates(out_->meshes, instances_, out_->media);
   if (duplicates.count > 0) {
     const auto name = [&](const Duplicates::Triangle& t) {
-      return "triangle " + std::to_string(t.primitive) + " of instance " + std::to_string(instance_ids_[t.instance]);
+      return "triangle " + std::to_string(t.primitive) + " of instance " + std::to_string(out_->instance_ids[t.instance]);
     };
     warn(std::to_string(duplicates.count) + (duplicates.count == 1 ? " triangle lies" : " triangles lie") +
          " exactly on another, such as " + name(duplicates.second) + " on " + name(duplicates.first) +
@@ -94,7 +94,7 @@ void Builder::warn_of_swallowed_light() {
   for (const auto& [what, group] : groups) {
     const SwallowedLight& light = found[group.first];
     const std::string surface = (light.from_behind ? "the back of instance " : "instance ") +
-                                std::to_string(instance_ids_[light.instance]);
+                                std::to_string(out_->instance_ids[light.instance]);
     const std::string whose =
         group.ids.size() > 1 ? " (that of " + out_->emitter_names[group.first] + ")" : std::string();
     const std::string text =

@@ -50,6 +50,7 @@ struct Snapshot {
   std::vector<bool> material_used;              // by the same index: some instance bears it
   std::vector<std::shared_ptr<const Mesh>> meshes;
   std::unique_ptr<Raytracer> raytracer;         // never null; may hold no triangle
+  std::vector<uint32_t> instance_ids;           // by SurfacePoint::instance
 
   EmitterSet emitters;
   std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": by their numbers

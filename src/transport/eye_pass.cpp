@@ -1,6 +1,8 @@
 // See eye_pass.h: which light path an eye path is paired with, which pixels an iteration visits, and the two loops.
 #include "transport/eye_pass.h"
 
+#include <algorithm>
+
 #include "transport/eye_walk.h"
 #include "transport/selection.h"
 
@@ -44,10 +46,6 @@ void add_work(const std::vector<WorkCounts>& blocks, IterationTally& tally) {
   for (const WorkCounts& w : blocks) tally.work.add(w);
 }
 
-}  // namespace
-
-namespace {
-
 // What the pixel sees first that is not a mirror or clear glass, measured like a meter that faces the eye.
 float pixel_illuminance(const Iteration& in, const Photons& photons, const Camera& camera, const Vec3& d,
                         EyeSensor sensor, const PathSampler& rng, WorkCounts& work) {
@@ -66,101 +64,182 @@ float pixel_illuminance(const Iteration& in, const Photons& photons, const Camer
   return luminance(EyeWalk(in, photons, sensor, rng, work).from_surface(surface, frame).value);
 }
 
+// The eye paths of a camera's pixels, by their running numbers among those that the iteration visits.
+class CameraPaths {
+ public:
+  CameraPaths(const Iteration& in, const Photons& photons, uint32_t c, uint32_t first_path, IterationTally& tally)
+      : in_(in), photons_(photons), c_(c), camera_(in.scene.cameras[c]), first_path_(first_path), tally_(tally),
+        pixels_(visited_pixels(in.plan, camera_, in.number)), pairing_(in, photons.paths) {
+    tally.pixels[c].resize(pixels_.size());
+    if (!tally.pixel_bias.empty()) tally.pixel_bias[c].resize(pixels_.size());
+    if (camera_.illuminance()) tally.illuminance[c].resize(pixels_.size());
+  }
+  const std::vector<uint32_t>& pixels() const { return pixels_; }
+
+  // Its luminance, then what asks for more.
+  void trace(size_t i, WorkCounts& work) const {
+    const EyeSensor sensor = sensor_of(i);
+    const Vec3 d = trace_luminance(i, sensor, work);
+    if (in_.moments) in_.moments->add_eye_path(luminance(tally_.pixels[c_][i]), sensor.excess);
+    if (camera_.illuminance())
+      tally_.illuminance[c_][i] =
+          pixel_illuminance(in_, photons_, camera_, d, sensor, sampler(i, Stream::illuminance), work);
+  }
+  // Returns the direction.
+  Vec3 trace_luminance(size_t i, const EyeSensor& sensor, WorkCounts& work) const {
+    PathSampler rng = sampler(i, Stream::camera);
+    const Vec3 d = camera_.ray(pixels_[i] % camera_.width(), pixels_[i] / camera_.width(), rng.direction(0));
+    ++work.eye_paths;
+    const EyeTally found =
+        EyeWalk(in_, photons_, sensor, rng, work).from_camera(camera_.position(), d, camera_.pdf_w(d));
+    tally_.pixels[c_][i] = found.value;
+    if (!tally_.pixel_bias.empty()) tally_.pixel_bias[c_][i] = found.bias;
+    return d;
+  }
+  EyeSensor sensor_of(size_t i) const {
+    const uint32_t pixel = pixels_[i];
+    EyeSensor sensor;
+    sensor.camera = true;
+    sensor.counts = in_.camera_counts(c_, pixel);
+    if (sensor.counts.eta_first > 0 || in_.settings.actual_perturbation)
+      sensor.first = {float(std::sqrt(in_.pixel_radius2(c_, pixel))), &photons_.of_pixels};
+    if (sensor.counts.eta > 0 || in_.settings.actual_perturbation) sensor.later = {walk_radius_, &photons_.of_walks};
+    sensor.media = &in_.scene.media_stacks[in_.scene.media_of_camera[c_]];
+    sensor.techniques = tally_.techniques.empty() ? nullptr : &tally_.techniques[c_];
+    sensor.pixel = pixel;
+    if (in_.moments) sensor.excess = &tally_.excess_of_pixels[c_][i * in_.moments->row()];
+    pairing_.assign(first_path_ + uint32_t(i), sensor);
+    return sensor;
+  }
+
+ private:
+  PathSampler sampler(size_t i, Stream::Kind kind) const {
+    const uint32_t pixel = pixels_[i];
+    return PathSampler(in_.settings.seed, {kind, c_}, hash_combine(in_.camera_visit.batch, pixel),
+                       in_.camera_visit.number, in_.number, pixel);
+  }
+
+  const Iteration& in_;
+  const Photons& photons_;
+  const uint32_t c_;
+  const Camera& camera_;
+  const uint32_t first_path_;
+  IterationTally& tally_;
+  const std::vector<uint32_t> pixels_;
+  const Pairing pairing_;
+  const float walk_radius_ = float(std::sqrt(in_.walk_radius2));
+};
+
+// Those of a set's meters, by theirs.
+class MeterPaths {
+ public:
+  MeterPaths(const Iteration& in, const Photons& photons, const DirectLight& direct, uint32_t s, uint32_t first_path,
+             IterationTally& tally)
+      : in_(in), photons_(photons), direct_(direct), s_(s), set_(in.scene.meter_sets[s]), first_path_(first_path),
+        tally_(tally), pairing_(in, photons.paths) {}
+
+  // Paths from `begin` to `end` of the meter's own.
+  MeterTally trace(size_t i, uint32_t begin, uint32_t end, WorkCounts& work) const {
+    EyeSensor sensor = sensor_of(i);
+    MeterTally sum;
+    for (uint32_t k = begin; k < end; ++k) sum.add(trace_one(i, k, sensor, work));
+    MeterTally share;
+    share.add(sum, sensor.share);
+    return share;
+  }
+
+ private:
+  EyeSensor sensor_of(size_t i) const {
+    const uint32_t m = in_.plan.visited_meter(in_.number, i), samples = in_.plan.meter_samples;
+    EyeSensor sensor;
+    sensor.cell = set_.is_cell();
+    const double radius2 = sensor.cell ? 0 : in_.meter_radius2(s_, m);
+    sensor.counts = in_.meter_counts(s_);
+    const bool merges = sensor.counts.eta > 0;
+    sensor.own_point = mis::at_meter(sensor.counts, merges ? in_.eta(radius2) / samples : 0, set_.cell_area());
+    sensor.first.radius = float(std::sqrt(radius2));
+    if (merges || in_.settings.actual_perturbation) sensor.later = {walk_radius_, &photons_.of_walks};
+    if (in_.moments) sensor.excess = &tally_.excess_of_meters[s_][i * in_.moments->row()];
+    sensor.media = &in_.scene.media_stacks[in_.scene.media_of_meter[s_][m]];
+    sensor.direct_found_from = direct_.found_from(s_, m);
+    const size_t columns = in_.plan.separation.columns.size();
+    sensor.separated = columns ? &tally_.separated[s_][i * columns] : nullptr;
+    sensor.share = 1.0 / samples;
+    return sensor;
+  }
+  MeterTally trace_one(size_t i, uint32_t k, EyeSensor& sensor, WorkCounts& work) const {
+    const uint32_t m = in_.plan.visited_meter(in_.number, i), samples = in_.plan.meter_samples;
+    const Meter& meter = set_.meters[m];
+    pairing_.assign(first_path_ + uint32_t(i) * samples + k, sensor);
+    PathSampler rng(in_.settings.seed, {Stream::meters, s_}, hash_combine(in_.meter_visit.batch, m),
+                    in_.meter_visit.number * samples + k, in_.number, m * samples + k);
+    Vec3 p = meter.p;
+    if (sensor.cell)
+      p += meter.frame.s * ((rng.get(0, Slot::cell_x) - 0.5f) * set_.cell_width) +
+           meter.frame.t * ((rng.get(0, Slot::cell_y) - 0.5f) * set_.cell_height);
+    ++work.eye_paths;
+    const EyeTally found = EyeWalk(in_, photons_, sensor, rng, work).from_meter(p, meter.error, meter.frame);
+    if (in_.moments) in_.moments->add_eye_path(luminance(found.value) * sensor.share, sensor.excess);
+    return MeterTally::of_path(luminance(found.value), found.direct, found.bias, {k});
+  }
+
+  const Iteration& in_;
+  const Photons& photons_;
+  const DirectLight& direct_;
+  const uint32_t s_;
+  const MeterSet& set_;
+  const uint32_t first_path_;
+  IterationTally& tally_;
+  const Pairing pairing_;
+  const float walk_radius_ = float(std::sqrt(in_.walk_radius2));
+};
+
 }  // namespace
 
 uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_t c, uint32_t first_path,
                             ThreadPool& pool, IterationTally& tally) {
-  const Camera& camera = in.scene.cameras[c];
-  const std::vector<uint32_t> pixels = visited_pixels(in.plan, camera, in.number);
-  const Pairing pairing(in, photons.paths);
-  const float walk_radius = float(std::sqrt(in.walk_radius2));
-  tally.pixels[c].resize(pixels.size());
-  if (!tally.pixel_bias.empty()) tally.pixel_bias[c].resize(pixels.size());
-  if (camera.illuminance()) tally.illuminance[c].resize(pixels.size());
-  std::vector<WorkCounts> work((pixels.size() + pixels_per_block - 1) / pixels_per_block);
-  pool.for_blocks(pixels.size(), pixels_per_block, [&](size_t b, size_t begin, size_t end) {
+  const CameraPaths paths(in, photons, c, first_path, tally);
+  const size_t count = paths.pixels().size();
+  std::vector<WorkCounts> work((count + pixels_per_block - 1) / pixels_per_block);
+  pool.for_blocks(count, pixels_per_block, [&](size_t b, size_t begin, size_t end) {
     if (in.stop.is_set()) return;
-    for (size_t i = begin; i < end; ++i) {
-      const uint32_t pixel = pixels[i];
-      EyeSensor sensor;
-      sensor.camera = true;
-      sensor.counts = in.camera_counts(c, pixel);
-      if (sensor.counts.eta_first > 0 || in.settings.actual_perturbation)
-        sensor.first = {float(std::sqrt(in.pixel_radius2(c, pixel))), &photons.of_pixels};
-      if (sensor.counts.eta > 0 || in.settings.actual_perturbation) sensor.later = {walk_radius, &photons.of_walks};
-      sensor.media = &in.scene.media_stacks[in.scene.media_of_camera[c]];
-      sensor.techniques = tally.techniques.empty() ? nullptr : &tally.techniques[c];
-      sensor.pixel = pixel;
-      if (in.moments) sensor.excess = &tally.excess_of_pixels[c][i * in.moments->row()];
-      pairing.assign(first_path + uint32_t(i), sensor);
-      const auto sampler = [&](Stream::Kind kind) {
-        return PathSampler(in.settings.seed, {kind, c}, hash_combine(in.camera_visit.batch, pixel), in.camera_visit.number,
-                           in.number, pixel);
-      };
-      PathSampler rng = sampler(Stream::camera);
-      const Vec3 d = camera.ray(pixel % camera.width(), pixel / camera.width(), rng.direction(0));
-      ++work[b].eye_paths;
-      const EyeTally found =
-          EyeWalk(in, photons, sensor, rng, work[b]).from_camera(camera.position(), d, camera.pdf_w(d));
-      tally.pixels[c][i] = found.value;
-      if (!tally.pixel_bias.empty()) tally.pixel_bias[c][i] = found.bias;
-      if (in.moments) in.moments->add_eye_path(luminance(tally.pixels[c][i]), sensor.excess);
-      if (camera.illuminance())
-        tally.illuminance[c][i] =
-            pixel_illuminance(in, photons, camera, d, sensor, sampler(Stream::illuminance), work[b]);
-    }
+    for (size_t i = begin; i < end; ++i) paths.trace(i, work[b]);
   });
   add_work(work, tally);
-  return first_path + uint32_t(pixels.size());
+  return first_path + uint32_t(count);
 }
 
 uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, const DirectLight& direct, uint32_t s,
                            uint32_t first_path, ThreadPool& pool, IterationTally& tally) {
-  const MeterSet& set = in.scene.meter_sets[s];
+  const MeterPaths paths(in, photons, direct, s, first_path, tally);
   const uint32_t samples = in.plan.meter_samples;
   const size_t meters_per_block = std::max<size_t>(1, paths_per_block / samples), visited = tally.meters[s].size();
-  const Pairing pairing(in, photons.paths);
-  const float walk_radius = float(std::sqrt(in.walk_radius2));
   std::vector<WorkCounts> work((visited + meters_per_block - 1) / meters_per_block);
   pool.for_blocks(visited, meters_per_block, [&](size_t b, size_t begin, size_t end) {
     if (in.stop.is_set()) return;
-    for (size_t i = begin; i < end; ++i) {
-      const uint32_t m = in.plan.visited_meter(in.number, i);
-      const Meter& meter = set.meters[m];
-      EyeSensor sensor;
-      sensor.cell = set.is_cell();
-      const double radius2 = sensor.cell ? 0 : in.meter_radius2(s, m);
-      sensor.counts = in.meter_counts(s);
-      const bool merges = sensor.counts.eta > 0;
-      sensor.own_point = mis::at_meter(sensor.counts, merges ? in.eta(radius2) / samples : 0, set.cell_area());
-      sensor.first.radius = float(std::sqrt(radius2));
-      if (merges || in.settings.actual_perturbation) sensor.later = {walk_radius, &photons.of_walks};
-      if (in.moments) sensor.excess = &tally.excess_of_meters[s][i * in.moments->row()];
-      sensor.media = &in.scene.media_stacks[in.scene.media_of_meter[s][m]];
-      sensor.direct_found_from = direct.found_from(s, m);
-      MeterTally sum;
-      const size_t columns = in.plan.separation.columns.size();
-      sensor.separated = columns ? &tally.separated[s][i * columns] : nullptr;
-      sensor.share = 1.0 / samples;
-      for (uint32_t k = 0; k < samples; ++k) {
-        const uint32_t path = m * samples + k;
-        pairing.assign(first_path + uint32_t(i) * samples + k, sensor);
-        PathSampler rng(in.settings.seed, {Stream::meters, s}, hash_combine(in.meter_visit.batch, m),
-                        in.meter_visit.number * samples + k, in.number, path);
-        Vec3 p = meter.p;
-        if (sensor.cell)
-          p += meter.frame.s * ((rng.get(0, Slot::cell_x) - 0.5f) * set.cell_width) +
-               meter.frame.t * ((rng.get(0, Slot::cell_y) - 0.5f) * set.cell_height);
-        ++work[b].eye_paths;
-        const EyeTally found = EyeWalk(in, photons, sensor, rng, work[b]).from_meter(p, meter.error, meter.frame);
-        sum.add(MeterTally::of_path(luminance(found.value), found.direct, found.bias));
-        if (in.moments) in.moments->add_eye_path(luminance(found.value) * sensor.share, sensor.excess);
-      }
-      tally.meters[s][i].add(sum, sensor.share);
-    }
+    for (size_t i = begin; i < end; ++i) tally.meters[s][i].add(paths.trace(i, 0, samples, work[b]));
   });
   add_work(work, tally);
   return first_path + uint32_t(visited) * samples;
+}
+
+float retrace_pixel(const Iteration& in, const Photons& photons, uint32_t c, uint32_t first_path, uint32_t pixel,
+                    IterationTally& tally) {
+  const CameraPaths paths(in, photons, c, first_path, tally);
+  const auto at = std::find(paths.pixels().begin(), paths.pixels().end(), pixel);
+  if (at == paths.pixels().end()) return -1;
+  const size_t i = size_t(at - paths.pixels().begin());
+  paths.trace_luminance(i, paths.sensor_of(i), tally.work);
+  return luminance(tally.pixels[c][i]);
+}
+
+float retrace_meter(const Iteration& in, const Photons& photons, const DirectLight& direct, uint32_t s,
+                    uint32_t first_path, uint32_t meter, uint32_t path, IterationTally& tally) {
+  const MeterPaths paths(in, photons, direct, s, first_path, tally);
+  for (size_t i = 0; i < tally.meters[s].size(); ++i)
+    if (in.plan.visited_meter(in.number, i) == meter && path < in.plan.meter_samples)
+      return paths.trace(i, path, path + 1, tally.work).paths[whole_light].largest;
+  return -1;
 }
 
 }  // namespace ups

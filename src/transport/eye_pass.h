@@ -22,4 +22,11 @@ uint32_t trace_camera_paths(const Iteration& in, const Photons& photons, uint32_
 uint32_t trace_meter_paths(const Iteration& in, const Photons& photons, const DirectLight& direct, uint32_t set,
                            uint32_t first_path, ThreadPool& pool, IterationTally& tally);
 
+// One of these paths alone, as a replay: what it brings, cd/m2, or lx to its meter's estimate; -1: the iteration traces
+// none such. path: of the meter's own.
+float retrace_pixel(const Iteration& in, const Photons& photons, uint32_t camera, uint32_t first_path, uint32_t pixel,
+                    IterationTally& tally);
+float retrace_meter(const Iteration& in, const Photons& photons, const DirectLight& direct, uint32_t set,
+                    uint32_t first_path, uint32_t meter, uint32_t path, IterationTally& tally);
+
 }  // namespace ups

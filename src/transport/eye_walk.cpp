@@ -124,7 +124,8 @@ std::vector<EyeWalk::WaitingEdge>& EyeWalk::kept_edges() {
 
 void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
   // Images of techniques show what has next to no weight, too.
-  if (!c.media || in_.recorder || sensor_.techniques) return test_edge(c, drop, share);
+  if (!c.media || sensor_.techniques || (in_.recorder && in_.recorder->wants_all_edges()))
+    return test_edge(c, drop, share);
   const double size = luminance(c.value) * share * c.weight(in_, 1);
   if (!std::isfinite(size)) return work_.drop(drop);
   if (size > 0) edges_.push_back({c, *c.media, drop, share, size});
@@ -171,12 +172,14 @@ void EyeWalk::test_edges() {
 void EyeWalk::test_edge(const Contribution& c, Drop drop, double share) {
   Passage way;
   if (c.media && is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
-  if (in_.recorder) in_.recorder->found(c, way.pass, none);
-  add(c, c.value * way.transmittance, way.pass, float(c.weight(in_, way.pass)), drop, share);
+  const Rgb unweighted = c.value * way.transmittance * float(share);
+  const double weight = c.weight(in_, way.pass);
+  if (in_.recorder) in_.recorder->found(c, {way.pass, unweighted, weight}, none);
+  add(c, unweighted, way.pass, float(weight), drop);
 }
 
-void EyeWalk::add(const Contribution& c, const Rgb& found, double pass, float weight, Drop where, double share) {
-  const Rgb unweighted = found * float(share), value = unweighted * weight;
+void EyeWalk::add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop where) {
+  const Rgb value = unweighted * weight;
   if (!is_finite(value)) return work_.drop(where);
   const bool is_direct = c.technique.edges == 1;
   const float lx = luminance(value);
@@ -308,8 +311,8 @@ void EyeWalk::merge(const EyeEnd& eye) {
     const Found c = ups::merge(in_, counts_, eye, photons_.paths.vertices[index], disc.radius);
     if (!c) return;
     ++work_.merges;
-    if (in_.recorder) in_.recorder->found(*c, 1, index);
     const float weight = float(c->weight(in_, 1));
+    if (in_.recorder) in_.recorder->found(*c, {1, c->value, weight}, index);
     add(*c, c->value, 1, weight, Drop::merge);
     const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);
     if (!std::isfinite(bias)) return;

@@ -85,7 +85,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void test_edges();  // of those kept
   double size_of_certain_edges() const;
   void test_edge(const Contribution& c, Drop drop, double share);
-  void add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop drop, double share = 1);
+  void add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop drop);
   void keep_separated(uint32_t emitter, double lx, double direct, double bias);
   void add_separated();  // what was kept, once for the whole path
 

@@ -4,6 +4,7 @@
 #include "transport/eye_pass.h"
 #include "transport/light_pass.h"
 #include "transport/radii.h"
+#include "transport/replay.h"
 
 namespace ups {
 
@@ -117,21 +118,25 @@ EmissionGuide Integrator::train_guide(const StopSignal& stop) {
   return small.guide;
 }
 
+Photons Integrator::trace_light(const Iteration& in, const SensorIndex& sensors, IterationTally& tally) {
+  Photons photons;
+  photons.paths = trace_light_paths(in, sensors, pool_, tally);
+  tally.light_work = tally.work;
+  if (in.stop.is_set()) return photons;
+  const double pixel_radius2 = plan_.radius2(largest_pixel_radius_, in.camera_shrinkage);
+  pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
+    const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
+    if (radius > 0)
+      (which == 0 ? photons.of_pixels : photons.of_walks) = PhotonIndex(photons.paths.vertices, radius);
+  });
+  return photons;
+}
+
 bool Integrator::trace(const Iteration& in, IterationTally& tally) {
   reset(in, tally);
   Photons photons;
-  if (settings_.traces_light()) {
-    const SensorIndex sensors(in, pool_);
-    photons.paths = trace_light_paths(in, sensors, pool_, tally);
-    tally.light_work = tally.work;
-    if (in.stop.is_set()) return false;
-    const double pixel_radius2 = plan_.radius2(largest_pixel_radius_, in.camera_shrinkage);
-    pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
-      const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
-      if (radius > 0)
-        (which == 0 ? photons.of_pixels : photons.of_walks) = PhotonIndex(photons.paths.vertices, radius);
-    });
-  }
+  if (settings_.traces_light()) photons = trace_light(in, SensorIndex(in, pool_), tally);
+  if (in.stop.is_set()) return false;
   uint32_t path = 0;
   for (uint32_t c = 0; c < scene_->cameras.size(); ++c) path = trace_camera_paths(in, photons, c, path, pool_, tally);
   for (uint32_t s = 0; s < scene_->meter_sets.size(); ++s)
@@ -139,16 +144,73 @@ bool Integrator::trace(const Iteration& in, IterationTally& tally) {
   return !in.stop.is_set();
 }
 
+void Integrator::look_from_meters(uint32_t iteration, const StopSignal& stop, WorkCounts& work) {
+  if (plan_.meter_pass(iteration) > 0) return;
+  if (iteration > 0) look_around_meters(*scene_, pool_, stop, iteration, plan_);
+  direct_.find(Iteration(*scene_, plan_, settings_, iteration, stop), pool_, work);
+}
+
 bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally& tally) {
-  if (iteration > 0 && plan_.meter_pass(iteration) == 0)
-    look_around_meters(*scene_, pool_, stop, iteration, plan_);
-  const Iteration in(*scene_, plan_, settings_, iteration, stop);
   WorkCounts shadow_rays;
-  direct_.find(in, pool_, shadow_rays);
+  look_from_meters(iteration, stop, shadow_rays);
+  const Iteration in(*scene_, plan_, settings_, iteration, stop);
   if (!trace(in, tally)) return false;
   direct_.add(in, tally);
   tally.work.add(shadow_rays);
   return true;
+}
+
+// Sensors take their eye paths one after another, which pairs each with a light path.
+double Integrator::replay_eye_path(const Iteration& in, const Photons& photons, const PathAddress& a,
+                                   IterationTally& tally) {
+  uint32_t first_path = 0;
+  for (uint32_t c = 0; c < scene_->cameras.size(); ++c) {
+    if (a.camera && c == a.sensor) return retrace_pixel(in, photons, c, first_path, a.element, tally);
+    const Camera& camera = scene_->cameras[c];
+    plan_.for_visited_pixels(in.number, camera.width(), camera.height(), [&](uint32_t, uint32_t) { ++first_path; });
+  }
+  for (uint32_t s = 0; s < a.sensor; ++s) first_path += uint32_t(tally.meters[s].size()) * plan_.meter_samples;
+  return retrace_meter(in, photons, direct_, a.sensor, first_path, a.element, a.path.number(), tally);
+}
+
+Replayed Integrator::replay(const PathAddress& a, const StopSignal& stop) {
+  WorkCounts unused;
+  for (uint32_t i = 0; i <= a.iteration && plan_.meter_pass(i) == 0; ++i) look_from_meters(i, stop, unused);
+  Iteration in(*scene_, plan_, settings_, a.iteration, stop);
+  IterationTally tally;
+  reset(in, tally);
+  const SensorIndex sensors = settings_.traces_light() ? SensorIndex(in, pool_) : SensorIndex();
+  const Photons photons = settings_.traces_light() ? trace_light(in, sensors, tally) : Photons();
+  const auto retrace = [&](uint32_t path, ReplayRecorder& recorder) {
+    in.recorder = &recorder;
+    retrace_light_path(in, sensors, path);
+    recorder.walk.path = path;
+  };
+  Replayed r;
+  r.address = a;
+  ReplayRecorder recorder(in, a.path.is_light() ? nullptr : &photons.paths, a);
+  if (!a.path.is_light()) {
+    in.recorder = &recorder;
+    r.value = replay_eye_path(in, photons, a, tally);
+    if (!a.camera) r.scale = 1.0 / plan_.meter_samples;
+  } else if (settings_.traces_light() && a.path.number() < plan_.light_paths) {
+    retrace(a.path.number(), recorder);
+    if (a.camera) r.scale = 1.0 / plan_.camera_subsets;
+  }
+  r.walk = std::move(recorder.walk);
+  r.contributions = std::move(recorder.contributions);
+  std::stable_sort(r.contributions.begin(), r.contributions.end(),
+                   [](const ReplayedContribution& x, const ReplayedContribution& y) { return x.value() > y.value(); });
+  for (const ReplayedContribution& c : r.contributions) {
+    const auto is_there = [&](const ReplayedWalk& w) { return w.path == c.light_path; };
+    if (r.light_paths.size() == most_light_paths || c.light_path == none ||
+        std::any_of(r.light_paths.begin(), r.light_paths.end(), is_there))
+      continue;
+    ReplayRecorder light(in, nullptr, a);
+    retrace(c.light_path, light);
+    r.light_paths.push_back(std::move(light.walk));
+  }
+  return r;
 }
 
 }  // namespace ups

@@ -10,6 +10,11 @@
 
 namespace ups {
 
+struct PathAddress;
+struct Photons;
+struct Replayed;
+class SensorIndex;
+
 class Integrator {
  public:
   // Traces a pilot; once `stop` is set only run() returning false is to be expected of it.
@@ -24,12 +29,19 @@ class Integrator {
   // Iterations from 0, in order. False where `stop` was set on the way: the tally is then incomplete. The same bits for
   // any number of threads.
   bool run(uint32_t iteration, const StopSignal& stop, IterationTally& tally);
+  // One path of such an iteration again. An integrator that replays does not run.
+  Replayed replay(const PathAddress& address, const StopSignal& stop);
 
  private:
   void choose_first_radii(const StopSignal& stop);
   void select(const StopSignal& stop);
   EmissionGuide train_guide(const StopSignal& stop);
   bool trace(const Iteration& in, IterationTally& tally);
+  Photons trace_light(const Iteration& in, const SensorIndex& sensors, IterationTally& tally);
+  // What meters see for the whole render, of those that the iteration is the first to visit.
+  void look_from_meters(uint32_t iteration, const StopSignal& stop, WorkCounts& work);
+  double replay_eye_path(const Iteration& in, const Photons& photons, const PathAddress& address,
+                         IterationTally& tally);
   std::shared_ptr<const Snapshot> scene_;
   TransportSettings settings_;
   ThreadPool& pool_;

@@ -36,7 +36,7 @@ struct Iteration {
   double walk_radius2;      // of merges beyond the first vertex
   bool trains_guide = false;
   const Moments* moments = nullptr;          // of a pilot that chooses techniques
-  PathRecorder* recorder = nullptr;          // of a test
+  PathRecorder* recorder = nullptr;          // of a test or a replay
 
   bool has(uint32_t technique) const { return settings.has(technique); }
   bool weighted() const { return settings.method.weighted; }

@@ -49,7 +49,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
                 {in.settings.seed, in.light_stream, in.light_visit.batch, in.light_visit.number * in.plan.light_paths + path,
                  in.number, path},
                 block.work),
-        sensors_(sensors), block_(block) {
+        sensors_(sensors), block_(block), path_(path) {
     counts_ = in.light_counts();
     ends_with_casters_ = in.plan.traces_caustics_alone();
   }
@@ -110,7 +110,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     direction_ = start_.direction;
     media_ = scene_.media_stacks[scene_.media_of_emitter[choice.index]];
-    if (in_.recorder) in_.recorder->start_light(choice.index, start_.p);
+    if (in_.recorder) in_.recorder->start_light(choice.index, start_, carried_);
     return true;
   }
 
@@ -157,12 +157,13 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const double flux = luminance(carried_ * met_.transmittance(scene_, crossing.t));
     const mis::LightState state = in_.weighted() ? arrive({p, meter.frame.n}, cos_in, crossing.t) : mis::LightState{};
     const Contribution c = ups::land(in_, e.counts, state, e.eta, e.area, cos_in, flux, a, emitter_index_);
-    if (in_.recorder) in_.recorder->landed(c, p, e.set, e.meter);
-    const double value = luminance(c.value) * c.weight(in_, 1);
+    const double weight = c.weight(in_, 1), value = luminance(c.value) * weight;
+    if (in_.recorder) in_.recorder->landed(c, {1, c.value, weight}, p, e.set, e.meter);
     if (!std::isfinite(value)) return work_.drop(cell ? Drop::sensor_hit : Drop::merge);
     useful_ |= casters_ && a > 1;
-    block_.landings.push_back({crossing.disc, emitter_index_, MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0),
-                               ring, MeterDiscs::octant_of(x, y), value * e.area, c.relative(1)});
+    block_.landings.push_back({crossing.disc, emitter_index_,
+                               MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0, PathNumber::light(path_)), ring,
+                               MeterDiscs::octant_of(x, y), value * e.area, c.relative(1)});
   }
 
   void store(const LightEnd& light) {
@@ -195,14 +196,16 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const Contribution& c = found->contribution;
     Passage way;
     if (is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
-    if (in_.recorder) in_.recorder->splatted(c, way.pass, camera, found->pixel);
-    const Rgb unweighted = c.value * way.transmittance, value = unweighted * float(c.weight(in_, way.pass));
+    const double weight = c.weight(in_, way.pass);
+    const Rgb unweighted = c.value * way.transmittance, value = unweighted * float(weight);
+    if (in_.recorder) in_.recorder->splatted(c, {way.pass, unweighted, weight}, camera, found->pixel);
     if (!is_finite(value)) return work_.drop(Drop::sensor_connect);
-    block_.splats.push_back({{found->pixel, value}, unweighted, camera, c.technique.edges, c.relative(way.pass)});
+    block_.splats.push_back({{found->pixel, path_, value}, unweighted, camera, c.technique.edges, c.relative(way.pass)});
   }
 
   const SensorIndex& sensors_;
   Block& block_;
+  const uint32_t path_;
   const Emitter* emitter_ = nullptr;
   bool casters_ = true, ends_with_casters_ = false, useful_ = false;
   Vec2 square_;  // where on the emitter's square the path started
@@ -258,7 +261,8 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
       const SensorIndex::Entry& e = sensors.entry(l.disc);
       const uint32_t column = columns ? in.plan.separation.column_of_emitter[l.emitter] : 0;
       if (l.ring != none && !in.moments) {
-        tally.landings[e.set].push_back({e.visited, column, uint8_t(l.ring), l.value.direct != 0, l.octant, l.lm});
+        tally.landings[e.set].push_back({e.visited, column, uint8_t(l.ring), l.value.direct != 0, l.octant,
+                                         l.value.largest.number(), l.lm});
         continue;
       }
       // A pilot takes whole discs: its photons are too few to choose by.
@@ -277,6 +281,12 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
   }
   paths.begin.push_back(at);
   return paths;
+}
+
+void retrace_light_path(const Iteration& in, const SensorIndex& sensors, uint32_t path) {
+  Block block;
+  block.counts.push_back(0);
+  LightWalk(in, sensors, block, path).run();
 }
 
 std::vector<LightVertex> trace_pilot_vertices(const Iteration& in, ThreadPool& pool) {

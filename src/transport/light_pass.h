@@ -12,6 +12,9 @@ namespace ups {
 LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool,
                              IterationTally& tally);
 
+// One of these paths alone, as a replay, for the iteration's recorder.
+void retrace_light_path(const Iteration& in, const SensorIndex& sensors, uint32_t path);
+
 // What is thrown away after a radius is chosen from it.
 std::vector<LightVertex> trace_pilot_vertices(const Iteration& in, ThreadPool& pool);
 

@@ -113,7 +113,7 @@ class Subpath {
     const float q = survival(carried_, start_carried_, v.edges, lossless);
     if (is_black(carried_) || (q < 1 && rng_.get(v.edges, Slot::roulette) >= q)) return false;
     carried_ *= 1 / q;
-    if (in_.recorder) in_.recorder->scatter(s.delta);
+    if (in_.recorder) in_.recorder->scatter(s, q, carried_);
     edge_.kind = s.delta ? Edge::delta : Edge::continuous;
     edge_.state = v.state;
     edge_.scatter = {s.pdf, s.pdf_reverse, std::abs(dot(wi, v.surface.ng)), v.merge, v.caster};

@@ -59,6 +59,17 @@ struct PathRecord {
   }
 };
 
+// Which path of its iteration brought a sample: of a light path its number, of a meter's eye paths their running number,
+// of a pixel's 0.
+struct PathNumber {
+  static constexpr uint32_t light_bit = 1u << 31;
+  uint32_t bits = 0;
+
+  static PathNumber light(uint32_t path) { return {path | light_bit}; }
+  bool is_light() const { return bits & light_bit; }
+  uint32_t number() const { return bits & ~light_bit; }
+};
+
 // Estimates of this iteration for one meter, lx; of a point meter without what landed on its disc.
 struct MeterTally {
   double value = 0;
@@ -67,10 +78,12 @@ struct MeterTally {
   double exact = 0;   // part of direct that is no matter of chance
   float rounding = 0;  // of exact, at most
   std::array<PathRecord, light_part_count> paths;
+  PathNumber largest;  // that of paths[whole_light]
 
-  static MeterTally of_path(double value, double direct, double bias) {
+  static MeterTally of_path(double value, double direct, double bias, PathNumber path = {}) {
     constexpr double rounding = 1e-5;  // direct light of a path that brought nothing else
     MeterTally t{value, direct, bias};
+    t.largest = path;
     const double parts[] = {value, direct, value - direct};
     for (size_t k = 0; k < light_part_count; ++k)
       if (parts[k] > rounding * value) t.paths[k] = {float(parts[k]), 1};
@@ -82,6 +95,7 @@ struct MeterTally {
     bias += o.bias * scale;
     exact += o.exact * scale;
     rounding += float(o.rounding * scale);
+    if (float(o.paths[whole_light].largest * scale) > paths[whole_light].largest) largest = o.largest;
     for (size_t k = 0; k < light_part_count; ++k) paths[k].add(o.paths[k], scale);
   }
 };
@@ -93,12 +107,13 @@ struct MeterLanding {
   uint8_t ring;      // of MeterDiscs
   bool direct;       // straight from an emitter
   uint8_t octant;    // of MeterDiscs, about the meter
+  uint32_t path;     // that brought it
   double lm;         // weighted, already divided by N
 };
 
 // What a light path brought to a pixel, already divided by N.
 struct Splat {
-  uint32_t pixel;
+  uint32_t pixel, path;
   Rgb value;
 };
 

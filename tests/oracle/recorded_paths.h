@@ -221,8 +221,8 @@ class Recorder : public PathRecorder {
   std::vector<Replayed> paths;
   bool of_pixels = true;  // the eye pass that runs: of images, or of meters
 
-  void start_light(uint32_t emitter, const Vec3& p) override {
-    light_.push_back({{.p = Vec3d(p), .error = error_of(emitter)}, emitter, {}});
+  void start_light(uint32_t emitter, const EmissionSample& start, const Rgb&) override {
+    light_.push_back({{.p = Vec3d(start.p), .error = error_of(emitter)}, emitter, {}});
     current_ = &light_.back();
   }
   void start_eye(const EyeSensor& sensor, const Vec3& p, const Vec3& n, float error) override {
@@ -237,12 +237,12 @@ class Recorder : public PathRecorder {
     current_->nodes.push_back(
         {Vec3d(s.p), Vec3d(s.ng), s.shading, met.bsdf(*room_.scene), met.relative_ior, s.instance, s.error, false});
   }
-  void scatter(bool delta) override { current_->nodes.back().delta = delta; }
+  void scatter(const BsdfSample& lobe, float, const Rgb&) override { current_->nodes.back().delta = lobe.delta; }
   void store() override { stored_.push_back({light_.size() - 1, current_->nodes.size()}); }
 
-  void found(const Contribution& c, double pass, uint32_t photon) override {
+  void found(const Contribution& c, const Brought& brought, uint32_t photon) override {
     const uint32_t k = c.technique.edges, s = c.technique.s;
-    Replayed r = begin(c, pass);
+    Replayed r = begin(c, brought.pass);
     if (photon != none) {
       r.technique = Technique::merge, r.at = int(s) - 1;
       add_light(light_[stored_[photon].first], s - 1, r);
@@ -263,15 +263,15 @@ class Recorder : public PathRecorder {
     }
     paths.push_back(std::move(r));
   }
-  void splatted(const Contribution& c, double pass, size_t, uint32_t pixel) override {
-    Replayed r = begin(c, pass);
+  void splatted(const Contribution& c, const Brought& brought, size_t, uint32_t pixel) override {
+    Replayed r = begin(c, brought.pass);
     r.sensor = SensorType::camera, r.of_pixel = true, r.pixel = pixel;
     r.technique = Technique::sensor_connect, r.at = int(c.technique.s);
     add_light(light_.back(), c.technique.edges - 1, r);
     r.by_eye.push_back({.p = Vec3d(room_.scene->cameras[0].position())});
     paths.push_back(std::move(r));
   }
-  void landed(const Contribution& c, const Vec3& p, uint32_t set, uint32_t meter) override {
+  void landed(const Contribution& c, const Brought&, const Vec3& p, uint32_t set, uint32_t meter) override {
     Replayed r = begin(c, 1);
     const bool cell = room_.scene->meter_sets[set].is_cell();
     r.sensor = cell ? SensorType::cell : SensorType::point_meter;

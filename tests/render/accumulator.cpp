@@ -109,7 +109,7 @@ TEST(Accumulator, ImageAddsEyePathsAndSplats) {
   IterationTally tally;
   tally.pixels.assign(1, std::vector<Rgb>(32, Rgb(2.0f)));
   tally.splats.resize(1);
-  for (uint32_t p = 0; p < 32; ++p) tally.splats[0].push_back({p, Rgb(1.0f, 0.5f, 0.25f)});
+  for (uint32_t p = 0; p < 32; ++p) tally.splats[0].push_back({p, 0, Rgb(1.0f, 0.5f, 0.25f)});
   for (int i = 0; i < 40; ++i) {
     sums.add(tally);
     if (i < 2) continue;  // a first pass visits every pixel

@@ -51,7 +51,8 @@ struct Rig {
 
   void add(uint32_t batch, double x, double y, double lm, bool direct = false) {
     const uint32_t ring = discs.ring_at(0, float(x), float(y));
-    if (ring != none) sums.add(0, batch, {0, 0, uint8_t(ring), direct, MeterDiscs::octant_of(float(x), float(y)), lm});
+    if (ring != none)
+      sums.add(0, batch, {0, 0, uint8_t(ring), direct, MeterDiscs::octant_of(float(x), float(y)), 0, lm}, batch);
   }
   void fill(const Field& f) {
     std::uniform_real_distribution<double> uniform(0, 1);

@@ -53,7 +53,7 @@ struct Row {
         const uint32_t ring = discs.ring_at(0, float(x), float(y));
         const double lm = size(random) * pi_d * radius * radius / photons * batch_count;
         const uint8_t octant = MeterDiscs::octant_of(float(x), float(y));
-        if (ring != none) sums.add(m, uint32_t(random() % batch_count), {0, 0, uint8_t(ring), false, octant, lm});
+        if (ring != none) sums.add(m, uint32_t(random() % batch_count), {0, 0, uint8_t(ring), false, octant, 0, lm}, 0);
       }
     std::vector<RingProfile> profiles;
     for (size_t m = 0; m < meters; ++m) profiles.push_back(sums.profile(m, rings, batch_count));
@@ -125,7 +125,7 @@ TEST(NeighbourProfiles, LightLeansBesideAStepAndNotOnASlope) {
         const float x = float(i + 0.5) / 1000, y = float(j + 0.5) / 1000;
         if (const uint32_t ring = discs.ring_at(0, x, y); ring != none)
           sums.add(0, uint32_t(i + j) % batch_count,
-                   {0, 0, uint8_t(ring), false, MeterDiscs::octant_of(x, y), batch_count * 1e-6 * lx(x, y)});
+                   {0, 0, uint8_t(ring), false, MeterDiscs::octant_of(x, y), 0, batch_count * 1e-6 * lx(x, y)}, 0);
       }
     return sums.profile(0, rings, batch_count);
   };

@@ -172,6 +172,14 @@ class Result {
     for (float v : out) require_finite({v}, "image");
     return out;
   }
+  std::vector<ups_sample> largest_samples(const Sensor& s) const {
+    size_t count = 0;
+    check(ups_result_read_largest_samples(result_.get(), s.id, nullptr, 0, &count), "ups_result_read_largest_samples");
+    std::vector<ups_sample> all(count);
+    check(ups_result_read_largest_samples(result_.get(), s.id, all.data(), count, &count),
+          "ups_result_read_largest_samples");
+    return all;
+  }
   std::string text(ups_result_text topic) const {
     size_t needed = 0;
     ups_result_get_text(result_.get(), topic, nullptr, 0, &needed);

@@ -198,8 +198,7 @@ class Scene {
     return s;
   }
 
-  Result render(const RenderOptions& options) {
-    check(ups_scene_commit(scene_.get()), "ups_scene_commit");
+  static ups_render_desc desc_of(const RenderOptions& options) {
     auto d = make_desc<ups_render_desc>(ups_render_desc_init);
     d.method = options.method;
     d.iteration_count = options.iterations;
@@ -215,6 +214,11 @@ class Scene {
     d.separation = options.separation;
     d.flux_paths = options.flux_paths;
     d.target_relative_error = float(options.target_relative_error);
+    return d;
+  }
+  Result render(const RenderOptions& options) {
+    check(ups_scene_commit(scene_.get()), "ups_scene_commit");
+    const ups_render_desc d = desc_of(options);
     ups_result* result = nullptr;
     check(ups_render(scene_.get(), &d, &result), "ups_render");
     return Result(result, sensors_);

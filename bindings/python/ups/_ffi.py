@@ -255,6 +255,19 @@ class ResultText(enum.IntEnum):
     DROPPED = 3
 
 
+class Walk(enum.IntEnum):
+    EYE = 0
+    LIGHT = 1
+
+
+class PathEvent(enum.IntEnum):
+    START = 0
+    END = 1
+    SCATTERED = 2
+    MIRRORED = 3
+    REFRACTED = 4
+
+
 class TextureId(Structure):
     _fields_ = [
         ("v", c_uint32),
@@ -486,6 +499,13 @@ class SceneInfo(Structure):
         ("emitted_flux_lm", c_double),
         ("bounds_min_m", c_double * 3),
         ("bounds_max_m", c_double * 3),
+    ]
+
+
+class Segment(Structure):
+    _fields_ = [
+        ("from_m", c_double * 3),
+        ("to_m", c_double * 3),
     ]
 
 
@@ -896,6 +916,61 @@ class TechniqueInfo(Structure):
     ]
 
 
+class Sample(Structure):
+    _fields_ = [
+        ("seed", c_uint64),
+        ("sensor", SensorId),
+        ("index", c_uint32),
+        ("iteration", c_uint32),
+        ("walk", c_int32),
+        ("path", c_uint32),
+        ("value", c_float),
+        ("share", c_float),
+        ("reserved", c_uint32),
+    ]
+
+
+class PathInfo(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("walks", c_uint32),
+        ("value", c_double),
+        ("contributions", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class PathVertex(Structure):
+    _fields_ = [
+        ("position_m", c_double * 3),
+        ("normal", c_float * 3),
+        ("throughput", c_float),
+        ("pdf", c_float),
+        ("pdf_reverse", c_float),
+        ("survival", c_float),
+        ("walk", c_uint32),
+        ("instance", InstanceId),
+        ("event", c_int32),
+    ]
+
+
+class PathContribution(Structure):
+    _fields_ = [
+        ("from_m", c_double * 3),
+        ("to_m", c_double * 3),
+        ("value", c_float),
+        ("weight", c_float),
+        ("technique", c_uint32),
+        ("edges", c_uint32),
+        ("light_vertices", c_uint32),
+        ("walk", c_uint32),
+        ("light_path", c_uint32),
+        ("source_kind", c_int32),
+        ("source", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
 # Result and parameters of each function.
 PROTOTYPES = {
     "ups_version": (c_uint32, []),
@@ -946,6 +1021,8 @@ PROTOTYPES = {
     "ups_scene_commit": (c_int32, [c_void_p]),
     "ups_scene_get_info": (c_int32, [c_void_p, POINTER(SceneInfo)]),
     "ups_scene_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_scene_read_section": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double), POINTER(Segment), c_size_t,
+        POINTER(c_size_t)]),
     "ups_fixture_emitter_desc_init": (None, [POINTER(FixtureEmitterDesc), c_uint32]),
     "ups_reflector_desc_init": (None, [POINTER(ReflectorDesc), c_uint32]),
     "ups_lens_desc_init": (None, [POINTER(LensDesc), c_uint32]),
@@ -1010,6 +1087,13 @@ PROTOTYPES = {
     "ups_result_get_largest_error": (c_int32, [c_void_p, POINTER(LargestError)]),
     "ups_result_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_result_destroy": (None, [c_void_p]),
+    "ups_result_read_largest_samples": (c_int32, [c_void_p, SensorId, POINTER(Sample), c_size_t, POINTER(c_size_t)]),
+    "ups_replay": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(Sample), POINTER(c_void_p)]),
+    "ups_path_destroy": (None, [c_void_p]),
+    "ups_path_get_info": (c_int32, [c_void_p, POINTER(PathInfo)]),
+    "ups_path_read_vertices": (c_int32, [c_void_p, POINTER(PathVertex), c_size_t, POINTER(c_size_t)]),
+    "ups_path_read_contributions": (c_int32, [c_void_p, POINTER(PathContribution), c_size_t, POINTER(c_size_t)]),
+    "ups_path_get_text": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)]),
 }
 
 # Function that fills each description with its defaults.
