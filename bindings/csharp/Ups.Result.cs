@@ -280,18 +280,77 @@ namespace Ups
         public ConvergencePoint[] Convergence()
         {
             UIntPtr needed;
-            var status = Native.ups_result_read_convergence(Handle, null, UIntPtr.Zero, &needed);
-            if (status != Status.ErrorBufferTooSmall) Library.Check(status);
+            Library.Check(Native.ups_result_read_convergence(Handle, null, UIntPtr.Zero, &needed));
             var points = new ConvergencePoint[(int)needed];
             fixed (ConvergencePoint* p = points)
                 Library.Check(Native.ups_result_read_convergence(Handle, p, needed, &needed));
             return points;
         }
 
+        /// <summary>The samples that weigh most in a camera's image or a set of meters, the largest share first.
+        /// Scene.Replay traces one of them again.</summary>
+        public Sample[] LargestSamples(SensorId sensor)
+        {
+            UIntPtr needed;
+            Library.Check(Native.ups_result_read_largest_samples(Handle, sensor, null, UIntPtr.Zero, &needed));
+            var samples = new Sample[(int)needed];
+            fixed (Sample* s = samples)
+                Library.Check(Native.ups_result_read_largest_samples(Handle, sensor, s, needed, &needed));
+            return samples;
+        }
+
         public string Text(ResultText topic)
         {
             return Library.Text((p, capacity, needed) =>
                 Native.ups_result_get_text(Handle, topic, p, capacity, needed)) ?? "";
+        }
+
+        public void Dispose() { Handle.Dispose(); }
+    }
+
+    /// <summary>A sample of a render, traced again by Scene.Replay.</summary>
+    public sealed unsafe class ReplayedPath : IDisposable
+    {
+        internal readonly PathHandle Handle;
+
+        internal ReplayedPath(PathHandle handle) { Handle = handle; }
+
+        public PathInfo Info
+        {
+            get
+            {
+                var info = PathInfo.Sized();
+                Library.Check(Native.ups_path_get_info(Handle, &info));
+                return info;
+            }
+        }
+
+        /// <summary>Walk by walk, each from its start.</summary>
+        public PathVertex[] Vertices()
+        {
+            UIntPtr needed;
+            Library.Check(Native.ups_path_read_vertices(Handle, null, UIntPtr.Zero, &needed));
+            var vertices = new PathVertex[(int)needed];
+            fixed (PathVertex* v = vertices)
+                Library.Check(Native.ups_path_read_vertices(Handle, v, needed, &needed));
+            return vertices;
+        }
+
+        /// <summary>The largest first.</summary>
+        public PathContribution[] Contributions()
+        {
+            UIntPtr needed;
+            Library.Check(Native.ups_path_read_contributions(Handle, null, UIntPtr.Zero, &needed));
+            var contributions = new PathContribution[(int)needed];
+            fixed (PathContribution* c = contributions)
+                Library.Check(Native.ups_path_read_contributions(Handle, c, needed, &needed));
+            return contributions;
+        }
+
+        /// <summary>All that is known of the path, for people.</summary>
+        public string Text()
+        {
+            return Library.Text((p, capacity, needed) => Native.ups_path_get_text(Handle, p, capacity, needed)) ?? "";
         }
 
         public void Dispose() { Handle.Dispose(); }

@@ -198,6 +198,30 @@ namespace Ups
                 Native.ups_scene_get_text(Handle, topic, p, capacity, needed)) ?? "";
         }
 
+        /// <summary>Where a plane cuts the committed scene's surfaces.</summary>
+        public Segment[] Section(double[] pointM, double[] normal)
+        {
+            Elements.Expect(pointM, 3, "pointM");
+            Elements.Expect(normal, 3, "normal");
+            UIntPtr needed;
+            fixed (double* p = pointM, n = normal)
+            {
+                Library.Check(Native.ups_scene_read_section(Handle, p, n, null, UIntPtr.Zero, &needed));
+                var segments = new Segment[(int)needed];
+                fixed (Segment* s = segments)
+                    Library.Check(Native.ups_scene_read_section(Handle, p, n, s, needed, &needed));
+                return segments;
+            }
+        }
+
+        /// <summary>Traces one of Result.LargestSamples again; desc: that of the render that it is of.</summary>
+        public ReplayedPath Replay(RenderDesc desc, Sample sample)
+        {
+            PathHandle path;
+            Library.Check(Native.ups_replay(Handle, &desc, &sample, out path));
+            return new ReplayedPath(path);
+        }
+
         /// <summary>Blocks until a limit or the target is met.</summary>
         public Result Render(RenderDesc desc)
         {

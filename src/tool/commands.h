@@ -28,6 +28,11 @@ struct RenderOptions : JobOptions {
   uint32_t width = 0, height = 0;  // 0: as the file says
 };
 
+struct ReplayOptions : JobOptions {
+  std::string sample, plot;        // an address; .svg, .png, empty: not asked for
+  uint32_t width = 0, height = 0;  // 0: as the file says
+};
+
 struct GoniometerOptions : JobOptions {
   std::string name;                // of the scene's goniometer; empty: the only one
   std::string out, errors;         // .ies or .ldt, .csv; empty: not asked for
@@ -47,6 +52,7 @@ struct InfoOptions {
 };
 
 int render(const RenderOptions& options);
+int replay(const ReplayOptions& options);
 int goniometer(const GoniometerOptions& options);
 int info(const InfoOptions& options);
 int convert(const std::string& in, const std::string& out);

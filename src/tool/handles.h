@@ -33,6 +33,7 @@ using Profile = std::unique_ptr<ups_profile, Destroy<ups_profile_destroy>>;
 using Scene = std::unique_ptr<ups_scene, Destroy<ups_scene_destroy>>;
 using Job = std::unique_ptr<ups_job, Destroy<ups_job_destroy>>;
 using Result = std::unique_ptr<ups_result, Destroy<ups_result_destroy>>;
+using Path = std::unique_ptr<ups_path, Destroy<ups_path_destroy>>;
 using Import = std::unique_ptr<ups_gltf_import, Destroy<ups_gltf_import_destroy>>;
 using Image = std::unique_ptr<ups_exr_image, Destroy<ups_exr_image_destroy>>;
 
@@ -50,6 +51,16 @@ std::string read_text(Read&& read, const char* (*last_error)() = ups_last_error)
   check(read(text.data(), needed, &needed), last_error);
   text.resize(needed - 1);
   return text;
+}
+
+// The same of arrays of plain elements.
+template <class Element, class Read>
+std::vector<Element> read_array(Read&& read) {
+  size_t needed = 0;
+  check(read(nullptr, 0, &needed));
+  std::vector<Element> all(needed);
+  if (needed > 0) check(read(all.data(), needed, &needed));
+  return all;
 }
 
 std::vector<std::string> lines_of(const std::string& text);  // without empty ones

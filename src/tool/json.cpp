@@ -51,6 +51,21 @@ ordered_json worst_meter_json(const WorstMeter& worst) {
 
 }  // namespace
 
+namespace {
+
+ordered_json samples_json(const std::vector<SampleReport>& samples) {
+  ordered_json all = ordered_json::array();
+  for (const SampleReport& s : samples)
+    all.push_back({{"address", s.address},
+                   {"sensor", s.sensor},
+                   {"index", s.sample.index},
+                   {"value", number(double(s.sample.value))},
+                   {"share", number(double(s.sample.share))}});
+  return all;
+}
+
+}  // namespace
+
 std::string to_json(const Report& report) {
   const ups_result_info& info = report.info;
   ordered_json meters = ordered_json::object(), cameras = ordered_json::object(), convergence = ordered_json::array();
@@ -127,11 +142,41 @@ std::string to_json(const Report& report) {
                {"convergence", convergence},
                {"prediction", predictions_json(report.predictions)},
                {"advice", report.advice},
+               {"largest_samples", samples_json(report.largest_samples)},
                {"warnings", report.warnings}};
   if (!report.goniometers.empty()) all["goniometers"] = goniometers;
   if (!report.sources.empty()) all["sources"] = sources;
   if (report.worst_meter) all["largest_error"] = worst_meter_json(*report.worst_meter);
   return dump(all);
+}
+
+std::string to_json(const PathReport& report) {
+  constexpr const char* events[] = {"start", "end", "scattered", "mirrored", "refracted"};  // UPS_EVENT_*
+  ordered_json vertices = ordered_json::array(), contributions = ordered_json::array();
+  for (const ups_path_vertex& v : report.vertices)
+    vertices.push_back({{"walk", v.walk},
+                        {"event", events[v.event]},
+                        {"position_m", v.position_m},
+                        {"normal", v.normal},
+                        {"throughput", number(double(v.throughput))},
+                        {"pdf", number(double(v.pdf))},
+                        {"pdf_reverse", number(double(v.pdf_reverse))},
+                        {"survival", number(double(v.survival))}});
+  for (const ups_path_contribution& c : report.contributions)
+    contributions.push_back({{"value", number(double(c.value))},
+                             {"weight", number(double(c.weight))},
+                             {"technique", technique_name(c.technique)},
+                             {"edges", c.edges},
+                             {"light_vertices", c.light_vertices},
+                             {"walk", c.walk},
+                             {"from_m", c.from_m},
+                             {"to_m", c.to_m}});
+  return dump({{"scene", report.scene},
+               {"sample", report.address},
+               {"value", number(report.info.value)},
+               {"vertices", vertices},
+               {"contributions", contributions},
+               {"text", report.text}});
 }
 
 std::string to_json(const Comparison& comparison) {

@@ -13,6 +13,7 @@ namespace {
 using ups::tool::GoniometerOptions;
 using ups::tool::InfoOptions;
 using ups::tool::RenderOptions;
+using ups::tool::ReplayOptions;
 
 const CLI::App* add_info(CLI::App& app, InfoOptions& options) {
   CLI::App* command = app.add_subcommand("info", "What a scene or photometric files contain");
@@ -69,6 +70,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   RenderOptions render_options;
   ups::tool::add_render(app, render_options);
+  ReplayOptions replay_options;
+  const CLI::App* replay = ups::tool::add_replay(app, replay_options);
   GoniometerOptions goniometer_options;
   const CLI::App* goniometer = ups::tool::add_goniometer(app, goniometer_options);
   InfoOptions info_options;
@@ -94,6 +97,7 @@ int run(int argc, char** argv) {
     return tell_usage(app, e);
   }
   if (info->parsed()) return ups::tool::info(info_options);
+  if (replay->parsed()) return ups::tool::replay(replay_options);
   if (goniometer->parsed()) return ups::tool::goniometer(goniometer_options);
   if (convert->parsed()) return ups::tool::convert(in, out);
   if (compare->parsed()) return ups::tool::compare(a, b, json);

@@ -131,8 +131,10 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
 
 }  // namespace
 
-void add_job_options(CLI::App& command, JobOptions& options, const std::vector<std::string>& words,
-                     const std::string& aim) {
+namespace {
+
+// What a render is of and how it goes on its way, but not where it ends.
+void add_scene_options(CLI::App& command, JobOptions& options, const std::vector<std::string>& words) {
   static const std::map<std::string, int32_t> methods = {
       {"auto", UPS_METHOD_AUTO},         {"ups", UPS_METHOD_UPS},
       {"pt", UPS_METHOD_PATH_TRACING},   {"lt", UPS_METHOD_LIGHT_TRACING},
@@ -147,6 +149,46 @@ void add_job_options(CLI::App& command, JobOptions& options, const std::vector<s
           "auto (the scene decides)" + listed)
       ->check(CLI::IsMember(words))
       ->type_name("METHOD");
+  command.add_option("--threads", options.threads, "0: all hardware threads")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  add_allow_outside(command, options.allow_outside);
+  command.add_flag("--json", options.json, "Print one JSON object on standard output");
+}
+
+const std::vector<std::string> method_words = {"auto", "ups", "pt", "lt", "bpt", "ppm", "sppm", "bpm"};
+
+void add_size(CLI::App& command, uint32_t& width, uint32_t& height) {
+  command
+      .add_option_function<std::string>(
+          "--size", [&](const std::string& text) { parse_size(text, width, height); },
+          "Size of every camera's image, instead of the file's")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            uint32_t w, h;
+            return parse_size(text, w, h);
+          },
+          ""))
+      ->type_name("WxH");
+}
+
+void add_separation(CLI::App& command, ups_render_desc& desc, const std::string& what) {
+  command
+      .add_option_function<std::string>(
+          "--separate",
+          [&desc](const std::string& word) {
+            desc.separation = word == "groups" ? UPS_SEPARATE_GROUPS : UPS_SEPARATE_LUMINAIRES;
+          },
+          "luminaires or groups" + what)
+      ->check(CLI::IsMember({"luminaires", "groups"}))
+      ->type_name("WORD");
+}
+
+}  // namespace
+
+void add_job_options(CLI::App& command, JobOptions& options, const std::vector<std::string>& words,
+                     const std::string& aim) {
+  add_scene_options(command, options, words);
   command.add_option("--time", options.desc.time_limit_s, "Stop after this many seconds")
       ->check(CLI::Validator(positive, ""))
       ->type_name("S");
@@ -161,16 +203,11 @@ void add_job_options(CLI::App& command, JobOptions& options, const std::vector<s
   command.add_option("--seed", options.desc.seed, "Same seed and iterations, same result (1)")
       ->check(CLI::Validator(whole, ""))
       ->type_name("N");
-  command.add_option("--threads", options.threads, "0: all hardware threads")
-      ->check(CLI::Range(0, 1024))
-      ->type_name("N");
-  add_allow_outside(command, options.allow_outside);
-  command.add_flag("--json", options.json, "Print one JSON object on standard output");
 }
 
 void add_render(CLI::App& app, RenderOptions& options) {
   CLI::App* command = app.add_subcommand("render", "Compute illuminance and luminance of a glTF scene");
-  add_job_options(*command, options, {"auto", "ups", "pt", "lt", "bpt", "ppm", "sppm", "bpm"},
+  add_job_options(*command, options, method_words,
                   "the worst meter's relative error, without meters the mean pixel's,");
   static const std::map<std::string, ups_criterion> criteria = {{"worst", UPS_CRITERION_WORST},
                                                                 {"p95", UPS_CRITERION_P95},
@@ -183,32 +220,31 @@ void add_render(CLI::App& app, RenderOptions& options) {
           "predictions are of")
       ->check(CLI::IsMember({"worst", "p95", "mean", "median"}))
       ->type_name("WORD");
-  command
-      ->add_option_function<std::string>(
-          "--size", [&options](const std::string& text) { parse_size(text, options.width, options.height); },
-          "Size of every camera's image, instead of the file's")
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            uint32_t w, h;
-            return parse_size(text, w, h);
-          },
-          ""))
-      ->type_name("WxH");
-  command
-      ->add_option_function<std::string>(
-          "--separate",
-          [&options](const std::string& word) {
-            options.desc.separation = word == "groups" ? UPS_SEPARATE_GROUPS : UPS_SEPARATE_LUMINAIRES;
-          },
-          "luminaires or groups: with --out, a table NAME_luminaires.csv of what each contributes to each meter")
-      ->check(CLI::IsMember({"luminaires", "groups"}))
-      ->type_name("WORD");
+  add_size(*command, options.width, options.height);
+  add_separation(*command, options.desc,
+                 ": with --out, a table NAME_luminaires.csv of what each contributes to each meter");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
       ->type_name("DIR");
   add_method_options(*command, options.desc);
   command->footer(
       "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"
       "Ctrl-C stops it; the results so far are written.");
+}
+
+const CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {
+  CLI::App* command = app.add_subcommand("replay", "Trace one sample of a render again, and tell all of its path");
+  add_scene_options(*command, options, method_words);
+  command->add_option("--sample", options.sample, "As largest_samples in the JSON of `ups render` lists them")
+      ->required()
+      ->type_name("ADDRESS");
+  command->add_option("--plot", options.plot, "Plan and section of the path, as OUT.svg or OUT.png")
+      ->check(CLI::Validator(plot_file, ""))
+      ->type_name("OUT");
+  add_size(*command, options.width, options.height);
+  add_separation(*command, options.desc, ", where the render told them apart");
+  add_method_options(*command, options.desc);
+  command->footer("The options of method must be those of the render that the sample is of.");
+  return command;
 }
 
 }  // namespace ups::tool

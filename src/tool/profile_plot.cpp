@@ -123,15 +123,18 @@ bool is_plot_file(const std::string& path) {
   return extension == ".svg" || extension == ".png";
 }
 
-void write_plot(const std::string& path, const ups_profile* profile, const ProfileReport& report) {
-  const Drawing drawing = plot_of(profile, report);
+void write_drawing(const std::string& path, const Drawing& drawing, const std::string& title) {
   if (lower_extension(path) == ".svg") {
-    const std::string svg = to_svg(drawing, "Luminous intensity of " + report.file);
+    const std::string svg = to_svg(drawing, title);
     extras::write_file(path, svg.data(), svg.size());
   } else {
     const Pixels pixels = to_pixels(drawing, 2);
     check(ups_ocio_write_pixels_png(path.c_str(), pixels.rgb.data(), pixels.width, pixels.height), ups_ocio_last_error);
   }
+}
+
+void write_plot(const std::string& path, const ups_profile* profile, const ProfileReport& report) {
+  write_drawing(path, plot_of(profile, report), "Luminous intensity of " + report.file);
 }
 
 }  // namespace ups::tool

@@ -42,6 +42,11 @@ std::vector<std::string> names_of(uint32_t bits, const Bit (&names)[N]) {
 
 }  // namespace
 
+std::string technique_name(uint32_t bit) {
+  const std::vector<std::string> names = names_of(bit, technique_names);
+  return names.empty() ? "" : names[0];
+}
+
 uint32_t technique_bit(const std::string& name) {
   for (const Bit& technique : technique_names)
     if (name == technique.name) return technique.bit;
@@ -49,6 +54,8 @@ uint32_t technique_bit(const std::string& name) {
 }
 
 namespace {
+
+constexpr float told_share = 0.2f;  // of a reading that a single sample makes: a bright speck
 
 double mean_luminance(const std::vector<float>& rgb) {
   double sum = 0;
@@ -134,6 +141,7 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
   report.convergence = read_curve(result);
   report.predictions = read_predictions(result);
   report.worst_meter = read_worst_meter(scene, result);
+  report.largest_samples = read_largest_samples(scene, result);
   return report;
 }
 
@@ -169,6 +177,11 @@ std::string to_text(const Report& report) {
   for (const PredictionReport& p : report.predictions)
     text += format("accuracy: %s, limited by %s\n", prediction_text(p.relative_error, p.prediction).c_str(),
                    p.prediction.limited_by == UPS_LIMIT_BIAS ? "bias" : "noise");
+  if (!report.largest_samples.empty() && report.largest_samples[0].sample.share > told_share) {
+    const SampleReport& s = report.largest_samples[0];
+    text += format("largest sample: %s of its reading; look into it: ups replay %s --sample %s\n",
+                   percent_text(double(s.sample.share)).c_str(), report.scene.c_str(), s.address.c_str());
+  }
   for (const std::string& advice : report.advice) text += "advice: " + advice + "\n";
   for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
   return text;

@@ -5,6 +5,7 @@
 
 #include "tool/accuracy.h"
 #include "tool/handles.h"
+#include "tool/sample_address.h"
 
 namespace ups::tool {
 
@@ -48,16 +49,28 @@ struct Report {
   std::vector<PredictionReport> predictions;
   std::optional<WorstMeter> worst_meter;
   std::vector<std::string> advice;
+  std::vector<SampleReport> largest_samples;
 };
 
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);
 std::string version_number();  // "0.1.0"
 std::string percent_text(double fraction);  // "1.25 %"; "unknown" below 0
 std::string method_word(ups_method method);  // as in --method
+std::string technique_name(uint32_t bit);         // the other way round
 uint32_t technique_bit(const std::string& name);  // UPS_TECHNIQUE_* of "merge" and the like; 0: there is none
 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);
+
+// A sample traced again.
+struct PathReport {
+  std::string scene, address;
+  ups_path_info info;
+  std::vector<ups_path_vertex> vertices;
+  std::vector<ups_path_contribution> contributions;
+  std::string text;
+};
+std::string to_json(const PathReport& report);
 
 // Means over all pixels and channels of squared differences and of squared standard errors; -1: not known. trimmed: of
 // the pixels without the thousandth that differs most. relative: each pixel divided as for relative_mse.

@@ -155,6 +155,17 @@ internal static partial class BindingTest
                 var foretold = result.Predict(0.01);
                 Expect(foretold.LimitedBy == Limit.Noise && foretold.Iterations == 16, "the prediction");
                 Expect(result.LargestError().Sensor.V == meters.V, "the worst meter");
+                var largest = result.LargestSamples(eye);
+                Expect(largest.Length > 0 && largest[0].Walk == Walk.Eye, "the samples that weigh most");
+                using (var path = scene.Replay(Iterations(16), largest[0]))
+                {
+                    ExpectNear(path.Info.Value, largest[0].Value, 1e-5, "a sample traced again");
+                    Expect(path.Vertices()[0].Event == PathEvent.Start, "where it starts");
+                    Expect(path.Contributions().Length == (int)path.Info.Contributions, "its light");
+                    Expect(path.Text().Contains("next-event estimation"), "what it says");
+                }
+                var cut = scene.Section(new double[] { 1, 0, 0 }, new double[] { 1, 0, 0 });
+                Expect(cut.Length == 2 && cut[0].FromM[0] == 1, "a section");
                 Expect(result.Info.Iterations == 16 && result.Info.Seed == 5, "the render's own data");
                 foreach (var sensor in new[] { meters, eye })
                     Expect(result.Choice(sensor).Techniques != 0 && result.Choice(sensor).PredictedGain > 0,

@@ -185,6 +185,37 @@ def test_results_report_their_render(context):
     assert isinstance(result.text(ups.ResultText.TECHNIQUES), str)
 
 
+def test_a_sample_is_traced_again(context):
+    scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
+    instance = scene.add_instance(scene.add_mesh([(-9, -9, 4), (9, -9, 4), (0, 9, 4)], [(0, 1, 2)],
+                                                 scene.add_material(reflectance_rgb=[0.8] * 3)))
+    scene.commit()
+    settings = {"method": ups.Method.PATH_TRACING, "iteration_count": 20, "seed": 7}
+    samples = scene.render(**settings).largest_samples(meters)
+    assert len(samples) == 2 and np.all(np.diff(samples["share"]) <= 0) and np.all(samples["seed"] == 7)
+    for sample in samples:
+        with scene.replay(sample, **settings) as path:
+            assert path.info.value == pytest.approx(sample["value"], rel=1e-5)
+            found, vertices = path.contributions(), path.vertices()
+            assert found["value"].sum() == pytest.approx(sample["value"], rel=1e-4)
+            assert set(found["technique"]) <= {ups.Technique.LIGHT_SAMPLE, ups.Technique.EMITTER_HIT}
+            assert vertices[0]["event"] == ups.PathEvent.START
+            assert vertices[1]["instance"]["v"] == instance.v  # the meters look up, to the ceiling
+            assert "next-event estimation" in path.text()
+    with pytest.raises(ups.Error, match="index is 9"):
+        wrong = samples[0].copy()
+        wrong["index"] = 9
+        scene.replay(wrong, **settings)
+
+
+def test_a_section_is_where_a_plane_cuts(context):
+    scene, _, _, _ = lamp_over_floor(context)
+    scene.commit()
+    lines = scene.section((1, 0, 0), (1, 0, 0))
+    assert lines.shape == (2, 2, 3) and np.allclose(lines[:, :, 0], 1) and np.allclose(lines[:, :, 2], 0)
+    assert np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1).sum() == pytest.approx(10)
+
+
 def test_accuracy_and_its_cost(context):
     scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
     scene.add_instance(scene.add_mesh([(-9, -9, 4), (9, -9, 4), (0, 9, 4)], [(0, 1, 2)],

@@ -15,20 +15,20 @@ raises ups.Error. Objects free themselves; close() or a `with` block does it at 
 from . import _ffi
 from ._core import Context, Error, translation, version
 from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, Effect, EmitterShape, Finish, JobState,
-                   LightKind, LightPart, Limit, LogLevel, MaterialModel, MeterKind, Method, OpeningShape, Perturbation,
-                   PhotometricType, Photons, ProfileFormat, ProfileSymmetry, Projection, Reading, ReflectorProfile,
-                   ResultText, SceneText, Separation, SourceKind, Status, Technique)
+                   LightKind, LightPart, Limit, LogLevel, MaterialModel, MeterKind, Method, OpeningShape, PathEvent,
+                   Perturbation, PhotometricType, Photons, ProfileFormat, ProfileSymmetry, Projection, Reading, ReflectorProfile,
+                   ResultText, SceneText, Separation, SourceKind, Status, Technique, Walk)
 from ._fixture import Fixture
 from ._profile import Profile
-from ._result import Job, Result
+from ._result import Job, ReplayedPath, Result
 from ._scene import Scene
 
 __all__ = ["AlphaMode", "Channel", "CollimatorWall", "Context", "Contribution", "Criterion", "Effect", "EmitterShape",
            "Error", "Finish", "Fixture", "Job", "JobState", "LightKind", "LightPart", "Limit", "LogLevel",
-           "MaterialModel", "MeterKind", "Method", "OpeningShape", "Perturbation", "PhotometricType", "Photons",
-           "Profile", "ProfileFormat", "ProfileSymmetry", "Projection", "Reading", "ReflectorProfile", "Result",
-           "ResultText", "Scene", "SceneText", "Separation", "SourceKind", "Status", "Technique", "translation",
-           "version"]
+           "MaterialModel", "MeterKind", "Method", "OpeningShape", "PathEvent", "Perturbation", "PhotometricType", "Photons",
+           "Profile", "ProfileFormat", "ProfileSymmetry", "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "Result",
+           "ResultText", "Scene", "SceneText", "Separation", "SourceKind", "Status", "Technique", "Walk",
+           "translation", "version"]
 
-for _class in (Context, Error, Fixture, Job, Profile, Result, Scene):
+for _class in (Context, Error, Fixture, Job, Profile, ReplayedPath, Result, Scene):
     _class.__module__ = __name__  # tracebacks say ups.Error, the name that programs know

@@ -126,6 +126,16 @@ def read_bytes(function, *arguments):
     return buffer.raw[:-1]
 
 
+def read_array(cls, function, *arguments):
+    """The two calls of an array of plain elements: its length, then a record array of `cls`."""
+    needed = ctypes.c_size_t()
+    check(function(*arguments, None, 0, byref(needed)))
+    out = np.empty(needed.value, dtype=np.dtype(cls))
+    if len(out):
+        check(function(*arguments, address(out, cls), len(out), byref(needed)))
+    return out
+
+
 def read_text(function, *arguments):
     return read_bytes(function, *arguments).decode("utf-8", "replace")
 

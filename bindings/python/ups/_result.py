@@ -8,8 +8,8 @@ from ctypes import byref
 import numpy as np
 
 from . import _ffi
-from ._core import Handle, address, check, create, lib, read_info, read_text
-from ._ffi import Channel, Contribution, ResultText, Status
+from ._core import Handle, address, check, create, lib, read_array, read_info, read_text
+from ._ffi import Channel, Contribution, ResultText
 from ._profile import Profile
 
 
@@ -186,15 +186,35 @@ class Result(Handle):
     def convergence(self):
         """The part of curve() that there has always been: a record array with a field for each of
         ups_convergence_point."""
-        needed = ctypes.c_size_t()
-        status = lib.ups_result_read_convergence(self, None, 0, byref(needed))
-        if status != Status.ERROR_BUFFER_TOO_SMALL:
-            check(status)
-        out = np.empty(needed.value, dtype=np.dtype(_ffi.ConvergencePoint))
-        if len(out):
-            points = address(out, _ffi.ConvergencePoint)
-            check(lib.ups_result_read_convergence(self, points, len(out), byref(needed)))
-        return out
+        return read_array(_ffi.ConvergencePoint, lib.ups_result_read_convergence, self)
+
+    def largest_samples(self, sensor):
+        """The samples that weigh most in a camera's image or a set of meters, the largest share first: a record array
+        with a field for each of ups_sample. Scene.replay traces one of them again."""
+        return read_array(_ffi.Sample, lib.ups_result_read_largest_samples, self, sensor)
 
     def text(self, topic=ResultText.WARNINGS):
         return read_text(lib.ups_result_get_text, self, topic)
+
+
+class ReplayedPath(Handle):
+    """A sample of a render, traced again by Scene.replay."""
+
+    def __init__(self, pointer):
+        super().__init__(pointer, lib.ups_path_destroy)
+
+    @property
+    def info(self):
+        return read_info(_ffi.PathInfo, lib.ups_path_get_info, self)
+
+    def vertices(self):
+        """Walk by walk: a record array with a field for each of ups_path_vertex."""
+        return read_array(_ffi.PathVertex, lib.ups_path_read_vertices, self)
+
+    def contributions(self):
+        """The largest first: a record array with a field for each of ups_path_contribution."""
+        return read_array(_ffi.PathContribution, lib.ups_path_read_contributions, self)
+
+    def text(self):
+        """All that is known of the path, for people."""
+        return read_text(lib.ups_path_get_text, self)

@@ -8,10 +8,10 @@ from ctypes import byref
 import numpy as np
 
 from . import _ffi
-from ._core import (Handle, address, as_array, as_matrix, check, create, describe, describe_mesh, lib, read_info,
-                    read_text)
+from ._core import (Handle, address, as_array, as_matrix, check, create, describe, describe_mesh, lib, read_array,
+                    read_info, read_text)
 from ._ffi import SceneText
-from ._result import Job, Result
+from ._result import Job, ReplayedPath, Result
 
 
 class Scene(Handle):
@@ -133,6 +133,19 @@ class Scene(Handle):
 
     def text(self, topic=SceneText.WARNINGS):
         return read_text(lib.ups_scene_get_text, self, topic)
+
+    def section(self, point_m, normal):
+        """Where a plane cuts the committed scene's surfaces: an array (segments, 2, 3), m."""
+        at = address(as_array(point_m, np.float64, (3,), "point_m"), ctypes.c_double)
+        to = address(as_array(normal, np.float64, (3,), "normal"), ctypes.c_double)
+        segments = read_array(_ffi.Segment, lib.ups_scene_read_section, self, at, to)
+        return np.stack([segments["from_m"], segments["to_m"]], axis=1)
+
+    def replay(self, sample, **fields):
+        """Traces one of Result.largest_samples again, as a ReplayedPath; fields: those of the render that it is of."""
+        own = _ffi.Sample.from_buffer_copy(np.asarray(sample, dtype=np.dtype(_ffi.Sample)).tobytes())
+        desc = describe(_ffi.RenderDesc, fields)
+        return ReplayedPath(create(lib.ups_replay, self, byref(desc), byref(own)))
 
     def render(self, **fields):
         """Blocks until a limit or the target is met; an interrupt of the program waits as long. See start."""

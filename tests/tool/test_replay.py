@@ -1,0 +1,70 @@
+"""The samples that weigh most, as `ups render` lists them, and `ups replay`. Usage:
+test_replay.py PATH_TO_UPS [unittest options]"""
+import json
+import os
+import sys
+import unittest
+import xml.etree.ElementTree as xml
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+import test_program  # noqa: E402
+
+
+class Replay(test_program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.method = ("--method", "ups", "--light-paths", 4096)
+        self.result = self.render(*self.method, "--iterations", 12)
+        self.scene = self.path("room.gltf")
+
+    def replay(self, address, *arguments):
+        return self.run_program("replay", self.scene, "--sample", address, *self.method, *arguments).stdout
+
+    def test_what_is_listed_comes_again(self):
+        samples = self.result["largest_samples"]
+        self.assertGreater(len(samples), 4)
+        self.assertEqual([s["share"] for s in samples], sorted((s["share"] for s in samples), reverse=True))
+        for sample in samples[:4]:
+            path = json.loads(self.replay(sample["address"], "--json"))
+            self.assertAlmostEqual(path["value"] / sample["value"], 1, delta=1e-5)
+            self.assertEqual(path["vertices"][0]["event"], "start")
+            self.assertGreater(len(path["contributions"]), 0)
+            for c in path["contributions"]:
+                self.assertGreater(c["weight"], 0)
+                self.assertLessEqual(c["weight"], 1)
+            self.assertRegex(path["text"], "[Cc]ontributions")
+        text = self.replay(samples[0]["address"])
+        self.assertIn("weight", text)
+        self.assertIn("iteration", text)
+
+    def test_other_options_are_another_render(self):
+        sample = next(s for s in self.result["largest_samples"] if s["sensor"] == "view")
+        column, row = (int(n) for n in sample["address"].split("/")[1].split(","))
+        self.assertEqual(sample["index"], row * 24 + column)
+        self.expect_failure("replay", self.scene, "--size", "8x8", "--sample", "view/20,3/0/eye/0/7",
+                            words=["20,3", "no index of view"])
+
+    def test_a_drawing_in_plan_and_section(self):
+        address = self.result["largest_samples"][0]["address"]
+        for name in ("path.svg", "path.png"):
+            self.replay(address, "--plot", self.path(name))
+            self.assertGreater(os.path.getsize(self.path(name)), 1000)
+        root = xml.parse(self.path("path.svg")).getroot()
+        words = " ".join(t.text or "" for t in root.iter("{http://www.w3.org/2000/svg}text"))
+        for word in ("Plan", "Section", "eye path"):
+            self.assertIn(word, words)
+
+    def test_a_wrong_address_says_what_is_wrong(self):
+        for address, words in (("spot", ["NAME/INDEX"]), ("moon/0/0/eye/0/1", ["moon", "there are", "spot"]),
+                               ("spot/x/0/eye/0/1", ["'x'"]), ("spot/0/0/up/0/1", ["'up'", "eye"]),
+                               ("spot/0/0/eye/0/-1", ["'-1'"]), ("spot/999/0/eye/0/1", ["999"]),
+                               ("spot/0/0/light/4096/1", ["no such path"])):
+            with self.subTest(address=address):
+                self.expect_failure("replay", self.scene, "--sample", address, *self.method, words=words)
+        self.run_program("replay", self.scene, code=2)
+
+
+if __name__ == "__main__":
+    test_program.PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
