@@ -24,12 +24,12 @@ std::string format(const char* pattern, ...) {
 }
 
 // What the sample says, against what the render traces.
-PathAddress address_of(const Integrator& integrator, const ups_sample& s) {
+SampleAddress address_of(const Integrator& integrator, const ups_sample& s) {
   const Snapshot& scene = integrator.scene();
   const auto index = [&](const std::vector<uint32_t>& ids) {
     return size_t(std::find(ids.begin(), ids.end(), s.sensor.v) - ids.begin());
   };
-  PathAddress a;
+  SampleAddress a;
   a.element = s.index, a.iteration = s.iteration;
   size_t count;
   if (const size_t c = index(scene.camera_ids); c < scene.cameras.size()) {

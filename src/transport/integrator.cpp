@@ -161,7 +161,7 @@ bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally&
 }
 
 // Sensors take their eye paths one after another, which pairs each with a light path.
-double Integrator::replay_eye_path(const Iteration& in, const Photons& photons, const PathAddress& a,
+double Integrator::replay_eye_path(const Iteration& in, const Photons& photons, const SampleAddress& a,
                                    IterationTally& tally) {
   uint32_t first_path = 0;
   for (uint32_t c = 0; c < scene_->cameras.size(); ++c) {
@@ -173,7 +173,7 @@ double Integrator::replay_eye_path(const Iteration& in, const Photons& photons, 
   return retrace_meter(in, photons, direct_, a.sensor, first_path, a.element, a.path.number(), tally);
 }
 
-Replayed Integrator::replay(const PathAddress& a, const StopSignal& stop) {
+Replayed Integrator::replay(const SampleAddress& a, const StopSignal& stop) {
   WorkCounts unused;
   for (uint32_t i = 0; i <= a.iteration && plan_.meter_pass(i) == 0; ++i) look_from_meters(i, stop, unused);
   Iteration in(*scene_, plan_, settings_, a.iteration, stop);

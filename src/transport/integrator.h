@@ -10,7 +10,7 @@
 
 namespace ups {
 
-struct PathAddress;
+struct SampleAddress;
 struct Photons;
 struct Replayed;
 class SensorIndex;
@@ -30,7 +30,7 @@ class Integrator {
   // any number of threads.
   bool run(uint32_t iteration, const StopSignal& stop, IterationTally& tally);
   // One path of such an iteration again. An integrator that replays does not run.
-  Replayed replay(const PathAddress& address, const StopSignal& stop);
+  Replayed replay(const SampleAddress& address, const StopSignal& stop);
 
  private:
   void choose_first_radii(const StopSignal& stop);
@@ -40,7 +40,7 @@ class Integrator {
   Photons trace_light(const Iteration& in, const SensorIndex& sensors, IterationTally& tally);
   // What meters see for the whole render, of those that the iteration is the first to visit.
   void look_from_meters(uint32_t iteration, const StopSignal& stop, WorkCounts& work);
-  double replay_eye_path(const Iteration& in, const Photons& photons, const PathAddress& address,
+  double replay_eye_path(const Iteration& in, const Photons& photons, const SampleAddress& address,
                          IterationTally& tally);
   std::shared_ptr<const Snapshot> scene_;
   TransportSettings settings_;

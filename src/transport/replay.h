@@ -11,7 +11,7 @@
 namespace ups {
 
 // Of a sample, within a render of a scene.
-struct PathAddress {
+struct SampleAddress {
   bool camera = false;
   uint32_t sensor = 0;   // of the snapshot's cameras or sets of meters
   uint32_t element = 0;  // pixel or meter
@@ -54,7 +54,7 @@ struct ReplayedContribution {
 };
 
 struct Replayed {
-  PathAddress address;
+  SampleAddress address;
   double value = -1;   // of the sample, lx or cd/m2, as the estimate gets it; -1: the render traced no such path
   double scale = 1;    // of contributions in it
   ReplayedWalk walk;
@@ -68,7 +68,7 @@ inline constexpr size_t most_light_paths = 4;  // of Replayed
 class ReplayRecorder : public PathRecorder {
  public:
   // paths: what eye paths were joined to; null: the walk is a light path that brings light to the address.
-  ReplayRecorder(const Iteration& in, const LightPaths* paths, const PathAddress& address)
+  ReplayRecorder(const Iteration& in, const LightPaths* paths, const SampleAddress& address)
       : in_(in), paths_(paths), address_(address) {}
   ReplayedWalk walk;
   std::vector<ReplayedContribution> contributions;
@@ -89,7 +89,7 @@ class ReplayRecorder : public PathRecorder {
 
   const Iteration& in_;
   const LightPaths* paths_;
-  const PathAddress address_;
+  const SampleAddress address_;
   uint32_t first_light_vertex_ = 0;
 };
 
