@@ -193,7 +193,8 @@ class Render(ProgramTest):
         result = self.render("--iterations", 32, "--threads", 1)
         self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
                                        "seed", "flux", "dropped_samples", "work", "meters", "cameras", "convergence",
-                                       "warnings", "choice", "prediction", "advice", "largest_error"})
+                                       "warnings", "choice", "prediction", "advice", "largest_error",
+                                       "largest_samples"})
         self.assertEqual(result["scene"], self.path("room.gltf"))
         self.assertEqual(result["iterations"], 32)
         self.assertEqual(result["seed"], 7)

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _ffi
 from ._core import Handle, address, check, create, lib, read_array, read_info, read_text
-from ._ffi import Channel, Contribution, ResultText
+from ._ffi import Channel, Contribution, ResultText, Status
 from ._profile import Profile
 
 
