@@ -125,19 +125,32 @@ struct Raytracer::Impl {
     top->attach(handle, id);
     placed.push_back(instance);
   }
-  // Embree's barycentrics of a thin triangle can be off by centimetres: float areas of slivers. Does nothing to others.
-  void refine(const Vec3& o, const Vec3& d, Hit& hit) const {
+  // Embree's distance along a ray that runs nearly within the triangle's plane can be anything (its issue 387), and the
+  // barycentrics of a thin triangle off by centimetres: float areas of slivers. Does nothing to others.
+  void refine(const Vec3& ng, const Vec3& o, const Vec3& d, Hit& hit) const {
     const Placed& instance = placed[hit.instance];
-    if (!traced[instance.traced]->has_thin) return;
+    const TracedMesh& mesh = *traced[instance.traced];
+    if (mesh.source->revolution || !(mesh.has_thin || grazes(instance, ng, d))) return;
+    const Triangle met = triangle(instance, hit.primitive);
     double weights[3], t, sum = 0;
-    if (!meet_plane(triangle(instance, hit.primitive), Vec3d(o), Vec3d(d), weights, t) || !(t > 0)) return;
     constexpr double outside = 1e-2;  // beyond that the ray runs so close to the plane that no answer is better
-    for (const double w : weights)
-      if (w < -outside || w > 1 + outside) return;
+    const bool told = meet_plane(met, Vec3d(o), Vec3d(d), weights, t) && t > 0 &&
+                      std::all_of(weights, weights + 3, [](double w) { return w >= -outside && w <= 1 + outside; });
+    if (!told) {
+      const Vec3d named = met.p[0] * (1.0 - hit.u - hit.v) + met.p[1] * double(hit.u) + met.p[2] * double(hit.v);
+      hit.t = std::max(float(dot(named - Vec3d(o), Vec3d(d))), std::numeric_limits<float>::min());
+      return;
+    }
     for (double& w : weights) sum += w = std::clamp(w, 0.0, 1.0);
     hit.t = float(t);
     hit.u = float(weights[1] / sum);
     hit.v = float(weights[2] / sum);
+  }
+  static bool grazes(const Placed& instance, const Vec3& ng, const Vec3& d) {
+    constexpr float grazing = 1e-3f;
+    const Vec3 n = instance.baked ? ng : Vec3(normalize(instance.normals * Vec3d(ng)));
+    const float along = dot(n, d);
+    return along * along < grazing * grazing * dot(n, n);
   }
   Hit to_hit(const RTCHit& hit, float t, const Vec3& o, const Vec3& d) const;
   void place_on_revolution(const Placed& instance, const Revolution& revolution, SurfacePoint& point) const;
@@ -191,7 +204,7 @@ Hit Raytracer::Impl::to_hit(const RTCHit& from, float t, const Vec3& o, const Ve
   hit.primitive = traced[placed[hit.instance].traced]->primitive(from.primID);
   hit.u = from.u;
   hit.v = from.v;
-  refine(o, d, hit);
+  refine({from.Ng_x, from.Ng_y, from.Ng_z}, o, d, hit);
   return hit;
 }
 

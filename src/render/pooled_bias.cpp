@@ -12,6 +12,7 @@ namespace {
 
 constexpr size_t reach = 16, least_neighbours = 4;  // on either side; without the meter itself
 constexpr uint32_t quarter = 4, narrower = 2, most_narrow = 8;  // rings: to a quarter of a radius; steps down to a 16th
+constexpr double rounding = 1e-9;  // of a reading: a few photons' bias that varies by less is zero, and tells nothing
 constexpr double certain = 2.5;  // standard deviations, of one of several estimates that are looked at
 constexpr double pi_d = 3.14159265358979323846;
 
@@ -29,11 +30,13 @@ bool alike(const OwnBias& a, const OwnBias& b) {
 
 // between: so many standard deviations of chance, of the chi-square that tells of it, more than estimated.
 Pooled pool(const std::vector<Estimate>& all, double more) {
-  double w = 0, w2 = 0, sum = 0, q = 0;
-  for (const Estimate& e : all) w += 1 / e.variance, w2 += 1 / (e.variance * e.variance), sum += e.value / e.variance;
+  // pairs: w^2 less the squares' sum, over 2, without the difference: a meter whose photons cancel to rounding outweighs
+  // all others by so much that nothing would be left of it.
+  double w = 0, pairs = 0, sum = 0, q = 0;
+  for (const Estimate& e : all) pairs += w / e.variance, w += 1 / e.variance, sum += e.value / e.variance;
   for (const Estimate& e : all) q += (e.value - sum / w) * (e.value - sum / w) / e.variance;
   const double dof = double(all.size() - 1),
-               between = std::max(0.0, (q - dof + more * std::sqrt(2 * dof)) / (w - w2 / w));
+               between = std::max(0.0, (q - dof + more * std::sqrt(2 * dof)) / (2 * pairs / w));
   w = sum = 0;
   for (const Estimate& e : all) w += 1 / (e.variance + between), sum += e.value / (e.variance + between);
   return {sum / w, 1 / w, between};
@@ -44,7 +47,7 @@ Pooled pool(const std::vector<Estimate>& all, double more) {
 std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>& meters) {
   std::vector<NeighbourCurvature> out(meters.size());
   std::vector<Estimate> group;
-  const auto tells = [](const OwnBias& m) { return m.bias.standard_error > 0 && m.lx > 0; };
+  const auto tells = [](const OwnBias& m) { return m.lx > 0 && m.bias.standard_error > rounding * m.lx; };
   for (size_t m = 0; m < meters.size(); ++m) {
     if (!tells(meters[m])) continue;
     group.clear();

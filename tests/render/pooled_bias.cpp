@@ -53,6 +53,21 @@ TEST(PooledBias, MetersKeepTheirOwnWhereTheyDiffer) {
   for (const double deviation : {0.5, 1.0, 3.0}) EXPECT_LT(Row(0, deviation).pool(), 1.25) << deviation;
 }
 
+// Few photons may cancel to rounding: such a meter seems to know its bias to 1e-17 of its light. It tells the others
+// nothing, and one that knows a million times better than they outweighs them without leaving nothing but rounding.
+TEST(PooledBias, AMeterThatSeemsToKnowAllButExactlyUpsetsNoOther) {
+  for (double error = 1e-3; error > 1e-20; error *= 0.37) {
+    Row row(0.3, 0);
+    row.own[200].bias.standard_error = error;
+    row.own[200].bias.mean = row.truth[200];
+    row.pool();
+    for (size_t m = 184; m <= 216; ++m) {
+      ASSERT_TRUE(std::isfinite(row.pooled[m].mean) && std::isfinite(row.pooled[m].standard_error)) << error << ' ' << m;
+      EXPECT_LT(std::abs(row.pooled[m].mean - row.truth[m]), 4) << error << ' ' << m;
+    }
+  }
+}
+
 TEST(PooledBias, ANarrowDiscIsNotToldByWideOnes) {
   Row row(0, 0);
   row.own[200].mean_radius2 = r2 / 4;

@@ -1,4 +1,4 @@
-// Refraction from both ends: radiance is scaled by the square of the relative index on its way through an interface,
+// Hazard 14. Refraction from both ends: radiance is scaled by the square of the relative index on its way through an interface,
 // flux is not (Veach 1997, 5.2). Meters inside solid dielectrics, emitters inside them, slabs in between: path tracing,
 // light tracing, bidirectional path tracing and photon merging measure the same, and what the closed form says.
 #include <functional>
@@ -88,7 +88,7 @@ std::vector<Trial> rough_trials() {
 }
 
 // A meter d below a water surface, a lamp h above it: L in the water is n^2 T L.
-TEST(DielectricAdjoint, MetersUnderWater) {
+TEST(Hazard14, MetersUnderWater) {
   constexpr double n = 1.33, h = 0.1, d = 0.15;
   Scene scene;
   scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), glass(n));
@@ -105,7 +105,7 @@ TEST(DielectricAdjoint, MetersUnderWater) {
 }
 
 // What lands on cells is the same light, counted alike, for light tracing and PPM.
-TEST(DielectricAdjoint, PpmCountsOnCellsWhatLightTracingCounts) {
+TEST(Hazard14, PpmCountsOnCellsWhatLightTracingCounts) {
   Scene scene;
   scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), glass(1.33));
   scene.add(lamp(0.1, -1), emitter(luminance));
@@ -117,7 +117,7 @@ TEST(DielectricAdjoint, PpmCountsOnCellsWhatLightTracingCounts) {
 }
 
 // The lamp in the water, the meter in the air: L in the air is T L / n^2.
-TEST(DielectricAdjoint, LampUnderWater) {
+TEST(Hazard14, LampUnderWater) {
   constexpr double n = 1.33, h = 0.1, d = 0.15;
   Scene scene;
   scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), glass(n));
@@ -132,7 +132,7 @@ TEST(DielectricAdjoint, LampUnderWater) {
 }
 
 // An absorbing slab of glass between lamp and meter, reflections between its faces included.
-TEST(DielectricAdjoint, SlabBetween) {
+TEST(Hazard14, SlabBetween) {
   constexpr double n = 1.5, thickness = 0.1, h = 0.05, d = 0.1, absorption = 2;
   Scene scene;
   ups_material_desc block = glass(n);
@@ -153,7 +153,7 @@ TEST(DielectricAdjoint, SlabBetween) {
 // A solid cube under a sky of luminance L on all sides: inside, every direction that can leave has the radiance n^2 L,
 // whatever it met on its way (Snell's law conserves L / n^2, and all light comes from the sky). Directions whose three
 // components are all below sqrt(1 - 1/n^2) are reflected totally for ever and are dark.
-TEST(DielectricAdjoint, MetersInACubeUnderASky) {
+TEST(Hazard14, MetersInACubeUnderASky) {
   constexpr double n = 1.5;
   Scene scene;
   scene.add(box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), glass(n));
@@ -172,13 +172,13 @@ TEST(DielectricAdjoint, MetersInACubeUnderASky) {
 }
 
 // The same water, ground: no closed form, but the two walks must agree on what a rough interface lets through.
-TEST(DielectricAdjoint, MetersUnderRoughWater) {
+TEST(Hazard14, MetersUnderRoughWater) {
   Scene scene;
   scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), glass(1.33, 0.4));
   scene.add(lamp(0.1, -1), emitter(luminance));
   Square(scene, -0.15, 1).judge(scene, rough_trials());
 }
-TEST(DielectricAdjoint, RoughAbsorbingSlabBetween) {
+TEST(Hazard14, RoughAbsorbingSlabBetween) {
   Scene scene;
   ups_material_desc block = glass(1.5, 0.4);
   for (float& a : block.absorption_per_m_rgb) a = 5;
