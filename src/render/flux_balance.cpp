@@ -37,7 +37,8 @@ FluxBalance flux_balance(const WorkCounts& light, double emitted_lm) {
   const double of_starts = squares / (n * n);                                 // stratified ones vary less
   const double of_roulette = f.roulette_variance / (n * n);
   b.standard_error = std::sqrt(of_starts + of_roulette);
-  b.chance_of_lost = chance(of_starts, std::min(double(light.brightest_lm), std::sqrt(squares)) / n) + rounding * emitted_lm;
+  const double largest = std::min(double(light.brightest_lm), std::sqrt(squares));
+  b.chance_of_lost = chance(of_starts, largest / n) + rounding * emitted_lm;
   b.chance_of_roulette = chance(of_roulette, f.largest_game / n);
   return b;
 }

@@ -1,5 +1,5 @@
-// Does the flux of light paths balance? Emitted is absorbed, or escapes, or was cut off by the greatest length of paths;
-// what is missing is chance, or a defect. Costs nothing: light paths keep the books (transport/flux_books.h).
+// Does the flux of light paths balance? Emitted is absorbed, or escapes, or was cut off by the greatest length of
+// paths; what is missing is chance, or a defect. Costs nothing: light paths keep the books (transport/flux_books.h).
 #pragma once
 #include <string>
 

@@ -37,7 +37,7 @@ struct WorkCounts {
   uint64_t caster_rays = 0;  // of light paths that have met nothing but casters
   float brightest_lm = 0;    // of all light paths, as they started
   std::array<uint64_t, size_t(Drop::count)> dropped{};
-  std::vector<DroppedSample> first_dropped;  // at most one of each Drop: the first in an order that threads do not change
+  std::vector<DroppedSample> first_dropped;  // one of each Drop: the first, in an order that threads do not change
   FluxBooks flux;
 
   void drop(Drop where, const PathAddress& path, const Vec3& p) {

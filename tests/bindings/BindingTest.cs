@@ -156,7 +156,7 @@ internal static partial class BindingTest
                 Expect(foretold.LimitedBy == Limit.Noise && foretold.Iterations == 16, "the prediction");
                 Expect(result.LargestError().Sensor.V == meters.V, "the worst meter");
                 Expect(result.Info.Iterations == 16 && result.Info.Seed == 5, "the render's own data");
-                Expect(result.Info.AbsorbedFluxLm < 0 == result.Info.FluxBalanceStandardErrorLm < 0, "the flux balance");
+                Expect(result.Info.AbsorbedFluxLm < 0 == result.Info.FluxBalanceStandardErrorLm < 0, "the balance");
                 foreach (var sensor in new[] { meters, eye })
                     Expect(result.Choice(sensor).Techniques != 0 && result.Choice(sensor).PredictedGain > 0,
                            "how the light is found");

@@ -1,5 +1,5 @@
-// Is a render told from another by its books where flux is lost on the way, starts wrong or is taken by roulette? And do
-// books without a fault pass?
+// Is a render told from another by its books where flux is lost on the way, starts wrong or is taken by roulette? And
+// do books without a fault pass?
 #include <gtest/gtest.h>
 
 #include <cmath>

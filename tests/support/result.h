@@ -1,6 +1,6 @@
 // A rendered result, read in one call each through the public C API. Every failing call throws with the library's
-// message, and so does a result that holds a non-finite value, left a sample out or has books of flux that do not close:
-// no test can overlook any. Made by Scene (scene_builder.h).
+// message, and so does a result that holds a non-finite value, left a sample out or has books of flux that do not
+// close: no test can overlook any. Made by Scene (scene_builder.h).
 #pragma once
 #include <cmath>
 #include <memory>
