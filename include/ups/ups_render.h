@@ -120,8 +120,8 @@ typedef struct ups_result_info {
   uint32_t effects;           /* UPS_EFFECT_* of the scene */
   int32_t threads;
   double flux_balance_standard_error_lm; /* of emitted - absorbed - escaped, which is 0 but for chance, rounding and
-                                          * what max_path_length cuts off; < 0: not known. Where more is missing than chance
-                                          * explains, UPS_TEXT_WARNINGS says so: by mistake once in 10,000 renders */
+                                          * what max_path_length cuts off; < 0: not known. Where more is missing than by
+                                          * chance, UPS_TEXT_WARNINGS says so: by mistake once in 10,000 renders */
 } ups_result_info;
 
 /* Plain array elements: these never grow. < 0 where not known (too few iterations). Of more than 32768 meters an
