@@ -1056,6 +1056,7 @@ namespace Ups
         public uint Techniques;
         public uint Effects;
         public int Threads;
+        public double FluxBalanceStandardErrorLm;
         internal static ResultInfo Sized()
         {
             return new ResultInfo { StructSize = (uint)sizeof(ResultInfo) };

@@ -113,11 +113,15 @@ typedef struct ups_result_info {
   double emitted_flux_lm, absorbed_flux_lm, escaped_flux_lm; /* the balance that a designer can check; absorbed and
                                                               * escaped < 0: not known, see flux_paths of the desc */
   uint64_t seed;
-  uint64_t dropped_samples;   /* non-finite samples left out, never silently: UPS_TEXT_DROPPED has the reasons */
+  uint64_t dropped_samples;   /* non-finite samples left out, never silently: UPS_TEXT_DROPPED has the reasons,
+                               * and where the first of each was */
   ups_method method;          /* that ran; never AUTO */
   uint32_t techniques;        /* UPS_TECHNIQUE_* that ran */
   uint32_t effects;           /* UPS_EFFECT_* of the scene */
   int32_t threads;
+  double flux_balance_standard_error_lm; /* of emitted - absorbed - escaped, which is 0 but for chance, rounding and
+                                          * what max_path_length cuts off; < 0: not known. Where more is missing than by
+                                          * chance, UPS_TEXT_WARNINGS says so: by mistake once in 10,000 renders */
 } ups_result_info;
 
 /* Plain array elements: these never grow. < 0 where not known (too few iterations). Of more than 32768 meters an

@@ -4,7 +4,7 @@
 namespace ups {
 namespace {
 
-constexpr float by_flux = 0.05f;  // the share that no estimate takes part in
+constexpr float by_flux = 0.05f;  // the share that no estimate takes part in: half by flux, half by number
 constexpr size_t max_cut = 64;    // nodes that are weighed for a receiver
 constexpr float large2 = 0.16f;   // a node is opened whose radius is more than 0.4 of its distance
 static_assert(max_cut >= LightTree::max_listed && LightTree::max_listed % lane_count == 0);

@@ -4,8 +4,9 @@
 // nodes that remain is chosen, then a child at a time down to an emitter (in the manner of Conty Estevez and Kulla
 // 2018, Importance Sampling of Many Lights with Adaptive Tree Splitting).
 //
-// A small share goes by flux among the emitters that are not behind the receiver's plane, so that what is misjudged is
-// never forgotten. Probabilities are a function of the receiver alone and can be asked for afterwards.
+// A small share goes by flux, and as much by number, among the emitters that are not behind the receiver's plane, so
+// that what is misjudged is never forgotten: what is strong, and what is weak where the strong ones are hidden.
+// Probabilities are a function of the receiver alone and can be asked for afterwards.
 #pragma once
 #include <deque>
 #include <vector>
@@ -47,7 +48,7 @@ class LightTree {
     Vec3 center, half;      // of its box
     float intensity;        // that goes with the lobe, relative to the flux of all emitters
     float spread;           // more of it in all directions where an emitter is seen under a large angle
-    float flux;             // relative, too
+    float flux;             // relative, too, and half of it by number
     float radius2;          // of the sphere about the box
     float largest_falloff;  // 1 / radius2
     uint32_t lobe;

@@ -98,6 +98,7 @@ LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count) : 
     leaves.push_back(leaf_of(e, lobes.add(e.outline), total, least));
     emitters.push_back(e.emitter);
   }
+  for (Node& leaf : leaves) leaf.flux = 0.5f * (leaf.flux + 1 / float(leaves.size()));
   listed_ = leaves.size() <= max_listed;
   nodes_.reserve(2 * leaves.size());
   std::vector<uint32_t> order(leaves.size());

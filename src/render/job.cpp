@@ -9,6 +9,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/thread.h"
+#include "render/dropped_text.h"
+#include "render/flux_balance.h"
 #include "render/flux_pass.h"
 #include "render/radius_notice.h"
 #include "render/reading_warnings.h"
@@ -278,9 +280,9 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
   }
   auto r = std::make_shared<RenderResult>();
   r->info = read_info();
-  for (size_t d = 0; d < flux_.dropped.size(); ++d)
-    if (const uint64_t n = sums_->work().dropped[d] + flux_.dropped[d])
-      r->dropped += std::string(drop_names[d]) + ": " + std::to_string(n) + " samples were not finite\n";
+  WorkCounts all = sums_->work();
+  all.add(flux_);
+  r->dropped = dropped_text(*integrator_, all);
   for (size_t c = 0; c < scene_->cameras.size(); ++c) r->images.push_back(sums_->read_image_and_techniques(c));
   for (size_t s = 0; s < scene_->meter_sets.size(); ++s) r->meter_sets.push_back(sums_->read_meters_and_sources(s));
   for (size_t c = 0; c < r->images.size(); ++c)
@@ -308,6 +310,9 @@ PathReplay RenderJob::replay(const ups_sample& sample) {
   return ups::replay(integrator, sample, stop_);
 }
 
+// The render's own light paths, or those of a pass of their own.
+const WorkCounts& RenderJob::books() const { return books_flux_ ? sums_->work() : flux_; }
+
 ups_result_info RenderJob::read_info() const {
   const WorkCounts& w = sums_->work();
   ups_result_info i{};
@@ -319,13 +324,13 @@ ups_result_info RenderJob::read_info() const {
   i.eye_paths = w.eye_paths;
   i.merges = w.merges;
   i.connections = w.connections;
-  // From the render's own light paths, or from those of a pass of their own.
-  const WorkCounts& flux = books_flux_ ? w : flux_;
-  const bool known = flux.light_paths > 0 || !(scene_->emitters.flux_lm() > 0);
-  const double n = double(std::max<uint64_t>(1, flux.light_paths));
+  const WorkCounts& light = books();
+  const bool known = light.light_paths > 0 || !(scene_->emitters.flux_lm() > 0);
+  const double n = double(std::max<uint64_t>(1, light.light_paths));
   i.emitted_flux_lm = scene_->emitters.flux_lm();
-  i.absorbed_flux_lm = known ? flux.absorbed_lm / n : -1;
-  i.escaped_flux_lm = known ? flux.escaped_lm / n : -1;
+  i.absorbed_flux_lm = known ? light.flux.absorbed / n : -1;
+  i.escaped_flux_lm = known ? light.flux.escaped / n : -1;
+  i.flux_balance_standard_error_lm = !known ? -1 : flux_balance(light, i.emitted_flux_lm).standard_error;
   i.seed = desc_.seed;
   for (size_t d = 0; d < flux_.dropped.size(); ++d) i.dropped_samples += w.dropped[d] + flux_.dropped[d];
   i.method = method_.method;
@@ -354,7 +359,9 @@ void RenderJob::add_warnings(RenderResult& r) const {
                     ", so the light has not the symmetry that was asked for: what it measures is a mean over " +
                     "directions that differ\n";
   r.warnings += radius_notice(*integrator_, sums_->iterations());
-  if (!(scene_->emitters.flux_lm() > 0)) return;
+  const double emitted = scene_->emitters.flux_lm();
+  if (!(emitted > 0)) return;
+  if (books().light_paths > 0) r.warnings += flux_warning(flux_balance(books(), emitted), emitted);
   for (size_t s = 0; s < r.meter_sets.size(); ++s)
     if (r.meter_sets[s].statistics.mean_lx == 0)
       r.warnings += "meters " + std::to_string(scene_->meter_set_ids[s]) +

@@ -65,6 +65,7 @@ class RenderJob {
   void add(const TallyQueue::Delivery& delivery);
   void look_at_error(double elapsed_s);
   std::shared_ptr<const RenderResult> read() const;
+  const WorkCounts& books() const;
   ups_result_info read_info() const;
   void add_warnings(RenderResult& result) const;
 

@@ -27,7 +27,7 @@ void TallyQueue::deliver(Delivery& delivery, const StopSignal& stop) {
   add_all(true);
   check();
   const std::lock_guard lock(mutex_);
-  delivery = std::exchange(spare_, {});
+  delivery.tally = std::exchange(spare_, {});
 }
 
 void TallyQueue::check() {
@@ -75,7 +75,7 @@ void TallyQueue::add_all(bool release) {
     if (failure)
       failure_ = failure;
     else
-      spare_ = std::move(next);
+      spare_ = std::move(next.tally);
     changed_.notify_all();
   }
 }

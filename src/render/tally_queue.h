@@ -53,7 +53,7 @@ class TallyQueue {
   std::condition_variable changed_;
   std::deque<Delivery> waiting_;
   size_t waiting_bytes_ = 0;
-  Delivery spare_;
+  IterationTally spare_;
   bool held_ = false;
   int readers_ = 0;  // that wait for the sums: they are next, and add what is delivered meanwhile
   std::exception_ptr failure_;

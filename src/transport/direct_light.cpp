@@ -60,7 +60,12 @@ void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& 
   auto& lights = kept.get();
   lights.clear();
   for (const uint32_t e : emitters_)
-    if (const Found c = light_from(in, {}, eye, arrival, {e, 1}, {})) lights.emplace_back(luminance(c->value), *c);
+    if (const Found c = light_from(in, {}, eye, arrival, {e, 1}, {})) {
+      if (is_finite(c->value))
+        lights.emplace_back(luminance(c->value), *c);
+      else
+        work.drop(Drop::light_sample, {{Stream::meters, uint32_t(set)}, in.number, m * in.plan.meter_samples}, meter.p);
+    }
   float found_from = 0;
   if (lights.size() > most_) {
     std::nth_element(lights.begin(), lights.begin() + ptrdiff_t(most_ - 1), lights.end(),
@@ -75,7 +80,7 @@ void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& 
             [](const auto& a, const auto& b) { return a.second.emitter < b.second.emitter; });
   for (const auto& [size, c] : lights) {
     Passage way;
-    if (!(size >= found_from) || !is_finite(c.value)) continue;
+    if (!(size >= found_from)) continue;
     if (!segment_free(in.scene, *c.media, c.from, c.to, work, way)) continue;
     const double lx = luminance(c.value * way.transmittance);
     out.lx += lx;

@@ -24,6 +24,7 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
 EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) {
   EyeEnd eye = meter_end(surface.p, surface.error, frame, sensor_.own_point, *sensor_.media);
   if (in_.recorder) in_.recorder->start_eye(sensor_, surface.p, frame.n, surface.error);
+  origin_ = surface.p;
   if (eye.merge) {
     eye.surface.ng = surface.ng;  // photons tell by it which side they lie on
     merge(eye);
@@ -36,6 +37,7 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
 
 EyeTally EyeWalk::from_meter(const Vec3& p, float error, const Frame& frame) {
   if (in_.recorder) in_.recorder->start_eye(sensor_, p, frame.n, error);
+  origin_ = p;
   EyeEnd eye = meter_end(p, error, frame, sensor_.own_point, *sensor_.media);
   if (in_.settings.actual_perturbation) {  // a point meter's kernel is its disc
     const Vec2 disc = square_to_disc({rng_.get(0, Slot::perturb_x), rng_.get(0, Slot::perturb_y)});
@@ -127,7 +129,7 @@ void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
   if (!c.media || sensor_.techniques || (in_.recorder && in_.recorder->wants_all_edges()))
     return test_edge(c, drop, share);
   const double size = luminance(c.value) * share * c.weight(in_, 1);
-  if (!std::isfinite(size)) return work_.drop(drop);
+  if (!std::isfinite(size)) return work_.drop(drop, rng_.address(), place_of(c));
   if (size > 0) edges_.push_back({c, *c.media, drop, share, size});
 }
 
@@ -180,7 +182,7 @@ void EyeWalk::test_edge(const Contribution& c, Drop drop, double share) {
 
 void EyeWalk::add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop where) {
   const Rgb value = unweighted * weight;
-  if (!is_finite(value)) return work_.drop(where);
+  if (!is_finite(value)) return drop(where, place_of(c));
   const bool is_direct = c.technique.edges == 1;
   const float lx = luminance(value);
   tally_.value += value;
@@ -284,7 +286,7 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
       c.size = connection_estimate(in_, counts_, eye, lights[i]);
     else if ((c.found = found(i)))
       c.size = luminance(c.found->value) * c.found->weight(in_, 1);
-    if (!std::isfinite(c.size)) work_.drop(Drop::connect);
+    if (!std::isfinite(c.size)) drop(Drop::connect, eye.surface.p);
     if (!(c.size > 0 && std::isfinite(c.size))) c.size = 0;
     sum += c.size;
   }

@@ -82,6 +82,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   static std::vector<WaitingEdge>& kept_edges();
   // Adds it up, or where it makes an edge keeps it until the path's end; `share` of it was chosen to stand for the whole.
   void offer(const Contribution& c, Drop drop, double share = 1);
+  Vec3 place_of(const Contribution& c) const { return c.media ? c.from : last_met(); }
   void test_edges();  // of those kept
   double size_of_certain_edges() const;
   void test_edge(const Contribution& c, Drop drop, double share);

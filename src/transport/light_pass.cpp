@@ -72,7 +72,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       if (!sensors_.empty()) cross_sensors(a);
       if (!met_.found) {
         if (!carry(met_.transmittance_of_earlier(scene_))) return;
-        work_.escaped_lm += luminance(carried_);
+        work_.flux.escaped += luminance(carried_);
         if (!scene_.goniometers.empty()) block_.escapes.push_back({direction_, luminance(carried_)});
         return;
       }
@@ -91,6 +91,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       casters_ = casters_ && (edge_.kind == Edge::delta || light.caster);
       if (ends_with_casters_ && !casters_) return;
     }
+    work_.flux.cut += luminance(carried_);
   }
 
   bool emit() {
@@ -103,11 +104,12 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     emitter_ = &scene_.emitters[choice.index];
     if (!guide.sample(scene_.emitters, emitter_index_, rng_.position(0), rng_.direction(0), start_, square_))
       return false;
+    origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     carried_ = start_carried_ = start_.flux / choice.probability;
     if (!is_finite(carried_)) return drop(Drop::emission);
     if (is_black(carried_)) return false;
+    work_.flux.start(luminance(carried_));
     work_.brightest_lm = std::max(work_.brightest_lm, luminance(carried_));
-    origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     direction_ = start_.direction;
     media_ = scene_.media_stacks[scene_.media_of_emitter[choice.index]];
     if (in_.recorder) in_.recorder->start_light(choice.index, start_, carried_);
@@ -159,7 +161,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const Contribution c = ups::land(in_, e.counts, state, e.eta, e.area, cos_in, flux, a, emitter_index_);
     const double weight = c.weight(in_, 1), value = luminance(c.value) * weight;
     if (in_.recorder) in_.recorder->landed(c, {1, c.value, weight}, p, e.set, e.meter);
-    if (!std::isfinite(value)) return work_.drop(cell ? Drop::sensor_hit : Drop::merge);
+    if (!std::isfinite(value)) return drop(cell ? Drop::sensor_hit : Drop::merge, p);
     useful_ |= casters_ && a > 1;
     block_.landings.push_back({crossing.disc, emitter_index_,
                                MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0, PathNumber::light(path_)), ring,
@@ -199,7 +201,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const double weight = c.weight(in_, way.pass);
     const Rgb unweighted = c.value * way.transmittance, value = unweighted * float(weight);
     if (in_.recorder) in_.recorder->splatted(c, {way.pass, unweighted, weight}, camera, found->pixel);
-    if (!is_finite(value)) return work_.drop(Drop::sensor_connect);
+    if (!is_finite(value)) return drop(Drop::sensor_connect, light.surface.p);
     block_.splats.push_back({{found->pixel, path_, value}, unweighted, camera, c.technique.edges, c.relative(way.pass)});
   }
 

@@ -33,6 +33,8 @@ class Stream {
     kinds
   };
   Stream(Kind kind, uint32_t index = 0) : word_(index * kinds + kind) {}
+  Kind kind() const { return Kind(word_ % kinds); }
+  uint32_t index() const { return word_ / kinds; }
   std::array<uint32_t, 4> numbers(uint64_t seed, uint32_t a, uint32_t b, uint32_t c) const {
     const uint64_t key = hash_combine(seed, 0);
     return philox({a, b, c, word_}, {uint32_t(key), uint32_t(key >> 32)});
@@ -43,6 +45,12 @@ class Stream {
 
  private:
   uint32_t word_;
+};
+
+// Names a path within a render.
+struct PathAddress {
+  Stream stream;
+  uint32_t iteration, path;  // path: running number of a light path, pixel, or meter times the samples of each
 };
 
 class PathSampler {
@@ -58,6 +66,7 @@ class PathSampler {
         iteration_(iteration),
         path_(path) {}
 
+  PathAddress address() const { return {stream_, iteration_, path_}; }
   float get(uint32_t vertex, Slot slot) {
     const int dimension = sobol_dimension(vertex, slot);
     if (dimension >= 0) {

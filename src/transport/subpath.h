@@ -48,16 +48,19 @@ class Subpath {
     if (in_.recorder && met_.found) in_.recorder->meet(met_);
   }
 
+  // p: near the sample.
+  void drop(Drop where, const Vec3& p) { work_.drop(where, rng_.address(), p); }
   bool drop(Drop where) {
-    work_.drop(where);
+    drop(where, last_met());
     return false;
   }
+  Vec3 last_met() const { return met_.found ? met_.surface.p : origin_; }
 
   // False where the path ends as what is left is not finite; the books then lack its flux.
   bool carry(const Rgb& share) {
     const Rgb after = carried_ * share;
     if (!is_finite(after)) return drop(from_emitter ? Drop::light_walk : Drop::eye_walk);
-    if constexpr (from_emitter) work_.absorbed_lm += double(luminance(carried_)) - double(luminance(after));
+    if constexpr (from_emitter) work_.flux.absorbed += double(luminance(carried_)) - double(luminance(after));
     carried_ = after;
     return true;
   }
@@ -111,8 +114,7 @@ class Subpath {
     if (!carry(s.weight * correction)) return false;
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
     const float q = survival(carried_, start_carried_, v.edges, lossless);
-    if (is_black(carried_) || (q < 1 && rng_.get(v.edges, Slot::roulette) >= q)) return false;
-    carried_ *= 1 / q;
+    if (is_black(carried_) || (q < 1 && !survives(v.edges, q))) return false;
     if (in_.recorder) in_.recorder->scatter(s, q, carried_);
     edge_.kind = s.delta ? Edge::delta : Edge::continuous;
     edge_.state = v.state;
@@ -123,6 +125,14 @@ class Subpath {
     origin_ = v.surface.ray_origin(wi);
     direction_ = wi;
     return true;
+  }
+
+  bool survives(uint32_t edges, float q) {
+    const bool survives = rng_.get(edges, Slot::roulette) < q;
+    const Rgb after = survives ? carried_ * (1 / q) : Rgb(0.0f);
+    if constexpr (from_emitter) work_.flux.play(luminance(carried_), q, luminance(after));
+    carried_ = after;
+    return survives;
   }
 
   // The event at the last vertex, not yet an edge: the next cosine and distance make it a state.

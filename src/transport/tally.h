@@ -7,7 +7,10 @@
 #include <iterator>
 #include <vector>
 
+#include "base/vec.h"
 #include "sensor/goniometer.h"
+#include "transport/flux_books.h"
+#include "transport/sampler.h"
 #include "transport/technique.h"
 
 namespace ups {
@@ -23,14 +26,24 @@ inline constexpr const char* drop_names[] = {"emitter_hit", "light_sample", "con
                                              "sensor_hit",  "emission",     "light_walk", "eye_walk"};
 static_assert(std::size(drop_names) == size_t(Drop::count));
 
+struct DroppedSample {
+  Drop where;
+  PathAddress path;
+  Vec3 p;  // near it; may not be finite either
+};
+
 struct WorkCounts {
   uint64_t rays = 0, light_paths = 0, eye_paths = 0, light_vertices = 0, merges = 0, connections = 0;
   uint64_t caster_rays = 0;  // of light paths that have met nothing but casters
   float brightest_lm = 0;    // of all light paths, as they started
   std::array<uint64_t, size_t(Drop::count)> dropped{};
-  double absorbed_lm = 0, escaped_lm = 0;  // summed over light paths, not yet divided by their number
+  std::vector<DroppedSample> first_dropped;  // one of each Drop: the first, in an order that threads do not change
+  FluxBooks flux;
 
-  void drop(Drop where) { ++dropped[size_t(where)]; }
+  void drop(Drop where, const PathAddress& path, const Vec3& p) {
+    if (dropped[size_t(where)]++ == 0) first_dropped.push_back({where, path, p});
+  }
+  // o: of later samples.
   void add(const WorkCounts& o) {
     rays += o.rays;
     light_paths += o.light_paths;
@@ -40,9 +53,10 @@ struct WorkCounts {
     connections += o.connections;
     caster_rays += o.caster_rays;
     brightest_lm = std::max(brightest_lm, o.brightest_lm);
+    for (const DroppedSample& d : o.first_dropped)
+      if (dropped[size_t(d.where)] == 0) first_dropped.push_back(d);
     for (size_t i = 0; i < dropped.size(); ++i) dropped[i] += o.dropped[i];
-    absorbed_lm += o.absorbed_lm;
-    escaped_lm += o.escaped_lm;
+    flux.add(o.flux);
   }
 };
 

@@ -167,6 +167,7 @@ internal static partial class BindingTest
                 var cut = scene.Section(new double[] { 1, 0, 0 }, new double[] { 1, 0, 0 });
                 Expect(cut.Length == 2 && cut[0].FromM[0] == 1, "a section");
                 Expect(result.Info.Iterations == 16 && result.Info.Seed == 5, "the render's own data");
+                Expect(result.Info.AbsorbedFluxLm < 0 == result.Info.FluxBalanceStandardErrorLm < 0, "the balance");
                 foreach (var sensor in new[] { meters, eye })
                     Expect(result.Choice(sensor).Techniques != 0 && result.Choice(sensor).PredictedGain > 0,
                            "how the light is found");

@@ -172,10 +172,11 @@ def test_a_job_can_be_cancelled(context):
 def test_results_report_their_render(context):
     scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
     scene.commit()
-    result = scene.render(iteration_count=32, seed=11)
+    result = scene.render(iteration_count=32, seed=11, flux_paths=4096)
     info = result.info
     assert (info.iterations, info.seed, info.threads) == (32, 11, 2)
     assert info.method != ups.Method.AUTO and info.dropped_samples == 0
+    assert info.flux_balance_standard_error_lm >= 0
     statistics = result.statistics(meters)
     readings = result.meters(meters)["illuminance_lx"]
     assert statistics.count == 2

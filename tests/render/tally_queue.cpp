@@ -32,6 +32,17 @@ class Queue : public testing::Test {
                    1000 * IterationTally().bytes()};
 };
 
+// What was delivered is not delivered again: only the tally comes back, for its memory.
+TEST_F(Queue, GivesBackNoCounts) {
+  auto d = numbered(1);
+  d.flux.light_paths = 7;
+  d.has_iteration = false;
+  queue.deliver(d, stop);
+  EXPECT_EQ(d.flux.light_paths, 0u);
+  EXPECT_TRUE(d.has_iteration);
+  EXPECT_EQ(d.elapsed_s, 0);
+}
+
 // If delivery waited for the reader, this test would never end: the reader waits for the deliveries.
 TEST_F(Queue, AReaderHoldsNobodyUp) {
   deliver(0);

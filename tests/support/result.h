@@ -1,6 +1,6 @@
 // A rendered result, read in one call each through the public C API. Every failing call throws with the library's
-// message, and so does a result that holds a non-finite value or left a sample out: no test can overlook either. Made
-// by Scene (scene_builder.h).
+// message, and so does a result that holds a non-finite value, left a sample out or has books of flux that do not
+// close: no test can overlook any. Made by Scene (scene_builder.h).
 #pragma once
 #include <cmath>
 #include <memory>
@@ -37,6 +37,8 @@ class Result {
  public:
   Result(ups_result* result, const std::vector<Sensor>& sensors) : result_(result, ups_result_destroy) {
     if (info().dropped_samples != 0) throw std::runtime_error("dropped samples: " + text(UPS_TEXT_DROPPED));
+    if (text(UPS_TEXT_WARNINGS).find("flux balance") != std::string::npos)
+      throw std::runtime_error(text(UPS_TEXT_WARNINGS));
     for (const Sensor& s : sensors) {
       if (s.count > 0)
         readings(s);
@@ -51,7 +53,8 @@ class Result {
     ups_result_info i{};
     i.struct_size = sizeof i;
     check(ups_result_get_info(result_.get(), &i), "ups_result_get_info");
-    require_finite({i.emitted_flux_lm, i.absorbed_flux_lm, i.escaped_flux_lm, i.elapsed_s}, "result info");
+    require_finite({i.emitted_flux_lm, i.absorbed_flux_lm, i.escaped_flux_lm, i.elapsed_s,
+                    i.flux_balance_standard_error_lm}, "result info");
     return i;
   }
   ups_sensor_choice choice(const Sensor& sensor) const {

@@ -201,7 +201,7 @@ class Render(ProgramTest):
         self.assertEqual(result["threads"], 1)
         self.assertEqual(set(result["work"]), {"rays", "eye_paths", "light_paths", "connections", "merges"})
         self.assertGreater(result["work"]["eye_paths"], 0)
-        self.assertEqual(set(result["flux"]), {"emitted_lm", "absorbed_lm", "escaped_lm"})
+        self.assertEqual(set(result["flux"]), {"emitted_lm", "absorbed_lm", "escaped_lm", "balance_standard_error_lm"})
         self.assertAlmostEqual(result["flux"]["emitted_lm"], 400 * 3.14159265, delta=0.01 * 1257)
         self.assertEqual(list(result["meters"]), ["work_plane", "spot"])
         for statistics in result["meters"].values():

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/snapshot_room.h"
 #include "emitter/point.h"
-#include "scene/prepare.h"
 #include "transport/integrator.h"
 
 namespace ups {
@@ -16,48 +16,6 @@ namespace {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr uint32_t all_techniques = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT |
                                     UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_HIT;
-
-// A closed room of one material, outwards, with a lamp, two meters and a camera.
-std::shared_ptr<Snapshot> room(ups_material_model model) {
-  Description description;
-  ups_material_desc material{};
-  material.struct_size = sizeof material;
-  material.model = model;
-  for (int i = 0; i < 3; ++i) material.reflectance_rgb[i] = 0.5f, material.transmittance_rgb[i] = -1;
-  material.ior = 1.5f, material.alpha = 1, material.alpha_cutoff = 0.5f, material.normal_scale = 1;
-  static const float p[24] = {0, 0, 0, 4, 0, 0, 0, 4, 0, 4, 4, 0, 0, 0, 3, 4, 0, 3, 0, 4, 3, 4, 4, 3};
-  static const uint32_t i[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
-                                 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-  ups_mesh_desc mesh{};
-  mesh.vertex_count = 8, mesh.triangle_count = 12;
-  mesh.material = description.add_material(material);
-  mesh.positions_m = p, mesh.indices = i;
-  ups_instance_desc instance{};
-  instance.mesh = description.add_mesh(mesh);
-  const auto place = [](double (&m)[12], double x, double y, double z) {
-    const double at[12] = {1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z};
-    std::copy(std::begin(at), std::end(at), m);
-  };
-  place(instance.to_world, 0, 0, 0);
-  description.add_instance(instance);
-  ups_light_desc light{};
-  place(light.to_world, 2, 2, 2);
-  for (float& v : light.intensity_rgb) v = 100;
-  description.add_light(light);
-  ups_camera_desc camera{};
-  camera.width = camera.height = 4;
-  camera.vertical_fov_rad = 1;
-  place(camera.to_world, 1, 1, 2.5);
-  description.add_camera(camera);
-  const double positions[6] = {1, 1, 1, 3, 2, 1};
-  const float normals[6] = {0, 0, 1, 0, 0, 1};
-  ups_meter_desc meters{};
-  meters.count = 2;
-  meters.positions_m = positions, meters.normals = normals;
-  description.add_meters(meters);
-  ThreadPool pool(2);
-  return std::const_pointer_cast<Snapshot>(prepare(description, pool));
-}
 
 IterationTally run(std::shared_ptr<Snapshot> scene, uint32_t techniques) {
   ThreadPool pool(2);
@@ -70,7 +28,8 @@ IterationTally run(std::shared_ptr<Snapshot> scene, uint32_t techniques) {
   IterationTally tally;
   EXPECT_TRUE(integrator.run(0, stop, tally));
   const WorkCounts& w = tally.work;
-  EXPECT_TRUE(std::isfinite(w.absorbed_lm) && std::isfinite(w.escaped_lm)) << w.absorbed_lm << ", " << w.escaped_lm;
+  EXPECT_TRUE(std::isfinite(w.flux.absorbed)) << w.flux.absorbed;
+  EXPECT_TRUE(std::isfinite(w.flux.escaped)) << w.flux.escaped;
   for (const auto& set : tally.meters)
     for (const MeterTally& m : set) EXPECT_TRUE(std::isfinite(m.value) && std::isfinite(m.bias));
   for (const auto& image : tally.pixels)
@@ -84,12 +43,12 @@ uint64_t dropped(const IterationTally& tally, Drop where) { return tally.work.dr
 
 TEST(DroppedSamples, AreNoneWhereAllIsFinite) {
   for (const ups_material_model model : {UPS_MATERIAL_MATTE, UPS_MATERIAL_GLASS, UPS_MATERIAL_MIRROR})
-    for (const uint64_t n : run(room(model), all_techniques).work.dropped) EXPECT_EQ(n, 0u);
+    for (const uint64_t n : run(test::room(model), all_techniques).work.dropped) EXPECT_EQ(n, 0u);
 }
 
 // A medium whose absorption is not a number fills the room; meters and the camera are in it.
 TEST(DroppedSamples, CountPathsThatAMediumLeavesWithoutAFiniteThroughput) {
-  const auto scene = room(UPS_MATERIAL_GLASS);
+  const auto scene = test::room(UPS_MATERIAL_GLASS);
   for (Material& m : scene->materials) m.absorption_per_m = Rgb(nan);
   const IterationTally tally = run(scene, all_techniques);
   EXPECT_GT(tally.work.eye_paths, 0u);
@@ -108,7 +67,7 @@ class InfiniteEmitter : public PointEmitter {
 };
 
 TEST(DroppedSamples, CountLightPathsThatStartWithoutAFiniteFlux) {
-  const auto scene = room(UPS_MATERIAL_MATTE);
+  const auto scene = test::room(UPS_MATERIAL_MATTE);
   std::vector<std::unique_ptr<Emitter>> emitters;
   emitters.push_back(std::make_unique<InfiniteEmitter>(Vec3(), Rgb(1.0f), 0.0f));
   scene->emitters = EmitterSet(std::move(emitters), {});

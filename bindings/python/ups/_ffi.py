@@ -746,6 +746,7 @@ class ResultInfo(Structure):
         ("techniques", c_uint32),
         ("effects", c_uint32),
         ("threads", c_int32),
+        ("flux_balance_standard_error_lm", c_double),
     ]
 
 

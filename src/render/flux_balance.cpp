@@ -1,0 +1,61 @@
+// See flux_balance.h.
+#include "render/flux_balance.h"
+
+#include <cmath>
+
+#include "scene/check.h"
+
+namespace ups {
+
+namespace {
+
+// Floats all along: what an emitter's samples carry, each edge's flux. Measured: 6e-8 at the most.
+constexpr double rounding = 1e-6;
+
+// What a sum of independent or fair games strays from its mean, but for one in renders_per_false_alarm: x with
+// 2 exp(-x^2 / (2 (v + b x / 3))) = half of that (Freedman 1975, Theorem 1.6; of independent terms Bernstein's
+// inequality). b: the most that one game may bring. Of many small games these are 4.6 standard errors, which Gaussian
+// noise passes in 4 of 10^6.
+double chance(double variance, double largest) {
+  const double l = std::log(4 * renders_per_false_alarm), half = l * largest / 3;
+  return half + std::sqrt(half * half + 2 * l * variance);
+}
+
+}  // namespace
+
+bool FluxBalance::closes() const {
+  return std::abs(lost_lm) <= chance_of_lost && std::abs(roulette_lm) <= chance_of_roulette;
+}
+
+FluxBalance flux_balance(const WorkCounts& light, double emitted_lm) {
+  const FluxBooks& f = light.flux;
+  const double n = double(std::max<uint64_t>(1, light.light_paths)), mean = f.started / n;
+  FluxBalance b;
+  b.roulette_lm = f.roulette / n;
+  b.lost_lm = emitted_lm - (f.absorbed + f.escaped + f.cut + f.roulette) / n;
+  const double squares = std::max(0.0, f.started_squares - n * mean * mean);  // none deviates by more than their root
+  const double of_starts = squares / (n * n);                                 // stratified ones vary less
+  const double of_roulette = f.roulette_variance / (n * n);
+  b.standard_error = std::sqrt(of_starts + of_roulette);
+  const double largest = std::min(double(light.brightest_lm), std::sqrt(squares));
+  b.chance_of_lost = chance(of_starts, largest / n) + rounding * emitted_lm;
+  b.chance_of_roulette = chance(of_roulette, f.largest_game / n);
+  return b;
+}
+
+std::string flux_warning(const FluxBalance& b, double emitted_lm) {
+  if (b.closes()) return {};
+  const auto lm = [](double value) { return check::text(value) + " lm"; };
+  const std::string start = "the flux balance does not close: of " + lm(emitted_lm) + " emitted ",
+                    end = "; readings may be wrong by as much. This is a defect of the library, or some samples were "
+                          "dropped\n";
+  if (std::abs(b.lost_lm) > b.chance_of_lost)
+    return start + lm(std::abs(b.lost_lm)) +
+           (b.lost_lm > 0 ? " are neither absorbed nor escape" : " too much is absorbed or escapes") +
+           ", where chance explains " + lm(b.chance_of_lost) + end;
+  return start + "Russian roulette " + (b.roulette_lm > 0 ? "takes " : "gives ") + lm(std::abs(b.roulette_lm)) +
+         " more than it " + (b.roulette_lm > 0 ? "gives" : "takes") + ", where chance explains " +
+         lm(b.chance_of_roulette) + end;
+}
+
+}  // namespace ups

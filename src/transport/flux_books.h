@@ -1,0 +1,42 @@
+// Where the flux of light paths goes: summed over them as they are traced, at the cost of some additions an edge.
+//
+// Of a path that starts with S, S = absorbed + escaped + cut + roulette + what is lost, to rounding: what comes to a
+// vertex and does not leave it is absorbed. So the books do not tell whether a material gives back too much. They tell
+// whether emission starts paths with the flux that it states, whether any are lost, and whether roulette is fair.
+#pragma once
+#include <algorithm>
+
+namespace ups {
+
+struct FluxBooks {  // lm, not yet divided by the number of paths
+  double started = 0, started_squares = 0;
+  double absorbed = 0, escaped = 0;
+  double cut = 0;  // left at the greatest length of paths that was asked for
+  // Taken by roulette from paths that it ended, less what it gave to others: each game is fair, of a variance known
+  // before it is played.
+  double roulette = 0, roulette_variance = 0, largest_game = 0;
+
+  void start(double lm) {
+    started += lm;
+    started_squares += lm * lm;
+  }
+  // A path that goes on with probability q; after: 0 where it ends.
+  void play(double before, double q, double after) {
+    const double odds = (1 - q) / q;
+    roulette += before - after;
+    roulette_variance += before * before * odds;
+    largest_game = std::max(largest_game, before * std::max(1.0, odds));
+  }
+  void add(const FluxBooks& o) {
+    started += o.started;
+    started_squares += o.started_squares;
+    absorbed += o.absorbed;
+    escaped += o.escaped;
+    cut += o.cut;
+    roulette += o.roulette;
+    roulette_variance += o.roulette_variance;
+    largest_game = std::max(largest_game, o.largest_game);
+  }
+};
+
+}  // namespace ups

@@ -1,0 +1,156 @@
+// Is a render told from another by its books where flux is lost on the way, starts wrong or is taken by roulette? And
+// do books without a fault pass?
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "../support/snapshot_room.h"
+#include "emitter/point.h"
+#include "render/flux_balance.h"
+#include "render/job.h"
+
+namespace ups {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+std::shared_ptr<const RenderResult> render(std::shared_ptr<Snapshot> scene, ups_method method = UPS_METHOD_UPS,
+                                           int threads = 2) {
+  ups_render_desc d{};
+  d.method = method;
+  d.iteration_count = 4;
+  d.seed = 1;
+  d.flux_paths = 1u << 16;
+  d.light_paths_per_iteration = 1u << 14;
+  d.merge_radius_m = 0.1f;
+  RenderJob job(std::move(scene), d, std::make_shared<ThreadPool>(threads));
+  job.start();
+  std::string message;
+  while (job.wait(UINT32_MAX, message) == UPS_TIMEOUT) {}
+  EXPECT_EQ(message, "");
+  return job.result();
+}
+
+constexpr const char* does_not_close = "the flux balance does not close";
+
+bool warns(const RenderResult& r) { return r.warnings.find(does_not_close) != std::string::npos; }
+
+TEST(FluxBalance, ClosesInRoomsWithoutAFault) {
+  for (const ups_material_model model : {UPS_MATERIAL_MATTE, UPS_MATERIAL_GLASS, UPS_MATERIAL_MIRROR})
+    for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING}) {
+      const auto r = render(test::room(model), method);
+      EXPECT_FALSE(warns(*r)) << r->warnings;
+      EXPECT_EQ(r->dropped, "");
+      const ups_result_info& i = r->info;
+      EXPECT_LE(std::abs(i.emitted_flux_lm - i.absorbed_flux_lm - i.escaped_flux_lm),
+                4.6 * i.flux_balance_standard_error_lm + 1e-5 * i.emitted_flux_lm);
+    }
+}
+
+// Its paths start with more or less flux than it states.
+class WrongEmitter : public PointEmitter {
+ public:
+  WrongEmitter(const Rgb& intensity, float factor) : PointEmitter(Vec3(), intensity, 0.0f), factor_(factor) {}
+  bool sample_emission(const Vec2& u, const Vec2& v, EmissionSample& out) const override {
+    const bool emits = PointEmitter::sample_emission(u, v, out);
+    out.flux *= factor_;
+    return emits;
+  }
+
+ private:
+  float factor_;
+};
+
+std::shared_ptr<Snapshot> room_with(float factor) {
+  auto scene = test::room(UPS_MATERIAL_MATTE);
+  std::vector<std::unique_ptr<Emitter>> emitters;
+  emitters.push_back(std::make_unique<WrongEmitter>(Rgb(100.0f), factor));
+  scene->emitters = EmitterSet(std::move(emitters), {});
+  return scene;
+}
+
+// One lamp starts all paths alike: the least error that is found is that of rounding, 1e-5.
+TEST(FluxBalance, TellsEmissionThatStartsWithTheWrongFlux) {
+  for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING}) {
+    EXPECT_FALSE(warns(*render(room_with(1), method)));
+    for (const float factor : {0.9999f, 1.0001f}) EXPECT_TRUE(warns(*render(room_with(factor), method))) << factor;
+  }
+  EXPECT_NE(render(room_with(0.5f))->warnings.find("of 1256.6371 lm emitted 628.3"), std::string::npos)
+      << render(room_with(0.5f))->warnings;
+}
+
+TEST(FluxBalance, TellsPathsThatAreDroppedAndWhere) {
+  const auto poisoned = [] {
+    const auto scene = test::room(UPS_MATERIAL_GLASS);
+    for (Material& m : scene->materials) m.absorption_per_m = Rgb(nan);
+    return scene;
+  };
+  const auto one = render(poisoned(), UPS_METHOD_UPS, 1);
+  EXPECT_TRUE(warns(*one)) << one->warnings;
+  EXPECT_NE(one->dropped.find("light_walk: 65536 samples were not finite, the first in light path 0 of iteration 0"),
+            std::string::npos) << one->dropped;
+  EXPECT_NE(one->dropped.find("eye_walk: "), std::string::npos) << one->dropped;
+  EXPECT_NE(one->dropped.find("the first in camera 1, pixel (0, 0) of iteration 0, near ("), std::string::npos)
+      << one->dropped;
+  for (const int threads : {2, 3}) EXPECT_EQ(render(poisoned(), UPS_METHOD_UPS, threads)->dropped, one->dropped);
+}
+
+// ---- books alone ----
+
+// A path of 10 games, its flux halved before each. cheat: added to the probability with which roulette spares it.
+WorkCounts played(uint64_t seed, uint32_t paths, double cheat) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform;
+  WorkCounts w;
+  w.light_paths = paths;
+  w.brightest_lm = 1;
+  for (uint32_t i = 0; i < paths; ++i) {
+    double now = 1;
+    w.flux.start(now);
+    for (int k = 0; k < 10 && now > 0; ++k) {
+      w.flux.absorbed += now / 2;
+      now /= 2;
+      const bool survives = uniform(random) < 0.5 + cheat;
+      w.flux.play(now, 0.5, survives ? now / 0.5 : 0);
+      now = survives ? now / 0.5 : 0;
+    }
+    w.flux.escaped += now;
+  }
+  return w;
+}
+
+// The spread of 400 balances has a relative standard error of 3.5 %: 15 % is a false alarm in 50,000.
+TEST(FluxBalance, KnowsItsStandardErrorAndCloses) {
+  constexpr int seeds = 400;
+  double square = 0, stated = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const WorkCounts w = played(uint64_t(seed), 1000, 0);
+    const FluxBalance b = flux_balance(w, 1);
+    EXPECT_TRUE(b.closes()) << flux_warning(b, 1);
+    EXPECT_EQ(flux_warning(b, 1), "");
+    square += std::pow(1 - (w.flux.absorbed + w.flux.escaped) / 1000, 2) / seeds;
+    stated += b.standard_error * b.standard_error / seeds;
+  }
+  EXPECT_NEAR(std::sqrt(square / stated), 1, 0.15);
+}
+
+TEST(FluxBalance, TellsUnfairRoulette) {
+  for (const double cheat : {-0.02, 0.02}) {
+    const FluxBalance b = flux_balance(played(1, 100000, cheat), 1);
+    EXPECT_FALSE(b.closes());
+    EXPECT_NE(flux_warning(b, 1).find(cheat > 0 ? "Russian roulette gives" : "Russian roulette takes"),
+              std::string::npos) << flux_warning(b, 1);
+  }
+}
+
+TEST(FluxBalance, OfAFewPathsIsNoAlarm) {
+  for (uint64_t seed = 1; seed <= 2000; ++seed) {
+    EXPECT_TRUE(flux_balance(played(seed, 1, 0), 1).closes()) << seed;
+    EXPECT_TRUE(flux_balance(played(seed, 7, 0), 1).closes()) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace ups
