@@ -33,15 +33,16 @@ struct Sphere {
   Sensor add_points() { return scene.add_meters(centers, normals); }
   Sensor add_cells() { return scene.add_cells(centers, normals, tangents, side, side); }
 
-  // As many iterations as the noise asks for, which a few tell.
+  // Twice the iterations where the noise asks for it, up to eight times. (Stated errors are those of the last.)
   void expect(const Sensor& meters, RenderOptions options, const std::string& what) {
-    options.iterations = 32;
+    options.iterations = 64;
     options.merge_radius_m = 0.01;
-    options.light_paths = options.techniques & (both_ends | UPS_TECHNIQUE_MERGE) ? 1u << 12 : 1u << 15;
-    const auto first = scene.render(options).statistics(meters);
-    const double needed = first.mean_standard_error_lx / (largest_noise * expected);
-    options.iterations = uint32_t(32 * std::max(2.0, 4 * needed * needed));
-    const Result result = scene.render(options);
+    options.light_paths = options.techniques & (both_ends | UPS_TECHNIQUE_MERGE) ? 1u << 11 : 1u << 14;
+    Result result = scene.render(options);
+    for (int i = 0; i < 8 && result.statistics(meters).mean_standard_error_lx > largest_noise * expected; ++i) {
+      options.iterations *= 2;
+      result = scene.render(options);
+    }
     EXPECT_EQ(result.info().techniques & ~options.techniques, 0u);
     const auto s = result.statistics(meters);
     EXPECT_GT(s.mean_standard_error_lx, 0) << what;
@@ -57,7 +58,7 @@ class Hazard12 : public ::testing::TestWithParam<int> {
   void SetUp() override {
     if (GetParam() != 50 && !full()) GTEST_SKIP() << "in the full form";
   }
-  // The fast form leaves those out that merge, which take most of the time.
+  // The fast form has no merging, and over cells only what emitter hits are a part of: the rest takes most of the time.
   void expect_all(Sphere& sphere, const Sensor& meters, uint32_t all, uint32_t complete) {
     if (!full()) all &= ~UPS_TECHNIQUE_MERGE;
     for (uint32_t subset = 1; subset <= all; ++subset)
@@ -74,15 +75,18 @@ TEST_P(Hazard12, EverySubsetOfTechniquesReachesTheEnergyBalanceAtPoints) {
 }
 TEST_P(Hazard12, EverySubsetOfTechniquesReachesTheEnergyBalanceOverCells) {
   Sphere sphere(0.01 * GetParam());
-  expect_all(sphere, sphere.add_cells(), of_cells, both_ends | UPS_TECHNIQUE_SENSOR_HIT);
+  const uint32_t complete = full() ? both_ends | UPS_TECHNIQUE_SENSOR_HIT : UPS_TECHNIQUE_EMITTER_HIT;
+  expect_all(sphere, sphere.add_cells(), of_cells, complete);
 }
 
 // Around a point source: its flux over the mesh's own area. Roulette alone makes noise, as every point of the wall gets
-// the same light straight from the source, within what the facets lean: hence the mean over 16 points, 0.5 %.
+// the same light straight from the source, within what the facets lean: hence the mean over 16 points. Within 0.5 % at
+// standard errors of at most 0.15 %: an error of 1 % is found with certainty; P(|t_15| > 3.3) = 0.5 % at the limit.
 class Hazard12PointSource : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Reflectances, Hazard12PointSource, ::testing::Values(50, 90, 95, 98),
                          [](const auto& i) { return "rho_0" + std::to_string(i.param); });
 TEST_P(Hazard12PointSource, ReachesTheEnergyBalance) {
+  if (!full() && GetParam() > 90) GTEST_SKIP() << "in the full form";
   constexpr double flux_lm = 10000;
   const double rho = 0.01 * GetParam();
   const Shape wall = icosphere({0, 0, 0}, 1, 4);
@@ -93,10 +97,11 @@ TEST_P(Hazard12PointSource, ReachesTheEnergyBalance) {
   const Sensor meters = scene.add_meters(points.positions, points.normals);
   const double expected = flux_lm / (wall.area() * (1 - rho));
   for (const ups_method method : eye_methods) {
-    const Result result = scene.render({.method = method, .iterations = GetParam() < 92 ? 48u : 96u,
-                                        .light_paths = 1u << 11});
+    const uint32_t iterations = GetParam() < 60 ? 32 : GetParam() < 92 ? 128 : GetParam() < 97 ? 192 : 384;
+    const Result result = scene.render({.method = method, .iterations = iterations, .light_paths = 1u << 11});
     const auto s = result.statistics(meters);
-    expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, 0.0015, method_name(method));
+    EXPECT_LE(s.mean_standard_error_lx, 0.0015 * expected) << method_name(method) << ": too noisy to judge " << s.mean_lx;
+    EXPECT_NEAR(s.mean_lx, expected, 0.005 * expected) << method_name(method) << " +- " << s.mean_standard_error_lx;
     EXPECT_NEAR(result.info().emitted_flux_lm, flux_lm, 1e-5 * flux_lm);
     std::printf("  %s: %+.3f +- %.3f %%\n", method_name(method), 100 * (s.mean_lx / expected - 1),
                 100 * s.mean_standard_error_lx / expected);
