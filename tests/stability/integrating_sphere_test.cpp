@@ -75,7 +75,7 @@ TEST_P(Hazard12, EverySubsetOfTechniquesReachesTheEnergyBalanceAtPoints) {
 }
 TEST_P(Hazard12, EverySubsetOfTechniquesReachesTheEnergyBalanceOverCells) {
   Sphere sphere(0.01 * GetParam());
-  const uint32_t complete = full() ? both_ends | UPS_TECHNIQUE_SENSOR_HIT : UPS_TECHNIQUE_EMITTER_HIT;
+  const uint32_t complete = full() ? both_ends | UPS_TECHNIQUE_SENSOR_HIT : uint32_t(UPS_TECHNIQUE_EMITTER_HIT);
   expect_all(sphere, sphere.add_cells(), of_cells, complete);
 }
 
