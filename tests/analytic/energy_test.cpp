@@ -1,5 +1,5 @@
 // Is energy conserved through many bounces? Integrating spheres and furnaces have closed forms that hold for every
-// estimator; the library's own flux balance must close.
+// estimator; the library's own flux balance must close. Long series: tests/stability/integrating_sphere_test.cpp.
 #include "../support/expect_lx.h"
 #include "../support/image_mean.h"
 
@@ -7,30 +7,6 @@ namespace ups::test {
 namespace {
 
 constexpr double flux_lm = 10000;
-
-class IntegratingSphere : public ::testing::TestWithParam<double> {};
-
-// E = Phi / (A (1 - rho)) with the mesh's own area: the mean over the wall by energy balance, and nearly so at every
-// point, as the form factor between any two points of a sphere is 1 / A. No hidden limit of bounces survives this.
-TEST_P(IntegratingSphere, ReachesTheEnergyBalance) {
-  const double rho = GetParam();
-  const Shape wall = icosphere({0, 0, 0}, 1, 4);
-  const Points points = points_inside(wall, rho < 0.92 ? 16 : 4, 1);  // fewer paths where they are long
-  Scene scene;
-  scene.add(wall, matte(rho));
-  scene.add_point_light({0, 0, 0}, flux_lm / (4 * pi_d));
-  const Sensor meters = scene.add_meters(points.positions, points.normals);
-  const double expected = flux_lm / (wall.area() * (1 - rho));
-  for (ups_method method : eye_methods) {
-    const uint32_t iterations = method != UPS_METHOD_PATH_TRACING ? 16 : rho < 0.97 ? 64 : 256;
-    const Result result = scene.render({.method = method, .iterations = iterations});
-    const auto s = result.statistics(meters);
-    expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, 0.01, method_name(method));
-    EXPECT_NEAR(result.info().emitted_flux_lm, flux_lm, 1e-5 * flux_lm);
-  }
-}
-INSTANTIATE_TEST_SUITE_P(Reflectances, IntegratingSphere, ::testing::Values(0.5, 0.9, 0.95, 0.98),
-                         [](const auto& i) { return "rho_0" + std::to_string(int(std::lround(100 * i.param))); });
 
 // By energy balance the mean over a closed cube is Phi / (S (1 - rho)), for each face where the source is at its centre
 // (case 5.8 of CIE 171:2006, which samples/validation has by the other methods). Here by light tracing, whose paths

@@ -1,32 +1,13 @@
-// Reciprocity and the balance of energy: lossless materials return all light, others no more than that.
+// Reciprocity and the balance of energy: lossless materials return all light, others no more than that. Continuity in
+// roughness: tests/stability/roughness_test.cpp.
 #include <gtest/gtest.h>
 
-#include "cases.h"
+#include "directional_albedo.h"
 
 namespace ups::test {
 namespace {
 
 constexpr TransportMode importance = TransportMode::importance, radiance = TransportMode::radiance;
-
-// i in the digits of `base`, mirrored at the point (van der Corput).
-float radical_inverse(uint32_t i, uint32_t base) {
-  double value = 0, digit = 1.0 / base;
-  for (; i > 0; i /= base, digit /= base) value += digit * (i % base);
-  return std::min(float(value), 0x1.fffffep-1f);
-}
-
-// Directional albedo in importance mode: the mean weight over Hammersley's points in three dimensions.
-double albedo(const Material& m, float cosine, uint32_t count = 1 << 14) {
-  const Bsdf bsdf(m, {0, 0});
-  const Vec3 wo = direction(cosine);
-  double sum = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    BsdfSample s;
-    const Vec2 u{radical_inverse(i, 2), (float(i) + 0.5f) / float(count)};
-    if (bsdf.sample(wo, radical_inverse(i, 3), u, importance, s)) sum += luminance(s.weight);
-  }
-  return sum / count;
-}
 
 constexpr float cosines[] = {1.0f, 0.9f, 0.74f, 0.6f, 0.4f, 0.2f, 0.1f, 0.05f, 0.02f, 0.005f};
 constexpr float alphas[] = {1.0f, 0.6f, 0.25f, 0.1f, 0.03f, 1e-2f, 1e-3f, 1e-4f, 3.1e-5f, 1e-5f, 0.0f};
@@ -69,23 +50,6 @@ TEST(WhiteFurnace, ThinAndDiffuse) {
     for (const Material& m :
          {make(MaterialModel::matte, 0, Rgb(1.0f)), make(MaterialModel::mirror, 0, Rgb(1.0f)), diffuser, clear})
       EXPECT_NEAR(albedo(m, -cosine), 1, 1e-3) << int(m.model) << " cos " << cosine;
-}
-
-// Below min_alpha lobes become delta lobes; nobody must see where.
-TEST(Energy, AlbedoIsContinuousInRoughness) {
-  Material plastic = make(MaterialModel::plastic, 0, {0.7f, 0.3f, 0.1f}),
-           metal = make(MaterialModel::metal, 0, Rgb(0.6f));
-  for (Material m : {plastic, metal})
-    for (float cosine : {1.0f, 0.6f, 0.2f, 0.05f}) {
-      m.roughness = 0;
-      double before = albedo(m, cosine);
-      for (float alpha : {1e-5f, 3.1e-5f, 1e-4f, 3e-4f, 1e-3f}) {
-        m.roughness = roughness_of(alpha);
-        const double now = albedo(m, cosine);
-        EXPECT_NEAR(now, before, 0.005) << "alpha " << alpha << " cos " << cosine;
-        before = now;
-      }
-    }
 }
 
 TEST(Energy, PlasticIsCoatPlusWhatTheBaseReturns) {

@@ -1,10 +1,8 @@
-// Shading normals from both ends: what a light walk carries on at a leaning normal is corrected by
+// Hazard 15. Shading normals from both ends: what a light walk carries on at a leaning normal is corrected by
 //   |wi ns| |wo ng| / (|wi ng| |wo ns|)     (Veach 1997, Eq. 5.19)
 // so that path tracing, light tracing, bidirectional path tracing and photon merging measure the same at meters that a
 // bumpy object or floor lights. No closed form is known; the estimators share only the scattering functions.
-#include <random>
-
-#include "../support/expect_same.h"
+#include "bumpy_sphere.h"
 
 namespace ups::test {
 namespace {
@@ -51,27 +49,15 @@ void add_bumpy_plane(Scene& scene, ups_material_desc material, double lean) {
   scene.add(floor, material);
 }
 
-// Directions far from the true normal, at every vertex of a coarse sphere: facets that are smoothed beyond their shape.
-Shape bumpy_sphere(const P3& center, double radius) {
-  Shape s = icosphere(center, radius, 1);
-  std::mt19937 engine(3);
-  const auto uniform = [&] { return std::generate_canonical<double, 53>(engine) * 2 - 1; };
-  for (const P3& v : s.vertices) {
-    const P3 n = normalize(v - center), lean{uniform(), uniform(), uniform()};
-    s.normals.push_back(normalize(n + (lean - n * dot(lean, n)) * 0.5));
-  }
-  return s;
-}
-
-class BumpyObject : public ::testing::TestWithParam<std::pair<const char*, ups_material_desc>> {};
-INSTANTIATE_TEST_SUITE_P(Materials, BumpyObject,
+class Hazard15Object : public ::testing::TestWithParam<std::pair<const char*, ups_material_desc>> {};
+INSTANTIATE_TEST_SUITE_P(Materials, Hazard15Object,
                          ::testing::Values(std::pair("Matte", matte(0.8)),
                                            std::pair("Plastic", rough(UPS_MATERIAL_PLASTIC, 0.6, 0.4)),
                                            std::pair("Metal", rough(UPS_MATERIAL_METAL, 0.9, 0.8))),
                          [](const auto& i) { return std::string(i.param.first); });
 
 // Merging alone would lose the photons beyond a facet's edge: of the merging methods UPS and PPM.
-TEST_P(BumpyObject, LightsMetersAlikeFromBothEnds) {
+TEST_P(Hazard15Object, LightsMetersAlikeFromBothEnds) {
   Scene scene;
   scene.add(bumpy_sphere({0, 0, 0}, 0.5), GetParam().second);
   scene.add(quad({-0.6, -0.6, 0.8}, {0, 1.2, 0}, {1.2, 0, 0}), emitter(1000));
@@ -79,7 +65,7 @@ TEST_P(BumpyObject, LightsMetersAlikeFromBothEnds) {
   expect_same(scene, {pt(224), unified(96), ppm(64)}, target.points, target.cells, 0, 0);
 }
 
-class BumpyFloor : public ::testing::TestWithParam<std::pair<const char*, ups_material_desc>> {
+class Hazard15Floor : public ::testing::TestWithParam<std::pair<const char*, ups_material_desc>> {
  protected:
   void SetUp() override { add_bumpy_plane(scene, GetParam().second, 0.4); }
   void judge(const std::vector<Trial>& trials) {
@@ -88,26 +74,26 @@ class BumpyFloor : public ::testing::TestWithParam<std::pair<const char*, ups_ma
   }
   Scene scene;
 };
-INSTANTIATE_TEST_SUITE_P(Materials, BumpyFloor,
+INSTANTIATE_TEST_SUITE_P(Materials, Hazard15Floor,
                          ::testing::Values(std::pair("Matte", matte(0.8)),
                                            std::pair("Glossy", rough(UPS_MATERIAL_METAL, 0.9, 0.7))),
                          [](const auto& i) { return std::string(i.param.first); });
 
-TEST_P(BumpyFloor, UnderAnAreaEmitter) {
+TEST_P(Hazard15Floor, UnderAnAreaEmitter) {
   scene.add(quad({-0.8, -0.8, 0.6}, {0, 1.6, 0}, {1.6, 0, 0}), emitter(1000));
   judge({pt(128), bpt(64), unified(88), ppm(32), merging(48)});
 }
-TEST_P(BumpyFloor, UnderASourceWithoutExtent) {
+TEST_P(Hazard15Floor, UnderASourceWithoutExtent) {
   scene.add_spot({0, 0, 1.2}, {0, 0, -1}, 1000, 0.6, 0.8);
   judge({pt(32), bpt(24), unified(32), ppm(16), merging(24)});
 }
-TEST_P(BumpyFloor, UnderTheSun) {
+TEST_P(Hazard15Floor, UnderTheSun) {
   scene.add_directional({1, 0, -1.5}, 1000);
   judge({pt(32), bpt(24), unified(32), ppm(128)});
 }
 
 // Photons merged at what a camera sees, against splats and path tracing: image means over 8 seeds.
-TEST_P(BumpyFloor, SeenByACamera) {
+TEST_P(Hazard15Floor, SeenByACamera) {
   scene.add(quad({-0.8, -0.8, 0.6}, {0, 1.6, 0}, {1.6, 0, 0}), emitter(1000));
   const Sensor camera = scene.add_camera({0, 0, 0.5}, {0, 0, -1}, 48, 36, 1.2);
   std::vector<Estimate> means;
@@ -118,7 +104,7 @@ TEST_P(BumpyFloor, SeenByACamera) {
 }
 
 // Ripples on water, seen from below: the correction at a delta lobe, which has no other.
-TEST(RippledWater, LightsMetersAlikeFromBothEnds) {
+TEST(Hazard15Water, LightsMetersAlikeFromBothEnds) {
   Scene scene;
   add_bumpy_plane(scene, glass(1.33), 0.3);
   scene.add(quad({-0.8, -0.8, 0.3}, {0, 1.6, 0}, {1.6, 0, 0}), emitter(1000));

@@ -13,28 +13,33 @@
 
 namespace ups::test {
 
-inline constexpr double largest_standard_error = 0.0015, pair_sigmas = 3;
+inline constexpr double pair_sigmas = 3;
+struct Limits {
+  double standard_error, difference;  // relative
+};
+inline constexpr Limits usual{0.0015, relative_tolerance};
 
 struct Estimate {
   std::string name;
   double mean = 0, standard_error = 0;
 };
 
-inline void expect_pair(const Estimate& a, const Estimate& b, const std::string& what) {
+inline void expect_pair(const Estimate& a, const Estimate& b, const std::string& what, const Limits& limits = usual) {
   const double s = std::hypot(a.standard_error, b.standard_error), difference = a.mean - b.mean;
-  EXPECT_LE(std::abs(difference), std::max(relative_tolerance * std::abs(b.mean), pair_sigmas * s))
+  EXPECT_LE(std::abs(difference), std::max(limits.difference * std::abs(b.mean), pair_sigmas * s))
       << what << ", " << a.name << " and " << b.name << ": " << a.mean << " and " << b.mean << " lx (" << std::showpos
       << 100 * difference / b.mean << " %, " << difference / s << " standard errors)";
 }
 
 // expected: a closed form; 0: none.
-inline void expect_same(const std::vector<Estimate>& all, double expected, const std::string& what) {
+inline void expect_same(const std::vector<Estimate>& all, double expected, const std::string& what,
+                        const Limits& limits = usual) {
   for (size_t i = 0; i < all.size(); ++i) {
     EXPECT_GE(all[i].standard_error, 0) << what << ", " << all[i].name << ": no standard error";
-    EXPECT_LE(all[i].standard_error, largest_standard_error * all[i].mean)
+    EXPECT_LE(all[i].standard_error, limits.standard_error * all[i].mean)
         << what << ", " << all[i].name << ": too noisy to judge " << all[i].mean;
-    for (size_t j = 0; j < i; ++j) expect_pair(all[i], all[j], what);
-    if (expected > 0) expect_pair(all[i], {"closed form", expected, 0}, what);
+    for (size_t j = 0; j < i; ++j) expect_pair(all[i], all[j], what, limits);
+    if (expected > 0) expect_pair(all[i], {"closed form", expected, 0}, what, limits);
   }
 }
 
@@ -61,11 +66,12 @@ inline Estimate estimate(const std::string& name, const Result& result, const Se
 }
 
 // Renders until every mean over `sets` has the standard error that is asked for.
-inline Result render_quietly(Scene& scene, RenderOptions options, const std::vector<Sensor>& sets) {
+inline Result render_quietly(Scene& scene, RenderOptions options, const std::vector<Sensor>& sets,
+                             const Limits& limits = usual) {
   const auto noisy = [&](const Result& result) {
     for (const Sensor& set : sets) {
       const Estimate e = estimate("", result, set);
-      if (e.standard_error > largest_standard_error * e.mean) return true;
+      if (e.standard_error > limits.standard_error * e.mean) return true;
     }
     return false;
   };
@@ -80,7 +86,7 @@ inline Estimate estimate(const std::string& name, const Mean& mean) { return {na
 // The means over points and over cells; a closed form of each, or 0. Cells count photons where points merge them: light
 // tracing is left out of the points, merging alone out of the cells.
 inline void expect_same(Scene& scene, const std::vector<Trial>& runs, const Sensor& points, const Sensor& cells,
-                        double expected_points, double expected_cells) {
+                        double expected_points, double expected_cells, const Limits& limits = usual) {
   std::vector<Estimate> at_points, over_cells;
   for (const Trial& r : runs) {
     const bool by_points = r.options.method != UPS_METHOD_LIGHT_TRACING,
@@ -88,12 +94,12 @@ inline void expect_same(Scene& scene, const std::vector<Trial>& runs, const Sens
     std::vector<Sensor> judged;
     if (by_points) judged.push_back(points);
     if (by_cells) judged.push_back(cells);
-    const Result result = render_quietly(scene, r.options, judged);
+    const Result result = render_quietly(scene, r.options, judged, limits);
     if (by_points) at_points.push_back(estimate(r.name, result, points));
     if (by_cells) over_cells.push_back(estimate(r.name, result, cells));
   }
-  expect_same(at_points, expected_points, "points");
-  expect_same(over_cells, expected_cells, "cells");
+  expect_same(at_points, expected_points, "points", limits);
+  expect_same(over_cells, expected_cells, "cells", limits);
 }
 
 // n x n points, or centres of cells that tile the square: about `center`, spanned by the unit vectors s and t.
