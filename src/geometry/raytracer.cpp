@@ -73,6 +73,12 @@ Box bounding_box(const Mesh& mesh) {
   return box;
 }
 
+size_t Mesh::bytes() const {
+  return sizeof *this + positions.capacity() * sizeof(Vec3) + normals.capacity() * sizeof(Vec3) +
+         uvs.capacity() * sizeof(Vec2) + tangents.capacity() * sizeof(float) + indices.capacity() * sizeof(uint32_t) +
+         (revolution ? revolution->bands.capacity() * sizeof(RevolutionBand) : 0);
+}
+
 struct Raytracer::Impl {
   struct Placed {
     uint32_t traced;  // index
@@ -355,6 +361,12 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
 
 SurfacePoint Raytracer::surface_at(const Hit& hit) const {
   return surface_at(hit.instance, hit.primitive, hit.u, hit.v);
+}
+
+size_t Raytracer::bytes() const {
+  size_t sum = impl_->device.bytes() + impl_->placed.capacity() * sizeof(Impl::Placed);
+  for (const auto& traced : impl_->traced) sum += traced->bytes();
+  return sum;
 }
 
 size_t Raytracer::triangle_count() const { return impl_->triangles; }

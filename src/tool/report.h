@@ -48,6 +48,7 @@ struct Report {
   std::vector<PredictionReport> predictions;
   std::optional<WorstMeter> worst_meter;
   std::vector<std::string> advice;
+  ups_memory_estimate memory{};
 };
 
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);

@@ -126,6 +126,11 @@ bool Integrator::trace(const Iteration& in, IterationTally& tally) {
     tally.light_work = tally.work;
     if (in.stop.is_set()) return false;
     const double pixel_radius2 = plan_.radius2(largest_pixel_radius_, in.camera_shrinkage);
+    if (in.has(UPS_TECHNIQUE_MERGE)) {
+      size_t merged = 0;
+      for (const LightVertex& v : photons.paths.vertices) merged += v.merge;
+      photons.paths.share.take(2 * PhotonIndex::bytes(merged));
+    }
     pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
       const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
       if (radius > 0)
@@ -137,6 +142,13 @@ bool Integrator::trace(const Iteration& in, IterationTally& tally) {
   for (uint32_t s = 0; s < scene_->meter_sets.size(); ++s)
     path = trace_meter_paths(in, photons, direct_, s, path, pool_, tally);
   return !in.stop.is_set();
+}
+
+double Integrator::bytes_of_light_paths(const StopSignal& stop) const {
+  constexpr uint32_t few = 1024;
+  if (!settings_.traces_light() || plan_.light_paths == 0) return 0;
+  const Iteration in = Iteration::of_pilot(*scene_, plan_, settings_, 0, stop, Stream::pilot);
+  return count_light_pass(in, SensorIndex(in, pool_), pool_, few).bytes(plan_.light_paths);
 }
 
 bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally& tally) {
