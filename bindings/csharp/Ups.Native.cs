@@ -1010,6 +1010,7 @@ namespace Ups
         public ulong FluxPaths;
         public Criterion TargetCriterion;
         public uint Reserved2;
+        public ulong MemoryLimitBytes;
         /// <summary>With the library's defaults.</summary>
         public static RenderDesc Create()
         {
@@ -1175,6 +1176,23 @@ namespace Ups
         internal static LargestError Sized()
         {
             return new LargestError { StructSize = (uint)sizeof(LargestError) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MemoryEstimate
+    {
+        public uint StructSize;
+        public uint Reserved;
+        public ulong SceneBytes;
+        public ulong WorkingBytes;
+        public ulong LightBytes;
+        public ulong ResultBytes;
+        public ulong PeakBytes;
+        public ulong AllowedBytes;
+        internal static MemoryEstimate Sized()
+        {
+            return new MemoryEstimate { StructSize = (uint)sizeof(MemoryEstimate) };
         }
     }
 
@@ -1539,6 +1557,9 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_render_desc_init(RenderDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_estimate_memory(SceneHandle scene, RenderDesc* desc, MemoryEstimate*
+            @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_render(SceneHandle scene, RenderDesc* desc, out ResultHandle @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_job_start(SceneHandle scene, RenderDesc* desc, out JobHandle @out);
@@ -1549,6 +1570,8 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_job_get_prediction(JobHandle job, double relative_error, Prediction*
             prediction);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_job_get_memory_estimate(JobHandle job, MemoryEstimate* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_job_get_curve_count(JobHandle job, uint* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

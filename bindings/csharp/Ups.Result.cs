@@ -55,6 +55,14 @@ namespace Ups
             return error;
         }
 
+        /// <summary>What the render takes, as estimated once it was prepared.</summary>
+        public MemoryEstimate Memory()
+        {
+            var estimate = MemoryEstimate.Sized();
+            Library.Check(Native.ups_job_get_memory_estimate(Handle, &estimate));
+            return estimate;
+        }
+
         public void Cancel() { Native.ups_job_cancel(Handle); }
 
         /// <summary>What is there after the last whole iteration.</summary>

@@ -238,6 +238,14 @@ namespace Ups
             return new Job(job);
         }
 
+        /// <summary>What such a render will take; takes as long as its preparations.</summary>
+        public MemoryEstimate EstimateMemory(RenderDesc desc)
+        {
+            var estimate = MemoryEstimate.Sized();
+            Library.Check(Native.ups_scene_estimate_memory(Handle, &desc, &estimate));
+            return estimate;
+        }
+
         public void Dispose() { Handle.Dispose(); }
     }
 }

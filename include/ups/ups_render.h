@@ -91,6 +91,9 @@ typedef struct ups_render_desc {
                                        * end, within elapsed_s and the time limit. 0: none, that flux is not known */
   ups_criterion target_criterion;     /* of target_relative_error and of predictions */
   uint32_t reserved2;                 /* 0 */
+  uint64_t memory_limit_bytes;        /* that the committed scene and the render may take together, as
+                                       * ups_memory_estimate counts them; 0: what the machine has free and the process's
+                                       * control groups leave, which is never exceeded either */
 } ups_render_desc; /* at least one of time limit, target, iteration count must be set */
 
 typedef int32_t ups_job_state;
@@ -220,14 +223,35 @@ typedef struct ups_largest_error {
 
 UPS_API void ups_render_desc_init(ups_render_desc *desc, uint32_t struct_size);
 
+/* What a render will take. Bytes that it allocates, of which the machine may have to give fewer; without what results
+ * take that the caller keeps. Measured peaks are within 0.7 and 1.3 times the estimate; where no iteration_count says how
+ * long a render is, that is of one in which each pixel has been visited 16 times, after which no more is taken. */
+typedef struct ups_memory_estimate {
+  uint32_t struct_size;
+  uint32_t reserved;       /* 0 */
+  uint64_t scene_bytes;    /* of the committed scene, which are taken already */
+  uint64_t working_bytes;  /* while it renders: sums of all sensors, and what an iteration finds */
+  uint64_t light_bytes;    /* the part of them that light paths take */
+  uint64_t result_bytes;   /* of a ups_result */
+  uint64_t peak_bytes;     /* in all, at most at a time: of scene, render and result */
+  uint64_t allowed_bytes;  /* for peak_bytes, by memory_limit_bytes, the machine and the control groups as it is now */
+} ups_memory_estimate;
+/* Prepares a render as ups_render would, with the pilot that chooses techniques, and renders nothing: it takes as long
+ * as that. out->struct_size must be set. OK, too, where more is wanted than allowed. */
+UPS_API ups_status ups_scene_estimate_memory(const ups_scene *scene, const ups_render_desc *desc,
+                                             ups_memory_estimate *out);
+
 /* Blocks until a limit or the target. The one call that a small program needs; for progress and cancel start a job.
- * INVALID_STATE where the time limit was over before the first iteration was done. While it renders and is read, a
- * camera takes up to 300 bytes a pixel, 60 at first and 12 more with each of the first 16 visits of all pixels
- * (`illuminance`: 80 more; technique_images: 96 more for each image), a meter 900, for each source of `separation`
- * 900 more. */
+ * INVALID_STATE where the time limit was over before the first iteration was done. OUT_OF_MEMORY before the first
+ * iteration where more is wanted than allowed (memory_limit_bytes), and later where light paths become more or longer
+ * than expected; the message says what is wanted and what would be right. As a guide: a camera takes up to 300 bytes a
+ * pixel, 60 at first and 12 more with each of the first 16 visits of all pixels (`illuminance`: 80 more;
+ * technique_images: 96 more for each image), a meter up to 6000, of many meters and where no photons are merged less,
+ * for each source of `separation` 5000 more. */
 UPS_API ups_status ups_render(const ups_scene *scene, const ups_render_desc *desc, ups_result **out);
 
-/* The same, without blocking: start, then poll or wait from any thread. */
+/* The same, without blocking: start, then poll or wait from any thread. Where it is clear at once that too much memory
+ * is wanted it does not start; a choice of techniques that wants too much ends the job before its first iteration. */
 UPS_API ups_status ups_job_start(const ups_scene *scene, const ups_render_desc *desc, ups_job **out);
 /* At once, whatever goes on; progress->struct_size must be set. */
 UPS_API ups_status ups_job_poll(const ups_job *job, ups_progress *progress);
@@ -236,14 +260,17 @@ UPS_API ups_status ups_job_wait(const ups_job *job, uint32_t timeout_ms);
 /* At once, as ups_job_poll, of all looks at the error so far; the same of a result further below. relative_error: a
  * finite number > 0, 0.01 is 1 %. prediction->struct_size must be set. */
 UPS_API ups_status ups_job_get_prediction(const ups_job *job, double relative_error, ups_prediction *prediction);
+/* Of the render that runs, from the end of its preparations on, before INVALID_STATE; out->struct_size must be set. */
+UPS_API ups_status ups_job_get_memory_estimate(const ups_job *job, ups_memory_estimate *out);
 UPS_API ups_status ups_job_get_curve_count(const ups_job *job, uint32_t *out);
 /* index < count, in the order of time; point->struct_size must be set. */
 UPS_API ups_status ups_job_get_curve_point(const ups_job *job, uint32_t index, ups_curve_point *point);
 /* error->struct_size must be set; INVALID_STATE before the first look and without meters. */
 UPS_API ups_status ups_job_get_largest_error(const ups_job *job, ups_largest_error *error);
 UPS_API void ups_job_cancel(ups_job *job); /* asks; returns at once; NULL ok */
-/* What is there after the last whole iteration; INVALID_STATE before the first. The render goes on meanwhile, but with
- * technique_images. The caller owns *out. */
+/* What is there after the last whole iteration, also of a job that failed; INVALID_STATE before the first. The render
+ * goes on meanwhile, but with technique_images. OUT_OF_MEMORY while it renders and the memory that is allowed leaves no
+ * room for a result beside it: after its end there is. The caller owns *out. */
 UPS_API ups_status ups_job_result(const ups_job *job, ups_result **out);
 UPS_API void ups_job_destroy(ups_job *job); /* cancels and joins; NULL ok */
 

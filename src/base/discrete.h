@@ -18,6 +18,7 @@ class DiscreteDistribution {
   }
   size_t size() const { return cdf_.empty() ? 0 : cdf_.size() - 1; }
   double total() const { return total_; }
+  size_t bytes() const { return cdf_.capacity() * sizeof(double); }
   float probability(size_t i) const { return float(cdf_[i + 1] - cdf_[i]); }
 
   struct Sample {

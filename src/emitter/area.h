@@ -24,6 +24,9 @@ class AreaEmitter : public Emitter {
   Rgb flux_rgb() const override;
   Vec3 center() const override { return center_; }
   float radius() const override { return radius_; }
+  size_t bytes() const override {
+    return triangles_.capacity() * sizeof(EmitterTriangle) + normals_.capacity() * sizeof(Vec3) + by_area_.bytes();
+  }
   Outline outline() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;

@@ -31,4 +31,11 @@ EmitterSet::Choice EmitterSet::choose_emission(float u) const {
 
 float EmitterSet::emission_probability(size_t i) const { return by_flux_.probability(i); }
 
+size_t EmitterSet::bytes() const {
+  constexpr size_t of_one = 400;  // of any kind, with its pointer
+  size_t sum = by_flux_.bytes() + direct_.bytes() + emitters_.size() * of_one;
+  for (const auto& e : emitters_) sum += e->bytes();
+  return sum;
+}
+
 }  // namespace ups

@@ -22,6 +22,7 @@ class EmitterSet {
   size_t size() const { return emitters_.size(); }
   const Emitter& operator[](size_t i) const { return *emitters_[i]; }
   double flux_lm() const { return flux_lm_; }
+  size_t bytes() const;
 
   using Choice = EmitterChoice;
   // For a light path: in proportion to flux.

@@ -42,6 +42,11 @@ class LightTree {
 
   EmitterChoice choose(const Receiver& receiver, float u) const;
   float probability(const Receiver& receiver, size_t emitter) const;
+  size_t bytes() const {
+    return nodes_.capacity() * sizeof(Node) + lobes_.capacity() * sizeof(Lobe) + fine_.size() * sizeof(FineTable) +
+           coarse_.size() * sizeof(CoarseTable) + lanes_.capacity() * sizeof(Lanes) +
+           (emitter_of_node_.capacity() + leaf_of_emitter_.capacity()) * sizeof(uint32_t);
+  }
 
  private:
   struct Node {

@@ -21,6 +21,7 @@ class RaySet {
   Vec3 lower() const { return lower_; }
   Vec3 upper() const { return upper_; }
   size_t size() const { return profile_->rays.size(); }
+  size_t bytes() const { return profile_->rays.capacity() * sizeof(photometry::Ray) + by_flux_.bytes(); }
   // As many rays of equal flux would have the same noise.
   double effective_size() const { return effective_size_; }
 
@@ -36,6 +37,7 @@ class RayEmitter : public Emitter {
   // frame: s, t, n are the file's x, y, z; scale: multiplies the rays' fluxes.
   RayEmitter(std::shared_ptr<const RaySet> rays, const Frame& frame, const Vec3& p, const Rgb& scale);
 
+  const RaySet& rays() const { return *rays_; }
   EmitterKind kind() const override { return EmitterKind::rays; }
   bool is_delta() const override { return true; }
   bool is_direct() const override { return false; }

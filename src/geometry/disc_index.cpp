@@ -97,6 +97,10 @@ DiscIndex::DiscIndex(std::vector<Disc> discs, ThreadPool& pool) : impl_(std::mak
 
 DiscIndex::~DiscIndex() = default;
 
+size_t DiscIndex::bytes() const {
+  return impl_->discs.capacity() * sizeof(Disc) + (impl_->device ? impl_->device->bytes() : 0);
+}
+
 bool DiscIndex::empty() const { return impl_->discs.empty(); }
 
 const DiscIndex::Disc& DiscIndex::disc(uint32_t i) const { return impl_->discs[i]; }

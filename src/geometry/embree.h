@@ -11,6 +11,7 @@
 #else
 #include <embree3/rtcore.h>
 #endif
+#include <atomic>
 #include <cstdio>
 #include <mutex>
 #include <string>
@@ -88,11 +89,14 @@ class Device {
       throw Error(UPS_ERROR_INTERNAL, "Embree: no device, error " + std::to_string(code));
     }
     rtcSetDeviceErrorFunction(device_, &Device::on_error, this);
+    rtcSetDeviceMemoryMonitorFunction(device_, &Device::on_memory, this);
   }
   ~Device() { rtcReleaseDevice(device_); }
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
   operator RTCDevice() const { return device_; }
+  // Of trees and what they are built from, without buffers that are shared with it.
+  size_t bytes() const { return size_t(std::max<ssize_t>(0, bytes_.load(std::memory_order_relaxed))); }
 
   void check() {
     const std::lock_guard lock(mutex_);
@@ -109,6 +113,11 @@ class Device {
     device.code_ = code;
     std::snprintf(device.message_, sizeof device.message_, "%s", text ? text : "unknown error");
   }
+  static bool on_memory(void* self, ssize_t bytes, bool) {
+    static_cast<Device*>(self)->bytes_.fetch_add(bytes, std::memory_order_relaxed);
+    return true;
+  }
+  std::atomic<ssize_t> bytes_{0};  // before the device, which tells of its end
   RTCDevice device_;
   std::mutex mutex_;
   RTCError code_ = RTC_ERROR_NONE;

@@ -73,6 +73,12 @@ Box bounding_box(const Mesh& mesh) {
   return box;
 }
 
+size_t Mesh::bytes() const {
+  return sizeof *this + positions.capacity() * sizeof(Vec3) + normals.capacity() * sizeof(Vec3) +
+         uvs.capacity() * sizeof(Vec2) + tangents.capacity() * sizeof(float) + indices.capacity() * sizeof(uint32_t) +
+         (revolution ? revolution->bands.capacity() * sizeof(RevolutionBand) : 0);
+}
+
 struct Raytracer::Impl {
   struct Placed {
     uint32_t traced;  // index
@@ -378,6 +384,12 @@ void Raytracer::each_triangle(const std::function<void(const Vec3d (&)[3])>& vis
     const size_t count = impl_->traced[instance.traced]->source->triangle_count();
     for (uint32_t t = 0; t < count; ++t) visit(impl_->triangle(instance, t).p);
   }
+}
+
+size_t Raytracer::bytes() const {
+  size_t sum = impl_->device.bytes() + impl_->placed.capacity() * sizeof(Impl::Placed);
+  for (const auto& traced : impl_->traced) sum += traced->bytes();
+  return sum;
 }
 
 size_t Raytracer::triangle_count() const { return impl_->triangles; }

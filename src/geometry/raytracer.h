@@ -22,6 +22,7 @@ struct Mesh {  // object space
   uint32_t material = 0;
   std::shared_ptr<const Revolution> revolution;  // where there is one it is traced; the triangles give the addresses
   size_t triangle_count() const { return indices.size() / 3; }
+  size_t bytes() const;
 };
 
 Box bounding_box(const Mesh& mesh);  // of its surface as it is traced
@@ -64,6 +65,7 @@ class Raytracer {
   bool visible(const SurfacePoint& a, const Vec3& b, float b_error) const;
 
   size_t triangle_count() const;  // instances expanded
+  size_t bytes() const;           // without the meshes
   // Vertices of each, in the scene's frame; of a surface of revolution those of its mesh.
   void each_triangle(const std::function<void(const Vec3d (&)[3])>& visit) const;
   Vec3 bounds_min() const;
@@ -92,6 +94,7 @@ class DiscIndex {
   // is crossed where the segment enters it, or at t = 0.
   void intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Crossing>& out) const;
   bool empty() const;
+  size_t bytes() const;
   const Disc& disc(uint32_t i) const;
 
  private:

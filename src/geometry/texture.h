@@ -16,6 +16,9 @@ class Texture {
   float last(const Vec2& uv) const;  // alpha of 4-channel textures
   float min_first() const { return min_first_; }
   bool coloured() const { return coloured_; }
+  size_t bytes() const {
+    return sizeof *this + (texels_.capacity() + values_.capacity()) * sizeof(float) + indices_.capacity();
+  }
 
  private:
   template <int C, class Texel>

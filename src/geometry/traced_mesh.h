@@ -45,6 +45,10 @@ struct TracedMesh {
   Affine to_frame, from_frame;
   std::vector<Piece> pieces;
 
+  size_t bytes() const {
+    return sizeof *this + positions.capacity() * sizeof(Vec3) + facets.capacity() * sizeof(Facet) +
+           (primitives.capacity() + indices.capacity()) * sizeof(uint32_t) + pieces.capacity() * sizeof(Piece);
+  }
   uint32_t primitive(uint32_t embree_primitive) const {
     return complete ? embree_primitive : primitives[embree_primitive];
   }

@@ -48,6 +48,13 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
   for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d);
 }
 
+// All meters' light, and beside it the choice of discs, then profiles, or batches of the statistics.
+double Accumulator::scratch_bytes(bool has_discs) {
+  constexpr double profiles = sizeof(RingProfile) + sizeof(MeterRings::Choice);
+  return sizeof(MeterLight) + std::max(sizeof(OwnBias) + sizeof(NeighbourCurvature) + has_discs * profiles,
+                                       MeterBatches::bytes_per_meter);
+}
+
 void Accumulator::add(const IterationTally& tally) {
   const uint32_t batch = iterations_ % batch_count, meter_batch = plan_.meter_pass(iterations_) % batch_count;
   const size_t columns = plan_.separation.columns.size();
@@ -144,6 +151,7 @@ std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs,
   std::vector<MeterLight> lights;
   lights.reserve(meters_[set].size());
   std::vector<OwnBias> own;
+  own.reserve(meters_[set].size());
   for (size_t m = 0; m < meters_[set].size(); ++m) {
     lights.push_back(light_of(set, m, discs, column));
     own.push_back(lights.back().own_bias());
@@ -161,14 +169,18 @@ MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
   const Choices discs = choose_discs(set);
   MeterSetReading r = read_meters(set, discs);
   r.separated.resize(plan_.separation.columns.size());
-  for (size_t c = 0; c < r.separated.size(); ++c)
+  for (size_t c = 0; c < r.separated.size(); ++c) {
+    r.separated[c].reserve(meters_[set].size());
     for (const MeterLight& light : lights_of(set, discs, c + 1)) r.separated[c].push_back(light.reading());
+  }
   return r;
 }
 
 MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const {
   MeterSetReading r;
   const std::vector<MeterLight> lights = lights_of(set, discs);
+  r.meters.reserve(lights.size()), r.flags.reserve(lights.size());
+  for (auto& part : r.parts) part.reserve(lights.size());
   for (const MeterLight& light : lights) {
     r.meters.push_back(light.reading());
     r.flags.push_back(light.flags(r.meters.back()));

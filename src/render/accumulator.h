@@ -39,10 +39,11 @@ struct ErrorSummary {
 class Accumulator {
  public:
   explicit Accumulator(const Snapshot& scene, const Plan& plan);
-  // Without MeterRings.
-  static constexpr double bytes_per_meter = sizeof(MeterSums) + sizeof(MeterLight) + sizeof(ups_meter_reading) +
-                                            2 * sizeof(ups_meter_part_reading) + sizeof(RingProfile) +
-                                            MeterBatches::bytes_per_meter;
+  // Of a meter, without MeterRings: its sums, as many again for each column of a separation; its reading, which is kept;
+  // and what reading its set takes besides.
+  static constexpr double sum_bytes = sizeof(MeterSums), reading_bytes = sizeof(ups_meter_reading),
+                          part_bytes = 2 * sizeof(ups_meter_part_reading) + sizeof(uint32_t);
+  static double scratch_bytes(bool has_discs);
   void add(const IterationTally& tally);  // the next iteration
   uint32_t iterations() const { return iterations_; }
   const WorkCounts& work() const { return work_; }

@@ -20,9 +20,9 @@ class GoniometerSums {
  public:
   // emitted_lm: by the scene's emitters; light_paths: an iteration, 0: none.
   GoniometerSums(const Goniometer& goniometer, double emitted_lm, uint32_t light_paths);
-  // Sums, one iteration's tally, the reading.
-  static constexpr double bytes_per_node =
-      2 * sizeof(double) * (batch_count + 1) + sizeof(ups_intensity_reading) + sizeof(float) * batch_count;
+  // Of a node: its sums, one iteration's tally, the reading.
+  static constexpr double sum_bytes = 2 * sizeof(double) * batch_count, tally_bytes = 2 * sizeof(double),
+                          reading_bytes = sizeof(ups_intensity_reading) + sizeof(float) * batch_count;
   void add(uint32_t batch, const GoniometerTally& tally);
   GoniometerReading read(uint32_t iterations) const;
   // Of each node that stands for itself: bound / max(I, 5 % of the peak), without light of what the emitters would

@@ -21,14 +21,17 @@ ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m
       illuminance_(camera.illuminance() ? camera.pixel_count() : 0), eye_(size_t(camera.pixel_count()) * 3),
       pending_(eye_.size()), largest_(camera.pixel_count()) {}
 
-double ImageSums::bytes_per_pixel(const Camera& camera, uint32_t technique_edges) {
-  constexpr double sums = 3 * (8 + 8 + 4 + 4 * batch_count) + sizeof(Sample) + PixelBias::bytes_per_pixel,
-                   reading = 3 * (4 + 4 + 4) + 4 + 2 * 4,
-                   gaps = 1 + 3 * 4 * (1.0 / 3);          // of fill_gaps()
-  const double illuminance = camera.illuminance() ? 8 + 4 * batch_count + 4 + 4 : 0;
-  constexpr double technique = 2 * 3 * (4 + 8 + 4);  // with weight and without: tally, sum, reading
-  return sums + reading + gaps + illuminance +
-         (technique_edges ? technique * (technique_count(technique_edges) + 1) : 0);
+ImageSums::Bytes ImageSums::bytes_per_pixel(const Camera& camera, const TransportSettings& settings, double passes) {
+  const double batches = std::min<double>(std::floor(passes), batch_count), begun = std::min(std::ceil(passes), 16.0);
+  const bool splats = settings.has(UPS_TECHNIQUE_SENSOR_CONNECT), merges = settings.has(UPS_TECHNIQUE_MERGE);
+  const double illuminance = camera.illuminance(), techniques = technique_count(settings.technique_edges),
+               families = settings.technique_edges ? 2 : 0;
+  Bytes b;
+  b.sums = sizeof(Sample) + 3 * (8 + 4 + 8 * splats + 4 * batches) + merges * PixelBias::bytes_per_pixel(batches) +
+           illuminance * (8 + 4 * begun) + 3 * (8 + 4) * (2 * techniques + families);
+  b.reading = 3 * (4 + 4 + 4) + 2 * 4 + 2 * 4 * illuminance + 3 * 4 * (2 * techniques + families);
+  b.scratch = std::max(4 + 4.0, techniques > 0 ? 8 + 4.0 : 0);  // visits; luminance, or the techniques' scales
+  return b;
 }
 
 void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
@@ -239,6 +242,7 @@ bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, d
   if (n < min_batches) return false;
   const ImageReading image = read(iterations);
   const size_t pixels = image.luminance_rgb.size() / 3;
+  out.reserve(out.size() + pixels);
   double mean = 0, of_dark = 0;
   for (size_t p = 0; p < pixels; ++p) mean += luminance_at(image.luminance_rgb, p) / double(pixels);
   const bool lit = mean > 0;

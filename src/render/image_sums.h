@@ -32,9 +32,12 @@ class ImageSums {
  public:
   // emitted_cd_m2: luminance of the scene's bounding sphere, were it to give off all light of the emitters.
   ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2);
-  // What the camera's image takes while it renders and is read: sums, batches, radii, the reading. technique_edges: of
-  // TransportSettings; with them one iteration's tally too.
-  static double bytes_per_pixel(const Camera& camera, uint32_t technique_edges);
+  // What the camera's image takes, a pixel: its sums, where techniques are asked for with an iteration's tally; the
+  // reading, which is kept; and what reading it takes besides. passes: of all pixels.
+  struct Bytes {
+    double sums, reading, scratch;
+  };
+  static Bytes bytes_per_pixel(const Camera& camera, const TransportSettings& settings, double passes);
 
   void add(uint32_t iteration, const IterationTally& tally, size_t camera);
   ImageReading read(uint32_t iterations) const;  // without its techniques

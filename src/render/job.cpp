@@ -1,12 +1,11 @@
 // See job.h: what is asked for is checked, then the loop over iterations, its limits, progress, and the result.
 #include "render/job.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
+#include "base/machine_memory.h"
 #include "base/text.h"
 #include "base/thread.h"
 #include "render/dropped_text.h"
@@ -55,21 +54,13 @@ void check(const ups_render_desc& d) {
     fail_argument("nothing would end this render: set time_limit_s, target_relative_error or iteration_count");
 }
 
-// Linux grants more memory than there is and ends the process that takes it.
-void check_memory(const Snapshot& scene, uint32_t technique_edges, const Separation& separation, bool merges) {
-  double needed = 0;
-  for (const Camera& c : scene.cameras) needed += c.pixel_count() * ImageSums::bytes_per_pixel(c, technique_edges);
-  for (const MeterSet& set : scene.meter_sets)
-    needed += double(set.meters.size()) * double(separation.columns.size() + 1) * Accumulator::bytes_per_meter;
-  const size_t rows = merges ? ring_rows(scene, separation) : 0;
-  needed += double(rows) * MeterRings::bytes_per_row(MeterDiscs::rings_for(rows), true);
-  for (const Goniometer& g : scene.goniometers) needed += double(g.node_count()) * GoniometerSums::bytes_per_node;
-  const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-  if (needed > there)
-    throw Error(UPS_ERROR_OUT_OF_MEMORY,
-                "the cameras' images, the meters' readings and the goniometers need " +
-                    std::to_string(int64_t(needed / 1e9)) + " GB while they are rendered, the machine has " +
-                    std::to_string(int64_t(there / 1e9)));
+// As much as there is may be more than a size holds.
+size_t whole(double bytes) { return size_t(std::clamp(bytes, 0.0, 0x1p62)); }
+
+// Where light paths want more than is left.
+std::string advice_of(const AllowedMemory& allowed) {
+  return " by " + allowed.limit +
+         ": fewer light_paths_per_iteration, a max_path_length, or more memory would be right";
 }
 
 }  // namespace
@@ -87,8 +78,6 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
         "merges");
   for (const Camera& c : scene_->cameras) reading_s_ += c.pixel_count() * reading_s_of_pixel;
   reading_s_ = std::min(reading_s_, 0.5 * desc_.time_limit_s);
-  check_memory(*scene_, desc_.technique_images, separate(*scene_, desc_.separation),
-               method_.techniques & UPS_TECHNIQUE_MERGE);
   if (scene_->cameras.empty() && scene_->meter_sets.empty() && scene_->goniometers.empty())
     throw Error(UPS_ERROR_INVALID_STATE,
                 "the scene has no sensor: add a camera, meters or a goniometer before ups_scene_commit");
@@ -100,6 +89,11 @@ RenderJob::~RenderJob() {
 }
 
 void RenderJob::start() {
+  const TransportSettings settings = settings_of(desc_, method_);
+  const MemoryEstimate least = least_memory(*scene_, settings, desc_);
+  allowed_ = allowed_memory(least, desc_);
+  check_memory(least, allowed_, *scene_, make_plan(*scene_, settings));
+  memory_.set(whole(allowed_.bytes - least.scene), advice_of(allowed_));
   thread_ = start_thread("job", [this] { run(); });
 }
 
@@ -139,8 +133,58 @@ void RenderJob::set_deadline(double share_of_tolerance, double reserved_s) {
                                                     std::chrono::duration<double>(seconds)));
 }
 
+void RenderJob::make_integrator() {
+  TransportSettings settings = settings_of(desc_, method_);
+  settings.memory = &memory_;
+  integrator_ = std::make_unique<Integrator>(scene_, settings, *pool_, stop_);
+}
+
+ups_memory_estimate RenderJob::estimate() {
+  const MemoryEstimate least = least_memory(*scene_, settings_of(desc_, method_), desc_);
+  allowed_ = allowed_memory(least, desc_);
+  memory_.set(whole(double(available_memory().bytes)), "");  // of its pilots
+  make_integrator();
+  return in_bytes(estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_));
+}
+
+ups_memory_estimate RenderJob::memory() const {
+  const std::lock_guard lock(mutex_);
+  if (!estimated_) throw Error(UPS_ERROR_INVALID_STATE, "the job is not prepared yet, or failed before it was");
+  return *estimated_;
+}
+
+ups_memory_estimate RenderJob::in_bytes(const MemoryEstimate& m) const {
+  ups_memory_estimate out{};
+  out.struct_size = sizeof out;
+  out.scene_bytes = uint64_t(m.scene);
+  out.working_bytes = uint64_t(m.working());
+  out.light_bytes = uint64_t(m.light_paths);
+  out.result_bytes = uint64_t(m.reading);
+  out.peak_bytes = uint64_t(m.peak());
+  out.allowed_bytes = whole(allowed_.bytes);
+  return out;
+}
+
+// The machine grants more memory than there is and ends the process that takes it.
+void RenderJob::take_memory() {
+  const MemoryEstimate m = estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_);
+  if (stop_.is_set()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    estimated_ = in_bytes(m);
+  }
+  check_memory(m, allowed_, *scene_, integrator_->plan());
+  // Others may take a result, and the sums one more look at the errors.
+  const double meanwhile = m.scene + m.sums() + m.iteration + 2 * (m.reading + m.scratch);
+  is_read_meanwhile_ = meanwhile + m.light_paths <= allowed_.bytes;
+  const double left = allowed_.bytes - (is_read_meanwhile_ ? meanwhile : m.fixed_while_tracing());
+  memory_.set(whole(left), advice_of(allowed_));
+  queue_.set_most_bytes(whole(std::min(left - m.light_paths, double(TallyQueue::default_bytes))));
+}
+
 void RenderJob::prepare() {
-  integrator_ = std::make_unique<Integrator>(scene_, settings_of(desc_, method_), *pool_, stop_);
+  make_integrator();
+  take_memory();
   books_flux_ = integrator_->books_flux();
   auto sums = std::make_unique<Accumulator>(*scene_, integrator_->plan());
   queue_.read([&] {
@@ -268,6 +312,9 @@ ups_status RenderJob::wait(uint32_t timeout_ms, std::string& message) const {
 }
 
 std::shared_ptr<const RenderResult> RenderJob::result() const {
+  if (!is_read_meanwhile_ && progress().state == UPS_JOB_RUNNING)
+    throw Error(UPS_ERROR_OUT_OF_MEMORY, allowed_.limit + " leaves no room for a result while the job renders: take it "
+                                             "after its end, or allow more memory");
   return queue_.read([this] { return read(); });
 }
 

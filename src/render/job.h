@@ -12,6 +12,7 @@
 #include "base/stop.h"
 #include "render/accumulator.h"
 #include "render/accuracy.h"
+#include "render/memory_estimate.h"
 #include "render/method.h"
 #include "render/progress.h"
 #include "render/replay.h"
@@ -41,7 +42,11 @@ class RenderJob {
   RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_desc& desc, std::shared_ptr<ThreadPool> pool);
   ~RenderJob();  // cancels and joins
 
+  // Throws Error where it is clear that too much memory is wanted.
   void start();
+  // In place of start(): what it would take.
+  ups_memory_estimate estimate();
+  ups_memory_estimate memory() const;  // the same of a job that was started; throws INVALID_STATE while it prepares
   void cancel() { stop_.cancel(); }
   ups_progress progress() const;  // waits for nothing, as cancel()
   Accuracy accuracy() const;      // neither
@@ -56,6 +61,9 @@ class RenderJob {
   using Clock = StopSignal::Clock;
   void run();
   void iterate();
+  void make_integrator();
+  void take_memory();
+  ups_memory_estimate in_bytes(const MemoryEstimate& m) const;
   void prepare();
   void set_deadline(double share_of_tolerance, double reserved_s);
   void deliver(TallyQueue::Delivery& delivery);
@@ -73,6 +81,9 @@ class RenderJob {
   ups_render_desc desc_;
   std::shared_ptr<ThreadPool> pool_;
   MethodChoice method_;
+  AllowedMemory allowed_;
+  MemoryBudget memory_;  // of light paths
+  bool is_read_meanwhile_ = true;  // memory allows it
   std::unique_ptr<Integrator> integrator_;
   StopSignal stop_;
   double reading_s_ = 0;  // of the time limit, kept for reading what was found
@@ -93,6 +104,7 @@ class RenderJob {
   uint32_t iterations_ = 0;  // traced; the sums may not have the last ones yet
   double elapsed_ = 0;
   float worst_ = -1, median_ = -1;  // relative errors
+  std::optional<ups_memory_estimate> estimated_;
   Accuracy accuracy_;               // but for its times
   std::optional<ProgressEstimate> estimate_;  // none before the first iteration begins
 };

@@ -14,7 +14,7 @@ namespace ups {
 class PixelBias {
  public:
   static constexpr uint32_t side = 8;  // of a square, pixels
-  static constexpr double bytes_per_pixel = 4 + 4 + double(batch_count + 1) * 8 / (side * side);
+  static double bytes_per_pixel(double batches) { return 4 + 4 + (batches + 1) * 8 / (side * side); }
 
   PixelBias(uint32_t width, uint32_t height)
       : columns_((width + side - 1) / side), width_(width), sums_(size_t(width) * height), squares_(sums_.size()),

@@ -21,9 +21,11 @@ class TallyQueue {
     WorkCounts flux;            // of paths that only book flux
     double elapsed_s = 0;
   };
+  static constexpr size_t default_bytes = size_t(256) << 20;
   // add: called by one thread at a time, in the order of delivery. most_bytes: of deliveries that wait for a reader.
-  explicit TallyQueue(std::function<void(const Delivery&)> add, size_t most_bytes = size_t(256) << 20)
+  explicit TallyQueue(std::function<void(const Delivery&)> add, size_t most_bytes = default_bytes)
       : add_(std::move(add)), most_bytes_(most_bytes) {}
+  void set_most_bytes(size_t bytes) { most_bytes_ = bytes; }  // before the first delivery
 
   // Waits only where too much waits already, until `stop` is set. `delivery` becomes one whose memory can be used
   // again. Throws what `add` threw in any thread.
@@ -48,7 +50,7 @@ class TallyQueue {
   bool take(Delivery& out, bool release);
 
   const std::function<void(const Delivery&)> add_;
-  const size_t most_bytes_;
+  size_t most_bytes_;
   std::mutex mutex_;  // guards all below; never held for long
   std::condition_variable changed_;
   std::deque<Delivery> waiting_;

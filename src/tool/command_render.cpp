@@ -21,6 +21,7 @@ int render(const RenderOptions& options) {
   tell_interruption(finished);
   if (!finished.result) return exit_interrupted;
   Report report = make_report(options.scene, scene, finished.result.get());
+  report.memory = finished.memory;
   const std::string advice =
       finished.target > 0 ? advice_text(finished.target, finished.time_limit_s,
                                         predict(finished.result.get(), finished.target), report.worst_meter)

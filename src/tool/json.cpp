@@ -1,4 +1,6 @@
 // Reports as JSON, the program's contract with scripts. The only file of the program that includes nlohmann/json.
+#include <sys/resource.h>
+
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -47,6 +49,15 @@ ordered_json worst_meter_json(const WorstMeter& worst) {
           {"position_m", {number(e.position_m[0]), number(e.position_m[1]), number(e.position_m[2])}},
           {"relative_error", number(e.relative_error)},
           {"bias_share", number(e.bias_share)}};
+}
+
+// What was foretold, and the most that the program had resident, writing of files not yet among it.
+ordered_json memory_json(const ups_memory_estimate& m) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return {{"scene_bytes", m.scene_bytes},   {"working_bytes", m.working_bytes}, {"light_bytes", m.light_bytes},
+          {"result_bytes", m.result_bytes}, {"peak_bytes", m.peak_bytes},       {"allowed_bytes", m.allowed_bytes},
+          {"resident_bytes", uint64_t(usage.ru_maxrss) * 1024}};
 }
 
 }  // namespace
@@ -138,6 +149,7 @@ std::string to_json(const Report& report) {
                  {"light_paths", info.light_paths},
                  {"connections", info.connections},
                  {"merges", info.merges}}},
+               {"memory", memory_json(report.memory)},
                {"meters", meters},
                {"cameras", cameras},
                {"convergence", convergence},

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <system_error>
 
 #include "tool/options.h"
@@ -64,6 +65,23 @@ std::string parse_size(const std::string& text, uint32_t& width, uint32_t& heigh
     return {};
   }
   return "must be WIDTHxHEIGHT, each from 1 to 16384, such as 640x480, not '" + text + "'";
+}
+
+// A number of bytes, with K, M, G or T thousands of them and so on; the text of what is wrong, or none.
+std::string parse_bytes(const std::string& text, uint64_t& bytes) {
+  constexpr std::string_view units = "KMGT";
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  const std::string_view unit(parsed.ptr, size_t(end - parsed.ptr));
+  const size_t power = unit.empty() ? 0 : units.find(unit[0]) + 1;
+  const bool known = unit.empty() || (power > 0 && (unit.size() == 1 || unit.substr(1) == "B"));
+  value *= std::pow(1000.0, double(power));
+  if (parsed.ec == std::errc() && known && value >= 1 && value <= 1e18) {
+    bytes = uint64_t(value);
+    return {};
+  }
+  return "must be a number of bytes such as 800M, 2.5G or 4000000000, not '" + text + "'";
 }
 
 // Within the method: for comparisons and for those who know what they look for.
@@ -203,6 +221,18 @@ void add_job_options(CLI::App& command, JobOptions& options, const std::vector<s
   command.add_option("--seed", options.desc.seed, "Same seed and iterations, same result (1)")
       ->check(CLI::Validator(whole, ""))
       ->type_name("N");
+  command
+      .add_option_function<std::string>(
+          "--memory-limit", [&options](const std::string& text) { parse_bytes(text, options.desc.memory_limit_bytes); },
+          "That scene and render may take together, such as 500M or 2G; without it what the machine and its control "
+          "groups leave")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            uint64_t bytes;
+            return parse_bytes(text, bytes);
+          },
+          ""))
+      ->type_name("BYTES");
 }
 
 void add_render(CLI::App& app, RenderOptions& options) {

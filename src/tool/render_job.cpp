@@ -34,16 +34,16 @@ std::string foretell(const ups_job* job, double target) {
   return "";
 }
 
-// Waits for the job's end. False where it was interrupted.
-bool wait_for(ups_job* job, double target) {
+// Waits for the job's end: OK, CANCELLED or OUT_OF_MEMORY, after which there may be results; throws any other error.
+ups_status wait_for(ups_job* job, double target) {
   Progress progress;
   bool cancelled = false;
   for (;;) {
     const ups_status status = ups_job_wait(job, poll_interval_ms);
     if (status != UPS_TIMEOUT && status != UPS_CANCELLED) {
       progress.finish();
-      check(status);
-      return true;
+      if (status != UPS_ERROR_OUT_OF_MEMORY) check(status);
+      return status;
     }
     ups_progress state{};
     state.struct_size = sizeof state;
@@ -51,7 +51,7 @@ bool wait_for(ups_job* job, double target) {
     progress.update(state, foretell(job, target));
     if (status == UPS_CANCELLED) {
       progress.finish();
-      return false;
+      return status;
     }
     if (interrupted() && !cancelled) {
       ups_job_cancel(job);
@@ -69,11 +69,16 @@ Finished run_render(const ups_scene* scene, ups_render_desc desc) {
   ups_job* started = nullptr;
   check(ups_job_start(scene, &desc, &started));
   const Job job(started);
-  const bool complete = wait_for(job.get(), desc.target_relative_error);
+  const ups_status end = wait_for(job.get(), desc.target_relative_error);
+  const std::string failure = end == UPS_ERROR_OUT_OF_MEMORY ? ups_last_error() : "";
+  ups_memory_estimate memory{};
+  memory.struct_size = sizeof memory;
+  ups_job_get_memory_estimate(job.get(), &memory);  // 0 where it was interrupted before
   ups_result* taken = nullptr;
   const ups_status status = ups_job_result(job.get(), &taken);
-  if (complete || status != UPS_ERROR_INVALID_STATE) check(status);
-  return {Result(taken), complete, desc.target_relative_error, desc.time_limit_s};
+  if (status == UPS_ERROR_INVALID_STATE && !failure.empty()) throw Failure(failure);
+  if (end == UPS_OK || status != UPS_ERROR_INVALID_STATE) check(status);
+  return {Result(taken), end == UPS_OK, desc.target_relative_error, desc.time_limit_s, memory, failure};
 }
 
 void tell_interruption(const Finished& finished) {
@@ -85,7 +90,8 @@ void tell_interruption(const Finished& finished) {
   ups_result_info info{};
   info.struct_size = sizeof info;
   check(ups_result_get_info(finished.result.get(), &info));
-  std::fprintf(stderr, "ups: interrupted; the results are those of %u iterations\n", info.iterations);
+  std::fprintf(stderr, "ups: %s; the results are those of %u iterations\n",
+               finished.failure.empty() ? "interrupted" : finished.failure.c_str(), info.iterations);
 }
 
 }  // namespace ups::tool

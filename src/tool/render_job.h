@@ -10,13 +10,15 @@ struct Finished {
   Result result;  // none: interrupted before the first iteration
   bool complete;  // false: interrupted
   double target, time_limit_s;  // that the render had; 0: none
-  int exit_code() const { return complete ? exit_done : exit_interrupted; }
+  ups_memory_estimate memory;
+  std::string failure;          // why it ended early, where it has results all the same
+  int exit_code() const { return complete ? exit_done : failure.empty() ? exit_interrupted : exit_failed; }
 };
 
 // desc: without any limit it gets those of the program, 2 % and 60 s. Throws Failure.
 Finished run_render(const ups_scene* scene, ups_render_desc desc);
 
-// On standard error, what an interrupted render has; nothing of a complete one.
+// On standard error, what a render has that was interrupted or ran out of memory; nothing of a complete one.
 void tell_interruption(const Finished& finished);
 
 }  // namespace ups::tool

@@ -50,6 +50,7 @@ struct Report {
   std::optional<WorstMeter> worst_meter;
   std::vector<std::string> advice;
   std::vector<SampleReport> largest_samples;
+  ups_memory_estimate memory{};
 };
 
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);

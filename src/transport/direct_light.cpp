@@ -38,6 +38,13 @@ DirectLight::DirectLight(const Snapshot& scene, const Plan& plan, const Transpor
   }
 }
 
+size_t DirectLight::bytes() const {
+  size_t sum = 0;
+  for (const auto& set : meters_) sum += set.size() * sizeof(OfMeter);
+  for (const auto& set : separated_) sum += set.size() * sizeof(double);
+  return sum;
+}
+
 void DirectLight::find(const Iteration& in, ThreadPool& pool, WorkCounts& work) {
   if (in.plan.meter_pass(in.number) > 0) return;
   constexpr size_t per_block = 16;

@@ -16,6 +16,7 @@ class DirectLight {
   void find(const Iteration& in, ThreadPool& pool, WorkCounts& work);
   // Adds it to what the iteration found.
   void add(const Iteration& in, IterationTally& tally) const;
+  size_t bytes() const;
   // All light straight from the emitters of plan.exact to every point meter is found here.
   bool finds_all() const { return !meters_.empty() && emitters_.size() <= most_; }
   // Light of an emitter of plan.exact that would bring at least so much, unoccluded, is found here.

@@ -124,6 +124,11 @@ Photons Integrator::trace_light(const Iteration& in, const SensorIndex& sensors,
   tally.light_work = tally.work;
   if (in.stop.is_set()) return photons;
   const double pixel_radius2 = plan_.radius2(largest_pixel_radius_, in.camera_shrinkage);
+  if (in.has(UPS_TECHNIQUE_MERGE)) {
+    size_t merged = 0;
+    for (const LightVertex& v : photons.paths.vertices) merged += v.merge;
+    photons.paths.share.take(2 * PhotonIndex::bytes(merged));
+  }
   pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
     const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
     if (radius > 0)
@@ -148,6 +153,13 @@ void Integrator::look_from_meters(uint32_t iteration, const StopSignal& stop, Wo
   if (plan_.meter_pass(iteration) > 0) return;
   if (iteration > 0) look_around_meters(*scene_, pool_, stop, iteration, plan_);
   direct_.find(Iteration(*scene_, plan_, settings_, iteration, stop), pool_, work);
+}
+
+double Integrator::bytes_of_light_paths(const StopSignal& stop) const {
+  constexpr uint32_t few = 1024;
+  if (!settings_.traces_light() || plan_.light_paths == 0) return 0;
+  const Iteration in = Iteration::of_pilot(*scene_, plan_, settings_, 0, stop, Stream::pilot);
+  return count_light_pass(in, SensorIndex(in, pool_), pool_, few).bytes(plan_.light_paths);
 }
 
 bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally& tally) {

@@ -26,6 +26,9 @@ class Integrator {
   // Its light paths are whole, and show where all flux goes.
   bool books_flux() const { return settings_.traces_light() && !plan_.traces_caustics_alone(); }
   const Snapshot& scene() const { return *scene_; }
+  size_t bytes() const { return plan_.bytes() + direct_.bytes(); }
+  // That an iteration's light paths, their index and what they bring are expected to take.
+  double bytes_of_light_paths(const StopSignal& stop) const;
   // Iterations from 0, in order. False where `stop` was set on the way: the tally is then incomplete. The same bits for
   // any number of threads.
   bool run(uint32_t iteration, const StopSignal& stop, IterationTally& tally);

@@ -1,8 +1,11 @@
 // See light_pass.h: one light path (LightWalk), blocks of paths on all threads, and what blocks found put in order.
 #include "transport/light_pass.h"
 
+#include <bit>
+#include <cmath>
 #include <limits>
 
+#include "transport/photon_index.h"
 #include "transport/selection.h"
 #include "transport/techniques.h"
 
@@ -40,6 +43,7 @@ struct Block {
   std::vector<IterationTally::Start> starts;
   WorkCounts work;
   std::vector<DiscIndex::Crossing> crossings;
+  MemoryShare share;  // of all but these
 };
 
 class LightWalk : Subpath<LightWalk, TransportMode::importance> {
@@ -58,7 +62,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (!emit()) return;
     walk();
     if (in_.trains_guide)
-      block_.starts.push_back({emitter_index_, square_, useful_ ? luminance(start_carried_) : 0.0f});
+      block_.share.push_back(block_.starts, {emitter_index_, square_, useful_ ? luminance(start_carried_) : 0.0f});
   }
 
  private:
@@ -73,7 +77,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       if (!met_.found) {
         if (!carry(met_.transmittance_of_earlier(scene_))) return;
         work_.flux.escaped += luminance(carried_);
-        if (!scene_.goniometers.empty()) block_.escapes.push_back({direction_, luminance(carried_)});
+        if (!scene_.goniometers.empty()) block_.share.push_back(block_.escapes, {direction_, luminance(carried_)});
         return;
       }
       if (!carry(met_.transmittance(scene_, met_.distance))) return;
@@ -163,9 +167,11 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (in_.recorder) in_.recorder->landed(c, {1, c.value, weight}, p, e.set, e.meter);
     if (!std::isfinite(value)) return drop(cell ? Drop::sensor_hit : Drop::merge, p);
     useful_ |= casters_ && a > 1;
-    block_.landings.push_back({crossing.disc, emitter_index_,
-                               MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0, PathNumber::light(path_)), ring,
-                               MeterDiscs::octant_of(x, y), value * e.area, c.relative(1)});
+    block_.share.push_back(
+        block_.landings,
+        {crossing.disc, emitter_index_,
+         MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0, PathNumber::light(path_)), ring,
+         MeterDiscs::octant_of(x, y), value * e.area, c.relative(1)});
   }
 
   void store(const LightEnd& light) {
@@ -185,7 +191,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     v.lambertian = light.bsdf->min_alpha_continuous() == 1;
     v.both_sides = light.bsdf->transmits_continuously();
     v.mis = light.state;
-    block_.vertices.push_back(v);
+    block_.share.push_back(block_.vertices, v);
     ++block_.counts.back();
     useful_ |= casters_ && light.edges > 1;
     ++work_.light_vertices;
@@ -202,7 +208,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const Rgb unweighted = c.value * way.transmittance, value = unweighted * float(weight);
     if (in_.recorder) in_.recorder->splatted(c, {way.pass, unweighted, weight}, camera, found->pixel);
     if (!is_finite(value)) return drop(Drop::sensor_connect, light.surface.p);
-    block_.splats.push_back({{found->pixel, path_, value}, unweighted, camera, c.technique.edges, c.relative(way.pass)});
+    block_.share.push_back(block_.splats, {{found->pixel, path_, value}, unweighted, camera, c.technique.edges,
+                                           c.relative(way.pass)});
   }
 
   const SensorIndex& sensors_;
@@ -216,11 +223,12 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   EmissionSample start_;
 };
 
-std::vector<Block> run_blocks(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool) {
-  std::vector<Block> blocks((in.plan.light_paths + paths_per_block - 1) / paths_per_block);
-  pool.for_blocks(in.plan.light_paths, paths_per_block, [&](size_t b, size_t begin, size_t end) {
+std::vector<Block> run_blocks(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, uint32_t paths) {
+  std::vector<Block> blocks((paths + paths_per_block - 1) / paths_per_block);
+  pool.for_blocks(paths, paths_per_block, [&](size_t b, size_t begin, size_t end) {
     Block& block = blocks[b];
     if (in.stop.is_set()) return;
+    block.share = MemoryShare(in.settings.memory);
     block.counts.reserve(end - begin);
     for (size_t path = begin; path < end; ++path) {
       block.counts.push_back(0);
@@ -230,16 +238,47 @@ std::vector<Block> run_blocks(const Iteration& in, const SensorIndex& sensors, T
   return blocks;
 }
 
+std::vector<LightVertex> all_vertices(const std::vector<Block>& blocks, size_t more_bytes, MemoryShare& share) {
+  size_t total = 0;
+  for (const Block& b : blocks) total += b.vertices.size();
+  share.take(total * sizeof(LightVertex) + more_bytes);
+  std::vector<LightVertex> vertices;
+  vertices.reserve(total);
+  for (const Block& b : blocks) vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.end());
+  return vertices;
+}
+
+// For what the blocks found: as much as they did, and no more.
+void reserve(const std::vector<Block>& blocks, const SensorIndex& sensors, IterationTally& tally) {
+  std::vector<size_t> splats(tally.splats.size()), landings(tally.landings.size());
+  for (const Block& b : blocks) {
+    for (const Block::CameraSplat& s : b.splats) ++splats[s.camera];
+    for (const Block::Landing& l : b.landings) landings[sensors.entry(l.disc).set] += l.ring != none;
+  }
+  size_t bytes = 0;
+  for (const size_t n : splats) bytes += n * sizeof(Splat);
+  for (const size_t n : landings) bytes += n * sizeof(MeterLanding);
+  tally.share.take(bytes);
+  for (size_t c = 0; c < splats.size(); ++c) tally.splats[c].reserve(splats[c]);
+  for (size_t s = 0; s < landings.size(); ++s) tally.landings[s].reserve(landings[s]);
+}
+
+// Of an array that push_back() grew.
+double grown_bytes(double size, size_t of_one) {
+  return size > 0 ? double(std::bit_ceil(uint64_t(std::ceil(size)))) * double(of_one) : 0;
+}
+
 }  // namespace
 
 LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool,
                              IterationTally& tally) {
-  const std::vector<Block> blocks = run_blocks(in, sensors, pool);
+  const std::vector<Block> blocks = run_blocks(in, sensors, pool, in.plan.light_paths);
   LightPaths paths;
+  paths.share = MemoryShare(in.settings.memory);
+  paths.vertices = all_vertices(blocks, (in.plan.light_paths + 1) * sizeof(uint32_t), paths.share);
   paths.begin.reserve(in.plan.light_paths + 1);
-  size_t total = 0;
-  for (const Block& b : blocks) total += b.vertices.size();
-  paths.vertices.reserve(total);
+  tally.share = MemoryShare(in.settings.memory);
+  reserve(blocks, sensors, tally);
   const size_t columns = in.plan.separation.columns.size();
   uint32_t at = 0;
   for (const Block& b : blocks) {
@@ -247,7 +286,6 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
       paths.begin.push_back(at);
       at += n;
     }
-    paths.vertices.insert(paths.vertices.end(), b.vertices.begin(), b.vertices.end());
     for (const Block::CameraSplat& s : b.splats) {
       tally.splats[s.camera].push_back(s.splat);
       if (in.moments) {
@@ -292,10 +330,34 @@ void retrace_light_path(const Iteration& in, const SensorIndex& sensors, uint32_
 }
 
 std::vector<LightVertex> trace_pilot_vertices(const Iteration& in, ThreadPool& pool) {
-  std::vector<LightVertex> vertices;
-  for (const Block& b : run_blocks(in, {}, pool))
-    vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.end());
-  return vertices;
+  MemoryShare share(in.settings.memory);
+  return all_vertices(run_blocks(in, {}, pool, in.plan.light_paths), 0, share);
+}
+
+LightPassCounts count_light_pass(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, uint32_t paths) {
+  paths = std::clamp(paths, 1u, in.plan.light_paths);
+  LightPassCounts n;
+  for (const Block& b : run_blocks(in, sensors, pool, paths)) {
+    n.vertices += double(b.vertices.size()) / paths;
+    for (const LightVertex& v : b.vertices) n.merged += double(v.merge) / paths;
+    n.splats += double(b.splats.size()) / paths;
+    n.landings += double(b.landings.size()) / paths;
+    n.escapes += double(b.escapes.size()) / paths;
+  }
+  return n;
+}
+
+double LightPassCounts::bytes(uint32_t paths) const {
+  const double blocks = std::ceil(double(paths) / paths_per_block), of_block = paths / blocks;
+  const double tracing = blocks * (sizeof(Block) + of_block * sizeof(uint32_t) +
+                                   grown_bytes(of_block * vertices, sizeof(LightVertex)) +
+                                   grown_bytes(of_block * splats, sizeof(Block::CameraSplat)) +
+                                   grown_bytes(of_block * landings, sizeof(Block::Landing)) +
+                                   grown_bytes(of_block * escapes, sizeof(Block::Escape))),
+               kept = paths * (vertices * sizeof(LightVertex) + sizeof(uint32_t)),
+               found = paths * (splats * sizeof(Splat) + landings * sizeof(MeterLanding)),
+               indices = 2 * double(PhotonIndex::bytes(size_t(paths * merged)));
+  return found + kept + std::max(tracing, indices);
 }
 
 }  // namespace ups

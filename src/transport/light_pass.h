@@ -14,6 +14,12 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
 
 // One of these paths alone, as a replay, for the iteration's recorder.
 void retrace_light_path(const Iteration& in, const SensorIndex& sensors, uint32_t path);
+// What a light path leaves in the mean, as a few of them show; what so many take while they are traced and used.
+struct LightPassCounts {
+  double vertices = 0, merged = 0, splats = 0, landings = 0, escapes = 0;
+  double bytes(uint32_t paths) const;
+};
+LightPassCounts count_light_pass(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, uint32_t paths);
 
 // What is thrown away after a radius is chosen from it.
 std::vector<LightVertex> trace_pilot_vertices(const Iteration& in, ThreadPool& pool);

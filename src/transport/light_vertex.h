@@ -42,6 +42,7 @@ struct LightVertex {
 struct LightPaths {
   std::vector<LightVertex> vertices;  // path by path
   std::vector<uint32_t> begin;        // N + 1
+  MemoryShare share;                  // of both
 };
 
 }  // namespace ups

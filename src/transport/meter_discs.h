@@ -34,6 +34,7 @@ class MeterDiscs {
   void look_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest);
 
   bool empty() const { return radius_.empty(); }
+  size_t bytes() const { return radius_.size() * (sizeof(float) + sizeof(double)) + limits_.size(); }
   uint32_t ring_count() const { return rings_; }
   float radius(uint32_t m) const { return radius_[m]; }
   double area(uint32_t m) const { return area_[m]; }

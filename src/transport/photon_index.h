@@ -35,6 +35,12 @@ class PhotonIndex {
   }
 
   bool empty() const { return photons_.empty(); }
+  // While it is built, at most.
+  static size_t bytes(size_t photons) {
+    const size_t buckets = std::bit_ceil(std::max<size_t>(photons, 16));
+    return std::bit_ceil(photons) * sizeof(uint32_t) + photons * (sizeof(uint32_t) + sizeof(Photon)) +
+           2 * buckets * sizeof(uint32_t);
+  }
 
   // visit(vertex index, squared distance) for every photon within the radius, each once.
   template <class Visit>

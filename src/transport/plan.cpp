@@ -89,6 +89,15 @@ void set_path_counts(const Snapshot& scene, const TransportSettings& settings, u
   plan.light_paths = uint32_t(std::clamp<uint64_t>(std::bit_ceil(eye), least, std::min(most, largest)));
 }
 
+size_t Plan::bytes() const {
+  size_t sum = guide.bytes() + gates.size() * sizeof(mis::Gates) + shares.size() * sizeof(TechniqueShare) +
+               separation.columns.size() * sizeof(ups_source_info) +
+               separation.column_of_emitter.size() * sizeof(uint32_t);
+  for (const auto& radii : pixel_radius) sum += radii.capacity() * sizeof(float);
+  for (const MeterDiscs& discs : meter_discs) sum += discs.bytes();
+  return sum;
+}
+
 size_t ring_rows(const Snapshot& scene, const Separation& separation) {
   size_t points = 0;
   for (const MeterSet& set : scene.meter_sets) points += set.is_cell() ? 0 : set.meters.size();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "emitter/guide.h"
 #include "scene/separation.h"
 #include "transport/meter_discs.h"
@@ -30,6 +31,7 @@ struct TransportSettings {
   uint32_t max_path_length = 0;  // edges; 0: none
   uint32_t light_paths = 0;      // a power of two; 0: chosen here
   float merge_radius = 0;        // 0: from the scene
+  MemoryBudget* memory = nullptr;  // of what grows within an iteration; null: it may take any
 
   bool has(uint32_t technique) const { return (techniques & technique) != 0; }
   bool traces_light() const {
@@ -147,6 +149,7 @@ struct Plan {
     return uint32_t(i) * meter_subsets + iteration % meter_subsets;
   }
   uint32_t meter_pass(uint32_t iteration) const { return iteration / meter_subsets; }
+  size_t bytes() const;
 };
 
 // Rows of sums that photons on discs may need: each point meter's, and one more of it a column.

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "base/vec.h"
 #include "sensor/goniometer.h"
 #include "transport/flux_books.h"
@@ -153,6 +154,7 @@ struct IterationTally {
   };
   std::vector<Start> starts;  // where a guide is trained
   std::vector<std::vector<double>> excess_of_pixels, excess_of_meters, excess_of_splats;
+  MemoryShare share;  // of splats and landings
 
   size_t bytes() const;
 };

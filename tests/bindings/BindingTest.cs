@@ -172,6 +172,9 @@ internal static partial class BindingTest
                     Expect(result.Choice(sensor).Techniques != 0 && result.Choice(sensor).PredictedGain > 0,
                            "how the light is found");
             }
+            var memory = scene.EstimateMemory(Iterations(4));
+            Expect(memory.PeakBytes > memory.SceneBytes + memory.ResultBytes && memory.AllowedBytes > memory.PeakBytes,
+                   "the memory of a render");
             scene.SetDimming(light, 0.5f);
             scene.Commit();
             using (var result = scene.Render(Iterations(4)))

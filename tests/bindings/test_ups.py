@@ -237,6 +237,23 @@ def test_accuracy_and_its_cost(context):
         result.predict(0)
 
 
+def test_memory_is_known_before_and_limited(context):
+    scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
+    scene.add_camera(640, 480, vertical_fov_rad=1, to_world=ups.translation(0, 0, 2))
+    scene.commit()
+    fields = dict(iteration_count=2, method=ups.Method.UPS)
+    estimate = scene.estimate_memory(**fields)
+    assert estimate.scene_bytes + estimate.result_bytes < estimate.peak_bytes < estimate.allowed_bytes
+    assert 0 < estimate.light_bytes < estimate.working_bytes
+    with scene.start(memory_limit_bytes=2 * estimate.peak_bytes, **fields) as job:
+        assert job.wait() == ups.Status.OK
+        assert job.memory().allowed_bytes == 2 * estimate.peak_bytes
+        assert job.memory().peak_bytes == estimate.peak_bytes
+    with pytest.raises(ups.Error, match="memory_limit_bytes allows") as refused:
+        scene.render(memory_limit_bytes=estimate.peak_bytes // 2, **fields)
+    assert refused.value.status == ups.Status.ERROR_OUT_OF_MEMORY
+
+
 def test_results_tell_how_light_is_found(context):
     scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
     camera = scene.add_camera(2, 2, vertical_fov_rad=1, to_world=ups.translation(0, 0, 2))

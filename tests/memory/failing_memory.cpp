@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <link.h>
+#include <malloc.h>
 #include <pthread.h>
 #include <sys/mman.h>
 
@@ -34,6 +35,23 @@ bool fails() {
   if (n < first_failure || n - first_failure >= failures) return false;
   errno = ENOMEM;
   return true;
+}
+
+// ---- how much there is ----
+
+std::atomic<long> live_bytes{0}, peak_bytes{0};
+
+void grow(long bytes) {
+  const long now = live_bytes.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+  long peak = peak_bytes.load(std::memory_order_relaxed);
+  while (now > peak && !peak_bytes.compare_exchange_weak(peak, now, std::memory_order_relaxed)) {}
+}
+void* counted(void* p) {
+  if (p) grow(long(malloc_usable_size(p)));
+  return p;
+}
+void discount(void* p) {
+  if (p) grow(-long(malloc_usable_size(p)));
 }
 
 // ---- what the library holds ----
@@ -106,7 +124,7 @@ void drop(void* p) {
 
 void* allocate(size_t size, size_t alignment, const void* caller) {
   if (fails()) return nullptr;
-  return keep(alignment > 16 ? __libc_memalign(alignment, size) : __libc_malloc(size), caller);
+  return keep(counted(alignment > 16 ? __libc_memalign(alignment, size) : __libc_malloc(size)), caller);
 }
 
 void* allocate_or_throw(size_t size, size_t alignment, const void* caller) {
@@ -139,6 +157,9 @@ void watch_library() {
   if (range_count.load() == 0) dl_iterate_phdr(&add_range, nullptr);
 }
 long allocations_held() { return held.load(); }
+long bytes_allocated() { return live_bytes.load(); }
+void begin_peak() { peak_bytes.store(live_bytes.load()); }
+long peak_allocated() { return peak_bytes.load(); }
 
 }  // namespace ups::test
 
@@ -148,11 +169,14 @@ long allocations_held() { return held.load(); }
 
 extern "C" {
 void* malloc(size_t size) { return allocate(size, 0, CALLER); }
-void* calloc(size_t count, size_t size) { return fails() ? nullptr : keep(__libc_calloc(count, size), CALLER); }
+void* calloc(size_t count, size_t size) {
+  return fails() ? nullptr : keep(counted(__libc_calloc(count, size)), CALLER);
+}
 void* realloc(void* old, size_t size) {
   if (fails()) return nullptr;
   drop(old);
-  return keep(__libc_realloc(old, size), CALLER);
+  discount(old);
+  return keep(counted(__libc_realloc(old, size)), CALLER);
 }
 void* memalign(size_t alignment, size_t size) { return allocate(size, alignment, CALLER); }
 void* aligned_alloc(size_t alignment, size_t size) { return allocate(size, alignment, CALLER); }
@@ -164,11 +188,20 @@ int posix_memalign(void** out, size_t alignment, size_t size) {
 }
 void free(void* p) {
   drop(p);
+  discount(p);
   __libc_free(p);
 }
 void* mmap(void* address, size_t size, int protection, int flags, int file, off_t offset) {
   static const auto real = next_of<void* (*)(void*, size_t, int, int, int, off_t)>("mmap");
-  return fails() ? MAP_FAILED : real(address, size, protection, flags, file, offset);
+  void* p = fails() ? MAP_FAILED : real(address, size, protection, flags, file, offset);
+  if (p != MAP_FAILED && (flags & MAP_ANONYMOUS)) grow(long(size));
+  return p;
+}
+int munmap(void* address, size_t size) {
+  static const auto real = next_of<int (*)(void*, size_t)>("munmap");
+  const int status = real(address, size);
+  if (status == 0) grow(-long(size));  // of a file, too: no test maps any
+  return status;
 }
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*), void* argument) {
   static const auto real =

@@ -18,4 +18,9 @@ void fail_threads(bool fail);
 void watch_library();
 long allocations_held();
 
+// Bytes that the process has allocated, whoever did; the most that it had since begin_peak().
+long bytes_allocated();
+void begin_peak();
+long peak_allocated();
+
 }  // namespace ups::test

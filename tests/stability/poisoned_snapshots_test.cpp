@@ -51,7 +51,7 @@ TEST(Hazard02, NoSampleIsDroppedWhereAllIsFinite) {
 
 // A medium whose absorption is not a number fills the room; meters and the camera are in it.
 TEST(Hazard02, PathsThatAMediumLeavesWithoutAFiniteThroughputAreCounted) {
-  const auto scene = room(UPS_MATERIAL_GLASS);
+  const auto scene = test::room(UPS_MATERIAL_GLASS);
   for (Material& m : scene->materials) m.absorption_per_m = Rgb(nan);
   const IterationTally tally = run(scene, all_techniques);
   EXPECT_GT(tally.work.eye_paths, 0u);
@@ -70,7 +70,7 @@ class InfiniteEmitter : public PointEmitter {
 };
 
 TEST(Hazard02, LightPathsThatStartWithoutAFiniteFluxAreCounted) {
-  const auto scene = room(UPS_MATERIAL_MATTE);
+  const auto scene = test::room(UPS_MATERIAL_MATTE);
   std::vector<std::unique_ptr<Emitter>> emitters;
   emitters.push_back(std::make_unique<InfiniteEmitter>(Vec3(), Rgb(1.0f), 0.0f));
   scene->emitters = EmitterSet(std::move(emitters), {});
@@ -115,7 +115,7 @@ TEST(Hazard02, NothingThatIsNotFiniteComesOutOfAPoisonedScene) {
     constexpr ups_material_model models[] = {UPS_MATERIAL_MATTE,  UPS_MATERIAL_GLASS,   UPS_MATERIAL_MIRROR,
                                              UPS_MATERIAL_METAL,  UPS_MATERIAL_PLASTIC, UPS_MATERIAL_GLAZING,
                                              UPS_MATERIAL_DIFFUSER};
-    const auto scene = room(models[i % std::size(models)]);
+    const auto scene = test::room(models[i % std::size(models)]);
     Poison(i).apply(*scene);
     const IterationTally tally = run(scene, all_techniques);
     const auto& drops = tally.work.dropped;

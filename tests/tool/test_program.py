@@ -192,8 +192,8 @@ class Render(ProgramTest):
     def test_json(self):
         result = self.render("--iterations", 32, "--threads", 1)
         self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
-                                       "seed", "flux", "dropped_samples", "work", "meters", "cameras", "convergence",
-                                       "warnings", "choice", "prediction", "advice", "largest_error",
+                                       "seed", "flux", "dropped_samples", "work", "memory", "meters", "cameras",
+                                       "convergence", "warnings", "choice", "prediction", "advice", "largest_error",
                                        "largest_samples"})
         self.assertEqual(result["scene"], self.path("room.gltf"))
         self.assertEqual(result["iterations"], 32)
@@ -203,6 +203,11 @@ class Render(ProgramTest):
         self.assertGreater(result["work"]["eye_paths"], 0)
         self.assertEqual(set(result["flux"]), {"emitted_lm", "absorbed_lm", "escaped_lm", "balance_standard_error_lm"})
         self.assertAlmostEqual(result["flux"]["emitted_lm"], 400 * 3.14159265, delta=0.01 * 1257)
+        memory = result["memory"]
+        self.assertEqual(set(memory), {"scene_bytes", "working_bytes", "light_bytes", "result_bytes", "peak_bytes",
+                                       "allowed_bytes", "resident_bytes"})
+        self.assertGreater(memory["allowed_bytes"], memory["peak_bytes"])
+        self.assertGreater(memory["peak_bytes"], memory["scene_bytes"] + memory["result_bytes"])
         self.assertEqual(list(result["meters"]), ["work_plane", "spot"])
         for statistics in result["meters"].values():
             self.assertEqual(set(statistics), {"mean_lx", "min_lx", "max_lx", "uniformity", "mean_standard_error_lx",
@@ -407,6 +412,25 @@ class Render(ProgramTest):
         self.assertGreaterEqual(json.loads(stdout)["iterations"], 1)
         self.assertIn("interrupted", stderr)
         self.assertIn("work_plane.csv", os.listdir(out))
+
+
+class MemoryLimit(ProgramTest):
+    def test_a_render_beyond_the_limit_is_refused(self):
+        scene = self.write("room.gltf", room())
+        out = self.path("out")
+        self.expect_failure("render", scene, "--iterations", 4, "--size", "2000x1500", "--memory-limit", "100M", "--out",
+                            out, words=["want about", "memory_limit_bytes allows 100 MB", "fewer pixels ("])
+        self.assertEqual(os.listdir(out), [])
+        limited = self.render("--iterations", 4, "--memory-limit", "0.2GB")
+        self.assertEqual(limited["memory"]["allowed_bytes"], 200000000)
+        self.assertEqual(self.render("--iterations", 4)["meters"], limited["meters"])
+
+    def test_what_is_no_number_of_bytes(self):
+        scene = self.write("room.gltf", room())
+        for text in ("", "0", "-1", "much", "1X", "1MiB", "1 G", "1e30", "nan"):
+            with self.subTest(text=text):
+                done = self.run_program("render", scene, "--memory-limit", text, code=2)
+                self.assertIn("--memory-limit", done.stderr)
 
 
 class InfoAndCompare(ProgramTest):

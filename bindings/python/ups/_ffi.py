@@ -711,6 +711,7 @@ class RenderDesc(Structure):
         ("flux_paths", c_uint64),
         ("target_criterion", c_int32),
         ("reserved2", c_uint32),
+        ("memory_limit_bytes", c_uint64),
     ]
 
 
@@ -846,6 +847,19 @@ class LargestError(Structure):
         ("bias_share", c_float),
         ("reserved", c_uint32),
         ("position_m", c_double * 3),
+    ]
+
+
+class MemoryEstimate(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("scene_bytes", c_uint64),
+        ("working_bytes", c_uint64),
+        ("light_bytes", c_uint64),
+        ("result_bytes", c_uint64),
+        ("peak_bytes", c_uint64),
+        ("allowed_bytes", c_uint64),
     ]
 
 
@@ -1050,11 +1064,13 @@ PROTOTYPES = {
     "ups_goniometer_desc_init": (None, [POINTER(GoniometerDesc), c_uint32]),
     "ups_scene_add_goniometer": (c_int32, [c_void_p, POINTER(GoniometerDesc), POINTER(SensorId)]),
     "ups_render_desc_init": (None, [POINTER(RenderDesc), c_uint32]),
+    "ups_scene_estimate_memory": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(MemoryEstimate)]),
     "ups_render": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
     "ups_job_start": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
     "ups_job_poll": (c_int32, [c_void_p, POINTER(Progress)]),
     "ups_job_wait": (c_int32, [c_void_p, c_uint32]),
     "ups_job_get_prediction": (c_int32, [c_void_p, c_double, POINTER(Prediction)]),
+    "ups_job_get_memory_estimate": (c_int32, [c_void_p, POINTER(MemoryEstimate)]),
     "ups_job_get_curve_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
     "ups_job_get_curve_point": (c_int32, [c_void_p, c_uint32, POINTER(CurvePoint)]),
     "ups_job_get_largest_error": (c_int32, [c_void_p, POINTER(LargestError)]),

@@ -51,6 +51,10 @@ class Job(Handle):
         """The meter that had it at the last look, as ups_largest_error."""
         return read_info(_ffi.LargestError, lib.ups_job_get_largest_error, self)
 
+    def memory(self):
+        """What the render takes, as estimated once it was prepared: ups_memory_estimate."""
+        return read_info(_ffi.MemoryEstimate, lib.ups_job_get_memory_estimate, self)
+
     def cancel(self):
         lib.ups_job_cancel(self)
 

@@ -156,3 +156,9 @@ class Scene(Handle):
         """The same as a Job, which can be watched and cancelled."""
         desc = describe(_ffi.RenderDesc, fields)
         return Job(create(lib.ups_job_start, self, byref(desc)), dict(self._shapes))
+
+    def estimate_memory(self, **fields):
+        """What a render with these fields will take, as ups_memory_estimate: scene_bytes, working_bytes, light_bytes,
+        result_bytes, peak_bytes in all, and allowed_bytes. Takes as long as a render's preparations."""
+        desc = describe(_ffi.RenderDesc, fields)
+        return read_info(_ffi.MemoryEstimate, lib.ups_scene_estimate_memory, self, byref(desc))

@@ -1,0 +1,19 @@
+// ups_render.h: how much memory a render will take.
+#include "api/desc.h"
+#include "api/render_handles.h"
+
+using namespace ups;
+using namespace ups::api;
+
+ups_status ups_scene_estimate_memory(const ups_scene* scene, const ups_render_desc* desc, ups_memory_estimate* out) {
+  return guard(__func__, [&] {
+    const ups_scene& s = require(scene, "scene");
+    require(out, "out");
+    if (!s.snapshot) throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
+    write_info(out, RenderJob(s.snapshot, read_desc(desc, &ups_render_desc_init), s.context->pool).estimate(), "out");
+  });
+}
+
+ups_status ups_job_get_memory_estimate(const ups_job* job, ups_memory_estimate* out) {
+  return guard(__func__, [&] { write_info(out, require(job, "job").job->memory(), "out"); });
+}

@@ -1,0 +1,144 @@
+// See machine_memory.h: /proc/meminfo, then each control group from the process's own up to the root of its hierarchy.
+// Paths are strings: std::filesystem::path does not survive an allocation that fails.
+#include "base/machine_memory.h"
+
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ups {
+
+namespace {
+
+using View = std::string_view;
+
+// Empty where it cannot be read.
+std::string text_of(const std::string& file) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "re"), &std::fclose);
+  std::string text;
+  char part[4096];
+  for (size_t n; in && (n = std::fread(part, 1, sizeof part, in.get())) > 0;) text.append(part, n);
+  return text;
+}
+
+// What is before the separator, which both lose; of the last part, the rest.
+View next(View& rest, View separator) {
+  const size_t at = rest.find(separator);
+  const View part = rest.substr(0, at);
+  rest = at == View::npos ? View() : rest.substr(at + separator.size());
+  return part;
+}
+
+std::optional<uint64_t> number_in(View text) {
+  text.remove_prefix(std::min(text.size(), text.find_first_not_of(' ')));
+  uint64_t value = 0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+  return parsed.ec == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+// Of a table "key value" or "key: value"; 0 where it has no such line.
+uint64_t entry_of(View table, View key) {
+  while (!table.empty()) {
+    View line = next(table, "\n"), name = next(line, " ");
+    if (name.ends_with(':')) name.remove_suffix(1);
+    if (name == key) return number_in(line).value_or(0);
+  }
+  return 0;
+}
+
+bool has_word(View list, View word) {
+  while (!list.empty())
+    if (next(list, ",") == word) return true;
+  return false;
+}
+
+// How the two versions name the same things.
+struct Version {
+  View type, controller;  // of the file system; in /proc/self/cgroup, of version 2 it is empty
+  const char *limit, *usage;
+  View active_files, inactive_files;
+};
+constexpr Version versions[] = {
+    {"cgroup2", "", "/memory.max", "/memory.current", "active_file", "inactive_file"},
+    {"cgroup", "memory", "/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_active_file",
+     "total_inactive_file"}};
+
+// The process's own group: "4:memory:/a/b", of version 2 "0::/a/b".
+std::optional<View> group_in(View table, const Version& v) {
+  while (!table.empty()) {
+    View line = next(table, "\n");
+    next(line, ":");
+    const View controllers = next(line, ":");
+    if (v.controller.empty() ? controllers.empty() : has_word(controllers, v.controller)) return line;
+  }
+  return std::nullopt;
+}
+
+struct Mount {
+  View group, place;  // the group that is seen at the place
+};
+// "31 23 0:28 GROUP PLACE options ... - TYPE source superoptions"
+std::vector<Mount> mounts_in(View table, const Version& v) {
+  std::vector<Mount> out;
+  while (!table.empty()) {
+    View back = next(table, "\n"), front = next(back, " - ");
+    const View type = next(back, " ");
+    next(back, " ");
+    if (type != v.type || (!v.controller.empty() && !has_word(back, v.controller))) continue;
+    for (int k = 0; k < 3; ++k) next(front, " ");
+    const View group = next(front, " ");
+    out.push_back({group, next(front, " ")});
+  }
+  return out;
+}
+
+// The group's path below the mount; none where the group is not seen there, as in some containers.
+View below(const Mount& mount, View group) {
+  const View root = mount.group == "/" ? View() : mount.group;
+  if (group.find("..") != View::npos || !group.starts_with(root)) return {};
+  group.remove_prefix(root.size());
+  return group.starts_with('/') && group != "/" ? group : View();
+}
+
+void take_less(AvailableMemory& out, uint64_t bytes, std::string limit) {
+  if (bytes < out.bytes) out = {bytes, std::move(limit)};
+}
+
+void look_at_group(const std::string& root, std::string place, const Version& v, AvailableMemory& out) {
+  const std::string folder = root + place;
+  const std::optional<uint64_t> most = number_in(text_of(folder + v.limit));
+  if (!most) return;
+  const std::string statistics = text_of(folder + "/memory.stat");
+  const uint64_t used = number_in(text_of(folder + v.usage)).value_or(0),
+                 files = entry_of(statistics, v.active_files) + entry_of(statistics, v.inactive_files),
+                 held = used > files ? used - files : 0;
+  take_less(out, *most > held ? *most - held : 0, "the control group's limit, " + place + v.limit + ",");
+}
+
+void look_at_groups(const std::string& root, const Version& v, AvailableMemory& out) {
+  const std::string groups = text_of(root + "/proc/self/cgroup"), mounts = text_of(root + "/proc/self/mountinfo");
+  const std::optional<View> group = group_in(groups, v);
+  if (!group) return;
+  for (const Mount& mount : mounts_in(mounts, v))
+    for (View at = below(mount, *group);; at = at.substr(0, at.rfind('/'))) {
+      look_at_group(root, std::string(mount.place) + std::string(at), v, out);
+      if (at.empty()) break;
+    }
+}
+
+}  // namespace
+
+AvailableMemory available_memory(const std::string& root) {
+  AvailableMemory out;
+  constexpr uint64_t kb = 1024;
+  const std::string machine = text_of(root + "/proc/meminfo");
+  if (const uint64_t available = entry_of(machine, "MemAvailable"))
+    take_less(out, (available + entry_of(machine, "SwapFree")) * kb, "what the machine has free");
+  for (const Version& v : versions) look_at_groups(root, v, out);
+  return out;
+}
+
+}  // namespace ups

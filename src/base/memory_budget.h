@@ -1,0 +1,77 @@
+// What arrays that grow as a render goes on may take together, on all threads: light paths' vertices and what they bring.
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+
+namespace ups {
+
+class MemoryBudget {
+ public:
+  // While nobody takes any. advice: what would be right where it does not suffice.
+  void set(size_t most, std::string advice) { most_ = most, advice_ = std::move(advice); }
+  // Throws Error OUT_OF_MEMORY where there is too little left.
+  void take(size_t bytes) {
+    const size_t used = used_.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+    if (used <= most_) {
+      size_t peak = peak_.load(std::memory_order_relaxed);
+      while (used > peak && !peak_.compare_exchange_weak(peak, used, std::memory_order_relaxed)) {}
+      return;
+    }
+    give_back(bytes);
+    throw Error(UPS_ERROR_OUT_OF_MEMORY, "the light paths of an iteration want " + in_megabytes(used) + " or more, " +
+                                             in_megabytes(most_) + " are left for them" + advice_);
+  }
+  void give_back(size_t bytes) { used_.fetch_sub(bytes, std::memory_order_relaxed); }
+  size_t peak() const { return peak_.load(std::memory_order_relaxed); }  // taken so far, at most at a time
+  static std::string in_megabytes(double bytes) {
+    const auto megabytes = uint64_t(bytes / 1e6 + 0.5);
+    return bytes < 10e6 ? std::to_string(uint64_t(bytes / 1e3 + 0.5)) + " kB" : std::to_string(megabytes) + " MB";
+  }
+
+ private:
+  std::atomic<size_t> used_{0}, peak_{0};
+  size_t most_ = SIZE_MAX;
+  std::string advice_;
+};
+
+// What one owner has taken; gives it back with the arrays that it stands beside. Without a budget it counts nothing.
+class MemoryShare {
+ public:
+  MemoryShare() = default;
+  explicit MemoryShare(MemoryBudget* budget) : budget_(budget) {}
+  MemoryShare(MemoryShare&& o) noexcept : budget_(o.budget_), held_(std::exchange(o.held_, 0)) {}
+  MemoryShare& operator=(MemoryShare&& o) noexcept {
+    std::swap(budget_, o.budget_), std::swap(held_, o.held_);
+    return *this;
+  }
+  ~MemoryShare() {
+    if (budget_) budget_->give_back(held_);
+  }
+  void take(size_t bytes) {
+    if (!budget_) return;
+    budget_->take(bytes);
+    held_ += bytes;
+  }
+  // The array grows as std::vector does: to twice its size, the old one beside the new one until it is copied.
+  template <class T>
+  void push_back(std::vector<T>& to, const T& value) {
+    if (!budget_ || to.size() < to.capacity()) return to.push_back(value);
+    const size_t old = to.capacity() * sizeof(T);
+    take(std::max(sizeof(T), 2 * old));
+    to.push_back(value);
+    held_ -= old;
+    budget_->give_back(old);
+  }
+
+ private:
+  MemoryBudget* budget_ = nullptr;
+  size_t held_ = 0;
+};
+
+}  // namespace ups

@@ -1,0 +1,61 @@
+/* Preloaded into the program. UPS_DISTURB=clock: the time of day runs backwards, a second with each look at it; steady
+ * time does not. UPS_DISTURB=ticks: 1000 signals a second whose handler interrupts system calls (SIGALRM, SIGPROF). */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/time.h>
+#include <time.h>
+#include <unistd.h>
+
+static atomic_long looks, ticks;
+static int backwards;
+
+static void tick(int signal_number) {
+  (void)signal_number;
+  atomic_fetch_add(&ticks, 1);
+}
+
+static void tell(void) {
+  if (atomic_load(&ticks) > 0) (void)!write(2, "ticked\n", 7);
+}
+
+__attribute__((constructor)) static void begin(void) {
+  const char *what = getenv("UPS_DISTURB");
+  if (!what) return;
+  backwards = strcmp(what, "clock") == 0;
+  if (strcmp(what, "ticks") != 0) return;
+  struct sigaction action = {.sa_handler = tick}; /* without SA_RESTART */
+  const struct itimerval each_ms = {{0, 1000}, {0, 1000}};
+  sigaction(SIGALRM, &action, NULL);
+  sigaction(SIGPROF, &action, NULL);
+  setitimer(ITIMER_REAL, &each_ms, NULL);
+  setitimer(ITIMER_PROF, &each_ms, NULL);
+  atexit(tell);
+}
+
+static long stepped_back(void) { return backwards ? atomic_fetch_add(&looks, 1) + 1 : 0; }
+
+int clock_gettime(clockid_t clock, struct timespec *time) {
+  static int (*real)(clockid_t, struct timespec *);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "clock_gettime");
+  const int status = real(clock, time);
+  if (status == 0 && clock == CLOCK_REALTIME) time->tv_sec -= stepped_back();
+  return status;
+}
+int gettimeofday(struct timeval *time, void *zone) {
+  (void)zone;
+  struct timespec now;
+  if (clock_gettime(CLOCK_REALTIME, &now) != 0) return -1;
+  time->tv_sec = now.tv_sec;
+  time->tv_usec = now.tv_nsec / 1000;
+  return 0;
+}
+time_t time(time_t *out) {
+  struct timespec now;
+  clock_gettime(CLOCK_REALTIME, &now);
+  if (out) *out = now.tv_sec;
+  return now.tv_sec;
+}

@@ -1,0 +1,54 @@
+"""The program is killed (SIGKILL) at random moments of loading, rendering and writing. A file is then as it was before or
+as a whole render leaves it, never in between; and the next render is not disturbed by what was left behind.
+Usage: test_kills.py PATH_TO_UPS [unittest options]"""
+import signal
+import subprocess
+import time
+
+import faults
+
+
+class Kills(faults.FaultTest):
+    def test_a_file_is_whole_or_the_older_one(self):
+        scene, _ = self.write_scene()
+        out, other = self.folder / "out", self.folder / "other"
+        self.run_program(self.command(scene, out, seed=1))
+        start = time.monotonic()
+        self.run_program(self.command(scene, other, seed=2))
+        lasts = time.monotonic() - start
+        old, new = self.results(out), self.results(other)
+        self.assertEqual(old.keys(), new.keys())
+        self.assertGreater(sum(old[name] != new[name] for name in old), len(old) / 2)  # some light is exact
+        killed = mixed = left_behind = 0
+        for _ in range(faults.rounds(12, 200)):
+            for name, content in old.items():
+                (out / name).write_bytes(content)
+            start = time.monotonic()
+            process = self.start(self.command(scene, out, seed=2))
+            # Most of the moments are the end's, when files are written. A busy machine is slow once and fast again.
+            early = self.random.random() < 0.4
+            try:
+                process.wait(lasts * (self.random.uniform(0, 1) if early else self.random.uniform(0.7, 1)))
+                lasts = time.monotonic() - start
+            except subprocess.TimeoutExpired:
+                process.send_signal(signal.SIGKILL)
+                lasts *= 1.02
+            process.communicate(timeout=faults.HANG_S)
+            killed += process.returncode == -signal.SIGKILL
+            found = self.results(out)
+            self.assertEqual(found.keys(), old.keys())
+            for name, content in found.items():
+                self.assertIn(content, (old[name], new[name]), msg=f"{name}: neither the older file nor the new one")
+            mixed += 0 < sum(found[name] == new[name] for name in found) < len(found)
+            for path in out.glob("*.tmp"):
+                left_behind += 1
+                if left_behind > 3:  # the first ones stay: they must disturb nobody
+                    path.unlink()
+        print(f"killed {killed} times; {mixed} times between two files; {left_behind} temporary files left behind")
+        self.assertGreater(killed, 0)
+        self.run_program(self.command(scene, out, seed=2))
+        self.assertEqual(self.results(out), new)
+
+
+if __name__ == "__main__":
+    faults.main()

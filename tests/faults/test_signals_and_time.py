@@ -1,0 +1,89 @@
+"""Signals and a clock that is set back while the program renders and writes.
+Usage: test_signals_and_time.py PATH_TO_UPS PATH_TO_LIBDISTURBANCES [unittest options]"""
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import faults
+
+DISTURBANCES = None
+SOURCES = Path(__file__).resolve().parent.parent.parent / "src"
+
+
+def disturbed(how):
+    return {**os.environ, "LD_PRELOAD": DISTURBANCES, "UPS_DISTURB": how}
+
+
+class Time(faults.FaultTest):
+    def test_time_of_day_that_runs_backwards(self):
+        scene, _ = self.write_scene()
+        begin = time.monotonic()
+        done = self.run_program([faults.program, "render", str(scene), "--time", "1", "--json", "--size", "30x20"],
+                                env=disturbed("clock"))
+        took, report = time.monotonic() - begin, json.loads(done.stdout)
+        times = [point["time_s"] for point in report["convergence"]]
+        self.assertTrue(0 < report["time_s"] <= took)
+        self.assertEqual(times, sorted(times))
+        self.assertGreater(min(times), 0)
+
+    def test_no_source_asks_for_the_time_of_day(self):
+        names = re.compile(r"system_clock|high_resolution_clock|gettimeofday|CLOCK_REALTIME|\btime\((NULL|nullptr|0)\)")
+        for path in SOURCES.rglob("*.[ch]*"):
+            self.assertIsNone(names.search(path.read_text()), msg=path)
+
+
+class Signals(faults.FaultTest):
+    def test_interrupted_system_calls_change_nothing(self):
+        scene, _ = self.write_scene()
+        quiet, ticking = self.folder / "quiet", self.folder / "ticking"
+        self.run_program(self.command(scene, quiet))
+        done = self.run_program(self.command(scene, ticking), env=disturbed("ticks"))
+        self.assertIn("ticked", done.stderr)
+        self.assertEqual(self.results(ticking), self.results(quiet))
+
+    def test_signals_that_end_the_program(self):
+        """SIGINT asks for what was found so far; the others end it at once. Files are whole either way."""
+        scene, _ = self.write_scene()
+        out, other = self.folder / "out", self.folder / "other"
+        self.run_program(self.command(scene, out))
+        old = self.results(out)
+        for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+            for _ in range(faults.rounds(3, 30)):
+                command = [faults.program, "render", str(scene), "--time", "30", "--out", str(other), "--size", "60x40"]
+                process = self.start(command)
+                time.sleep(self.random.uniform(0, 1))
+                process.send_signal(getattr(signal, name))
+                _, errors = process.communicate(timeout=faults.HANG_S)
+                ends = (130, -signal.SIGINT) if name == "SIGINT" else (-getattr(signal, name),)
+                self.assertIn(process.returncode, ends, msg=f"{name}: {faults.died_of(process.returncode)}\n{errors}")
+        self.assertEqual(self.results(out), old)
+        if other.exists():
+            for exr in other.glob("*.exr"):
+                self.run_program([faults.program, "compare", str(exr), str(exr)])
+
+    def test_nobody_reads_the_output(self):
+        scene, _ = self.write_scene()
+        out = self.folder / "out"
+        for ignored in (False, True):
+            handler = signal.SIG_IGN if ignored else signal.SIG_DFL
+            process = self.start(self.command(scene, out, "--json"), restore_signals=False,
+                                 preexec_fn=lambda: signal.signal(signal.SIGPIPE, handler))
+            process.stdout.close()
+            errors = process.stderr.read()
+            process.wait(timeout=faults.HANG_S)
+            process.stderr.close()
+            self.assertEqual(process.returncode, 1 if ignored else -signal.SIGPIPE, msg=errors)
+            if ignored:
+                self.assertIn("cannot write to standard output", errors)
+            self.assertIn("view.exr", os.listdir(out))  # files come first
+            self.run_program([faults.program, "compare", str(out / "view.exr"), str(out / "view.exr")])
+
+
+if __name__ == "__main__":
+    DISTURBANCES = os.path.abspath(sys.argv.pop(2))
+    faults.main()
