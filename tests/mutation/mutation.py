@@ -10,16 +10,22 @@ import subprocess
 import sys
 import threading
 import time
+import zlib
 
 import schemata
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLES = pathlib.Path(__file__).resolve().parent / "mutants"
-# Of rising cost. What is not there (a kind of test of a later or earlier time) is left out.
-EXECUTABLES = ["base/base_tests", "bsdf/test_bsdf", "geometry/geometry_tests", "photometry/photometry_tests",
-               "render/render_tests", "transport/transport_tests", "scene/scene_tests", "emitter/emitter_tests",
-               "oracle/test_oracle", "api/api_tests", "analytic/test_analytic", "stability/test_stability",
-               "agreement/test_agreement"]
+# Of rising cost, with the folders of code that they link. What is not there (a kind of test of a later or earlier
+# time) is left out.
+SCENE = "base geometry bsdf emitter sensor photometry scene"
+EXECUTABLES = {"base/base_tests": "base", "bsdf/test_bsdf": "base geometry bsdf",
+               "geometry/geometry_tests": "base geometry sensor photometry",
+               "photometry/photometry_tests": "base photometry", "transport/transport_tests": SCENE + " transport",
+               "render/render_tests": SCENE + " transport render", "scene/scene_tests": SCENE,
+               "emitter/emitter_tests": "base photometry emitter", "oracle/test_oracle": SCENE + " transport",
+               "api/api_tests": "all", "analytic/test_analytic": "all", "stability/test_stability": "all",
+               "agreement/test_agreement": "all"}
 TIERS = (0.1, 1.0, 10.0, float("inf"))  # s a test takes: all quick ones run before the first slow one
 LEAST_SHARE = 0.95
 
@@ -72,42 +78,63 @@ def tests_of(executable, wanted):
     return tests
 
 
-def run_unchanged(executables, wanted, folder):
-    """Mutant 0: all tests must pass. Returns the steps of a run: executable, its tests of one tier, the time limit."""
+def times_of(report):
+    suites = json.loads(report.read_text())["testsuites"]
+    return {f"{s['name']}.{t['name']}": float(t["time"].rstrip("s"))
+            for s in suites for t in s["testsuite"] if t["result"] == "COMPLETED"}
+
+
+def libraries(folder):
+    return (folder / "tree" / "build" / "release" / "src").rglob("*.so")
+
+
+def is_newer(report, files):
+    return report.exists() and all(f.stat().st_mtime < report.stat().st_mtime for f in files)
+
+
+def run_unchanged(executables, wanted, folder, resume):
+    """Mutant 0: all tests must pass. Returns tiers of steps: executable, its tests of that tier, the time limit."""
     times = {}
     for executable in executables:
         report = folder / (executable.name + ".json")
-        report.unlink(missing_ok=True)
         tests = tests_of(executable, wanted)
         if not tests:
             continue
-        run = Run(executable, 0, tests, 3600, report)
-        if run.failed:
-            print(run.output[-4000:], file=sys.stderr)
-            raise SystemExit(f"without any mutant {run.test} fails: that must be mended first")
-        suites = json.loads(report.read_text())["testsuites"]
-        times[executable] = {f"{s['name']}.{t['name']}": float(t["time"].rstrip("s"))
-                             for s in suites for t in s["testsuite"] if t["result"] == "COMPLETED"}
-        print(f"{executable.name}: {len(times[executable])} tests, {run.seconds:.1f} s", flush=True)
-    steps, low = [], -1.0
+        by_test = times_of(report) if resume and is_newer(report, [executable, *libraries(folder)]) else {}
+        if not set(tests) <= set(by_test):
+            report.unlink(missing_ok=True)
+            run = Run(executable, 0, tests, 3600, report)
+            if run.failed:
+                report.unlink(missing_ok=True)
+                print(run.output[-4000:], file=sys.stderr)
+                raise SystemExit(f"without any mutant {run.test} fails: that must be mended first")
+            by_test = times_of(report)
+        times[executable] = {t: by_test[t] for t in tests if t in by_test}  # others are disabled
+        print(f"{executable.name}: {len(times[executable])} tests, {sum(times[executable].values()):.1f} s", flush=True)
+    tiers, low = [], -1.0
     for high in TIERS:
+        steps = []
         for executable, by_test in times.items():
             chosen = {t: s for t, s in by_test.items() if low < s <= high}
             if chosen:
                 steps.append((executable, list(chosen), 30 + 20 * sum(chosen.values())))
+        tiers.append(steps)
         low = high
-    return steps
+    return tiers
 
 
-def test_mutant(mutant, steps):
+def test_mutant(mutant, steps, result):
+    """Adds to its result; of earlier steps it has none, or the seconds that found nothing."""
     start = time.monotonic()
-    found = None
-    for executable, tests, timeout in steps:
+    folder = pathlib.Path(mutant.file).parent.name
+    linked = {e.rpartition("/")[2]: folders.split() for e, folders in EXECUTABLES.items()}
+    steps = [s for s in steps if {folder, "all"} & set(linked[s[0].name])]
+    for executable, tests, timeout in sorted(steps, key=lambda s: s[0].parent.name != folder):  # its own tests first
         run = Run(executable, mutant.number, tests, timeout)
         if run.failed:
-            found = run.test
+            result["found"] = run.test
             break
-    return {"identity": mutant.identity(), "found": found, "seconds": round(time.monotonic() - start, 1)}
+    result["seconds"] = round(result["seconds"] + time.monotonic() - start, 1)
 
 
 def table_of(mutants, results):
@@ -148,7 +175,8 @@ def arguments():
     p.add_argument("--list", action="store_true", help="lists the mutants and ends")
     p.add_argument("--tests", default="", metavar="REGEX", help="only tests whose `executable: suite.name` matches")
     p.add_argument("--jobs", type=int, default=1, help="mutants that are tested at a time (1)")
-    p.add_argument("--resume", action="store_true", help="keeps earlier results of mutants that are the same")
+    p.add_argument("--resume", action="store_true",
+                   help="goes on from the results of an earlier run, as far as mutants and tests are the same")
     p.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "mutation",
                    help="of the build and results (build/mutation)")
     return p.parse_args()
@@ -165,21 +193,31 @@ def main():
     folder = args.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     schemata.make_tree(ROOT, folder / "tree", everything)
-    steps = run_unchanged(build(folder / "tree", os.cpu_count()), args.tests, folder)
+    tiers = run_unchanged(build(folder / "tree", os.cpu_count()), args.tests, folder, args.resume)
     results, path, lock = {}, folder / "results.json", threading.Lock()
     if path.exists():  # of the others, and with --resume of these
         same = {m.name: m.identity() for m in everything if args.resume or m not in mutants}
         results = {n: r for n, r in json.loads(path.read_text()).items() if same.get(n) == r["identity"]}
+    tests = zlib.crc32(json.dumps(sorted(t for tier in tiers for _, names, _ in tier for t in names)).encode())
+    for m in mutants:
+        if m.name not in results or not (results[m.name]["found"] or results[m.name]["tests"] == tests):
+            results[m.name] = {"identity": m.identity(), "tests": tests, "found": None, "seconds": 0.0, "tiers": 0}
 
-    def one(mutant):
-        result = test_mutant(mutant, steps)
+    def one(mutant, tier):
+        result = results[mutant.name]
+        test_mutant(mutant, tiers[tier], result)
         with lock:
-            results[mutant.name] = result
-            path.write_text(json.dumps(results, indent=1))
-            print(f"{mutant.name}: {result['found'] or 'NOT FOUND'} ({result['seconds']} s)", flush=True)
+            result["tiers"] = tier + 1
+            path.with_suffix(".new").write_text(json.dumps(results, indent=1))
+            path.with_suffix(".new").replace(path)
+            if result["found"] or tier + 1 == len(tiers):
+                print(f"{mutant.name}: {result['found'] or 'NOT FOUND'} ({result['seconds']} s)", flush=True)
 
-    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        list(pool.map(one, [m for m in mutants if m.name not in results]))
+    for tier, steps in enumerate(tiers):  # all mutants meet the quick tests first
+        left = [m for m in mutants if not results[m.name]["found"] and results[m.name]["tiers"] <= tier]
+        print(f"-- {len(left)} mutants, {sum(len(tests) for _, tests, _ in steps)} tests", flush=True)
+        with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+            list(pool.map(lambda m, t=tier: one(m, t), left))
     text, share = summary_of(mutants, results)
     report = table_of(mutants, results) + "\n\n" + text + "\n"
     (folder / "table.md").write_text(report)
