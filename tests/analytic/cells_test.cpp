@@ -1,5 +1,5 @@
-// Cells that are not square, under a point light: the mean over their area, by eye paths that start all over them and by
-// light paths that land on them. Standard errors are at most 0.25 %: an error of 1 % is found; P(|t_15| > 4) = 0.12 %
+// Cells that are not square, under a point light: the mean over their area, by eye paths that start all over them and
+// by light paths that land on them. Standard errors are at most 0.25 %: an error of 1 % is found; P(|t_15| > 4) = 0.12 %
 // for each of six comparisons, with fixed seeds.
 #include "../support/expect_lx.h"
 

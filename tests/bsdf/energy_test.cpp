@@ -102,8 +102,8 @@ TEST(Energy, PlasticIsCoatPlusWhatTheBaseReturns) {
   EXPECT_NEAR(albedo(make(MaterialModel::plastic, 0, Rgb(0.0f)), 1), 0.04, 1e-6);
 }
 
-// What a metal scatters repeatedly has met it twice at least (Kulla, Conty 2017): F^2 (1 - m) / (1 - F m) of the missing
-// light m, F the mean reflectance. The rest is the microfacets' own.
+// What a metal scatters repeatedly has met it twice at least (Kulla, Conty 2017): F^2 (1 - m) / (1 - F m) of the
+// missing light m, F the mean reflectance. The rest is the microfacets' own.
 TEST(Energy, MetalColoursWhatItScattersRepeatedly) {
   for (const float alpha : {0.3f, 1.0f})
     for (const float f0 : {0.2f, 0.7f}) {

@@ -8,8 +8,8 @@
 namespace ups {
 namespace {
 
-// Blocks of glass that touch, one of them rough: the boundary is that of the stronger one, whichever way a ray comes, so
-// that both walks of a path scatter at the same.
+// Blocks of glass that touch, one of them rough: the boundary is that of the stronger one, whichever way a ray comes,
+// so that both walks of a path scatter at the same.
 TEST(Encounter, FacesThatTouchAreTheStrongestSolids) {
   for (const int32_t first_priority : {2, 0}) {
     test::RoomBuilder builder;
