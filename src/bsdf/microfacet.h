@@ -38,10 +38,6 @@ inline Vec3 sample_visible_normal(const Vec3& wo, float alpha, const Vec2& u) {
   const Vec3 normal{alpha * h.x, alpha * h.y, std::max(h.z, 1e-12f)};
   return normalize(normal);
 }
-// Density of sample_visible_normal() over |wo.h|: of the reflected direction it is a quarter of this.
-inline float visible_normal_density_over_cosine(const Vec3& wo, const Vec3& h, float alpha) {
-  return smith_g1_over_cosine(wo, alpha) * ggx_density(h, alpha);
-}
 
 inline Vec3 reflect(const Vec3& w, const Vec3& h) { return h * (2 * dot(w, h)) - w; }
 

@@ -78,5 +78,27 @@ TEST(ImageErrors, BoundsHoldForAllTechniques) {
   EXPECT_LE(c.median_width, 5);
 }
 
+// Straight below a lamp the illuminance is I / h^2 (1 - 1.5 (r / h)^2), so that merging within r reads too little by
+// 0.75 (r / h)^2: 6 %, of which the stated bias tells all. Noise of the mean over the pixels below 0.5 %; half of the
+// bias, or its other sign, would be 3 % and 12 % off.
+TEST(ImageErrors, BiasOfMergingIsThatOfItsRadius) {
+  constexpr double height = 1, radius = 0.3;
+  Scene scene;
+  scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0.5));
+  scene.add_point_light({0, 0, height}, candela);
+  const Sensor camera = scene.add_camera({0, 0, 0.5}, {0, 0, -1}, 8, 8, 0.05);
+  const Image image = scene.render({.method = UPS_METHOD_PPM,
+                                    .iterations = 128,
+                                    .merge_radius_m = radius,
+                                    .light_paths = 1u << 15,
+                                    .radius_alpha = 0.999})
+                          .image(camera);
+  const double truth = 0.5 / pi_d * candela / (height * height);
+  double value = 0, bias = 0;
+  for (size_t p = 0; p < 64; ++p) value += luminance_at(image.luminance, p) / 64, bias += image.bias[p] / 64;
+  EXPECT_NEAR(value / truth, 1 - 0.75 * radius * radius, 0.012);
+  EXPECT_NEAR((value - bias) / truth, 1, 0.012);
+}
+
 }  // namespace
 }  // namespace ups::test

@@ -230,6 +230,25 @@ TEST(Openings, LambertianSheetsOnTheirAxis) {
   }
 }
 
+// A tinted pane below an opening: what walks run into it is dimmed as what is sampled is. Both to at most 0.7 %.
+TEST(Openings, AreDimmedByPanesWhereverTheyAreFound) {
+  Scene scene;
+  auto pane = material(UPS_MATERIAL_GLAZING, 1);
+  std::fill_n(pane.transmittance_rgb, 3, 0.5f);
+  scene.add(quad({-3, -3, 0.5}, {6, 0, 0}, {0, 6, 0}), pane);
+  const Profile disc =
+      parse(scene.context(), ies_text([](double gamma) { return 100 * std::max(0.0, std::cos(gamma)); }, 90, 1.0));
+  scene.add_luminaire(disc.get(), {0, 0, 1}, {0, 0, -1}, true);
+  const Sensor meter = scene.add_meters({{0.2, 0.1, 0}}, {0, 0, 1});
+  const auto read = [&](uint32_t techniques) {
+    return scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1024, .techniques = techniques})
+        .readings(meter)[0];
+  };
+  const ups_meter_reading sampled = read(UPS_TECHNIQUE_LIGHT_SAMPLE), hit = read(UPS_TECHNIQUE_EMITTER_HIT);
+  EXPECT_LE(sampled.standard_error_lx, 0.002 * sampled.illuminance_lx);
+  expect_lx(hit, sampled.illuminance_lx, 0.007, "by hits");
+}
+
 // Bodies under, in and on surfaces, cells close to them: methods that find this light in different ways agree within 4
 // combined standard errors. P(|t_30| > 4) = 4e-4 for one of the 36 comparisons: a right engine fails once in 70 seeds.
 TEST(Openings, MethodsAgreeNearThem) {

@@ -2,6 +2,8 @@
 // roughness: tests/stability/roughness_test.cpp.
 #include <gtest/gtest.h>
 
+#include "bsdf/fresnel.h"
+#include "bsdf/microfacet.h"
 #include "directional_albedo.h"
 
 namespace ups::test {
@@ -62,6 +64,28 @@ TEST(Energy, PlasticIsCoatPlusWhatTheBaseReturns) {
       EXPECT_NEAR(total(0.5f), coat + 0.5 * (1 - coat), 0.005) << alpha << " " << cosine;
     }
   EXPECT_NEAR(albedo(make(MaterialModel::plastic, 0, Rgb(0.0f)), 1), 0.04, 1e-6);
+}
+
+// What a metal scatters repeatedly has met it twice at least (Kulla, Conty 2017): F^2 (1 - m) / (1 - F m) of the
+// missing light m, F the mean reflectance. The rest is the microfacets' own.
+TEST(Energy, MetalColoursWhatItScattersRepeatedly) {
+  for (const float alpha : {0.3f, 1.0f})
+    for (const float f0 : {0.2f, 0.7f}) {
+      const Material m = make(MaterialModel::metal, roughness_of(alpha), Rgb(f0));
+      InterfaceAlbedo albedos(m.ior);
+      albedos.set_alpha(alpha);
+      const double average = fresnel_schlick_average(Rgb(f0)).r, missing = albedos.missing_average(),
+                   share = average * average * (1 - missing) / (1 - average * missing);
+      for (const float cosine : {0.1f, 0.5f, 0.9f}) {
+        const Vec3 wo = direction(cosine), wi = direction(0.6f, 2);
+        const Vec3 h = normalize(wo + wi);
+        const double once = double(fresnel_schlick(dot(wo, h), Rgb(f0)).r) * ggx_density(h, alpha) *
+                            smith_visibility(wo, wi, alpha),
+                     again = share * albedos.missing(wo.z) * albedos.missing(wi.z) / (double(pi) * missing);
+        EXPECT_NEAR(Bsdf(m, {0, 0}).eval(wo, wi, importance).r / (wi.z * (once + again)), 1, 1e-4)
+            << alpha << " " << f0 << " " << cosine;
+      }
+    }
 }
 
 TEST(Energy, NothingReturnsMoreThanItGets) {

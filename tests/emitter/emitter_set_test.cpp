@@ -140,6 +140,34 @@ TEST(EmitterSet, RaysStartByTheirFlux) {
   EXPECT_EQ(set->choose(0.1 + 1e-12).p_m[0], 1);
 }
 
+// Of many million rays, each is chosen by more digits than the first number has.
+TEST(EmitterSet, TheSecondNumberGoesOnWhereTheFirstEnds) {
+  photometry::Photometry p{photometry::Distribution({0}, {0, 180}, {1, 1})};
+  p.rays.push_back({{0, 0, 0}, {0, 0, -1}, 0x1p-25f});  // half of what the first number resolves
+  p.rays.push_back({{1, 0, 0}, {0, 0, -1}, 1});
+  const auto set = std::make_shared<RaySet>(std::make_shared<photometry::Photometry>(std::move(p)));
+  const RayEmitter emitter(set, Frame(), Vec3(), Rgb(1));
+  for (const float y : {0.0f, 0.4f, 0.6f, 0.9f}) {
+    EmissionSample s;
+    ASSERT_TRUE(emitter.sample_emission({0, y}, {}, s));
+    EXPECT_EQ(s.p.x, y < 0.5f ? 0 : 1) << y;
+  }
+}
+
+// A sheet that emits to both sides is chosen alike from both.
+TEST(EmitterSet, SheetsAreChosenFromBothSides) {
+  std::vector<std::unique_ptr<Emitter>> e;
+  e.push_back(std::make_unique<AreaEmitter>(rectangle(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)), Rgb(5), true, 0));
+  e.push_back(std::make_unique<PointEmitter>(Vec3(4, 0, 0), Rgb(5), 0.0f));
+  const EmitterSet set(std::move(e));
+  for (const float x : {0.5f, -2.0f}) {
+    const float above = set.direct_probability({Vec3(x, 0.5f, 2)}, 0),
+                below = set.direct_probability({Vec3(x, 0.5f, -2)}, 0);
+    EXPECT_GT(above, 0.2f);
+    EXPECT_NEAR(below, above, 1e-5f);
+  }
+}
+
 // In order of u, u after the choice rises from 0 to 1 within each emitter: strata stay strata.
 TEST(EmitterSet, KeepsStratification) {
   const EmitterSet set = mixed_set();

@@ -45,6 +45,19 @@ TEST(Camera, RayAndPixelAreInverse) {
   EXPECT_EQ(camera.pdf_w(-camera.forward()), 0);
 }
 
+TEST(Camera, NoPixelSeesWhatLiesBesideTheImage) {
+  const Camera camera(Affine(), 40, 30, 1.0f, false);
+  const float half = std::tan(0.5f), pixel = 2 * half / 30;
+  const auto seen = [&](float x, float y) { return camera.pixel_of(normalize(Vec3(x, y, -1))).has_value(); };
+  const float right = 20 * pixel, top = 15 * pixel, inside = 0.99f, outside = 0.5f;  // pixels
+  EXPECT_TRUE(seen(-right + inside * pixel, 0) && seen(right - inside * pixel, 0));
+  EXPECT_TRUE(seen(0, -top + inside * pixel) && seen(0, top - inside * pixel));
+  EXPECT_FALSE(seen(-right - outside * pixel, 0));
+  EXPECT_FALSE(seen(right + outside * pixel, 0));
+  EXPECT_FALSE(seen(0, -top - outside * pixel));
+  EXPECT_FALSE(seen(0, top + outside * pixel));
+}
+
 TEST(Camera, DensityIntegratesToOneOverAPixel) {
   const Camera camera(looking({0, -1, 0.2}, {0, 0, 1}, {0, 0, 0}, 1), 5, 3, 2.0f, false);
   // Solid angle of small cells by the area of their image on the unit sphere, which no formula of the camera enters.

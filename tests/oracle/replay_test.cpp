@@ -62,6 +62,11 @@ class Replay {
     const double own = r.of_pixel ? pixel_radius2(r) : double(meter_radius) * meter_radius / plan_.meter_samples;
     return own / shrunk(plan_.walk_radius, number);
   }
+  // Within which a camera's path merges: at the first vertex that is no mirror or glass its pixel's, then that of walks.
+  double merge_radius2(const Replayed& r) const {
+    const bool first = std::all_of(r.by_eye.begin() + 1, r.by_eye.end() - 1, [](const Node& n) { return n.delta; });
+    return first ? pixel_radius2(r) : shrunk(plan_.walk_radius, number);
+  }
   const Room& room() const { return room_; }
   const Plan& plan() const { return plan_; }
   const std::vector<Replayed>& paths() const { return recorder_.paths; }
@@ -243,6 +248,9 @@ constexpr double usual = 2e-4, rare = 1e-3, rare_share = 0.01;
 void compare(const Replay& replay, const Replayed& r, Random& random, Counted& counted) {
   const Weighed w = weigh(replay, r);
   ASSERT_TRUE(w.resolved && w.expected) << describe(w.path, r, {});
+  if (r.technique == Technique::merge && r.sensor == SensorType::camera) {
+    ASSERT_LT(length2(r.by_light.back().p - r.by_eye.front().p), 1.001 * replay.merge_radius2(r));
+  }
   const double apart = difference(r.found, *w.expected);
   if (!(apart < usual)) {
     const double moved = spread(replay, r, w, random);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <numeric>
 #include <random>
 
 #include "render/tails.h"
@@ -94,6 +95,35 @@ TEST(MeterStatistics, IntervalsCoverTheTruth) {
 
 // Kurtosis of 16 Gaussian batches: 0.1 %. 40000 sets: 40 +- 6.3 alarms; more than 70 by chance: 1 in 10^5. A
 // distribution of which one batch in 16 stands out by 12 standard deviations of the others is found.
+// One meter: what chose it says nothing of it. Means of 1 to 16: of both halves squared deviations add up to 336.
+TEST(MeterStatistics, TheLeastOfOneIsItself) {
+  double batch[batch_count];
+  const double no_bias[batch_count] = {};
+  std::iota(batch, batch + batch_count, 1.0);
+  MeterBatches meters(batch_count);
+  meters.add({8.5, {0, 0}, 0}, batch, no_bias);
+  const Interval i = minimum_interval(meters);
+  EXPECT_NEAR(i.low, 8.5 - 2.131 * std::sqrt(340.0 / (16 * 15)), 1e-6);   // 15 degrees of freedom
+  EXPECT_NEAR(i.high, 8.5 + 2.145 * std::sqrt(336.0 / (16 * 14)), 1e-6);  // 14: halves have means of their own
+}
+
+// Meters that rise and fall together: their ratio to the mean has no noise.
+TEST(MeterStatistics, RatiosLeaveCommonNoiseOut) {
+  const double no_bias[batch_count] = {};
+  MeterBatches meters(batch_count);
+  for (const double scale : {1.0, 3.0}) {
+    double batch[batch_count];
+    for (uint32_t b = 0; b < batch_count; ++b) batch[b] = scale * (100 + (b % 2 ? 10.0 : -10.0));
+    meters.add({scale * 100, {0, 0}, 0}, batch, no_bias);
+  }
+  const MeterBatches ratios = meters.over_mean();
+  for (size_t m = 0; m < 2; ++m) {
+    EXPECT_NEAR(ratios.value(m), m ? 1.5 : 0.5, 1e-12);
+    EXPECT_NEAR(ratios.standard_error(m), 0, 1e-6);
+    for (uint32_t b = 0; b < batch_count; ++b) EXPECT_NEAR(ratios.batch(m, b), m ? 1.5 : 0.5, 1e-6);
+  }
+}
+
 TEST(Tails, KurtosisIsQuietForGaussianNoise) {
   std::mt19937_64 random(12);
   std::normal_distribution<double> normal;
