@@ -30,8 +30,8 @@ bool alike(const OwnBias& a, const OwnBias& b) {
 
 // between: so many standard deviations of chance, of the chi-square that tells of it, more than estimated.
 Pooled pool(const std::vector<Estimate>& all, double more) {
-  // pairs: w^2 less the squares' sum, over 2, without the difference: a meter whose photons cancel to rounding outweighs
-  // all others by so much that nothing would be left of it.
+  // pairs: w^2 less the squares' sum, over 2, without the difference: a meter whose photons cancel to rounding
+  // outweighs all others by so much that nothing would be left of it.
   double w = 0, pairs = 0, sum = 0, q = 0;
   for (const Estimate& e : all) pairs += w / e.variance, w += 1 / e.variance, sum += e.value / e.variance;
   for (const Estimate& e : all) q += (e.value - sum / w) * (e.value - sum / w) / e.variance;

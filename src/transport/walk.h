@@ -13,8 +13,8 @@ inline constexpr float min_cosine = 1e-6f;  // below it an edge is rejected by b
 
 // Survival probability: one before 4 edges; then the throughput left relative to its start, never below 0.05, so that
 // no path ends certainly and none lives long without light. Nearly lossless delta chains (light guides, facing mirrors)
-// are exempt up to 64 edges; beyond, even an enclosure that absorbs nothing ends its paths: (64 / n)^1.5 of them live to
-// n edges, 192 on the average. A constant share would leave guides of some hundred reflections to few paths of great
+// are exempt up to 64 edges; beyond, even an enclosure that absorbs nothing ends its paths: (64 / n)^1.5 of them live
+// to n edges, 192 on the average. A constant share would leave guides of some hundred reflections to few paths of great
 // weight.
 inline float survival(const Rgb& now, const Rgb& start, uint32_t edges, bool lossless_delta) {
   if (edges < 4 || (lossless_delta && edges < 64)) return 1.0f;

@@ -9,6 +9,7 @@ namespace {
 
 class Invariance : public ::testing::TestWithParam<ups_method> {};
 INSTANTIATE_TEST_SUITE_P(Methods, Invariance, ::testing::ValuesIn(every_method), name_of_method);
+
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;

@@ -1,5 +1,5 @@
-// Do the recurrences of transport/weights.h give the balance heuristic? Compared with the definition (slow_weights.h) on
-// random paths, for every subset of techniques. Long and sharp ones: tests/stability/long_paths_test.cpp.
+// Do the recurrences of transport/weights.h give the balance heuristic? Compared with the definition (slow_weights.h)
+// on random paths, for every subset of techniques. Long and sharp ones: tests/stability/long_paths_test.cpp.
 #include "compare_weights.h"
 
 namespace ups::test {

@@ -47,8 +47,8 @@ TEST(PooledBias, NeighboursTellWhereLightCurvesAlike) {
   EXPECT_GT(told, meters * 7 / 10);
 }
 
-// Where each meter's light curves otherwise, an error is at most what is stated: a chi-square ratio of 380 has a standard
-// deviation of 7 %, and three of them pass 1.25 in 1 of 1,000.
+// Where each meter's light curves otherwise, an error is at most what is stated: a chi-square ratio of 380 has a
+// standard deviation of 7 %, and three of them pass 1.25 in 1 of 1,000.
 TEST(PooledBias, MetersKeepTheirOwnWhereTheyDiffer) {
   for (const double deviation : {0.5, 1.0, 3.0}) EXPECT_LT(Row(0, deviation).pool(), 1.25) << deviation;
 }
@@ -62,8 +62,9 @@ TEST(PooledBias, AMeterThatSeemsToKnowAllButExactlyUpsetsNoOther) {
     row.own[200].bias.mean = row.truth[200];
     row.pool();
     for (size_t m = 184; m <= 216; ++m) {
-      ASSERT_TRUE(std::isfinite(row.pooled[m].mean) && std::isfinite(row.pooled[m].standard_error)) << error << ' ' << m;
-      EXPECT_LT(std::abs(row.pooled[m].mean - row.truth[m]), 4) << error << ' ' << m;
+      const Spread& b = row.pooled[m];
+      ASSERT_TRUE(std::isfinite(b.mean) && std::isfinite(b.standard_error)) << error << ' ' << m;
+      EXPECT_LT(std::abs(b.mean - row.truth[m]), 4) << error << ' ' << m;
     }
   }
 }

@@ -1,5 +1,5 @@
-// Hazard 2: infinities and 0/0, from scenes that the API lets in: values at the ends of what it takes, shapes without area,
-// normals without length. Result (support/result.h) fails where a value is not finite or a sample was dropped.
+// Hazard 2: infinities and 0/0, from scenes that the API lets in: values at the ends of what it takes, shapes without
+// area, normals without length. Result (support/result.h) fails where a value is not finite or a sample was dropped.
 #include <random>
 
 #include "../support/scene_builder.h"
@@ -15,7 +15,9 @@ class Extremes {
   explicit Extremes(uint32_t seed) : rng_(seed) {}
   bool chance(double p) { return uniform() < p; }
   double uniform() { return std::generate_canonical<double, 53>(rng_); }
-  double any_of(std::initializer_list<double> values) { return values.begin()[size_t(uniform() * double(values.size()))]; }
+  double any_of(std::initializer_list<double> values) {
+    return values.begin()[size_t(uniform() * double(values.size()))];
+  }
 
   ups_material_desc material() {
     const auto models = {UPS_MATERIAL_MATTE,   UPS_MATERIAL_MIRROR,  UPS_MATERIAL_METAL,   UPS_MATERIAL_PLASTIC,
@@ -38,7 +40,8 @@ class Extremes {
               : chance(0.5) ? icosphere(at, size, 1)
                             : quad(at, {size, 0, 0}, {0, size * thin, size * any_of({0, 1e-6, 1})});
     if (chance(0.3))
-      for (const P3& v : s.vertices) s.normals.push_back(chance(0.2) ? P3{} : normalize(P3{0.1, 0.2, v.z - at.z + 0.01}));
+      for (const P3& v : s.vertices)
+        s.normals.push_back(chance(0.2) ? P3{} : normalize(P3{0.1, 0.2, v.z - at.z + 0.01}));
     return s;
   }
   P3 place() { return {4 * uniform(), 4 * uniform(), 2.8 * uniform()}; }
@@ -51,7 +54,8 @@ void fill(Scene& scene, Extremes& e) {
   scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), e.material());
   for (int i = 0; i < 5; ++i) scene.add(e.shape(), e.material());
   scene.add_point_light(e.place(), e.any_of({1e-30, 1, 1e12}));
-  if (e.chance(0.5)) scene.add_spot(e.place(), {e.uniform(), 1e-7, -1}, e.any_of({1e-6, 1e9}), 0.0, e.any_of({1e-3, 0.5}));
+  if (e.chance(0.5))
+    scene.add_spot(e.place(), {e.uniform(), 1e-7, -1}, e.any_of({1e-6, 1e9}), 0.0, e.any_of({1e-3, 0.5}));
   if (e.chance(0.3)) scene.add_directional({1e-7, 0, -1}, e.any_of({1e-20, 1e5}));
   scene.add_meters({e.place(), e.place(), {2, 2, 0}}, {1e-3, 0, 1});
   scene.add_cells({{1, 1, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, e.any_of({1e-5, 0.5}), 0.5);

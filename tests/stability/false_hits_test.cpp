@@ -55,10 +55,10 @@ TEST(Hazard09, RaysAlongAThinTriangleStayOnIt) {
   EXPECT_GT(hits, 100);
 }
 
-// As reported of Embree 3.13 in its robust mode (issue 387): a triangle with edges of 11.2, 9.7 and 1.4, a ray at half a
-// degree to its plane that misses it, a hit reported at 12291 where no vertex is farther than 600. Rays at up to 1 degree
-// through and past such triangles, anywhere within 600: a hit lies on the triangle, and where double arithmetic finds the
-// ray beside the triangle by more than its rounding, there is none.
+// As reported of Embree 3.13 in its robust mode (issue 387): a triangle with edges of 11.2, 9.7 and 1.4, a ray at half
+// a degree to its plane that misses it, a hit reported at 12291 where no vertex is farther than 600. Rays at up to 1
+// degree through and past such triangles, anywhere within 600: a hit lies on the triangle, and where double arithmetic
+// finds the ray beside the triangle by more than its rounding, there is none.
 TEST(Hazard09, RaysNearlyWithinASkinnyTriangleMissItWhereTheyDo) {
   std::mt19937 rng(4);
   std::uniform_real_distribution<float> uniform(-1, 1);
@@ -74,13 +74,14 @@ TEST(Hazard09, RaysNearlyWithinASkinnyTriangleMissItWhereTheyDo) {
     for (int j = 0; j < 1000; ++j) {
       const Vec3 at = a + s * (5.5f + 8 * uniform(rng)) + t * (2 * uniform(rng));
       const float phi = pi * uniform(rng), tilt = 0.0175f * uniform(rng);
-      const Vec3 d = normalize(s * std::cos(phi) + t * std::sin(phi) + n * tilt), o = at - d * (300 + 290 * uniform(rng));
+      const Vec3 d = normalize(s * std::cos(phi) + t * std::sin(phi) + n * tilt);
+      const Vec3 o = at - d * (300 + 290 * uniform(rng));
       Hit hit;
       const bool found = rig.tracer->intersect(o, d, infinity, hit);
       const Beside beside = beside_triangle(mesh, o, d);
       if (found) {
         ++hits;
-        ASSERT_LT(length(o + d * hit.t - rig.tracer->surface_at(hit).p), 11.2f) << hit.t;  // as far as the triangle goes
+        ASSERT_LT(length(o + d * hit.t - rig.tracer->surface_at(hit).p), 11.2f) << hit.t;  // the triangle's length
         ASSERT_LT(hit.t, 620.0f);
       }
       // A ray's own rounding, 600 * 6e-8 beside its line, moves where it meets the plane by that over the cosine.
@@ -94,8 +95,9 @@ TEST(Hazard09, RaysNearlyWithinASkinnyTriangleMissItWhereTheyDo) {
   EXPECT_GT(misses, 50000u);
 }
 
-// As reported of Embree 3.13.2 and later (issue 416): a block 120,000 high and up to 5.9e11 wide, rays from 500 above its
-// top straight and almost straight down, a hit close to its bottom. Each hits the top, at 500, and nothing before it.
+// As reported of Embree 3.13.2 and later (issue 416): a block 120,000 high and up to 5.9e11 wide, rays from 500 above
+// its top straight and almost straight down, a hit close to its bottom. Each hits the top, at 500, and nothing before
+// it.
 TEST(Hazard09, AHugeBlockIsHitOnItsTop) {
   std::mt19937 rng(6);
   std::uniform_real_distribution<float> uniform(-1, 1);

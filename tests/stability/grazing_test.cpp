@@ -14,8 +14,8 @@ void expect_close(const ups_meter_reading& r, double expected, const std::string
   EXPECT_NEAR(r.illuminance_lx, expected, 0.005 * expected) << what << " +- " << r.standard_error_lx;
 }
 
-// A spot 1 cm above the plane of a floor that begins at 4 m and ends at 9 m from it: 89.86 to 89.94 degrees. The beam has
-// its full intensity all over the floor.
+// A spot 1 cm above the plane of a floor that begins at 4 m and ends at 9 m from it: 89.86 to 89.94 degrees. The beam
+// has its full intensity all over the floor.
 class Hazard05 : public ::testing::Test {
  protected:
   static constexpr double h = 0.01, intensity = 1000, rho = 0.8, near = 4, far = 9, half = 0.07;

@@ -1,14 +1,14 @@
-// Hazard 12: series that are cut short. In a closed sphere of reflectance rho light goes round 1 / (1 - rho) times on the
-// average: ten bounces at 0.95 lose 60 % of it.
+// Hazard 12: series that are cut short. In a closed sphere of reflectance rho light goes round 1 / (1 - rho) times on
+// the average: ten bounces at 0.95 lose 60 % of it.
 //
-// The wall itself emits, Phi = pi L A in all, so that E = Phi / (A (1 - rho)) = pi L / (1 - rho) at every place and in every
-// direction, of the mesh as of the sphere; and a path's every vertex brings as much as any other, so that the length of
-// paths is all the noise there is. By every subset of techniques that can carry all light without blur: with emitter hits or
-// next-event estimation, cells also with light that lands. (What only merging brings is blurred across the mesh's edges;
-// tests/analytic/technique_subsets_test.cpp has those subsets, within what the blur is.)
+// The wall itself emits, Phi = pi L A in all, so that E = Phi / (A (1 - rho)) = pi L / (1 - rho) at every place and in
+// every direction, of the mesh as of the sphere; and a path's every vertex brings as much as any other, so that the
+// length of paths is all the noise there is. By every subset of techniques that can carry all light without blur: with
+// emitter hits or next-event estimation, cells also with light that lands. (What only merging brings is blurred across
+// the mesh's edges; tests/analytic/technique_subsets_test.cpp has those subsets, within what the blur is.)
 //
-// Within 0.3 %, at standard errors of at most 0.1 %: an error of 0.6 % is found in 99 cases of 100, of 1 % with certainty.
-// False alarms take 3 standard errors, P(|t_15| > 3) = 0.9 % for each comparison at the limit of noise.
+// Within 0.3 %, at standard errors of at most 0.1 %: an error of 0.6 % is found in 99 cases of 100, of 1 % with
+// certainty. False alarms take 3 standard errors, P(|t_15| > 3) = 0.9 % for each comparison at the limit of noise.
 #include "../support/expect_lx.h"
 #include "full.h"
 
@@ -100,7 +100,7 @@ TEST_P(Hazard12PointSource, ReachesTheEnergyBalance) {
     const uint32_t iterations = GetParam() < 60 ? 32 : GetParam() < 92 ? 128 : GetParam() < 97 ? 192 : 384;
     const Result result = scene.render({.method = method, .iterations = iterations, .light_paths = 1u << 11});
     const auto s = result.statistics(meters);
-    EXPECT_LE(s.mean_standard_error_lx, 0.0015 * expected) << method_name(method) << ": too noisy to judge " << s.mean_lx;
+    EXPECT_LE(s.mean_standard_error_lx, 0.0015 * expected) << method_name(method) << ": too noisy";
     EXPECT_NEAR(s.mean_lx, expected, 0.005 * expected) << method_name(method) << " +- " << s.mean_standard_error_lx;
     EXPECT_NEAR(result.info().emitted_flux_lm, flux_lm, 1e-5 * flux_lm);
     std::printf("  %s: %+.3f +- %.3f %%\n", method_name(method), 100 * (s.mean_lx / expected - 1),

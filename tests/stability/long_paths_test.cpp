@@ -1,12 +1,13 @@
-// Hazard 1: the weights' sums overflow or underflow on long or sharp paths. With single precision 26 of 3000 paths of 9 to
-// 16 edges and densities to 1e12 lose all their energy, 157 in units of 1e5, and nothing that is not finite gives it away.
+// Hazard 1: the weights' sums overflow or underflow on long or sharp paths. With single precision 26 of 3000 paths of 9
+// to 16 edges and densities to 1e12 lose all their energy, 157 in units of 1e5, and nothing that is not finite gives it
+// away.
 #include "../oracle/compare_weights.h"
 
 namespace ups::test {
 namespace {
 
-// Every weight against its definition, and their sum against 1, for 1e5 paths at each scale: a path whose weights vanish
-// fails. Every second one with all techniques, so that few have none.
+// Every weight against its definition, and their sum against 1, for 1e5 paths at each scale: a path whose weights
+// vanish fails. Every second one with all techniques, so that few have none.
 TEST(Hazard01, WeightsOfLongSharpPathsSumToOne) {
   const PathRanges range{.k_min = 9,
                          .k_max = 16,

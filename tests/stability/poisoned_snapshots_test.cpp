@@ -1,6 +1,7 @@
 // Hazard 2: infinities and what is no number, within transport. Is every path that ends because its throughput is not
-// finite counted, and are the books and readings free of it? The API lets no such scene in: the snapshot is poisoned after
-// its commit. (Materials take what is no number as 0, so that of what scatters alone nothing comes that is not finite.)
+// finite counted, and are the books and readings free of it? The API lets no such scene in: the snapshot is poisoned
+// after its commit. (Materials take what is no number as 0, so that of what scatters alone nothing comes that is not
+// finite.)
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -79,9 +80,9 @@ TEST(Hazard02, LightPathsThatStartWithoutAFiniteFluxAreCounted) {
   EXPECT_EQ(dropped(tally, Drop::light_walk), 0u);
 }
 
-// Values of the material or the light: not a number, infinite, out of all range, or no more than denormal.
-// Whatever comes of it, nothing that is not finite comes out (run() looks), and what is dropped has a reason. (Not places:
-// the API takes none that is not finite, and builds of Embree with assertions end the process for a ray from there.)
+// Values of the material or the light: not a number, infinite, out of all range, or no more than denormal. Whatever
+// comes of it, nothing that is not finite comes out (run() looks), and what is dropped has a reason. (Not places: the
+// API takes none that is not finite, and builds of Embree with assertions end the process for a ray from there.)
 class Poison {
  public:
   explicit Poison(uint32_t seed) : rng_(seed) {}

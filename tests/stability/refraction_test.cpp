@@ -1,6 +1,7 @@
-// Hazard 14. Refraction from both ends: radiance is scaled by the square of the relative index on its way through an interface,
-// flux is not (Veach 1997, 5.2). Meters inside solid dielectrics, emitters inside them, slabs in between: path tracing,
-// light tracing, bidirectional path tracing and photon merging measure the same, and what the closed form says.
+// Hazard 14. Refraction from both ends: radiance is scaled by the square of the relative index on its way through an
+// interface, flux is not (Veach 1997, 5.2). Meters inside solid dielectrics, emitters inside them, slabs in between:
+// path tracing, light tracing, bidirectional path tracing and photon merging measure the same, and what the closed form
+// says.
 #include <functional>
 
 #include "../support/expect_same.h"

@@ -1,5 +1,5 @@
-// Hazard 4: lobes of roughness 1e-1 to 1e-5, where half vectors lose their digits, and the smallest below which they are
-// delta lobes. Furnaces through the whole engine: sharp_lobes_test.cpp.
+// Hazard 4: lobes of roughness 1e-1 to 1e-5, where half vectors lose their digits, and the smallest below which they
+// are delta lobes. Furnaces through the whole engine: sharp_lobes_test.cpp.
 #include <gtest/gtest.h>
 
 #include "../bsdf/directional_albedo.h"
@@ -10,8 +10,8 @@ namespace {
 constexpr float cosines[] = {1.0f, 0.9f, 0.6f, 0.4f, 0.2f, 0.1f, 0.05f, 0.02f};
 constexpr float alphas[] = {0.1f, 0.03f, 0.01f, 3e-3f, 1e-3f, 3e-4f, 1e-4f, 3.1e-5f, 2.9e-5f, 1e-5f, 0};
 
-// What absorbs nothing returns all light, at every roughness: continuous within 0.5 %. 16,384 points of Hammersley's for
-// each, no chance.
+// What absorbs nothing returns all light, at every roughness: continuous within 0.5 %. 16,384 points of Hammersley's
+// for each, no chance.
 TEST(Hazard04, LosslessMaterialsReturnAllLightAtEveryRoughness) {
   double worst = 0;
   const auto expect_one = [&](MaterialModel model, float ior, bool from_inside) {

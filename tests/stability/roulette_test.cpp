@@ -16,7 +16,8 @@ namespace ups::test {
 namespace {
 
 // A path that lives carries no more than it started with, whatever it met; chains of lossless mirrors and glass, which
-// are exempt, no more than ((n + 1) / 62.5)^1.5 times that after n edges. Bounces take away up to all but 1e-6, in colours.
+// are exempt, no more than ((n + 1) / 62.5)^1.5 times that after n edges. Bounces take away up to all but 1e-6, in
+// colours.
 TEST(Hazard13, SurvivorsCarryNoMoreThanTheyStartedWith) {
   std::mt19937 rng(3);
   std::uniform_real_distribution<float> uniform(0, 1);
@@ -99,7 +100,8 @@ TEST(Hazard13, NoPathOfALongCorridorBringsMoreThanOneSampleOfTheLamp) {
     const SensorIndex sensors(in, pool);
     Photons photons;
     photons.paths = trace_light_paths(in, sensors, pool, tally);
-    for (const LightVertex& v : photons.paths.vertices) brightest_lm = std::max(brightest_lm, double(luminance(v.flux)));
+    for (const LightVertex& v : photons.paths.vertices)
+      brightest_lm = std::max(brightest_lm, double(luminance(v.flux)));
     const DirectLight direct(*room.scene, plan, settings);
     trace_meter_paths(in, photons, direct, 0, 0, pool, tally);
   }

@@ -52,8 +52,8 @@ Leaks walk_in_room(const Raytracer& tracer, const Vec3& start, size_t count, uin
   return leaks;
 }
 
-// Not one ray leaves a closed room, hits the surface that it has just left, or is blocked on its way to what it hits. None
-// among n says, at 95 %, that fewer than 3 / n do: 7.5e-6 for a room of the fast form, 3e-8 of the full one.
+// Not one ray leaves a closed room, hits the surface that it has just left, or is blocked on its way to what it hits.
+// None among n says, at 95 %, that fewer than 3 / n do: 7.5e-6 for a room of the fast form, 3e-8 of the full one.
 void expect_tight(const Rig& rig, const Vec3& start) {
   const Leaks leaks = walk_in_room(*rig.tracer, start, test::fast_or_full<size_t>(400'000, 100'000'000), 11);
   EXPECT_EQ(leaks.escaped, 0u);

@@ -1,6 +1,6 @@
-// Hazard 4, through the whole engine: a furnace in which everything emits or absorbs nothing has one illuminance,
-// E = pi L / (1 - rho), however rough the metal and the glass in it are. A lobe that one walk takes for a delta lobe and the
-// other does not would show.
+// Hazard 4, through the whole engine: a furnace in which everything emits or absorbs nothing has one illuminance, E =
+// pi L / (1 - rho), however rough the metal and the glass in it are. A lobe that one walk takes for a delta lobe and
+// the other does not would show.
 #include "../support/expect_same.h"
 #include "full.h"
 
@@ -12,8 +12,8 @@ INSTANTIATE_TEST_SUITE_P(Alphas, Hazard04, ::testing::Values(1e-2, 1e-4, 3.1e-5,
   return "of_" + std::to_string(std::lround(1e7 * i.param)) + "e_7";
 });
 
-// Within 0.5 % at standard errors of at most 0.17 %: errors of 1 % are found in 998 cases of 1000; a false alarm takes 3
-// standard errors, P(|t_15| > 3) = 0.9 % where one is at its limit.
+// Within 0.5 % at standard errors of at most 0.17 %: errors of 1 % are found in 998 cases of 1000; a false alarm takes
+// 3 standard errors, P(|t_15| > 3) = 0.9 % where one is at its limit.
 TEST_P(Hazard04, AFurnaceHasOneIlluminance) {
   if (!full() && GetParam() > 1e-3) GTEST_SKIP() << "in the full form";
   const double rho = 0.5, luminance = 100, expected = pi_d * luminance / (1 - rho), roughness = std::sqrt(GetParam());

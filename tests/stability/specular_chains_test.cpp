@@ -1,14 +1,14 @@
 // Hazard 11: light behind long chains of mirrors and total reflections, which a cap on depth or eager roulette loses. A
-// square duct 25 times as long as it is wide, an emitter over all of its one end, meters at the other: 40 reflections at
-// 45 degrees, hundreds for what runs across.
+// square duct 25 times as long as it is wide, an emitter over all of its one end, meters at the other: 40 reflections
+// at 45 degrees, hundreds for what runs across.
 //
 // Unfolded, the duct's walls become a grid of images of the emitter. A direction from the meter that reaches the one in
 // column i and row j has met |i| + |j| walls, each at its own angle:
 //   E = L integral R(w_x)^|i| R(w_y)^|j| exp(-a d) cos(theta) dw.
 //
 // Acceptance: 1 %; here 0.5 % for means with standard errors of at most 0.15 %, so that an error of 1 % is found with
-// certainty (3.3 standard errors beyond the limit); a false alarm takes 3.3, P(|t_15| > 3.3) = 0.5 % at the limit of noise,
-// which only path tracing comes near to: it runs in the full form.
+// certainty (3.3 standard errors beyond the limit); a false alarm takes 3.3, P(|t_15| > 3.3) = 0.5 % at the limit of
+// noise, which only path tracing comes near to: it runs in the full form.
 #include <functional>
 
 #include "../support/expect_same.h"
@@ -60,7 +60,8 @@ void judge(Scene& scene, const std::function<double(const P3&)>& lx) {
   for (const P3& p : at) expected += lx(p) / double(at.size());
   const Sensor cell = scene.add_cells({middle}, {back}, {s}, width, width);
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_LIGHT_TRACING}) {
-    const auto r = scene.render({.method = method, .iterations = 32, .light_paths = 1u << 12}).readings(cell)[0];
+    const uint32_t light_paths = fast_or_full(1u << 12, 1u << 14);
+    const auto r = scene.render({.method = method, .iterations = 32, .light_paths = light_paths}).readings(cell)[0];
     expect_close(r.illuminance_lx, r.standard_error_lx, expected, std::string(method_name(method)) + ", cell");
   }
   if (!full()) return;

@@ -5,11 +5,11 @@
 namespace ups::test {
 namespace {
 
-// A disc of 1000 cd/m^2 in a black room of 4 m, E of its mesh in closed form. Each reading within 0.5 % and its standard
-// error at most 0.1 %: errors of 1 % are found with certainty (by 5 standard errors), of 0.6 % in five cases of six. A
-// false alarm takes 5 standard errors: P(|t_15| > 5) = 1.6e-4 for a reading whose error is at its limit; most are far
-// below. The smallest is a millionth of the room across; floats place its corners to 1.5 % of its radius, which costs
-// 0.15 % of E. (Of a radius of 1e-6 m it was 0.5 %.)
+// A disc of 1000 cd/m^2 in a black room of 4 m, E of its mesh in closed form. Each reading within 0.5 % and its
+// standard error at most 0.1 %: errors of 1 % are found with certainty (by 5 standard errors), of 0.6 % in five cases
+// of six. A false alarm takes 5 standard errors: P(|t_15| > 5) = 1.6e-4 for a reading whose error is at its limit; most
+// are far below. The smallest is a millionth of the room across; floats place its corners to 1.5 % of its radius, which
+// costs 0.15 % of E. (Of a radius of 1e-6 m it was 0.5 %.)
 constexpr double tolerance = 0.005, largest_noise = 0.001;
 
 void expect_close(const ups_meter_reading& r, double expected, const std::string& what) {

@@ -11,8 +11,8 @@ void expect_near(double value, double expected, const std::string& what) {
 double scaled(double factor, float error) { return error == -1 ? -1 : factor * double(error); }
 
 // Every decision of `result` is that of `expected`, and every photometric quantity is `factor` times as large.
-void expect_scaled(const MixedRoom& room, const Result& result, const MixedRoom& original, const Result& expected, double factor,
-                   const std::string& what) {
+void expect_scaled(const MixedRoom& room, const Result& result, const MixedRoom& original, const Result& expected,
+                   double factor, const std::string& what) {
   const ups_result_info a = result.info(), b = expected.info();
   EXPECT_EQ(a.rays, b.rays) << what;
   EXPECT_EQ(a.merges, b.merges) << what;

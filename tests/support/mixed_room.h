@@ -12,7 +12,8 @@ struct MixedRoom {
   Scene scene;
   Sensor points, cells, camera;
 
-  MixedRoom(int threads, double scale, const P3& offset, bool with_camera, Lights lights = Lights::mixed) : scene(threads) {
+  MixedRoom(int threads, double scale, const P3& offset, bool with_camera, Lights lights = Lights::mixed)
+      : scene(threads) {
     const auto at = [&](double x, double y, double z) { return P3{x * scale, y * scale, z * scale} + offset; };
     const auto add = [&](const Shape& shape, const ups_material_desc& m) { scene.add(shape.scaled(scale), m, offset); };
     ups_material_desc tinted = glass(1.5);
