@@ -266,13 +266,15 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
   const auto found = [&](uint32_t i) { return connect(in_, counts_, eye, arrival, light_end(i), lights[i].emitter); };
   if (sensor_.techniques) {  // by their weights, those of next to none would stand for the others
     for (uint32_t i = 0; i < count; ++i)
-      if (const Found c = found(i)) ++work_.connections, offer(*c, Drop::connect);
+      if (const Found c = lights[i].lit ? found(i) : Found()) ++work_.connections, offer(*c, Drop::connect);
     return;
   }
   double sum = 0;
   for (uint32_t i = 0; i < count; ++i) {
     double size = 0;
-    if (estimates && lights[i].lambertian)
+    if (!lights[i].lit)
+      size = 0;
+    else if (estimates && lights[i].lambertian)
       size = connection_estimate(in_, counts_, eye, lights[i]);
     else if (const Found c = found(i))
       size = luminance(c->value) * c->weight(in_, 1);
