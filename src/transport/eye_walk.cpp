@@ -300,8 +300,9 @@ void EyeWalk::merge(const EyeEnd& eye) {
   if (!(disc.radius > 0)) return;
   const float r2 = float(disc.radius * disc.radius);
   disc.photons->query(eye.surface.p, float(disc.radius), [&](uint32_t index, float d2) {
-    const Found c = ups::merge(in_, counts_, eye, photons_.paths.vertices[index], disc.radius);
-    if (!c) return;
+    const LightVertex& light = photons_.paths.vertices[index];
+    const Found c = ups::merge(in_, counts_, eye, light, disc.radius);
+    if (!c || !nothing_between(scene_, eye.surface, light.wo, light.p, light.error, disc.radius, work_)) return;
     ++work_.merges;
     if (in_.recorder) in_.recorder->found(*c, 1, index);
     const float weight = float(c->weight(in_, 1));
@@ -332,7 +333,7 @@ bool EyeWalk::perturb(const EyeEnd& eye, Arrival& out) {
     const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
     if (merge_gate(bsdf) && cosine >= min_merge_cosine && length2(out.surface.p - own.p) <= radius * radius) {
       out.ratio = 1 / cosine;
-      return true;
+      return nothing_between(scene_, own, eye.wo, out.surface.p, out.surface.error, double(radius), work_);
     }
     start = out.surface.ray_origin(-own.ng);
     reach -= hit.t + 2 * out.surface.error;
