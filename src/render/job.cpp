@@ -344,6 +344,9 @@ void RenderJob::add_warnings(RenderResult& r) const {
                     ", so the light has not the symmetry that was asked for: what it measures is a mean over " +
                     "directions that differ\n";
   r.warnings += radius_notice(*integrator_, sums_->iterations());
+  if (desc_.merge_radius_m > 0)
+    for (size_t c = 0; c < r.images.size(); ++c) r.warnings += blur_notice(scene_->camera_ids[c], r.images[c]);
+  r.warnings += leaning_notice(books_flux_ ? sums_->work() : flux_, scene_->emitters.flux_lm());
   if (!(scene_->emitters.flux_lm() > 0)) return;
   for (size_t s = 0; s < r.meter_sets.size(); ++s)
     if (r.meter_sets[s].statistics.mean_lx == 0)

@@ -29,6 +29,8 @@ struct WorkCounts {
   float brightest_lm = 0;    // of all light paths, as they started
   std::array<uint64_t, size_t(Drop::count)> dropped{};
   double absorbed_lm = 0, escaped_lm = 0;  // summed over light paths, not yet divided by their number
+  // Of what is scattered, that shading normals lose which lean from their faces, less what they add; and its squares.
+  double leaning_lm = 0, leaning_lm2 = 0;
 
   void drop(Drop where) { ++dropped[size_t(where)]; }
   void add(const WorkCounts& o) {
@@ -43,6 +45,8 @@ struct WorkCounts {
     for (size_t i = 0; i < dropped.size(); ++i) dropped[i] += o.dropped[i];
     absorbed_lm += o.absorbed_lm;
     escaped_lm += o.escaped_lm;
+    leaning_lm += o.leaning_lm;
+    leaning_lm2 += o.leaning_lm2;
   }
 };
 
