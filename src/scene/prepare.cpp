@@ -165,7 +165,7 @@ void Builder::add_geometry() {
     const Mesh& mesh = *out_->meshes[i.mesh - 1];
     instances_.push_back({i.mesh - 1, to_scene(i.to_world)});
     if (emits_from_one_side(in_.materials().at(mesh.material + 1)))
-      lift_flat_emitter(mesh, 32 * 0x1p-24 * double(out_->radius), instances_.back().to_scene);
+      lift_flat_emitter(mesh, 8 * 0x1p-24 * double(out_->radius), instances_.back().to_scene);
     instance_ids_.push_back(id);
     out_->material_used[out_->meshes[i.mesh - 1]->material] = true;
   });
@@ -190,6 +190,7 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
       meter.frame = {Vec3(s), Vec3(cross(n, s)), Vec3(n)};
     }
     const Vec3 half_a = meter.frame.s * (0.5f * set.cell_width), half_b = meter.frame.t * (0.5f * set.cell_height);
+    if (!set.is_cell()) meter.p = off_walls(*out_, meter.p, meter.frame);
     meter.error = set.is_cell() ? error_at(*out_, meter.p, meter.frame.n, half_a, half_b)
                                 : error_at(*out_, meter.p, meter.frame.n);
   });
