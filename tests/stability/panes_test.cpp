@@ -247,7 +247,7 @@ TEST(Taught, LightThroughAHundredPanes) {
   clear.add_directional({0, 0, -1}, source_lux);
   const Sensor cell = clear.add_cells({{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, 8, 8);
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_LIGHT_TRACING}) {
-    const auto r = clear.render({.method = method, .iterations = 32, .light_paths = 1u << 13}).readings(cell)[0];
+    const auto r = clear.render({.method = method, .iterations = 32, .light_paths = 1u << 14}).readings(cell)[0];
     measured("clear panes, %s: %+.2f +- %.2f %%", method_name(method), 100 * (r.illuminance_lx / expected - 1),
              100 * r.standard_error_lx / expected);
     expect_lx(r, expected, 0.0025, std::string("clear panes, ") + method_name(method));
