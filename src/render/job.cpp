@@ -406,7 +406,10 @@ void RenderJob::add_warnings(RenderResult& r) const {
                     ", so the light has not the symmetry that was asked for: what it measures is a mean over " +
                     "directions that differ\n";
   r.warnings += radius_notice(*integrator_, sums_->iterations());
+  if (desc_.merge_radius_m > 0)
+    for (size_t c = 0; c < r.images.size(); ++c) r.warnings += blur_notice(scene_->camera_ids[c], r.images[c]);
   const double emitted = scene_->emitters.flux_lm();
+  r.warnings += leaning_notice(books(), emitted);
   if (!(emitted > 0)) return;
   if (books().light_paths > 0) r.warnings += flux_warning(flux_balance(books(), emitted), emitted);
   for (size_t s = 0; s < r.meter_sets.size(); ++s)

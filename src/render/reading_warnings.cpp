@@ -2,6 +2,8 @@
 #include "render/reading_warnings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace ups {
 
@@ -44,6 +46,42 @@ std::string reading_warnings(uint32_t set_id, const MeterSetReading& set) {
              },
              "have unreliable intervals: a few bright paths made much of what was found; see "
              "ups_result_read_meter_flags");
+}
+
+std::string blur_notice(uint32_t camera_id, const ImageReading& image) {
+  constexpr double least = 0.2, errors = 3;  // of a tile's luminance; of its bias, about twice those of luminance
+  if (image.bias.empty()) return {};
+  size_t pixels = 0;
+  for (uint32_t top = 0; top < image.height; top += Units::side)
+    for (uint32_t left = 0; left < image.width; left += Units::side) {
+      double light = 0, bias = 0, variance = 0;
+      size_t count = 0;
+      for (uint32_t y = top; y < std::min(top + Units::side, image.height); ++y)
+        for (uint32_t x = left; x < std::min(left + Units::side, image.width); ++x, ++count) {
+          const size_t p = size_t(y) * image.width + x;
+          light += image.luminance_rgb[3 * p + 1];
+          bias += image.bias[p];
+          variance += std::pow(2 * std::max(0.0f, image.standard_error_rgb[3 * p + 1]), 2);
+        }
+      if (-bias > least * light && bias * bias > errors * errors * variance) pixels += count;
+    }
+  if (pixels == 0) return {};
+  return "camera " + std::to_string(camera_id) + ": the merge radius that was asked for is wider than what about " +
+         std::to_string(pixels) + " of its " + std::to_string(size_t(image.width) * image.height) +
+         " pixels see: they are too dark by more than their bounds; without it the scene decides\n";
+}
+
+// What is lost is missing from what all surfaces absorb, so in the mean from their illuminances.
+std::string leaning_notice(const WorkCounts& flux, double emitted_lm) {
+  constexpr double least = 1e-3, errors = 3;
+  if (flux.light_paths == 0 || !(emitted_lm > 0)) return {};
+  const double share = flux.leaning_lm / (double(flux.light_paths) * emitted_lm);
+  if (std::abs(share) < least || flux.leaning_lm * flux.leaning_lm < errors * errors * flux.leaning_lm2) return {};
+  char percent[32];
+  std::snprintf(percent, sizeof percent, "%.2g", 100 * std::abs(share));
+  return std::string("shading normals that lean from their faces ") + (share > 0 ? "lose " : "add ") + percent +
+         " % of the light, by which illuminances are too " + (share > 0 ? "low" : "high") +
+         " in the mean: finer meshes and flatter normal maps err less\n";
 }
 
 }  // namespace ups

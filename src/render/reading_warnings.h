@@ -1,5 +1,5 @@
-// Which readings of a set are not what they seem: no path has found their light, or few, or a few bright ones made most
-// of it. A line each, or nothing. Called by the job.
+// What a result says beside its values of light that is missing or hardly known: no path has found it, or few, or a few
+// bright ones made most of it; merging blurs it; shading normals lose it. A line each, or nothing. Called by the job.
 #pragma once
 #include <string>
 
@@ -8,5 +8,12 @@
 namespace ups {
 
 std::string reading_warnings(uint32_t set_id, const MeterSetReading& set);
+
+// Of an image whose first radius was asked for: where photons are merged over more than what a pixel sees, such as a thin
+// rod, most of the disc misses it, and no bound that is told by the disc's halves holds.
+std::string blur_notice(uint32_t camera_id, const ImageReading& image);
+
+// What of the light shading normals lose that lean from their faces.
+std::string leaning_notice(const WorkCounts& flux, double emitted_lm);
 
 }  // namespace ups

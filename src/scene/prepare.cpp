@@ -130,10 +130,42 @@ void Builder::add_materials() {
   out_->material_used.resize(out_->materials.size());
 }
 
+namespace {
+
+bool emits_from_one_side(const ups_material_desc& m) {
+  return m.emits_both_sides != 1 && (m.luminance_cd_m2[0] > 0 || m.luminance_cd_m2[1] > 0 || m.luminance_cd_m2[2] > 0);
+}
+
+// A flat emitter may lie in the plane of a ceiling that goes on behind it. Rounding would decide which of the two a ray
+// meets, and half of the light be lost: it is moved to its front by what rounding makes, some micrometres in a room.
+void lift_flat_emitter(const Mesh& mesh, double lift, Affine& to_scene) {
+  if (mesh.revolution) return;
+  const double side = to_scene.determinant() < 0 ? -1 : 1;
+  const auto at = [&](size_t i) { return to_scene.point(Vec3d(mesh.positions[mesh.indices[i]])); };
+  Vec3d n(0, 0, 0);
+  double flattest = 1;
+  for (size_t t = 0; t < mesh.indices.size(); t += 3) {
+    const Vec3d a = cross(at(t + 1) - at(t), at(t + 2) - at(t)) * side;
+    const double size = length(a);
+    if (!(size > 0)) continue;
+    if (!(length(n) > 0)) n = a / size;
+    flattest = std::min(flattest, dot(n, a / size));
+  }
+  if (!(length(n) > 0) || flattest < 0.9999) return;
+  for (size_t i = 0; i < mesh.indices.size(); ++i)
+    if (std::abs(dot(at(i) - at(0), n)) > lift) return;
+  to_scene.m[3] += n.x * lift, to_scene.m[7] += n.y * lift, to_scene.m[11] += n.z * lift;
+}
+
+}  // namespace
+
 void Builder::add_geometry() {
   in_.meshes().each([&](uint32_t, const std::shared_ptr<const Mesh>& mesh) { out_->meshes.push_back(mesh); });
   in_.instances().each([&](uint32_t id, const InstanceDescription& i) {
+    const Mesh& mesh = *out_->meshes[i.mesh - 1];
     instances_.push_back({i.mesh - 1, to_scene(i.to_world)});
+    if (emits_from_one_side(in_.materials().at(mesh.material + 1)))
+      lift_flat_emitter(mesh, 8 * 0x1p-24 * double(out_->radius), instances_.back().to_scene);
     out_->instance_ids.push_back(id);
     out_->material_used[out_->meshes[i.mesh - 1]->material] = true;
   });
@@ -158,6 +190,7 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
       meter.frame = {Vec3(s), Vec3(cross(n, s)), Vec3(n)};
     }
     const Vec3 half_a = meter.frame.s * (0.5f * set.cell_width), half_b = meter.frame.t * (0.5f * set.cell_height);
+    if (!set.is_cell()) meter.p = off_walls(*out_, meter.p, meter.frame);
     meter.error = set.is_cell() ? error_at(*out_, meter.p, meter.frame.n, half_a, half_b)
                                 : error_at(*out_, meter.p, meter.frame.n);
   });

@@ -30,6 +30,22 @@ float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& 
   return error;
 }
 
+Vec3 off_walls(const Snapshot& scene, const Vec3& p, const Frame& frame) {
+  constexpr int directions = 8, passes = 2;  // in a corner the first wall hides the second
+  const float reach = 0x1p-17f * scene.radius, error = free_error(p);
+  Vec3 moved = p;
+  for (int k = 0; k < passes * directions && reach > 0; ++k) {
+    const float phi = float(k) * (2 * pi / directions);
+    const Vec3 u = frame.s * std::cos(phi) + frame.t * std::sin(phi);
+    Hit hit;
+    if (!scene.raytracer->intersect(moved + frame.n * reach - u * reach, u, 2 * reach, hit)) continue;
+    const SurfacePoint wall = scene.raytracer->surface_at(hit);
+    const float height = dot(moved - wall.p, wall.ng), rounding = error + wall.error;
+    if (std::abs(height) < 2 * rounding) moved = moved + wall.ng * (2 * rounding - height);
+  }
+  return moved;
+}
+
 Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n) {
   const float error = error_at(scene, p, n);
   return error > free_error(p) ? p + n * (2 * error) : p;

@@ -13,6 +13,9 @@ inline float free_error(const Vec3& p) { return 16 * 0x1p-24f * max_abs(p); }
 float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n);
 // The same for a rectangle about p.
 float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& half_a, const Vec3& half_b);
+// A point of a surface that lies in the plane of a wall, too, as on an edge or in a corner: moved to the wall's front by
+// what rounding makes, so that light from that side reaches it.
+Vec3 off_walls(const Snapshot& scene, const Vec3& p, const Frame& frame);
 // A source without extent that lies on a surface shines from the side that n points to.
 Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n);
 

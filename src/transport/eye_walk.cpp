@@ -276,12 +276,13 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
   const auto found = [&](uint32_t i) { return connect(in_, counts_, eye, arrival, light_end(i), lights[i].emitter); };
   if (sensor_.techniques) {  // by their weights, those of next to none would stand for the others
     for (uint32_t i = 0; i < count; ++i)
-      if (const Found c = found(i)) ++work_.connections, offer(*c, Drop::connect);
+      if (const Found c = lights[i].lit ? found(i) : Found()) ++work_.connections, offer(*c, Drop::connect);
     return;
   }
   double sum = 0;
   for (uint32_t i = 0; i < count; ++i) {
     Candidate& c = all.emplace_back();
+    if (!lights[i].lit) continue;
     if (estimates && lights[i].lambertian)
       c.size = connection_estimate(in_, counts_, eye, lights[i]);
     else if ((c.found = found(i)))
@@ -310,8 +311,9 @@ void EyeWalk::merge(const EyeEnd& eye) {
   if (!(disc.radius > 0)) return;
   const float r2 = float(disc.radius * disc.radius);
   disc.photons->query(eye.surface.p, float(disc.radius), [&](uint32_t index, float d2) {
-    const Found c = ups::merge(in_, counts_, eye, photons_.paths.vertices[index], disc.radius);
-    if (!c) return;
+    const LightVertex& light = photons_.paths.vertices[index];
+    const Found c = ups::merge(in_, counts_, eye, light, disc.radius);
+    if (!c || !nothing_between(scene_, eye.surface, light.wo, light.p, light.error, disc.radius, work_)) return;
     ++work_.merges;
     const float weight = float(c->weight(in_, 1));
     if (in_.recorder) in_.recorder->found(*c, {1, c->value, weight}, index);
@@ -342,7 +344,7 @@ bool EyeWalk::perturb(const EyeEnd& eye, Arrival& out) {
     const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
     if (merge_gate(bsdf) && cosine >= min_merge_cosine && length2(out.surface.p - own.p) <= radius * radius) {
       out.ratio = 1 / cosine;
-      return true;
+      return nothing_between(scene_, own, eye.wo, out.surface.p, out.surface.error, double(radius), work_);
     }
     start = out.surface.ray_origin(-own.ng);
     reach -= hit.t + 2 * out.surface.error;

@@ -82,13 +82,14 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       }
       if (!carry(met_.transmittance(scene_, met_.distance))) return;
       if (std::abs(dot(direction_, met_.surface.ng)) < min_cosine) return;
-      if (!shade(a, light)) {
+      const bool lit = shade(a, light), continuous = lit && light.bsdf->has_continuous();
+      light.merge = merge_gate(*light.bsdf) && (a > 1 || in_.gates_of(emitter_index_).merge_at_first);
+      if (in_.stores_vertices && (light.merge || continuous)) store(light, lit);
+      // Light from behind a bump: nothing goes on, but next to it, where photons are merged, the normal may be another.
+      if (!lit) {
         absorb();
         return;
       }
-      const bool continuous = light.bsdf->has_continuous();
-      light.merge = merge_gate(*light.bsdf) && (a > 1 || in_.gates_of(emitter_index_).merge_at_first);
-      if (in_.stores_vertices && (light.merge || continuous)) store(light);
       if (continuous && in_.has(UPS_TECHNIQUE_SENSOR_CONNECT))
         for (uint32_t c = 0; c < scene_.cameras.size(); ++c) splat(c, light);
       if (!scatter(light, [&](const BsdfSample& s) { return is_finite(s.weight) || drop(Drop::light_walk); })) return;
@@ -174,7 +175,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
          MeterDiscs::octant_of(x, y), value * e.area, c.relative(1)});
   }
 
-  void store(const LightEnd& light) {
+  void store(const LightEnd& light, bool lit) {
     LightVertex v;
     v.p = light.surface.p;
     v.ng = light.surface.ng;
@@ -188,6 +189,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     v.relative_ior = met_.relative_ior;
     v.depth = uint16_t(std::min<uint32_t>(light.edges, 0xffff));
     v.merge = light.merge;
+    v.lit = lit;
     v.lambertian = light.bsdf->min_alpha_continuous() == 1;
     v.both_sides = light.bsdf->transmits_continuously();
     v.mis = light.state;

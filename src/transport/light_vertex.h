@@ -18,6 +18,7 @@ struct LightVertex {
   float relative_ior = 1;  // where it is of glass, see Encounter
   uint16_t depth = 0;   // a of x_a
   bool merge = false;   // photons are merged here: the material's gate and g_1
+  bool lit = true;      // from the front of its shading normal; else merged alone
   bool lambertian = false;  // scatters continuously by Lambertian lobes alone
   bool both_sides = false;  // Bsdf::transmits_continuously
   mis::LightState mis;

@@ -64,6 +64,9 @@ class Subpath {
     carried_ = after;
     return true;
   }
+  void lose_by_leaning(double lm) {
+    if constexpr (from_emitter) work_.leaning_lm += lm, work_.leaning_lm2 += lm * lm;
+  }
   bool absorb() {
     carry(Rgb(0.0f));
     return false;
@@ -92,7 +95,9 @@ class Subpath {
     v.front = &met_.front, v.back = &met_.back;
     v.state = arrive(receiver_at(v.surface, v.wo, *v.bsdf), std::abs(dot(direction_, v.surface.ng)), met_.distance);
     v.caster = v.bsdf->is_glossy(default_glossy_alpha);
-    return consistent_side(v.surface, v.wo, v.local_wo);
+    if (consistent_side(v.surface, v.wo, v.local_wo)) return true;
+    lose_by_leaning(luminance(carried_ * v.bsdf->textured().reflectance));
+    return false;
   }
 
   // The next edge. keep(sample): whether the walk goes on by such a lobe.
@@ -105,12 +110,16 @@ class Subpath {
     if (!v.bsdf->sample(v.local_wo, u_lobe, rng_.direction(v.edges), mode, s)) return absorb();
     if (!keep(s)) return false;
     const Vec3 wi = v.surface.shading.to_world(s.wi);
-    if (is_finite(s.weight) && !consistent_side(v.surface, wi, s.wi)) return absorb();
+    if (is_finite(s.weight) && !consistent_side(v.surface, wi, s.wi)) {
+      lose_by_leaning(luminance(carried_ * s.weight));
+      return absorb();
+    }
     float correction = 1;
     if constexpr (from_emitter)
       correction = s.delta ? shading_correction(v.surface, v.wo, wi) : light_correction(v.surface, v.wo, wi);
     else if (!s.delta)
       correction = terminator(v.surface, wi);
+    if (correction != 1) lose_by_leaning(luminance(carried_ * s.weight) * (1 - double(correction)));
     if (!carry(s.weight * correction)) return false;
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
     const float q = survival(carried_, start_carried_, v.edges, lossless);

@@ -40,6 +40,8 @@ struct WorkCounts {
   std::array<uint64_t, size_t(Drop::count)> dropped{};
   std::vector<DroppedSample> first_dropped;  // one of each Drop: the first, in an order that threads do not change
   FluxBooks flux;
+  // Of what is scattered, that shading normals lose which lean from their faces, less what they add; and its squares.
+  double leaning_lm = 0, leaning_lm2 = 0;
 
   void drop(Drop where, const PathAddress& path, const Vec3& p) {
     if (dropped[size_t(where)]++ == 0) first_dropped.push_back({where, path, p});
@@ -58,6 +60,8 @@ struct WorkCounts {
       if (dropped[size_t(d.where)] == 0) first_dropped.push_back(d);
     for (size_t i = 0; i < dropped.size(); ++i) dropped[i] += o.dropped[i];
     flux.add(o.flux);
+    leaning_lm += o.leaning_lm;
+    leaning_lm2 += o.leaning_lm2;
   }
 };
 

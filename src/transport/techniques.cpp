@@ -221,6 +221,17 @@ Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const 
   return c;
 }
 
+// Above the surface by as much as photons may lie off its plane: the chord of a bent one passes below it.
+bool nothing_between(const Snapshot& scene, const SurfacePoint& s, const Vec3& side, const Vec3& p, float error,
+                     double radius, WorkCounts& work) {
+  const float height = std::max(max_merge_height * float(radius), 2 * (s.error + error));
+  const Vec3 lift = s.ng * (dot(side, s.ng) > 0 ? height : -height), to = p - s.p;
+  const float distance = length(to);
+  if (!(distance > 0)) return true;
+  ++work.rays;
+  return !scene.raytracer->occluded(s.p + lift, to / distance, distance);
+}
+
 Contribution land(const Iteration& in, const mis::Counts& n, const mis::LightState& state, double eta, double area,
                   float cos_in, double flux, uint32_t edges, uint32_t emitter) {
   const bool merges = eta > 0;

@@ -67,6 +67,10 @@ struct Splatted {
 };
 std::optional<Splatted> splat(const Iteration& in, size_t camera, const LightEnd& light, uint32_t emitter);  // t = 1
 Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& light, double radius);
+// No wall stands between a vertex and a point of its surface within the merge radius, such as a thin one on a floor that
+// goes on beyond it; looked for on the side of `side`.
+bool nothing_between(const Snapshot& scene, const SurfacePoint& s, const Vec3& side, const Vec3& p, float error,
+                     double radius, WorkCounts& work);
 // t = 0 of a cell (eta 0), or a merge at a point meter's own disc: a light path of `edges` edges crosses it.
 Contribution land(const Iteration& in, const mis::Counts& n, const mis::LightState& state, double eta, double area,
                   float cos_in, double flux, uint32_t edges, uint32_t emitter);

@@ -89,7 +89,8 @@ TEST(IlluminanceCamera, MeasuresWhatAMirrorShows) {
   EXPECT_NEAR(total, expected, 0.005 * expected);
 }
 
-// Sunlight by way of a mirror: nothing but light paths finds it, merged at a meter or landed on a cell.
+// Sunlight by way of a mirror: nothing but light paths finds it, merged at a meter or landed on a cell. Means over 36
+// of each: 0.5 % or 4 standard errors of at most 0.2 %: an error of 1 % is found in 84 of 100 cases and more.
 TEST(DirectionalLight, ReachesAFloorByAMirror) {
   const double lx = 1000, reflectance = 0.8, expected = reflectance * lx * std::sqrt(0.5);
   Scene scene;
@@ -97,13 +98,19 @@ TEST(DirectionalLight, ReachesAFloorByAMirror) {
   scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0));
   scene.add(quad({-2, -2, 2.5}, {0, 4, 0}, {4, 0, 0}), matte(0));  // a roof; light passes beside it onto the mirror
   scene.add(quad({5, -3, -1}, {0, 0, 8}, {0, 6, 0}), mirror(reflectance));
-  const std::vector<P3> points{{1.5, 0, 0}, {1.7, 0.5, 0}}, up(2, P3{0, 0, 1}), along(2, P3{1, 0, 0});
-  const Sensor meters = scene.add_meters(points, up), cells = scene.add_cells(points, up, along, 0.3, 0.3);
-  const Result ups = scene.render({.iterations = 96, .light_paths = 1u << 15});
-  for (const auto& r : ups.readings(meters)) expect_inside_bound(r, expected, 0.25, "UPS, meter");
-  for (const auto& r : ups.readings(cells)) expect_lx(r, expected, 0.03, "UPS, cell");
-  const Result lt = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 96, .light_paths = 1u << 15});
-  for (const auto& r : lt.readings(cells)) expect_lx(r, expected, 0.03, "light tracing, cell");
+  std::vector<P3> points;
+  for (int i = 0; i < 36; ++i) points.push_back({1.3 + 0.1 * (i % 6), -0.5 + 0.2 * (i / 6), 0});
+  const std::vector<P3> up(36, P3{0, 0, 1}), along(36, P3{1, 0, 0});
+  const Sensor meters = scene.add_meters(points, up), cells = scene.add_cells(points, up, along, 0.1, 0.2);
+  for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_LIGHT_TRACING}) {
+    const Result r = scene.render({.method = method, .iterations = 96, .light_paths = 1u << 16});
+    const auto landed = r.statistics(cells), merged = r.statistics(meters);
+    const std::string what = std::string(method_name(method)) + ", cells";
+    expect_lx(landed.mean_lx, landed.mean_standard_error_lx, expected, 0.002, what);
+    if (method == UPS_METHOD_LIGHT_TRACING) continue;
+    expect_lx(merged.mean_lx, merged.mean_standard_error_lx, expected, 0.002, "UPS, meters");
+    for (const auto& reading : r.readings(meters)) expect_inside_bound(reading, expected, 0.15, "UPS, meter");
+  }
 }
 
 }  // namespace

@@ -278,21 +278,6 @@ TEST(SceneWarnings, ALargeSiteInTheSun) {
   EXPECT_EQ(warnings_of(scene), "");
 }
 
-// ---- merge radii ----
-
-// alpha near 0 lets r^2 fall as 1 / n: from 20 um to the 7 um that floats resolve here within some ten iterations.
-TEST(SceneWarnings, AMergeRadiusThatReachesTheLeast) {
-  Scene scene;
-  const Profile p = profile(scene, 0.6, 0.6);
-  add_scaled_room(scene, p, 1);
-  RenderOptions options{.iterations = 24, .merge_radius_m = 2e-5, .light_paths = 256, .radius_alpha = 1e-3};
-  const std::string text = scene.render(options).text(UPS_TEXT_WARNINGS);
-  EXPECT_TRUE(tells(text, {"after the first surface: from iteration 9 on, the merge radius is kept at 6.7"}));
-  EXPECT_EQ(text.find("meters"), std::string::npos) << "their discs do not shrink";
-  options.iterations = 4;
-  EXPECT_EQ(scene.render(options).text(UPS_TEXT_WARNINGS).find("merge radius"), std::string::npos);
-}
-
 // ---- triangles ----
 
 TEST(SceneWarnings, TrianglesWithoutArea) {

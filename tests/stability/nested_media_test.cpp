@@ -74,7 +74,7 @@ void expect_layers(const std::vector<Block>& blocks, const std::vector<Layer>& l
   expect_lx(result.readings(cells)[0], expected, 0.005, what);
 }
 
-TEST(NestedMedia, BlocksThatTouchHaveOneBoundary) {
+TEST(Taught, NestedMediaBlocksThatTouchHaveOneBoundary) {
   const double angle = 0.5;
   const std::vector<Layer> layers = {{1.5, 0.3, 0.2}, {1.8, 0.6, 0.3}};
   expect_layers({{0.7, 1.0, 3, absorbing(1.8, 0.6)}, {1.0, 1.2, 2.5, absorbing(1.5, 0.3)}}, layers, angle,
@@ -85,7 +85,7 @@ TEST(NestedMedia, BlocksThatTouchHaveOneBoundary) {
                 "both moved");
 }
 
-TEST(NestedMedia, PriorityDecidesWhereBlocksOverlap) {  // such as water that reaches into the wall of its glass
+TEST(Taught, NestedMediaPriorityDecidesWhereBlocksOverlap) {  // such as water that reaches into the wall of its glass
   const auto water = [](int priority) { return Block{0.7, 1.1, 2.5, absorbing(1.33, 0.5, priority)}; };
   const auto wall = [](int priority) { return Block{1.0, 1.3, 3, absorbing(1.52, 0.1, priority)}; };
   for (const double angle : {0.0, 0.6}) {
@@ -94,20 +94,20 @@ TEST(NestedMedia, PriorityDecidesWhereBlocksOverlap) {  // such as water that re
   }
 }
 
-TEST(NestedMedia, TheSmallerSolidCountsInTheLarger) {  // ice in water
+TEST(Taught, NestedMediaTheSmallerSolidCountsInTheLarger) {  // ice in water
   const Block water{0.5, 1.3, 3, absorbing(1.33, 0.5)}, ice{0.8, 1.0, 2.5, absorbing(1.31, 0.1)};
   const std::vector<Layer> layers = {{1.33, 0.5, 0.3}, {1.31, 0.1, 0.2}, {1.33, 0.5, 0.3}};
   expect_layers({water, ice}, layers, 0.6, "inner last");
   expect_layers({ice, water}, layers, 0.6, "inner first");
 }
 
-TEST(NestedMedia, AStrongerMediumHidesWhatIsInIt) {
+TEST(Taught, NestedMediaAStrongerMediumHidesWhatIsInIt) {
   const Block strong{0.5, 1.3, 3, absorbing(1.5, 0.5, 1)};
   expect_layers({strong, {0.8, 1.0, 2.5, absorbing(1.9, 3)}, {0.9, 1.1, 2.4, absorbing(1.2, 3)}}, {{1.5, 0.5, 0.8}},
                 0.4, "solids of lower priority");
 }
 
-TEST(NestedMedia, ABlockWithinTheSameGlassChangesNothing) {
+TEST(Taught, NestedMediaABlockWithinTheSameGlassChangesNothing) {
   const auto read = [](const std::vector<double>& inner_roughness, ups_method method) {
     Scene scene;
     scene.add(box({-3, -3, 0}, {3, 3, 1}), glass(1.5));
@@ -129,7 +129,7 @@ TEST(NestedMedia, ABlockWithinTheSameGlassChangesNothing) {
 
 // Light, meter and a block between them, all in one block of the same index: the block between them is seen in its
 // absorption alone.
-TEST(NestedMedia, LightPassesBoundariesBetweenEqualIndices) {
+TEST(Taught, NestedMediaLightPassesBoundariesBetweenEqualIndices) {
   const double intensity = 500, around = 0.3, between = 1.1;
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING}) {
     Scene scene;
@@ -232,7 +232,7 @@ void expect_doublet(const std::vector<Part>& parts, const std::string& what) {
   expect_lx(result.readings(cells)[0], 1000 * passed / (h * h), 0.005, what);
 }
 
-TEST(NestedMedia, ACementedDoubletIsItsThreeFaces) {
+TEST(Taught, NestedMediaACementedDoubletIsItsThreeFaces) {
   const double c_1 = 1, c_2 = -1.6, c_3 = -0.2;
   const ups_material_desc crown = absorbing(1.5, 0), flint = absorbing(1.75, 0);
   const Shape upper = lens(0, c_1, -0.2, c_2), lower = lens(-0.2, c_2, -0.3, c_3);
@@ -278,7 +278,7 @@ struct Axial {
 };
 
 // Light in a body of silicone within a dome of glass, both flat: each face spreads it by the indices on its two sides.
-TEST(NestedMedia, AnEmitterInItsDomeShinesByTheSquareOfTheIndex) {
+TEST(Taught, NestedMediaAnEmitterInItsDomeShinesByTheSquareOfTheIndex) {
   const double silicone = 1.41, dome = 1.6, square = 0.8, emitting = 0.02, luminance = 1e6;
   for (const bool surface : {false, true}) {
     const Axial exact{{{silicone, 0, 0.2}, {dome, 0, 0.3}}, 1, surface};
@@ -301,7 +301,7 @@ TEST(NestedMedia, AnEmitterInItsDomeShinesByTheSquareOfTheIndex) {
 // ---- rough glass, all methods ---------------------------------------------------------------------------------------
 
 // Everything in one medium: only ratios of indices count, so it reads as in air with the ratio for an index.
-TEST(NestedMedia, RoughGlassCountsItsIndexAgainstWhatIsAroundIt) {
+TEST(Taught, NestedMediaRoughGlassCountsItsIndexAgainstWhatIsAroundIt) {
   const auto read = [](bool immersed, ups_method method) {
     const double around = 1.3, relative = 1.5;
     Scene scene;
@@ -322,7 +322,7 @@ TEST(NestedMedia, RoughGlassCountsItsIndexAgainstWhatIsAroundIt) {
 }
 
 // In an enclosure of constant luminance L, filled with a medium of index n, a bubble of air has the luminance L / n^2.
-TEST(NestedMedia, ABubbleInAFurnaceHasTheRadianceOfItsIndex) {
+TEST(Taught, NestedMediaABubbleInAFurnaceHasTheRadianceOfItsIndex) {
   const double n = 1.5, luminance = 100;
   for (const double roughness : {0.0, 0.4})
     for (const ups_method method : eye_methods) {
@@ -352,7 +352,7 @@ TEST(NestedMedia, ABubbleInAFurnaceHasTheRadianceOfItsIndex) {
 
 // ---- warnings -------------------------------------------------------------------------------------------------------
 
-TEST(NestedMedia, OverlapsInPartAreWarnedOf) {
+TEST(Taught, NestedMediaOverlapsInPartAreWarnedOf) {
   const auto warnings = [](const std::vector<Part>& parts) {
     Scene scene;
     scene.add_point_light({0, 0, 9}, 1);

@@ -31,7 +31,7 @@ void compare(const std::vector<LightVertex>& vertices, float radius, const std::
 }
 
 // 60 photons make 64 buckets: cells of one query share buckets often.
-TEST(PhotonIndex, EqualsBruteForceWithFewBuckets) {
+TEST(Hazard23, CellsThatShareABucketCountOnce) {
   for (float offset : {-0.5f, 1000.0f}) {
     std::vector<LightVertex> vertices(60);
     std::vector<Vec3> queries;
@@ -45,7 +45,7 @@ TEST(PhotonIndex, EqualsBruteForceWithFewBuckets) {
 }
 
 // Coplanar photons, queried in their plane and a step of a float beside it.
-TEST(PhotonIndex, FlatPhotonsAreNotLostToRounding) {
+TEST(Hazard24, FlatPhotonsAreNotLostToRounding) {
   std::vector<LightVertex> vertices(2000);
   std::vector<Vec3> queries;
   for (uint32_t i = 0; i < vertices.size(); ++i) {
@@ -62,7 +62,7 @@ TEST(PhotonIndex, FlatPhotonsAreNotLostToRounding) {
 }
 
 // Far from the origin, a radius of a few steps of a float; one photon; and clusters with nothing in between.
-TEST(PhotonIndex, SparsePhotonsAreNotLostToRounding) {
+TEST(Hazard24, SparsePhotonsAreNotLostToRounding) {
   for (const float offset : {0.0f, 1000.0f})
     for (const uint32_t count : {1u, 2u, 40u})
       for (const float radius : {2e-4f, 0.02f}) {
@@ -78,7 +78,7 @@ TEST(PhotonIndex, SparsePhotonsAreNotLostToRounding) {
       }
 }
 
-TEST(PhotonIndex, EmptyIndexFindsNothing) {
+TEST(Hazard24, AnEmptyIndexFindsNothing) {
   PhotonIndex().query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
   PhotonIndex(std::vector<LightVertex>(3), 1.0f).query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
 }

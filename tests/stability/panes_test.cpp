@@ -9,6 +9,7 @@
 
 #include "../support/expect_lx.h"
 #include "../support/image_mean.h"
+#include "measured.h"
 
 namespace ups::test {
 namespace {
@@ -218,7 +219,40 @@ class Panes : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Panes, KeepTheLightThatTheyShould) { expect_panes(GetParam().layout, GetParam().method, GetParam().sensors); }
 
-INSTANTIATE_TEST_SUITE_P(, Panes, ::testing::ValuesIn(cases()), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Taught, Panes, ::testing::ValuesIn(cases()), ::testing::PrintToStringParamName());
+
+// A hundred panes in a row. Those that reflect nothing keep 0.97^100 of a point source's light: one exact shadow ray.
+// Lossless ones that reflect, in the sun at right angles: with all reflections among 2 N faces of reflectance r
+// (1 - r) / (1 + (2 N - 1) r) (Stokes 1862), which takes paths of hundreds of edges.
+TEST(Taught, LightThroughAHundredPanes) {
+  constexpr int panes = 100;
+  Scene tinted;
+  auto m = material(UPS_MATERIAL_GLAZING, 1);
+  m.ior = 1;
+  for (float& t : m.transmittance_rgb) t = 0.97f;
+  for (int i = 0; i < panes; ++i) tinted.add(quad({-1, -1, 0.5 + 0.01 * i}, {2, 0, 0}, {0, 2, 0}), m);
+  tinted.add_point_light({0, 0, 2}, 1000);
+  const Sensor below = tinted.add_meters({{0, 0, 0}, {0, 0, 0.995}}, {0, 0, 1});
+  for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING}) {
+    const auto r = tinted.render({.method = method, .iterations = 16, .light_paths = 1024}).readings(below);
+    EXPECT_NEAR(r[0].illuminance_lx / (250 * std::pow(double(0.97f), 100)), 1, 1e-4) << method_name(method);
+    const double halfway = 1000 / (1.005 * 1.005) * std::pow(double(0.97f), 50);
+    EXPECT_NEAR(r[1].illuminance_lx / halfway, 1, 1e-4) << method_name(method);
+  }
+  const double face = std::pow(0.1 / 2.1, 2), expected = source_lux * (1 - face) / (1 + (2 * panes - 1) * face);
+  Scene clear;
+  m.ior = 1.1f;
+  for (float& t : m.transmittance_rgb) t = -1;
+  for (int i = 0; i < panes; ++i) clear.add(quad({-10, -10, 0.5 + 0.01 * i}, {20, 0, 0}, {0, 20, 0}), m);
+  clear.add_directional({0, 0, -1}, source_lux);
+  const Sensor cell = clear.add_cells({{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, 8, 8);
+  for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_LIGHT_TRACING}) {
+    const auto r = clear.render({.method = method, .iterations = 32, .light_paths = 1u << 14}).readings(cell)[0];
+    measured("clear panes, %s: %+.2f +- %.2f %%", method_name(method), 100 * (r.illuminance_lx / expected - 1),
+             100 * r.standard_error_lx / expected);
+    expect_lx(r, expected, 0.0025, std::string("clear panes, ") + method_name(method));
+  }
+}
 
 }  // namespace
 }  // namespace ups::test

@@ -31,7 +31,7 @@ struct MirrorRoom {
   }
 };
 
-TEST(MissingLight, OfAPointMeterLitByAMirror) {
+TEST(Hazard30, WarnsOfTheLightOfAPointMeterLitByAMirror) {
   MirrorRoom room(0);
   const Sensor meter = room.scene.add_meters({{0.1, 0, 0.5}}, {0, 0, 1});
   for (ups_method m : all_methods) {
@@ -40,7 +40,7 @@ TEST(MissingLight, OfAPointMeterLitByAMirror) {
   }
 }
 
-TEST(MissingLight, OfACellLitByAMirror) {
+TEST(Hazard30, WarnsOfTheLightOfACellLitByAMirror) {
   MirrorRoom room(0);
   const Sensor cell = room.scene.add_cells({{0, 0, 0.5}}, {{0, 0, 1}}, {{1, 0, 0}}, 0.5, 0.5);
   for (ups_method m : all_methods) {
@@ -50,7 +50,7 @@ TEST(MissingLight, OfACellLitByAMirror) {
 }
 
 // Specular, diffuse, specular; also what an illuminance camera measures there.
-TEST(MissingLight, OfACameraThatSeesACausticInAMirror) {
+TEST(Hazard30, WarnsOfTheLightOfACameraThatSeesACausticInAMirror) {
   MirrorRoom room(0.5);
   const Sensor camera = room.scene.add_camera({0.3, 0, 1.2}, {-0.05, 0, 1}, 8, 8, 0.2, true);
   for (ups_method m : all_methods) {
@@ -62,7 +62,7 @@ TEST(MissingLight, OfACameraThatSeesACausticInAMirror) {
 }
 
 // SPPM passes the metal, so that nothing finds a source without extent in it; PPM merges there.
-TEST(MissingLight, OfAPointSourceInGlossyMetal) {
+TEST(Hazard30, WarnsOfTheLightOfAPointSourceInGlossyMetal) {
   Scene scene;
   scene.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), rough(UPS_MATERIAL_METAL, 0.8, 0.4));
   scene.add_point_light({0, 0.5, 1}, 100);

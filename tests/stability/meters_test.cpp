@@ -1,0 +1,235 @@
+// Meters where photons' discs do not fit: beside walls, on edges and in corners, over bent surfaces, under what casts
+// caustics. Light comes by photons alone (PPM), and its truth is known. A bound is a 95 % statement: of so many
+// readings as are judged together at least 87 % must hold, each must hold twice, and their mean must be right: half a
+// percent and 4 standard errors of at most 0.15 % find 1 % in 90 of 100 cases.
+#include <algorithm>
+
+#include "../analytic/ies_text.h"
+#include "../support/expect_same.h"
+#include "measured.h"
+
+namespace ups::test {
+namespace {
+
+struct Known {
+  std::vector<P3> at, normals;
+  std::vector<double> lx;
+  void add(const P3& p, const P3& n, double e) { at.push_back(p), normals.push_back(n), lx.push_back(e); }
+};
+
+double lamp_lx(const P3& lamp, double candela, const P3& p, const P3& n) {
+  const P3 d = lamp - p;
+  return candela * std::max(0.0, dot(d, n)) / std::pow(length(d), 3);
+}
+
+struct Judged {
+  double mean_error = 0, worst_error = 0, widest_bound = 0;  // relative
+  int held = 0;
+};
+Judged judge(const std::vector<ups_meter_reading>& readings, const Known& known, const std::string& what) {
+  Judged j;
+  for (size_t i = 0; i < readings.size(); ++i) {
+    const double error = readings[i].illuminance_lx - known.lx[i], bound = readings[i].error_bound_lx;
+    EXPECT_GT(bound, 0) << what << ", meter " << i;
+    EXPECT_LE(std::abs(error), 2 * bound)
+        << what << ", meter " << i << ": " << readings[i].illuminance_lx << " of " << known.lx[i];
+    j.held += std::abs(error) <= bound;
+    j.mean_error += error / known.lx[i] / double(readings.size());
+    j.worst_error = std::max(j.worst_error, std::abs(error) / known.lx[i]);
+    j.widest_bound = std::max(j.widest_bound, bound / known.lx[i]);
+  }
+  EXPECT_GE(j.held, 0.87 * double(readings.size())) << what;
+  measured("%s: mean error %+.2f %%, worst %.2f %%, widest bound %.2f %%, %d of %zu held", what.c_str(),
+           100 * j.mean_error, 100 * j.worst_error, 100 * j.widest_bound, j.held, readings.size());
+  return j;
+}
+
+// A black room with one lamp. `at`: meters with their truth; light straight from the lamp, by photons.
+Judged judge_in_black_room(const Known& known, const P3& lamp, double candela, const std::string& what) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0));
+  scene.add_point_light(lamp, candela);
+  const Sensor meters = scene.add_meters(known.at, known.normals);
+  const Result r = scene.render({.method = UPS_METHOD_PPM, .iterations = 96, .light_paths = 1u << 18});
+  const Judged j = judge(r.readings(meters), known, what);
+  EXPECT_LE(r.statistics(meters).mean_standard_error_lx, 0.0015 * r.statistics(meters).mean_lx) << what;
+  EXPECT_NEAR(j.mean_error, 0, 0.005) << what;
+  EXPECT_LE(j.widest_bound, 0.08) << what;
+  return j;
+}
+
+TEST(Hazard19, MetersTwoCentimetresFromAWallHoldTheirBound) {
+  const P3 lamp{1.5, 1.2, 2};
+  Known known;
+  for (int i = 0; i < 16; ++i) {
+    const P3 p{0.02, 0.3 + 0.2 * i, i % 2 ? 0.0 : 0.75};
+    known.add(p, {0, 0, 1}, lamp_lx(lamp, 100, p, {0, 0, 1}));
+  }
+  judge_in_black_room(known, lamp, 100, "2 cm from a wall");
+}
+
+// Where walls meet, and up to 2 cm beside. Next-event estimation has no chance there: the closed form to 1e-4. Photons
+// find discs as wide as the corner leaves them, none right in it: their bounds hold all the same.
+TEST(Taught, MetersOnEdgesAndInCorners) {
+  const P3 lamp{1.5, 1.2, 1.6};
+  Known known;
+  const auto add = [&](const P3& p, const P3& n) { known.add(p, n, lamp_lx(lamp, 100, p, n)); };
+  for (const double d : {0.0, 0.0005, 0.005, 0.02}) {
+    add({d, d, 0}, {0, 0, 1});  // in the corner of the floor
+    add({d, d, d}, {0, 0, 1});
+    add({d, 2, 0}, {0, 0, 1});      // on the edge of floor and wall
+    add({0, 2, d}, {1, 0, 0});      // the same, on the wall
+    add({4 - d, d, 1}, {0, 1, 0});  // where two walls meet
+    add({d, d, 3 - d}, normalize({1, 1, -1}));
+  }
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0));
+  scene.add_point_light(lamp, 100);
+  const Sensor meters = scene.add_meters(known.at, known.normals);
+  const auto exact = scene.render({.method = UPS_METHOD_UPS, .iterations = 16}).readings(meters);
+  for (size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(exact[i].illuminance_lx / known.lx[i], 1, 1e-4) << i;
+  judge(scene.render({.method = UPS_METHOD_PPM, .iterations = 32, .light_paths = 1u << 16}).readings(meters), known,
+        "edges and corners");
+}
+
+// On a table's top, at its edge and at its corner, beyond which the disc hangs in the air, over a floor.
+TEST(Taught, MetersOnATablesEdge) {
+  const P3 lamp{0.1, -0.2, 1.5};
+  Scene scene;
+  scene.add(quad({-3, -3, -0.7}, {6, 0, 0}, {0, 6, 0}), matte(0));
+  scene.add(box({-0.5, -0.4, -0.03}, {0.5, 0.4, 0}), matte(0));
+  scene.add_point_light(lamp, 100);
+  Known known;
+  for (const double d : {0.0, 0.001, 0.01, 0.05})
+    for (const P3& p : {P3{0.5 - d, 0, 0}, P3{0.5 - d, 0.4 - d, 0}, P3{-0.2, -0.4 + d, 0}, P3{0.3, 0.4 - d, 0}})
+      known.add(p, {0, 0, 1}, lamp_lx(lamp, 100, p, {0, 0, 1}));
+  const Sensor meters = scene.add_meters(known.at, known.normals);
+  const auto readings =
+      scene.render({.method = UPS_METHOD_PPM, .iterations = 64, .light_paths = 1u << 18}).readings(meters);
+  EXPECT_NEAR(judge(readings, known, "a table's edge").mean_error, 0, 0.005);
+}
+
+// Discs ten times as wide as the surface's radius of curvature: on top of rods and balls of 1 cm.
+TEST(Hazard20, DiscsWiderThanASurfaceIsBentHoldTheirBound) {
+  const P3 lamp{0.4, 0.3, 1.5};
+  Scene scene;
+  scene.add(quad({-3, -3, -0.5}, {6, 0, 0}, {0, 6, 0}), matte(0));
+  Known known;
+  for (int i = 0; i < 16; ++i) {
+    const P3 center{0.5 * (i % 4) - 0.8, 0.5 * (i / 4) - 0.8, 0};
+    const Shape ball = icosphere(center, 0.01, 2);
+    scene.add(ball, matte(0));
+    const P3 n{0, 0, 1}, top = center + n * 0.01;  // a vertex of the mesh is at most rounding below it
+    known.add(top, n, lamp_lx(lamp, 100, top, n));
+  }
+  scene.add_point_light(lamp, 100);
+  const Sensor meters = scene.add_meters(known.at, known.normals);
+  const Result r =
+      scene.render({.method = UPS_METHOD_PPM, .iterations = 48, .merge_radius_m = 0.1, .light_paths = 1u << 17});
+  EXPECT_NEAR(judge(r.readings(meters), known, "balls of 1 cm").mean_error, 0, 0.005);
+}
+
+// What a camera sees of a rod of 1 cm, by photons alone: the bounds of its pixels hold, with the radius that the scene
+// calls for and with one of 1 mm. With discs of 10 cm, which most of the rod's light cannot fill, they cannot: that is
+// said.
+TEST(Hazard20, PixelsOfABentSurfaceHoldTheirBoundOrAreWarnedOf) {
+  constexpr uint32_t side = 16;
+  constexpr double radius = 0.01, rho = 0.8, lx = 1000, half = 0.004;
+  Scene scene;
+  Shape rod;
+  constexpr int sides = 256;
+  for (int i = 0; i < sides; ++i) {
+    const double a = 2 * pi_d * i / sides, b = 2 * pi_d * (i + 1) / sides;
+    const P3 from{radius * std::cos(a), -1, radius * std::sin(a)}, to{radius * std::cos(b), -1, radius * std::sin(b)};
+    rod.append(quad(from, {0, 2, 0}, to - from));
+  }
+  scene.add(rod, matte(rho));
+  scene.add_directional({0, 0, -1}, lx);
+  const Sensor camera = scene.add_camera({0, 0, 1}, {0, 0, -1}, side, side, 2 * std::atan(half / (1 - radius)));
+  for (const double r : {0.0, 0.001, 0.1}) {
+    const Result result =
+        scene.render({.method = UPS_METHOD_PPM, .iterations = 64, .merge_radius_m = r, .light_paths = 1u << 16});
+    const Image image = result.image(camera);
+    int held = 0;
+    for (uint32_t p = 0; p < side * side; ++p) {
+      const double x = ((p % side + 0.5) / side * 2 - 1) * half,
+                   truth = rho / pi_d * lx * std::sqrt(1 - x * x / (radius * radius));
+      held += std::abs(image.luminance[3 * p] - truth) <= image.error_bound[p];
+    }
+    const bool told = result.text(UPS_TEXT_WARNINGS).find("camera 1: the merge radius that was asked for is wider") !=
+                      std::string::npos;
+    EXPECT_EQ(told, r == 0.1) << r;
+    EXPECT_TRUE(told || held >= 0.87 * side * side) << r << ": " << held;
+  }
+}
+
+// Under a slab of glass 1 mm above the floor, in the sun: 2 n / (n^2 + 1) of it, with all reflections inside, and all
+// of it 5 cm beyond the slab's edge.
+TEST(Taught, MetersUnderACaster) {
+  constexpr double n = 1.5, lx = 1000, inside = lx * 2 * n / (n * n + 1);
+  Scene scene;
+  scene.add(quad({-0.5, -0.5, 0}, {1, 0, 0}, {0, 1, 0}), matte(0));
+  scene.add(box({-0.2, -0.2, 0.001}, {0.2, 0.2, 0.021}), glass(n));
+  scene.add_directional({0, 0, -1}, lx);
+  Known under, beside;
+  for (const P3& p : grid_about({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.3, 6)) under.add(p, {0, 0, 1}, inside);
+  for (const P3& p : grid_about({0.35, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.2, 6)) beside.add(p, {0, 0, 1}, lx);
+  const Sensor a = scene.add_meters(under.at, under.normals), b = scene.add_meters(beside.at, beside.normals);
+  for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PPM}) {
+    const Result r = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 16});
+    const std::string what = method_name(method);
+    EXPECT_NEAR(judge(r.readings(a), under, what + " under a slab").mean_error, 0, 0.005) << what;
+    EXPECT_NEAR(judge(r.readings(b), beside, what + " beside it").mean_error, 0, 0.005) << what;
+  }
+}
+
+// A slab that lies on the floor: whether there is air between the two is a matter of rounding, and what is read lies
+// between both, 2 n / (n^2 + 1) and, without that face, 4 n / (n + 1)^2.
+TEST(Taught, MetersUnderACasterThatTouchesThem) {
+  constexpr double n = 1.5, lx = 1000, air = lx * 2 * n / (n * n + 1), contact = lx * 4 * n / ((n + 1) * (n + 1));
+  Scene scene;
+  scene.add(quad({-0.5, -0.5, 0}, {1, 0, 0}, {0, 1, 0}), matte(0));
+  scene.add(box({-0.2, -0.2, 0}, {0.2, 0.2, 0.02}), glass(n));
+  scene.add_directional({0, 0, -1}, lx);
+  const Sensor meters = scene.add_meters(grid_about({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.2, 6), {0, 0, 1});
+  const auto s = scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .light_paths = 1u << 16}).statistics(meters);
+  measured("slab in contact: %.1f lx, with air %.1f, without %.1f", s.mean_lx, air, contact);
+  EXPECT_LE(s.mean_standard_error_lx, 0.002 * s.mean_lx);
+  EXPECT_GE(s.mean_lx, air * 0.99);
+  EXPECT_LE(s.mean_lx, contact * 1.01);
+}
+
+// A luminous opening of 0.6 mm, of an LED or of a file in another unit, is a point from half a metre on:
+// its intensity by the inverse square to 0.1 %, by next-event estimation and hits.
+TEST(Taught, OpeningsOf600MicrometresAreAsPoints) {
+  const double intensity = 100;
+  for (const char* opening :
+       {"0.0006 0.0006 0", "-0.0006 -0.0006 0", "-0.0006 -0.0006 -0.0006", "0.0006 0.0006 0.0006"}) {
+    Scene scene;
+    const bool flat = std::string(opening).back() == '0' && opening[std::string(opening).size() - 2] == ' ';
+    const auto lambertian = [=](double, double gamma) {
+      return intensity * (flat ? std::max(0.0, std::cos(gamma)) : 1);
+    };
+    const Profile profile = parse(scene.context(), ies_text(lambertian, {0}, steps(1, 180), opening));
+    scene.add_luminaire(profile.get(), {0, 0, 2}, {0, 0, -1}, true);
+    scene.add(quad({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}), matte(0));
+    std::vector<double> expected;
+    std::vector<P3> at;
+    for (const P3& p : {P3{0, 0, 1.2}, P3{0, 0, 1.5}, P3{0, 0, 0}, P3{1, 0.5, 0.5}, P3{0.3, -0.4, 1}}) {
+      const P3 d = P3{0, 0, 2} - p;
+      at.push_back(p);
+      expected.push_back(intensity * (flat ? d.z / length(d) : 1) * d.z / std::pow(length(d), 3));
+    }
+    const Sensor meters = scene.add_meters(at, {0, 0, 1});
+    for (const ups_method method : eye_methods) {
+      const auto r = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 12}).readings(meters);
+      for (size_t i = 0; i < at.size(); ++i) {
+        EXPECT_NEAR(r[i].illuminance_lx / expected[i], 1, 1e-3) << opening << method_name(method) << ", meter " << i;
+        EXPECT_LE(r[i].standard_error_lx, 2e-4 * expected[i]) << opening << method_name(method) << ", meter " << i;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ups::test
