@@ -116,6 +116,20 @@ AllowedMemory allowed_memory(const MemoryEstimate& estimate, const ups_render_de
   return allowed;
 }
 
+size_t whole_bytes(double bytes) { return size_t(std::clamp(bytes, 0.0, 0x1p62)); }
+
+ups_memory_estimate in_bytes(const MemoryEstimate& m, const AllowedMemory& allowed) {
+  ups_memory_estimate out{};
+  out.struct_size = sizeof out;
+  out.scene_bytes = whole_bytes(m.scene);
+  out.working_bytes = whole_bytes(m.working());
+  out.light_bytes = whole_bytes(m.light_paths);
+  out.result_bytes = whole_bytes(m.reading);
+  out.peak_bytes = whole_bytes(m.peak());
+  out.allowed_bytes = whole_bytes(allowed.bytes);
+  return out;
+}
+
 void check_memory(const MemoryEstimate& m, const AllowedMemory& allowed, const Snapshot& scene, const Plan& plan) {
   if (m.peak() <= allowed.bytes) return;
   const double pixels = double(scene.pixel_count()), meters = double(scene.meter_count()),
