@@ -87,7 +87,7 @@ void RenderJob::start() {
   const TransportSettings settings = settings_of(desc_, method_);
   const MemoryEstimate least = least_memory(*scene_, settings, desc_);
   allowed_ = allowed_memory(least, desc_);
-  check_memory(least, allowed_, *scene_, make_plan(*scene_, settings));
+  check_memory(least, allowed_, *scene_, make_plan(*scene_, settings), desc_);
   memory_.set(whole_bytes(allowed_.bytes - least.scene), advice_of(allowed_));
   thread_ = start_thread("job", [this] { run(); });
 }
@@ -156,7 +156,7 @@ void RenderJob::take_memory() {
     const std::lock_guard lock(mutex_);
     estimated_ = in_bytes(m, allowed_);
   }
-  check_memory(m, allowed_, *scene_, integrator_->plan());
+  check_memory(m, allowed_, *scene_, integrator_->plan(), desc_);
   // Others may take a result, and the sums one more look at the errors.
   const double meanwhile = m.scene + m.sums() + m.iteration + 2 * (m.reading + m.scratch);
   is_read_meanwhile_ = meanwhile + m.light_paths <= allowed_.bytes;

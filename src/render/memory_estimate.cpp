@@ -130,7 +130,8 @@ ups_memory_estimate in_bytes(const MemoryEstimate& m, const AllowedMemory& allow
   return out;
 }
 
-void check_memory(const MemoryEstimate& m, const AllowedMemory& allowed, const Snapshot& scene, const Plan& plan) {
+void check_memory(const MemoryEstimate& m, const AllowedMemory& allowed, const Snapshot& scene, const Plan& plan,
+                  const ups_render_desc& desc) {
   if (m.peak() <= allowed.bytes) return;
   const double pixels = double(scene.pixel_count()), meters = double(scene.meter_count()),
                columns = double(plan.separation.columns.size());
@@ -141,7 +142,8 @@ void check_memory(const MemoryEstimate& m, const AllowedMemory& allowed, const S
   const auto others = [&](double part) { return allowed.bytes - (m.peak() - part); };
   std::array<Part, 5> parts = {
       {{of_images, std::to_string(uint64_t(pixels)) + " pixels",
-        pixels > 0 ? fewer_text("pixels", pixels, of_images, others(of_images)) + ", or fewer technique_images if any"
+        pixels > 0 ? fewer_text("pixels", pixels, of_images, others(of_images)) +
+                         (desc.technique_images ? ", or fewer technique_images" : "")
                    : ""},
        {of_meters, std::to_string(uint64_t(meters)) + " meters" +
                        (columns > 0 ? " of " + std::to_string(uint64_t(columns)) + " sources" : ""),
