@@ -224,8 +224,8 @@ typedef struct ups_largest_error {
 UPS_API void ups_render_desc_init(ups_render_desc *desc, uint32_t struct_size);
 
 /* What a render will take. Bytes that it allocates, of which the machine may have to give fewer; without what results
- * take that the caller keeps. Measured peaks are within 0.7 and 1.3 times the estimate; where no iteration_count says how
- * long a render is, that is of one in which each pixel has been visited 16 times, after which no more is taken. */
+ * take that the caller keeps. Measured peaks are within 0.7 and 1.3 times the estimate; where no iteration_count says
+ * how long a render is, that is of one in which each pixel has been visited 16 times, after which no more is taken. */
 typedef struct ups_memory_estimate {
   uint32_t struct_size;
   uint32_t reserved;       /* 0 */

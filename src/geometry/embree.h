@@ -91,7 +91,10 @@ class Device {
     rtcSetDeviceErrorFunction(device_, &Device::on_error, this);
     rtcSetDeviceMemoryMonitorFunction(device_, &Device::on_memory, this);
   }
-  ~Device() { rtcReleaseDevice(device_); }
+  ~Device() {
+    rtcSetDeviceMemoryMonitorFunction(device_, nullptr, nullptr);  // what is left of it may outlive this
+    rtcReleaseDevice(device_);
+  }
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
   operator RTCDevice() const { return device_; }

@@ -54,9 +54,6 @@ void check(const ups_render_desc& d) {
     fail_argument("nothing would end this render: set time_limit_s, target_relative_error or iteration_count");
 }
 
-// As much as there is may be more than a size holds.
-size_t whole(double bytes) { return size_t(std::clamp(bytes, 0.0, 0x1p62)); }
-
 // Where light paths want more than is left.
 std::string advice_of(const AllowedMemory& allowed) {
   return " by " + allowed.limit +
@@ -92,8 +89,8 @@ void RenderJob::start() {
   const TransportSettings settings = settings_of(desc_, method_);
   const MemoryEstimate least = least_memory(*scene_, settings, desc_);
   allowed_ = allowed_memory(least, desc_);
-  check_memory(least, allowed_, *scene_, make_plan(*scene_, settings));
-  memory_.set(whole(allowed_.bytes - least.scene), advice_of(allowed_));
+  check_memory(least, allowed_, *scene_, make_plan(*scene_, settings), desc_);
+  memory_.set(whole_bytes(allowed_.bytes - least.scene), advice_of(allowed_));
   thread_ = start_thread("job", [this] { run(); });
 }
 
@@ -142,9 +139,9 @@ void RenderJob::make_integrator() {
 ups_memory_estimate RenderJob::estimate() {
   const MemoryEstimate least = least_memory(*scene_, settings_of(desc_, method_), desc_);
   allowed_ = allowed_memory(least, desc_);
-  memory_.set(whole(double(available_memory().bytes)), "");  // of its pilots
+  memory_.set(whole_bytes(double(available_memory().bytes)), "");  // of its pilots
   make_integrator();
-  return in_bytes(estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_));
+  return in_bytes(estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_), allowed_);
 }
 
 ups_memory_estimate RenderJob::memory() const {
@@ -153,33 +150,21 @@ ups_memory_estimate RenderJob::memory() const {
   return *estimated_;
 }
 
-ups_memory_estimate RenderJob::in_bytes(const MemoryEstimate& m) const {
-  ups_memory_estimate out{};
-  out.struct_size = sizeof out;
-  out.scene_bytes = uint64_t(m.scene);
-  out.working_bytes = uint64_t(m.working());
-  out.light_bytes = uint64_t(m.light_paths);
-  out.result_bytes = uint64_t(m.reading);
-  out.peak_bytes = uint64_t(m.peak());
-  out.allowed_bytes = whole(allowed_.bytes);
-  return out;
-}
-
 // The machine grants more memory than there is and ends the process that takes it.
 void RenderJob::take_memory() {
   const MemoryEstimate m = estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_);
   if (stop_.is_set()) return;
   {
     const std::lock_guard lock(mutex_);
-    estimated_ = in_bytes(m);
+    estimated_ = in_bytes(m, allowed_);
   }
-  check_memory(m, allowed_, *scene_, integrator_->plan());
+  check_memory(m, allowed_, *scene_, integrator_->plan(), desc_);
   // Others may take a result, and the sums one more look at the errors.
   const double meanwhile = m.scene + m.sums() + m.iteration + 2 * (m.reading + m.scratch);
   is_read_meanwhile_ = meanwhile + m.light_paths <= allowed_.bytes;
   const double left = allowed_.bytes - (is_read_meanwhile_ ? meanwhile : m.fixed_while_tracing());
-  memory_.set(whole(left), advice_of(allowed_));
-  queue_.set_most_bytes(whole(std::min(left - m.light_paths, double(TallyQueue::default_bytes))));
+  memory_.set(whole_bytes(left), advice_of(allowed_));
+  queue_.set_most_bytes(whole_bytes(std::min(left - m.light_paths, double(TallyQueue::default_bytes))));
 }
 
 void RenderJob::prepare() {

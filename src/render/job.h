@@ -1,5 +1,6 @@
 // When and how long: runs iterations until a limit, the target or a cancel, and publishes what there is. Called by api.
 #pragma once
+#include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -63,7 +64,6 @@ class RenderJob {
   void iterate();
   void make_integrator();
   void take_memory();
-  ups_memory_estimate in_bytes(const MemoryEstimate& m) const;
   void prepare();
   void set_deadline(double share_of_tolerance, double reserved_s);
   void deliver(TallyQueue::Delivery& delivery);
@@ -83,7 +83,7 @@ class RenderJob {
   MethodChoice method_;
   AllowedMemory allowed_;
   MemoryBudget memory_;  // of light paths
-  bool is_read_meanwhile_ = true;  // memory allows it
+  std::atomic<bool> is_read_meanwhile_{true};  // memory allows it
   std::unique_ptr<Integrator> integrator_;
   StopSignal stop_;
   double reading_s_ = 0;  // of the time limit, kept for reading what was found

@@ -116,7 +116,22 @@ AllowedMemory allowed_memory(const MemoryEstimate& estimate, const ups_render_de
   return allowed;
 }
 
-void check_memory(const MemoryEstimate& m, const AllowedMemory& allowed, const Snapshot& scene, const Plan& plan) {
+size_t whole_bytes(double bytes) { return size_t(std::clamp(bytes, 0.0, 0x1p62)); }
+
+ups_memory_estimate in_bytes(const MemoryEstimate& m, const AllowedMemory& allowed) {
+  ups_memory_estimate out{};
+  out.struct_size = sizeof out;
+  out.scene_bytes = whole_bytes(m.scene);
+  out.working_bytes = whole_bytes(m.working());
+  out.light_bytes = whole_bytes(m.light_paths);
+  out.result_bytes = whole_bytes(m.reading);
+  out.peak_bytes = whole_bytes(m.peak());
+  out.allowed_bytes = whole_bytes(allowed.bytes);
+  return out;
+}
+
+void check_memory(const MemoryEstimate& m, const AllowedMemory& allowed, const Snapshot& scene, const Plan& plan,
+                  const ups_render_desc& desc) {
   if (m.peak() <= allowed.bytes) return;
   const double pixels = double(scene.pixel_count()), meters = double(scene.meter_count()),
                columns = double(plan.separation.columns.size());
@@ -127,7 +142,8 @@ void check_memory(const MemoryEstimate& m, const AllowedMemory& allowed, const S
   const auto others = [&](double part) { return allowed.bytes - (m.peak() - part); };
   std::array<Part, 5> parts = {
       {{of_images, std::to_string(uint64_t(pixels)) + " pixels",
-        pixels > 0 ? fewer_text("pixels", pixels, of_images, others(of_images)) + ", or fewer technique_images if any"
+        pixels > 0 ? fewer_text("pixels", pixels, of_images, others(of_images)) +
+                         (desc.technique_images ? ", or fewer technique_images" : "")
                    : ""},
        {of_meters, std::to_string(uint64_t(meters)) + " meters" +
                        (columns > 0 ? " of " + std::to_string(uint64_t(columns)) + " sources" : ""),

@@ -36,7 +36,10 @@ struct AllowedMemory {
   std::string limit;  // in words
 };
 AllowedMemory allowed_memory(const MemoryEstimate& estimate, const ups_render_desc& desc);
+size_t whole_bytes(double bytes);  // as much as there is may be more than a size holds
+ups_memory_estimate in_bytes(const MemoryEstimate& estimate, const AllowedMemory& allowed);
 // Throws Error OUT_OF_MEMORY with what is wanted and what would be right.
-void check_memory(const MemoryEstimate& estimate, const AllowedMemory& allowed, const Snapshot& scene, const Plan& plan);
+void check_memory(const MemoryEstimate& estimate, const AllowedMemory& allowed, const Snapshot& scene, const Plan& plan,
+                  const ups_render_desc& desc);
 
 }  // namespace ups

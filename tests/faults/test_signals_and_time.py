@@ -53,13 +53,15 @@ class Signals(faults.FaultTest):
         self.run_program(self.command(scene, out))
         old = self.results(out)
         for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+            number = getattr(signal, name)
             for _ in range(faults.rounds(3, 30)):
                 command = [faults.program, "render", str(scene), "--time", "30", "--out", str(other), "--size", "60x40"]
-                process = self.start(command)
+                # Whoever runs the tests may have been told to ignore it (nohup).
+                process = self.start(command, preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
                 time.sleep(self.random.uniform(0, 1))
-                process.send_signal(getattr(signal, name))
+                process.send_signal(number)
                 _, errors = process.communicate(timeout=faults.HANG_S)
-                ends = (130, -signal.SIGINT) if name == "SIGINT" else (-getattr(signal, name),)
+                ends = (130, -signal.SIGINT) if name == "SIGINT" else (-number,)
                 self.assertIn(process.returncode, ends, msg=f"{name}: {faults.died_of(process.returncode)}\n{errors}")
         self.assertEqual(self.results(out), old)
         if other.exists():

@@ -216,8 +216,10 @@ TEST_P(Memory, Estimate) {
   ASSERT_EQ(estimate(), UPS_OK) << ups_last_error();
   const long calls = count_calls(estimate), before = allocations_held();
   for (const long count : {1L, all_after})
-    for (long k = 1; try_failing(estimate, k, count); k += stride(calls, 60))
+    for (long k = 1; try_failing(estimate, k, count); k += stride(calls, 60)) {
+      ASSERT_EQ(estimate(), UPS_OK) << "after the failure of allocation " << k << ": " << ups_last_error();
       ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
+    }
 }
 
 TEST_P(Memory, JobThatIsCancelled) {
