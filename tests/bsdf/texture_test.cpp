@@ -1,5 +1,4 @@
 // Texture lookups: where texels lie, how they repeat, what is between them.
-#include "base/floating_point.h"
 #include "geometry/texture.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/floating_point.h"
 
 namespace ups {
 namespace {

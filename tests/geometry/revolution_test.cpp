@@ -133,6 +133,7 @@ TEST(Revolution, SphereIsHitWhereItIs) {
   const double r = 0.25;
   expect_hits(round_mesh(optics::sphere(r), coarse), [=](const Vec3d& o, const Vec3d& d) {
     const double b = dot(o, d), root = b * b - dot(o, o) + r * r;
+    if (root < 0) return Truth{INFINITY, {}};
     const double t = -b - std::sqrt(root) > 0 ? -b - std::sqrt(root) : -b + std::sqrt(root);
     return t > 0 ? Truth{t, normalize(o + d * t)} : Truth{INFINITY, {}};
   });
