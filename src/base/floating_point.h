@@ -1,6 +1,8 @@
 // The floating-point environment that results are computed in: round to nearest, subnormal numbers kept, no traps. A
 // host may have set another one on its thread (FE_UPWARD, flush to zero). Needs the standard library alone: included
 // by the boundaries of the core and of the extras, and by every thread of the library.
+//
+// With UPS_FLOAT_TRAPS, of a build for tests, an invalid operation, a division by zero and an overflow end the program.
 #pragma once
 #include <cfenv>
 
@@ -12,6 +14,9 @@ class DefaultFloatingPoint {
   DefaultFloatingPoint() {
     std::fegetenv(&host_);
     std::fesetenv(FE_DFL_ENV);
+#ifdef UPS_FLOAT_TRAPS
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+#endif
   }
   ~DefaultFloatingPoint() { std::fesetenv(&host_); }
   DefaultFloatingPoint(const DefaultFloatingPoint&) = delete;
@@ -20,5 +25,23 @@ class DefaultFloatingPoint {
  private:
   std::fenv_t host_;
 };
+
+// While it lives nothing traps: Embree divides by zero and compares what is not a number, and means it.
+#ifdef UPS_FLOAT_TRAPS
+class TrapsMasked {
+ public:
+  TrapsMasked() { std::feholdexcept(&before_); }
+  ~TrapsMasked() { std::fesetenv(&before_); }
+  TrapsMasked(const TrapsMasked&) = delete;
+  TrapsMasked& operator=(const TrapsMasked&) = delete;
+
+ private:
+  std::fenv_t before_;
+};
+#else
+struct TrapsMasked {
+  TrapsMasked() {}
+};
+#endif
 
 }  // namespace ups

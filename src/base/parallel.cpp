@@ -140,6 +140,7 @@ struct ThreadPool::TaskArena {
   // Enters it and runs body.
   template <class Body>
   void execute(const Body& body) {
+    const TrapsMasked masked;  // tasks are Embree's
     arena.execute([&] {
       make_ready(size_t(tbb::this_task_arena::current_thread_index()));
       body();

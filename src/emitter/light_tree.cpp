@@ -63,8 +63,8 @@ inline LightTree::Seen<Real> LightTree::see(const View& view, const Vec3T<Real>&
   const Real reach = out.reach, height = view.both_sides ? abs(out.along) : out.along;
   Real seen = height;
   if (const auto is_cut = abs(height) < reach; bits_of(is_cut)) {  // on the average of a box partly behind the plane
-    const Real above = height + reach;
-    const Real part = view.both_sides ? (height * height + reach * reach) / (2 * reach) : above * above / (4 * reach);
+    const Real above = height + reach, span = larger(reach, least);
+    const Real part = view.both_sides ? (height * height + reach * reach) / (2 * span) : above * above / (4 * span);
     seen = is_cut ? part : height;
   }
   const Real cosine = seen * out.inverse;

@@ -356,8 +356,9 @@ bool LuminousBody::normal_at(const Vec3d& p, const Vec3d& w, Vec3d& n) const {
 
 bool LuminousBody::enter(const Vec3d& o, const Vec3d& d, double margin, double& t, Vec3d& n) const {
   if (is_flat()) {
+    if (d.z == 0) return false;
     t = (margin - o.z) / d.z;
-    if (d.z == 0 || !(t > 0)) return false;
+    if (!(t > 0)) return false;
     const double x = (o.x + d.x * t) / half_.x, y = (o.y + d.y * t) / half_.y;
     n = axis_normal(2, -d.z);
     return kind_ == Kind::ellipse ? x * x + y * y <= 1 : std::max(std::abs(x), std::abs(y)) <= 1;

@@ -17,6 +17,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/floating_point.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
@@ -43,12 +44,14 @@ inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.context = &context;
+  const TrapsMasked masked;
   rtcIntersect1(scene, &ray, &arguments);
 }
 inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   arguments.context = &context;
+  const TrapsMasked masked;
   rtcOccluded1(scene, &ray, &arguments);
 }
 inline constexpr int with_query_filters = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
@@ -59,14 +62,22 @@ inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray, RTC
   arguments.context = &context;
   arguments.filter = context.filter_of_all = filter;
   arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  const TrapsMasked masked;
   rtcIntersect1(scene, &ray, &arguments);
 }
 #else
-inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
-inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
+inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
+  const TrapsMasked masked;
+  rtcIntersect1(scene, &context, &ray);
+}
+inline void occluded(RTCScene scene, QueryContext& context, RTCRay& ray) {
+  const TrapsMasked masked;
+  rtcOccluded1(scene, &context, &ray);
+}
 inline constexpr int with_query_filters = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray, RTCFilterFunctionN filter) {
   context.filter = context.filter_of_all = filter;
+  const TrapsMasked masked;
   rtcIntersect1(scene, &context, &ray);
 }
 #endif
@@ -150,7 +161,7 @@ class Scene {
   }
   // Embree builds in the arena of its caller: a device's own thread setting would change the whole process.
   void commit(ThreadPool& pool) {
-    pool.run_tasks([&] { rtcCommitScene(scene_); });
+    pool.run_tasks([&] { rtcCommitScene(scene_); });  // which masks traps
     device_->check();
   }
 

@@ -23,6 +23,7 @@ struct NeighbourCurvature {
   bool tell() const { return std::isfinite(between); }
   // How much a meter keeps of a bias, lx, that it knows with such a variance; scale: lx m2, illuminance and radius.
   double share_of_own(double scale, double variance) const {
+    if (!tell()) return 1;
     const double prior = between * scale * scale;
     return std::isfinite(prior) && prior + variance > 0 ? prior / (prior + variance) : 1;
   }

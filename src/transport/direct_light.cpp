@@ -63,11 +63,13 @@ void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& 
   const Meter& meter = in.scene.meter_sets[set].meters[m];
   const EyeEnd eye = meter_end(meter.p, meter.error, meter.frame, {}, in.scene.media_stacks[in.scene.media_of_meter[set][m]]);
   const Arrival arrival{eye.surface};
+  mis::Counts alone;
+  alone.light_sample = 1;
   static const PerThread<std::vector<std::pair<float, Contribution>>> kept;
   auto& lights = kept.get();
   lights.clear();
   for (const uint32_t e : emitters_)
-    if (const Found c = light_from(in, {}, eye, arrival, {e, 1}, {})) {
+    if (const Found c = light_from(in, alone, eye, arrival, {e, 1}, {})) {
       if (is_finite(c->value))
         lights.emplace_back(luminance(c->value), *c);
       else

@@ -20,7 +20,7 @@ void Moments::add(double value, const mis::Classes& relative, double* excess) co
     const mis::Classes& f = sets_[j];
     const double own = f.eye * relative.eye + f.connect * relative.connect + f.light * relative.light +
                        f.caustic * relative.caustic + f.merge * relative.merge;
-    excess[j] += square * (sum / own - 1);  // infinite where the set has no technique for the path
+    excess[j] += own > 0 ? square * (sum / own - 1) : INFINITY;  // where the set has no technique for the path
   }
 }
 

@@ -101,6 +101,7 @@ TEST(Revolution, ConeIsHitWhereItIs) {
     const double a = d.x * d.x + d.y * d.y - k * k * d.z * d.z, c = r0 - k * o.z;
     const double b = o.x * d.x + o.y * d.y + k * d.z * c, root = b * b - a * (o.x * o.x + o.y * o.y - c * c);
     Truth out{INFINITY, {}};
+    if (root < 0) return out;
     for (const double sign : {-1.0, 1.0}) {
       const double t = (-b + sign * std::sqrt(root)) / a;
       const Vec3d p = o + d * t;
@@ -118,6 +119,7 @@ TEST(Revolution, ParaboloidIsHitWhereItIs) {
     const double a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y + 2 * f * d.z;
     const double root = b * b - a * (o.x * o.x + o.y * o.y + 4 * f * (o.z - f));
     Truth out{INFINITY, {}};
+    if (root < 0) return out;
     for (const double sign : {-1.0, 1.0}) {
       const double t = (-b + sign * std::sqrt(root)) / a;
       const Vec3d p = o + d * t;
@@ -131,6 +133,7 @@ TEST(Revolution, SphereIsHitWhereItIs) {
   const double r = 0.25;
   expect_hits(round_mesh(optics::sphere(r), coarse), [=](const Vec3d& o, const Vec3d& d) {
     const double b = dot(o, d), root = b * b - dot(o, o) + r * r;
+    if (root < 0) return Truth{INFINITY, {}};
     const double t = -b - std::sqrt(root) > 0 ? -b - std::sqrt(root) : -b + std::sqrt(root);
     return t > 0 ? Truth{t, normalize(o + d * t)} : Truth{INFINITY, {}};
   });

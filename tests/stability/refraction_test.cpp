@@ -43,7 +43,8 @@ double through_layers(double offset, double radius, double scale, int bounces, c
 }
 
 double refracted(double angle, double eta) {  // eta = n_t / n_i; NaN beyond the critical angle
-  return std::asin(std::sin(angle) / eta);
+  const double sine = std::sin(angle) / eta;
+  return sine <= 1 ? std::asin(sine) : NAN;
 }
 
 // Points over the square about (0, 0, z), and cells that tile it.

@@ -142,7 +142,7 @@ class SphereCells {
     static constexpr double w[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
     double sum = 0;
     for (int i = 0; i < 4; ++i) {
-      const double r = b.r0 + (b.r1 - b.r0) * x[i], growth = 2 * std::log(2 / width_);
+      const double r = b.r0 + (b.r1 - b.r0) * x[i], growth = std::isinf(width_) ? 0 : 2 * std::log(2 / width_);
       const bool near = std::isinf(width_) || r < 0.5;
       const double u = std::isinf(width_) ? 2 * r : near ? 2 * width_ * r : width_ * std::exp((r - 0.5) * growth);
       const double du_dr = std::isinf(width_) ? 2 : near ? 2 * width_ : u * growth, sine = std::sqrt(u * (2 - u));

@@ -29,7 +29,7 @@ struct Judged {
 };
 
 struct TortureOptions {
-  uint32_t iterations = fast_or_full(16u, 128u);
+  uint32_t iterations = fast_or_full(16u, 64u);
   uint32_t light_paths = 1u << 11;
   ups_separation separation = UPS_SEPARATE_NOTHING;
   uint32_t sppm_factor = 8;  // light paths of SPPM, which has nothing but them, in proportion
