@@ -60,10 +60,10 @@ TEST(MeterRings, StateTheNoiseOfChoosing) {
   rings.area[0] = rings.area[1] = 1;
   rings.radius2[0] = 0.5, rings.radius2[1] = 1.5;
   MeterRings sums(1, 2, false);
-  const auto landing = [](uint8_t ring, double lm) { return MeterLanding{0, 0, ring, false, 0, lm}; };
+  const auto landing = [](uint8_t ring, double lm) { return MeterLanding{0, 0, ring, false, 0, 0, lm}; };
   for (uint32_t b = 0; b < batch_count; ++b) {
-    for (int i = 0; i < 8; ++i) sums.add(0, b, landing(0, 3));
-    for (int i = 0; i < 8; ++i) sums.add(0, b, landing(1, 1));
+    for (int i = 0; i < 8; ++i) sums.add(0, b, landing(0, 3), b);
+    for (int i = 0; i < 8; ++i) sums.add(0, b, landing(1, 1), b);
   }
   const MeterRings::Photons p = sums.read(0, rings, {0, 1}, 16);
   // Means of 24 and 16 lx; of variances 8 * 9 / 16 in the inner disc, 8 * 1 / 16 in the ring, of areas 1 and 2.
@@ -94,7 +94,7 @@ TEST(ImageSums, SplatsCountByIterations) {
   for (uint32_t i = 0; i < 32; ++i) {
     IterationTally tally;
     tally.pixels.emplace_back(4, Rgb(1.0f));
-    tally.splats.push_back({{3, Rgb(float(i / 2 % 2))}});  // 0 and 1 by passes
+    tally.splats.push_back({{3, 0, Rgb(float(i / 2 % 2))}});  // 0 and 1 by passes
     sums.add(i, tally, 0);
   }
   const ImageReading image = sums.read(32);

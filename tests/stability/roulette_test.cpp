@@ -45,25 +45,24 @@ TEST(Hazard13, SurvivorsCarryNoMoreThanTheyStartedWith) {
 // What eye paths bring, path by path, and each contribution.
 class Contributions : public PathRecorder {
  public:
-  const Iteration* in = nullptr;
   std::vector<double> of_path;
   double largest = 0, largest_of_long = 0;
   uint32_t longest = 0;
 
-  void start_light(uint32_t, const Vec3&) override {}
+  void start_light(uint32_t, const EmissionSample&, const Rgb&) override {}
   void start_eye(const EyeSensor&, const Vec3&, const Vec3&, float) override { of_path.push_back(0); }
   void meet(const Encounter&) override {}
-  void scatter(bool) override {}
+  void scatter(const BsdfSample&, float, const Rgb&) override {}
   void store() override {}
-  void found(const Contribution& c, double pass, uint32_t) override {
-    const double lx = luminance(c.value) * c.weight(*in, pass);
+  void found(const Contribution& c, const Brought& brought, uint32_t) override {
+    const double lx = luminance(brought.unweighted) * brought.weight;
     of_path.back() += lx;
     largest = std::max(largest, lx);
     longest = std::max(longest, c.technique.edges);
     if (c.technique.edges > 8) largest_of_long = std::max(largest_of_long, lx);
   }
-  void splatted(const Contribution&, double, size_t, uint32_t) override {}
-  void landed(const Contribution&, const Vec3&, uint32_t, uint32_t) override {}
+  void splatted(const Contribution&, const Brought&, size_t, uint32_t) override {}
+  void landed(const Contribution&, const Brought&, const Vec3&, uint32_t, uint32_t) override {}
 };
 
 // A long white corridor, lit at one end: the dark end's light is all of many bounces. One sample of next-event
@@ -93,7 +92,6 @@ TEST(Hazard13, NoPathOfALongCorridorBringsMoreThanOneSampleOfTheLamp) {
   for (uint32_t number = 0; number < 16; ++number) {
     Iteration in(*room.scene, plan, settings, number, stop);
     in.recorder = &found;
-    found.in = &in;
     IterationTally tally;
     for (const MeterSet& set : room.scene->meter_sets) tally.meters.emplace_back(set.meters.size());
     tally.landings.resize(1), tally.separated.resize(1);

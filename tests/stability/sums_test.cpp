@@ -17,7 +17,7 @@ double relative_error(double mean) { return std::abs(mean - 1); }
 
 TEST(Hazard27, TenMillionAdditionsToAMeterKeepNineDigits) {
   MeterSums sums;
-  for (uint32_t i = 0; i < additions; ++i) sums.add(i % batch_count, MeterTally::of_path(term(i), term(i), 0));
+  for (uint32_t i = 0; i < additions; ++i) sums.add(i % batch_count, MeterTally::of_path(term(i), term(i), 0), i);
   EXPECT_LE(relative_error(spread(sums.value, additions).mean), 1e-9);
   EXPECT_LE(relative_error(spread(sums.direct, additions).mean), 1e-9);
   EXPECT_LE(spread(sums.value, additions).standard_error, 1e-9);
@@ -29,7 +29,7 @@ TEST(Hazard27, TenMillionPhotonsOnADiscKeepNineDigits) {
   const Rings rings = discs.rings(0, 0);
   MeterRings sums(1, max_rings, true);
   for (uint32_t i = 0; i < additions; ++i)
-    sums.add(0, i % batch_count, {0, 0, uint8_t(max_rings - 1), true, 0, term(i)});
+    sums.add(0, i % batch_count, {0, 0, uint8_t(max_rings - 1), true, 0, 0, term(i)}, i);
   const MeterRings::Photons p = sums.read(0, rings, {max_rings - 1, max_rings - 1}, additions);
   double mean = 0, direct = 0;
   for (uint32_t b = 0; b < batch_count; ++b) mean += p.value[b], direct += p.direct[b];
