@@ -24,14 +24,18 @@ class MemoryBudget {
       return;
     }
     give_back(bytes);
-    throw Error(UPS_ERROR_OUT_OF_MEMORY, "the light paths of an iteration want " + in_megabytes(used) + " or more, " +
-                                             in_megabytes(most_) + " are left for them" + advice_);
+    throw Error(UPS_ERROR_OUT_OF_MEMORY, "the light paths of an iteration want " + in_bytes(used) + " or more, " +
+                                             in_bytes(most_) + " are left for them" + advice_);
   }
   void give_back(size_t bytes) { used_.fetch_sub(bytes, std::memory_order_relaxed); }
   size_t peak() const { return peak_.load(std::memory_order_relaxed); }  // taken so far, at most at a time
-  static std::string in_megabytes(double bytes) {
-    const auto megabytes = uint64_t(bytes / 1e6 + 0.5);
-    return bytes < 10e6 ? std::to_string(uint64_t(bytes / 1e3 + 0.5)) + " kB" : std::to_string(megabytes) + " MB";
+  // "20 kB", "500 MB", "24 GB".
+  static std::string in_bytes(double bytes) {
+    const char* const units[] = {" kB", " MB", " GB"};
+    double unit = 1e3;
+    size_t i = 0;
+    while (i < 2 && bytes >= 1e4 * unit) unit *= 1e3, ++i;
+    return std::to_string(uint64_t(bytes / unit + 0.5)) + units[i];
   }
 
  private:

@@ -57,7 +57,7 @@ void add_goniometers(const Snapshot& scene, MemoryEstimate& m) {
   }
 }
 
-std::string bytes_text(double bytes) { return MemoryBudget::in_megabytes(bytes); }
+std::string bytes_text(double bytes) { return MemoryBudget::in_bytes(bytes); }
 
 // A kind of thing that takes memory, and what would be right where it takes too much.
 struct Part {

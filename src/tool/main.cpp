@@ -109,7 +109,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     const int code = run(argc, argv);
-    if (std::fflush(stdout) != 0) {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {  // what did not fit its buffer may have failed before
       ups::tool::put_error("cannot write to standard output");
       return ups::tool::exit_failed;
     }

@@ -124,6 +124,8 @@ std::vector<EyeWalk::WaitingEdge>& EyeWalk::kept_edges() {
   return edges;
 }
 
+constexpr size_t most_waiting = 1024;  // edges, half a megabyte
+
 void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
   // Images of techniques show what has next to no weight, too.
   if (!c.media || sensor_.techniques || (in_.recorder && in_.recorder->wants_all_edges()))
@@ -131,6 +133,7 @@ void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
   const double size = luminance(c.value) * share * c.weight(in_, 1);
   if (!std::isfinite(size)) return work_.drop(drop, rng_.address(), place_of(c));
   if (size > 0) edges_.push_back({c, *c.media, drop, share, size});
+  if (edges_.size() >= most_waiting) test_edges();  // of a path of many hundred vertices
 }
 
 namespace {
@@ -161,7 +164,8 @@ double EyeWalk::size_of_certain_edges() const {
 void EyeWalk::test_edges() {
   const bool all = edges_.size() <= size_t(shadow_rays);
   const double certain = all ? 0 : size_of_certain_edges();
-  double sum = all ? 0 : rng_.get(0, Slot::roulette);
+  double sum = all ? 0 : rng_.get(tests_, tests_ ? Slot::later_edges : Slot::roulette);
+  ++tests_;
   for (WaitingEdge& e : edges_) {
     const double probability = all ? 1 : std::min(1.0, e.size / certain), before = sum;
     if (probability < 1 && std::floor(sum += probability) == std::floor(before)) continue;
@@ -248,28 +252,31 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
 
 LightEnd& EyeWalk::light_end(uint32_t i) {
   if (!light_ends_) {
-    static const PerThread<std::vector<LightEnd>> kept;
+    static const PerThread<LightEnds> kept;
     light_ends_ = &kept.get();
-    const uint32_t count = sensor_.end_light_vertex - sensor_.first_light_vertex;
-    if (light_ends_->size() < count) light_ends_->resize(count);
-    for (uint32_t k = 0; k < count; ++k) (*light_ends_)[k].edges = 0;
+    light_ends_->place.assign(sensor_.end_light_vertex - sensor_.first_light_vertex, none);
+    light_ends_->used = 0;
   }
-  LightEnd& end = (*light_ends_)[i];
-  if (end.edges == 0) photons_.paths.vertices[sensor_.first_light_vertex + i].fill(scene_, end);
-  return end;
+  LightEnds& all = *light_ends_;
+  if (all.place[i] == none) {
+    all.place[i] = all.used++;
+    if (all.ends.size() < all.used) all.ends.emplace_back();
+    photons_.paths.vertices[sensor_.first_light_vertex + i].fill(scene_, all.ends[all.place[i]]);
+  }
+  return all.ends[all.place[i]];
 }
 
 // All connections of a vertex, by one of them: chosen about in proportion to what each would bring without its shadow
 // ray, it stands for their sum if its ray is free (Talbot et al. 2005, resampled importance sampling). Between Lambertian
 // surfaces an estimate does; else all is evaluated.
 void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
-  struct Candidate {
-    double size = 0;
-    Found found;  // where it was evaluated
+  struct Candidates {
+    std::vector<double> sizes;
+    std::vector<std::pair<uint32_t, Contribution>> evaluated;  // by their numbers, ascending
   };
-  static const PerThread<std::vector<Candidate>> kept;
-  std::vector<Candidate>& all = kept.get();
-  all.clear();
+  static const PerThread<Candidates> kept;
+  auto& [sizes, evaluated] = kept.get();
+  sizes.clear(), evaluated.clear();
   const bool estimates = !in_.settings.actual_perturbation && (!eye.bsdf || eye.bsdf->min_alpha_continuous() == 1);
   const LightVertex* lights = photons_.paths.vertices.data() + sensor_.first_light_vertex;
   const uint32_t count = sensor_.end_light_vertex - sensor_.first_light_vertex;
@@ -281,28 +288,32 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
   }
   double sum = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    Candidate& c = all.emplace_back();
+    double& size = sizes.emplace_back(0);
     if (!lights[i].lit) continue;
-    if (estimates && lights[i].lambertian)
-      c.size = connection_estimate(in_, counts_, eye, lights[i]);
-    else if ((c.found = found(i)))
-      c.size = luminance(c.found->value) * c.found->weight(in_, 1);
-    if (!std::isfinite(c.size)) drop(Drop::connect, eye.surface.p);
-    if (!(c.size > 0 && std::isfinite(c.size))) c.size = 0;
-    sum += c.size;
+    if (estimates && lights[i].lambertian) {
+      size = connection_estimate(in_, counts_, eye, lights[i]);
+    } else if (const Found c = found(i)) {
+      size = luminance(c->value) * c->weight(in_, 1);
+      evaluated.emplace_back(i, *c);
+    }
+    if (!std::isfinite(size)) drop(Drop::connect, eye.surface.p);
+    if (!(size > 0 && std::isfinite(size))) size = 0;
+    sum += size;
   }
   if (!(sum > 0)) return;
   double target = sum * rng_.get(eye.edges, Slot::connection);
   uint32_t chosen = none;
   for (uint32_t i = 0; i < count; ++i) {
-    if (!(all[i].size > 0)) continue;
+    if (!(sizes[i] > 0)) continue;
     chosen = i;
-    if ((target -= all[i].size) < 0) break;
+    if ((target -= sizes[i]) < 0) break;
   }
   ++work_.connections;
-  Candidate& c = all[chosen];
-  if (!c.found) c.found = found(chosen);
-  if (c.found) offer(*c.found, Drop::connect, sum / c.size);
+  const double share = sum / sizes[chosen];
+  const auto at = std::lower_bound(evaluated.begin(), evaluated.end(), chosen,
+                                   [](const auto& e, uint32_t number) { return e.first < number; });
+  if (at != evaluated.end() && at->first == chosen) return offer(at->second, Drop::connect, share);
+  if (const Found c = found(chosen)) offer(*c, Drop::connect, share);
 }
 
 // Density estimation at an eye vertex: photons on the same side of the same surface within the radius.

@@ -1,5 +1,6 @@
 // One eye path: from a sensor's point through the scene, every technique at every vertex. Used by the eye pass.
 #pragma once
+#include <deque>
 #include <vector>
 
 #include "transport/eye_pass.h"
@@ -94,7 +95,14 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   const EyeSensor& sensor_;
   EyeTally tally_;
   std::vector<WaitingEdge>& edges_;
-  std::vector<LightEnd>* light_ends_ = nullptr;  // of edges 0: not yet made
+  uint32_t tests_ = 0;  // of edges_, so far
+  // Those vertices of the light path that were asked for; a path may have many thousand.
+  struct LightEnds {
+    std::vector<uint32_t> place;  // by vertex; none: not yet made
+    std::deque<LightEnd> ends;    // the first `used` are of this path
+    uint32_t used = 0;
+  };
+  LightEnds* light_ends_ = nullptr;
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
 };

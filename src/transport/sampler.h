@@ -15,7 +15,8 @@ enum class Slot {
   cell_x, cell_y,  // a point in a meter's cell
   perturb_x, perturb_y,  // where path integration arrives beside the vertex
   count,
-  pane = cell_x  // of a later vertex: which panes the edge to it goes through
+  pane = cell_x,         // of a later vertex: which panes the edge to it goes through
+  later_edges = cell_y   // of number k > 0: which of a long path's edges that waited for test k get their shadow rays
 };
 
 // All that draws numbers of its own. Two streams share none, whatever their seeds: the seed alone is Philox's key, by a
