@@ -108,3 +108,15 @@ struct ups_scene {
   ups::MethodChoice method{};                     // that UPS_METHOD_AUTO stands for on it
   ups::PlacedFixtures fixtures{description};
 };
+
+namespace ups::api {
+
+// One that was committed.
+inline const ups_scene& committed(const ups_scene* scene) {
+  const ups_scene& s = require(scene, "scene");
+  if (!s.snapshot)
+    throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
+  return s;
+}
+
+}  // namespace ups::api

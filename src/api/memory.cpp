@@ -7,9 +7,8 @@ using namespace ups::api;
 
 ups_status ups_scene_estimate_memory(const ups_scene* scene, const ups_render_desc* desc, ups_memory_estimate* out) {
   return guard(__func__, [&] {
-    const ups_scene& s = require(scene, "scene");
+    const ups_scene& s = committed(scene);
     require(out, "out");
-    if (!s.snapshot) throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
     write_info(out, RenderJob(s.snapshot, read_desc(desc, &ups_render_desc_init), s.context->pool).estimate(), "out");
   });
 }

@@ -13,8 +13,7 @@ using namespace ups::api;
 namespace {
 
 std::unique_ptr<ups_job> start(const ups_scene* scene, const ups_render_desc* desc) {
-  const ups_scene& s = require(scene, "scene");
-  if (!s.snapshot) throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
+  const ups_scene& s = committed(scene);
   auto job = std::make_unique<ups_job>();
   job->context = s.context;
   job->job = std::make_unique<RenderJob>(s.snapshot, read_desc(desc, &ups_render_desc_init), s.context->pool);

@@ -27,10 +27,9 @@ ups_status ups_result_read_largest_samples(const ups_result* result, ups_sensor_
 
 ups_status ups_replay(const ups_scene* scene, const ups_render_desc* desc, const ups_sample* sample, ups_path** out) {
   return guard(__func__, [&] {
-    const ups_scene& s = require(scene, "scene");
+    const ups_scene& s = committed(scene);
     ups_sample own = require(sample, "sample");
     require(out, "out");
-    if (!s.snapshot) throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
     ups_render_desc render = read_desc(desc, &ups_render_desc_init);
     render.iteration_count = 1;
     render.time_limit_s = 0, render.target_relative_error = 0, render.flux_paths = 0;

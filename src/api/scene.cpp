@@ -36,12 +36,6 @@ ups_status change(const char* function, ups_scene* scene, const Change& body) {
   return guard(function, [&] { body(require(scene, "scene").description); });
 }
 
-const Snapshot& committed(const ups_scene* scene) {
-  const ups_scene& s = require(scene, "scene");
-  if (!s.snapshot) throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
-  return *s.snapshot;
-}
-
 ups_scene_info info_of(const Snapshot& s, const MethodChoice& method) {
   ups_scene_info info{};
   info.effects = s.effects.effects;
@@ -182,15 +176,14 @@ ups_status ups_scene_commit(ups_scene* scene) {
 
 ups_status ups_scene_get_info(const ups_scene* scene, ups_scene_info* info) {
   return guard(__func__, [&] {
-    const Snapshot& snapshot = committed(scene);
-    write_info(info, info_of(snapshot, scene->method), "info");
+    write_info(info, info_of(*committed(scene).snapshot, scene->method), "info");
   });
 }
 
 ups_status ups_scene_get_text(const ups_scene* scene, ups_scene_text topic, char* text, size_t capacity,
                               size_t* needed) {
   return guard(__func__, [&] {
-    const Snapshot& s = committed(scene);
+    const Snapshot& s = *committed(scene).snapshot;
     check::enumeration(topic, UPS_SCENE_TEXT_TECHNIQUES, "topic", "UPS_SCENE_TEXT_*");
     const std::string from = topic == UPS_SCENE_TEXT_WARNINGS  ? lines(s.warnings) + lines(scene->method.warnings)
                              : topic == UPS_SCENE_TEXT_EFFECTS ? s.effects.text
@@ -202,7 +195,7 @@ ups_status ups_scene_get_text(const ups_scene* scene, ups_scene_text topic, char
 ups_status ups_scene_read_section(const ups_scene* scene, const double point_m[3], const double normal[3],
                                   ups_segment* segments, size_t capacity, size_t* needed) {
   return guard(__func__, [&] {
-    const Snapshot& s = committed(scene);
+    const Snapshot& s = *committed(scene).snapshot;
     check::pointer(point_m, "point_m");
     check::pointer(normal, "normal");
     const Vec3d p(point_m[0], point_m[1], point_m[2]), n(normal[0], normal[1], normal[2]);

@@ -143,7 +143,7 @@ struct Raytracer::Impl {
     const bool told = meet_plane(met, Vec3d(o), Vec3d(d), weights, t) && t > 0 &&
                       std::all_of(weights, weights + 3, [](double w) { return w >= -outside && w <= 1 + outside; });
     if (!told) {
-      const Vec3d named = met.p[0] * (1.0 - hit.u - hit.v) + met.p[1] * double(hit.u) + met.p[2] * double(hit.v);
+      const Vec3d named = met.sum({1.0 - hit.u - hit.v, double(hit.u), double(hit.v)});
       hit.t = std::max(float(dot(named - Vec3d(o), Vec3d(d))), std::numeric_limits<float>::min());
       return;
     }

@@ -13,6 +13,7 @@
 #include "render/flux_pass.h"
 #include "render/radius_notice.h"
 #include "render/reading_warnings.h"
+#include "scene/scene_bytes.h"
 
 namespace ups {
 
@@ -87,9 +88,10 @@ RenderJob::~RenderJob() {
 
 void RenderJob::start() {
   const TransportSettings settings = settings_of(desc_, method_);
-  const MemoryEstimate least = least_memory(*scene_, settings, desc_);
-  allowed_ = allowed_memory(least, desc_);
-  check_memory(least, allowed_, *scene_, make_plan(*scene_, settings), desc_);
+  const Plan plan = make_plan(*scene_, settings);
+  const MemoryEstimate least = least_memory(*scene_, settings, plan, desc_);
+  allowed_ = allowed_memory(least.scene, desc_);
+  check_memory(least, allowed_, *scene_, plan, desc_);
   memory_.set(whole_bytes(allowed_.bytes - least.scene), advice_of(allowed_));
   thread_ = start_thread("job", [this] { run(); });
 }
@@ -137,8 +139,7 @@ void RenderJob::make_integrator() {
 }
 
 ups_memory_estimate RenderJob::estimate() {
-  const MemoryEstimate least = least_memory(*scene_, settings_of(desc_, method_), desc_);
-  allowed_ = allowed_memory(least, desc_);
+  allowed_ = allowed_memory(double(bytes_of(*scene_)), desc_);
   memory_.set(whole_bytes(double(available_memory().bytes)), "");  // of its pilots
   make_integrator();
   return in_bytes(estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_), allowed_);
@@ -338,8 +339,8 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
 
 PathReplay RenderJob::replay(const ups_sample& sample) {
   desc_.seed = sample.seed;
-  Integrator integrator(scene_, settings_of(desc_, method_), *pool_, stop_);
-  return ups::replay(integrator, sample, stop_);
+  make_integrator();
+  return ups::replay(*integrator_, sample, stop_);
 }
 
 // The render's own light paths, or those of a pass of their own.

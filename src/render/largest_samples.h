@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "render/spread.h"
 #include "transport/tally.h"
 #include "ups/ups_replay.h"
 
@@ -30,7 +31,7 @@ class LargestSamples {
   LargestSamples(uint32_t sensor, uint64_t seed) : sensor_(sensor), seed_(seed) {}
   // reading, mean: of the meter or pixel, and of its set or image.
   void add(uint32_t index, const Sample& sample, uint32_t visits, double reading, double mean) {
-    const double least = std::max(reading, share_of_set * mean);
+    const double least = std::max(reading, share_of_mean * mean);
     if (!(sample.value > 0 && least > 0) || visits == 0) return;
     ups_sample s{};
     s.seed = seed_;
@@ -48,7 +49,6 @@ class LargestSamples {
   std::vector<ups_sample> take() { return std::move(kept_); }
 
  private:
-  static constexpr double share_of_set = 0.05;  // as of relative errors
   static bool precedes(const ups_sample& a, const ups_sample& b) {
     return std::make_tuple(-a.share, a.index) < std::make_tuple(-b.share, b.index);
   }

@@ -72,11 +72,11 @@ std::string fewer_text(const char* noun, double count, double bytes, double allo
 
 }  // namespace
 
-MemoryEstimate least_memory(const Snapshot& scene, const TransportSettings& settings, const ups_render_desc& desc) {
+MemoryEstimate least_memory(const Snapshot& scene, const TransportSettings& settings, const Plan& plan,
+                            const ups_render_desc& desc) {
   TransportSettings certain = settings;
   if (settings.automatic)
     certain.techniques &= ~uint32_t(UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_SENSOR_CONNECT);
-  const Plan plan = make_plan(scene, settings);
   const bool merges = certain.has(UPS_TECHNIQUE_MERGE);
   std::vector<uint32_t> rings;
   for (const MeterSet& set : scene.meter_sets)
@@ -108,9 +108,9 @@ MemoryEstimate estimate_memory(const Integrator& integrator, const ups_render_de
   return m;
 }
 
-AllowedMemory allowed_memory(const MemoryEstimate& estimate, const ups_render_desc& desc) {
+AllowedMemory allowed_memory(double scene_bytes, const ups_render_desc& desc) {
   const AvailableMemory machine = available_memory();  // beside the scene, which is there
-  AllowedMemory allowed{estimate.scene + double(machine.bytes), machine.limit};
+  AllowedMemory allowed{scene_bytes + double(machine.bytes), machine.limit};
   if (desc.memory_limit_bytes > 0 && double(desc.memory_limit_bytes) < allowed.bytes)
     allowed = {double(desc.memory_limit_bytes), "memory_limit_bytes"};
   return allowed;

@@ -25,7 +25,8 @@ struct MemoryEstimate {
 };
 
 // What no plan changes: of a desc whose techniques are chosen by a pilot, what any choice takes.
-MemoryEstimate least_memory(const Snapshot& scene, const TransportSettings& settings, const ups_render_desc& desc);
+MemoryEstimate least_memory(const Snapshot& scene, const TransportSettings& settings, const Plan& plan,
+                            const ups_render_desc& desc);
 // Traces a few light paths. Until `stop` is set. pilots: that the light paths of the integrator's pilots took.
 MemoryEstimate estimate_memory(const Integrator& integrator, const ups_render_desc& desc, double pilots,
                                const StopSignal& stop);
@@ -35,7 +36,7 @@ struct AllowedMemory {
   double bytes;
   std::string limit;  // in words
 };
-AllowedMemory allowed_memory(const MemoryEstimate& estimate, const ups_render_desc& desc);
+AllowedMemory allowed_memory(double scene_bytes, const ups_render_desc& desc);
 size_t whole_bytes(double bytes);  // as much as there is may be more than a size holds
 ups_memory_estimate in_bytes(const MemoryEstimate& estimate, const AllowedMemory& allowed);
 // Throws Error OUT_OF_MEMORY with what is wanted and what would be right.

@@ -77,7 +77,6 @@ class Teller {
   }
 
   void head() {
-    const Plan& plan = plan_;
     if (r_.address.camera) {
       const uint32_t width = scene_.cameras[r_.address.sensor].width();
       line(format("Sample: camera %u, pixel column %u, row %u; iteration %u, seed %llu", sample_.sensor.v,
@@ -89,9 +88,9 @@ class Teller {
     }
     if (sample_.walk == UPS_WALK_EYE)
       line(format("Brought by eye path %u of %u that the iteration traces there: %.6g %s", sample_.path,
-                  r_.address.camera ? 1u : plan.meter_samples, r_.value, unit()));
+                  r_.address.camera ? 1u : plan_.meter_samples, r_.value, unit()));
     else
-      line(format("Brought by light path %u of %u: %.6g %s", sample_.path, plan.light_paths, r_.value, unit()));
+      line(format("Brought by light path %u of %u: %.6g %s", sample_.path, plan_.light_paths, r_.value, unit()));
   }
 
   std::string title(const ReplayedWalk& w) const {
@@ -126,9 +125,8 @@ class Teller {
         line(text + ": ends there");
         continue;
       }
-      const bool delta = v.delta;
       text += std::string(": ") + names[out.event] +
-              format(delta ? ", probability %.4g, backwards %.4g" : ", density %.4g / sr, backwards %.4g", double(v.pdf),
+              format(v.delta ? ", probability %.4g, backwards %.4g" : ", density %.4g / sr, backwards %.4g", double(v.pdf),
                      double(v.pdf_reverse)) +
               format(", weight %.4g", double(luminance(v.weight)));
       if (v.survival < 1) text += format(", roulette %.3g", double(v.survival));

@@ -60,10 +60,6 @@ ordered_json memory_json(const ups_memory_estimate& m) {
           {"resident_bytes", uint64_t(usage.ru_maxrss) * 1024}};
 }
 
-}  // namespace
-
-namespace {
-
 ordered_json samples_json(const std::vector<SampleReport>& samples) {
   ordered_json all = ordered_json::array();
   for (const SampleReport& s : samples)

@@ -147,10 +147,6 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
       ->group(group);
 }
 
-}  // namespace
-
-namespace {
-
 // What a render is of and how it goes on its way, but not where it ends.
 void add_scene_options(CLI::App& command, JobOptions& options, const std::vector<std::string>& words) {
   static const std::map<std::string, int32_t> methods = {

@@ -17,8 +17,7 @@ constexpr Ink eye_ink = plane_ink[0], light_ink = plane_ink[1], joined_ink = pla
 
 // Horizontal axis and vertical axis on paper, and the plane's normal.
 struct View {
-  std::string name;
-  double across[3], up[3], normal[3], through[3];
+  double across[3], up[3], normal[3];
 
   Point flat(const double* p) const {
     return {p[0] * across[0] + p[1] * across[1] + p[2] * across[2], p[0] * up[0] + p[1] * up[1] + p[2] * up[2]};
@@ -53,9 +52,8 @@ class Plot {
   }
 
   Drawing draw(const std::string& title) {
-    const View plan{"Plan", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {centre_[0], centre_[1], centre_[2]}};
-    const View section{"Section", {along_[0], along_[1], 0}, {0, 0, 1}, {-along_[1], along_[0], 0},
-                       {centre_[0], centre_[1], centre_[2]}};
+    const View plan{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const View section{{along_[0], along_[1], 0}, {0, 0, 1}, {-along_[1], along_[0], 0}};
     prepare(plan), prepare(section);
     const double scale = std::min((page - 2 * margin - gap) / (extents_[0].width() + extents_[1].width()),
                                   view_height / std::max(extents_[0].height(), extents_[1].height()));
@@ -76,7 +74,7 @@ class Plot {
   // Its cut of the room, and all that it shows.
   void prepare(const View& view) {
     cuts_.push_back(read_array<ups_segment>([&](ups_segment* to, size_t capacity, size_t* needed) {
-      return ups_scene_read_section(scene_, view.through, view.normal, to, capacity, needed);
+      return ups_scene_read_section(scene_, centre_, view.normal, to, capacity, needed);
     }));
     Extent e;
     for (const ups_segment& s : cuts_.back()) e.grow(view.flat(s.from_m)), e.grow(view.flat(s.to_m));

@@ -114,29 +114,28 @@ class Water : public ::testing::Test {
     scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), glass(n));
     scene.add_spot({0, 0, h}, {0, 0, -1}, intensity, 0.35, 0.4);  // full intensity over all that is measured
   }
+  // Meters at the depth d, on the axis, which are returned, and beside it.
+  Sensor expect_closed_form() {
+    const Grid on(lx, 0, 0, -d), off(lx, 0.3, 0.1, -d);
+    const Sensor a = scene.add_meters(on.at, {0, 0, 1}), b = scene.add_meters(off.at, {0, 0, 1});
+    const Result result =
+        scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .merge_radius_m = 0.1, .light_paths = light_paths});
+    on.expect(result, a, "axis");
+    off.expect(result, b, "off axis");
+    return a;
+  }
   Scene scene;
 };
 
 TEST_F(Water, ReferenceIsContinuousOnTheAxis) { EXPECT_NEAR(lx(1e-4, 0) / lx(0, 0), 1, 1e-6); }
 
 TEST_F(Water, LitFromAboveReachesAFloatingMeter) {
-  const Grid on(lx, 0, 0, -d), off(lx, 0.3, 0.1, -d);
-  const Sensor a = scene.add_meters(on.at, {0, 0, 1}), b = scene.add_meters(off.at, {0, 0, 1});
-  const Result result =
-      scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .merge_radius_m = 0.1, .light_paths = light_paths});
-  on.expect(result, a, "axis");
-  off.expect(result, b, "off axis");
-  expect_unseen_by_path_tracing(scene, a);
+  expect_unseen_by_path_tracing(scene, expect_closed_form());
 }
 
 TEST_F(Water, LitFromAboveReachesAMeterOnTheFloor) {
   scene.add(quad({-5, -5, -d}, {10, 0, 0}, {0, 10, 0}), matte(0));
-  const Grid on(lx, 0, 0, -d), off(lx, 0.3, 0.1, -d);
-  const Sensor a = scene.add_meters(on.at, {0, 0, 1}), b = scene.add_meters(off.at, {0, 0, 1});
-  const Result result =
-      scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .merge_radius_m = 0.1, .light_paths = light_paths});
-  on.expect(result, a, "axis");
-  off.expect(result, b, "off axis");
+  expect_closed_form();
 }
 
 TEST_F(Water, LitFromAboveLandsOnCells) {

@@ -34,17 +34,7 @@ void furnish(Scene& scene) {
   scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
   scene.add(box({1, 1, 0}, {2, 2, 0.5}), mirror(0.9));
   scene.add(box({2.5, 2.5, 0}, {3, 3, 1}), rough(UPS_MATERIAL_METAL, 0.8, 0.3));
-  const float gamma[3] = {0, 45, 90}, c = 0, intensity[3] = {1000, 700, 0};
-  auto d = make_desc<ups_profile_desc>(ups_profile_desc_init);
-  d.c_count = 1;
-  d.gamma_count = 3;
-  d.c_deg = &c;
-  d.gamma_deg = gamma;
-  d.intensity_cd = intensity;
-  ups_profile* profile = nullptr;
-  ASSERT_EQ(ups_profile_create(scene.context(), &d, &profile), UPS_OK) << ups_last_error();
-  scene.add_luminaire(profile, {2, 2, 2.9}, {0, 0.1, -1}, false);
-  ups_profile_destroy(profile);
+  scene.add_luminaire(table_profile(scene.context(), 0).get(), {2, 2, 2.9}, {0, 0.1, -1}, false);
 }
 
 struct Job {

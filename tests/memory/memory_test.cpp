@@ -37,28 +37,11 @@ struct Room {
     scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
     scene.add(box({1, 1, 0}, {2, 2, 0.5}), mirror(0.9));
     scene.add(box({2.5, 2.5, 0}, {3, 3, 1}), rough(UPS_MATERIAL_METAL, 0.8, 0.3));
-    add_luminaire();
+    scene.add_luminaire(table_profile(scene.context(), 0.3f).get(), {2, 2, 2.9}, {0, 0, -1}, true);
     std::vector<P3> places;
     for (int i = 0; i < meter_count; ++i) places.push_back({0.5 + 0.07 * i, 3, 0.75});
     meters = scene.add_meters(places, {0, 0, 1});
     camera = scene.add_camera({0.3, 0.3, 2}, {1, 1, -0.7}, 16, 12, 1, true);
-  }
-
- private:
-  void add_luminaire() {
-    const float gamma[3] = {0, 45, 90}, c = 0, intensity[3] = {1000, 700, 0};
-    auto d = make_desc<ups_profile_desc>(ups_profile_desc_init);
-    d.c_count = 1;
-    d.gamma_count = 3;
-    d.c_deg = &c;
-    d.gamma_deg = gamma;
-    d.intensity_cd = intensity;
-    d.opening_shape = UPS_OPENING_RECTANGLE;
-    d.opening_m[0] = d.opening_m[1] = 0.3f;
-    ups_profile* profile = nullptr;
-    ASSERT_EQ(ups_profile_create(scene.context(), &d, &profile), UPS_OK);
-    scene.add_luminaire(profile, {2, 2, 2.9}, {0, 0, -1}, true);
-    ups_profile_destroy(profile);
   }
 };
 

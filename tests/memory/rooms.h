@@ -19,19 +19,8 @@ inline void add_box(Scene& scene) {
 }
 
 inline void add_luminaires(Scene& scene, const std::vector<P3>& places) {
-  const float gamma[3] = {0, 45, 90}, c = 0, intensity[3] = {1000, 700, 0};
-  auto d = make_desc<ups_profile_desc>(ups_profile_desc_init);
-  d.c_count = 1;
-  d.gamma_count = 3;
-  d.c_deg = &c;
-  d.gamma_deg = gamma;
-  d.intensity_cd = intensity;
-  d.opening_shape = UPS_OPENING_RECTANGLE;
-  d.opening_m[0] = d.opening_m[1] = 0.3f;
-  ups_profile* profile = nullptr;
-  check(ups_profile_create(scene.context(), &d, &profile), "ups_profile_create");
-  for (const P3& p : places) scene.add_luminaire(profile, p, {0, 0, -1}, true);
-  ups_profile_destroy(profile);
+  const auto profile = table_profile(scene.context(), 0.3f);
+  for (const P3& p : places) scene.add_luminaire(profile.get(), p, {0, 0, -1}, true);
 }
 
 // 10 m x 8 m x 3 m, four desks with screens of metal, so many luminaires, ten to a row.

@@ -56,6 +56,25 @@ inline ups_material_desc emitter(double luminance_cd_m2, double reflectance = 0)
 
 // ---- scene ----------------------------------------------------------------------------------------------------------
 
+// 1000, 700 and 0 cd at gamma 0, 45 and 90 degrees, all around. opening_m: side of a square; 0: a point.
+inline std::unique_ptr<ups_profile, decltype(&ups_profile_destroy)> table_profile(ups_context* context,
+                                                                                  float opening_m) {
+  const float gamma[3] = {0, 45, 90}, c = 0, intensity[3] = {1000, 700, 0};
+  auto d = make_desc<ups_profile_desc>(ups_profile_desc_init);
+  d.c_count = 1;
+  d.gamma_count = 3;
+  d.c_deg = &c;
+  d.gamma_deg = gamma;
+  d.intensity_cd = intensity;
+  if (opening_m > 0) {
+    d.opening_shape = UPS_OPENING_RECTANGLE;
+    d.opening_m[0] = d.opening_m[1] = opening_m;
+  }
+  ups_profile* profile = nullptr;
+  check(ups_profile_create(context, &d, &profile), "ups_profile_create");
+  return {profile, ups_profile_destroy};
+}
+
 struct RenderOptions {
   ups_method method = UPS_METHOD_UPS;
   uint32_t iterations = 64;
