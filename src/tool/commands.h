@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tool/meter_report.h"
 #include "ups/ups_render.h"
 #include "ups/ups_sensor.h"
 
@@ -26,6 +27,7 @@ struct JobOptions {
 struct RenderOptions : JobOptions {
   std::string out;
   uint32_t width = 0, height = 0;  // 0: as the file says
+  MeterQuestions questions;
 };
 
 struct ReplayOptions : JobOptions {
