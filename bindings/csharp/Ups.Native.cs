@@ -619,6 +619,10 @@ namespace Ups
         public TextureId NormalTexture;
         public TextureId AlphaTexture;
         public int Priority;
+        public uint PaneAngleCount;
+        internal float* PaneAngleDeg;
+        internal float* PaneTransmittance;
+        internal float* PaneReflectance;
         /// <summary>With the library's defaults.</summary>
         public static MaterialDesc Create()
         {

@@ -34,6 +34,14 @@ Pane pane(const PolarisedReflectance& face, float passage) {
 
 PaneCrossing cross_pane(const Material& m, float cosine) {
   const PolarisedReflectance face = fresnel_polarised(cosine, m.ior);
+  if (m.pane) {
+    Pane p;
+    m.pane->at(cosine, p.reflectance, p.transmittance);
+    const float left = 1 - p.transmittance;
+    p.reflectance = m.pane->has_reflectance() ? std::min(p.reflectance, left) : std::min(pane(face, 1).reflectance, left);
+    const float sum = p.reflectance + p.transmittance;
+    return {Rgb(p.reflectance), Rgb(p.transmittance), sum > 0 ? p.reflectance / sum : 0};
+  }
   const float length = 1 / std::max(refracted_cosine(cosine, m.ior), 1e-6f);  // of the passage, in thicknesses
   const auto channel = [&](float transmittance) {
     const float a = internal_transmittance(std::min(transmittance, 1.0f), m.ior);

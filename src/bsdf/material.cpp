@@ -162,6 +162,7 @@ bool Bsdf::has_continuous() const { return min_alpha_continuous() > 0; }
 
 bool Bsdf::transmits() const {
   const Material& m = *p_.material;
+  if (m.pane) return m.pane->transmits();
   return m.model == MaterialModel::glass || !is_black(m.model == MaterialModel::glazing ? m.transmittance
                                                                                        : p_.transmittance);
 }
@@ -238,9 +239,10 @@ MaterialTraits traits_of(const Material& m) {
       t.coloured = coloured;
       break;
     case MaterialModel::glazing:
-      t.delta = t.interreflects = m.ior > 1;  // what it lets through goes straight on, which is no scattering
-      t.transmits = !is_black(m.transmittance);
-      t.coloured = tinted(m.transmittance);
+      // What it lets through goes straight on, which is no scattering.
+      t.delta = t.interreflects = m.pane && m.pane->has_reflectance() ? m.pane->reflects() : m.ior > 1;
+      t.transmits = m.pane ? m.pane->transmits() : !is_black(m.transmittance);
+      t.coloured = !m.pane && tinted(m.transmittance);
       break;
     case MaterialModel::glass:
       add_interface(m, t);

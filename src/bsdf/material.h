@@ -2,10 +2,12 @@
 // Material is immutable after commit; Bsdf is a small value on the stack of a walk.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "bsdf/albedo.h"
 #include "bsdf/bsdf.h"
+#include "bsdf/pane_table.h"
 #include "geometry/texture.h"
 
 namespace ups {
@@ -18,6 +20,7 @@ struct Material {
   float roughness = 0, ior = 1.5f, metallic = 0;
   Rgb ior_rgb{0.0f}, ior_k_rgb{0.0f};  // metal; all k 0: reflectance is F0
   Rgb absorption_per_m{0.0f};          // glass
+  std::shared_ptr<const PaneTable> pane;  // glazing; null: by Fresnel's equations and transmittance
   int32_t priority = 0;                // glass: the higher one counts where solids overlap
   const Texture* reflectance_texture = nullptr;
   const Texture* roughness_texture = nullptr;

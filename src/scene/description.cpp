@@ -70,6 +70,33 @@ void check_transmittance(const ups_material_desc& d) {
   }
 }
 
+// Null where the desc has no table.
+std::shared_ptr<const PaneTable> read_pane(const ups_material_desc& d) {
+  if (d.pane_angle_count == 0) return nullptr;
+  check::require(d.model == UPS_MATERIAL_GLAZING, "pane_angle_count is " + std::to_string(d.pane_angle_count) +
+                                                      "; a table by angle is of UPS_MATERIAL_GLAZING alone");
+  check::require(d.transmittance_rgb[0] < 0, "transmittance_rgb and pane_transmittance are set; one of them says what "
+                                             "the pane lets through");
+  check_count(d.pane_angle_count, 2, 9001, "pane_angle_count");
+  check::pointer(d.pane_angle_deg, "pane_angle_deg");
+  check::pointer(d.pane_transmittance, "pane_transmittance");
+  const size_t n = d.pane_angle_count;
+  std::vector<float> angle(d.pane_angle_deg, d.pane_angle_deg + n), reflectance,
+      transmittance(d.pane_transmittance, d.pane_transmittance + n);
+  if (d.pane_reflectance) reflectance.assign(d.pane_reflectance, d.pane_reflectance + n);
+  for (size_t i = 0; i < n; ++i) {
+    const double a = double(angle[i]), t = double(transmittance[i]), r = reflectance.empty() ? 0 : double(reflectance[i]);
+    check::require(i == 0 ? a == 0 : a > double(angle[i - 1]) && (i + 1 < n ? a < 90 : a == 90),
+                   check::element("pane_angle_deg", i) + " is " + check::text(a) +
+                       "; the angles must ascend from 0 to 90");
+    check::range(t, 0, 1, check::element("pane_transmittance", i));
+    check::range(r, 0, 1, check::element("pane_reflectance", i));
+    check::require(t + r <= 1 + 1e-6, "pane_transmittance + pane_reflectance at " + check::text(a) + " degrees is " +
+                                          check::text(t + r) + "; together they must be at most 1");
+  }
+  return std::make_shared<const PaneTable>(std::move(angle), std::move(transmittance), std::move(reflectance));
+}
+
 void check_indices_of_refraction(const ups_material_desc& d) {
   const bool dielectric =
       d.model == UPS_MATERIAL_PLASTIC || d.model == UPS_MATERIAL_GLASS || d.model == UPS_MATERIAL_GLAZING;
@@ -138,7 +165,7 @@ void Description::check_material_textures(const ups_material_desc& d) const {
                                                        " has 1 channel; it must have 3 or 4");
 }
 
-void Description::check_material(const ups_material_desc& d) const {
+MaterialDescription Description::checked(const ups_material_desc& d) const {
   check::enumeration(d.model, UPS_MATERIAL_DIFFUSER, "model", "UPS_MATERIAL_*");
   check::colour(d.reflectance_rgb, 0, 1, "reflectance_rgb");
   check_transmittance(d);
@@ -148,17 +175,16 @@ void Description::check_material(const ups_material_desc& d) const {
   check::range(double(d.metallic), 0, 1, "metallic");
   check_emission_and_alpha(d);
   check_material_textures(d);
+  MaterialDescription material{d, read_pane(d)};
+  material.pane_angle_deg = material.pane_transmittance = material.pane_reflectance = nullptr;
+  return material;
 }
 
-ups_material_id Description::add_material(const ups_material_desc& d) {
-  check_material(d);
-  return {materials_.add(d)};
-}
+ups_material_id Description::add_material(const ups_material_desc& d) { return {materials_.add(checked(d))}; }
 
 void Description::set_material(ups_material_id id, const ups_material_desc& d) {
-  ups_material_desc& old = materials_.get(id.v, "material");
-  check_material(d);
-  old = d;
+  MaterialDescription& old = materials_.get(id.v, "material");
+  old = checked(d);
 }
 
 ups_mesh_id Description::add_mesh(const ups_mesh_desc& d, std::shared_ptr<const Revolution> revolution) {

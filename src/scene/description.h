@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "bsdf/pane_table.h"
 #include "geometry/raytracer.h"
 #include "photometry/photometry.h"
 #include "scene/ids.h"
@@ -16,6 +17,10 @@ namespace ups {
 
 // Of ups_material_desc_init, and of what a fixture's finish leaves open.
 ups_material_desc default_material();
+
+struct MaterialDescription : ups_material_desc {  // pane_*: NULL, as `pane` holds them
+  std::shared_ptr<const PaneTable> pane;
+};
 
 struct TextureDescription {
   std::shared_ptr<const Texture> texture;
@@ -99,7 +104,7 @@ class Description {
   void remove_sensor(ups_sensor_id id) { sensors_.remove(id.v, "sensor"); }
 
   const IdTable<TextureDescription>& textures() const { return textures_; }
-  const IdTable<ups_material_desc>& materials() const { return materials_; }
+  const IdTable<MaterialDescription>& materials() const { return materials_; }
   const IdTable<std::shared_ptr<const Mesh>>& meshes() const { return meshes_; }  // Mesh::material is the number - 1
   const IdTable<InstanceDescription>& instances() const { return instances_; }
   const IdTable<SourceDescription>& sources() const { return sources_; }
@@ -107,14 +112,14 @@ class Description {
   const IdTable<Sensor>& sensors() const { return sensors_; }
 
  private:
-  void check_material(const ups_material_desc& desc) const;
+  MaterialDescription checked(const ups_material_desc& desc) const;
   void check_material_textures(const ups_material_desc& desc) const;
 
   std::shared_ptr<const SceneTag> tag_;
   uint32_t tag_bits_ = tag_ ? tag_->bits() : 0;
   double maintenance_factor_ = 1;
   IdTable<TextureDescription> textures_{tag_bits_};
-  IdTable<ups_material_desc> materials_{tag_bits_};
+  IdTable<MaterialDescription> materials_{tag_bits_};
   IdTable<std::shared_ptr<const Mesh>> meshes_{tag_bits_};
   IdTable<InstanceDescription> instances_{tag_bits_};
   IdTable<SourceDescription> sources_{tag_bits_};

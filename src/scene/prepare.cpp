@@ -100,8 +100,9 @@ void Builder::add_materials() {
     return id.v ? out_->textures[number_of(id.v) - 1].get() : nullptr;
   };
   in_.textures().each([&](uint32_t, const TextureDescription& t) { out_->textures.push_back(t.texture); });
-  in_.materials().each([&](uint32_t id, const ups_material_desc& d) {
+  in_.materials().each([&](uint32_t id, const MaterialDescription& d) {
     Material m;
+    m.pane = d.pane;
     m.model = MaterialModel(d.model);
     m.reflectance = to_rgb(d.reflectance_rgb);
     m.transmittance = to_rgb(d.transmittance_rgb);  // < 0: a clear pane; other models let nothing through

@@ -82,6 +82,20 @@ TEST_F(Api, MaterialFields) {
          d.transmittance_rgb[2] = 0.6f;
        },
        {"reflectance_rgb[2] + transmittance_rgb[2] is 1.1"}},
+      {[](D& d) { d.pane_angle_count = 3; }, {"pane_angle_count is 3", "UPS_MATERIAL_GLAZING"}},
+      {[](D& d) { d.model = UPS_MATERIAL_GLAZING, d.pane_angle_count = 3; }, {"pane_angle_deg"}},
+      {[](D& d) {
+         static const float angle[] = {0, 95}, share[] = {0.5f, 0.6f};
+         d.model = UPS_MATERIAL_GLAZING, d.pane_angle_count = 2, d.pane_angle_deg = angle;
+         d.pane_transmittance = d.pane_reflectance = share;
+       },
+       {"pane_angle_deg[1] is 95", "from 0 to 90"}},
+      {[](D& d) {
+         static const float angle[] = {0, 90}, share[] = {0.5f, 0.6f};
+         d.model = UPS_MATERIAL_GLAZING, d.pane_angle_count = 2, d.pane_angle_deg = angle;
+         d.pane_transmittance = d.pane_reflectance = share;
+       },
+       {"at 90 degrees is 1.2", "at most 1"}},
       {[](D& d) { d.roughness = -0.1f; }, {"roughness is -0.1", "[0, 1]"}},
       {[](D& d) { d.model = UPS_MATERIAL_GLASS, d.ior = 0.9f; }, {"ior is 0.9", "at least 1"}},
       {[](D& d) { d.ior = INFINITY; }, {"ior is inf"}},

@@ -94,6 +94,40 @@ TEST(Glazing, AbsorptionFollowsTheLengthOfThePassage) {
   }
 }
 
+// At the angles of the table, straight between them, and whatever side light comes from.
+TEST(Glazing, TableByAngle) {
+  Material m = make(MaterialModel::glazing, 0, Rgb(0.5f), 1.52f);
+  m.pane = std::make_shared<const PaneTable>(std::vector<float>{0, 40, 60, 90}, std::vector<float>{0.8f, 0.7f, 0.5f, 0},
+                                             std::vector<float>{0.1f, 0.1f, 0.3f, 1});
+  const double expected[][3] = {{0, 0.8, 0.1}, {20, 0.75, 0.1}, {40, 0.7, 0.1}, {50, 0.6, 0.2}, {60, 0.5, 0.3},
+                                {75, 0.25, 0.65}, {88, 0.5 / 15, 1 - 0.7 / 15}};
+  for (const auto& [degrees, t, r] : expected)
+    for (const double side : {1.0, -1.0}) {
+      const PaneTotals all = totals(m, float(side * std::cos(degrees * M_PI / 180)));
+      EXPECT_NEAR(all.transmittance.g, t, 1e-5) << degrees;
+      EXPECT_NEAR(all.reflectance.g, r, 1e-5) << degrees;
+    }
+  EXPECT_FALSE(traits_of(m).coloured);
+  EXPECT_TRUE(traits_of(m).delta);
+}
+
+// Without a table of its own the reflectance is a clear pane's, but for what the table lets through.
+TEST(Glazing, TableWithoutReflectance) {
+  Material clear = make(MaterialModel::glazing, 0, Rgb(0.5f), 1.52f), m = clear;
+  clear.transmittance = Rgb(-1.0f);
+  m.pane = std::make_shared<const PaneTable>(std::vector<float>{0, 90}, std::vector<float>{0.97f, 0.5f},
+                                             std::vector<float>());
+  const PaneTotals normal = totals(m, 1), oblique = totals(m, 0.5f);
+  EXPECT_NEAR(normal.reflectance.g, 0.03, 1e-6);  // Fresnel's 0.082 would be too much beside 0.97
+  EXPECT_NEAR(oblique.transmittance.g, 0.97 - 0.47 * 60 / 90, 1e-5);
+  EXPECT_NEAR(oblique.reflectance.g, totals(clear, 0.5f).reflectance.g, 1e-6);
+  Material opaque = m;
+  opaque.pane = std::make_shared<const PaneTable>(std::vector<float>{0, 90}, std::vector<float>{0, 0},
+                                                  std::vector<float>{0, 0});
+  EXPECT_FALSE(traits_of(opaque).transmits);
+  EXPECT_FALSE(traits_of(opaque).delta);
+}
+
 TEST(Glazing, IndexOneIsATintAlone) {
   Material m = make(MaterialModel::glazing, 0, Rgb(0.5f), 1);
   m.transmittance = Rgb(0.7f);

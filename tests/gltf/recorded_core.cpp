@@ -75,6 +75,9 @@ ups_status ups_scene_add_texture(ups_scene* scene, const ups_texture_desc* d, up
 }
 
 ups_status ups_scene_add_material(ups_scene* scene, const ups_material_desc* d, ups_material_id* out) {
+  scene->panes.push_back({copied(d->pane_angle_deg, d->pane_angle_count),
+                          copied(d->pane_transmittance, d->pane_angle_count),
+                          copied(d->pane_reflectance, d->pane_angle_count)});
   return record(scene->materials, *d, out);
 }
 

@@ -18,6 +18,10 @@ struct RecordedTexture {
   std::vector<float> texels;
 };
 
+struct RecordedPane {
+  std::vector<float> angle, transmittance, reflectance;
+};
+
 struct RecordedMeters {
   ups_meter_kind kind;
   std::vector<double> positions;
@@ -52,7 +56,8 @@ struct RecordedFixture {
 
 struct ups_scene {  // ids are places in these, from 1
   std::vector<RecordedTexture> textures;
-  std::vector<ups_material_desc> materials;
+  std::vector<ups_material_desc> materials;  // pane_*: dangling, never read
+  std::vector<RecordedPane> panes;           // of each
   std::vector<RecordedMesh> meshes;
   std::vector<ups_instance_desc> instances;
   std::vector<ups_light_desc> lights;

@@ -272,6 +272,15 @@ TEST_F(BrokenFile, MaterialExtras) {
       {"ior below 1", {{"model", "glass"}, {"ior", 0.5}}, {"ior"}},
       {"priority of half", {{"model", "glass"}, {"priority", 0.5}}, {"priority"}},
       {"priority of a pane", {{"model", "glazing"}, {"priority", 1}}, {"priority"}},
+      {"a table and a number",
+       {{"model", "glazing"}, {"transmittance", 0.5}, {"transmittance_by_angle", {{0, 0.5}, {90, 0}}}},
+       {"transmittance", "transmittance_by_angle"}},
+      {"a table that falls", {{"model", "glazing"}, {"transmittance_by_angle", {{0, 1}, {60, 0.5}, {50, 0.4}, {90, 0}}}},
+       {"transmittance_by_angle", "element 2", "ascend"}},
+      {"a table up to 80", {{"model", "glazing"}, {"transmittance_by_angle", {{0, 1}, {80, 0.5}}}}, {"90 degrees"}},
+      {"no pairs", {{"model", "glazing"}, {"transmittance_by_angle", {0, 1}}}, {"element 0", "[degrees, share]"}},
+      {"reflectance alone", {{"model", "glazing"}, {"reflectance_by_angle", {{0, 0}, {90, 1}}}},
+       {"reflectance_by_angle", "transmittance_by_angle"}},
       {"no object", 3, {"object"}}};
   for (const BadExtras& c : cases) {
     SCOPED_TRACE(c.name);

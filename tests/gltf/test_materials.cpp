@@ -139,6 +139,21 @@ TEST_F(MaterialTest, ExtrasModels) {
   expect_rgb(d.transmittance_rgb, 0.7, 0.6, 0.5);
 }
 
+// Angles of both tables together: each stays what it is.
+TEST_F(MaterialTest, PanesByAngle) {
+  const auto t = json::array({{0, 0.8}, {60, 0.6}, {90, 0}}), r = json::array({{0, 0.1}, {80, 0.5}, {90, 1}});
+  auto d = import_extras({{"model", "glazing"}, {"transmittance_by_angle", t}, {"ior", 1.6}});
+  EXPECT_LT(d.transmittance_rgb[0], 0);
+  EXPECT_EQ(d.pane_angle_count, 3u);
+  EXPECT_EQ(scene.panes.back().angle, (std::vector<float>{0, 60, 90}));
+  EXPECT_EQ(scene.panes.back().transmittance, (std::vector<float>{0.8f, 0.6f, 0}));
+  EXPECT_TRUE(scene.panes.back().reflectance.empty());
+  d = import_extras({{"model", "glazing"}, {"transmittance_by_angle", t}, {"reflectance_by_angle", r}});
+  EXPECT_EQ(scene.panes.back().angle, (std::vector<float>{0, 60, 80, 90}));
+  EXPECT_EQ(scene.panes.back().transmittance, (std::vector<float>{0.8f, 0.6f, 0.2f, 0}));
+  EXPECT_EQ(scene.panes.back().reflectance, (std::vector<float>{0.1f, 0.4f, 0.5f, 1}));
+}
+
 TEST_F(MaterialTest, ExtrasReplaceScatteringAlone) {
   const auto d = import_material({{"pbrMetallicRoughness", {{"baseColorFactor", {0.9, 0.9, 0.9, 0.5}}}},
                                   {"alphaMode", "BLEND"},

@@ -254,5 +254,43 @@ TEST(Taught, LightThroughAHundredPanes) {
   }
 }
 
+// A measured pane: what a point light brings through it is exact, and its image in the pane has the table's share. Two
+// cells of 0.25 % standard error at most: by mistake once in 8000 runs; 1 % would be found.
+TEST(Taught, LightThroughAPaneMeasuredByAngle) {
+  const float angle[] = {0, 30, 60, 90}, transmittance[] = {0.7f, 0.64f, 0.4f, 0}, reflectance[] = {0.1f, 0.12f, 0.3f, 1};
+  auto m = material(UPS_MATERIAL_GLAZING, 1);
+  m.pane_angle_count = 4;
+  m.pane_angle_deg = angle, m.pane_transmittance = transmittance, m.pane_reflectance = reflectance;
+  const double halfway[][2] = {{0, 0.7}, {15, 0.67}, {45, 0.52}, {75, 0.2}};
+  std::vector<P3> places;
+  for (const auto& [degrees, t] : halfway) places.push_back({2 * std::tan(degrees * pi_d / 180), 0, 0});
+  Scene scene;
+  scene.add(quad({-10, -10, 1}, {20, 0, 0}, {0, 20, 0}), m);
+  scene.add_point_light({0, 0, 2}, 1000);
+  const Sensor below = scene.add_meters(places, {0, 0, 1});
+  const double x[] = {0, 0.75}, side = 0.9;  // they face down, 1.5 m above the light's image
+  const Sensor above = scene.add_cells({{x[0], 0, 1.5}, {x[1], 0, 1.5}}, {{0, 0, -1}, {0, 0, -1}},
+                                       {{1, 0, 0}, {1, 0, 0}}, side, side);
+  double mirrored[2] = {};
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 64 * 64; ++i) {
+      const double u = x[k] + side * ((i % 64 + 0.5) / 64 - 0.5), v = side * ((i / 64 + 0.5) / 64 - 0.5),
+                   d = std::sqrt(u * u + v * v + 2.25), degrees = std::acos(1.5 / d) * 180 / pi_d,
+                   share = degrees < 30 ? 0.1 + 0.02 * degrees / 30 : 0.12 + 0.18 * (degrees - 30) / 30;
+      mirrored[k] += 1000 * share * 1.5 / (d * d * d) / (64 * 64);
+    }
+  for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING}) {
+    const Result result = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 16});
+    const auto r = result.readings(below);
+    for (size_t i = 0; i < r.size(); ++i) {
+      const double a = halfway[i][0] * pi_d / 180, expected = 250 * halfway[i][1] * std::pow(std::cos(a), 3);
+      EXPECT_NEAR(r[i].illuminance_lx / expected, 1, 1e-4) << method_name(method) << " " << halfway[i][0];
+    }
+    if (method == UPS_METHOD_PATH_TRACING) continue;  // finds no point in a mirror
+    for (size_t k = 0; k < 2; ++k)
+      expect_lx(result.readings(above)[k], mirrored[k], 0.0025, std::string("image in the pane, ") + method_name(method));
+  }
+}
+
 }  // namespace
 }  // namespace ups::test

@@ -97,6 +97,7 @@ class Importer {
   void read_emission(const JsonReader& material, ups_material_desc& desc);
   void read_alpha(const JsonReader& material, ups_material_desc& desc);
   void read_extras_material(const JsonReader& extras, ups_material_desc& desc);
+  void read_pane(const JsonReader& extras, ups_material_desc& desc);
   int uv_set_of(const JsonReader& material);
   const Material& default_material();
   // mesh.cpp
@@ -145,6 +146,9 @@ class Importer {
   std::vector<char> visited_;  // nodes
   uint32_t group_ = 0;         // of what the present node emits
   std::string node_name_;      // of the present node
+  struct {
+    std::vector<float> angle_deg, transmittance, reflectance;
+  } pane_;                     // of the present material, until the scene has copied it
 };
 
 }  // namespace ups::gltf

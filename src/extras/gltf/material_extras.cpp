@@ -1,5 +1,6 @@
 // `extras.ups` of a material: scattering by measured values. What is left out keeps the C API's default.
 #include <limits>
+#include <set>
 
 #include "gltf/import.h"
 
@@ -46,7 +47,63 @@ void read_diffuser(const JsonReader& extras, ups_material_desc& desc) {
   }
 }
 
+// Shares by angle of incidence: [[0, T], ..., [90, T]].
+using Curve = std::vector<std::pair<double, double>>;
+Curve read_curve(const JsonReader& extras, std::string_view key) {
+  Curve curve;
+  for (const Json& item : extras.array(key)) {
+    const bool pair = item.is_array() && item.items.size() == 2 && item.items[0].kind == Json::Kind::number &&
+                      item.items[1].kind == Json::Kind::number;
+    if (!pair)
+      extras.fail(key, "must be an array of [degrees, share]; its element " + std::to_string(curve.size()) + " is not");
+    const double angle = item.items[0].number, share = item.items[1].number;
+    const bool ascends = curve.empty() ? angle == 0 : angle > curve.back().first && angle <= 90;
+    if (!ascends || !(share >= 0 && share <= 1))
+      extras.fail(key, "must ascend from 0 to 90 degrees, with shares in [0, 1]; its element " +
+                           std::to_string(curve.size()) + " does not");
+    curve.emplace_back(angle, share);
+  }
+  if (curve.size() < 2 || curve.back().first != 90) extras.fail(key, "must reach from 0 to 90 degrees");
+  return curve;
+}
+
+float at(const Curve& curve, double angle) {
+  size_t i = 1;
+  while (curve[i].first < angle) ++i;
+  const auto& [a, low] = curve[i - 1];
+  const auto& [b, high] = curve[i];
+  return float(low + (high - low) * (angle - a) / (b - a));
+}
+
 }  // namespace
+
+// Straight lines between the angles of both curves are those of each.
+void Importer::read_pane(const JsonReader& extras, ups_material_desc& desc) {
+  if (!extras.has("transmittance_by_angle")) {
+    if (extras.has("reflectance_by_angle"))
+      extras.fail("reflectance_by_angle", "needs \"transmittance_by_angle\" beside it");
+    return;
+  }
+  if (extras.has("transmittance"))
+    extras.fail("transmittance", "and \"transmittance_by_angle\" are both there; one of them says what the pane lets "
+                                 "through");
+  const Curve transmittance = read_curve(extras, "transmittance_by_angle");
+  const bool reflects = extras.has("reflectance_by_angle");
+  const Curve reflectance = reflects ? read_curve(extras, "reflectance_by_angle") : Curve();
+  std::set<double> angles;
+  for (const Curve& curve : {transmittance, reflectance})
+    for (const auto& [angle, share] : curve) angles.insert(angle);
+  pane_ = {};
+  for (const double angle : angles) {
+    pane_.angle_deg.push_back(float(angle));
+    pane_.transmittance.push_back(at(transmittance, angle));
+    if (reflects) pane_.reflectance.push_back(at(reflectance, angle));
+  }
+  desc.pane_angle_count = uint32_t(angles.size());
+  desc.pane_angle_deg = pane_.angle_deg.data();
+  desc.pane_transmittance = pane_.transmittance.data();
+  if (reflects) desc.pane_reflectance = pane_.reflectance.data();
+}
 
 void Importer::read_extras_material(const JsonReader& extras, ups_material_desc& desc) {
   const std::string model = extras.text("model", "");
@@ -79,7 +136,7 @@ void Importer::read_extras_material(const JsonReader& extras, ups_material_desc&
     desc.priority = int32_t(extras.integer("priority", desc.priority, std::numeric_limits<int32_t>::min(),
                                            std::numeric_limits<int32_t>::max()));
   } else if (model == "glazing") {
-    extras.allow_only({"model", "transmittance", "ior"});
+    extras.allow_only({"model", "transmittance", "transmittance_by_angle", "reflectance_by_angle", "ior"});
     desc.model = UPS_MATERIAL_GLAZING;
     desc.ior = float(extras.number("ior", glazing_ior, 1, unlimited));
     const Rgb clear{-1, -1, -1};
@@ -88,6 +145,7 @@ void Importer::read_extras_material(const JsonReader& extras, ups_material_desc&
     } else {
       store(clear, desc.transmittance_rgb);
     }
+    read_pane(extras, desc);
   } else if (model == "diffuser") {
     extras.allow_only({"model", "reflectance", "transmittance"});
     desc.model = UPS_MATERIAL_DIFFUSER;
