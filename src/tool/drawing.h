@@ -43,13 +43,12 @@ struct Label {
   double halo = 0;      // width of a white rim around the letters
 };
 
-// Pixels stretched over a rectangle.
+// Pixels stretched over a rectangle; viewers smooth between them as they like, so they are as fine as is to be seen.
 struct Picture {
   Point corner;  // top left
   double width, height;
   uint32_t columns, rows;
   std::vector<uint8_t> rgba;  // row 0 at the top; not multiplied by alpha
-  bool smooth = false;        // between the pixels; else each is a rectangle of one colour
 };
 
 // The parts up to the matching ClipEnd are drawn within these outlines alone, even-odd.
@@ -59,8 +58,11 @@ struct ClipBegin {
 struct ClipEnd {};
 
 struct Drawing {
+  using Part = std::variant<Line, Area, Label, Picture, ClipBegin, ClipEnd>;
   double width, height;  // units: CSS pixels, 96 an inch
-  std::vector<std::variant<Line, Area, Label, Picture, ClipBegin, ClipEnd>> parts;  // the later ones on top
+  std::vector<Part> parts = {};  // the later ones on top
+
+  void add(Part part);
 };
 
 // As the sans-serif font sets it.
