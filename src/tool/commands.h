@@ -29,14 +29,14 @@ struct RenderOptions : JobOptions {
 };
 
 struct ReplayOptions : JobOptions {
-  std::string sample, plot;        // an address; .svg, .png, empty: not asked for
+  std::string sample, plot;        // an address; a drawing, empty: not asked for
   uint32_t width = 0, height = 0;  // 0: as the file says
 };
 
 struct GoniometerOptions : JobOptions {
   std::string name;                // of the scene's goniometer; empty: the only one
   std::string out, errors;         // .ies or .ldt, .csv; empty: not asked for
-  std::vector<std::string> plots;  // .svg, .png
+  std::vector<std::string> plots;  // .svg, .png, .pdf
   std::vector<std::pair<std::string, std::string>> keywords;
   // Of a goniometer for a scene that has none; grid: the first option that asked for it, empty where there was none.
   ups_goniometer_desc grid;
@@ -47,7 +47,7 @@ struct GoniometerOptions : JobOptions {
 
 struct InfoOptions {
   std::vector<std::string> files;  // or folders
-  std::vector<std::string> plots;  // .svg, .png
+  std::vector<std::string> plots;  // .svg, .png, .pdf
   bool json = false, allow_outside = false;
 };
 

@@ -19,8 +19,8 @@ const CLI::App* add_info(CLI::App& app, InfoOptions& options) {
   CLI::App* command = app.add_subcommand("info", "What a scene or photometric files contain");
   command->add_option("FILE", options.files, "Scenes, photometric files, folders of photometric files")->required();
   command->add_option("--plot", options.plots,
-                      "Polar diagram and cone of FILE, as OUT.svg or OUT.png, or both: --plot A.svg B.png; of several "
-                      "files A_NAME.svg each")
+                      "Polar diagram and cone of FILE, as OUT.svg, .png or .pdf, or several: --plot A.svg B.png; of "
+                      "several files A_NAME.svg each")
       ->allow_extra_args(false)
       ->check(CLI::Validator(ups::tool::plot_file, ""))
       ->type_name("OUT");
