@@ -1,4 +1,5 @@
-// Reports as JSON, the program's contract with scripts. The only file of the program that includes nlohmann/json.
+// Reports as JSON, the program's contract with scripts. With targets_json.cpp all of the program that includes
+// nlohmann/json.
 #include <sys/resource.h>
 
 #include <charconv>
@@ -68,6 +69,20 @@ ordered_json samples_json(const std::vector<SampleReport>& samples) {
                    {"index", s.sample.index},
                    {"value", number(double(s.sample.value))},
                    {"share", number(double(s.sample.share))}});
+  return all;
+}
+
+ordered_json targets_json(const Report& report) {
+  ordered_json all = ordered_json::array();
+  for (const TargetVerdict& v : report.targets)
+    all.push_back({{"area", report.area_names[v.area]},
+                   {v.quantity == "ugr" ? "observer" : "meters", v.subject},
+                   {"quantity", v.quantity},
+                   {"required", number(v.required)},
+                   {"value", number(v.value)},
+                   {"low", number(v.low)},
+                   {"high", number(v.high)},
+                   {"verdict", judgement_word(v.judgement)}});
   return all;
 }
 
@@ -154,6 +169,7 @@ std::string to_json(const Report& report) {
                {"largest_samples", samples_json(report.largest_samples)},
                {"warnings", report.warnings}};
   if (!report.goniometers.empty()) all["goniometers"] = goniometers;
+  if (!report.targets.empty()) all["targets"] = targets_json(report);
   if (!report.sources.empty()) all["sources"] = sources;
   if (report.worst_meter) all["largest_error"] = worst_meter_json(*report.worst_meter);
   return dump(all);

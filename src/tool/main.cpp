@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tool/options.h"
+#include "tool/page.h"
 #include "tool/report.h"
 #include "tool/text_format.h"
 
@@ -101,6 +102,7 @@ int run(int argc, char** argv) {
   if (goniometer->parsed()) return ups::tool::goniometer(goniometer_options);
   if (convert->parsed()) return ups::tool::convert(in, out);
   if (compare->parsed()) return ups::tool::compare(a, b, json);
+  render_options.command = ups::tool::command_text(argc, argv);
   return ups::tool::render(render_options);
 }
 

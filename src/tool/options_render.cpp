@@ -252,6 +252,14 @@ void add_render(CLI::App& app, RenderOptions& options) {
                  ": with --out, a table NAME_luminaires.csv of what each contributes to each meter");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
       ->type_name("DIR");
+  command
+      ->add_flag("--report", options.report,
+                 "With --out: report.html, one page to hand in: plan, luminaires, results, accuracy")
+      ->needs("--out");
+  command
+      ->add_option("--targets", options.targets,
+                   "What meters and observers must reach, a JSON file: verdicts in the report and the JSON")
+      ->type_name("FILE");
   add_method_options(*command, options.desc);
   command->footer(
       "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"

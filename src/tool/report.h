@@ -6,6 +6,7 @@
 #include "tool/accuracy.h"
 #include "tool/handles.h"
 #include "tool/sample_address.h"
+#include "tool/targets.h"
 
 namespace ups::tool {
 
@@ -51,6 +52,9 @@ struct Report {
   std::vector<std::string> advice;
   std::vector<SampleReport> largest_samples;
   ups_memory_estimate memory{};
+  double target_error = 0;  // that the render was to stop at; 0: none
+  std::vector<TargetVerdict> targets;
+  std::vector<std::string> area_names;  // of the targets' areas
 };
 
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);
