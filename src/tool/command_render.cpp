@@ -52,7 +52,7 @@ int render(const RenderOptions& options) {
   if (options.report)
     attempt(written, options.out + "/report.html", [&](const std::string& path) {
       const std::string page = report_page({scene, finished.result.get(), report, targets ? &*targets : nullptr,
-                                            options.out, options.command, date_text()});
+                                            options.out, command_text(options.arguments, report.info), date_text()});
       extras::write_file(path, page.data(), page.size());
     });
   put(stdout, options.json ? to_json(report) : to_text(report));

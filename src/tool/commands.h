@@ -27,7 +27,7 @@ struct RenderOptions : JobOptions {
   std::string out;
   bool report = false;
   std::string targets;  // a file; empty: none
-  std::string command;  // as it was called
+  std::vector<std::string> arguments;  // of the program, as it was called
   uint32_t width = 0, height = 0;  // 0: as the file says
 };
 

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "tool/options.h"
-#include "tool/page.h"
 #include "tool/report.h"
 #include "tool/text_format.h"
 
@@ -102,7 +101,7 @@ int run(int argc, char** argv) {
   if (goniometer->parsed()) return ups::tool::goniometer(goniometer_options);
   if (convert->parsed()) return ups::tool::convert(in, out);
   if (compare->parsed()) return ups::tool::compare(a, b, json);
-  render_options.command = ups::tool::command_text(argc, argv);
+  render_options.arguments.assign(argv + 1, argv + argc);
   return ups::tool::render(render_options);
 }
 

@@ -17,15 +17,15 @@ struct PageInput {
   const Report& report;
   const Targets* targets;  // null: none were given
   std::string folder;      // of the images that were written
-  std::string command;     // that repeats the render
+  std::string command;     // that renders the same again
   std::string date;        // as people read it; empty: not told
 };
 
 std::string report_page(const PageInput& in);
 // The time now, UTC; of SOURCE_DATE_EPOCH where that is set.
 std::string date_text();
-// A shell's words for these arguments.
-std::string command_text(int argc, const char* const* argv);
+// A shell's words that render the same again: the program's arguments without limits, with these iterations and seed.
+std::string command_text(const std::vector<std::string>& arguments, const ups_result_info& info);
 
 // ---- sections; without a body there is none
 

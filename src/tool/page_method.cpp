@@ -28,6 +28,25 @@ std::vector<std::string> named_lines(const std::string& text) {
   return items;
 }
 
+// The library knows meters by their numbers, and tells programmers what to call.
+std::string for_people(const PageInput& in, std::string line) {
+  if (const size_t call = line.find("; see ups_"); call != std::string::npos) line.erase(call);
+  constexpr uint32_t number_bits = 0xffffff;
+  for (const SensorEntry& sensor : in.scene.sensors) {
+    const std::string number = "meters " + std::to_string(sensor.info.sensor.v & number_bits) + ":";
+    if (line.compare(0, number.size(), number) == 0) line.replace(0, number.size(), "meters " + sensor.name + ":");
+  }
+  return line;
+}
+
+// 482,600; beyond a million "4.26 million".
+std::string many(uint64_t count) {
+  if (count >= 1000000) return format("%.3g million", 1e-6 * double(count));
+  std::string digits = std::to_string(count);
+  if (digits.size() > 3) digits.insert(digits.size() - 3, ",");
+  return digits;
+}
+
 std::string percent_of(double part, double whole) { return whole > 0 ? format("%.1f", 100 * part / whole) : ""; }
 
 std::string method_name(ups_method method) {
@@ -84,7 +103,7 @@ Section effects_section(const PageInput& in) {
 Section warnings_section(const PageInput& in) {
   std::vector<std::string> items;
   for (const auto* lines : {&in.report.advice, &in.report.warnings})
-    for (const std::string& line : *lines) items.push_back(html_text(line));
+    for (const std::string& line : *lines) items.push_back(html_text(for_people(in, line)));
   if (items.empty()) return {};
   return {"warnings", "Warnings", html_list(items)};
 }
@@ -118,14 +137,13 @@ Section repeat_section(const PageInput& in) {
        {"Iterations", std::to_string(info.iterations)},
        {"Seed", std::to_string(info.seed)},
        {"Rendering", format("%.4g s on ", info.elapsed_s) + counted(size_t(info.threads), "thread", "threads")},
-       {"Paths", format("%.4g from the meters and pixels, ", double(info.eye_paths)) +
-                     format("%.4g from the luminaires", double(info.light_paths))},
+       {"Paths", many(info.eye_paths) + " from meters and pixels, " + many(info.light_paths) + " from luminaires"},
        {"Program", "ups " + version_number()},
        {"Samples left out", info.dropped_samples ? std::to_string(info.dropped_samples) : ""},
        {"Targets", in.targets ? html_text(in.targets->file) : ""},
        {"Date", html_text(in.date)}});
-  body += "<p>The same seed and number of iterations give the same numbers, on any number of threads:</p>\n<pre><code>" +
-          html_text(in.command) + "</code></pre>\n";
+  body += "<p>This gives the same numbers again, on any number of threads:</p>\n<pre><code>" + html_text(in.command) +
+          "</code></pre>\n";
   return {"repeat", "How it was calculated", body};
 }
 

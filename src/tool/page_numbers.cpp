@@ -15,6 +15,15 @@ std::string fixed(double value, int decimals) {
   return text.find_first_of("123456789") == std::string::npos && text[0] == '-' ? text.substr(1) : text;
 }
 
+// For a shell.
+std::string quoted(const std::string& word) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
 int lux_decimals(double value) { return value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3; }
 
 }  // namespace
@@ -63,21 +72,22 @@ std::string date_text() {
   return text;
 }
 
-std::string command_text(int argc, const char* const* argv) {
-  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+std::string command_text(const std::vector<std::string>& arguments, const ups_result_info& info) {
+  const auto is_of = [](const std::string& word, const char* option) {
+    return word == option || word.compare(0, std::string(option).size() + 1, std::string(option) + "=") == 0;
+  };
   std::string text = "ups";
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    text += " ";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
-      text += word;
-      continue;
-    }
-    text += "'";
-    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-    text += "'";
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    bool left_out = false;
+    for (const char* option : {"--time", "--target-error", "--iterations", "--seed"})
+      left_out = left_out || is_of(word, option);
+    if (!left_out)
+      text += " " + quoted(word);
+    else if (word.find('=') == std::string::npos)
+      ++i;  // its value
   }
-  return text;
+  return text + " --iterations " + std::to_string(info.iterations) + " --seed " + std::to_string(info.seed);
 }
 
 }  // namespace ups::tool

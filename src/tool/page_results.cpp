@@ -81,7 +81,7 @@ std::string area_table(const PageInput& in, size_t index) {
 
 std::string statistics_table(const PageInput& in) {
   HtmlTable table{"Illuminance of each set of meters <span class=\"soft\">lx, with 95&nbsp;% intervals below</span>",
-                  {"Meters", "Count", "Mean", "Minimum", "Maximum", "<i>U</i><sub>0</sub> = min/mean", "5&nbsp;% are below"},
+                  {"Meters", "Count", "Mean", "Minimum", "Maximum", "<i>U</i><sub>0</sub>", "5&nbsp;% are below"},
                   {}, 1};
   for (const MeterReport& meters : in.report.meters) {
     const ups_meter_statistics& s = meters.statistics;

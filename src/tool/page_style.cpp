@@ -25,23 +25,24 @@ nav ul { list-style: none; padding: 0; margin: 0; display: flex; flex-wrap: wrap
 dl.facts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 15rem), 1fr)); gap: .2rem 2rem;
   margin: .8rem 0 1.4rem; }
 dl.facts > div { padding: .35rem 0; border-bottom: 1px solid #d0d7de; }
-dt { color: #57606a; font-size: .82rem; } dd { margin: 0; overflow-wrap: anywhere; }
+dt { color: #57606a; font-size: .85em; } dd { margin: 0; overflow-wrap: anywhere; }
 .scroll { overflow-x: auto; margin: .8rem 0 1.4rem; }
-table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; width: 100%; }
+table { border-collapse: collapse; font-size: .9em; font-variant-numeric: tabular-nums; width: 100%; }
 caption { text-align: left; padding: 0 0 .5rem; font-weight: 600; caption-side: top; }
 caption .soft { font-weight: 400; }
 th, td { text-align: left; vertical-align: top; padding: .4rem .7rem .4rem 0; border-bottom: 1px solid #d0d7de; }
 thead th { border-bottom: 2px solid #1b1f24; font-weight: 600; vertical-align: bottom; }
 tbody th { font-weight: 500; }
 .n { text-align: right; padding: .4rem 0 .4rem .7rem; white-space: nowrap; }
-.i { display: block; color: #57606a; font-size: .82rem; }
+.i { display: block; color: #57606a; font-size: .9em; white-space: nowrap; } th .i { white-space: normal; font-weight: 400; }
+td .i { white-space: normal; } td.n .i { white-space: nowrap; }
 figure { margin: 1rem 0 1.4rem; max-width: 100%; }
 figure > svg, figure > img, .wide svg { display: block; max-width: 100%; height: auto; }
-figure.wide > .scroll { margin: 0; } figcaption { font-size: .87rem; margin-top: .45rem; max-width: 46rem; }
+figure.wide > .scroll { margin: 0; } figcaption { font-size: .9em; margin-top: .45rem; max-width: 46rem; }
 .cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 300px), 1fr)); gap: .5rem 2rem; }
 .cards figure { margin: .5rem 0; }
 .verdict { display: inline-block; padding: .05rem .5rem; border-radius: 3px; font-weight: 600; white-space: nowrap;
-  font-size: .87rem; }
+  font-size: .95em; }
 .met { color: #0f5a2a; background: #e1f3e6; }
 .not_met { color: #8c1a1a; background: #fce8e8; }
 .not_sure { color: #664500; background: #fff1cc; }
@@ -58,11 +59,11 @@ footer { color: #57606a; font-size: .85rem; padding-top: 2rem; padding-bottom: 3
 @page { size: A4; margin: 17mm 16mm 19mm; @bottom-left { content: "Lighting report"; font: 8pt sans-serif; }
   @bottom-right { content: counter(page) " / " counter(pages); font: 8pt sans-serif; } }
 @media print {
-  body { font-size: 10pt; color: #000; } main, header, footer { max-width: none; padding: 0; } header { padding-top: 0; }
+  html { font-size: 9.5pt; } body { font-size: 9.5pt; color: #000; } main, header, footer { max-width: none; padding: 0; } header { padding-top: 0; }
   nav { display: none; } a { color: #000; text-decoration: none; } h1 { font-size: 21pt; } h2 { font-size: 14pt;
-    margin-top: 8mm; } h3 { font-size: 11pt; } h2, h3, caption { break-after: avoid; } .scroll { overflow: visible; }
+    margin-top: 8mm; } h3 { font-size: 11pt; } p, ul { orphans: 3; widows: 3; } h2, h3, caption { break-after: avoid; } .scroll { overflow: visible; }
   figure, tr, .answer, dl.facts > div, li { break-inside: avoid; } thead { display: table-header-group; }
-  table { font-size: 8.5pt; } .page { break-before: page; } .page > h2 { margin-top: 0; }
+  .wide svg { max-height: 118mm; width: auto; max-width: 100%; } .page { break-before: page; } .page > h2 { margin-top: 0; }
   dl.facts { grid-template-columns: repeat(3, 1fr); } .cards { grid-template-columns: repeat(2, 1fr); } }
 )";
 }

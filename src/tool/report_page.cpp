@@ -13,7 +13,7 @@ std::string title_of(const PageInput& in) {
 
 // Sections that start a page on paper.
 bool starts_page(const Section& section) {
-  return section.id == "scene" || section.id == "luminaires" || section.id == "illuminance" || section.id == "flux";
+  return section.id == "scene" || section.id == "luminaires" || section.id == "flux";
 }
 
 std::string contents(const std::vector<Section>& sections) {
