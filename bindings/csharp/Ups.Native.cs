@@ -727,6 +727,7 @@ namespace Ups
         public double EmittedFluxLm;
         public Double3 BoundsMinM;
         public Double3 BoundsMaxM;
+        public double MaintenanceFactor;
         internal static SceneInfo Sized()
         {
             return new SceneInfo { StructSize = (uint)sizeof(SceneInfo) };
@@ -1058,6 +1059,7 @@ namespace Ups
         public uint Effects;
         public int Threads;
         public double FluxBalanceStandardErrorLm;
+        public double MaintenanceFactor;
         internal static ResultInfo Sized()
         {
             return new ResultInfo { StructSize = (uint)sizeof(ResultInfo) };
@@ -1120,6 +1122,9 @@ namespace Ups
         public double Percentile5Lx;
         public double Percentile5LowLx;
         public double Percentile5HighLx;
+        public double Diversity;
+        public double DiversityLow;
+        public double DiversityHigh;
         internal static MeterStatistics Sized()
         {
             return new MeterStatistics { StructSize = (uint)sizeof(MeterStatistics) };
@@ -1362,6 +1367,14 @@ namespace Ups
         public uint Reserved;
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Interval
+    {
+        public double Value;
+        public double Low;
+        public double High;
+    }
+
     public sealed class ContextHandle : NativeHandle
     {
         protected override bool ReleaseHandle() { Native.ups_context_destroy(handle); return true; }
@@ -1500,6 +1513,8 @@ namespace Ups
         internal static extern Status ups_scene_set_transform(SceneHandle scene, InstanceId id, double* to_world);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_dimming(SceneHandle scene, LuminaireId id, float dimming);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_maintenance_factor(SceneHandle scene, double factor);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_remove_instance(SceneHandle scene, InstanceId id);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1694,5 +1709,17 @@ namespace Ups
             UIntPtr capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_path_get_text(PathHandle path, byte* text, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_meter_percentile(ResultHandle result, SensorId sensor, double
+            share, Interval* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_meter_share(ResultHandle result, SensorId sensor, double
+            threshold_lx, Interval* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_meter_ratio(ResultHandle result, SensorId numerator, SensorId
+            denominator, Interval* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_meter_ratios(ResultHandle result, SensorId numerator, SensorId
+            denominator, Interval* @out, UIntPtr count);
     }
 }

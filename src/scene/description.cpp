@@ -193,12 +193,12 @@ ups_mesh_id Description::add_mesh(const ups_mesh_desc& d, std::shared_ptr<const 
   return {meshes_.add(std::move(mesh))};
 }
 
-ups_instance_id Description::add_instance(const ups_instance_desc& d) {
+ups_instance_id Description::add_instance(const ups_instance_desc& d, bool of_fixture) {
   check::require(d.mesh.v != 0, "mesh is 0; an instance needs one");
   meshes_.get(d.mesh.v, "mesh: mesh");
   check::transform(d.to_world, "to_world");
   check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
-  return {instances_.add({number_of(d.mesh.v), to_affine(d.to_world), d.group})};
+  return {instances_.add({number_of(d.mesh.v), to_affine(d.to_world), d.group, of_fixture})};
 }
 
 void Description::set_transform(ups_instance_id id, const double (&to_world)[12]) {
@@ -208,6 +208,12 @@ void Description::set_transform(ups_instance_id id, const double (&to_world)[12]
 }
 
 // ---- what emits ----
+
+void Description::set_maintenance_factor(double factor) {
+  check::require(factor > 0 && factor <= 1,
+                 "maintenance_factor is " + check::text(factor) + "; it must be above 0 and at most 1");
+  maintenance_factor_ = factor;
+}
 
 ups_luminaire_id Description::add_light(const ups_light_desc& d) {
   check::enumeration(d.kind, UPS_LIGHT_DIRECTIONAL, "kind", "UPS_LIGHT_*");

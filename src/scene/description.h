@@ -27,6 +27,7 @@ struct InstanceDescription {
   uint32_t mesh;  // number
   Affine to_world;
   uint32_t group;
+  bool of_fixture;  // what it emits is a luminaire's
 };
 
 struct LightDescription {
@@ -81,7 +82,7 @@ class Description {
   ups_texture_id add_texture(const ups_texture_desc& desc);
   ups_material_id add_material(const ups_material_desc& desc);
   ups_mesh_id add_mesh(const ups_mesh_desc& desc, std::shared_ptr<const Revolution> revolution = nullptr);
-  ups_instance_id add_instance(const ups_instance_desc& desc);
+  ups_instance_id add_instance(const ups_instance_desc& desc, bool of_fixture = false);
   ups_luminaire_id add_light(const ups_light_desc& desc);
   ups_luminaire_id add_luminaire(const ups_luminaire_desc& desc, std::shared_ptr<const photometry::Photometry> profile);
   ups_sensor_id add_camera(const ups_camera_desc& desc);
@@ -91,6 +92,8 @@ class Description {
   void set_material(ups_material_id id, const ups_material_desc& desc);
   void set_transform(ups_instance_id id, const double (&to_world)[12]);
   void set_dimming(ups_luminaire_id id, float dimming);
+  void set_maintenance_factor(double factor);
+  double maintenance_factor() const { return maintenance_factor_; }  // of luminaires and fixtures
   void remove_instance(ups_instance_id id) { instances_.remove(id.v, "instance"); }
   void remove_luminaire(ups_luminaire_id id) { sources_.remove(id.v, "luminaire"); }
   void remove_sensor(ups_sensor_id id) { sensors_.remove(id.v, "sensor"); }
@@ -109,6 +112,7 @@ class Description {
 
   std::shared_ptr<const SceneTag> tag_;
   uint32_t tag_bits_ = tag_ ? tag_->bits() : 0;
+  double maintenance_factor_ = 1;
   IdTable<TextureDescription> textures_{tag_bits_};
   IdTable<ups_material_desc> materials_{tag_bits_};
   IdTable<std::shared_ptr<const Mesh>> meshes_{tag_bits_};

@@ -17,6 +17,7 @@ constexpr double max_coordinate_m = 1e9;
 
 std::shared_ptr<const Snapshot> Builder::build() {
   out_->tag = in_.tag();
+  out_->maintenance_factor = in_.maintenance_factor();
   place();
   add_materials();
   add_geometry();

@@ -80,6 +80,7 @@ struct Snapshot {
   std::vector<uint32_t> media_of_emitter;
 
   SceneEffects effects;
+  double maintenance_factor = 1;
   std::vector<std::string> warnings;
   uint64_t pixel_count() const {
     uint64_t n = 0;

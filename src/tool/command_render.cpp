@@ -37,7 +37,7 @@ int render(const RenderOptions& options) {
   const Finished finished = run_render(scene.scene.get(), options.desc);
   tell_interruption(finished);
   if (!finished.result) return exit_interrupted;
-  Report report = make_report(options.scene, scene, finished.result.get());
+  Report report = make_report(options.scene, scene, finished.result.get(), options.questions);
   report.memory = finished.memory;
   const std::string advice =
       finished.target > 0 ? advice_text(finished.target, finished.time_limit_s,

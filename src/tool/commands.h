@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tool/meter_report.h"
 #include "ups/ups_render.h"
 #include "ups/ups_sensor.h"
 
@@ -29,6 +30,7 @@ struct RenderOptions : JobOptions {
   std::string targets;  // a file; empty: none
   std::vector<std::string> arguments;  // of the program, as it was called
   uint32_t width = 0, height = 0;  // 0: as the file says
+  MeterQuestions questions;
 };
 
 struct ReplayOptions : JobOptions {

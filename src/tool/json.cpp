@@ -1,32 +1,15 @@
-// Reports as JSON, the program's contract with scripts. With targets_json.cpp all of the program that includes
-// nlohmann/json.
+// Reports as JSON, the program's contract with scripts. With json_*.cpp and targets_json.cpp all
+// of the program that includes nlohmann/json.
 #include <sys/resource.h>
-
-#include <charconv>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "tool/goniometer_report.h"
 #include "tool/info_report.h"
-#include "tool/report.h"
+#include "tool/json_parts.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {
 
 namespace {
-
-using nlohmann::ordered_json;
-
-// JSON has no NaN: a number that is not known is -1.
-double number(double value) { return std::isfinite(value) ? value : -1; }
-
-// A float as the shortest decimal that means it, not as the double beside it.
-double number(float value) {
-  char text[32];
-  double result = value;
-  std::from_chars(text, std::to_chars(text, text + sizeof text, value).ptr, result);
-  return number(result);
-}
 
 std::string dump(const ordered_json& json) {
   return printable_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
@@ -90,20 +73,7 @@ ordered_json targets_json(const Report& report) {
 
 std::string to_json(const Report& report) {
   const ups_result_info& info = report.info;
-  ordered_json meters = ordered_json::object(), cameras = ordered_json::object(), convergence = ordered_json::array();
-  for (const MeterReport& set : report.meters) {
-    const ups_meter_statistics& s = set.statistics;
-    meters[set.name] = {{"mean_lx", number(s.mean_lx)},
-                        {"min_lx", number(s.min_lx)},
-                        {"max_lx", number(s.max_lx)},
-                        {"uniformity", number(s.uniformity)},
-                        {"mean_standard_error_lx", number(s.mean_standard_error_lx)},
-                        {"mean_error_bound_lx", number(s.mean_error_bound_lx)},
-                        {"percentile_5_lx", number(s.percentile_5_lx)},
-                        {"uniformity_low", number(s.uniformity_low)},
-                        {"uniformity_high", number(s.uniformity_high)},
-                        {"worst_relative_error_bound", number(s.worst_relative_error_bound)}};
-  }
+  ordered_json cameras = ordered_json::object(), convergence = ordered_json::array();
   for (const CameraReport& camera : report.cameras) {
     cameras[camera.name] = {{"width", camera.width},
                             {"height", camera.height},
@@ -148,6 +118,7 @@ std::string to_json(const Report& report) {
                {"time_s", number(info.elapsed_s)},
                {"threads", info.threads},
                {"seed", info.seed},
+               {"maintenance_factor", number(info.maintenance_factor)},
                {"flux",
                 {{"emitted_lm", number(info.emitted_flux_lm)},
                  {"absorbed_lm", number(info.absorbed_flux_lm)},
@@ -161,13 +132,14 @@ std::string to_json(const Report& report) {
                  {"connections", info.connections},
                  {"merges", info.merges}}},
                {"memory", memory_json(report.memory)},
-               {"meters", meters},
+               {"meters", meters_json(report.meters)},
                {"cameras", cameras},
                {"convergence", convergence},
                {"prediction", predictions_json(report.predictions)},
                {"advice", report.advice},
                {"largest_samples", samples_json(report.largest_samples)},
                {"warnings", report.warnings}};
+  if (!report.ratios.empty()) all["ratios"] = ratios_json(report.ratios);
   if (!report.goniometers.empty()) all["goniometers"] = goniometers;
   if (!report.targets.empty()) all["targets"] = targets_json(report);
   if (!report.sources.empty()) all["sources"] = sources;

@@ -99,7 +99,8 @@ std::string method_word(ups_method method) {
   }
 }
 
-Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result) {
+Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result,
+                   const MeterQuestions& questions) {
   Report report{};
   report.scene = scene_path;
   report.info.struct_size = sizeof report.info;
@@ -122,10 +123,7 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
       report.choices.push_back({sensor.name, choice, names_of(choice.techniques, technique_names)});
     }
     if (sensor.info.kind == UPS_GLTF_METERS) {
-      MeterReport meters{sensor.name, {}};
-      meters.statistics.struct_size = sizeof meters.statistics;
-      check(ups_result_get_meter_statistics(result, sensor.info.sensor, &meters.statistics));
-      report.meters.push_back(meters);
+      report.meters.push_back(read_meter_report(result, sensor, questions));
     } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {
       GoniometerReport goniometer{sensor.name, {}};
       goniometer.info.struct_size = sizeof goniometer.info;
@@ -136,6 +134,7 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
       report.cameras.push_back({sensor.name, sensor.info.width, sensor.info.height, mean_luminance(pixels)});
     }
   }
+  report.ratios = read_ratios(scene, result, questions);
   for (const SourceEntry& source : sources_of(scene, result))
     report.sources.push_back({source.name, source.info.flux_lm});
   report.convergence = read_curve(result);
@@ -153,14 +152,9 @@ std::string to_text(const Report& report) {
   text += "effects: " + joined(report.effects) + "\ntechniques: " + joined(report.techniques) + "\n";
   text += format("flux: emitted %.6g lm, absorbed %.6g lm, escaped %.6g lm\n", info.emitted_flux_lm,
                  info.absorbed_flux_lm, info.escaped_flux_lm);
-  for (const MeterReport& meters : report.meters) {
-    const ups_meter_statistics& s = meters.statistics;
-    const std::string interval =
-        s.uniformity_low < 0 ? "" : format(" (%.3f to %.3f)", s.uniformity_low, s.uniformity_high);
-    text += format("meters %s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, worst error %s\n",
-                   meters.name.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity, interval.c_str(),
-                   percent_text(s.worst_relative_error_bound).c_str());
-  }
+  if (info.maintenance_factor != 1) text += format("maintenance factor: %g\n", info.maintenance_factor);
+  for (const MeterReport& meters : report.meters) text += to_text(meters);
+  for (const RatioReport& ratio : report.ratios) text += to_text(ratio);
   for (const CameraReport& camera : report.cameras) {
     text += format("camera %s: %u x %u, mean luminance %.6g cd/m^2\n", camera.name.c_str(), camera.width, camera.height,
                    camera.mean_luminance_cd_m2);

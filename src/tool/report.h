@@ -5,6 +5,7 @@
 
 #include "tool/accuracy.h"
 #include "tool/handles.h"
+#include "tool/meter_report.h"
 #include "tool/sample_address.h"
 #include "tool/targets.h"
 
@@ -14,11 +15,6 @@ struct ChoiceReport {
   std::string name;  // of a camera or a set of meters
   ups_sensor_choice choice;
   std::vector<std::string> techniques;
-};
-
-struct MeterReport {
-  std::string name;
-  ups_meter_statistics statistics;
 };
 
 struct CameraReport {
@@ -43,6 +39,7 @@ struct Report {
   std::vector<std::string> techniques, effects, warnings;
   std::vector<ChoiceReport> choices;
   std::vector<MeterReport> meters;
+  std::vector<RatioReport> ratios;
   std::vector<CameraReport> cameras;
   std::vector<GoniometerReport> goniometers;
   std::vector<SourceReport> sources;  // empty without --separate
@@ -57,7 +54,8 @@ struct Report {
   std::vector<std::string> area_names;  // of the targets' areas
 };
 
-Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);
+Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result,
+                   const MeterQuestions& questions = {});
 std::string version_number();  // "0.1.0"
 std::string percent_text(double fraction);  // "1.25 %"; "unknown" below 0
 std::string method_word(ups_method method);  // as in --method

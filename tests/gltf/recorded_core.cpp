@@ -95,6 +95,15 @@ ups_status ups_scene_add_light(ups_scene* scene, const ups_light_desc* d, ups_lu
   return record(scene->lights, *d, out);
 }
 
+ups_status ups_scene_set_maintenance_factor(ups_scene* scene, double factor) {
+  if (!(factor > 0)) {
+    last_error = "recorded core: maintenance_factor is not above 0";
+    return UPS_ERROR_INVALID_ARGUMENT;
+  }
+  scene->maintenance_factor = factor;
+  return UPS_OK;
+}
+
 ups_status ups_scene_add_luminaire(ups_scene* scene, const ups_luminaire_desc* d, ups_luminaire_id* out) {
   return record(scene->luminaires, {*d, d->profile->bytes}, out);
 }

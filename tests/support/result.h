@@ -49,6 +49,7 @@ class Result {
     }
   }
 
+  const ups_result* get() const { return result_.get(); }
   ups_result_info info() const {
     ups_result_info i{};
     i.struct_size = sizeof i;

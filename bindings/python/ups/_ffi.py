@@ -499,6 +499,7 @@ class SceneInfo(Structure):
         ("emitted_flux_lm", c_double),
         ("bounds_min_m", c_double * 3),
         ("bounds_max_m", c_double * 3),
+        ("maintenance_factor", c_double),
     ]
 
 
@@ -748,6 +749,7 @@ class ResultInfo(Structure):
         ("effects", c_uint32),
         ("threads", c_int32),
         ("flux_balance_standard_error_lm", c_double),
+        ("maintenance_factor", c_double),
     ]
 
 
@@ -806,6 +808,9 @@ class MeterStatistics(Structure):
         ("percentile_5_lx", c_double),
         ("percentile_5_low_lx", c_double),
         ("percentile_5_high_lx", c_double),
+        ("diversity", c_double),
+        ("diversity_low", c_double),
+        ("diversity_high", c_double),
     ]
 
 
@@ -1001,6 +1006,14 @@ class PathContribution(Structure):
     ]
 
 
+class Interval(Structure):
+    _fields_ = [
+        ("value", c_double),
+        ("low", c_double),
+        ("high", c_double),
+    ]
+
+
 # Result and parameters of each function.
 PROTOTYPES = {
     "ups_version": (c_uint32, []),
@@ -1045,6 +1058,7 @@ PROTOTYPES = {
     "ups_scene_set_material": (c_int32, [c_void_p, MaterialId, POINTER(MaterialDesc)]),
     "ups_scene_set_transform": (c_int32, [c_void_p, InstanceId, POINTER(c_double)]),
     "ups_scene_set_dimming": (c_int32, [c_void_p, LuminaireId, c_float]),
+    "ups_scene_set_maintenance_factor": (c_int32, [c_void_p, c_double]),
     "ups_scene_remove_instance": (c_int32, [c_void_p, InstanceId]),
     "ups_scene_remove_luminaire": (c_int32, [c_void_p, LuminaireId]),
     "ups_scene_remove_sensor": (c_int32, [c_void_p, SensorId]),
@@ -1129,6 +1143,10 @@ PROTOTYPES = {
     "ups_path_read_vertices": (c_int32, [c_void_p, POINTER(PathVertex), c_size_t, POINTER(c_size_t)]),
     "ups_path_read_contributions": (c_int32, [c_void_p, POINTER(PathContribution), c_size_t, POINTER(c_size_t)]),
     "ups_path_get_text": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_result_get_meter_percentile": (c_int32, [c_void_p, SensorId, c_double, POINTER(Interval)]),
+    "ups_result_get_meter_share": (c_int32, [c_void_p, SensorId, c_double, POINTER(Interval)]),
+    "ups_result_get_meter_ratio": (c_int32, [c_void_p, SensorId, SensorId, POINTER(Interval)]),
+    "ups_result_read_meter_ratios": (c_int32, [c_void_p, SensorId, SensorId, POINTER(Interval), c_size_t]),
 }
 
 # Function that fills each description with its defaults.

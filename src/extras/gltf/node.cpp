@@ -33,12 +33,14 @@ void Importer::read_scene() {
     const std::string where = place("scene", size_t(chosen), model.scenes[size_t(chosen)].name);
     const JsonReader scene = document_.element("scenes", size_t(chosen), where);
     if (const auto extras = scene.ups_extras()) {
-      extras->allow_only({"sky"});
+      extras->allow_only({"maintenance_factor", "sky"});
       if (extras->has("sky")) {
         throw extras::Error(UPS_ERROR_UNSUPPORTED, where +
                                                        ": extras.ups.sky is not built yet; light the scene with "
                                                        "luminaires or emitting surfaces");
       }
+      check(ups_scene_set_maintenance_factor(scene_, extras->number("maintenance_factor", 1, 0, 1)),
+            where + ": extras.ups");
     }
     if (model.scenes.size() > 1) warn("only " + where + " is read, the other scenes of the file are skipped");
     roots = model.scenes[size_t(chosen)].nodes;
