@@ -1225,6 +1225,25 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct SceneSource
+    {
+        public uint StructSize;
+        public SourceKind Kind;
+        public uint Id;
+        public uint Group;
+        public int LightKind;
+        public uint Reserved;
+        public double FluxLm;
+        public Double12 ToWorld;
+        public Double3 BoundsMinM;
+        public Double3 BoundsMaxM;
+        internal static SceneSource Sized()
+        {
+            return new SceneSource { StructSize = (uint)sizeof(SceneSource) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct GoniometerInfo
     {
         public uint StructSize;
@@ -1607,6 +1626,13 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_source_meters(ResultHandle result, uint source, SensorId sensor,
             MeterReading* @out, UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_source_count(SceneHandle scene, uint* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_source(SceneHandle scene, uint index, SceneSource* source);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_source_profile(SceneHandle scene, uint index, out ProfileHandle
+            @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_goniometer_info(ResultHandle result, SensorId sensor,
             GoniometerInfo* info);

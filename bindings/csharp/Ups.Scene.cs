@@ -230,6 +230,30 @@ namespace Ups
             }
         }
 
+        /// <summary>Each luminaire, light and emissive instance of the committed scene: what it is, where, its
+        /// flux.</summary>
+        public SceneSource[] Sources()
+        {
+            uint count;
+            Library.Check(Native.ups_scene_get_source_count(Handle, &count));
+            var all = new SceneSource[count];
+            for (uint i = 0; i < count; ++i)
+            {
+                var source = Ups.SceneSource.Sized();
+                Library.Check(Native.ups_scene_get_source(Handle, i, &source));
+                all[i] = source;
+            }
+            return all;
+        }
+
+        /// <summary>The profile of a luminaire, by its index in Sources().</summary>
+        public Profile SourceProfile(int index)
+        {
+            ProfileHandle profile;
+            Library.Check(Native.ups_scene_get_source_profile(Handle, (uint)index, out profile));
+            return new Profile(profile);
+        }
+
         /// <summary>Traces one of Result.LargestSamples again; desc: that of the render that it is of.</summary>
         public ReplayedPath Replay(RenderDesc desc, Sample sample)
         {

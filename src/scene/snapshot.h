@@ -37,6 +37,10 @@ struct SceneEffects {
 struct Source {
   ups_source_kind kind;
   uint32_t id, group;
+  int32_t light_kind = -1;  // UPS_LIGHT_* of a light
+  Affine to_world{};
+  Vec3d bounds_min, bounds_max;  // world: of the opening that emits, of the surface; without extent its place
+  std::shared_ptr<const photometry::Photometry> profile;  // of a luminaire
 };
 
 struct Snapshot {

@@ -883,6 +883,21 @@ class SourceInfo(Structure):
     ]
 
 
+class SceneSource(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("id", c_uint32),
+        ("group", c_uint32),
+        ("light_kind", c_int32),
+        ("reserved", c_uint32),
+        ("flux_lm", c_double),
+        ("to_world", c_double * 12),
+        ("bounds_min_m", c_double * 3),
+        ("bounds_max_m", c_double * 3),
+    ]
+
+
 class GoniometerInfo(Structure):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -1086,6 +1101,9 @@ PROTOTYPES = {
     "ups_result_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
     "ups_result_get_source": (c_int32, [c_void_p, c_uint32, POINTER(SourceInfo)]),
     "ups_result_read_source_meters": (c_int32, [c_void_p, c_uint32, SensorId, POINTER(MeterReading), c_size_t]),
+    "ups_scene_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
+    "ups_scene_get_source": (c_int32, [c_void_p, c_uint32, POINTER(SceneSource)]),
+    "ups_scene_get_source_profile": (c_int32, [c_void_p, c_uint32, POINTER(c_void_p)]),
     "ups_result_get_goniometer_info": (c_int32, [c_void_p, SensorId, POINTER(GoniometerInfo)]),
     "ups_result_read_goniometer": (c_int32, [c_void_p, SensorId, POINTER(IntensityReading), c_size_t]),
     "ups_result_get_goniometer_angles": (c_int32, [c_void_p, SensorId, POINTER(c_float), c_size_t, POINTER(c_float),

@@ -47,6 +47,7 @@ struct SourceName {
   ups_source_kind kind;
   uint32_t id;
   std::string name;
+  std::string file;  // photometric, of a luminaire; as the scene file names it
 };
 
 struct PlacedMesh {  // a primitive
@@ -128,7 +129,7 @@ class Importer {
   void add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame);
   std::string unique_name(const std::string& name, bool illuminance, const std::string& where);
   // names.cpp: of what emits on the present node; word: "luminaire", "instance" or "fixture".
-  void name_source(ups_source_kind kind, uint32_t id, const char* word);
+  void name_source(ups_source_kind kind, uint32_t id, const char* word, const std::string& file = {});
 
   ups_context* context_;
   ups_scene* scene_;

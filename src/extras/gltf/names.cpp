@@ -47,12 +47,12 @@ std::string Importer::unique_name(const std::string& name, bool illuminance, con
 }
 
 // A table has the columns NAME_lx and NAME_standard_error_lx.
-void Importer::name_source(ups_source_kind kind, uint32_t id, const char* word) {
+void Importer::name_source(ups_source_kind kind, uint32_t id, const char* word, const std::string& file) {
   constexpr size_t room = 12;  // for the number
   const uint32_t number = node_name_.empty() ? ++nameless_[word] : 0;
   const std::string base = number ? std::string(word) + "_" + std::to_string(number)
                                   : fit_for_files(node_name_).substr(0, max_name_bytes - room);
-  sources.push_back({kind, id, unique_in(source_names_, base, "_standard_error")});
+  sources.push_back({kind, id, unique_in(source_names_, base, "_standard_error"), file});
 }
 
 }  // namespace ups::gltf
