@@ -73,11 +73,11 @@ class Edges {
     ++e.count;
     // Neighbours of one surface pass their edge in opposite directions; else one of them is wound the other way.
     const Vec3d second = e.from == from ? -normal : normal;
-    const double a = dot(e.first, up_), b = dot(second, up_);
-    constexpr double edge_on = 1e-6;  // of upright faces, whose sign is rounding
-    const bool turns_away = (a > edge_on && b < -edge_on) || (a < -edge_on && b > edge_on);
+    const bool turns_away = faces_up(e.first) != faces_up(second);
     e.drawn = e.drawn || turns_away || dot(e.first, second) < sharp_cosine;
   }
+
+  bool faces_up(const Vec3d& n) const { return dot(n, up_) > 1e-6; }  // upright ones do not, whatever their rounding
 
   Vec3d up_;
   std::vector<Vec3d> corners_;

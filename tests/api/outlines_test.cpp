@@ -74,7 +74,7 @@ TEST(Outlines, SayWhatIsWrong) {
     EXPECT_NE(std::string(ups_last_error()).find("depth_m"), std::string::npos);
   }
   EXPECT_EQ(read(p, up, INFINITY), UPS_OK);
-  EXPECT_EQ(count, 4u);  // the lower rim lies behind the upper one
+  EXPECT_EQ(count, 8u);  // the lower rim is seen too, just past the upper one
 }
 
 }  // namespace
