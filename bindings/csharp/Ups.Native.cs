@@ -1532,6 +1532,9 @@ namespace Ups
         internal static extern Status ups_scene_read_section(SceneHandle scene, double* point_m, double* normal,
             Segment* segments, UIntPtr capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_read_outlines(SceneHandle scene, double* point_m, double* normal, double
+            depth_m, Segment* segments, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_fixture_emitter_desc_init(FixtureEmitterDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_reflector_desc_init(ReflectorDesc* desc, uint struct_size);

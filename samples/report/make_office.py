@@ -44,9 +44,10 @@ def measure(scene):
     for k, (x, y) in enumerate(DESKS):
         scene.meters(f"desk {k + 1}", Frame.upright((x + 0.8, y + 0.4, DESK_HEIGHT + 0.01)), width_m=1.6, height_m=0.8,
                      columns=8, rows=4)
-    scene.meters("room", Frame.upright((LENGTH / 2, WIDTH / 2, 0.75)), width_m=LENGTH - 1, height_m=WIDTH - 1, columns=12,
-                 rows=9)
-    for name, x, y, width, facing in (("wall west", 0.001, 2.7, 4.4, (1, 0, 0)), ("wall east", LENGTH - 0.001, 2.1, 3.2, (-1, 0, 0))):
+    scene.meters("room", Frame.upright((LENGTH / 2, WIDTH / 2, 0.75)), width_m=LENGTH - 1, height_m=WIDTH - 1,
+                 columns=12, rows=9)
+    for name, x, y, width, facing in (("wall west", 0.001, 2.7, 4.4, (1, 0, 0)),
+                                      ("wall east", LENGTH - 0.001, 2.1, 3.2, (-1, 0, 0))):
         scene.meters(name, Frame.facing((x, y, 1.85), facing), width_m=width, height_m=1.2, columns=round(width / 0.4),
                      rows=3)  # above the cupboards
 

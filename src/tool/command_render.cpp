@@ -24,16 +24,14 @@ void take_verdicts(const Targets& targets, Report& report) {
 int render(const RenderOptions& options) {
   install_interrupt_handler();
   if (!options.out.empty()) prepare_folder(options.out);
+  std::optional<Targets> targets;
+  if (!options.targets.empty()) targets = read_targets(options.targets);
   const LoadedScene scene =
       load_scene(options.scene, {options.threads, options.width, options.height, options.allow_outside});
   if (scene.sensors.empty()) {
     throw Failure(options.scene + ": there is nothing to render; add a camera, or meters in a node's extras.ups");
   }
-  std::optional<Targets> targets;
-  if (!options.targets.empty()) {
-    targets = read_targets(options.targets);
-    check_names(*targets, scene);
-  }
+  if (targets) check_names(*targets, scene);
   const Finished finished = run_render(scene.scene.get(), options.desc);
   tell_interruption(finished);
   if (!finished.result) return exit_interrupted;

@@ -1,5 +1,5 @@
-// Pieces of an HTML page: escaped texts, tables and figures that people and their readers aloud can follow. Called by the
-// page of a render; knows nothing of light.
+// Pieces of an HTML page: escaped texts, tables and figures that people and their readers aloud can follow. Called by
+// the page of a render; knows nothing of light.
 #pragma once
 #include <cstdint>
 #include <string>

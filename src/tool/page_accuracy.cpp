@@ -49,7 +49,8 @@ class Plot {
   Plot(const Report& report, double target) : report_(report), target_(target) {
     for (const ups_curve_point& p : report.convergence)
       for (const Curve& curve : curves)
-        if (is_drawn(p.elapsed_s, double(p.*curve.error))) time_.grow(p.elapsed_s), error_.grow(double(p.*curve.error));
+        if (const double error = p.*curve.error; is_drawn(p.elapsed_s, error))
+          time_.grow(p.elapsed_s), error_.grow(error);
     for (const PredictionReport& p : report.predictions) {
       if (!is_drawn(p.prediction.seconds, p.relative_error)) continue;
       time_.grow(p.prediction.seconds), error_.grow(p.relative_error);
@@ -102,7 +103,8 @@ class Plot {
   void draw_curve(const Curve& curve) {
     Line line{{}, curve.ink, 2, curve.dash};
     for (const ups_curve_point& p : report_.convergence)
-      if (is_drawn(p.elapsed_s, double(p.*curve.error))) line.points.push_back(place(p.elapsed_s, double(p.*curve.error)));
+      if (const double error = p.*curve.error; is_drawn(p.elapsed_s, error))
+        line.points.push_back(place(p.elapsed_s, error));
     if (line.points.size() > 1) drawing_.add(line);
     for (const Point& p : line.points) mark(p, curve.ink, 2);
   }
@@ -119,7 +121,8 @@ class Plot {
   }
 
   void mark(const Point& p, const Ink& ink, double radius) {
-    drawing_.add(Area{{{p.x - radius, p.y}, {p.x, p.y - radius}, {p.x + radius, p.y}, {p.x, p.y + radius}}, ink});
+    drawing_.add(
+        Area{{{p.x - radius, p.y}, {p.x, p.y - radius}, {p.x + radius, p.y}, {p.x, p.y + radius}}, ink});
   }
 
   void draw_legend() {
@@ -144,13 +147,18 @@ std::string percent(double fraction) { return fraction < 0 ? "not known" : forma
 
 std::string predictions_table(const Report& report) {
   HtmlTable table{"When a smaller error is reached <span class=\"soft\">in all, from the start, on this machine</span>",
-                  {"Error", "Seconds", "95&nbsp;% interval", "Limited by"}, {}, 1};
+                  {"Error", "After", "95&nbsp;% interval", "Limited by"}, {}, 1};
   for (const PredictionReport& p : report.predictions) {
     const ups_prediction& f = p.prediction;
-    const std::string range = f.seconds_low < 0 ? "" : "from " + duration_text(f.seconds_low) +
-                              (f.seconds_high < 0 ? "" : " to " + duration_text(f.seconds_high));
-    table.rows.push_back({percent(p.relative_error), f.seconds < 0 ? "never at this rate" : duration_text(f.seconds), range,
-                          f.limited_by == UPS_LIMIT_BIAS ? "bias" : "noise"});
+    const bool reached = f.seconds >= 0 && f.seconds_low == f.seconds_high;
+    const std::string when = f.seconds < 0 ? "never at this rate" : duration_text(f.seconds);
+    const std::string low = f.seconds_low < 0 ? "" : duration_text(f.seconds_low);
+    const std::string range = reached              ? "reached"
+                              : low.empty()        ? ""
+                              : f.seconds_high < 0 ? "from " + low + " on"
+                                                   : low + " to " + duration_text(f.seconds_high);
+    table.rows.push_back(
+        {percent(p.relative_error), when, range, f.limited_by == UPS_LIMIT_BIAS ? "bias" : "noise"});
   }
   return table.rows.empty() ? "" : html_table(table, "Predicted times");
 }
@@ -186,8 +194,8 @@ Section accuracy_section(const PageInput& in) {
                                    "The relative error of the median, of the 95th percentile and of the worst, against "
                                    "seconds of rendering, both logarithmic. The last values stand in the text above.",
                                    "accuracy"),
-                        "Relative error against time; straight lines that fall by a factor of ten in a hundredfold time "
-                        "are noise alone.");
+                        "Relative error against time. Where it is noise alone it falls to a tenth in a hundredfold "
+                        "time.");
   body += predictions_table(in.report) + worst_meter(in.report);
   return {"accuracy", "Accuracy and time", body};
 }

@@ -174,7 +174,7 @@ std::string places(const std::vector<LuminaireType>& types) {
   }
   if (table.rows.empty()) return {};
   return html_table(table, "Places of luminaires") +
-         (all > most_places ? "<p>The first " + std::to_string(most_places) + " of " + std::to_string(all) + ".</p>\n" : "");
+         (all > most_places ? format("<p>The first %zu of %zu.</p>\n", most_places, all) : "");
 }
 
 }  // namespace

@@ -16,27 +16,17 @@ std::string result_text(const ups_result* result, ups_result_text topic) {
 }
 
 // "caustics: material 9 can focus ..." with the word in bold; underscores are for scripts.
-std::vector<std::string> named_lines(const std::string& text) {
+std::vector<std::string> named_lines(const PageInput& in, const std::string& text) {
   std::vector<std::string> items;
-  for (const std::string& line : lines_of(text)) {
+  for (const std::string& told : lines_of(text)) {
+    const std::string line = for_people(in, told);
     const size_t colon = line.find(": ");
     std::string name = colon == std::string::npos ? "" : line.substr(0, colon);
-    std::replace(name.begin(), name.end(), '_', ' ');
+    if (name.find(' ') == std::string::npos) std::replace(name.begin(), name.end(), '_', ' ');
     items.push_back(name.empty() ? html_text(line)
                                  : "<strong>" + html_text(name) + "</strong>: " + html_text(line.substr(colon + 2)));
   }
   return items;
-}
-
-// The library knows meters by their numbers, and tells programmers what to call.
-std::string for_people(const PageInput& in, std::string line) {
-  if (const size_t call = line.find("; see ups_"); call != std::string::npos) line.erase(call);
-  constexpr uint32_t number_bits = 0xffffff;
-  for (const SensorEntry& sensor : in.scene.sensors) {
-    const std::string number = "meters " + std::to_string(sensor.info.sensor.v & number_bits) + ":";
-    if (line.compare(0, number.size(), number) == 0) line.replace(0, number.size(), "meters " + sensor.name + ":");
-  }
-  return line;
 }
 
 // 482,600; beyond a million "4.26 million".
@@ -64,6 +54,18 @@ std::string method_name(ups_method method) {
 
 }  // namespace
 
+// The library knows sensors by their numbers, and tells programmers what to call.
+std::string for_people(const PageInput& in, std::string line) {
+  if (const size_t call = line.find("; see ups_"); call != std::string::npos) line.erase(call);
+  constexpr uint32_t number_bits = 0xffffff;
+  for (const SensorEntry& sensor : in.scene.sensors) {
+    const std::string kind = sensor.info.kind == UPS_GLTF_METERS ? "meters " : "camera ";
+    const std::string number = kind + std::to_string(sensor.info.sensor.v & number_bits) + ":";
+    if (line.compare(0, number.size(), number) == 0) return line.replace(0, number.size(), kind + sensor.name + ":");
+  }
+  return line;
+}
+
 Section flux_section(const PageInput& in) {
   const ups_result_info& info = in.report.info;
   if (info.absorbed_flux_lm < 0 || info.escaped_flux_lm < 0 || !(info.emitted_flux_lm > 0)) return {};
@@ -88,8 +90,8 @@ Section flux_section(const PageInput& in) {
 }
 
 Section effects_section(const PageInput& in) {
-  const std::string effects = html_list(named_lines(result_text(in.result, UPS_TEXT_EFFECTS)));
-  const std::string techniques = html_list(named_lines(result_text(in.result, UPS_TEXT_TECHNIQUES)));
+  const std::string effects = html_list(named_lines(in, result_text(in.result, UPS_TEXT_EFFECTS)));
+  const std::string techniques = html_list(named_lines(in, result_text(in.result, UPS_TEXT_TECHNIQUES)));
   std::string body;
   if (!effects.empty())
     body += "<h3>Effects of light that the scene can show</h3>\n<p>Each was simulated, with its cause:</p>\n" + effects;
@@ -105,18 +107,18 @@ Section warnings_section(const PageInput& in) {
   for (const auto* lines : {&in.report.advice, &in.report.warnings})
     for (const std::string& line : *lines) items.push_back(html_text(for_people(in, line)));
   if (items.empty()) return {};
-  return {"warnings", "Warnings", html_list(items)};
+  return {"warnings", "Remarks", html_list(items)};
 }
 
 Section reading_section(const PageInput& in) {
   const bool pictures = !in.report.cameras.empty(), meters = !in.report.meters.empty();
   std::vector<std::string> items;
-  items.push_back("<strong>Interval, bound</strong>: with 95&nbsp;% confidence the value that the scene as described would "
-                  "have lies within. It holds the error of the calculation alone: what the luminaires' files, reflectances "
-                  "and dimensions leave open comes on top of it.");
-  items.push_back("<strong>Noise</strong>: light is sampled at random; more time makes it smaller, a hundredfold time a "
-                  "tenth. <strong>Bias</strong>: where photons are gathered in a small circle, light is smeared by its "
-                  "size; it is estimated and part of every bound.");
+  items.push_back("<strong>Interval, bound</strong>: with 95&nbsp;% confidence the value that the scene as described "
+                  "would have lies within. It holds the error of the calculation alone: what the luminaires' files, "
+                  "reflectances and dimensions leave open comes on top of it.");
+  items.push_back("<strong>Noise</strong>: light is sampled at random; more time makes it smaller, a hundredfold time "
+                  "a tenth. <strong>Bias</strong>: where photons are gathered in a small circle, light is smeared by "
+                  "its size; it is estimated and part of every bound.");
   if (meters)
     items.push_back("<strong>Minimum, maximum, <i>U</i><sub>0</sub></strong>: the smallest of many noisy values lies "
                     "below the true minimum, the largest above the true maximum; so the interval need not lie evenly "

@@ -133,12 +133,25 @@ class View {
   const Bounds& bounds() const { return bounds_; }
 
   void surfaces(int axis, double at, const Ink& ink, double line_width) {
-    const Chains chains(cut(in_.scene.scene.get(), axis, at), axes_, 0.4 / scale_);
+    draw(cut(in_.scene.scene.get(), axis, at), ink, line_width);
+  }
+
+  void draw(const std::vector<ups_segment>& segments, const Ink& ink, double line_width) {
+    const Chains chains(segments, axes_, 0.4 / scale_);
     for (const Polyline& line : chains.lines) {
       Line drawn{{}, ink, line_width};
       for (const Point& p : line) drawn.points.push_back(place(p));
       drawing_.add(drawn);
     }
+  }
+
+  // What lies below a height, as it is seen from there.
+  void outlines_below(double height) {
+    const double point[3] = {0, 0, height}, up[3] = {0, 0, 1};
+    draw(read_array<ups_segment>([&](ups_segment* to, size_t capacity, size_t* needed) {
+           return ups_scene_read_outlines(in_.scene.scene.get(), point, up, INFINITY, to, capacity, needed);
+         }),
+         seen_ink, 0.7);
   }
 
   void meters() {
@@ -154,7 +167,8 @@ class View {
       }
       constexpr double rim = 4;
       drawing_.add(Line{{{low.x - rim, low.y - rim}, {high.x + rim, low.y - rim},
-                                     {high.x + rim, high.y + rim}, {low.x - rim, high.y + rim}, {low.x - rim, low.y - rim}},
+                                     {high.x + rim, high.y + rim}, {low.x - rim, high.y + rim},
+                                     {low.x - rim, low.y - rim}},
                                     meter_ink, 0.9, 4});
       name({low.x - rim + 2, low.y - rim - 3}, sensor.name, meter_ink);
     }
@@ -167,7 +181,8 @@ class View {
         Point a = place(axes_.flat(source.info.bounds_min_m)), b = place(axes_.flat(source.info.bounds_max_m));
         constexpr double least = 3.5;  // half of what can be seen
         const Point c{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
-        const double half_x = std::max(0.5 * std::abs(b.x - a.x), least), half_y = std::max(0.5 * std::abs(b.y - a.y), least);
+        const double half_x = std::max(0.5 * std::abs(b.x - a.x), least),
+                     half_y = std::max(0.5 * std::abs(b.y - a.y), least);
         a = {c.x - half_x, c.y - half_y}, b = {c.x + half_x, c.y + half_y};
         const Polyline box = {a, {b.x, a.y}, b, {a.x, b.y}, a};
         drawing_.add(Area{box, {255, 214, 102}, 0.85});
@@ -181,13 +196,12 @@ class View {
   void section_line(double at) {
     const double y = place({0, at}).y;
     drawing_.add(Line{{{8, y}, {width - 8, y}}, grey, 0.8, 9});
-    for (const double x : {4.0, width - 12}) drawing_.add(Label{{x, y - 5}, "A", 12, black, Anchor::start, true});
+    for (const double x : {4.0, width - 12})
+      drawing_.add(Label{{x, y - 5}, "A", 12, black, Anchor::start, true});
   }
 
   Drawing finish(const std::string& text) {
-    for (const Label& label : names_) {
-      drawing_.add(Label(label));
-    }
+    for (const Label& label : names_) drawing_.add(label);
     const double metre = round_step(60 / scale_), y = drawing_.height - 14;
     drawing_.add(Line{{{margin, y}, {margin + metre * scale_, y}}, black, 2});
     drawing_.add(Label{{margin + metre * scale_ + 6, y + 4}, format("%g m", metre), 12, black});
@@ -209,15 +223,16 @@ class View {
   // Where no other is; else a line lower, a few times.
   void name(Point at, const std::string& text, const Ink& ink) {
     constexpr double size = 11.5;
-    const double w = width_of(text, size);
+    const double w = width_of(text, size, true);
     at.x = std::clamp(at.x, 2.0, std::max(2.0, width - w - 2));
     at.y = std::max(at.y, size);
     const auto overlaps = [&](const Label& other) {
-      return at.x < other.at.x + width_of(other.text, size) + 2 && other.at.x < at.x + w + 2 &&
+      return at.x < other.at.x + width_of(other.text, size, true) + 2 && other.at.x < at.x + w + 2 &&
              std::abs(at.y - other.at.y) < size;
     };
-    for (int tries = 0; tries < 8 && std::any_of(names_.begin(), names_.end(), overlaps); ++tries) at.y += size + 1;
-    if (std::none_of(names_.begin(), names_.end(), overlaps)) names_.push_back(Label{at, text, size, ink, Anchor::start, true});
+    for (int tries = 0; tries < 4 && std::any_of(names_.begin(), names_.end(), overlaps); ++tries) at.y -= size + 1;
+    if (std::any_of(names_.begin(), names_.end(), overlaps)) return;
+    names_.push_back(Label{at, text, size, ink, Anchor::start, true, 0, 2.5});
   }
 
   const PageInput& in_;
@@ -237,7 +252,7 @@ double plan_height(const Bounds& b) { return b.low[2] + 0.43 * b.size(2); }
 Drawing plan_drawing(const PageInput& in, const std::vector<LuminaireType>& types) {
   View view(in, types, {0, 1}, most_height);
   const Bounds& b = view.bounds();
-  for (const double below : {0.02, 0.1, 0.18, 0.26, 0.34}) view.surfaces(2, b.low[2] + below * b.size(2), seen_ink, 0.7);
+  view.outlines_below(plan_height(b));
   view.surfaces(2, plan_height(b), black, 1.8);
   view.section_line(0.5 * (b.low[1] + b.high[1]));
   view.meters();

@@ -1,7 +1,6 @@
-// See page.h: what was asked for and what was found: verdicts, statistics of the meters, their maps.
+// See page.h: what was asked for and what was found: the page in short, verdicts, statistics of the meters.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "tool/page.h"
 #include "tool/text_format.h"
@@ -17,7 +16,7 @@ std::string chip(Judgement judgement) {
 }
 
 struct Quantity {
-  const char* word;    // of TargetVerdict
+  const char* word;  // of TargetVerdict
   const char* html;
   const char* unit;
   std::string (*text)(double);
@@ -25,15 +24,19 @@ struct Quantity {
 
 std::string one_decimal(double value) { return format("%.1f", value); }
 
+constexpr Quantity quantities[] = {{"mean_lx", "Mean illuminance", " lx", lux},
+                                   {"min_lx", "Smallest illuminance", " lx", lux},
+                                   {"uniformity", "Uniformity <i>U</i><sub>0</sub>", "", ratio},
+                                   {"ugr", "Glare UGR", "", one_decimal}};
+
 const Quantity& quantity_of(const std::string& word) {
-  static const Quantity all[] = {{"mean_lx", "mean illuminance <i>E</i><sub>m</sub>", " lx", lux},
-                                 {"min_lx", "smallest illuminance <i>E</i><sub>min</sub>", " lx", lux},
-                                 {"uniformity", "uniformity <i>U</i><sub>0</sub>", "", ratio},
-                                 {"ugr", "glare UGR", "", one_decimal}};
-  return *std::find_if(std::begin(all), std::end(all) - 1, [&](const Quantity& q) { return word == q.word; });
+  return *std::find_if(std::begin(quantities), std::end(quantities) - 1,
+                       [&](const Quantity& q) { return word == q.word; });
 }
 
-std::string required_text(double value) { return format("%.6g", value); }
+std::string required_text(const TargetVerdict& v) {
+  return (v.at_most ? "\u2264\u00a0" : "\u2265\u00a0") + format("%.6g", v.required) + quantity_of(v.quantity).unit;
+}
 
 size_t count_of(const Report& report, Judgement judgement) {
   return size_t(std::count_if(report.targets.begin(), report.targets.end(),
@@ -41,94 +44,189 @@ size_t count_of(const Report& report, Judgement judgement) {
 }
 
 std::string verdicts_text(const Report& report) {
-  const size_t met = count_of(report, Judgement::met), failed = count_of(report, Judgement::not_met),
-               open = count_of(report, Judgement::not_sure);
-  if (met == report.targets.size()) return counted(met, "requirement is met.", "requirements are all met.");
-  std::string text = std::to_string(met) + " of " + counted(report.targets.size(), "requirement", "requirements") +
-                     " met";
+  const size_t all = report.targets.size(), met = count_of(report, Judgement::met),
+               failed = count_of(report, Judgement::not_met), open = count_of(report, Judgement::not_sure);
+  if (met == all) return all == 1 ? "The requirement is met." : "All " + std::to_string(all) + " requirements are met.";
+  std::string text = std::to_string(met) + " of " + counted(all, "requirement is", "requirements are") + " met";
   if (failed > 0) text += ", " + std::to_string(failed) + " not met";
-  if (open > 0) text += ", " + std::to_string(open) + " not sure: the 95 % interval holds the required value";
+  if (open > 0) text += ", " + std::to_string(open) + " not sure";
   return text + ".";
 }
 
+// Value, interval and verdict of one requirement.
+std::string finding(const TargetVerdict& v) {
+  const Quantity& q = quantity_of(v.quantity);
+  std::string range;
+  if (v.low >= 0 && v.high >= 0) {
+    const std::string low = beside(v.low, v.required, q.text), high = beside(v.high, v.required, q.text);
+    range = "<span class=\"i\">" + (low == high ? low : low + " to " + high) + "</span> ";
+  }
+  return beside(v.value, v.required, q.text) + q.unit + " " + range + chip(v.judgement);
+}
+
+std::string area_caption(const Targets& targets, const TargetArea& area) {
+  std::string soft = html_text(area.use);
+  if (!area.reference.empty() && !targets.standard.empty())
+    soft += ", " + html_text(targets.standard) + ", " + html_text(area.reference);
+  if (area.colour_rendering > 0)
+    soft += format("%scolour rendering <i>R</i><sub>a</sub> \u2265 %g asked for, not calculated",
+                   soft.empty() ? "" : "; ", area.colour_rendering);
+  return html_text(area.name) + (soft.empty() ? "" : " <span class=\"soft\">" + soft + "</span>");
+}
+
+// A row a set of meters or observer, a column a quantity with what is required at its head.
 std::string area_table(const PageInput& in, size_t index) {
   const TargetArea& area = in.targets->areas[index];
-  std::string caption = html_text(area.name);
-  if (!area.use.empty()) {
-    caption += " <span class=\"soft\">" + html_text(area.use);
-    const std::string& standard = in.targets->standard;
-    if (!area.reference.empty() && !standard.empty())
-      caption += ", " + html_text(standard) + ", " + html_text(area.reference);
-    caption += "</span>";
+  HtmlTable table{area_caption(*in.targets, area), {"Where"}, {}, 1};
+  std::vector<std::string> columns;
+  for (const TargetVerdict& v : in.report.targets) {
+    if (v.area != index || std::find(columns.begin(), columns.end(), v.quantity) != columns.end()) continue;
+    columns.push_back(v.quantity);
+    table.head.push_back(quantity_of(v.quantity).html + (" <span class=\"i\">" + required_text(v)) + "</span>");
   }
-  HtmlTable table{caption, {"Where", "What", "Required", "Found", "95&nbsp;% interval", "Verdict"}, {}, 2};
+  std::string subject;
   for (const TargetVerdict& v : in.report.targets) {
     if (v.area != index) continue;
-    const Quantity& q = quantity_of(v.quantity);
-    std::string range;
-    if (v.low >= 0 && v.high >= 0) {
-      const std::string low = beside(v.low, v.required, q.text), high = beside(v.high, v.required, q.text);
-      range = low == high ? low : low + " to " + high;
+    if (table.rows.empty() || subject != v.subject) {
+      table.rows.push_back(std::vector<std::string>(1 + columns.size()));
+      table.rows.back()[0] = html_text(subject = v.subject);
     }
-    table.rows.push_back({html_text(v.subject), q.html,
-                          (v.at_most ? "\u2264 " : "\u2265 ") + required_text(v.required) + q.unit,
-                          beside(v.value, v.required, q.text) + q.unit, range, chip(v.judgement)});
+    const auto column = std::find(columns.begin(), columns.end(), v.quantity) - columns.begin();
+    table.rows.back()[size_t(column) + 1] = finding(v);
   }
   return html_table(table, "Requirements of " + area.name);
 }
 
+std::string shortfalls(const PageInput& in) {
+  std::string html;
+  for (const TargetVerdict& v : in.report.targets) {
+    if (v.judgement == Judgement::met) continue;
+    const Quantity& q = quantity_of(v.quantity);
+    html += "<li>" + html_text(in.targets->areas[v.area].name) + ", " + html_text(v.subject) + ": " + q.html + " " +
+            beside(v.value, v.required, q.text) + q.unit + ", required " + required_text(v) + " " + chip(v.judgement) +
+            "</li>\n";
+  }
+  return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
+}
+
+std::string found_in_short(const Report& report) {
+  constexpr size_t shown = 8;
+  std::string html;
+  for (size_t i = 0; i < std::min(shown, report.meters.size()); ++i) {
+    const ups_meter_statistics& s = report.meters[i].statistics;
+    html += "<p><strong>" + html_text(report.meters[i].name) + "</strong>: " + lux(s.mean_lx) + " lx";
+    if (s.mean_error_bound_lx >= 0) html += " \u00b1 " + format("%.2g", s.mean_error_bound_lx);
+    if (s.count > 1)
+      html += " on average, " + lux(s.min_lx) + " to " + lux(s.max_lx) + " lx, <i>U</i><sub>0</sub> " +
+              ratio(s.uniformity);
+    html += "</p>\n";
+  }
+  if (report.meters.size() > shown)
+    html += "<p>and " + counted(report.meters.size() - shown, "set of meters", "sets of meters") + " more</p>\n";
+  return html;
+}
+
 // ---- statistics
 
-std::string statistics_table(const PageInput& in) {
-  HtmlTable table{"Illuminance of each set of meters <span class=\"soft\">lx, with 95&nbsp;% intervals below</span>",
-                  {"Meters", "Count", "Mean", "Minimum", "Maximum", "<i>U</i><sub>0</sub>", "5&nbsp;% are below"},
-                  {}, 1};
-  for (const MeterReport& meters : in.report.meters) {
+// Columns that say nothing of any set are left out.
+struct Column {
+  std::string head;
+  std::vector<std::string> cells;
+};
+
+std::string with_interval(const ups_interval& i, std::string (*text)(double)) {
+  return with_interval(i.value, i.low, i.high, text);
+}
+
+std::string whole_percent(double share) { return format("%.1f", 100 * share); }
+
+// Of one column, a cell a set; none of a set of a single meter, which has a mean alone.
+template <class Cell>
+Column column(const Report& report, const std::string& head, const Cell& cell) {
+  Column c{head, {}};
+  for (const MeterReport& meters : report.meters) c.cells.push_back(meters.statistics.count > 1 ? cell(meters) : "");
+  return c;
+}
+
+std::vector<Column> columns_of(const Report& report) {
+  std::vector<Column> columns;
+  Column count{"Meters", {}}, mean{"Mean", {}};
+  for (const MeterReport& meters : report.meters) {
     const ups_meter_statistics& s = meters.statistics;
     const bool known = s.mean_error_bound_lx >= 0;
-    const bool one = s.count == 1;
-    std::vector<std::string> row = {
-        html_text(meters.name), std::to_string(s.count),
-        with_interval(s.mean_lx, known ? std::max(0.0, s.mean_lx - s.mean_error_bound_lx) : -1,
-                      known ? s.mean_lx + s.mean_error_bound_lx : -1, lux)};
-    if (one) {
-      row.resize(7);
-    } else {
-      row.push_back(with_interval(s.min_lx, s.min_low_lx, s.min_high_lx, lux));
-      row.push_back(with_interval(s.max_lx, s.max_low_lx, s.max_high_lx, lux));
-      row.push_back(with_interval(s.uniformity, s.uniformity_low, s.uniformity_high, ratio));
-      row.push_back(with_interval(s.percentile_5_lx, s.percentile_5_low_lx, s.percentile_5_high_lx, lux));
-    }
-    table.rows.push_back(row);
+    count.cells.push_back(std::to_string(s.count));
+    mean.cells.push_back(with_interval(s.mean_lx, known ? std::max(0.0, s.mean_lx - s.mean_error_bound_lx) : -1,
+                                       known ? s.mean_lx + s.mean_error_bound_lx : -1, lux));
   }
-  return html_table(table, "Statistics of the meters");
+  columns = {count, mean};
+  columns.push_back(column(report, "Minimum", [](const MeterReport& m) {
+    return with_interval(m.statistics.min_lx, m.statistics.min_low_lx, m.statistics.min_high_lx, lux);
+  }));
+  columns.push_back(column(report, "Maximum", [](const MeterReport& m) {
+    return with_interval(m.statistics.max_lx, m.statistics.max_low_lx, m.statistics.max_high_lx, lux);
+  }));
+  columns.push_back(column(report, "<i>U</i><sub>0</sub> <span class=\"i\">min/mean</span>", [](const MeterReport& m) {
+    return with_interval(m.statistics.uniformity, m.statistics.uniformity_low, m.statistics.uniformity_high, ratio);
+  }));
+  columns.push_back(column(report, "<i>U</i><sub>d</sub> <span class=\"i\">min/max</span>", [](const MeterReport& m) {
+    return with_interval(m.statistics.diversity, m.statistics.diversity_low, m.statistics.diversity_high, ratio);
+  }));
+  return columns;
+}
+
+std::vector<Column> percentile_columns(const Report& report) {
+  std::vector<Column> columns;
+  for (size_t i = 0; i < report.meters[0].percentiles.size(); ++i)
+    columns.push_back(column(report, format("%g&nbsp;%% are below", 100 * report.meters[0].percentiles[i].at),
+                             [&](const MeterReport& m) { return with_interval(m.percentiles[i].interval, lux); }));
+  for (size_t i = 0; i < report.meters[0].above.size(); ++i)
+    columns.push_back(column(report, format("At least %g lx <span class=\"i\">%%</span>", report.meters[0].above[i].at),
+                             [&](const MeterReport& m) { return with_interval(m.above[i].interval, whole_percent); }));
+  return columns;
+}
+
+std::string table_of(const Report& report, const std::string& caption, const std::vector<Column>& columns,
+                     const std::string& label) {
+  HtmlTable table{caption, {"Set of meters"}, {}, 1};
+  for (const MeterReport& meters : report.meters) table.rows.push_back({html_text(meters.name)});
+  for (const Column& c : columns) {
+    if (std::all_of(c.cells.begin(), c.cells.end(), [](const std::string& cell) { return cell.empty(); })) continue;
+    table.head.push_back(c.head);
+    for (size_t i = 0; i < c.cells.size(); ++i) table.rows[i].push_back(c.cells[i]);
+  }
+  return table.head.size() > 1 ? html_table(table, label) : "";
+}
+
+std::string ratios_table(const Report& report) {
+  if (report.ratios.empty()) return {};
+  HtmlTable table{"Ratios of mean illuminances", {"Of", "To", "Ratio"}, {}, 2};
+  for (const RatioReport& r : report.ratios)
+    table.rows.push_back({html_text(r.numerator), html_text(r.denominator), with_interval(r.ratio, ratio)});
+  return html_table(table, "Ratios");
 }
 
 }  // namespace
 
+std::string maintenance_text(const PageInput& in) {
+  const double factor = in.report.info.maintenance_factor;
+  return factor < 1 ? format("All values are maintained ones, with a maintenance factor of %.3g.", factor)
+                    : std::string("All values are those of new luminaires: the scene sets no maintenance factor.");
+}
+
 // The page in a few lines: for whoever reads no further.
 Section summary_section(const PageInput& in) {
-  std::vector<std::string> lines;
-  if (!in.report.targets.empty()) lines.push_back("<strong>" + html_text(verdicts_text(in.report)) + "</strong>");
-  constexpr size_t shown = 6;
-  for (size_t i = 0; i < std::min(shown, in.report.meters.size()); ++i) {
-    const ups_meter_statistics& s = in.report.meters[i].statistics;
-    std::string line = "<strong>" + html_text(in.report.meters[i].name) + "</strong>: " + lux(s.mean_lx) + " lx";
-    if (s.mean_error_bound_lx >= 0) line += " \u00b1 " + format("%.2g", s.mean_error_bound_lx);
-    if (s.count > 1) line += " on average, " + lux(s.min_lx) + " to " + lux(s.max_lx) + " lx, <i>U</i><sub>0</sub> " + ratio(s.uniformity);
-    lines.push_back(line);
+  const bool judged = in.targets && !in.report.targets.empty();
+  std::string body = judged ? "<p><strong>" + html_text(verdicts_text(in.report)) + "</strong></p>\n" + shortfalls(in)
+                            : found_in_short(in.report);
+  const auto& curve = in.report.convergence;
+  if (!curve.empty() && curve.back().p95_relative_error >= 0 && !in.report.meters.empty())
+    body += format("<p>95&nbsp;%% of the meters are known to %.2g&nbsp;%% or better, the worst to %.2g&nbsp;%%.</p>\n",
+                   100 * double(curve.back().p95_relative_error), 100 * double(curve.back().worst_relative_error));
+  if (!in.report.warnings.empty() || !in.report.advice.empty()) {
+    const size_t count = in.report.warnings.size() + in.report.advice.size();
+    body += "<p><a href=\"#warnings\">" + counted(count, "remark", "remarks") + "</a> to read before use.</p>\n";
   }
-  if (in.report.meters.size() > shown)
-    lines.push_back("and " + counted(in.report.meters.size() - shown, "set of meters", "sets of meters") + " more");
-  if (!in.report.convergence.empty() && in.report.convergence.back().p95_relative_error >= 0 && !in.report.meters.empty())
-    lines.push_back(format("95&nbsp;%% of the meters are known to %.2g&nbsp;%% or better, the worst to %.2g&nbsp;%%.",
-                           100 * double(in.report.convergence.back().p95_relative_error),
-                           100 * double(in.report.convergence.back().worst_relative_error)));
-  if (!in.report.warnings.empty())
-    lines.push_back("<a href=\"#warnings\">" + counted(in.report.warnings.size(), "warning", "warnings") + "</a>");
-  if (lines.empty()) return {};
-  std::string body;
-  for (const std::string& line : lines) body += "<p>" + line + "</p>\n";
+  if (body.empty()) return {};
   return {"summary", "In short", "<div class=\"answer\">\n" + body + "</div>\n"};
 }
 
@@ -136,15 +234,21 @@ Section targets_section(const PageInput& in) {
   if (!in.targets || in.report.targets.empty()) return {};
   std::string body;
   for (size_t i = 0; i < in.targets->areas.size(); ++i) body += area_table(in, i);
-  body += "<p>Met and not met are said only where the whole 95&nbsp;% interval lies on one side of what is required. "
-          "Nothing is rounded up.</p>\n";
+  body += "<p>Met and not met are said only where the whole 95&nbsp;% interval, which stands below each value, lies on "
+          "one side of what is required; nothing is rounded up. " + maintenance_text(in) + "</p>\n";
   if (!in.targets->note.empty()) body += "<p class=\"soft\">" + html_text(in.targets->note) + "</p>\n";
   return {"requirements", "Requirements", body};
 }
 
 Section illuminance_section(const PageInput& in) {
-  if (in.report.meters.empty()) return {};
-  return {"illuminance", "Illuminance", statistics_table(in)};
+  const Report& report = in.report;
+  if (report.meters.empty()) return {};
+  const std::string soft = " <span class=\"soft\">lx, with 95&nbsp;% intervals below</span>";
+  return {"illuminance", "Illuminance",
+          "<p>" + maintenance_text(in) + "</p>\n" +
+              table_of(report, "Means, extremes and uniformity" + soft, columns_of(report), "Statistics of meters") +
+              table_of(report, "Distribution" + soft, percentile_columns(report), "Distribution of the meters") +
+              ratios_table(report)};
 }
 
 }  // namespace ups::tool

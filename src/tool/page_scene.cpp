@@ -19,10 +19,11 @@ ups_scene_info info_of(const LoadedScene& scene) {
   return info;
 }
 
-std::string wide_figure(const std::string& svg, const std::string& label, const std::string& caption) {
+std::string wide_figure(const std::string& svg, const std::string& label, const std::string& caption,
+                        const char* style = "wide") {
   return html_figure("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" + html_text(label) + "\">\n" +
                          svg + "</div>\n",
-                     caption, "wide");
+                     caption, style);
 }
 
 std::string size_text(const ups_scene_info& info) {
@@ -43,13 +44,14 @@ std::string picture(const PageInput& in, const SensorEntry& camera) {
   if (bytes.empty()) return {};
   const auto luminance = read_image(in.result, camera, UPS_CHANNEL_LUMINANCE_RGB);
   double exposure = 1;
-  check(ups_ocio_choose_exposure(luminance.data(), camera.info.width, camera.info.height, &exposure), ups_ocio_last_error);
+  check(ups_ocio_choose_exposure(luminance.data(), camera.info.width, camera.info.height, &exposure),
+        ups_ocio_last_error);
   const auto found = std::find_if(in.report.cameras.begin(), in.report.cameras.end(),
                                   [&](const CameraReport& c) { return c.name == camera.name; });
   const double grey = 0.26 / exposure;  // what ups_ocio shows as an 18 % grey
   std::string caption = "<strong>" + html_text(camera.name) + "</strong>. " +
-                        format("Mean luminance %.4g cd/m\u00b2. Exposure chosen from the picture itself: %.3g cd/m\u00b2 is "
-                               "shown as a middle grey (EV100 %.1f).",
+                        format("Mean luminance %.4g cd/m\u00b2. Exposure chosen from the picture itself: %.3g "
+                               "cd/m\u00b2 is shown as a middle grey (EV100 %.1f).",
                                found->mean_luminance_cd_m2, grey, std::log2(grey * 100 / 12.5));
   return html_figure(html_image("image/png", bytes, "Rendered picture of the camera " + camera.name, camera.info.width,
                                 camera.info.height),
@@ -76,9 +78,11 @@ Section scene_section(const PageInput& in, const std::vector<LuminaireType>& typ
        {"Luminaires", counted(luminaires, "luminaire", "luminaires") + ", " + lux(flux) + " lm"},
        {"Meters", sets ? counted(meters, "point", "points") + " in " + counted(sets, "set", "sets") : ""},
        {"Cameras", cameras ? std::to_string(cameras) : ""},
+       {"Maintenance factor", info.maintenance_factor < 1 ? format("%.3g", info.maintenance_factor) : ""},
        {"Surfaces", counted(size_t(info.triangle_count), "triangle", "triangles")}});
   const std::string words = counted(luminaires, "luminaire", "luminaires") + " and " +
-                            counted(sets, "set of meters", "sets of meters") + " of a scene of " + size_text(info) + ".";
+                            counted(sets, "set of meters", "sets of meters") + " of a scene of " + size_text(info) +
+                            ".";
   body += wide_figure(inline_svg(plan_drawing(in, types), "Plan of the scene", "Seen from above: " + words, "plan"),
                       "Plan of the scene",
                       "Plan. Black: what the plane cuts; grey: what lies below; yellow: luminaires" +
@@ -86,7 +90,8 @@ Section scene_section(const PageInput& in, const std::vector<LuminaireType>& typ
                           "; blue: meters and the names of their sets.");
   body += wide_figure(
       inline_svg(section_drawing(in, types), "Section of the scene", "Seen from the side: " + words, "section"),
-      "Section of the scene", "Section A-A through the middle, with all luminaires and meters projected onto it.");
+      "Section of the scene", "Section A-A through the middle, with all luminaires and meters projected onto it.",
+      "wide low");
   return {"scene", "Scene", body};
 }
 

@@ -44,14 +44,15 @@ std::string report_page(const PageInput& in) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
       "style-src 'unsafe-inline'\">\n<meta name=\"generator\" content=\"ups " +
-      version_number() + "\">\n<title>Lighting report: " + title + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n" +
-      page_style() + "</style>\n</head>\n<body>\n<header>\n<p class=\"kind\">Lighting report</p>\n<h1>" + title +
-      "</h1>\n<p class=\"soft\">" + html_text(in.report.scene) + (in.date.empty() ? "" : " \u00b7 ") + html_text(in.date) +
-      "</p>\n" + contents(sections) + "</header>\n<main>\n";
+      version_number() + "\">\n<title>Lighting report: " + title +
+      "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n" + page_style() +
+      "</style>\n</head>\n<body>\n<header>\n<p class=\"kind\">Lighting report</p>\n<h1>" + title +
+      "</h1>\n<p class=\"soft\">" + html_text(in.report.scene) + (in.date.empty() ? "" : " \u00b7 ") +
+      html_text(in.date) + "</p>\n" + contents(sections) + "</header>\n<main>\n";
   for (const Section& s : sections)
     html += "<section id=\"" + s.id + "\" aria-labelledby=\"" + s.id + "-heading\"" +
-            (starts_page(s) ? " class=\"page\"" : "") + ">\n<h2 id=\"" + s.id + "-heading\">" + s.title + "</h2>\n" + s.body +
-            "</section>\n";
+            (starts_page(s) ? " class=\"page\"" : "") + ">\n<h2 id=\"" + s.id + "-heading\">" + s.title + "</h2>\n" +
+            s.body + "</section>\n";
   return html + "</main>\n<footer>\n<p>Made by ups " + version_number() +
          ", which computes illuminance by Unified Path Sampling.</p>\n</footer>\n</body>\n</html>\n";
 }

@@ -107,11 +107,11 @@ void read_rows(const Json& root, const std::string& path, Rows& rows) {
   }
 }
 
-// Where the program's own files of targets are: beside its folder, installed and in the build tree alike.
+// Where the program's own files of targets are, installed and in the build tree alike.
 fs::path own_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : program.parent_path().parent_path() / "share" / "ups" / "targets";
+  return error ? fs::path() : (program.parent_path() / UPS_TO_TARGETS).lexically_normal();
 }
 
 std::string find_included(const std::string& path, const std::string& name) {
@@ -123,7 +123,8 @@ std::string find_included(const std::string& path, const std::string& name) {
 }
 
 void take_row(const Json& words, const std::string& where, const Rows& rows, TargetArea& area) {
-  const std::string key = text(words, "row", where), part = words.contains("part") ? text(words, "part", where) : "task";
+  const std::string key = text(words, "row", where),
+                    part = words.contains("part") ? text(words, "part", where) : "task";
   if (std::find(std::begin(parts), std::end(parts), part) == std::end(parts))
     fail(where + ".part", "must be one of " + std::string(part_words) + ", not '" + part + "'");
   if (key.empty()) {

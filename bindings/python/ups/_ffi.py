@@ -1067,6 +1067,8 @@ PROTOTYPES = {
     "ups_scene_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_scene_read_section": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double), POINTER(Segment), c_size_t,
         POINTER(c_size_t)]),
+    "ups_scene_read_outlines": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double), c_double, POINTER(Segment),
+        c_size_t, POINTER(c_size_t)]),
     "ups_fixture_emitter_desc_init": (None, [POINTER(FixtureEmitterDesc), c_uint32]),
     "ups_reflector_desc_init": (None, [POINTER(ReflectorDesc), c_uint32]),
     "ups_lens_desc_init": (None, [POINTER(LensDesc), c_uint32]),

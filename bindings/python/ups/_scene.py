@@ -3,6 +3,7 @@
 Used by programs, as ups.Scene.
 """
 import ctypes
+import math
 from ctypes import byref
 
 import numpy as np
@@ -141,9 +142,16 @@ class Scene(Handle):
 
     def section(self, point_m, normal):
         """Where a plane cuts the committed scene's surfaces: an array (segments, 2, 3), m."""
+        return self._segments(lib.ups_scene_read_section, point_m, normal)
+
+    def outlines(self, point_m, normal, depth_m=math.inf):
+        """Edges of surfaces that are seen beneath a plane, as ups_scene_read_outlines: an array (segments, 2, 3), m."""
+        return self._segments(lib.ups_scene_read_outlines, point_m, normal, depth_m)
+
+    def _segments(self, read, point_m, normal, *more):
         at = address(as_array(point_m, np.float64, (3,), "point_m"), ctypes.c_double)
         to = address(as_array(normal, np.float64, (3,), "normal"), ctypes.c_double)
-        segments = read_array(_ffi.Segment, lib.ups_scene_read_section, self, at, to)
+        segments = read_array(_ffi.Segment, read, self, at, to, *more)
         return np.stack([segments["from_m"], segments["to_m"]], axis=1)
 
     def sources(self):
