@@ -83,7 +83,7 @@ std::string command_text(const std::vector<std::string>& arguments, const ups_re
     for (const char* option : {"--time", "--target-error", "--iterations", "--seed"})
       left_out = left_out || is_of(word, option);
     if (!left_out)
-      text += " " + quoted(word);
+      text.append(" ").append(quoted(word));
     else if (word.find('=') == std::string::npos)
       ++i;  // its value
   }

@@ -13,7 +13,7 @@ namespace ups::tool {
 namespace {
 
 constexpr double width = 680, margin = 26, most_height = 620, foot = 40;
-constexpr size_t most_dots = 900;
+constexpr size_t most_dots = 900, most_places = 200000;  // of a set; of a lightmap the outline alone would cost much
 constexpr Ink lamp_ink{214, 130, 0}, meter_ink{0, 92, 175}, camera_ink{110, 40, 140}, seen_ink{165, 170, 178};
 
 using Polyline = std::vector<Point>;
@@ -113,7 +113,8 @@ Bounds bounds_of(const PageInput& in, const std::vector<LuminaireType>& types) {
   for (const LuminaireType& type : types)
     for (const PlacedSource& s : type.sources) grow(s.info.bounds_min_m), grow(s.info.bounds_max_m);
   for (uint32_t i = 0; i < in.scene.sensors.size(); ++i) {
-    if (in.scene.sensors[i].info.kind != UPS_GLTF_METERS) continue;
+    const ups_gltf_sensor_info& sensor = in.scene.sensors[i].info;
+    if (sensor.kind != UPS_GLTF_METERS || sensor.meter_count > most_places) continue;
     const std::vector<double> at = meter_places(in.scene, i);
     for (size_t m = 0; m < at.size(); m += 3) grow(&at[m]);
   }
@@ -157,7 +158,7 @@ class View {
   void meters() {
     for (uint32_t i = 0; i < in_.scene.sensors.size(); ++i) {
       const SensorEntry& sensor = in_.scene.sensors[i];
-      if (sensor.info.kind != UPS_GLTF_METERS) continue;
+      if (sensor.info.kind != UPS_GLTF_METERS || sensor.info.meter_count > most_places) continue;
       const std::vector<double> at = meter_places(in_.scene, i);
       Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
       for (size_t m = 0; m < at.size(); m += 3) {

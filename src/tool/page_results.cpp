@@ -134,7 +134,7 @@ struct Column {
   std::vector<std::string> cells;
 };
 
-std::string with_interval(const ups_interval& i, std::string (*text)(double)) {
+std::string bounded(const ups_interval& i, std::string (*text)(double)) {
   return with_interval(i.value, i.low, i.high, text);
 }
 
@@ -178,10 +178,10 @@ std::vector<Column> percentile_columns(const Report& report) {
   std::vector<Column> columns;
   for (size_t i = 0; i < report.meters[0].percentiles.size(); ++i)
     columns.push_back(column(report, format("%g&nbsp;%% are below", 100 * report.meters[0].percentiles[i].at),
-                             [&](const MeterReport& m) { return with_interval(m.percentiles[i].interval, lux); }));
+                             [&](const MeterReport& m) { return bounded(m.percentiles[i].interval, lux); }));
   for (size_t i = 0; i < report.meters[0].above.size(); ++i)
     columns.push_back(column(report, format("At least %g lx <span class=\"i\">%%</span>", report.meters[0].above[i].at),
-                             [&](const MeterReport& m) { return with_interval(m.above[i].interval, whole_percent); }));
+                             [&](const MeterReport& m) { return bounded(m.above[i].interval, whole_percent); }));
   return columns;
 }
 
@@ -201,7 +201,7 @@ std::string ratios_table(const Report& report) {
   if (report.ratios.empty()) return {};
   HtmlTable table{"Ratios of mean illuminances", {"Of", "To", "Ratio"}, {}, 2};
   for (const RatioReport& r : report.ratios)
-    table.rows.push_back({html_text(r.numerator), html_text(r.denominator), with_interval(r.ratio, ratio)});
+    table.rows.push_back({html_text(r.numerator), html_text(r.denominator), bounded(r.ratio, ratio)});
   return html_table(table, "Ratios");
 }
 

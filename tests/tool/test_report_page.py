@@ -71,7 +71,7 @@ class BrokenPage(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "broken.html")
             with open(path, "w", encoding="utf-8") as file:
-                file.write('<body><div style="width:2000px">wide</div><img alt="fetched" src="nothing.png">'
+                file.write('<body><div style="width:2000px">wide</div><img alt="fetched" src="http://127.0.0.1:9/nothing.png">'
                            '<script>console.error("wrong")</script>')
             found, console = look_at(path, PHONE, DESK)
         self.assertTrue(any("wrong" in line for line in console))
