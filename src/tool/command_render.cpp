@@ -28,7 +28,7 @@ int render(const RenderOptions& options) {
                           : "";
   if (!advice.empty()) report.advice.push_back(advice);
   Written written;
-  if (!options.out.empty()) written = write_outputs(options.out, scene, finished.result.get());
+  if (!options.out.empty()) written = write_outputs(options.out, scene, finished.result.get(), options.map);
   append_once(report.warnings, written.warnings);
   put(stdout, options.json ? to_json(report) : to_text(report));
   for (const std::string& error : written.errors) put_error(error);

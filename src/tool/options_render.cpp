@@ -252,6 +252,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
                  ": with --out, a table NAME_luminaires.csv of what each contributes to each meter");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
       ->type_name("DIR");
+  add_map_options(*command, options.map);
   add_method_options(*command, options.desc);
   command->footer(
       "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"
