@@ -45,12 +45,12 @@ int render(const RenderOptions& options) {
   report.target_error = finished.target;
   if (targets) take_verdicts(*targets, report);
   Written written;
-  if (!options.out.empty()) written = write_outputs(options.out, scene, finished.result.get());
+  if (!options.out.empty()) written = write_outputs(options.out, scene, finished.result.get(), options.map);
   append_once(report.warnings, written.warnings);
   if (options.report)
     attempt(written, options.out + "/report.html", [&](const std::string& path) {
       const std::string page = report_page({scene, finished.result.get(), report, targets ? &*targets : nullptr,
-                                            options.out, command_text(options.arguments, report.info), date_text()});
+                                            options.map, options.out, command_text(options.arguments, report.info), date_text()});
       extras::write_file(path, page.data(), page.size());
     });
   put(stdout, options.json ? to_json(report) : to_text(report));

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tool/map.h"
 #include "tool/meter_report.h"
 #include "ups/ups_render.h"
 #include "ups/ups_sensor.h"
@@ -29,6 +30,7 @@ struct RenderOptions : JobOptions {
   bool report = false;
   std::string targets;  // a file; empty: none
   std::vector<std::string> arguments;  // of the program, as it was called
+  MapStyle map;
   uint32_t width = 0, height = 0;  // 0: as the file says
   MeterQuestions questions;
 };
@@ -56,11 +58,19 @@ struct InfoOptions {
   bool json = false, allow_outside = false;
 };
 
+struct MapOptions {
+  std::string file, scene, title;  // scene, title: empty where not given
+  std::vector<std::string> out;    // .svg, .png, .pdf
+  bool illuminance = false, allow_outside = false;
+  MapStyle style;
+};
+
 int render(const RenderOptions& options);
 int replay(const ReplayOptions& options);
 int goniometer(const GoniometerOptions& options);
 int info(const InfoOptions& options);
 int convert(const std::string& in, const std::string& out);
+int map(const MapOptions& options);
 int compare(const std::string& a, const std::string& b, bool json);
 
 }  // namespace ups::tool

@@ -12,6 +12,7 @@ namespace {
 
 using ups::tool::GoniometerOptions;
 using ups::tool::InfoOptions;
+using ups::tool::MapOptions;
 using ups::tool::RenderOptions;
 using ups::tool::ReplayOptions;
 
@@ -76,6 +77,8 @@ int run(int argc, char** argv) {
   const CLI::App* goniometer = ups::tool::add_goniometer(app, goniometer_options);
   InfoOptions info_options;
   const CLI::App* info = add_info(app, info_options);
+  MapOptions map_options;
+  const CLI::App* map = ups::tool::add_map(app, map_options);
   std::string in, out;
   const CLI::App* convert = add_convert(app, in, out);
   std::string a, b;
@@ -99,6 +102,7 @@ int run(int argc, char** argv) {
   if (info->parsed()) return ups::tool::info(info_options);
   if (replay->parsed()) return ups::tool::replay(replay_options);
   if (goniometer->parsed()) return ups::tool::goniometer(goniometer_options);
+  if (map->parsed()) return ups::tool::map(map_options);
   if (convert->parsed()) return ups::tool::convert(in, out);
   if (compare->parsed()) return ups::tool::compare(a, b, json);
   render_options.arguments.assign(argv + 1, argv + argc);

@@ -62,8 +62,9 @@ struct MapStyle {
   double low = 0, high = 0;   // of the scale; both 0: from the values
   double threshold = 0;       // > 0: the cells that meet it, do not, and those whose bound crosses it, in three colours
   bool isolines = true, numbers = true;
+  bool cells = false;         // each cell in one colour, without what lies between the values
   double width = 680;         // of the drawing, units; 680 units are 180 mm
-  double most_height = 900;
+  double most_height = 560;  // half a page of A4
 };
 
 // Of a drawing no wider than style.width and no higher than style.most_height.
@@ -71,18 +72,7 @@ Drawing map_drawing(const MapData& data, const MapStyle& style);
 // The same in a sentence or two, for those who cannot see it.
 std::string map_description(const MapData& data, const MapStyle& style);
 
-// ---- parts, each in a file of its own; tests and other drawings use them
-
 enum class Verdict { met, not_met, not_sure, unknown };
 Verdict verdict_of(const MapValue& value, double threshold);
-
-// Whole tenths of powers of ten that people read: 1, 2, 3, 5, 7.5 times them; on a linear scale equal steps too.
-std::vector<double> isoline_levels(double low, double high, MapScale scale);
-
-struct Isoline {
-  double level;
-  std::vector<Place> points;
-  bool closed;
-};
 
 }  // namespace ups::tool

@@ -281,6 +281,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->add_option("--targets", options.targets,
                    "What meters and observers must reach, a JSON file: verdicts in the report and the JSON")
       ->type_name("FILE");
+  add_map_options(*command, options.map);
   add_method_options(*command, options.desc);
   command->footer(
       "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"

@@ -6,6 +6,7 @@
 
 #include "tool/drawing.h"
 #include "tool/html.h"
+#include "tool/map.h"
 #include "tool/report.h"
 #include "tool/targets.h"
 
@@ -16,6 +17,7 @@ struct PageInput {
   const ups_result* result;
   const Report& report;
   const Targets* targets;  // null: none were given
+  MapStyle map;            // how maps look
   std::string folder;      // of the images that were written
   std::string command;     // that renders the same again
   std::string date;        // as people read it; empty: not told
@@ -35,6 +37,7 @@ struct Section {
 
 struct LuminaireType;
 std::string page_style();
+std::string maps_part(const PageInput& in);  // of the section on illuminance
 Section summary_section(const PageInput& in);
 Section targets_section(const PageInput& in);
 Section scene_section(const PageInput& in, const std::vector<LuminaireType>& types);

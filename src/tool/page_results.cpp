@@ -248,7 +248,7 @@ Section illuminance_section(const PageInput& in) {
           "<p>" + maintenance_text(in) + "</p>\n" +
               table_of(report, "Means, extremes and uniformity" + soft, columns_of(report), "Statistics of meters") +
               table_of(report, "Distribution" + soft, percentile_columns(report), "Distribution of the meters") +
-              ratios_table(report)};
+              ratios_table(report) + maps_part(in)};
 }
 
 }  // namespace ups::tool

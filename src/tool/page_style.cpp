@@ -47,6 +47,8 @@ figure.wide > .scroll { margin: 0; } figcaption { font-size: .9em; margin-top: .
 .cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 300px), 1fr)); gap: .5rem
   2rem; }
 .cards figure { margin: .5rem 0; }
+.maps { grid-template-columns: repeat(auto-fill, minmax(min(100%, 430px), 1fr)); }
+.map svg { display: block; max-width: 100%; height: auto; }
 .verdict { display: inline-block; padding: .05rem .5rem; border-radius: 3px; font-weight: 600; white-space:
   nowrap;
   font-size: .95em; }
@@ -64,7 +66,7 @@ footer { color: #57606a; font-size: .85rem; padding-top: 2rem; padding-bottom: 3
 @media screen and (max-width: 640px) {
   main, header, footer { padding-left: 1rem; padding-right: 1rem; } header { padding-top: 1.5rem; }
   h1 { font-size: 1.6rem; } h2 { font-size: 1.25rem; margin-top: 2.2rem; }
-  .wide svg { width: 560px; max-width: none; } table { width: auto; min-width: 100%; } }
+  .wide svg { width: 560px; max-width: none; } .map svg { width: 430px; max-width: none; } table { width: auto; min-width: 100%; } }
 @page { size: A4; margin: 17mm 16mm 19mm; @bottom-left { content: "Lighting report"; font: 8pt sans-serif; }
   @bottom-right { content: counter(page) " / " counter(pages); font: 8pt sans-serif; } }
 @media print {
