@@ -7,7 +7,7 @@ namespace photometry {
 double glare_term(const GlareSource& s) {
   if (!(s.position_index > 0)) return 0;
   const double r2 = s.distance_m * s.distance_m, p2 = s.position_index * s.position_index;
-  if (is_small(s.solid_angle_sr * r2)) return s.intensity_cd * s.intensity_cd / (small_source_m2 * r2 * p2);
+  if (s.is_small) return s.intensity_cd * s.intensity_cd / (small_source_m2 * r2 * p2);
   return s.luminance_cd_m2 * s.luminance_cd_m2 * s.solid_angle_sr / p2;
 }
 

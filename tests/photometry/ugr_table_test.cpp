@@ -1,5 +1,5 @@
 // UGR tables: against the factors that CIE 190 prints, and against a calculation of another make that is done here,
-// point by point.
+// point by point. A rendered room is in tests/analytic/observer_test.cpp.
 #include "photometry/ugr_table.h"
 
 #include <gtest/gtest.h>
@@ -143,92 +143,6 @@ TEST(UgrTable, IsThatOfCie190sTables) {
               8 * std::log10(0.25 / background_by_cie190(p, r, k) * glare_sum(p, UgrTable::shapes[r], view == 1));
           EXPECT_NEAR(table.ugr[view][r][k], expected, bound) << view << " " << r << " " << k;
         }
-  }
-}
-
-// The room solved by patches of a fifth of H, each with its own light: no zones, no closed form factors. This says what
-// the method of the standard is worth, whose surfaces are lit evenly: the walls' mean differs by up to 5 %, ratings by
-// up to 0.2.
-struct Patch {
-  double p[3], n[3], area, rho, direct = 0, received = 0;
-};
-
-std::vector<Patch> patches_of(const RoomShape& room, const Reflectances& rho, double step) {
-  std::vector<Patch> all;
-  const double size[3] = {room.x, room.y, 1};
-  for (int axis = 0; axis < 3; ++axis)
-    for (int side = 0; side < 2; ++side) {
-      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-      const int nu = int(std::lround(size[u] / step)), nv = int(std::lround(size[v] / step));
-      for (int i = 0; i < nu; ++i)
-        for (int j = 0; j < nv; ++j) {
-          Patch q{};
-          q.p[axis] = side * size[axis], q.p[u] = (i + 0.5) * size[u] / nu, q.p[v] = (j + 0.5) * size[v] / nv;
-          q.n[axis] = side ? -1 : 1;
-          q.area = size[u] * size[v] / (nu * nv);
-          q.rho = axis < 2 ? rho.walls : side ? rho.ceiling : rho.floor;
-          all.push_back(q);
-        }
-    }
-  return all;
-}
-
-double background_by_patches(const Photometry& p, const RoomShape& room, const Reflectances& rho) {
-  std::vector<Patch> all = patches_of(room, rho, 0.2);
-  const int nx = int(std::lround(room.x * 4)), ny = int(std::lround(room.y * 4));
-  double ceiling = 0;
-  for (const Patch& q : all) ceiling += q.n[2] < 0 ? q.area : 0;
-  for (Patch& q : all) {
-    if (q.n[2] < 0) {
-      q.direct = zonal_flux_lm(p, 90, 180, FluxRule::band) * nx * ny / ceiling;
-      continue;
-    }
-    for (int a = 0; a < nx; ++a)
-      for (int b = 0; b < ny; ++b) {
-        const double d[3] = {q.p[0] - (a + 0.5) / 4, q.p[1] - (b + 0.5) / 4, q.p[2] - 1};
-        const double r2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-        const double c = -(d[0] * q.n[0] + d[1] * q.n[1] + d[2] * q.n[2]);
-        if (c > 0) q.direct += p.distribution.eval(d[0], d[1], d[2]) * c / (r2 * std::sqrt(r2));
-      }
-  }
-  std::vector<std::vector<float>> form(all.size(), std::vector<float>(all.size()));  // to i of what j receives
-  for (size_t j = 0; j < all.size(); ++j) {
-    double sum = 0;
-    for (size_t i = 0; i < all.size(); ++i) {
-      double d[3], r2 = 0, ci = 0, cj = 0;
-      for (int k = 0; k < 3; ++k) {
-        d[k] = all[i].p[k] - all[j].p[k], r2 += d[k] * d[k];
-        ci -= d[k] * all[i].n[k], cj += d[k] * all[j].n[k];
-      }
-      if (!(ci > 0 && cj > 0)) continue;
-      form[i][j] = float(ci * cj * all[i].area / (pi * r2 * r2 + ci * cj * all[i].area));  // of a disc
-      sum += double(form[i][j]);
-    }
-    for (size_t i = 0; i < all.size(); ++i) form[i][j] = float(double(form[i][j]) / sum);
-  }
-  for (Patch& q : all) q.received = q.direct * q.area;
-  for (int bounce = 0; bounce < 25; ++bounce)
-    for (size_t i = 0; i < all.size(); ++i) {
-      double sum = all[i].direct * all[i].area;
-      for (size_t j = 0; j < all.size(); ++j) sum += double(form[i][j]) * all[j].rho * all[j].received;
-      all[i].received = sum;
-    }
-  double indirect = 0, area = 0;
-  for (const Patch& q : all)
-    if (q.n[2] == 0) indirect += q.received - q.direct * q.area, area += q.area;
-  return indirect / area / 4 / pi;  // lengths are in units of 2 m
-}
-
-TEST(UgrTable, IsNearARoomOfPatches) {
-  for (const auto& f : {lambertian, spot, pendant}) {
-    const Photometry p = panel(f);
-    const UgrTable table = ugr_table(p);
-    for (const int r : {0, 2, 8})
-      for (const int k : {0, 4}) {
-        const double background = background_by_patches(p, UgrTable::shapes[r], UgrTable::reflectances[k]);
-        const double expected = 8 * std::log10(0.25 / background * glare_sum(p, UgrTable::shapes[r], false));
-        EXPECT_NEAR(table.ugr[0][r][k], expected, 0.2) << r << " " << k;
-      }
   }
 }
 
