@@ -9,6 +9,7 @@ namespace photometry {
 namespace {
 
 constexpr double pi = 3.14159265358979323846, degree = pi / 180;
+constexpr double rounding = 1e-9;  // of equal luminances the first counts
 
 double intensity(const Photometry& p, double c_deg, double gamma_deg) {
   const double c = c_deg * degree, g = gamma_deg * degree;
@@ -105,7 +106,7 @@ HighLuminance high_luminance(const Photometry& p) {
     for (double c : planes) {
       const double l = luminance(p, c, gamma);
       at = std::max(at, l);
-      if (l > out.highest_cd_m2) out.highest_cd_m2 = l, out.c_deg = c, out.highest_gamma_deg = gamma;
+      if (l > out.highest_cd_m2 * (1 + rounding)) out.highest_cd_m2 = l, out.c_deg = c, out.highest_gamma_deg = gamma;
     }
   };
   for (int k = 0; k < 3; ++k) look(HighLuminance::gamma_deg[k], out.at_cd_m2[k]);

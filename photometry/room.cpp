@@ -47,7 +47,7 @@ RoomFlux exchange(const RoomShape& room, const Reflectances& rho, const RoomFlux
 }
 
 RoomRays::RoomRays(const Distribution& distribution, double flux_lm) {
-  constexpr int rows = 360, columns = 360;
+  constexpr int rows = 360, columns = 180;
   double sum = 0;
   for (int j = 0; j < rows; ++j) {
     const double g = (j + 0.5) * 180 / rows * degree, sine = std::sin(g), cosine = std::cos(g);

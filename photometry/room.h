@@ -20,8 +20,7 @@ struct Reflectances {
   double ceiling, walls, floor;
 };
 
-enum class RoomSurface { floor, walls, ceiling };
-using RoomFlux = std::array<double, 3>;  // by RoomSurface
+using RoomFlux = std::array<double, 3>;  // of floor, walls, ceiling
 
 // Exchange of light between the three surfaces, each diffuse and lit evenly, by their exact form factors (two equal
 // parallel rectangles: Howell's catalogue C-11). The flux that each receives in all, of the flux that comes to them
@@ -29,7 +28,7 @@ using RoomFlux = std::array<double, 3>;  // by RoomSurface
 RoomFlux exchange(const RoomShape& room, const Reflectances& rho, const RoomFlux& direct);
 
 // The rays of a distribution, to be asked where they go in many rooms: a quadrature by the midpoint rule, half a degree
-// of gamma and one of C, that makes up the distribution's flux by the band rule.
+// of gamma and two of C, that makes up the distribution's flux by the band rule.
 class RoomRays {
  public:
   // Throws std::invalid_argument where there is no flux.

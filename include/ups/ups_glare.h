@@ -30,7 +30,7 @@ UPS_API ups_status ups_glare_get_ugr(const float *luminance_cd_m2, const float *
 /* The UGR table of CIE 190:2010: rooms by lengths across and along the view in units of H = 2 m, the height of the
  * luminaires above the eye, which is at the middle of a wall; spacing H / 4; five sets of reflectances. Crosswise the
  * luminaires' C0 faces the observer, endwise C90. The background is that of the standard's transfer method, but with
- * the direct light of the array itself. Ratings are those for the lamps' flux; for 1000 lm, as the uncorrected table has
+ * the direct light of the array itself. Ratings are those for the lamps' flux; for 1000 lm, as uncorrected tables have
  * them, they are lower by 8 log10(lamp_flux_lm / 1000). -1: no luminaire that counts sends light to the eye. */
 typedef struct ups_ugr_table {
   uint32_t struct_size;
@@ -52,7 +52,7 @@ typedef struct ups_data_sheet {
   float highest_luminance_cd_m2;  /* from 65 to 85 deg, the last angle of EN 13032-2, and where */
   float highest_luminance_c_deg, highest_luminance_gamma_deg;
   float spacing_criterion[3];     /* of the IES: planes C0-C180 and C90-C270, diagonal of a square; < 0: none */
-  int32_t nema_type[2];           /* 1 to 7 by the field angle in C90-C270 (horizontal) and C0-C180 (vertical); 0: none */
+  int32_t nema_type[2];           /* 1 to 7 by the field angle in C90-C270 (horizontal), C0-C180 (vertical); 0: none */
   /* IES TM-15-11: zones of flux in front and behind, to 30, 60, 80 and 90 deg, above to 100 and 180 deg; ratings 0 to
    * 5; glare by the limits of types V (bug_type_v 1: symmetric to both planes, or round) or of types I to IV */
   float front_lm[4], back_lm[4], up_lm[2];

@@ -181,7 +181,8 @@ ups_status ups_glare_get_ugr(const float* luminance_cd_m2, const float* solid_an
     double sum = 0;
     for (size_t i = 0; i < count; ++i) {
       const double l = luminance_cd_m2 ? double(luminance_cd_m2[i]) : -1;
-      const double w = solid_angle_sr ? double(solid_angle_sr[i]) : -1, p = position_index ? double(position_index[i]) : 0;
+      const double w = solid_angle_sr ? double(solid_angle_sr[i]) : -1;
+      const double p = position_index ? double(position_index[i]) : 0;
       if (!(l >= 0 && w >= 0 && p != 0 && std::isfinite(l * w * p)))
         fail_argument("source " + std::to_string(i) +
                       ": luminance and solid angle must be given, finite and >= 0, the position index not 0");

@@ -76,8 +76,8 @@ class Emitter {
   // Area emitters and openings. `primitive` is the triangle (area) or 0. False where wo sees no emission.
   virtual bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,
                         EmitterHit& out) const = 0;
-  // As a source of glare: luminaires and points as from afar, by the intensity of the whole towards the eye; surfaces as
-  // they are. False where the eye sees no light of it, or it has no intensity.
+  // As a source of glare: luminaires and points as from afar, by the intensity of the whole towards the eye; surfaces
+  // as they are. False where the eye sees no light of it, or it has no intensity.
   virtual bool seen_from(const Vec3&, Sight&) const { return false; }
   // The inverse of sample_emission: u_direction of the light that leaves p in that direction; of a directional light,
   // u_position of the light that passes p. False where there is none. `primitive`: as for eval_hit.

@@ -10,7 +10,7 @@
 namespace ups::tool {
 
 struct ChoiceReport {
-  std::string name;  // of a camera or a set of meters
+  std::string name;  // of a camera, a set of meters or an observer
   ups_sensor_choice choice;
   std::vector<std::string> techniques;
 };
@@ -31,6 +31,17 @@ struct GoniometerReport {
   ups_goniometer_info info;
 };
 
+struct GlareSourceReport {
+  std::string name;  // of its node
+  ups_glare_source source;
+};
+
+struct ObserverReport {
+  std::string name;
+  ups_observer_reading reading;
+  std::vector<GlareSourceReport> sources;
+};
+
 struct SourceReport {
   std::string name;  // of its node, or "group_3"
   double flux_lm;
@@ -44,6 +55,7 @@ struct Report {
   std::vector<MeterReport> meters;
   std::vector<CameraReport> cameras;
   std::vector<GoniometerReport> goniometers;
+  std::vector<ObserverReport> observers;
   std::vector<SourceReport> sources;  // empty without --separate
   std::vector<ups_curve_point> convergence;
   std::vector<PredictionReport> predictions;

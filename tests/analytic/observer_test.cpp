@@ -1,5 +1,5 @@
-// Observers: UGR against closed forms in an integrating sphere, what panes, screens and the line of sight do to sources,
-// and a standard room of CIE 190 rendered against its luminaire's table.
+// Observers: UGR against closed forms in an integrating sphere; what panes, screens and the line of sight do to sources;
+// a standard room of CIE 190 rendered against its luminaire's table.
 #include "../support/expect_lx.h"
 
 namespace ups::test {
@@ -93,8 +93,8 @@ TEST(Observer, SmallLuminaireAndPointInASphere) {
   }
 }
 
-// An emitting ball is black: it takes its share a / A of the reflected light (as in energy_test.cpp), and hides its solid
-// angle, seen under cos^2 = 2 / 3, of the evenly bright wall.
+// An emitting ball is black: it takes its share a / A of the reflected light (as in energy_test.cpp), hides its solid
+// angle, seen under cos^2 = 2 / 3, of the evenly bright wall from the eye.
 TEST(Observer, EmittingSurfaceInASphere) {
   SphereRoom room;
   const Shape ball = icosphere({0, 0, 0}, 0.1, 4);
@@ -209,7 +209,8 @@ TEST(Observer, DoesNotDependOnThreads) {
     Scene scene(threads);
     scene.add(icosphere({0, 0, 0}, 3, 2), matte(rho));
     const Profile lamp = table_profile(scene.context(), 0.3f);
-    for (int i = 0; i < 9; ++i) scene.add_luminaire(lamp.get(), {0.5 * (i % 3), 1 + 0.3 * (i / 3), 1}, {0, 0, -1}, true);
+    for (int i = 0; i < 9; ++i)
+      scene.add_luminaire(lamp.get(), {0.5 * (i % 3), 1 + 0.3 * (i / 3), 1}, {0, 0, -1}, true);
     const Sensor eye = scene.add_observer({0, -1, 0}, {0, 1, 0});
     all.push_back(scene.render({.iterations = 8}).observer(eye));
   }
@@ -218,7 +219,7 @@ TEST(Observer, DoesNotDependOnThreads) {
   EXPECT_EQ(all[0].source_count, all[1].source_count);
 }
 
-// The room 2 H x 2 H of CIE 190 with its 64 panels, of which those with H / R up to 1.9 count. The table's background is
+// The room 2 H x 2 H of CIE 190 with its 64 panels, of which those with H / R to 1.9 count. The table's background is
 // the walls' mean indirect light, which cells on the walls measure here: found for surfaces that are lit evenly, it
 // holds for them as they are, within 0.1. At the eye's own place, below at the middle of a wall, there is less.
 TEST(Observer, InARoomOfCie190) {
