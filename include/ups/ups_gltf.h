@@ -7,6 +7,7 @@
 #ifndef UPS_GLTF_H
 #define UPS_GLTF_H
 
+#include "ups_glare.h"
 #include "ups_render.h"
 
 typedef struct ups_gltf_import ups_gltf_import; /* what the file named: sensors and warnings; immutable, thread-safe */
@@ -20,7 +21,7 @@ typedef struct ups_gltf_import_desc {
 } ups_gltf_import_desc;
 
 typedef int32_t ups_gltf_sensor_kind;
-enum { UPS_GLTF_CAMERA = 0, UPS_GLTF_METERS = 1, UPS_GLTF_GONIOMETER = 2 };
+enum { UPS_GLTF_CAMERA = 0, UPS_GLTF_METERS = 1, UPS_GLTF_GONIOMETER = 2, UPS_GLTF_OBSERVER = 3 };
 
 typedef struct ups_gltf_sensor_info {
   uint32_t struct_size;
@@ -50,7 +51,8 @@ UPS_API void ups_gltf_import_destroy(ups_gltf_import *import_result); /* NULL ok
 UPS_API ups_status ups_gltf_get_sensor_count(const ups_gltf_import *import_result, uint32_t *out);
 UPS_API ups_status ups_gltf_get_sensor(const ups_gltf_import *import_result, uint32_t index,
                                        ups_gltf_sensor_info *info);
-/* Unique in the file and fit for a file name: [A-Za-z0-9._-], at most 200 bytes. Two calls: text NULL and capacity 0
+/* Unique in the file and fit for a file name: [A-Za-z0-9._-], at most 200 bytes; an observer's as the file has it. Two
+ * calls: text NULL and capacity 0
  * give *needed (with the final zero), then the text. */
 UPS_API ups_status ups_gltf_get_sensor_name(const ups_gltf_import *import_result, uint32_t index, char *text,
                                             size_t capacity, size_t *needed);

@@ -55,7 +55,7 @@ struct GoniometerOptions : JobOptions {
 struct InfoOptions {
   std::vector<std::string> files;  // or folders
   std::vector<std::string> plots;  // .svg, .png, .pdf
-  bool json = false, allow_outside = false;
+  bool json = false, csv = false, allow_outside = false;
 };
 
 struct MapOptions {

@@ -43,6 +43,7 @@ Section targets_section(const PageInput& in);
 Section scene_section(const PageInput& in, const std::vector<LuminaireType>& types);
 Section luminaires_section(const PageInput& in, const std::vector<LuminaireType>& types);
 Section illuminance_section(const PageInput& in);
+Section glare_section(const PageInput& in);
 Section pictures_section(const PageInput& in);
 Section flux_section(const PageInput& in);
 Section effects_section(const PageInput& in);

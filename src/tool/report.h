@@ -12,7 +12,7 @@
 namespace ups::tool {
 
 struct ChoiceReport {
-  std::string name;  // of a camera or a set of meters
+  std::string name;  // of a camera, a set of meters or an observer
   ups_sensor_choice choice;
   std::vector<std::string> techniques;
 };
@@ -26,6 +26,17 @@ struct CameraReport {
 struct GoniometerReport {
   std::string name;
   ups_goniometer_info info;
+};
+
+struct GlareSourceReport {
+  std::string name;  // of its node
+  ups_glare_source source;
+};
+
+struct ObserverReport {
+  std::string name;
+  ups_observer_reading reading;
+  std::vector<GlareSourceReport> sources;
 };
 
 struct SourceReport {
@@ -42,6 +53,7 @@ struct Report {
   std::vector<RatioReport> ratios;
   std::vector<CameraReport> cameras;
   std::vector<GoniometerReport> goniometers;
+  std::vector<ObserverReport> observers;
   std::vector<SourceReport> sources;  // empty without --separate
   std::vector<ups_curve_point> convergence;
   std::vector<PredictionReport> predictions;

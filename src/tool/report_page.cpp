@@ -35,7 +35,7 @@ std::string report_page(const PageInput& in) {
   std::vector<Section> sections;
   for (Section section :
        {summary_section(in), targets_section(in), scene_section(in, types), luminaires_section(in, types),
-        illuminance_section(in), pictures_section(in), flux_section(in), effects_section(in), accuracy_section(in),
+        illuminance_section(in), glare_section(in), pictures_section(in), flux_section(in), effects_section(in), accuracy_section(in),
         warnings_section(in), reading_section(in), repeat_section(in)})
     if (!section.body.empty()) sections.push_back(std::move(section));
   const std::string title = html_text(title_of(in));
