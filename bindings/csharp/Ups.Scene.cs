@@ -207,17 +207,57 @@ namespace Ups
         /// <summary>Where a plane cuts the committed scene's surfaces.</summary>
         public Segment[] Section(double[] pointM, double[] normal)
         {
+            return Segments((p, n, s, capacity, needed) =>
+                Native.ups_scene_read_section(Handle, p, n, s, capacity, needed), pointM, normal);
+        }
+
+        /// <summary>Edges of surfaces that are seen beneath a plane, as ups_scene_read_outlines.</summary>
+        public Segment[] Outlines(double[] pointM, double[] normal, double depthM = double.PositiveInfinity)
+        {
+            return Segments((p, n, s, capacity, needed) =>
+                Native.ups_scene_read_outlines(Handle, p, n, depthM, s, capacity, needed), pointM, normal);
+        }
+
+        private delegate Status ReadSegments(double* point, double* normal, Segment* segments, UIntPtr capacity,
+            UIntPtr* needed);
+
+        private static Segment[] Segments(ReadSegments read, double[] pointM, double[] normal)
+        {
             Elements.Expect(pointM, 3, "pointM");
             Elements.Expect(normal, 3, "normal");
             UIntPtr needed;
             fixed (double* p = pointM, n = normal)
             {
-                Library.Check(Native.ups_scene_read_section(Handle, p, n, null, UIntPtr.Zero, &needed));
+                Library.Check(read(p, n, null, UIntPtr.Zero, &needed));
                 var segments = new Segment[(int)needed];
                 fixed (Segment* s = segments)
-                    Library.Check(Native.ups_scene_read_section(Handle, p, n, s, needed, &needed));
+                    Library.Check(read(p, n, s, needed, &needed));
                 return segments;
             }
+        }
+
+        /// <summary>Each luminaire, light and emissive instance of the committed scene: what it is, where, its
+        /// flux.</summary>
+        public SceneSource[] Sources()
+        {
+            uint count;
+            Library.Check(Native.ups_scene_get_source_count(Handle, &count));
+            var all = new SceneSource[count];
+            for (uint i = 0; i < count; ++i)
+            {
+                var source = Ups.SceneSource.Sized();
+                Library.Check(Native.ups_scene_get_source(Handle, i, &source));
+                all[i] = source;
+            }
+            return all;
+        }
+
+        /// <summary>The profile of a luminaire, by its index in Sources().</summary>
+        public Profile SourceProfile(int index)
+        {
+            ProfileHandle profile;
+            Library.Check(Native.ups_scene_get_source_profile(Handle, (uint)index, out profile));
+            return new Profile(profile);
         }
 
         /// <summary>Traces one of Result.LargestSamples again; desc: that of the render that it is of.</summary>

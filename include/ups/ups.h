@@ -10,5 +10,6 @@
 #include "ups_render.h"
 #include "ups_replay.h"
 #include "ups_statistics.h"
+#include "ups_glare.h"
 
 #endif

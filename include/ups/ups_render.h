@@ -328,6 +328,24 @@ UPS_API ups_status ups_result_get_source(const ups_result *result, uint32_t inde
 /* What the source contributes to each meter of the set; over all sources these add up to ups_result_read_meters. */
 UPS_API ups_status ups_result_read_source_meters(const ups_result *result, uint32_t source, ups_sensor_id sensor,
                                                  ups_meter_reading *out, size_t count);
+/* What a committed scene has that may emit: for plans and schedules of luminaires. In the order of
+ * UPS_SEPARATE_LUMINAIRES. */
+typedef struct ups_scene_source {
+  uint32_t struct_size;
+  ups_source_kind kind;    /* a luminaire or light, or an instance */
+  uint32_t id, group;      /* id: the v of its ups_luminaire_id or ups_instance_id */
+  int32_t light_kind;      /* UPS_LIGHT_* of a light; -1: a luminaire or an instance */
+  uint32_t reserved;       /* 0 */
+  double flux_lm;          /* as it is rendered, dimming included; 0: it emits nothing */
+  double to_world[12];     /* as it was added */
+  double bounds_min_m[3], bounds_max_m[3]; /* of the opening that it emits from or of its surface; of what has no extent
+                                            * its place */
+} ups_scene_source;
+UPS_API ups_status ups_scene_get_source_count(const ups_scene *scene, uint32_t *out);
+/* index < count; source->struct_size must be set. */
+UPS_API ups_status ups_scene_get_source(const ups_scene *scene, uint32_t index, ups_scene_source *source);
+/* The profile that a luminaire was added with; the caller owns *out. INVALID_ARGUMENT for lights and instances. */
+UPS_API ups_status ups_scene_get_source_profile(const ups_scene *scene, uint32_t index, ups_profile **out);
 
 /* Of one goniometer. */
 typedef struct ups_goniometer_info {

@@ -184,5 +184,11 @@ typedef struct ups_segment { /* a plain array element: it never grows */
  * with capacity 0. */
 UPS_API ups_status ups_scene_read_section(const ups_scene *scene, const double point_m[3], const double normal[3],
                                           ups_segment *segments, size_t capacity, size_t *needed);
+/* What a plan shows of the things beneath a plane: edges between it and depth_m beneath it (against the normal), where
+ * a surface ends, folds by more than 30 degrees, or turns away from who looks from the plane against its normal; without
+ * the pieces that surfaces between them and the plane hide. Each keeps its own height. depth_m > 0; infinite: all.
+ * Otherwise as ups_scene_read_section. */
+UPS_API ups_status ups_scene_read_outlines(const ups_scene *scene, const double point_m[3], const double normal[3],
+                                           double depth_m, ups_segment *segments, size_t capacity, size_t *needed);
 
 #endif

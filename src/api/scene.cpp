@@ -3,6 +3,7 @@
 #include "api/handles.h"
 #include "base/text.h"
 #include "scene/check.h"
+#include "scene/outlines.h"
 #include "scene/prepare.h"
 #include "scene/section.h"
 
@@ -53,6 +54,22 @@ ups_scene_info info_of(const Snapshot& s, const MethodChoice& method) {
   for (int i = 0; i < 3; ++i) info.bounds_min_m[i] = low[i], info.bounds_max_m[i] = high[i];
   return info;
 }
+
+// As callers give it.
+struct Plane {
+  Vec3d point, normal;
+
+  Plane(const double* point_m, const double* normal_of_any_length) {
+    check::pointer(point_m, "point_m");
+    check::pointer(normal_of_any_length, "normal");
+    point = {point_m[0], point_m[1], point_m[2]};
+    normal = {normal_of_any_length[0], normal_of_any_length[1], normal_of_any_length[2]};
+    for (int i = 0; i < 3; ++i)
+      if (!std::isfinite(point[i])) fail_argument("point_m[" + std::to_string(i) + "] is not finite");
+    if (!std::isfinite(dot(normal, normal)) || !(dot(normal, normal) > 0))
+      fail_argument("normal has no finite length > 0");
+  }
+};
 
 }  // namespace
 
@@ -201,13 +218,19 @@ ups_status ups_scene_read_section(const ups_scene* scene, const double point_m[3
                                   ups_segment* segments, size_t capacity, size_t* needed) {
   return guard(__func__, [&] {
     const Snapshot& s = *committed(scene).snapshot;
-    check::pointer(point_m, "point_m");
-    check::pointer(normal, "normal");
-    const Vec3d p(point_m[0], point_m[1], point_m[2]), n(normal[0], normal[1], normal[2]);
-    for (int i = 0; i < 3; ++i)
-      if (!std::isfinite(p[i])) fail_argument("point_m[" + std::to_string(i) + "] is not finite");
-    if (!std::isfinite(dot(n, n)) || !(dot(n, n) > 0)) fail_argument("normal has no finite length > 0");
-    const std::vector<ups_segment> all = section(s, p, n);
+    const Plane plane(point_m, normal);
+    const std::vector<ups_segment> all = section(s, plane.point, plane.normal);
+    copy_array(all.size(), segments, capacity, needed, "segments", [&](size_t i) { return all[i]; });
+  });
+}
+
+ups_status ups_scene_read_outlines(const ups_scene* scene, const double point_m[3], const double normal[3],
+                                   double depth_m, ups_segment* segments, size_t capacity, size_t* needed) {
+  return guard(__func__, [&] {
+    const Snapshot& s = *committed(scene).snapshot;
+    const Plane plane(point_m, normal);
+    if (!(depth_m > 0)) fail_argument("depth_m is " + check::text(depth_m) + "; it must be > 0");
+    const std::vector<ups_segment> all = outlines(s, plane.point, plane.normal, depth_m);
     copy_array(all.size(), segments, capacity, needed, "segments", [&](size_t i) { return all[i]; });
   });
 }

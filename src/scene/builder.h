@@ -46,6 +46,7 @@ class Builder {
   void add_materials();
   void add_geometry();
   void add_emissive_instances();
+  void bound(Source& source, const std::vector<Vec3>& corners) const;
   void add_sources();
   void add_light(const std::string& name, const LightDescription& light, float dimming);
   void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming);

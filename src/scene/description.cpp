@@ -382,4 +382,12 @@ ups_sensor_id Description::add_goniometer(const ups_goniometer_desc& d) {
   return {sensors_.add(std::move(g))};
 }
 
+ups_sensor_id Description::add_observer(const ups_observer_desc& d) {
+  check::enumeration(d.metric, UPS_GLARE_METRIC_UGR, "metric", "UPS_GLARE_METRIC_*");
+  check::enumeration(d.position_index, UPS_POSITION_INDEX_GUTH, "position_index", "UPS_POSITION_INDEX_*");
+  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  check::transform(d.to_world, "to_world");
+  return {sensors_.add(ObserverDescription{to_affine(d.to_world), d.position_index})};
+}
+
 }  // namespace ups

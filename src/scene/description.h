@@ -10,6 +10,7 @@
 #include "geometry/raytracer.h"
 #include "photometry/photometry.h"
 #include "scene/ids.h"
+#include "ups/ups_glare.h"
 #include "ups/ups_scene.h"
 #include "ups/ups_sensor.h"
 
@@ -76,6 +77,11 @@ struct GoniometerDescription {
   photometry::Opening opening;
 };
 
+struct ObserverDescription {
+  Affine to_world;
+  ups_position_index position_index;
+};
+
 class Description {
  public:
   // Without a tag: a scene of its own that hands out no ids.
@@ -93,6 +99,7 @@ class Description {
   ups_sensor_id add_camera(const ups_camera_desc& desc);
   ups_sensor_id add_meters(const ups_meter_desc& desc);
   ups_sensor_id add_goniometer(const ups_goniometer_desc& desc);
+  ups_sensor_id add_observer(const ups_observer_desc& desc);
 
   void set_material(ups_material_id id, const ups_material_desc& desc);
   void set_transform(ups_instance_id id, const double (&to_world)[12]);
@@ -108,7 +115,8 @@ class Description {
   const IdTable<std::shared_ptr<const Mesh>>& meshes() const { return meshes_; }  // Mesh::material is the number - 1
   const IdTable<InstanceDescription>& instances() const { return instances_; }
   const IdTable<SourceDescription>& sources() const { return sources_; }
-  using Sensor = std::variant<CameraDescription, MetersDescription, GoniometerDescription>;
+  using Sensor =
+      std::variant<CameraDescription, MetersDescription, GoniometerDescription, ObserverDescription>;
   const IdTable<Sensor>& sensors() const { return sensors_; }
 
  private:

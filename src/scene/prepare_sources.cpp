@@ -20,7 +20,46 @@ float smallest_extent(const photometry::Opening& opening) {
   return smallest;
 }
 
+Vec3d opening_reach(const LuminaireDescription& luminaire) {
+  const photometry::Opening& opening = luminaire.profile->opening;
+  if (!luminaire.use_opening || !LuminousBody::has_area(opening)) return {};
+  const Frame frame = Axes(luminaire.to_world).frame();
+  const auto half = [&](int k) {
+    return 0.5 * (double(std::abs(frame.s[k])) * double(opening.size_m[0]) +
+                  double(std::abs(frame.t[k])) * double(opening.size_m[1]) +
+                  double(std::abs(frame.n[k])) * double(opening.size_m[2]));
+  };
+  return {half(0), half(1), half(2)};
+}
+
+Source source_of(const SourceDescription& from, uint32_t id) {
+  Source source{UPS_SOURCE_LUMINAIRE, id, from.group};
+  Vec3d reach;
+  if (const auto* light = std::get_if<LightDescription>(&from.kind)) {
+    source.light_kind = light->kind;
+    source.to_world = light->to_world;
+  } else {
+    const auto& luminaire = std::get<LuminaireDescription>(from.kind);
+    source.to_world = luminaire.to_world;
+    source.profile = luminaire.profile;
+    reach = opening_reach(luminaire);
+  }
+  source.bounds_min = source.to_world.column(3) - reach;
+  source.bounds_max = source.to_world.column(3) + reach;
+  return source;
+}
+
 }  // namespace
+
+// corners: in the scene's frame.
+void Builder::bound(Source& source, const std::vector<Vec3>& corners) const {
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const Vec3d p = Vec3d(corners[i]) + out_->origin;
+    Vec3d &low = source.bounds_min, &high = source.bounds_max;
+    low = i == 0 ? p : Vec3d(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
+    high = i == 0 ? p : Vec3d(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
+  }
+}
 
 // Of the source that was begun last.
 bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe, float size) {
@@ -57,7 +96,8 @@ void Builder::add_emissive_instances() {
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     const std::string name = "instance " + std::to_string(out_->instance_ids[i]);
-    out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group});
+    out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group, -1, described.to_world});
+    bound(out_->sources.back(), corners);
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;
     in_context(name, [&] {
@@ -73,7 +113,7 @@ void Builder::add_emissive_instances() {
 void Builder::add_sources() {
   in_.sources().each([&](uint32_t id, const SourceDescription& source) {
     const std::string name = "luminaire " + std::to_string(id);
-    out_->sources.push_back({UPS_SOURCE_LUMINAIRE, id, source.group});
+    out_->sources.push_back(source_of(source, id));
     in_context(name, [&] {
       if (const auto* light = std::get_if<LightDescription>(&source.kind))
         add_light(name, *light, source.dimming);

@@ -12,7 +12,7 @@ namespace {
 
 // What the description keeps of one, and what stands for it elsewhere: ids, names, panes, media.
 constexpr size_t of_instance = sizeof(InstanceDescription) + sizeof(Raytracer::Instance) + 400,
-                 of_source = sizeof(SourceDescription) + 200,
+                 of_source = sizeof(SourceDescription) + sizeof(Source) + 200,
                  of_material = sizeof(ups_material_desc) + sizeof(Material) + sizeof(SurfaceTexturing),
                  of_meter = sizeof(Vec3d) + sizeof(Vec3) + sizeof(Meter) + sizeof(uint32_t);  // without tangents
 constexpr size_t of_scene = 64 << 10;  // context, description, Embree's device

@@ -10,6 +10,7 @@
 #include "emitter/emitter_set.h"
 #include "geometry/raytracer.h"
 #include "photometry/photometry.h"
+#include "photometry/position_index.h"
 #include "scene/ids.h"
 #include "scene/media.h"
 #include "scene/panes.h"
@@ -37,6 +38,17 @@ struct SceneEffects {
 struct Source {
   ups_source_kind kind;
   uint32_t id, group;
+  int32_t light_kind = -1;  // UPS_LIGHT_* of a light
+  Affine to_world{};
+  Vec3d bounds_min, bounds_max;  // world: of the opening that emits, of the surface; without extent its place
+  std::shared_ptr<const photometry::Photometry> profile;  // of a luminaire
+};
+
+// An eye: it looks along -frame.n, frame.t is up. What it measures is a meter set of one, which faces what it looks at.
+struct Observer {
+  uint32_t meter_set;
+  Frame frame;
+  photometry::PositionIndex position_index;
 };
 
 struct Snapshot {
@@ -65,6 +77,8 @@ struct Snapshot {
   std::vector<MeterSet> meter_sets;
   std::vector<Goniometer> goniometers;
   std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;  // numbers of each
+  std::vector<Observer> observers;
+  std::vector<uint32_t> observer_ids;           // those of their meter sets
   std::vector<photometry::Opening> goniometer_openings;  // that their distributions are given
 
   Panes panes;

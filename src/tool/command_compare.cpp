@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "tool/commands.h"
+#include "tool/exr_file.h"
 #include "tool/handles.h"
 #include "tool/report.h"
 #include "tool/text_format.h"
@@ -26,35 +27,13 @@ struct Plane {
   std::vector<double> variance;
 };
 
-bool has_channel(const ups_exr_image* image, const std::string& name) {
-  uint32_t count = 0;
-  check(ups_exr_get_channel_count(image, &count), ups_exr_last_error);
-  for (uint32_t i = 0; i < count; ++i) {
-    const std::string found = read_text([&](char* to, size_t capacity, size_t* needed) {
-      return ups_exr_get_channel_name(image, i, to, capacity, needed);
-    });
-    if (found == name) return true;
-  }
-  return false;
-}
-
-std::vector<float> read_channel(const ups_exr_image* image, const std::string& path, const std::string& name,
-                                size_t pixels) {
-  std::vector<float> values(pixels);
-  if (ups_exr_read_channel(image, name.c_str(), values.data(), pixels) != UPS_OK) {
-    throw Failure(path + ": " + ups_exr_last_error() + "; R, G and B are compared, or Y");
-  }
-  return values;
-}
-
 // Left empty where a channel's standard error is missing, or known at no pixel.
-std::vector<double> read_variance(const ups_exr_image* image, const std::string& path,
-                                  const std::vector<std::string>& names, size_t pixels) {
-  std::vector<double> variance(pixels, 0);
+std::vector<double> read_variance(const ExrFile& image, const std::vector<std::string>& names) {
+  std::vector<double> variance(image.pixels(), 0);
   for (const std::string& name : names) {
-    if (!has_channel(image, "standard_error." + name)) return {};
-    const std::vector<float> error = read_channel(image, path, "standard_error." + name, pixels);
-    for (size_t i = 0; i < pixels; ++i) {
+    if (!image.has("standard_error." + name)) return {};
+    const std::vector<float> error = image.channel("standard_error." + name);
+    for (size_t i = 0; i < error.size(); ++i) {
       if (error[i] >= 0 && variance[i] >= 0)
         variance[i] += double(error[i]) * error[i] / double(names.size());
       else
@@ -66,21 +45,21 @@ std::vector<double> read_variance(const ups_exr_image* image, const std::string&
 }
 
 Plane read_plane(const std::string& path) {
-  ups_exr_image* read = nullptr;
-  check(ups_exr_read(path.c_str(), &read), ups_exr_last_error);
-  const Image image(read);
+  const ExrFile image(path);
   Plane plane;
-  check(ups_exr_get_size(read, &plane.width, &plane.height), ups_exr_last_error);
-  const size_t pixels = size_t(plane.width) * plane.height;
-  const bool rgb = has_channel(read, "R");
+  plane.width = image.width(), plane.height = image.height();
+  const size_t pixels = image.pixels();
+  const bool rgb = image.has("R");
   const std::vector<std::string> names = rgb ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
   const std::vector<double> weights = rgb ? std::vector<double>{0.2126, 0.7152, 0.0722} : std::vector<double>{1};
   plane.y.assign(pixels, 0);
   for (size_t c = 0; c < names.size(); ++c) {
-    plane.channels.push_back(read_channel(read, path, names[c], pixels));
+    if (!image.has(names[c]))
+      throw Failure(path + ": has no channel '" + names[c] + "'; R, G and B are compared, or Y");
+    plane.channels.push_back(image.channel(names[c]));
     for (size_t i = 0; i < pixels; ++i) plane.y[i] += weights[c] * plane.channels[c][i];
   }
-  plane.variance = read_variance(read, path, names, pixels);
+  plane.variance = read_variance(image, names);
   for (size_t i = 0; i < pixels; ++i) {
     if (!std::isfinite(plane.y[i])) {
       throw Failure(path + ": pixel (" + std::to_string(i % plane.width) + ", " + std::to_string(i / plane.width) +

@@ -1,5 +1,6 @@
 // ups replay: one sample of a render traced again, as text, JSON and drawing.
 #include "tool/commands.h"
+#include "tool/drawing_file.h"
 #include "tool/handles.h"
 #include "tool/output.h"
 #include "tool/path_plot.h"
@@ -32,7 +33,7 @@ int replay(const ReplayOptions& options) {
   });
   if (!options.plot.empty()) {
     const std::string title = options.scene + ", sample " + options.sample;
-    write_drawing(options.plot, plot_of(scene.scene.get(), report.vertices, report.contributions, title), title);
+    write_drawing(options.plot, plot_of(scene.scene.get(), report.vertices, report.contributions, title), {title, ""});
   }
   put(stdout, options.json ? to_json(report) : report.text);
   return exit_done;

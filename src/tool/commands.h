@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tool/map.h"
 #include "tool/meter_report.h"
 #include "ups/ups_render.h"
 #include "ups/ups_sensor.h"
@@ -26,19 +27,23 @@ struct JobOptions {
 
 struct RenderOptions : JobOptions {
   std::string out;
+  bool report = false;
+  std::string targets;  // a file; empty: none
+  std::vector<std::string> arguments;  // of the program, as it was called
+  MapStyle map;
   uint32_t width = 0, height = 0;  // 0: as the file says
   MeterQuestions questions;
 };
 
 struct ReplayOptions : JobOptions {
-  std::string sample, plot;        // an address; .svg, .png, empty: not asked for
+  std::string sample, plot;        // an address; a drawing, empty: not asked for
   uint32_t width = 0, height = 0;  // 0: as the file says
 };
 
 struct GoniometerOptions : JobOptions {
   std::string name;                // of the scene's goniometer; empty: the only one
   std::string out, errors;         // .ies or .ldt, .csv; empty: not asked for
-  std::vector<std::string> plots;  // .svg, .png
+  std::vector<std::string> plots;  // .svg, .png, .pdf
   std::vector<std::pair<std::string, std::string>> keywords;
   // Of a goniometer for a scene that has none; grid: the first option that asked for it, empty where there was none.
   ups_goniometer_desc grid;
@@ -49,8 +54,15 @@ struct GoniometerOptions : JobOptions {
 
 struct InfoOptions {
   std::vector<std::string> files;  // or folders
-  std::vector<std::string> plots;  // .svg, .png
-  bool json = false, allow_outside = false;
+  std::vector<std::string> plots;  // .svg, .png, .pdf
+  bool json = false, csv = false, allow_outside = false;
+};
+
+struct MapOptions {
+  std::string file, scene, title;  // scene, title: empty where not given
+  std::vector<std::string> out;    // .svg, .png, .pdf
+  bool illuminance = false, allow_outside = false;
+  MapStyle style;
 };
 
 int render(const RenderOptions& options);
@@ -58,6 +70,7 @@ int replay(const ReplayOptions& options);
 int goniometer(const GoniometerOptions& options);
 int info(const InfoOptions& options);
 int convert(const std::string& in, const std::string& out);
+int map(const MapOptions& options);
 int compare(const std::string& a, const std::string& b, bool json);
 
 }  // namespace ups::tool

@@ -82,18 +82,18 @@ struct Chart {
 void draw_chart(Drawing& drawing, const Chart& chart, const Cone (&cones)[2]) {
   const double half = 0.5 * chart.frame.width / chart.x_scale;
   for (int h = 0; h <= metres; ++h) {
-    drawing.parts.push_back(Line{{chart.at(-half, h), chart.at(half, h)}, pale, 0.8});
+    drawing.add(Line{{chart.at(-half, h), chart.at(half, h)}, pale, 0.8});
     const Point p = chart.at(-half, h);
-    drawing.parts.push_back(Label{{p.x - 8, p.y + 4}, format(h == metres ? "%d m" : "%d", h), 12, grey, Anchor::end});
+    drawing.add(Label{{p.x - 8, p.y + 4}, format(h == metres ? "%d m" : "%d", h), 12, grey, Anchor::end});
   }
   const double step = round_step(half / 4);
   for (int i = -int(half / step + 1e-9); i * step <= half * (1 + 1e-9); ++i) {
     const Point p = chart.at(i * step, metres);
-    drawing.parts.push_back(Line{{p, {p.x, p.y + 4}}, grey, 0.8});
+    drawing.add(Line{{p, {p.x, p.y + 4}}, grey, 0.8});
     const bool last = (i + 1) * step > half * (1 + 1e-9);
-    drawing.parts.push_back(Label{{p.x, p.y + 20}, format(last ? "%g m" : "%g", i * step), 12, grey, Anchor::middle});
+    drawing.add(Label{{p.x, p.y + 20}, format(last ? "%g m" : "%g", i * step), 12, grey, Anchor::middle});
   }
-  drawing.parts.push_back(Line{{chart.at(0, 0), chart.at(0, metres)}, grey, 0.8, 4});
+  drawing.add(Line{{chart.at(0, 0), chart.at(0, metres)}, grey, 0.8, 4});
   // The spot at each metre, seen at a slant: its width in the plane C0-C180, its depth in C90-C270.
   const bool round = cones[0].known && cones[1].known;
   for (int h = 1; round && h <= metres; ++h) {
@@ -104,16 +104,16 @@ void draw_chart(Drawing& drawing, const Chart& chart, const Cone (&cones)[2]) {
         const Point p = chart.at((0.5 * (from + to) + 0.5 * (to - from) * std::cos(a * radian)) * h, h);
         spot.push_back({p.x, p.y + depth * std::sin(a * radian)});
       }
-      drawing.parts.push_back(Area{spot, plane_ink[0], 0.10});
-      drawing.parts.push_back(Line{spot, plane_ink[0], 0.7});
+      drawing.add(Area{spot, plane_ink[0], 0.10});
+      drawing.add(Line{spot, plane_ink[0], 0.7});
     }
   }
   for (const int plane : {0, 1}) {
     for (const auto& [start, end] : lobes_of(cones[plane])) {
       const Point apex = chart.at(0, 0), from = chart.at(metres * start, metres), to = chart.at(metres * end, metres);
-      if (plane == 0) drawing.parts.push_back(Area{{apex, from, to}, plane_ink[0], 0.08});
-      drawing.parts.push_back(Line{{from, apex}, plane_ink[plane], 2, plane_dash[plane]});
-      drawing.parts.push_back(Line{{apex, to}, plane_ink[plane], 2, plane_dash[plane]});
+      if (plane == 0) drawing.add(Area{{apex, from, to}, plane_ink[0], 0.08});
+      drawing.add(Line{{from, apex}, plane_ink[plane], 2, plane_dash[plane]});
+      drawing.add(Line{{apex, to}, plane_ink[plane], 2, plane_dash[plane]});
     }
   }
 }
@@ -122,16 +122,16 @@ void draw_table(Drawing& drawing, const Frame& frame, const Cone (&cones)[2], do
   constexpr double size = 12, row = 19;
   const double columns[6] = {34, 112, 190, 262, 346, 440};  // right ends
   const auto cell = [&](int column, double y, const std::string& text, const Ink& ink, bool bold) {
-    drawing.parts.push_back(Label{{frame.left + columns[column], y}, text, size, ink, Anchor::end, bold});
+    drawing.add(Label{{frame.left + columns[column], y}, text, size, ink, Anchor::end, bold});
   };
-  drawing.parts.push_back(Label{{frame.left + columns[2], frame.top}, "beam width, m", size, grey, Anchor::end});
-  drawing.parts.push_back(
+  drawing.add(Label{{frame.left + columns[2], frame.top}, "beam width, m", size, grey, Anchor::end});
+  drawing.add(
       Label{{frame.left + columns[5], frame.top}, "illuminance, lx: below, at the edges", size, grey, Anchor::end});
   double y = frame.top + row;
   const char* heads[6] = {"m", "C0-C180", "C90-C270", "below", "C0-C180", "C90-C270"};
   for (int i = 0; i < 6; ++i)
     cell(i, y, heads[i], i == 1 || i == 4 ? plane_ink[0] : i == 2 || i == 5 ? plane_ink[1] : black, true);
-  drawing.parts.push_back(Line{{{frame.left, y + 5}, {frame.left + columns[5], y + 5}}, pale, 1});
+  drawing.add(Line{{{frame.left, y + 5}, {frame.left + columns[5], y + 5}}, pale, 1});
   for (int h = 1; h <= metres; ++h) {
     y += row;
     cell(0, y, format("%d", h), black, true);
@@ -169,12 +169,12 @@ std::vector<std::string> notes_on(const ProfileReport& report, const Cone (&cone
 
 void draw_cone(Drawing& drawing, const Frame& frame, const ups_profile* profile, const ProfileReport& report) {
   const Cone cones[2] = {cone_of(profile, report, 0), cone_of(profile, report, 1)};
-  drawing.parts.push_back(
+  drawing.add(
       Label{{frame.left, frame.top + 8}, "Cone of the beam (50 % of the peak)", 13, black, Anchor::start, true});
   constexpr double table_height = 136, axis_height = 34, left = 34;
   double head = 10;
   for (const std::string& note : notes_on(report, cones))
-    drawing.parts.push_back(Label{{frame.left, frame.top + (head += 15)}, note, 12, grey});
+    drawing.add(Label{{frame.left, frame.top + (head += 15)}, note, 12, grey});
   head += 20;
   Chart chart{
       {frame.left + left, frame.top + head, frame.width - left, frame.height - table_height - axis_height - head},
@@ -189,7 +189,7 @@ void draw_cone(Drawing& drawing, const Frame& frame, const ups_profile* profile,
     draw_chart(drawing, chart, cones);
   } else {
     const Point middle{frame.left + 0.5 * frame.width, chart.frame.top + 0.5 * chart.frame.height};
-    drawing.parts.push_back(Label{middle, why_no_cone(report), 13, grey, Anchor::middle});
+    drawing.add(Label{middle, why_no_cone(report), 13, grey, Anchor::middle});
   }
   const double nadir_cd = intensities(profile, {{0, 0}})[0];
   draw_table(drawing, {frame.left, frame.top + frame.height - table_height + 8, frame.width, table_height}, cones,

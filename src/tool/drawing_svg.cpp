@@ -1,101 +1,94 @@
-// A drawing as an SVG document.
-#include <cstdio>
+// A drawing as an SVG document: Cairo's elements, with title and words for those who cannot see it.
+#include "tool/drawing_svg.h"
 
-#include "tool/drawing.h"
-#include "tool/text_format.h"
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <stdexcept>
+#include <string_view>
 
 namespace ups::tool {
 namespace {
 
-std::string coordinate(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  std::string s = text;
-  while (s.back() == '0') s.pop_back();
-  if (s.back() == '.') s.pop_back();
-  return s == "-0" ? "0" : s;
-}
-
-std::string hex(const Ink& ink) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", ink[0], ink[1], ink[2]);
-  return text;
-}
-
-// Bytes of a UTF-8 sequence that XML allows at this place; 0: none does.
-size_t sequence(const std::string& text, size_t at) {
-  const Utf8 character = utf8_at(text, at);
-  const bool banned = (character.code < 0x20 && character.code != '\t') || character.code == 0xfffe ||
-                      character.code == 0xffff;
-  return banned ? 0 : character.length;
-}
-
 std::string escaped(const std::string& text) {
   std::string out;
-  for (size_t i = 0; i < text.size();) {
-    const size_t length = sequence(text, i);
-    const char c = text[i];
-    if (length == 0) {
-      out += '?';
-    } else if (c == '&') {
+  for (const char c : writable(text)) {
+    if (c == '&') {
       out += "&amp;";
     } else if (c == '<') {
       out += "&lt;";
     } else if (c == '>') {
       out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
     } else {
-      out += text.substr(i, length);
+      out += c;
     }
-    i += length == 0 ? 1 : length;
   }
   return out;
 }
 
-std::string path_of(const std::vector<Point>& points) {
-  std::string d;
-  for (const Point& p : points) {
-    d += d.empty() ? 'M' : 'L';
-    d += coordinate(p.x) + " " + coordinate(p.y);
+// Cairo's six decimals of coordinates cut to three; those of matrices, which multiply, stay.
+std::string with_short_numbers(const std::string& svg) {
+  constexpr std::string_view matrix = "matrix(";
+  std::string out;
+  for (size_t i = 0; i < svg.size();) {
+    if (svg.compare(i, matrix.size(), matrix) == 0) {
+      const size_t end = std::min(svg.find(')', i), svg.size());
+      out.append(svg, i, end - i);
+      i = end;
+      continue;
+    }
+    const bool decimal = svg[i] == '.' && i > 0 && std::isdigit(static_cast<unsigned char>(svg[i - 1]));
+    out += svg[i++];
+    for (int digits = 0; decimal && i < svg.size() && std::isdigit(static_cast<unsigned char>(svg[i])); ++i)
+      if (++digits <= 3) out += svg[i];
   }
-  return d;
+  return out;
 }
 
-std::string element(const Line& line) {
-  std::string s =
-      "<path fill=\"none\" stroke=\"" + hex(line.ink) + "\" stroke-width=\"" + coordinate(line.width) + "\"";
-  if (line.dash > 0) {
-    s += " stroke-linecap=\"butt\" stroke-dasharray=\"" + coordinate(line.dash) + " " +
-         coordinate(line.dash * Line::gap) + "\"";
+// Each id by a name that follows from this document alone: `begin` and a number.
+std::string with_own_ids(const std::string& svg, const std::string& begin) {
+  constexpr std::string_view marks[] = {" id=\"", "href=\"#", "url(#"};
+  std::map<std::string, std::string> names;
+  std::string out;
+  for (size_t i = 0; i < svg.size();) {
+    size_t length = 0;
+    for (const std::string_view mark : marks)
+      if (svg.compare(i, mark.size(), mark) == 0) length = mark.size();
+    if (length == 0) {
+      out += svg[i++];
+      continue;
+    }
+    out.append(svg, i, length);
+    i += length;
+    std::string id;
+    while (i < svg.size() && svg[i] != '"' && svg[i] != ')') id += svg[i++];
+    const auto [place, is_new] = names.try_emplace(id);
+    if (is_new) place->second = begin + std::to_string(names.size());
+    out += place->second;
   }
-  return s + " d=\"" + path_of(line.points) + "\"/>\n";
+  return out;
 }
 
-std::string element(const Area& area) {
-  std::string s = "<path stroke=\"none\" fill-rule=\"evenodd\" fill=\"" + hex(area.ink) + "\"";
-  if (area.opacity < 1) s += " fill-opacity=\"" + coordinate(area.opacity) + "\"";
-  return s + " d=\"" + path_of(area.points) + "Z\"/>\n";
-}
-
-std::string element(const Label& label) {
-  constexpr const char* anchors[] = {"start", "middle", "end"};
-  return "<text x=\"" + coordinate(label.at.x) + "\" y=\"" + coordinate(label.at.y) + "\" font-size=\"" +
-         coordinate(label.size) + "\" fill=\"" + hex(label.ink) + "\" text-anchor=\"" + anchors[int(label.anchor)] +
-         "\"" + (label.bold ? " font-weight=\"bold\"" : "") + ">" + escaped(label.text) + "</text>\n";
+std::string labels_of(const Drawing& drawing) {
+  std::string labels;
+  for (const auto& part : drawing.parts)
+    if (const auto* label = std::get_if<Label>(&part)) labels += escaped(label->text) + "\n";
+  return labels;
 }
 
 }  // namespace
 
-std::string to_svg(const Drawing& drawing, const std::string& title) {
-  const std::string w = coordinate(drawing.width), h = coordinate(drawing.height);
-  std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-                    w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
-                    "\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" stroke-linejoin=\"round\" "
-                    "stroke-linecap=\"round\">\n<title>" +
-                    escaped(title) + "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n";
-  for (const auto& part : drawing.parts) svg += std::visit([](const auto& p) { return element(p); }, part);
-  return svg + "</svg>\n";
+std::string to_svg(const Drawing& drawing, const Words& words, const std::string& ids_begin) {
+  const std::string begin = ids_begin + "i";  // ids must not begin with a digit
+  std::string svg = with_own_ids(with_short_numbers(to_svg_elements(drawing)), begin);
+  const size_t root = svg.find("<svg"), end = svg.find('>', root);
+  if (root == std::string::npos || end == std::string::npos) throw std::runtime_error("Cairo wrote no SVG document");
+  const std::string title = begin + "title", description = begin + "desc";
+  const std::string said = words.description.empty() ? labels_of(drawing) : escaped(words.description);
+  svg.insert(end + 1, "\n<title id=\"" + title + "\">" + escaped(words.title) + "</title>\n<desc id=\"" + description +
+                          "\">" + said + "</desc>");
+  svg.insert(end, " role=\"img\" aria-labelledby=\"" + title + " " + description + "\"");
+  return svg;
 }
 
 }  // namespace ups::tool

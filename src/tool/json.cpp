@@ -1,4 +1,5 @@
-// Reports as JSON, the program's contract with scripts. With json_*.cpp all of the program that includes nlohmann/json.
+// Reports as JSON, the program's contract with scripts. With json_*.cpp and targets_json.cpp all
+// of the program that includes nlohmann/json.
 #include <sys/resource.h>
 
 #include "tool/goniometer_report.h"
@@ -52,6 +53,46 @@ ordered_json samples_json(const std::vector<SampleReport>& samples) {
                    {"value", number(double(s.sample.value))},
                    {"share", number(double(s.sample.share))}});
   return all;
+}
+
+ordered_json targets_json(const Report& report) {
+  ordered_json all = ordered_json::array();
+  for (const TargetVerdict& v : report.targets)
+    all.push_back({{"area", report.area_names[v.area]},
+                   {v.quantity == "ugr" ? "observer" : "meters", v.subject},
+                   {"quantity", v.quantity},
+                   {"required", number(v.required)},
+                   {"value", number(v.value)},
+                   {"low", number(v.low)},
+                   {"high", number(v.high)},
+                   {"verdict", judgement_word(v.judgement)}});
+  return all;
+}
+
+ordered_json observer_json(const ObserverReport& observer) {
+  const ups_observer_reading& r = observer.reading;
+  ordered_json sources = ordered_json::array();
+  for (const auto& [name, s] : observer.sources)
+    sources.push_back({{"source", name},
+                       {"share", number(s.share)},
+                       {"luminance_cd_m2", number(s.luminance_cd_m2)},
+                       {"solid_angle_sr", number(s.solid_angle_sr)},
+                       {"intensity_cd", number(s.intensity_cd)},
+                       {"distance_m", number(s.distance_m)},
+                       {"visible_share", number(s.visible_share)},
+                       {"position_index", number(s.position_index)},
+                       {"small", (s.flags & UPS_GLARE_SOURCE_SMALL) != 0},
+                       {"large", (s.flags & UPS_GLARE_SOURCE_LARGE) != 0}});
+  const bool rated = !(r.flags & (UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_NO_BACKGROUND));
+  return {{"ugr", number(r.ugr)},
+          {"ugr_standard_error", number(r.ugr_standard_error)},
+          {"ugr_low", number(r.ugr_low)},
+          {"ugr_high", number(r.ugr_high)},
+          {"background_cd_m2", number(r.background_cd_m2)},
+          {"background_standard_error_cd_m2", number(r.background_standard_error_cd_m2)},
+          {"background_error_bound_cd_m2", number(r.background_error_bound_cd_m2)},
+          {"rated", rated},
+          {"sources", sources}};
 }
 
 }  // namespace
@@ -125,7 +166,9 @@ std::string to_json(const Report& report) {
                {"largest_samples", samples_json(report.largest_samples)},
                {"warnings", report.warnings}};
   if (!report.ratios.empty()) all["ratios"] = ratios_json(report.ratios);
+  for (const ObserverReport& observer : report.observers) all["observers"][observer.name] = observer_json(observer);
   if (!report.goniometers.empty()) all["goniometers"] = goniometers;
+  if (!report.targets.empty()) all["targets"] = targets_json(report);
   if (!report.sources.empty()) all["sources"] = sources;
   if (report.worst_meter) all["largest_error"] = worst_meter_json(*report.worst_meter);
   return dump(all);
@@ -280,15 +323,83 @@ ordered_json profile_json(const ProfileReport& report) {
           {"warnings", report.warnings}};
 }
 
+ordered_json ugr_json(const ups_ugr_table& t) {
+  ordered_json rooms = ordered_json::array(), sets = ordered_json::array();
+  for (int k = 0; k < ugr_sets; ++k) sets.push_back(reflectance_name(t.reflectances + 3 * k));
+  for (int r = 0; r < ugr_rooms; ++r) {
+    ordered_json crosswise = ordered_json::array(), endwise = ordered_json::array();
+    for (int k = 0; k < ugr_sets; ++k) {
+      crosswise.push_back(number(t.crosswise[r * ugr_sets + k]));
+      endwise.push_back(number(t.endwise[r * ugr_sets + k]));
+    }
+    rooms.push_back({{"room", room_name(t, r)}, {"crosswise", crosswise}, {"endwise", endwise}});
+  }
+  return {{"lamp_flux_lm", number(t.lamp_flux_lm)}, {"reflectances", sets}, {"rooms", rooms}};
+}
+
+ordered_json utilisation_json(const ups_utilisation_table& t) {
+  ordered_json rooms = ordered_json::array(), sets = ordered_json::array();
+  for (int k = 0; k < utilisation_sets; ++k) sets.push_back(reflectance_name(t.reflectances + 3 * k));
+  for (int r = 0; r < utilisation_rooms; ++r) {
+    ordered_json factors = ordered_json::array();
+    for (int k = 0; k < utilisation_sets; ++k) factors.push_back(number(t.factors[r * utilisation_sets + k]));
+    rooms.push_back({{"room_index", number(t.room_index[r])}, {"factors", factors}});
+  }
+  return {{"reflectances", sets}, {"rooms", rooms}};
+}
+
+ordered_json sheet_json(const DataSheet& s) {
+  const ups_data_sheet& d = s.sheet;
+  ordered_json candela = ordered_json::array(), zones = ordered_json::array();
+  const size_t rows = s.gamma_deg.size();
+  for (size_t i = 0; i < s.c_deg.size(); ++i) {
+    const auto first = s.candela.begin() + ptrdiff_t(i * rows);
+    candela.push_back({{"c_deg", number(s.c_deg[i])},
+                       {"gamma_deg", array_json(s.gamma_deg)},
+                       {"intensity_cd", array_json(std::vector<float>(first, first + ptrdiff_t(rows)))}});
+  }
+  for (size_t j = 0; j < s.zonal_flux_lm.size(); ++j)
+    zones.push_back({{"from_deg", number(s.zone_deg[j])},
+                     {"to_deg", number(s.zone_deg[j + 1])},
+                     {"flux_lm", number(s.zonal_flux_lm[j])}});
+  ordered_json all = {
+      {"flux_code", array_json(d.flux_code)},
+      {"high_luminance",
+       {{"gamma_deg", {65, 75, 85}},
+        {"luminance_cd_m2", array_json(d.luminance_cd_m2)},
+        {"highest_cd_m2", number(d.highest_luminance_cd_m2)},
+        {"c_deg", number(d.highest_luminance_c_deg)},
+        {"highest_gamma_deg", number(d.highest_luminance_gamma_deg)}}},
+      {"spacing_criterion",
+       {{"c0_c180", number(d.spacing_criterion[0])},
+        {"c90_c270", number(d.spacing_criterion[1])},
+        {"diagonal", number(d.spacing_criterion[2])}}},
+      {"nema_type", {{"horizontal", d.nema_type[0]}, {"vertical", d.nema_type[1]}}},
+      {"bug",
+       {{"backlight", d.backlight_rating},
+        {"uplight", d.uplight_rating},
+        {"glare", d.glare_rating},
+        {"type_v", d.bug_type_v == 1},
+        {"front_c_deg", number(s.front_c_deg)},
+        {"front_lm", array_json(d.front_lm)},
+        {"back_lm", array_json(d.back_lm)},
+        {"up_lm", array_json(d.up_lm)}}},
+      {"candela", candela},
+      {"zonal_flux", zones}};
+  if (s.ugr) all["ugr_table"] = ugr_json(*s.ugr);
+  if (s.utilisation) all["utilisation"] = utilisation_json(*s.utilisation);
+  return all;
+}
+
 ordered_json scene_json(const SceneReport& report) {
   const ups_scene_info& info = report.info;
   ordered_json sensors = ordered_json::array();
   for (const SensorEntry& sensor : report.sensors) {
-    const bool camera = sensor.info.kind == UPS_GLTF_CAMERA;
-    sensors.push_back({{"name", sensor.name}, {"kind", camera ? "camera" : "meters"}});
-    if (camera) {
+    constexpr const char* kinds[] = {"camera", "meters", "goniometer", "observer"};  // UPS_GLTF_*
+    sensors.push_back({{"name", sensor.name}, {"kind", kinds[sensor.info.kind]}});
+    if (sensor.info.kind == UPS_GLTF_CAMERA) {
       sensors.back().update({{"width", sensor.info.width}, {"height", sensor.info.height}});
-    } else {
+    } else if (sensor.info.kind != UPS_GLTF_OBSERVER) {
       sensors.back().update(
           {{"count", sensor.info.meter_count}, {"columns", sensor.info.columns}, {"rows", sensor.info.rows}});
     }
@@ -363,6 +474,7 @@ std::string to_json(const std::vector<InfoEntry>& entries) {
     ordered_json file = entry.profile ? profile_json(*entry.profile)
                         : entry.scene ? scene_json(*entry.scene)
                                       : ordered_json{{"file", entry.file}};
+    if (entry.sheet) file["data_sheet"] = sheet_json(*entry.sheet);
     if (!entry.error.empty()) file["error"] = entry.error;
     files.push_back(file);
   }

@@ -12,6 +12,7 @@ namespace {
 
 using ups::tool::GoniometerOptions;
 using ups::tool::InfoOptions;
+using ups::tool::MapOptions;
 using ups::tool::RenderOptions;
 using ups::tool::ReplayOptions;
 
@@ -19,13 +20,15 @@ const CLI::App* add_info(CLI::App& app, InfoOptions& options) {
   CLI::App* command = app.add_subcommand("info", "What a scene or photometric files contain");
   command->add_option("FILE", options.files, "Scenes, photometric files, folders of photometric files")->required();
   command->add_option("--plot", options.plots,
-                      "Polar diagram and cone of FILE, as OUT.svg or OUT.png, or both: --plot A.svg B.png; of several "
-                      "files A_NAME.svg each")
+                      "Polar diagram and cone of FILE, as OUT.svg, .png or .pdf, or several: --plot A.svg B.png; of "
+                      "several files A_NAME.svg each")
       ->allow_extra_args(false)
       ->check(CLI::Validator(ups::tool::plot_file, ""))
       ->type_name("OUT");
   ups::tool::add_allow_outside(*command, options.allow_outside);
-  command->add_flag("--json", options.json, "Print one JSON object on standard output");
+  const auto json = command->add_flag("--json", options.json, "Print one JSON object on standard output");
+  command->add_flag("--csv", options.csv, "Print the data sheets of photometric files as CSV, a value a line")
+      ->excludes(json);
   // CLI11 takes what follows the first OUT for a FILE; no file that is read is an image.
   command->parse_complete_callback([&options] {
     if (options.plots.empty()) return;
@@ -76,6 +79,8 @@ int run(int argc, char** argv) {
   const CLI::App* goniometer = ups::tool::add_goniometer(app, goniometer_options);
   InfoOptions info_options;
   const CLI::App* info = add_info(app, info_options);
+  MapOptions map_options;
+  const CLI::App* map = ups::tool::add_map(app, map_options);
   std::string in, out;
   const CLI::App* convert = add_convert(app, in, out);
   std::string a, b;
@@ -99,8 +104,10 @@ int run(int argc, char** argv) {
   if (info->parsed()) return ups::tool::info(info_options);
   if (replay->parsed()) return ups::tool::replay(replay_options);
   if (goniometer->parsed()) return ups::tool::goniometer(goniometer_options);
+  if (map->parsed()) return ups::tool::map(map_options);
   if (convert->parsed()) return ups::tool::convert(in, out);
   if (compare->parsed()) return ups::tool::compare(a, b, json);
+  render_options.arguments.assign(argv + 1, argv + argc);
   return ups::tool::render(render_options);
 }
 

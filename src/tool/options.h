@@ -12,8 +12,10 @@ namespace ups::tool {
 void add_job_options(CLI::App& command, JobOptions& options, const std::vector<std::string>& words,
                      const std::string& aim);
 void add_allow_outside(CLI::App& command, bool& allow_outside);
+void add_map_options(CLI::App& command, MapStyle& style);
 void add_render(CLI::App& app, RenderOptions& options);
 const CLI::App* add_replay(CLI::App& app, ReplayOptions& options);
+const CLI::App* add_map(CLI::App& app, MapOptions& options);
 const CLI::App* add_goniometer(CLI::App& app, GoniometerOptions& options);
 
 std::string plot_file(const std::string& path);

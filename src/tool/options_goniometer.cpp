@@ -134,7 +134,7 @@ void add_files(CLI::App& command, GoniometerOptions& options) {
           },
           ""))
       ->type_name("FILE");
-  command.add_option("--plot", options.plots, "Polar diagram and cone, as OUT.svg or OUT.png")
+  command.add_option("--plot", options.plots, "Polar diagram and cone, as OUT.svg, .png or .pdf")
       ->allow_extra_args(false)
       ->check(CLI::Validator(plot_file, ""))
       ->type_name("OUT");

@@ -5,14 +5,15 @@
 #include <string_view>
 #include <system_error>
 
+#include "tool/drawing_file.h"
 #include "tool/options.h"
-#include "tool/profile_plot.h"
+#include "tool/profile_file.h"
 #include "tool/report.h"
 
 namespace ups::tool {
 
 std::string plot_file(const std::string& path) {
-  return is_plot_file(path) ? "" : "must end in .svg or .png, not '" + path + "'";
+  return is_drawing_file(path) ? "" : "must end in .svg, .png or .pdf, not '" + path + "'";
 }
 
 std::string written_file(const std::string& path) {
@@ -272,6 +273,15 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->type_name("A/B");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
       ->type_name("DIR");
+  command
+      ->add_flag("--report", options.report,
+                 "With --out: report.html, one page to hand in: plan, luminaires, results, accuracy")
+      ->needs("--out");
+  command
+      ->add_option("--targets", options.targets,
+                   "What meters and observers must reach, a JSON file: verdicts in the report and the JSON")
+      ->type_name("FILE");
+  add_map_options(*command, options.map);
   add_method_options(*command, options.desc);
   command->footer(
       "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"
@@ -284,7 +294,7 @@ const CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {
   command->add_option("--sample", options.sample, "As largest_samples in the JSON of `ups render` lists them")
       ->required()
       ->type_name("ADDRESS");
-  command->add_option("--plot", options.plot, "Plan and section of the path, as OUT.svg or OUT.png")
+  command->add_option("--plot", options.plot, "Plan and section of the path, as OUT.svg, .png or .pdf")
       ->check(CLI::Validator(plot_file, ""))
       ->type_name("OUT");
   add_size(*command, options.width, options.height);

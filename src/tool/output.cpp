@@ -10,6 +10,8 @@
 
 #include "common/atomic_file.h"
 #include "tool/csv.h"
+#include "tool/drawing_file.h"
+#include "tool/map_data.h"
 #include "tool/report.h"
 #include "tool/tables.h"
 
@@ -19,7 +21,7 @@ namespace {
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-constexpr uint32_t max_picture_side = 16384, max_exr_side = 65536;  // of ups_ocio and ups_exr
+constexpr uint32_t max_exr_side = 65536;  // of ups_exr
 
 // What an image is of, for whoever opens it years later.
 Attributes common_attributes(const ups_result* result) {
@@ -41,16 +43,12 @@ void write_exr(const std::string& path, uint32_t width, uint32_t height, const s
         ups_exr_last_error);
 }
 
-void write_false_color(const std::string& path, const std::string& title, uint32_t columns, uint32_t rows,
-                       const float* values, bool first_row_at_bottom) {
-  ups_ocio_false_color_desc desc;
-  ups_ocio_false_color_desc_init(&desc, sizeof desc);
-  desc.columns = columns;
-  desc.rows = rows;
-  desc.first_row_at_bottom = first_row_at_bottom;
-  desc.values = values;
-  desc.title = title.c_str();
-  check(ups_ocio_write_false_color_png(path.c_str(), &desc), ups_ocio_last_error);
+// NAME.png, NAME.svg and NAME.pdf of one drawing.
+void write_map(Written& written, const std::string& base, const MapData& data, const MapStyle& style) {
+  const Words words{data.quantity + ": " + data.title, map_description(data, style)};
+  const Drawing drawing = map_drawing(data, style);
+  for (const char* ending : {".png", ".svg", ".pdf"})
+    attempt(written, base + ending, [&](const std::string& path) { write_drawing(path, drawing, words); });
 }
 
 void write_camera_exr(const std::string& path, const SensorEntry& camera, const ups_result* result,
@@ -128,7 +126,7 @@ void write_techniques(const std::string& path, const SensorEntry& camera, const 
 }
 
 void write_camera(Written& written, const std::string& base, const SensorEntry& camera, const ups_result* result,
-                  const Attributes& attributes) {
+                  const MapStyle& map, const Attributes& attributes) {
   const uint32_t width = camera.info.width, height = camera.info.height;
   attempt(written, base + ".exr", [&](const std::string& path) { write_camera_exr(path, camera, result, attributes); });
   attempt(written, base + ".png", [&](const std::string& path) {
@@ -137,10 +135,17 @@ void write_camera(Written& written, const std::string& base, const SensorEntry& 
   });
   attempt(written, base + "_techniques.exr",
           [&](const std::string& path) { write_techniques(path, camera, result, attributes); });
+  MapStyle image_map_style = map;
+  image_map_style.threshold = 0;  // of meters alone: pixels have no bounds of their own
+  attempt(written, base + "_luminance", [&](const std::string& name) {
+    const auto luminance = luminance_of(read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB));
+    write_map(written, name, image_map(camera.name, "Luminance", "cd/m\u00b2", luminance, width, height),
+              image_map_style);
+  });
   if (!camera.info.illuminance) return;
-  attempt(written, base + "_illuminance.png", [&](const std::string& path) {
+  attempt(written, base + "_illuminance", [&](const std::string& name) {
     const auto illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);
-    write_false_color(path, camera.name + " illuminance", width, height, illuminance.data(), false);
+    write_map(written, name, image_map(camera.name, "Illuminance", "lx", illuminance, width, height), image_map_style);
   });
 }
 
@@ -177,23 +182,22 @@ void write_grid(Written& written, const std::string& base, const SensorEntry& gr
   }
   attributes.emplace_back("unit.Y", "lx");
   attributes.emplace_back("unit.standard_error.Y", "lx");
-  const auto attempt_up_to = [&](const std::string& path, uint32_t max_side, auto&& write) {
-    if (std::max(columns, rows) <= max_side) return attempt(written, path, write);
+  const std::string path = base + ".exr";
+  if (std::max(columns, rows) > max_exr_side) {
     written.warnings.push_back(path + " is not written: a grid of " + std::to_string(columns) + " x " +
-                               std::to_string(rows) + " exceeds the " + std::to_string(max_side) +
+                               std::to_string(rows) + " exceeds the " + std::to_string(max_exr_side) +
                                " pixels a side that it can have; the table has all values");
-  };
-  attempt_up_to(base + ".exr", max_exr_side, [&](const std::string& path) {
-    write_exr(path, columns, rows, {{"Y", illuminance.data(), 0, 0}, {"standard_error.Y", error.data(), 0, 0}},
+    return;
+  }
+  attempt(written, path, [&](const std::string& file) {
+    write_exr(file, columns, rows, {{"Y", illuminance.data(), 0, 0}, {"standard_error.Y", error.data(), 0, 0}},
               attributes);
-  });
-  attempt_up_to(base + ".png", max_picture_side, [&](const std::string& path) {
-    write_false_color(path, grid.name, columns, rows, illuminance.data(), false);
   });
 }
 
 void write_meters(Written& written, const std::string& base, uint32_t index, const SensorEntry& meters,
-                  const LoadedScene& scene, const ups_result* result, const Attributes& attributes) {
+                  const LoadedScene& scene, const ups_result* result, const MapStyle& map,
+                  const Attributes& attributes) {
   const size_t count = meters.info.meter_count;
   MeterTable table;
   table.positions.resize(3 * count);
@@ -209,6 +213,9 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
             [&](const std::string& path) { write_sources_csv(path, table.positions, meters, sources, result); });
   }
   if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
+  attempt(written, base, [&](const std::string& name) {
+    if (const auto data = meter_map(meters, index, scene, result)) write_map(written, name, *data, map);
+  });
 }
 
 void probe_folder(const std::string& option, const std::string& folder) {
@@ -249,18 +256,20 @@ void prepare_file(const std::string& option, const std::string& path) {
   probe_folder(option, folder);
 }
 
-Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result) {
+Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result,
+                      const MapStyle& map) {
   Written written;
   const Attributes attributes = common_attributes(result);
   for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
     const SensorEntry& sensor = scene.sensors[i];
+    if (sensor.info.kind == UPS_GLTF_OBSERVER) continue;  // its numbers are in the report
     attempt(written, (std::filesystem::path(folder) / sensor.name).string(), [&](const std::string& base) {
       if (sensor.info.kind == UPS_GLTF_CAMERA) {
-        write_camera(written, base, sensor, result, attributes);
+        write_camera(written, base, sensor, result, map, attributes);
       } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {
         attempt(written, base + ".csv", [&](const std::string& path) { write_goniometer_csv(path, sensor, result); });
       } else {
-        write_meters(written, base, i, sensor, scene, result, attributes);
+        write_meters(written, base, i, sensor, scene, result, map, attributes);
       }
     });
   }

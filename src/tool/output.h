@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tool/handles.h"
+#include "tool/map.h"
 
 namespace ups::tool {
 
@@ -30,6 +31,8 @@ void attempt(Written& written, const std::string& path, Write&& write) {
     written.errors.push_back(message.find(path) == std::string::npos ? path + ": " + message : message);
   }
 }
-Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result);
+// map: how its maps look.
+Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result,
+                      const MapStyle& map);
 
 }  // namespace ups::tool

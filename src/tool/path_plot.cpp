@@ -60,8 +60,8 @@ class Plot {
     const double tallest = std::max(extents_[0].height(), extents_[1].height()) * scale;
     drawing_.width = page;
     drawing_.height = title_height + caption + tallest + legend + margin;
-    drawing_.parts.push_back(Area{{{0, 0}, {page, 0}, {page, drawing_.height}, {0, drawing_.height}}, {255, 255, 255}});
-    drawing_.parts.push_back(Label{{margin, 32}, title, 15, black, Anchor::start, true});
+    drawing_.add(Area{{{0, 0}, {page, 0}, {page, drawing_.height}, {0, drawing_.height}}, {255, 255, 255}});
+    drawing_.add(Label{{margin, 32}, title, 15, black, Anchor::start, true});
     draw(plan, 0, {margin, title_height + caption}, scale,
          format("Plan, cut at a height of %.3g m", centre_[2]));
     draw(section, 1, {margin + extents_[0].width() * scale + gap, title_height + caption}, scale,
@@ -88,18 +88,18 @@ class Plot {
       const Point flat = view.flat(p);
       return Point{corner.x + (flat.x - e.left) * scale, corner.y + (e.high - flat.y) * scale};
     };
-    drawing_.parts.push_back(Label{{corner.x, corner.y - 6}, name, 12, grey});
+    drawing_.add(Label{{corner.x, corner.y - 6}, name, 12, grey});
     for (const ups_segment& s : cuts_[index])
-      drawing_.parts.push_back(Line{{place(s.from_m), place(s.to_m)}, grey, 1.2});
+      drawing_.add(Line{{place(s.from_m), place(s.to_m)}, grey, 1.2});
     for (size_t i = std::min(drawn_contributions, contributions_.size()); i-- > 0;) {
       const ups_path_contribution& c = contributions_[i];
       const Point from = place(c.from_m), to = place(c.to_m);
       if (std::equal(c.from_m, c.from_m + 3, c.to_m)) continue;
-      drawing_.parts.push_back(Line{{from, to}, joined_ink, i == 0 ? 2.0 : 1.0, 3});
+      drawing_.add(Line{{from, to}, joined_ink, i == 0 ? 2.0 : 1.0, 3});
     }
     for (size_t i = 1; i < vertices_.size(); ++i)
       if (vertices_[i].walk == vertices_[i - 1].walk)
-        drawing_.parts.push_back(Line{{place(vertices_[i - 1].position_m), place(vertices_[i].position_m)},
+        drawing_.add(Line{{place(vertices_[i - 1].position_m), place(vertices_[i].position_m)},
                                       ink(vertices_[i]), vertices_[i].walk == 0 ? 1.8 : 1.2});
     std::vector<Point> named;
     for (size_t i = 0, number = 0; i < vertices_.size(); ++i, ++number) {
@@ -107,7 +107,7 @@ class Plot {
       dot(place(vertices_[i].position_m), ink(vertices_[i]), number == 0 ? 4.5 : 3);
       const Point at = place(vertices_[i].position_m);
       if (vertices_[i].walk == 0 && is_free(at, named))
-        drawing_.parts.push_back(Label{{at.x + 5, at.y - 5}, std::to_string(number), 11, ink(vertices_[i])});
+        drawing_.add(Label{{at.x + 5, at.y - 5}, std::to_string(number), 11, ink(vertices_[i])});
     }
   }
 
@@ -136,7 +136,7 @@ class Plot {
       const double angle = 2 * 3.14159265358979 * k / corners;
       area.points.push_back({at.x + radius * std::cos(angle), at.y + radius * std::sin(angle)});
     }
-    drawing_.parts.push_back(area);
+    drawing_.add(area);
   }
 
   void draw_legend(double y, double scale) {
@@ -150,13 +150,13 @@ class Plot {
                    {"the room", grey, 0}};
     double x = margin;
     for (const auto& e : entries) {
-      drawing_.parts.push_back(Line{{{x, y - 4}, {x + 30, y - 4}}, e.ink, 2, e.dash});
-      drawing_.parts.push_back(Label{{x + 36, y}, e.text, 11, black});
+      drawing_.add(Line{{{x, y - 4}, {x + 30, y - 4}}, e.ink, 2, e.dash});
+      drawing_.add(Label{{x + 36, y}, e.text, 11, black});
       x += 36 + width_of(e.text, 11) + 18;
     }
     const double metre = round_step(60 / scale);
-    drawing_.parts.push_back(Line{{{margin, y + 20}, {margin + metre * scale, y + 20}}, black, 2});
-    drawing_.parts.push_back(Label{{margin + metre * scale + 6, y + 24}, format("%g m", metre), 11, black});
+    drawing_.add(Line{{{margin, y + 20}, {margin + metre * scale, y + 20}}, black, 2});
+    drawing_.add(Label{{margin + metre * scale + 6, y + 24}, format("%g m", metre), 11, black});
   }
 
   const ups_scene* scene_;

@@ -69,18 +69,18 @@ void draw_grid(Drawing& drawing, const Axes& axes) {
   for (int ring = 1; ring <= axes.rings; ++ring) {
     std::vector<Point> points;
     for (double a = -end; a <= end; a += 2) points.push_back(axes.at(a, ring * axes.step));
-    drawing.parts.push_back(Line{points, pale, ring == axes.rings ? 1.2 : 0.8});
+    drawing.add(Line{points, pale, ring == axes.rings ? 1.2 : 0.8});
   }
   for (double a = -end; a <= end; a += 15) {
     const bool labelled = std::remainder(a, 30) == 0;
     if (a == -180) continue;
-    drawing.parts.push_back(Line{{axes.centre, axes.at(a, outermost)}, pale, labelled ? 0.9 : 0.5});
+    drawing.add(Line{{axes.centre, axes.at(a, outermost)}, pale, labelled ? 0.9 : 0.5});
     if (!labelled) continue;
     Point p = axes.at(a, outermost * (1 + 15 / axes.radius));
     p.y += 4.5;
     const Anchor anchor = std::abs(std::sin(a * radian)) < 0.1 ? Anchor::middle : a > 0 ? Anchor::start : Anchor::end;
     p.x += anchor == Anchor::start ? -5 : anchor == Anchor::end ? 5 : 0;
-    drawing.parts.push_back(Label{p, format("%g\u00b0", std::abs(a)), 12, grey, anchor});
+    drawing.add(Label{p, format("%g\u00b0", std::abs(a)), 12, grey, anchor});
   }
 }
 
@@ -146,9 +146,9 @@ void draw_ring_labels(Drawing& drawing, const Axes& axes, const std::vector<std:
     }
     if (free <= 0) continue;
     const double h = half(ring), top = p.y - ring_label_up, bottom = p.y + ring_label_down;
-    drawing.parts.push_back(
+    drawing.add(
         Area{{{p.x - h, top}, {p.x + h, top}, {p.x + h, bottom}, {p.x - h, bottom}}, {255, 255, 255}});
-    drawing.parts.push_back(Label{{p.x, p.y + 4}, text(ring), ring_label_size, grey, Anchor::middle});
+    drawing.add(Label{{p.x, p.y + 4}, text(ring), ring_label_size, grey, Anchor::middle});
   }
 }
 
@@ -190,13 +190,13 @@ void draw_polar(Drawing& drawing, const Frame& frame, const ups_profile* profile
   if (largest > 0) {
     draw_ring_labels(drawing, axes, lines);
   } else {
-    drawing.parts.push_back(Label{axes.at(0, 0.5), "no light", 13, grey, Anchor::middle});
+    drawing.add(Label{axes.at(0, 0.5), "no light", 13, grey, Anchor::middle});
   }
   for (size_t i = 0; i < lines.size(); ++i)
-    drawing.parts.push_back(Line{thinned(lines[i]), plane_ink[i], 2.2, plane_dash[i]});
+    drawing.add(Line{thinned(lines[i]), plane_ink[i], 2.2, plane_dash[i]});
   const std::string unit =
       std::string(prefix_of(axes.rings * axes.step).sign) + (is_per_kilolumen(report) ? "cd/klm" : "cd");
-  drawing.parts.push_back(
+  drawing.add(
       Label{{frame.left, frame.top + 8}, "Luminous intensity, " + unit, 13, black, Anchor::start, true});
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/atomic_file.h"
+#include "tool/drawing_file.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {
@@ -55,7 +55,7 @@ void draw_legend(Drawing& drawing, double x, double y, const ProfileReport& repo
   std::vector<std::string> columns[3];
   for (size_t i = 0; i < planes.size(); ++i) {
     const double line_y = y + legend_row * double(i) - 4;
-    drawing.parts.push_back(Line{{{x, line_y}, {x + 34, line_y}}, plane_ink[i], 2.2, plane_dash[i]});
+    drawing.add(Line{{{x, line_y}, {x + 34, line_y}}, plane_ink[i], 2.2, plane_dash[i]});
     const double c_deg = 0.1 * std::round(10 * planes[i].c_deg);  // of tables of type A and B any number
     columns[0].push_back(format("C%g-C%g", c_deg, c_deg + 180));
     columns[1].push_back("beam " + angle_text(report, planes[i].beam, "\u00b0"));
@@ -65,7 +65,7 @@ void draw_legend(Drawing& drawing, double x, double y, const ProfileReport& repo
   for (const auto& column : columns) {
     double widest = &column == columns ? 0 : least;
     for (size_t i = 0; i < column.size(); ++i) {
-      drawing.parts.push_back(
+      drawing.add(
           Label{{left, y + legend_row * double(i)}, column[i], size, black, Anchor::start, &column == columns});
       widest = std::max(widest, width_of(column[i], size));
     }
@@ -104,37 +104,22 @@ Drawing plot_of(const ups_profile* profile, const ProfileReport& report) {
   const double height = (shines_up(profile, report) ? 600 : 460) + legend_height;
   Drawing drawing{width, height, {}};
   const std::string name = report.file.substr(report.file.find_last_of('/') + 1);
-  drawing.parts.push_back(Label{{margin, 40}, shortened(name, 22, 620), 22, black, Anchor::start, true});
-  drawing.parts.push_back(Label{{width - margin, 40}, report.format, 13, grey, Anchor::end});
+  drawing.add(Label{{margin, 40}, shortened(name, 22, 620), 22, black, Anchor::start, true});
+  drawing.add(Label{{width - margin, 40}, report.format, 13, grey, Anchor::end});
   const std::string maker = keyword(report, "MANUFAC"), luminaire = keyword(report, "LUMINAIRE");
   const std::string what = maker + (maker.empty() || luminaire.empty() ? "" : ", ") + luminaire;
-  drawing.parts.push_back(Label{{margin, 62}, shortened(what, 13, width - 2 * margin), 13, grey});
-  drawing.parts.push_back(Line{{{margin, 74}, {width - margin, 74}}, pale, 1});
-  drawing.parts.push_back(Label{{margin, height - 18}, facts(report), 13, black});
-  drawing.parts.push_back(Line{{{margin, height - 40}, {width - margin, height - 40}}, pale, 1});
+  drawing.add(Label{{margin, 62}, shortened(what, 13, width - 2 * margin), 13, grey});
+  drawing.add(Line{{{margin, 74}, {width - margin, 74}}, pale, 1});
+  drawing.add(Label{{margin, height - 18}, facts(report), 13, black});
+  drawing.add(Line{{{margin, height - 40}, {width - margin, height - 40}}, pale, 1});
   draw_polar(drawing, {margin, top - 10, 450, height - top - 52 - legend_height}, profile, report);
   draw_legend(drawing, margin, height - 34 - legend_height, report);
   draw_cone(drawing, {530, top - 10, width - margin - 530, height - top - 42}, profile, report);
   return drawing;
 }
 
-bool is_plot_file(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  return extension == ".svg" || extension == ".png";
-}
-
-void write_drawing(const std::string& path, const Drawing& drawing, const std::string& title) {
-  if (lower_extension(path) == ".svg") {
-    const std::string svg = to_svg(drawing, title);
-    extras::write_file(path, svg.data(), svg.size());
-  } else {
-    const Pixels pixels = to_pixels(drawing, 2);
-    check(ups_ocio_write_pixels_png(path.c_str(), pixels.rgb.data(), pixels.width, pixels.height), ups_ocio_last_error);
-  }
-}
-
 void write_plot(const std::string& path, const ups_profile* profile, const ProfileReport& report) {
-  write_drawing(path, plot_of(profile, report), "Luminous intensity of " + report.file);
+  write_drawing(path, plot_of(profile, report), {"Luminous intensity of " + report.file, ""});
 }
 
 }  // namespace ups::tool

@@ -8,11 +8,8 @@ namespace ups::tool {
 
 Drawing plot_of(const ups_profile* profile, const ProfileReport& report);
 
-// Writes plot_of to a .svg or .png file, whole or not at all. Throws Failure that names the file.
+// Writes plot_of to a .svg, .png or .pdf file.
 void write_plot(const std::string& path, const ups_profile* profile, const ProfileReport& report);
-bool is_plot_file(const std::string& path);  // by its extension
-// Any drawing to such a file, the same way.
-void write_drawing(const std::string& path, const Drawing& drawing, const std::string& title);
 
 // ---- parts, each in a file of its own
 

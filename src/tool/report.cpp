@@ -99,6 +99,40 @@ std::string method_word(ups_method method) {
   }
 }
 
+namespace {
+
+ObserverReport observer_report(const LoadedScene& scene, const SensorEntry& sensor, const ups_result* result) {
+  ObserverReport observer{sensor.name, {}, {}};
+  observer.reading.struct_size = sizeof observer.reading;
+  check(ups_result_get_observer(result, sensor.info.sensor, &observer.reading));
+  for (uint32_t i = 0; i < observer.reading.source_count; ++i) {
+    ups_glare_source source{};
+    source.struct_size = sizeof source;
+    check(ups_result_get_glare_source(result, sensor.info.sensor, i, &source));
+    observer.sources.push_back({source_name(scene, source.kind, source.id), source});
+  }
+  return observer;
+}
+
+std::string observer_text(const ObserverReport& observer) {
+  const ups_observer_reading& r = observer.reading;
+  std::string text = "observer " + printable(observer.name) + ": ";
+  if (r.flags & UPS_OBSERVER_NO_SOURCE)
+    text += "no UGR, as no source of glare is visible";
+  else if (r.flags & UPS_OBSERVER_NO_BACKGROUND)
+    text += "no UGR, as no indirect light was found";
+  else
+    text += format("UGR %.1f", r.ugr) +
+            (r.ugr_low == -1 || r.ugr_high == -1 ? "" : format(" (%.1f to %.1f)", r.ugr_low, r.ugr_high));
+  text += r.background_cd_m2 < 0 ? ", background unknown" : format(", background %.4g cd/m^2", r.background_cd_m2);
+  if (observer.sources.empty()) return text + "\n";
+  const GlareSourceReport& worst = observer.sources[0];
+  return text + format(", %u sources, the worst %s with %.0f %%\n", r.source_count, worst.name.c_str(),
+                       100 * worst.source.share);
+}
+
+}  // namespace
+
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result,
                    const MeterQuestions& questions) {
   Report report{};
@@ -129,6 +163,8 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
       goniometer.info.struct_size = sizeof goniometer.info;
       check(ups_result_get_goniometer_info(result, sensor.info.sensor, &goniometer.info));
       report.goniometers.push_back(goniometer);
+    } else if (sensor.info.kind == UPS_GLTF_OBSERVER) {
+      report.observers.push_back(observer_report(scene, sensor, result));
     } else {
       const auto pixels = read_image(result, sensor, UPS_CHANNEL_LUMINANCE_RGB);
       report.cameras.push_back({sensor.name, sensor.info.width, sensor.info.height, mean_luminance(pixels)});
@@ -155,6 +191,7 @@ std::string to_text(const Report& report) {
   if (info.maintenance_factor != 1) text += format("maintenance factor: %g\n", info.maintenance_factor);
   for (const MeterReport& meters : report.meters) text += to_text(meters);
   for (const RatioReport& ratio : report.ratios) text += to_text(ratio);
+  for (const ObserverReport& observer : report.observers) text += observer_text(observer);
   for (const CameraReport& camera : report.cameras) {
     text += format("camera %s: %u x %u, mean luminance %.6g cd/m^2\n", camera.name.c_str(), camera.width, camera.height,
                    camera.mean_luminance_cd_m2);

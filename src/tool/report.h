@@ -7,11 +7,12 @@
 #include "tool/handles.h"
 #include "tool/meter_report.h"
 #include "tool/sample_address.h"
+#include "tool/targets.h"
 
 namespace ups::tool {
 
 struct ChoiceReport {
-  std::string name;  // of a camera or a set of meters
+  std::string name;  // of a camera, a set of meters or an observer
   ups_sensor_choice choice;
   std::vector<std::string> techniques;
 };
@@ -25,6 +26,17 @@ struct CameraReport {
 struct GoniometerReport {
   std::string name;
   ups_goniometer_info info;
+};
+
+struct GlareSourceReport {
+  std::string name;  // of its node
+  ups_glare_source source;
+};
+
+struct ObserverReport {
+  std::string name;
+  ups_observer_reading reading;
+  std::vector<GlareSourceReport> sources;
 };
 
 struct SourceReport {
@@ -41,6 +53,7 @@ struct Report {
   std::vector<RatioReport> ratios;
   std::vector<CameraReport> cameras;
   std::vector<GoniometerReport> goniometers;
+  std::vector<ObserverReport> observers;
   std::vector<SourceReport> sources;  // empty without --separate
   std::vector<ups_curve_point> convergence;
   std::vector<PredictionReport> predictions;
@@ -48,6 +61,9 @@ struct Report {
   std::vector<std::string> advice;
   std::vector<SampleReport> largest_samples;
   ups_memory_estimate memory{};
+  double target_error = 0;  // that the render was to stop at; 0: none
+  std::vector<TargetVerdict> targets;
+  std::vector<std::string> area_names;  // of the targets' areas
 };
 
 Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result,

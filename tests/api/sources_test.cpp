@@ -174,5 +174,60 @@ TEST_F(Sources, GoniometerFieldsAreChecked) {
   refused(d, {"to_world"});
 }
 
+TEST_F(Sources, OfASceneAreListedWithPlaceFluxAndProfile) {
+  const float c[] = {0};
+  std::vector<float> gamma, cd;
+  for (int i = 0; i <= 90; ++i) gamma.push_back(float(i)), cd.push_back(100 * std::cos(float(i) * 0.01745329f));
+  auto table = make(&ups_profile_desc_init);
+  table.c_count = 1, table.gamma_count = 90, table.c_deg = c, table.gamma_deg = gamma.data();
+  table.intensity_cd = cd.data();
+  table.opening_shape = UPS_OPENING_RECTANGLE;
+  table.opening_m[0] = 1.2f, table.opening_m[1] = 0.3f;
+  ups_profile* profile = nullptr;
+  ASSERT_EQ(ups_profile_create(context, &table, &profile), UPS_OK) << ups_last_error();
+  auto d = make(&ups_luminaire_desc_init);
+  const double quarter_turn[] = {0, -1, 0, 2, 1, 0, 0, 3, 0, 0, 1, 2.5};
+  std::copy(quarter_turn, quarter_turn + 12, d.to_world);
+  d.profile = profile, d.flux_lm = 3000, d.dimming = 0.5f, d.group = 7;
+  ups_luminaire_id id{};
+  EXPECT_OK(ups_scene_add_luminaire(scene, &d, &id));
+  uint32_t count = 0;
+  EXPECT_OK(ups_scene_get_source_count(scene, &count));
+  EXPECT_EQ(count, 1u);  // as committed
+  EXPECT_OK(ups_scene_commit(scene));
+  EXPECT_OK(ups_scene_get_source_count(scene, &count));
+  ASSERT_EQ(count, 2u);
+  ups_scene_source lamp{}, luminaire{};
+  lamp.struct_size = luminaire.struct_size = sizeof lamp;
+  EXPECT_OK(ups_scene_get_source(scene, 0, &lamp));
+  EXPECT_EQ(lamp.light_kind, UPS_LIGHT_POINT);
+  EXPECT_NEAR(lamp.flux_lm, 4 * 3.14159265, 1e-5);
+  EXPECT_EQ(lamp.bounds_min_m[2], 1);
+  EXPECT_EQ(lamp.bounds_max_m[2], 1);
+  EXPECT_OK(ups_scene_get_source(scene, 1, &luminaire));
+  EXPECT_EQ(luminaire.kind, UPS_SOURCE_LUMINAIRE);
+  EXPECT_EQ(luminaire.id, id.v);
+  EXPECT_EQ(luminaire.group, 7u);
+  EXPECT_EQ(luminaire.light_kind, -1);
+  EXPECT_NEAR(luminaire.flux_lm, 1500, 1);  // the interpolated table's, the band rule's of the desc
+  EXPECT_TRUE(std::equal(quarter_turn, quarter_turn + 12, luminaire.to_world));
+  const double low[] = {1.85, 2.4, 2.5}, high[] = {2.15, 3.6, 2.5};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(luminaire.bounds_min_m[i], low[i], 1e-6);
+    EXPECT_NEAR(luminaire.bounds_max_m[i], high[i], 1e-6);
+  }
+  ups_profile* same = nullptr;
+  EXPECT_OK(ups_scene_get_source_profile(scene, 1, &same));
+  ups_profile_info info{};
+  info.struct_size = sizeof info;
+  EXPECT_OK(ups_profile_get_info(same, &info));
+  EXPECT_EQ(info.peak_cd, 100);
+  expect_error(ups_scene_get_source_profile(scene, 0, &same), UPS_ERROR_INVALID_ARGUMENT, {"source 0", "no luminaire"});
+  expect_error(ups_scene_get_source(scene, 2, &lamp), UPS_ERROR_INVALID_ARGUMENT, {"source 2", "has 2"});
+  expect_error(ups_scene_get_source_count(nullptr, &count), UPS_ERROR_INVALID_ARGUMENT, {"scene"});
+  ups_profile_destroy(same);
+  ups_profile_destroy(profile);
+}
+
 }  // namespace
 }  // namespace ups_test

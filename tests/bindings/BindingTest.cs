@@ -166,6 +166,8 @@ internal static partial class BindingTest
                 }
                 var cut = scene.Section(new double[] { 1, 0, 0 }, new double[] { 1, 0, 0 });
                 Expect(cut.Length == 2 && cut[0].FromM[0] == 1, "a section");
+                var seen = scene.Outlines(new double[] { 0, 0, 1 }, new double[] { 0, 0, 1 });
+                Expect(seen.Length == 4 && seen[0].FromM[2] == 0, "outlines");
                 Expect(result.Info.Iterations == 16 && result.Info.Seed == 5, "the render's own data");
                 Expect(result.Info.AbsorbedFluxLm < 0 == result.Info.FluxBalanceStandardErrorLm < 0, "the balance");
                 foreach (var sensor in new[] { meters, eye })

@@ -240,6 +240,9 @@ def test_a_section_is_where_a_plane_cuts(context):
     lines = scene.section((1, 0, 0), (1, 0, 0))
     assert lines.shape == (2, 2, 3) and np.allclose(lines[:, :, 0], 1) and np.allclose(lines[:, :, 2], 0)
     assert np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1).sum() == pytest.approx(10)
+    edges = scene.outlines((0, 0, 1), (0, 0, 1))
+    assert np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).sum() == pytest.approx(40)
+    assert scene.outlines((0, 0, 1), (0, 0, 1), 0.5).shape == (0, 2, 3)
 
 
 def test_accuracy_and_its_cost(context):

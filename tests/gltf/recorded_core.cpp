@@ -43,6 +43,7 @@ void ups_mesh_desc_init(ups_mesh_desc* desc, uint32_t size) { write_defaults(des
 void ups_instance_desc_init(ups_instance_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_light_desc_init(ups_light_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_camera_desc_init(ups_camera_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_observer_desc_init(ups_observer_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_goniometer_desc_init(ups_goniometer_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_meter_desc_init(ups_meter_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 
@@ -128,6 +129,10 @@ ups_status ups_scene_add_meters(ups_scene* scene, const ups_meter_desc* d, ups_s
                  copied(d->tangents, 3 * count),
                  {d->cell_size_m[0], d->cell_size_m[1]}},
                 out);
+}
+
+ups_status ups_scene_add_observer(ups_scene* scene, const ups_observer_desc* d, ups_sensor_id* out) {
+  return record(scene->observers, *d, out);
 }
 
 ups_status ups_scene_add_goniometer(ups_scene* scene, const ups_goniometer_desc* d, ups_sensor_id* out) {

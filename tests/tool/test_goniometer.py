@@ -244,7 +244,7 @@ class Refuses(GoniometerTest):
     def test_options_name_what_would_be_right(self):
         for options, words in (
                 (["--out", "lamp.txt"], [".ies or .ldt", "lamp.txt"]), (["--errors", "e.txt"], [".csv"]),
-                (["--plot", "p.gif"], [".svg or .png"]), (["--c-step", "7"], ["--c-step", "divide 360", "'7'"]),
+                (["--plot", "p.gif"], [".svg, .png or .pdf"]), (["--c-step", "7"], ["--c-step", "divide 360", "'7'"]),
                 (["--c-step", "-15"], ["0.1 to 360"]), (["--c-step", "nan"], ["--c-step"]),
                 (["--gamma-step", "7"], ["--gamma-step", "divide 180"]), (["--gamma-step", "0"], ["0.1 to 180"]),
                 (["--c-step", "360"], ["--symmetry axial"]), (["--symmetry", "round"], ["quadrants"]),

@@ -51,7 +51,7 @@ class Replay(test_program.ProgramTest):
             self.replay(address, "--plot", self.path(name))
             self.assertGreater(os.path.getsize(self.path(name)), 1000)
         root = xml.parse(self.path("path.svg")).getroot()
-        words = " ".join(t.text or "" for t in root.iter("{http://www.w3.org/2000/svg}text"))
+        words = root.find("{http://www.w3.org/2000/svg}desc").text
         for word in ("Plan", "Section", "eye path"):
             self.assertIn(word, words)
 

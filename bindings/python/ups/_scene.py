@@ -3,6 +3,7 @@
 Used by programs, as ups.Scene.
 """
 import ctypes
+import math
 from ctypes import byref
 
 import numpy as np
@@ -11,6 +12,7 @@ from . import _ffi
 from ._core import (Handle, address, as_array, as_matrix, check, create, describe, describe_mesh, lib, read_array,
                     read_info, read_text)
 from ._ffi import SceneText
+from ._profile import Profile
 from ._result import Job, ReplayedPath, Result
 
 
@@ -140,10 +142,28 @@ class Scene(Handle):
 
     def section(self, point_m, normal):
         """Where a plane cuts the committed scene's surfaces: an array (segments, 2, 3), m."""
+        return self._segments(lib.ups_scene_read_section, point_m, normal)
+
+    def outlines(self, point_m, normal, depth_m=math.inf):
+        """Edges of surfaces that are seen beneath a plane, as ups_scene_read_outlines: an array (segments, 2, 3), m."""
+        return self._segments(lib.ups_scene_read_outlines, point_m, normal, depth_m)
+
+    def _segments(self, read, point_m, normal, *more):
         at = address(as_array(point_m, np.float64, (3,), "point_m"), ctypes.c_double)
         to = address(as_array(normal, np.float64, (3,), "normal"), ctypes.c_double)
-        segments = read_array(_ffi.Segment, lib.ups_scene_read_section, self, at, to)
+        segments = read_array(_ffi.Segment, read, self, at, to, *more)
         return np.stack([segments["from_m"], segments["to_m"]], axis=1)
+
+    def sources(self):
+        """A ups_scene_source of each luminaire, light and emissive instance of the committed scene: kind, id, group,
+        light_kind, flux_lm, to_world, bounds_min_m, bounds_max_m."""
+        count = ctypes.c_uint32()
+        check(lib.ups_scene_get_source_count(self, byref(count)))
+        return [read_info(_ffi.SceneSource, lib.ups_scene_get_source, self, i) for i in range(count.value)]
+
+    def source_profile(self, index):
+        """The Profile of a luminaire, by its index in sources()."""
+        return Profile(create(lib.ups_scene_get_source_profile, self, index))
 
     def replay(self, sample, **fields):
         """Traces one of Result.largest_samples again, as a ReplayedPath; fields: those of the render that it is of."""

@@ -84,6 +84,15 @@ const ups::gltf::Sensor& sensor_of(const ups_gltf_import* import_result, uint32_
   return import_result->sensors[index];
 }
 
+const ups::gltf::SourceName& source_of(const ups_gltf_import* import_result, ups_source_kind kind, uint32_t id) {
+  require(import_result != nullptr, "import_result is NULL");
+  const auto& sources = import_result->sources;
+  const auto found = std::find_if(sources.begin(), sources.end(),
+                                  [&](const auto& source) { return source.kind == kind && source.id == id; });
+  require(found != sources.end(), "no source of this kind and id comes from the file");
+  return *found;
+}
+
 ups_gltf_import_desc default_desc() { return {sizeof(ups_gltf_import_desc), 0, 0, 0, 0}; }
 
 }  // namespace
@@ -132,14 +141,12 @@ ups_status ups_gltf_get_sensor_name(const ups_gltf_import* import_result, uint32
 
 ups_status ups_gltf_get_source_name(const ups_gltf_import* import_result, ups_source_kind kind, uint32_t id, char* text,
                                     size_t capacity, size_t* needed) {
-  return guarded([&] {
-    require(import_result != nullptr, "import_result is NULL");
-    const auto& sources = import_result->sources;
-    const auto found = std::find_if(sources.begin(), sources.end(),
-                                    [&](const auto& source) { return source.kind == kind && source.id == id; });
-    require(found != sources.end(), "no source of this kind and id comes from the file");
-    ups::extras::copy_text(found->name, text, capacity, needed);
-  });
+  return guarded([&] { ups::extras::copy_text(source_of(import_result, kind, id).name, text, capacity, needed); });
+}
+
+ups_status ups_gltf_get_source_file(const ups_gltf_import* import_result, ups_source_kind kind, uint32_t id, char* text,
+                                    size_t capacity, size_t* needed) {
+  return guarded([&] { ups::extras::copy_text(source_of(import_result, kind, id).file, text, capacity, needed); });
 }
 
 ups_status ups_gltf_read_meters(const ups_gltf_import* import_result, uint32_t index, double* positions_m,

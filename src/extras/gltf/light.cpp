@@ -124,7 +124,8 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
   desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_luminaire(scene_, &desc, &id), where);
-  name_source(UPS_SOURCE_LUMINAIRE, id.v, "luminaire");
+  const std::string uri = light.text("uri", "");
+  name_source(UPS_SOURCE_LUMINAIRE, id.v, "luminaire", is_data_uri(uri) ? "" : uri);
 }
 
 void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
@@ -156,7 +157,7 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   desc.group = group_;
   ups_luminaire_id id{};
   check(ups_scene_add_luminaire(scene_, &desc, &id), where);
-  name_source(UPS_SOURCE_LUMINAIRE, id.v, "luminaire");
+  name_source(UPS_SOURCE_LUMINAIRE, id.v, "luminaire", file);
 }
 
 }  // namespace ups::gltf

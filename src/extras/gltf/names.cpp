@@ -46,13 +46,20 @@ std::string Importer::unique_name(const std::string& name, bool illuminance, con
   return result;
 }
 
+std::string Importer::unique_observer_name(const std::string& name, const std::string& where) {
+  if (name.size() > max_name_bytes)
+    throw extras::Error(UPS_ERROR_PARSE, where + ": the observer's name has " + std::to_string(name.size()) +
+                                             " bytes; at most " + std::to_string(max_name_bytes) + " fit");
+  return unique_in(names_, name, "");
+}
+
 // A table has the columns NAME_lx and NAME_standard_error_lx.
-void Importer::name_source(ups_source_kind kind, uint32_t id, const char* word) {
+void Importer::name_source(ups_source_kind kind, uint32_t id, const char* word, const std::string& file) {
   constexpr size_t room = 12;  // for the number
   const uint32_t number = node_name_.empty() ? ++nameless_[word] : 0;
   const std::string base = number ? std::string(word) + "_" + std::to_string(number)
                                   : fit_for_files(node_name_).substr(0, max_name_bytes - room);
-  sources.push_back({kind, id, unique_in(source_names_, base, "_standard_error")});
+  sources.push_back({kind, id, unique_in(source_names_, base, "_standard_error"), file});
 }
 
 }  // namespace ups::gltf

@@ -1,6 +1,4 @@
-// Text in pictures: the letters of common/glyphs.h as squares.
-#include "common/glyphs.h"
-
+// Text in pictures: the letters of glyphs.h as squares.
 #include "ocio/picture.h"
 
 namespace ups::ocio {
@@ -9,7 +7,7 @@ uint32_t text_width(const std::string& text, uint32_t size) { return uint32_t(te
 
 void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y, uint32_t size, const Color& color) {
   for (const char letter : text) {
-    if (const extras::Glyph* glyph = extras::find_glyph(letter)) {
+    if (const Glyph* glyph = find_glyph(letter)) {
       for (uint32_t row = 0; row < glyph_height; ++row) {
         for (uint32_t column = 0; column < 5; ++column) {
           if (glyph->rows[row] >> (4 - column) & 1) picture.fill(x + column * size, y + row * size, size, size, color);

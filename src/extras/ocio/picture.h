@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/glyphs.h"
+#include "ocio/glyphs.h"
 
 namespace ups::ocio {
 
@@ -20,8 +20,6 @@ struct Picture {
 };
 
 // Letters of a 5x7 font, each dot a square of `size` pixels; characters that it lacks are blanks. x, y: top left.
-using extras::at_least_sign;
-using extras::glyph_height;
 inline constexpr uint32_t glyph_width = 6;  // with the gap between letters
 uint32_t text_width(const std::string& text, uint32_t size);
 void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y, uint32_t size, const Color& color);

@@ -1,14 +1,14 @@
-// A 5x7 font for titles, scales and diagrams: letters, digits and the signs that units and file names need. Drawn as
-// squares by the pictures of ups_ocio, as strokes by the program's diagrams.
+// A 5x7 font for titles and scales: letters, digits and the signs that units and file names need. Drawn as squares by
+// font.cpp.
 #pragma once
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
 
-namespace ups::extras {
+namespace ups::ocio {
 
 inline constexpr uint32_t glyph_height = 7;
-inline constexpr char at_least_sign = '\1', degree_sign = '\2';  // signs that ASCII lacks
+inline constexpr char at_least_sign = '\1';  // that ASCII lacks
 
 struct Glyph {
   char letter;
@@ -18,7 +18,6 @@ struct Glyph {
 // clang-format off
 inline constexpr Glyph glyphs[] = {
     {at_least_sign, {0x10, 0x08, 0x04, 0x08, 0x10, 0x00, 0x1f}},
-    {degree_sign, {0x0c, 0x12, 0x12, 0x0c, 0x00, 0x00, 0x00}},
     {'#', {0x0a, 0x0a, 0x1f, 0x0a, 0x1f, 0x0a, 0x0a}},
     {'%', {0x18, 0x19, 0x02, 0x04, 0x08, 0x13, 0x03}},
     {'&', {0x0c, 0x12, 0x14, 0x08, 0x15, 0x12, 0x0d}},
@@ -113,4 +112,4 @@ inline const Glyph* find_glyph(char letter) {
   return glyph == std::end(glyphs) ? nullptr : glyph;
 }
 
-}  // namespace ups::extras
+}  // namespace ups::ocio

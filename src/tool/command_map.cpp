@@ -1,0 +1,140 @@
+// ups map: a drawing of a meter table or an image that an earlier render wrote.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tool/commands.h"
+#include "tool/drawing_file.h"
+#include "tool/exr_file.h"
+#include "tool/map_data.h"
+#include "tool/profile_file.h"
+#include "tool/text_format.h"
+
+namespace ups::tool {
+namespace {
+
+std::string read_whole(const std::string& path) {
+  std::error_code error;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path, error)) throw Failure("cannot read '" + path + "'");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream from(line);
+  for (std::string field; std::getline(from, field, ',');) fields.push_back(field);
+  if (!fields.empty() && !fields.back().empty() && fields.back().back() == '\r') fields.back().pop_back();
+  return fields;
+}
+
+class MeterTable {
+ public:
+  explicit MeterTable(const std::string& path) : path_(path) {
+    std::istringstream lines(read_whole(path));
+    std::string line;
+    if (!std::getline(lines, line)) throw Failure(path + ": is empty; it must be a table of meters");
+    header_ = fields_of(line);
+    const char* needed[] = {"x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"};
+    size_t columns[7];
+    for (size_t k = 0; k < 7; ++k) columns[k] = column(needed[k], true);
+    const size_t bound = column("error_bound_lx", false);
+    for (size_t number = 2; std::getline(lines, line); ++number) {
+      if (line.empty() || line == "\r") continue;
+      const std::vector<std::string> fields = fields_of(line);
+      const auto read = [&](size_t k) { return value(fields, k, number); };
+      MeterPoint p{};
+      for (size_t k = 0; k < 3; ++k) p.position_m[k] = read(columns[k]), p.normal[k] = read(columns[3 + k]);
+      p.illuminance_lx = read(columns[6]);
+      p.error_bound_lx = bound == header_.size() ? -1 : read(bound);
+      points.push_back(p);
+    }
+    if (points.empty()) throw Failure(path + ": holds no meter");
+  }
+
+  std::vector<MeterPoint> points;
+
+ private:
+  size_t column(const char* name, bool needed) const {
+    const auto found = std::find(header_.begin(), header_.end(), name);
+    if (found == header_.end() && needed)
+      throw Failure(path_ + ": has no column '" + name + "'; a table of meters by `ups render --out` is read");
+    return size_t(found - header_.begin());
+  }
+
+  double value(const std::vector<std::string>& fields, size_t column, size_t line) const {
+    double number = 0;
+    if (column < fields.size()) {
+      const std::string& field = fields[column];
+      const auto parsed = std::from_chars(field.data(), field.data() + field.size(), number);
+      if (parsed.ec == std::errc() && parsed.ptr == field.data() + field.size() && std::isfinite(number)) return number;
+    }
+    throw Failure(path_ + ", line " + std::to_string(line) + ": '" + header_[column] + "' is no number");
+  }
+
+  const std::string& path_;
+  std::vector<std::string> header_;
+};
+
+std::string summary_of(const std::vector<MeterPoint>& points) {
+  double sum = 0, min = INFINITY, max = -INFINITY, worst = 0;
+  for (const MeterPoint& p : points)
+    sum += p.illuminance_lx, min = std::min(min, p.illuminance_lx), max = std::max(max, p.illuminance_lx);
+  const double mean = sum / double(points.size());
+  for (const MeterPoint& p : points) {  // relative as a render's are: of at least 5 % of the mean
+    const double of = std::max(p.illuminance_lx, 0.05 * mean);
+    worst = p.error_bound_lx < 0 || worst < 0 ? -1 : std::max(worst, of > 0 ? p.error_bound_lx / of : 0);
+  }
+  return summary_text(mean, -1, min, max, worst, "lx");
+}
+
+MapData map_of_table(const MapOptions& options, const std::string& title) {
+  const std::vector<MeterPoint> points = MeterTable(options.file).points;
+  LoadedScene scene;
+  if (!options.scene.empty()) scene = load_scene(options.scene, {.allow_outside = options.allow_outside});
+  std::optional<MapData> data = meter_map(title, points, columns_of(points), scene.scene.get());
+  if (!data) throw Failure(options.file + ": its meters do not lie in one plane, or on one line; there is no map of them");
+  data->summary = summary_of(points);
+  return std::move(*data);
+}
+
+MapData map_of_image(const MapOptions& options, const std::string& title) {
+  const ExrFile file(options.file);
+  if (options.illuminance) {
+    if (!file.has("illuminance.Y"))
+      throw Failure(options.file + ": has no illuminance; it must be of a camera with \"illuminance_camera\": true");
+    return image_map(title, "Illuminance", "lx", file.channel("illuminance.Y"), file.width(), file.height());
+  }
+  if (file.has("R") && file.has("G") && file.has("B")) {
+    const std::vector<float> r = file.channel("R"), g = file.channel("G"), b = file.channel("B");
+    std::vector<float> rgb;
+    for (size_t i = 0; i < r.size(); ++i) rgb.insert(rgb.end(), {r[i], g[i], b[i]});
+    return image_map(title, "Luminance", "cd/m\u00b2", luminance_of(rgb), file.width(), file.height());
+  }
+  if (!file.has("Y")) throw Failure(options.file + ": has neither R, G and B nor Y");
+  return image_map(title, "Illuminance", "lx", file.channel("Y"), file.width(), file.height());
+}
+
+}  // namespace
+
+int map(const MapOptions& options) {
+  const std::string title =
+      options.title.empty() ? std::filesystem::path(options.file).stem().string() : options.title;
+  const std::string extension = lower_extension(options.file);
+  if (extension != ".csv" && extension != ".exr")
+    throw Failure(options.file + ": must be a .csv table of meters or a .exr image by `ups render --out`");
+  const MapData data = extension == ".csv" ? map_of_table(options, title) : map_of_image(options, title);
+  if (data.is_image && options.style.threshold > 0)
+    throw Failure("--map-threshold: " + options.file + " is an image, without bounds; take the table of the meters");
+  const Drawing drawing = map_drawing(data, options.style);
+  for (const std::string& path : options.out)
+    write_drawing(path, drawing, {data.quantity + ": " + data.title, map_description(data, options.style)});
+  return exit_done;
+}
+
+}  // namespace ups::tool

@@ -1,0 +1,37 @@
+// Where texts on a map stand without touching one another. Called by map_plot.cpp.
+#pragma once
+#include <cmath>
+#include <vector>
+
+#include "tool/drawing.h"
+
+namespace ups::tool {
+
+// Places that are taken, as discs along the middle line of each text.
+class TakenPlaces {
+ public:
+  // Centred there, turned as a label is. False: something is there, and nothing is taken.
+  bool take(const Point& centre, double width, double height, double turn_rad = 0) {
+    const double radius = 0.5 * height, half = std::max(0.5 * width - radius, 0.0);
+    const int discs = 1 + int(std::ceil(2 * half / radius));
+    std::vector<Disc> wanted;
+    for (int i = 0; i < discs; ++i) {
+      const double along = discs > 1 ? -half + 2 * half * i / (discs - 1) : 0;
+      wanted.push_back({{centre.x + along * std::cos(turn_rad), centre.y + along * std::sin(turn_rad)}, radius});
+    }
+    for (const Disc& a : wanted)
+      for (const Disc& b : taken_)
+        if (std::hypot(a.centre.x - b.centre.x, a.centre.y - b.centre.y) < a.radius + b.radius) return false;
+    taken_.insert(taken_.end(), wanted.begin(), wanted.end());
+    return true;
+  }
+
+ private:
+  struct Disc {
+    Point centre;
+    double radius;
+  };
+  std::vector<Disc> taken_;
+};
+
+}  // namespace ups::tool

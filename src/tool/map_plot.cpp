@@ -1,0 +1,369 @@
+// See map_plot.h: from the bottom up colours, the room, isolines, luminaires, numbers.
+#include "tool/map_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tool/map_labels.h"
+#include "tool/text_format.h"
+
+namespace ups::tool {
+namespace {
+
+constexpr double pixels_a_unit = 2, line_label_size = 8.5, number_size = 8, number_height = 10;
+constexpr Ink strong{15, 15, 15}, furniture{60, 60, 60}, white{255, 255, 255};
+
+bool is_inside(const std::vector<std::vector<Place>>& area, const Place& p) {
+  bool inside = area.empty();
+  for (const auto& outline : area) {
+    for (size_t i = 0; i < outline.size(); ++i) {
+      const Place a = outline[i], b = outline[(i + 1) % outline.size()];
+      if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+class Plot {
+ public:
+  Plot(Drawing& drawing, const MapView& view, const MapData& data, const MapField& field, const MapStyle& style,
+       const MapRange& range)
+      : drawing_(drawing), view_(view), data_(data), field_(field), style_(style), range_(range) {}
+
+  void draw() {
+    const Frame& f = view_.frame;
+    drawing_.add(ClipBegin{{{{f.left, f.top},
+                             {f.left + f.width, f.top},
+                             {f.left + f.width, f.top + f.height},
+                             {f.left, f.top + f.height}}}});
+    draw_colours();
+    if (style_.threshold > 0) draw_hatching();
+    for (const MapLine& line : data_.room)
+      if (!line.cut) add_line(line.points, furniture, 0.6, 0.75);
+    std::vector<Label> labels;
+    draw_isolines(labels);
+    for (const MapLine& line : data_.room)
+      if (line.cut) add_line(line.points, strong, 1.6, 1);
+    draw_luminaires();
+    draw_observers(labels);
+    if (style_.numbers && !data_.is_image) add_numbers(labels);
+    for (Label& label : labels) drawing_.add(std::move(label));
+    drawing_.add(ClipEnd{});
+    if (data_.is_image) draw_frame();
+  }
+
+ private:
+  // ---- colours
+
+  Ink ink_of_value(uint32_t value, const Place& p) const {
+    const MapValue& v = data_.values[value];
+    if (style_.threshold > 0) return ink_of(verdict_of(v, style_.threshold));
+    double shown = v.value;
+    if (const auto& lattice = field_.lattice(); lattice && !style_.cells) {
+      const double x = (p.x - lattice->corner.x) / lattice->step_x, y = (p.y - lattice->corner.y) / lattice->step_y;
+      shown = field_.between(x, y, int64_t(std::floor(x)), int64_t(std::floor(y)));
+    }
+    return colour_at(style_.colours, range_.share(shown));
+  }
+
+  void draw_colours() {
+    const MapBox& box = field_.box();
+    if (box.empty()) return;
+    const Point corner = view_.at({box.left, box.high});
+    // An image's own pixels where they are the coarser ones.
+    const auto& lattice = field_.lattice();
+    const bool own = data_.is_image && lattice && lattice->columns <= pixels_a_unit * box.width() * view_.scale;
+    const auto side = [&](double length) {
+      return uint32_t(std::max(1.0, std::ceil(length * view_.scale * pixels_a_unit - 1e-6)));
+    };
+    Picture picture{corner,
+                    box.width() * view_.scale,
+                    box.height() * view_.scale,
+                    own ? lattice->columns : side(box.width()),
+                    own ? lattice->rows : side(box.height()),
+                    {}};
+    picture.rgba.assign(4 * size_t(picture.columns) * picture.rows, 0);
+    for (uint32_t row = 0; row < picture.rows; ++row) {
+      for (uint32_t column = 0; column < picture.columns; ++column) {
+        const Place p{box.left + box.width() * (column + 0.5) / picture.columns,
+                      box.high - box.height() * (row + 0.5) / picture.rows};
+        const uint32_t value = field_.nearest(p);
+        if (value == Lattice::none || !is_inside(data_.area, p)) continue;
+        const Ink ink = ink_of_value(value, p);
+        uint8_t* to = &picture.rgba[4 * (size_t(row) * picture.columns + column)];
+        std::copy(ink.begin(), ink.end(), to);
+        to[3] = 255;
+      }
+    }
+    drawing_.add(std::move(picture));
+  }
+
+  // Across the cells that are not sure: to be told from the others without colours too.
+  void draw_hatching() {
+    constexpr double distance = 5;
+    ClipBegin clip;
+    for (size_t i = 0; i < data_.values.size(); ++i)
+      if (verdict_of(data_.values[i], style_.threshold) == Verdict::not_sure) clip.outlines.push_back(on_paper(field_.cell(i)));
+    if (clip.outlines.empty()) return;
+    drawing_.add(std::move(clip));
+    const Frame& f = view_.frame;
+    for (double x = f.left - f.height; x < f.left + f.width; x += distance)
+      drawing_.add(Line{{{x, f.top + f.height}, {x + f.height, f.top}}, {150, 120, 20}, 0.7});
+    drawing_.add(ClipEnd{});
+  }
+
+  // ---- lines
+
+  std::vector<Point> on_paper(const std::vector<Place>& places) const {
+    std::vector<Point> points;
+    for (const Place& p : places) points.push_back(view_.at(p));
+    return points;
+  }
+
+  void add_line(const std::vector<Place>& places, const Ink& ink, double width, double opacity) {
+    drawing_.add(Line{on_paper(places), ink, width, 0, opacity});
+  }
+
+  void draw_isolines(std::vector<Label>& labels) {
+    std::vector<double> levels = style_.isolines && !(style_.threshold > 0) ? range_.levels : std::vector<double>{};
+    if (style_.threshold > 0) levels = {style_.threshold};
+    for (const Isoline& line : isolines_of(field_, levels)) {
+      const std::vector<Point> points = on_paper(line.points);
+      std::vector<double> along = {0};
+      for (size_t i = 1; i < points.size(); ++i)
+        along.push_back(along.back() + std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y));
+      if (along.back() < (data_.is_image ? 24 : 6)) continue;  // a speck of noise
+      draw_labelled(line.level, points, along, labels);
+    }
+  }
+
+  // With its value in gaps of the line, about one each 260 units.
+  void draw_labelled(double level, const std::vector<Point>& points, const std::vector<double>& along,
+                     std::vector<Label>& labels) {
+    const std::string text = format("%.6g", level);
+    const double half = 0.5 * width_of(text, line_label_size) + 2, length = along.back();
+    std::vector<double> gaps;
+    const int wanted = std::clamp(int(length / 260), 1, 4);
+    for (int k = 0; length > 5 * half && k < wanted; ++k) {
+      const double from = length * k / wanted, to = length * (k + 1) / wanted;
+      if (const double at = best_place(points, along, from + half, to - half, half); at >= 0) {
+        const double turn = turn_at(points, along, at, half);
+        const Point p = point_at(points, along, at);
+        if (!is_well_inside(p, half) || !taken_.take(p, 2 * half, line_label_size + 3, turn)) continue;
+        labels.push_back({{p.x - 0.36 * line_label_size * std::sin(turn), p.y + 0.36 * line_label_size * std::cos(turn)},
+                          text, line_label_size, strong, Anchor::middle, style_.threshold > 0, turn, 1.6});
+        gaps.push_back(at);
+      }
+    }
+    std::vector<Point> piece;
+    const auto finish = [&] {
+      if (piece.size() > 1) {
+        drawing_.add(Line{piece, white, style_.threshold > 0 ? 3.0 : 2.2, 0, 0.45});
+        drawing_.add(Line{piece, strong, style_.threshold > 0 ? 1.6 : 0.9, 0, 0.9});
+      }
+      piece.clear();
+    };
+    for (size_t i = 0; i < points.size(); ++i) {
+      const bool free = std::none_of(gaps.begin(), gaps.end(), [&](double at) { return std::abs(along[i] - at) < half; });
+      if (free) {
+        piece.push_back(points[i]);
+      } else {
+        finish();
+      }
+    }
+    finish();
+  }
+
+  static Point point_at(const std::vector<Point>& points, const std::vector<double>& along, double at) {
+    const size_t i = std::clamp<size_t>(size_t(std::lower_bound(along.begin(), along.end(), at) - along.begin()), 1,
+                                        points.size() - 1);
+    const double t = along[i] > along[i - 1] ? (at - along[i - 1]) / (along[i] - along[i - 1]) : 0;
+    return {points[i - 1].x + t * (points[i].x - points[i - 1].x), points[i - 1].y + t * (points[i].y - points[i - 1].y)};
+  }
+
+  // Of a text there, upright.
+  static double turn_at(const std::vector<Point>& points, const std::vector<double>& along, double at, double half) {
+    const Point a = point_at(points, along, std::max(at - half, 0.0));
+    const Point b = point_at(points, along, std::min(at + half, along.back()));
+    const double turn = std::atan2(b.y - a.y, b.x - a.x), quarter = std::acos(0.0);
+    return turn > quarter ? turn - 2 * quarter : turn <= -quarter ? turn + 2 * quarter : turn;
+  }
+
+  // Where the line is straightest, and nearly level if it can be; < 0: nowhere is it straight enough.
+  static double best_place(const std::vector<Point>& points, const std::vector<double>& along, double from, double to,
+                           double half) {
+    double best = -1, least = 0.35;
+    constexpr int tries = 24;
+    for (int i = 0; i <= tries && to > from; ++i) {
+      const double at = from + (to - from) * i / tries;
+      const Point a = point_at(points, along, std::max(at - half, 0.0)), m = point_at(points, along, at);
+      const Point b = point_at(points, along, std::min(at + half, along.back()));
+      const double chord = std::hypot(b.x - a.x, b.y - a.y);
+      const double bend = std::abs((m.x - a.x) * (b.y - a.y) - (m.y - a.y) * (b.x - a.x)) / std::max(chord * chord, 1e-9);
+      const double steep = std::abs(turn_at(points, along, at, half));
+      const double folded = chord < 1.7 * half ? 1 : 0;
+      const double badness = bend + 0.06 * steep + folded + 0.002 * std::abs(i - tries / 2);
+      if (badness < least) least = badness, best = at;
+    }
+    return best;
+  }
+
+  bool is_well_inside(const Point& p, double room) const {
+    const Frame& f = view_.frame;
+    return p.x > f.left + room && p.x < f.left + f.width - room && p.y > f.top + 7 && p.y < f.top + f.height - 7;
+  }
+
+  // ---- things
+
+  void draw_luminaires() {
+    constexpr double arm = 4;
+    for (const MapLuminaire& l : data_.luminaires) {
+      std::vector<std::vector<Point>> strokes;
+      if (!l.outline.empty()) {
+        strokes.push_back(on_paper(l.outline));
+        strokes.back().push_back(strokes.back().front());
+      }
+      const Point c = view_.at(l.centre);
+      strokes.push_back({{c.x - arm, c.y - arm}, {c.x + arm, c.y + arm}});
+      strokes.push_back({{c.x - arm, c.y + arm}, {c.x + arm, c.y - arm}});
+      if (l.outline.size() < 2 || extent_on_paper(l.outline) < 2 * arm) strokes.push_back(circle(c, arm * 1.45));
+      for (const auto& stroke : strokes) drawing_.add(Line{stroke, white, 2.8, 0, 0.85});
+      for (const auto& stroke : strokes) drawing_.add(Line{stroke, strong, 1});
+      taken_.take(c, 2 * arm, 2 * arm);
+    }
+  }
+
+  double extent_on_paper(const std::vector<Place>& outline) const {
+    MapBox box;
+    for (const Place& p : outline) box.grow(p);
+    return std::max(box.width(), box.height()) * view_.scale;
+  }
+
+  static std::vector<Point> circle(const Point& c, double radius) {
+    std::vector<Point> points;
+    constexpr int corners = 24;
+    for (int k = 0; k <= corners; ++k) {
+      const double angle = 4 * std::acos(0.0) * k / corners;
+      points.push_back({c.x + radius * std::cos(angle), c.y + radius * std::sin(angle)});
+    }
+    return points;
+  }
+
+  void draw_observers(std::vector<Label>& labels) {
+    for (const MapObserver& o : data_.observers) {
+      const Point c = view_.at(o.at);
+      const double length = std::hypot(o.looks_along.x, o.looks_along.y);
+      drawing_.add(Area{circle(c, 4.5), white});
+      drawing_.add(Line{circle(c, 4.5), strong, 1.2});
+      if (length > 0) {
+        const double x = o.looks_along.x / length, y = -o.looks_along.y / length;
+        drawing_.add(Line{{{c.x + 4.5 * x, c.y + 4.5 * y}, {c.x + 16 * x, c.y + 16 * y}}, strong, 1.2});
+        drawing_.add(Area{{{c.x + 20 * x, c.y + 20 * y},
+                           {c.x + 13 * x - 3.5 * y, c.y + 13 * y + 3.5 * x},
+                           {c.x + 13 * x + 3.5 * y, c.y + 13 * y - 3.5 * x}},
+                          strong});
+      }
+      taken_.take(c, 10, 10);
+      if (!o.name.empty() && taken_.take({c.x, c.y + 13}, width_of(o.name, number_size), number_height))
+        labels.push_back({{c.x, c.y + 16}, o.name, number_size, strong, Anchor::middle, true, 0, 1.6});
+    }
+  }
+
+  // ---- numbers
+
+  // The smallest and the largest value first, then as many of the others as have room; the rest are dots.
+  void add_numbers(std::vector<Label>& labels) {
+    uint32_t least = Lattice::none, most = Lattice::none;
+    for (size_t i = 0; i < data_.values.size(); ++i) {
+      if (!is_known(data_.values[i])) continue;
+      if (least == Lattice::none || data_.values[i].value < data_.values[least].value) least = uint32_t(i);
+      if (most == Lattice::none || data_.values[i].value > data_.values[most].value) most = uint32_t(i);
+    }
+    if (least == Lattice::none) return;
+    if (least != most) {
+      add_number(least, "min ", labels);
+      add_number(most, "max ", labels);
+    }
+    const double widest = width_of(value_text(data_.values[most].value, data_.values[most].value), number_size) + 5;
+    const auto& lattice = field_.lattice();
+    const auto stride = [&](double room, double step) { return int64_t(std::max(1.0, std::ceil(room / (step * view_.scale)))); };
+    const int64_t every_column = lattice ? stride(widest, lattice->step_x) : 1;
+    const int64_t every_row = lattice ? stride(number_height + 2, lattice->step_y) : 1;
+    const bool dotted = lattice && std::min(lattice->step_x, lattice->step_y) * view_.scale >= 4;
+    for (size_t i = 0; i < data_.values.size(); ++i) {
+      const MapValue& v = data_.values[i];
+      if (!is_known(v) || i == least || i == most) continue;
+      bool in_turn = true;
+      if (lattice) {
+        const auto column = int64_t((v.at.x - lattice->corner.x) / lattice->step_x);
+        const auto row = int64_t((v.at.y - lattice->corner.y) / lattice->step_y);
+        in_turn = column % every_column == every_column / 2 && row % every_row == every_row / 2;
+      }
+      if (in_turn && add_number(uint32_t(i), "", labels)) continue;
+      if (dotted || !lattice) drawing_.add(Area{circle(view_.at(v.at), 0.7), strong, 0.6});
+    }
+  }
+
+  bool add_number(uint32_t value, const char* before, std::vector<Label>& labels) {
+    const Point p = view_.at(data_.values[value].at);
+    const std::string text = before + value_text(data_.values[value].value, range_.most);
+    const bool bold = *before != 0;
+    const double width = width_of(text, number_size, bold);
+    // At the border of the picture it moves inwards.
+    const Frame& f = view_.frame;
+    const double x = std::clamp(p.x, f.left + 0.5 * width + 2, std::max(f.left + f.width - 0.5 * width - 2, f.left + 0.5 * width + 2));
+    if (!taken_.take({x, p.y}, width + 3, number_height)) return false;
+    labels.push_back({{x, p.y + 0.36 * number_size}, text, number_size, strong, Anchor::middle, bold, 0, 1.4});
+    return true;
+  }
+
+  void draw_frame() {
+    const Frame& f = view_.frame;
+    drawing_.add(Line{{{f.left, f.top},
+                       {f.left + f.width, f.top},
+                       {f.left + f.width, f.top + f.height},
+                       {f.left, f.top + f.height},
+                       {f.left, f.top}},
+                      grey,
+                      0.8});
+  }
+
+  Drawing& drawing_;
+  const MapView& view_;
+  const MapData& data_;
+  const MapField& field_;
+  const MapStyle& style_;
+  const MapRange& range_;
+  TakenPlaces taken_;
+};
+
+}  // namespace
+
+MapBox extent_of(const MapData& data, const MapField& field) {
+  MapBox box = field.box();
+  if (box.empty()) box.grow({0, 0}), box.grow({1, 1});
+  if (data.is_image) return box;
+  const double side = std::max(box.width(), box.height()), reach = std::max(0.25 * side, 0.3);
+  const MapBox cells = box;
+  for (const MapLine& line : data.room) {
+    for (const Place& p : line.points) {
+      if (line.cut && p.x > cells.left - reach && p.x < cells.right + reach && p.y > cells.low - reach &&
+          p.y < cells.high + reach)
+        box.grow(p);
+    }
+  }
+  const double rim = 0.02 * std::max(box.width(), box.height());
+  return {box.left - rim, box.low - rim, box.right + rim, box.high + rim};
+}
+
+void draw_plot(Drawing& drawing, const MapView& view, const MapData& data, const MapField& field,
+               const MapStyle& style, const MapRange& range) {
+  Plot(drawing, view, data, field, style, range).draw();
+}
+
+std::string value_text(double value, double largest) {
+  const int decimals = largest > 0 ? std::clamp(2 - int(std::floor(std::log10(largest) + 1e-9)), 0, 6) : 0;
+  return format("%.*f", decimals, value);
+}
+
+}  // namespace ups::tool
