@@ -5,6 +5,28 @@
 using namespace ups;
 using namespace ups::api;
 
+namespace {
+
+ups_meter_place place_of(const MeterSet& set, uint32_t number, const Vec3d& origin) {
+  ups_meter_place place{};
+  const bool triangles = set.on_surface() && set.surface_triangle.empty();
+  const uint32_t m = set.index_of(number);
+  place.triangle = triangles ? number : UINT32_MAX;
+  if (m == UINT32_MAX) return place;
+  const Meter& meter = set.meters[m];
+  const Vec3d p = set.positions ? (*set.positions)[m] : Vec3d(meter.p) + origin;
+  for (int k = 0; k < 3; ++k) {
+    place.position_m[k] = p[k];
+    place.normal[k] = meter.frame.n[k];
+  }
+  place.area_m2 = float(set.area(m));
+  place.valid = 1;
+  if (set.on_surface() && !triangles) place.triangle = set.surface_triangle[m];
+  return place;
+}
+
+}  // namespace
+
 void ups_camera_desc_init(ups_camera_desc* desc, uint32_t struct_size) {
   ups_camera_desc d{};
   d.projection = UPS_PERSPECTIVE;
@@ -16,6 +38,16 @@ void ups_camera_desc_init(ups_camera_desc* desc, uint32_t struct_size) {
 
 void ups_meter_desc_init(ups_meter_desc* desc, uint32_t struct_size) {
   write_defaults(desc, struct_size, ups_meter_desc{});
+}
+
+void ups_surface_meters_desc_init(ups_surface_meters_desc* desc, uint32_t struct_size) {
+  write_defaults(desc, struct_size, ups_surface_meters_desc{});
+}
+
+void ups_lightmap_desc_init(ups_lightmap_desc* desc, uint32_t struct_size) {
+  ups_lightmap_desc d{};
+  d.width = d.height = 256;
+  write_defaults(desc, struct_size, d);
 }
 
 void ups_goniometer_desc_init(ups_goniometer_desc* desc, uint32_t struct_size) {
@@ -47,5 +79,39 @@ ups_status ups_scene_add_meters(ups_scene* scene, const ups_meter_desc* desc, up
     require(scene, "scene");
     require(out, "out");
     *out = scene->description.add_meters(read_desc(desc, &ups_meter_desc_init));
+  });
+}
+
+ups_status ups_scene_add_surface_meters(ups_scene* scene, const ups_surface_meters_desc* desc, ups_sensor_id* out) {
+  return guard(__func__, [&] {
+    require(scene, "scene");
+    require(out, "out");
+    *out = scene->description.add_surface_meters(read_desc(desc, &ups_surface_meters_desc_init));
+  });
+}
+
+ups_status ups_scene_add_lightmap(ups_scene* scene, const ups_lightmap_desc* desc, ups_sensor_id* out) {
+  return guard(__func__, [&] {
+    require(scene, "scene");
+    require(out, "out");
+    *out = scene->description.add_lightmap(read_desc(desc, &ups_lightmap_desc_init));
+  });
+}
+
+ups_status ups_scene_read_meter_places(const ups_scene* scene, ups_sensor_id meters, ups_meter_place* out,
+                                       size_t count) {
+  return guard(__func__, [&] {
+    const Snapshot& s = *committed(scene).snapshot;
+    const uint32_t number = own_number_of(meters.v, s.tag->bits(), "sensor");
+    const auto at = std::find(s.meter_set_ids.begin(), s.meter_set_ids.end(), number);
+    if (at == s.meter_set_ids.end())
+      fail_argument("meters: sensor id " + std::to_string(number) +
+                    " is not a set of meters of the scene as it was committed");
+    const MeterSet& set = s.meter_sets[size_t(at - s.meter_set_ids.begin())];
+    require(out, "out");
+    if (count != set.declared_count())
+      fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(set.declared_count()) +
+                    " meters");
+    for (uint32_t i = 0; i < count; ++i) out[i] = place_of(set, i, s.origin);
   });
 }

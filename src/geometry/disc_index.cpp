@@ -52,7 +52,8 @@ void bounds(const RTCBoundsFunctionArguments* args) {
   const Disc& disc = static_cast<const Disc*>(args->geometryUserPtr)[args->primID];
   const float pad = 0x1p-21f * (max_abs(disc.center) + disc.radius);
   const auto half = [&](float n) { return disc.radius * std::sqrt(std::max(0.0f, 1 - n * n)) + pad; };
-  const Vec3 h{half(disc.normal.x), half(disc.normal.y), half(disc.normal.z)};
+  const Vec3 h = disc.reach.x < 0 ? Vec3(half(disc.normal.x), half(disc.normal.y), half(disc.normal.z))
+                                  : disc.reach + Vec3(pad, pad, pad);
   const Vec3 lower = disc.center - h, upper = disc.center + h;
   RTCBounds& b = *args->bounds_o;
   b.lower_x = lower.x, b.lower_y = lower.y, b.lower_z = lower.z;

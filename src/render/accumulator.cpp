@@ -84,10 +84,10 @@ void Accumulator::add(const IterationTally& tally) {
 
 // At least the brightest photon on the whole disc; and as an eye path that sees a surface as bright as the brightest
 // exact light makes a white one, or the scene's mean.
-double Accumulator::largest_path(size_t set, double disc_area, const Largest& found, LightPart part) const {
+double Accumulator::largest_path(size_t set, size_t m, double disc_area, const Largest& found, LightPart part) const {
   const MeterSet& meters = scene_.meter_sets[set];
   const TechniqueShare share = plan_.shares.empty() ? TechniqueShare{} : plan_.shares[plan_.units.of_set(set)];
-  const double area = meters.is_cell() && share.light ? double(meters.cell_area()) : disc_area;
+  const double area = meters.is_cell() && share.light ? meters.area(m) : disc_area;
   const double photon = plan_.light_paths > 0 && area > 0 ? work_.brightest_lm / (plan_.light_paths * area) : 0;
   const double seen = std::max(largest_exact_[set], scene_lx_) / plan_.meter_samples;
   return std::max({double(found[part]), photon, seen});
@@ -141,7 +141,7 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   }
   const Largest& found = column == 0 ? largest_[set] : largest_separated_[set][column - 1];
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
-    light.largest[part] = std::max(largest_path(set, area, found, part), double(light.sums.paths[part].largest));
+    light.largest[part] = std::max(largest_path(set, m, area, found, part), double(light.sums.paths[part].largest));
     light.exact[part] = !emits_ || (point && (part == direct_light ? plan_.exact_direct : plan_.exact_light));
   }
   return light;

@@ -18,8 +18,9 @@ class SensorIndex {
 
   struct Entry {
     uint32_t set, meter;
+    uint32_t piece;      // of a cell: MeterSet::piece
     uint32_t visited;    // running number of the meter among those of its set that the iteration visits
-    double area = 0;     // of a cell, of a point's disc
+    double area = 0;     // of a whole cell, of a point's disc
     double eta = 0;      // N area / Ke: a disc merges once for all eye paths of its meter; 0: a cell
     mis::Counts counts;
   };
