@@ -66,6 +66,35 @@ typedef struct ups_lightmap_desc {
   uint32_t reserved;                /* 0 */
 } ups_lightmap_desc;
 
+/* The grid of points that EN 12464-1 wants illuminance at: the cell centres of a grid over the polygon's extent less the
+ * border, those that lie within the polygon, outside its holes, and at least the border away from all outlines. No two
+ * neighbours are further apart than p = 0.2 * 5^log10(d) m (at most 10 m), d being the longer side of the extent less the
+ * border, or the shorter where the longer is at least twice as long; no cell is more than twice as long as wide. */
+typedef struct ups_en12464_desc {
+  uint32_t struct_size;
+  uint32_t corner_count;              /* >= 3; 4096 with those of the holes at most */
+  const double *corners_m;            /* 2 * corner_count: x, y of the polygon's corners, either way round */
+  const double *hole_corners_m;       /* 2 each, one hole after the other */
+  const uint32_t *hole_corner_counts; /* hole_count */
+  uint32_t hole_count;
+  uint32_t reserved;                  /* 0 */
+  double border_m;                    /* 0.5 as the standard has it; 0 where the task lies at the walls */
+} ups_en12464_desc;
+
+typedef struct ups_en12464_info {
+  uint32_t struct_size;
+  uint32_t columns, rows;
+  uint32_t point_count;      /* columns * rows: no cell is left out */
+  double origin_m[2];        /* corner of cell 0, 0, the one with the smallest x and y */
+  double cell_m[2];          /* a cell's sides */
+  double largest_spacing_m;  /* p */
+} ups_en12464_info;
+
+typedef struct ups_en12464_point { /* a plain array element: it never grows */
+  double x_m, y_m;
+  uint32_t column, row;
+} ups_en12464_point;
+
 /* What a meter of the committed scene measures. */
 typedef struct ups_meter_place { /* a plain array element: it never grows */
   double position_m[3]; /* the point, or the centre of the area */
@@ -104,6 +133,12 @@ UPS_API ups_status ups_scene_add_lightmap(ups_scene *scene, const ups_lightmap_d
 /* Of the meters of a committed scene. count: of all its meters, whether valid or not: texels, triangles. */
 UPS_API ups_status ups_scene_read_meter_places(const ups_scene *scene, ups_sensor_id meters, ups_meter_place *out,
                                                size_t count);
+UPS_API void ups_en12464_desc_init(ups_en12464_desc *desc, uint32_t struct_size);
+/* Needs no scene. Points: column fastest. info may be NULL, else info->struct_size must be set; points may be NULL with
+ * capacity 0: *needed gets their number. Errors: INVALID_ARGUMENT for an outline that crosses itself, a hole outside, a
+ * border that leaves nothing; BUFFER_TOO_SMALL. */
+UPS_API ups_status ups_en12464_grid(const ups_en12464_desc *desc, ups_en12464_info *info, ups_en12464_point *points,
+                                    size_t capacity, size_t *needed);
 /* The defaults: planes every 15 degrees, gamma every 2.5 degrees, no symmetry. */
 UPS_API void ups_goniometer_desc_init(ups_goniometer_desc *desc, uint32_t struct_size);
 UPS_API ups_status ups_scene_add_goniometer(ups_scene *scene, const ups_goniometer_desc *desc, ups_sensor_id *out);

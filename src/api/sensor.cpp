@@ -1,6 +1,7 @@
 // ups_sensor.h: cameras, meters and goniometers.
 #include "api/desc.h"
 #include "api/handles.h"
+#include "sensor/en12464.h"
 
 using namespace ups;
 using namespace ups::api;
@@ -25,6 +26,27 @@ ups_meter_place place_of(const MeterSet& set, uint32_t number, const Vec3d& orig
   return place;
 }
 
+PlanOutline outline(const double* corners, size_t count) {
+  PlanOutline out;
+  for (size_t i = 0; i < count; ++i) out.push_back({corners[2 * i], corners[2 * i + 1]});
+  return out;
+}
+
+En12464Area area_of(const ups_en12464_desc& d) {
+  if (d.corner_count > 0) require(d.corners_m, "corners_m");
+  if (d.reserved != 0) fail_argument("reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  En12464Area area{outline(d.corners_m, d.corner_count), {}, d.border_m};
+  if (d.hole_count == 0) return area;
+  require(d.hole_corners_m, "hole_corners_m");
+  require(d.hole_corner_counts, "hole_corner_counts");
+  size_t begin = 0;
+  for (uint32_t h = 0; h < d.hole_count; ++h) {
+    area.holes.push_back(outline(d.hole_corners_m + 2 * begin, d.hole_corner_counts[h]));
+    begin += d.hole_corner_counts[h];
+  }
+  return area;
+}
+
 }  // namespace
 
 void ups_camera_desc_init(ups_camera_desc* desc, uint32_t struct_size) {
@@ -47,6 +69,12 @@ void ups_surface_meters_desc_init(ups_surface_meters_desc* desc, uint32_t struct
 void ups_lightmap_desc_init(ups_lightmap_desc* desc, uint32_t struct_size) {
   ups_lightmap_desc d{};
   d.width = d.height = 256;
+  write_defaults(desc, struct_size, d);
+}
+
+void ups_en12464_desc_init(ups_en12464_desc* desc, uint32_t struct_size) {
+  ups_en12464_desc d{};
+  d.border_m = 0.5;
   write_defaults(desc, struct_size, d);
 }
 
@@ -109,9 +137,25 @@ ups_status ups_scene_read_meter_places(const ups_scene* scene, ups_sensor_id met
                     " is not a set of meters of the scene as it was committed");
     const MeterSet& set = s.meter_sets[size_t(at - s.meter_set_ids.begin())];
     require(out, "out");
-    if (count != set.declared_count())
-      fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(set.declared_count()) +
+    if (count != set.count())
+      fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(set.count()) +
                     " meters");
     for (uint32_t i = 0; i < count; ++i) out[i] = place_of(set, i, s.origin);
+  });
+}
+
+ups_status ups_en12464_grid(const ups_en12464_desc* desc, ups_en12464_info* info, ups_en12464_point* points,
+                            size_t capacity, size_t* needed) {
+  return guard(__func__, [&] {
+    const En12464Grid grid = en12464_grid(area_of(read_desc(desc, &ups_en12464_desc_init)));
+    copy_array(grid.points.size(), points, capacity, needed, "points", [&](size_t i) {
+      const En12464Grid::Point& p = grid.points[i];
+      return ups_en12464_point{p.at.x, p.at.y, p.column, p.row};
+    });
+    if (info)
+      write_info(info,
+                 {uint32_t(sizeof *info), grid.columns, grid.rows, uint32_t(grid.points.size()),
+                  {grid.origin.x, grid.origin.y}, {grid.cell.x, grid.cell.y}, grid.largest_spacing},
+                 "info");
   });
 }

@@ -131,7 +131,7 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   const size_t columns = plan_.separation.columns.size(), row = m * (columns + 1);
   const bool point = !scene_.meter_sets[set].is_cell();
   MeterLight light{column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1], {}, visits(m), {}, {},
-                   plan_.merges_direct_light(), {}};
+                   plan_.merges_direct_light(), {}, scene_.meter_sets[set].weight(m)};
   double area = 0;
   if (!discs.empty() && light.visits > 0) {
     const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
@@ -189,6 +189,7 @@ MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const
       r.parts[size_t(part)].push_back(light.part(part));
   }
   r.statistics = statistics_of(lights, r.meters);
+  r.statistics.count = scene_.meter_sets[set].count();
   return r;
 }
 
@@ -201,7 +202,7 @@ std::vector<ups_sample> Accumulator::largest_samples(size_t camera, const ImageR
 std::vector<ups_sample> Accumulator::largest_samples(size_t set, const MeterSetReading& r, uint64_t seed) const {
   LargestSamples largest(scene_.meter_set_ids[set], seed);
   for (uint32_t m = 0; m < r.meters.size(); ++m)
-    largest.add(m, r.largest[m], visits(m), double(r.meters[m].illuminance_lx), r.statistics.mean_lx);
+    largest.add(scene_.meter_sets[set].number(m), r.largest[m], visits(m), double(r.meters[m].illuminance_lx), r.statistics.mean_lx);
   return largest.take();
 }
 
@@ -226,8 +227,8 @@ ups_meter_statistics Accumulator::statistics_of(const std::vector<MeterLight>& l
     for (uint32_t b = 0; b < batches.used(); ++b) biases[b] = sums.bias[b] / visits_of_batch(n, b);
     const Spread& bias = lights[m].bias;
     const double unfound = readings[m].error_bound_lx - std::abs(bias.mean);
-    batches.add({spread(sums.value, n).mean, bias, readings[m].standard_error_lx < 0 ? std::max(0.0, unfound) : 0},
-                means, biases);
+    batches.add({spread(sums.value, n).mean, bias, readings[m].standard_error_lx < 0 ? std::max(0.0, unfound) : 0,
+                 lights[m].weight}, means, biases);
     reached |= sums.batches[whole_light];
   }
   const ChanceLight light{0, uint32_t(std::popcount(reached)), 0};
@@ -239,7 +240,6 @@ ups_meter_statistics Accumulator::statistics_of(const std::vector<MeterLight>& l
       errors.push_back(m.error_bound_lx / std::max(double(m.illuminance_lx), share_of_mean * s.mean_lx));
   const ErrorSummary e = summary_of(std::move(errors), 0);
   const double of_dark = known && !emits_ ? 0 : -1;  // a set that no light has reached has no known error
-  s.count = uint32_t(readings.size());
   s.median_relative_error_bound = e.median >= 0 ? e.median : of_dark;
   s.p95_relative_error_bound = e.p95 >= 0 ? e.p95 : of_dark;
   s.worst_relative_error_bound = e.worst >= 0 ? e.worst : of_dark;

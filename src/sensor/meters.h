@@ -43,6 +43,7 @@ struct MeterSet {
   bool is_cell() const { return cell_width > 0 || disc_radius > 0 || on_surface(); }  // a mean, not a point
   bool on_surface() const { return !triangles.empty(); }
   double area(size_t m) const;  // of a cell; 0: a point
+  double weight(size_t m) const { return on_surface() ? areas[m] : 1; }  // in the set's mean
   // A cell is made of so many flat pieces; a piece's place, and whether a point of its plane lies in it: x, y along its
   // frame's s and t from its p.
   size_t piece_count(size_t m) const { return on_surface() ? first_triangle[m + 1] - first_triangle[m] : 1; }
@@ -59,7 +60,8 @@ struct MeterSet {
   // A point of a cell, uniformly over its area.
   Meter sample(size_t m, const Vec2& u) const;
 
-  uint32_t declared_count() const { return numbers.empty() ? uint32_t(meters.size()) : declared; }
+  // As the program counts them.
+  uint32_t count() const { return numbers.empty() ? uint32_t(meters.size()) : declared; }
   uint32_t number(size_t m) const { return numbers.empty() ? uint32_t(m) : numbers[m]; }
   uint32_t index_of(uint32_t number) const;  // UINT32_MAX: it does not measure
   size_t bytes() const;

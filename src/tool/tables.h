@@ -15,8 +15,9 @@ struct SourceEntry {
 // What --separate told apart; empty without it.
 std::vector<SourceEntry> sources_of(const LoadedScene& scene, const ups_result* result);
 
-// positions_m: 3 a meter. A row a meter; of each source illuminance and standard error, lx.
-void write_sources_csv(const std::string& path, const std::vector<double>& positions_m, const SensorEntry& meters,
+// positions_m: 3 a meter. A row for each meter listed; of each source illuminance and standard error, lx.
+void write_sources_csv(const std::string& path, const std::vector<double>& positions_m,
+                       const std::vector<size_t>& listed, const SensorEntry& meters,
                        const std::vector<SourceEntry>& sources, const ups_result* result);
 
 // The nodes of a goniometer; gamma runs fastest.

@@ -52,6 +52,8 @@ struct SourceName {
 struct PlacedMesh {  // a primitive
   ups_mesh_id id;
   bool emits;
+  uint32_t triangles;
+  bool has_uvs;
 };
 
 // "colour_temperature_k" of an emitter or a luminaire, where there is one.
@@ -126,6 +128,8 @@ class Importer {
   void read_finish(const JsonReader& part, Desc& desc, ups_material_desc& custom);
   // meters.cpp
   void add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame);
+  void add_surface_meters(const JsonReader& meters, const std::string& node_name);
+  void keep_meters(Sensor&& sensor, const JsonReader& meters, const std::string& node_name);
   std::string unique_name(const std::string& name, bool illuminance, const std::string& where);
   // names.cpp: of what emits on the present node; word: "luminaire", "instance" or "fixture".
   void name_source(ups_source_kind kind, uint32_t id, const char* word);
@@ -145,6 +149,9 @@ class Importer {
   std::vector<char> visited_;  // nodes
   uint32_t group_ = 0;         // of what the present node emits
   std::string node_name_;      // of the present node
+  // Its mesh, by primitive.
+  std::vector<ups_instance_id> node_instances_;
+  std::vector<PlacedMesh> node_meshes_;
 };
 
 }  // namespace ups::gltf
