@@ -126,8 +126,8 @@ ups_status ups_scene_add_lightmap(ups_scene* scene, const ups_lightmap_desc* des
   });
 }
 
-ups_status ups_scene_read_meter_places(const ups_scene* scene, ups_sensor_id meters, ups_meter_place* out,
-                                       size_t count) {
+ups_status ups_scene_read_meter_places(const ups_scene* scene, ups_sensor_id meters, ups_meter_place* places,
+                                       size_t capacity, size_t* needed) {
   return guard(__func__, [&] {
     const Snapshot& s = *committed(scene).snapshot;
     const uint32_t number = own_number_of(meters.v, s.tag->bits(), "sensor");
@@ -136,11 +136,8 @@ ups_status ups_scene_read_meter_places(const ups_scene* scene, ups_sensor_id met
       fail_argument("meters: sensor id " + std::to_string(number) +
                     " is not a set of meters of the scene as it was committed");
     const MeterSet& set = s.meter_sets[size_t(at - s.meter_set_ids.begin())];
-    require(out, "out");
-    if (count != set.count())
-      fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(set.count()) +
-                    " meters");
-    for (uint32_t i = 0; i < count; ++i) out[i] = place_of(set, i, s.origin);
+    copy_array(set.count(), places, capacity, needed, "places",
+               [&](size_t i) { return place_of(set, uint32_t(i), s.origin); });
   });
 }
 

@@ -202,7 +202,8 @@ std::vector<ups_sample> Accumulator::largest_samples(size_t camera, const ImageR
 std::vector<ups_sample> Accumulator::largest_samples(size_t set, const MeterSetReading& r, uint64_t seed) const {
   LargestSamples largest(scene_.meter_set_ids[set], seed);
   for (uint32_t m = 0; m < r.meters.size(); ++m)
-    largest.add(scene_.meter_sets[set].number(m), r.largest[m], visits(m), double(r.meters[m].illuminance_lx), r.statistics.mean_lx);
+    largest.add(scene_.meter_sets[set].number(m), r.largest[m], visits(m), double(r.meters[m].illuminance_lx),
+                r.statistics.mean_lx);
   return largest.take();
 }
 
@@ -228,7 +229,8 @@ ups_meter_statistics Accumulator::statistics_of(const std::vector<MeterLight>& l
     const Spread& bias = lights[m].bias;
     const double unfound = readings[m].error_bound_lx - std::abs(bias.mean);
     batches.add({spread(sums.value, n).mean, bias, readings[m].standard_error_lx < 0 ? std::max(0.0, unfound) : 0,
-                 lights[m].weight}, means, biases);
+                 lights[m].weight},
+                means, biases);
     reached |= sums.batches[whole_light];
   }
   const ChanceLight light{0, uint32_t(std::popcount(reached)), 0};

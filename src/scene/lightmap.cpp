@@ -46,8 +46,8 @@ struct Range {
   uint32_t begin, end;
 };
 Range texels_of(double low, double high, uint32_t count) {
-  const double begin = std::clamp(std::floor(low), 0.0, double(count)), end = std::clamp(std::ceil(high), begin, double(count));
-  return {uint32_t(begin), uint32_t(end)};
+  const double begin = std::clamp(std::floor(low), 0.0, double(count));
+  return {uint32_t(begin), uint32_t(std::clamp(std::ceil(high), begin, double(count)))};
 }
 
 template <double Vec2d::*axis>
@@ -127,7 +127,7 @@ void LightmapCut::find_overlaps() {
       for (size_t j = i + 1; j < std::min(end, i + most) && !found; ++j) {
         if (parts_[i].triangle == parts_[j].triangle || overlap(uvs_[i], uvs_[j]) < least_overlap) continue;
         if (overlaps_.texels++ == 0)
-          overlaps_.texel = parts_[i].texel, overlaps_.first = parts_[i].triangle, overlaps_.second = parts_[j].triangle;
+          overlaps_ = {1, parts_[i].texel, parts_[i].triangle, parts_[j].triangle};
         found = true;
       }
   }

@@ -81,7 +81,8 @@ void Builder::place() {
     if (const auto* camera = std::get_if<CameraDescription>(&s)) return grow(camera->to_world.column(3), "sensor", id);
     const auto* meters = std::get_if<MetersDescription>(&s);
     if (!meters) return;  // a goniometer is at infinity, what measures a surface lies on it
-    const double reach = 0.5 * std::hypot(double(meters->cell_width), double(meters->cell_height), double(meters->footprint));
+    const double reach = 0.5 * std::max(std::hypot(double(meters->cell_width), double(meters->cell_height)),
+                                        double(meters->footprint));
     for (const Vec3d& p : *meters->positions) {
       grow(p - Vec3d(reach, reach, reach), "sensor", id);
       grow(p + Vec3d(reach, reach, reach), "sensor", id);

@@ -161,8 +161,9 @@ MeterTable read_table(uint32_t index, const SensorEntry& meters, const LoadedSce
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
   const bool lightmap = meters.info.layout == UPS_GLTF_LAYOUT_LIGHTMAP;
   if (lightmap || meters.info.layout == UPS_GLTF_LAYOUT_SURFACE) {
-    table.places.resize(count);
-    check(ups_scene_read_meter_places(scene.scene.get(), meters.info.sensor, table.places.data(), count));
+    table.places = read_array<ups_meter_place>([&](ups_meter_place* to, size_t capacity, size_t* needed) {
+      return ups_scene_read_meter_places(scene.scene.get(), meters.info.sensor, to, capacity, needed);
+    });
     for (size_t i = 0; i < count; ++i) {
       std::copy_n(table.places[i].position_m, 3, &table.positions[3 * i]);
       std::copy_n(table.places[i].normal, 3, &table.normals[3 * i]);

@@ -31,7 +31,7 @@ class MeterPlaces : public Api {
   }
   std::vector<ups_meter_place> places(ups_sensor_id id, size_t count) {
     std::vector<ups_meter_place> out(count);
-    EXPECT_OK(ups_scene_read_meter_places(scene, id, out.data(), count));
+    EXPECT_OK(ups_scene_read_meter_places(scene, id, out.data(), count, nullptr));
     return out;
   }
   std::string warnings() {
@@ -100,12 +100,18 @@ TEST_F(MeterPlaces, FollowTheirInstanceAtEachCommit) {
   EXPECT_OK(ups_scene_add_lightmap(scene, &m, &map));
   EXPECT_OK(ups_scene_add_meters(scene, &p, &points));
   ups_meter_place one[4];
-  expect_error(ups_scene_read_meter_places(scene, surface, one, 2), UPS_ERROR_INVALID_STATE, {"never committed"});
+  size_t needed = 0;
+  expect_error(ups_scene_read_meter_places(scene, surface, one, 2, &needed), UPS_ERROR_INVALID_STATE,
+               {"never committed"});
   EXPECT_OK(ups_scene_commit(scene));
-  expect_error(ups_scene_read_meter_places(scene, surface, one, 3), UPS_ERROR_INVALID_ARGUMENT,
-               {"count is 3", "2 meters"});
-  expect_error(ups_scene_read_meter_places(scene, surface, nullptr, 2), UPS_ERROR_INVALID_ARGUMENT, {"out is NULL"});
-  expect_error(ups_scene_read_meter_places(scene, {99}, one, 2), UPS_ERROR_INVALID_ARGUMENT, {"sensor id 99"});
+  EXPECT_OK(ups_scene_read_meter_places(scene, surface, nullptr, 0, &needed));
+  EXPECT_EQ(needed, 2u);
+  expect_error(ups_scene_read_meter_places(scene, surface, one, 1, &needed), UPS_ERROR_BUFFER_TOO_SMALL,
+               {"capacity is 1", "2 places"});
+  expect_error(ups_scene_read_meter_places(scene, surface, nullptr, 2, &needed), UPS_ERROR_INVALID_ARGUMENT,
+               {"places is NULL"});
+  expect_error(ups_scene_read_meter_places(scene, {99}, one, 2, &needed), UPS_ERROR_INVALID_ARGUMENT,
+               {"sensor id 99"});
   const auto at = places(surface, 2);
   EXPECT_NEAR(at[0].position_m[0], 2 / 3.0, 1e-6);
   EXPECT_NEAR(at[1].position_m[1], 2 / 3.0, 1e-6);

@@ -217,7 +217,8 @@ class Scene {
   // Of the scene as it was committed last.
   std::vector<ups_meter_place> places(const Sensor& meters) const {
     std::vector<ups_meter_place> out(meters.count);
-    check(ups_scene_read_meter_places(scene_.get(), meters.id, out.data(), out.size()), "ups_scene_read_meter_places");
+    check(ups_scene_read_meter_places(scene_.get(), meters.id, out.data(), out.size(), nullptr),
+          "ups_scene_read_meter_places");
     return out;
   }
   Sensor add_camera(const P3& position, const P3& direction, uint32_t width, uint32_t height, double vertical_fov_rad,

@@ -93,7 +93,8 @@ void Importer::add_meters(const JsonReader& meters, const std::string& node_name
   std::vector<float> tangents;
   if (data.area) {
     if (meters.has("footprint_m")) meters.fail("footprint_m", "does not go with \"area\": a mean is over one of them");
-    for (uint32_t i = 0; i < desc.count; ++i) tangents.insert(tangents.end(), data.cell_side.begin(), data.cell_side.end());
+    const Vector& side = data.cell_side;
+    for (uint32_t i = 0; i < desc.count; ++i) tangents.insert(tangents.end(), side.begin(), side.end());
     desc.tangents = tangents.data();
     desc.cell_size_m[0] = float(data.cell_width);
     desc.cell_size_m[1] = float(data.cell_height);
