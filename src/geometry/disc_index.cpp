@@ -3,6 +3,7 @@
 // Embree only finds candidates (user geometry: its own disc shapes skip crossings near a ray's start); whether a disc
 // is crossed is decided here, in double, so that few discs and many give the same answer.
 #include <algorithm>
+#include <cstring>
 
 #include "geometry/embree.h"
 #include "geometry/raytracer.h"
@@ -103,6 +104,12 @@ size_t DiscIndex::bytes() const {
 }
 
 bool DiscIndex::empty() const { return impl_->discs.empty(); }
+
+bool DiscIndex::holds(const std::vector<Disc>& discs) const {
+  static_assert(sizeof(Disc) == 10 * sizeof(float));  // no padding to compare
+  return discs.size() == impl_->discs.size() &&
+         std::memcmp(discs.data(), impl_->discs.data(), discs.size() * sizeof(Disc)) == 0;
+}
 
 const DiscIndex::Disc& DiscIndex::disc(uint32_t i) const { return impl_->discs[i]; }
 

@@ -97,6 +97,7 @@ class DiscIndex {
   bool empty() const;
   size_t bytes() const;
   const Disc& disc(uint32_t i) const;
+  bool holds(const std::vector<Disc>& discs) const;  // these, in this order
 
  private:
   struct Impl;

@@ -63,7 +63,12 @@ void cut_to(const Polygon& in, double low, double high, Polygon& buffer, Polygon
   cut(buffer, out, [&](const Vec2d& p) { return high - p.*axis; });
 }
 
+bool apart(const std::array<Vec2d, 3>& a, const std::array<Vec2d, 3>& b, double Vec2d::*axis) {
+  return std::max({a[0].*axis, a[1].*axis, a[2].*axis}) <= std::min({b[0].*axis, b[1].*axis, b[2].*axis});
+}
+
 double overlap(const std::array<Vec2d, 3>& a, const std::array<Vec2d, 3>& b) {
+  if (apart(a, b, &Vec2d::x) || apart(b, a, &Vec2d::x) || apart(a, b, &Vec2d::y) || apart(b, a, &Vec2d::y)) return 0;
   Polygon polygon = {{a[0]}, {a[1]}, {a[2]}}, buffer;
   const double turn = twice_area(b[0], b[1], b[2]) < 0 ? -1 : 1;
   for (size_t i = 0; i < 3; ++i) {

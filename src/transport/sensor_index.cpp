@@ -5,7 +5,7 @@
 
 namespace ups {
 
-SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool) {
+SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool, const SensorIndex* before) {
   std::vector<DiscIndex::Disc> discs;
   for (uint32_t s = 0; s < in.scene.meter_sets.size(); ++s) {
     const MeterSet& set = in.scene.meter_sets[s];
@@ -31,7 +31,9 @@ SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool) {
       }
     }
   }
-  if (!discs.empty()) discs_ = std::make_unique<DiscIndex>(std::move(discs), pool);
+  if (discs.empty()) return;
+  const bool same = before && before->discs_ && before->discs_->holds(discs);
+  discs_ = same ? before->discs_ : std::make_shared<const DiscIndex>(std::move(discs), pool);
 }
 
 }  // namespace ups

@@ -14,7 +14,8 @@ class SensorIndex {
  public:
   SensorIndex() = default;
   // The meters that the iteration visits. Holds point meters where merging is on and cells where landing is on.
-  SensorIndex(const Iteration& in, ThreadPool& pool);
+  // before: of an earlier iteration, whose discs are taken over where they are the same; may be null.
+  SensorIndex(const Iteration& in, ThreadPool& pool, const SensorIndex* before = nullptr);
 
   struct Entry {
     uint32_t set, meter;
@@ -32,7 +33,7 @@ class SensorIndex {
 
  private:
   std::vector<Entry> entries_;
-  std::unique_ptr<DiscIndex> discs_;
+  std::shared_ptr<const DiscIndex> discs_;
 };
 
 }  // namespace ups

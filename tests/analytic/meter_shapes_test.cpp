@@ -1,6 +1,7 @@
 // Means over discs, over triangles of surfaces and over texels of a lightmap, beneath a square Lambertian lamp, whose
 // illuminance at a point has a closed form: by each technique that can find a cell's light, alone. And in a closed room
 // what all surfaces receive together, for any shape: flux / (1 - reflectance).
+#include <cstring>
 #include <functional>
 
 #include "../support/expect_lx.h"
@@ -224,6 +225,23 @@ TEST(ClosedRoom, SurfacesReceiveTheLampsFluxAndWhatTheyReflect) {
         flux += double(places[i].area_m2) * double(readings[i].illuminance_lx);
       EXPECT_NEAR(flux, s.mean_lx * room.area(), 1e-5 * flux) << way.name;
     }
+  }
+}
+
+TEST(ClosedRoom, ReadsTheSameOnSurfacesForAnyThreads) {
+  std::vector<std::vector<ups_meter_reading>> readings[2];
+  for (const int threads : {1, 3}) {
+    Scene scene(threads);
+    const ups_instance_id walls = scene.add(unwrapped_room(), matte(0.6));
+    scene.add_point_light({1.2, 0.7, 1.6}, 100);
+    const Sensor sets[] = {scene.add_surface_meters({walls}, 12), scene.add_lightmap({walls}, 30, 20),
+                           scene.add_discs({{1, 1, 1}}, {{0, 0, 1}}, 0.4)};
+    const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 4});
+    for (const Sensor& s : sets) readings[threads / 2].push_back(result.readings(s));
+  }
+  for (size_t s = 0; s < 3; ++s) {
+    const auto &one = readings[0][s], &three = readings[1][s];
+    EXPECT_EQ(std::memcmp(one.data(), three.data(), one.size() * sizeof one[0]), 0) << s;
   }
 }
 
