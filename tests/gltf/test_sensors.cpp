@@ -87,7 +87,7 @@ TEST_F(GoodFile, FootprintsAreDiscs) {
   EXPECT_EQ(sensor_info(1).cell_size_m[0], 0);
 }
 
-// 4 m x 3 m less the border: p = 0.396 m, 8 x 6 cells of 3/8 m x 1/3 m. With the column some are left out.
+// 4 m x 3 m less the border: p = 0.43 m, 7 x 5 cells of 3/7 m x 0.4 m. With the column some are left out.
 TEST_F(GoodFile, GridsOfTheStandard) {
   SceneBuilder builder;
   json area = {{"polygon_m", {{0, 0}, {4, 0}, {4, 3}, {0, 3}}}};
@@ -104,23 +104,23 @@ TEST_F(GoodFile, GridsOfTheStandard) {
   add({{"en12464", area}, {"footprint_m", 0.02}});
   import(builder);
   EXPECT_EQ(sensor_info(0).layout, UPS_GLTF_LAYOUT_EN12464);
-  EXPECT_EQ(sensor_info(0).columns, 8u);
-  EXPECT_EQ(sensor_info(0).rows, 6u);
-  EXPECT_EQ(sensor_info(0).meter_count, 48u);
-  EXPECT_FLOAT_EQ(sensor_info(0).cell_size_m[0], 0.375f);
+  EXPECT_EQ(sensor_info(0).columns, 7u);
+  EXPECT_EQ(sensor_info(0).rows, 5u);
+  EXPECT_EQ(sensor_info(0).meter_count, 35u);
+  EXPECT_FLOAT_EQ(sensor_info(0).cell_size_m[0], 3 / 7.0f);
   const auto at = meter_positions(0);
-  EXPECT_NEAR(at[0], 1 + 0.5 + 0.375 / 2, 1e-6);
-  EXPECT_NEAR(at[1], 0.5 + 1.0 / 6, 1e-6);
+  EXPECT_NEAR(at[0], 1 + 0.5 + 1.5 / 7, 1e-6);
+  EXPECT_NEAR(at[1], 0.5 + 0.2, 1e-6);
   EXPECT_NEAR(at[2], 0.75, 1e-6);
   EXPECT_NEAR(meter_normals(0)[2], 1, 1e-6);
   EXPECT_TRUE(scene.meters[0].tangents.empty());
   EXPECT_EQ(sensor_info(1).columns, 0u) << "not all cells are there";
-  EXPECT_LT(sensor_info(1).meter_count, 48u);
-  EXPECT_GT(sensor_info(1).meter_count, 30u);
-  EXPECT_FLOAT_EQ(scene.meters[1].cell_size_m[0], 0.375f);
+  EXPECT_LT(sensor_info(1).meter_count, 35u);
+  EXPECT_GT(sensor_info(1).meter_count, 20u);
+  EXPECT_FLOAT_EQ(scene.meters[1].cell_size_m[0], 3 / 7.0f);
   EXPECT_EQ(scene.meters[1].tangents.size(), 3 * sensor_info(1).meter_count);
-  EXPECT_EQ(sensor_info(2).columns, 9u);  // p = 0.463 m
-  EXPECT_EQ(sensor_info(2).rows, 7u);
+  EXPECT_EQ(sensor_info(2).columns, 8u);  // p = 0.527 m
+  EXPECT_EQ(sensor_info(2).rows, 6u);
 }
 
 TEST_F(GoodFile, Lines) {
