@@ -337,6 +337,29 @@ namespace Ups
 
     /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Double2 : IEnumerable<double>
+    {
+        private fixed double values_[2];
+        public int Length { get { return 2; } }
+        public double this[int index]
+        {
+            get { fixed (double* p = values_) return p[Elements.Index(index, 2)]; }
+            set { fixed (double* p = values_) p[Elements.Index(index, 2)] = value; }
+        }
+        public double[] ToArray() { fixed (double* p = values_) return Elements.Copy(p, 2); }
+        public static implicit operator double[](Double2 from) { return from.ToArray(); }
+        public static implicit operator Double2(double[] from)
+        {
+            var to = new Double2();
+            Elements.Set(to.values_, 2, from, "Double2");
+            return to;
+        }
+        public IEnumerator<double> GetEnumerator() { return ((IEnumerable<double>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct Double3 : IEnumerable<double>
     {
         private fixed double values_[3];
@@ -1200,6 +1223,8 @@ namespace Ups
         public Float2 CellSizeM;
         public uint Count;
         public uint Reserved;
+        public float FootprintM;
+        public uint Reserved2;
         /// <summary>With the library's defaults.</summary>
         public static MeterDesc Create()
         {
@@ -1207,6 +1232,97 @@ namespace Ups
             Native.ups_meter_desc_init(&d, (uint)sizeof(MeterDesc));
             return d;
         }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct SurfaceMetersDesc
+    {
+        public uint StructSize;
+        public uint InstanceCount;
+        internal InstanceId* Instances;
+        public int Back;
+        public uint Reserved;
+        /// <summary>With the library's defaults.</summary>
+        public static SurfaceMetersDesc Create()
+        {
+            var d = new SurfaceMetersDesc();
+            Native.ups_surface_meters_desc_init(&d, (uint)sizeof(SurfaceMetersDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct LightmapDesc
+    {
+        public uint StructSize;
+        public uint InstanceCount;
+        internal InstanceId* Instances;
+        public uint Width;
+        public uint Height;
+        public int Back;
+        public uint Reserved;
+        /// <summary>With the library's defaults.</summary>
+        public static LightmapDesc Create()
+        {
+            var d = new LightmapDesc();
+            Native.ups_lightmap_desc_init(&d, (uint)sizeof(LightmapDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct En12464Desc
+    {
+        public uint StructSize;
+        public uint CornerCount;
+        internal double* CornersM;
+        internal double* HoleCornersM;
+        internal uint* HoleCornerCounts;
+        public uint HoleCount;
+        public uint Reserved;
+        public double BorderM;
+        /// <summary>With the library's defaults.</summary>
+        public static En12464Desc Create()
+        {
+            var d = new En12464Desc();
+            Native.ups_en12464_desc_init(&d, (uint)sizeof(En12464Desc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct En12464Info
+    {
+        public uint StructSize;
+        public uint Columns;
+        public uint Rows;
+        public uint PointCount;
+        public Double2 OriginM;
+        public Double2 CellM;
+        public double LargestSpacingM;
+        internal static En12464Info Sized()
+        {
+            return new En12464Info { StructSize = (uint)sizeof(En12464Info) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct En12464Point
+    {
+        public double XM;
+        public double YM;
+        public uint Column;
+        public uint Row;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct MeterPlace
+    {
+        public Double3 PositionM;
+        public Float3 Normal;
+        public float AreaM2;
+        public int Valid;
+        public uint Triangle;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -1935,9 +2051,26 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_meter_desc_init(MeterDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_surface_meters_desc_init(SurfaceMetersDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_lightmap_desc_init(LightmapDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_add_camera(SceneHandle scene, CameraDesc* desc, SensorId* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_add_meters(SceneHandle scene, MeterDesc* desc, SensorId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_surface_meters(SceneHandle scene, SurfaceMetersDesc* desc, SensorId*
+            @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_lightmap(SceneHandle scene, LightmapDesc* desc, SensorId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_read_meter_places(SceneHandle scene, SensorId meters, MeterPlace*
+            places, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_en12464_desc_init(En12464Desc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_en12464_grid(En12464Desc* desc, En12464Info* info, En12464Point* points,
+            UIntPtr capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern void ups_goniometer_desc_init(GoniometerDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

@@ -102,13 +102,15 @@ namespace Ups
             return id;
         }
 
-        /// <summary>Positions, normals, tangents xyz. With tangents and cell sides: means over rectangles.</summary>
+        /// <summary>Positions, normals, tangents xyz. With tangents and cell sides: means over rectangles.
+        /// A footprint: means over discs of that diameter.</summary>
         public SensorId AddMeters(double[] positionsM, float[] normals, float[] tangents = null, float cellWidthM = 0,
-                                  float cellHeightM = 0)
+                                  float cellHeightM = 0, float footprintM = 0)
         {
             var desc = MeterDesc.Create();
             desc.Count = Elements.Count(positionsM, 3, "positionsM");
             desc.CellSizeM = new[] { cellWidthM, cellHeightM };
+            desc.FootprintM = footprintM;
             Elements.Expect(normals, 3L * desc.Count, "normals");
             if (tangents != null) Elements.Expect(tangents, 3L * desc.Count, "tangents");
             SensorId id;
@@ -121,6 +123,49 @@ namespace Ups
                 Library.Check(Native.ups_scene_add_meters(Handle, &desc, &id));
             }
             return id;
+        }
+
+        /// <summary>One planar meter for each triangle of the instances, counted through them.</summary>
+        public SensorId AddSurfaceMeters(InstanceId[] instances, bool back = false)
+        {
+            var desc = SurfaceMetersDesc.Create();
+            desc.InstanceCount = (uint)instances.Length;
+            desc.Back = back ? 1 : 0;
+            SensorId id;
+            fixed (InstanceId* i = instances)
+            {
+                desc.Instances = i;
+                Library.Check(Native.ups_scene_add_surface_meters(Handle, &desc, &id));
+            }
+            return id;
+        }
+
+        /// <summary>One planar meter for each texel of the instances' UVs, row 0 at v = 0 first.</summary>
+        public SensorId AddLightmap(InstanceId[] instances, uint width, uint height, bool back = false)
+        {
+            var desc = LightmapDesc.Create();
+            desc.InstanceCount = (uint)instances.Length;
+            desc.Width = width;
+            desc.Height = height;
+            desc.Back = back ? 1 : 0;
+            SensorId id;
+            fixed (InstanceId* i = instances)
+            {
+                desc.Instances = i;
+                Library.Check(Native.ups_scene_add_lightmap(Handle, &desc, &id));
+            }
+            return id;
+        }
+
+        /// <summary>What each meter of the committed scene measures.</summary>
+        public MeterPlace[] MeterPlaces(SensorId meters)
+        {
+            UIntPtr needed;
+            Library.Check(Native.ups_scene_read_meter_places(Handle, meters, null, UIntPtr.Zero, &needed));
+            var places = new MeterPlace[(int)needed];
+            fixed (MeterPlace* p = places)
+                Library.Check(Native.ups_scene_read_meter_places(Handle, meters, p, needed, &needed));
+            return places;
         }
 
         /// <summary>Light that leaves the scene, by direction. Without angles: equal steps, desc.CCount and GammaCount

@@ -23,16 +23,32 @@ typedef struct ups_gltf_import_desc {
 typedef int32_t ups_gltf_sensor_kind;
 enum { UPS_GLTF_CAMERA = 0, UPS_GLTF_METERS = 1, UPS_GLTF_GONIOMETER = 2, UPS_GLTF_OBSERVER = 3 };
 
+/* How a set of meters lies. */
+typedef int32_t ups_gltf_layout;
+enum {
+  UPS_GLTF_LAYOUT_POINTS = 0,  /* anywhere */
+  UPS_GLTF_LAYOUT_GRID = 1,    /* all cells of a rectangle: columns run fastest, then rows */
+  UPS_GLTF_LAYOUT_EN12464 = 2, /* those cells of a grid that lie in a polygon, in the same order; columns and rows are 0
+                                * where some are left out */
+  UPS_GLTF_LAYOUT_LINE = 3,    /* from one end to the other */
+  UPS_GLTF_LAYOUT_SURFACE = 4, /* a meter a triangle */
+  UPS_GLTF_LAYOUT_LIGHTMAP = 5 /* a meter a texel, row 0 at v = 0 */
+};
+
 typedef struct ups_gltf_sensor_info {
   uint32_t struct_size;
   ups_gltf_sensor_kind kind;
   ups_sensor_id sensor;   /* in the scene that the file was imported into */
-  uint32_t width, height; /* camera: pixels */
+  uint32_t width, height; /* camera: pixels; lightmap: texels */
   int32_t illuminance;    /* camera: 1 where it has UPS_CHANNEL_ILLUMINANCE */
   uint32_t meter_count;   /* meters */
   uint32_t columns, rows; /* meters on a grid: columns run fastest, then rows; 0: free points.
                            * goniometer: planes, angles gamma */
   uint32_t reserved;
+  ups_gltf_layout layout; /* meters */
+  float cell_size_m[2];   /* grids: of the cell that each meter stands for; else 0 */
+  float cell_side[3];     /* grids: unit direction in the scene of a cell's first side, along a row; the second's is
+                           * normal x cell_side */
 } ups_gltf_sensor_info;
 
 UPS_API void ups_gltf_import_desc_init(ups_gltf_import_desc *desc, uint32_t struct_size);
@@ -66,7 +82,8 @@ UPS_API ups_status ups_gltf_get_source_name(const ups_gltf_import *import_result
 UPS_API ups_status ups_gltf_get_source_file(const ups_gltf_import *import_result, ups_source_kind kind, uint32_t id,
                                             char *text, size_t capacity, size_t *needed);
 /* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;
- * count must be the sensor's meter_count. */
+ * count must be the sensor's meter_count. Errors: INVALID_ARGUMENT for a surface or lightmap, whose meters are where
+ * ups_scene_read_meter_places finds them once the scene is committed. */
 UPS_API ups_status ups_gltf_read_meters(const ups_gltf_import *import_result, uint32_t index, double *positions_m,
                                         float *normals, size_t count);
 /* For people, a line each: what was left out or looks wrong, each with its place. Two calls, as above. */

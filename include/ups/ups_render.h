@@ -168,8 +168,8 @@ typedef struct ups_convergence_point { /* what accuracy cost */
 /* Of one meter set; aggregates have their own batch statistics, as meters share light paths. */
 typedef struct ups_meter_statistics {
   uint32_t struct_size;
-  uint32_t count;
-  double mean_lx, min_lx, max_lx;
+  uint32_t count;                /* of the set's meters; those that are not valid have no part in what follows */
+  double mean_lx, min_lx, max_lx; /* each meter counts the same in the mean, one on a surface by its area */
   double uniformity;             /* min / mean; 0 where the mean is 0 */
   double mean_standard_error_lx; /* of the mean */
   /* -1: not known, as in too short a render, or where the scene emits light and none has reached the set */

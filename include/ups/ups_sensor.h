@@ -36,7 +36,75 @@ typedef struct ups_meter_desc {
   float cell_size_m[2];       /* rectangle's sides; 0, 0: points */
   uint32_t count;             /* 1..16,777,216 */
   uint32_t reserved;          /* 0 */
+  float footprint_m;          /* > 0: the mean over a disc of this diameter about each point, as a meter's head
+                               * measures; 0: points. Not beside cell_size_m. */
+  uint32_t reserved_2;        /* 0 */
 } ups_meter_desc;
+
+/* Planar meters on the surfaces of instances: one a triangle, its reading the mean over the triangle. They look away
+ * from the front (counter-clockwise), or from the back. Meter i is triangle i, counted through the instances in their
+ * order. They follow their instances at each commit. A triangle without area has no valid meter: its reading is 0
+ * throughout and takes no part in the set's statistics (ups_scene_read_meter_places tells). */
+typedef struct ups_surface_meters_desc {
+  uint32_t struct_size;
+  uint32_t instance_count;          /* >= 1; 16,777,216 triangles in all at most */
+  const ups_instance_id *instances; /* each once; of meshes, not of a fixture's curved parts */
+  int32_t back;                     /* 1: the surfaces' backs */
+  uint32_t reserved;                /* 0 */
+} ups_surface_meters_desc;
+
+/* A map of illuminance on the surfaces of instances: planar meters, one a texel of their UVs; row 0 is at v = 0,
+ * columns run fastest. A texel's reading is the mean over what lies in it, which may be parts of several triangles: the sum of
+ * area times reading is the flux on the surfaces. Texels in which nothing lies are not valid: their reading is 0
+ * throughout. Triangles outside the unit square, without area in UV, or that overlap there get a warning at commit. */
+typedef struct ups_lightmap_desc {
+  uint32_t struct_size;
+  uint32_t instance_count;          /* >= 1 */
+  const ups_instance_id *instances; /* as above; their meshes have UVs */
+  uint32_t width, height;           /* texels, 1..16384 each, 16,777,216 together */
+  int32_t back;                     /* 1: the surfaces' backs */
+  uint32_t reserved;                /* 0 */
+} ups_lightmap_desc;
+
+/* The grid of points that EN 12464-1 wants illuminance at: the cell centres of a grid over the polygon's extent less
+ * the border, those that lie within the polygon, outside its holes, and at least the border away from all outlines. No
+ * two neighbours are further apart than p = 0.2 * 5^log10(d) m (at most 10 m), d being the longer side of the extent
+ * less the border, or the shorter where the longer is at least twice as long; no cell is more than twice as long as
+ * wide. */
+typedef struct ups_en12464_desc {
+  uint32_t struct_size;
+  uint32_t corner_count;              /* >= 3; 4096 with those of the holes at most */
+  const double *corners_m;            /* 2 * corner_count: x, y of the polygon's corners, either way round */
+  const double *hole_corners_m;       /* 2 each, one hole after the other */
+  const uint32_t *hole_corner_counts; /* hole_count */
+  uint32_t hole_count;
+  uint32_t reserved;                  /* 0 */
+  double border_m;                    /* 0.5 as the standard has it; 0 where the task lies at the walls */
+} ups_en12464_desc;
+
+typedef struct ups_en12464_info {
+  uint32_t struct_size;
+  uint32_t columns, rows;
+  uint32_t point_count;      /* columns * rows: no cell is left out */
+  double origin_m[2];        /* corner of cell 0, 0, the one with the smallest x and y */
+  double cell_m[2];          /* a cell's sides */
+  double largest_spacing_m;  /* p */
+} ups_en12464_info;
+
+typedef struct ups_en12464_point { /* a plain array element: it never grows */
+  double x_m, y_m;
+  uint32_t column, row;
+} ups_en12464_point;
+
+/* What a meter of the committed scene measures. */
+typedef struct ups_meter_place { /* a plain array element: it never grows */
+  double position_m[3]; /* the point, or the centre of the area */
+  float normal[3];      /* unit; of several triangles the mean */
+  float area_m2;        /* over which the mean is taken; 0: a point */
+  int32_t valid;        /* 0: there is no area to measure on; all but `triangle` is 0 */
+  uint32_t triangle;    /* of surfaces, counted through the instances; of a texel the one that has most of it;
+                         * UINT32_MAX: none */
+} ups_meter_place;
 
 /* A virtual goniophotometer: light that leaves the scene for good, by direction, as luminous intensity in C-planes. It
  * has no place: light is measured at infinity. Only methods that trace light paths fill it. Put a fixture alone into a
@@ -56,8 +124,23 @@ typedef struct ups_goniometer_desc {
 
 UPS_API void ups_camera_desc_init(ups_camera_desc *desc, uint32_t struct_size);
 UPS_API void ups_meter_desc_init(ups_meter_desc *desc, uint32_t struct_size);
+UPS_API void ups_surface_meters_desc_init(ups_surface_meters_desc *desc, uint32_t struct_size);
+UPS_API void ups_lightmap_desc_init(ups_lightmap_desc *desc, uint32_t struct_size);
 UPS_API ups_status ups_scene_add_camera(ups_scene *scene, const ups_camera_desc *desc, ups_sensor_id *out);
 UPS_API ups_status ups_scene_add_meters(ups_scene *scene, const ups_meter_desc *desc, ups_sensor_id *out);
+UPS_API ups_status ups_scene_add_surface_meters(ups_scene *scene, const ups_surface_meters_desc *desc,
+                                                ups_sensor_id *out);
+UPS_API ups_status ups_scene_add_lightmap(ups_scene *scene, const ups_lightmap_desc *desc, ups_sensor_id *out);
+/* Of the meters of a committed scene, as many as its readings: triangles, texels, whether valid or not. *needed gets
+ * their number; BUFFER_TOO_SMALL where capacity is less. places may be NULL with capacity 0. */
+UPS_API ups_status ups_scene_read_meter_places(const ups_scene *scene, ups_sensor_id meters, ups_meter_place *places,
+                                               size_t capacity, size_t *needed);
+UPS_API void ups_en12464_desc_init(ups_en12464_desc *desc, uint32_t struct_size);
+/* Needs no scene. Points: column fastest. info may be NULL, else info->struct_size must be set; points may be NULL with
+ * capacity 0: *needed gets their number. Errors: INVALID_ARGUMENT for an outline that crosses itself, a hole outside, a
+ * border that leaves nothing; BUFFER_TOO_SMALL. */
+UPS_API ups_status ups_en12464_grid(const ups_en12464_desc *desc, ups_en12464_info *info, ups_en12464_point *points,
+                                    size_t capacity, size_t *needed);
 /* The defaults: planes every 15 degrees, gamma every 2.5 degrees, no symmetry. */
 UPS_API void ups_goniometer_desc_init(ups_goniometer_desc *desc, uint32_t struct_size);
 UPS_API ups_status ups_scene_add_goniometer(ups_scene *scene, const ups_goniometer_desc *desc, ups_sensor_id *out);

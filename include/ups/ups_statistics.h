@@ -22,7 +22,7 @@ UPS_API ups_status ups_result_get_meter_share(const ups_result *result, ups_sens
 UPS_API ups_status ups_result_get_meter_ratio(const ups_result *result, ups_sensor_id numerator,
                                               ups_sensor_id denominator, ups_interval *out);
 /* Meter by meter, of two sets of count meters: with cylindrical ones over horizontal ones at the same places the
- * modelling index of EN 12464-1. All -1 before each meter was visited. */
+ * modelling index of EN 12464-1. -1 where a meter does not measure; all -1 before each meter was visited. */
 UPS_API ups_status ups_result_read_meter_ratios(const ups_result *result, ups_sensor_id numerator,
                                                 ups_sensor_id denominator, ups_interval *out, size_t count);
 

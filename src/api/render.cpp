@@ -23,12 +23,14 @@ std::unique_ptr<ups_job> start(const ups_scene* scene, const ups_render_desc* de
 
 ups_result* wrap(std::shared_ptr<const RenderResult> data) { return new ups_result{.data = std::move(data)}; }
 
+// meters: of those that measure; the others' are 0.
 template <class Reading>
-void copy_readings(const std::vector<Reading>& meters, Reading* out, size_t count) {
+void copy_readings(const MeterSet& set, const std::vector<Reading>& meters, Reading* out, size_t count) {
   require(out, "out");
-  if (count != meters.size())
-    fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(meters.size()) + " meters");
-  std::copy(meters.begin(), meters.end(), out);
+  if (count != set.count())
+    fail_argument("count is " + std::to_string(count) + "; the set has " + std::to_string(set.count()) + " meters");
+  std::fill(out, out + count, Reading{});
+  for (size_t m = 0; m < meters.size(); ++m) out[set.number(m)] = meters[m];
 }
 
 void check_source(const RenderResult& r, uint32_t index) {
@@ -188,7 +190,7 @@ ups_status ups_result_get_choice(const ups_result* result, ups_sensor_id sensor,
 
 ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor, ups_meter_reading* out,
                                   size_t count) {
-  return guard(__func__, [&] { copy_readings(meters_of(result, sensor).meters, out, count); });
+  return guard(__func__, [&] { copy_readings(set_of(result, sensor), meters_of(result, sensor).meters, out, count); });
 }
 
 ups_status ups_result_read_meter_part(const ups_result* result, ups_sensor_id sensor, ups_light_part part,
@@ -197,12 +199,12 @@ ups_status ups_result_read_meter_part(const ups_result* result, ups_sensor_id se
     const MeterSetReading& set = meters_of(result, sensor);
     if (part != UPS_LIGHT_PART_DIRECT && part != UPS_LIGHT_PART_INDIRECT)
       fail_argument("part: " + std::to_string(part) + " is not a UPS_LIGHT_PART_* value");
-    copy_readings(set.parts[size_t(part)], out, count);
+    copy_readings(set_of(result, sensor), set.parts[size_t(part)], out, count);
   });
 }
 
 ups_status ups_result_read_meter_flags(const ups_result* result, ups_sensor_id sensor, uint32_t* out, size_t count) {
-  return guard(__func__, [&] { copy_readings(meters_of(result, sensor).flags, out, count); });
+  return guard(__func__, [&] { copy_readings(set_of(result, sensor), meters_of(result, sensor).flags, out, count); });
 }
 
 ups_status ups_result_get_source_count(const ups_result* result, uint32_t* out) {
@@ -224,7 +226,7 @@ ups_status ups_result_read_source_meters(const ups_result* result, uint32_t sour
   return guard(__func__, [&] {
     const MeterSetReading& set = meters_of(result, sensor);
     check_source(data_of(result), source);
-    copy_readings(set.separated[source], out, count);
+    copy_readings(set_of(result, sensor), set.separated[source], out, count);
   });
 }
 

@@ -59,14 +59,19 @@ ups_status ups_result_get_meter_ratio(const ups_result* result, ups_sensor_id nu
 ups_status ups_result_read_meter_ratios(const ups_result* result, ups_sensor_id numerator, ups_sensor_id denominator,
                                         ups_interval* out, size_t count) {
   return guard(__func__, [&] {
-    const MeterSetReading &a = meters_of(result, numerator), &b = meters_of(result, denominator);
+    const MeterSetReading *read[] = {&meters_of(result, numerator), &meters_of(result, denominator)};
+    const MeterSet* sets[] = {&set_of(result, numerator), &set_of(result, denominator)};
     require(out, "out");
-    for (const MeterSetReading* set : {&a, &b})
-      if (count != set->meters.size())
-        fail_argument("count is " + std::to_string(count) + "; the " + (set == &a ? "numerator" : "denominator") +
-                      " has " + std::to_string(set->meters.size()) + " meters");
-    const bool all = a.batches.count() == count && b.batches.count() == count;
-    for (size_t m = 0; m < count; ++m)
-      out[m] = all ? interval_of(ratio_at(a.batches, b.batches, m)) : ups_interval{-1, -1, -1};
+    for (size_t k = 0; k < 2; ++k)
+      if (count != sets[k]->count())
+        fail_argument("count is " + std::to_string(count) + "; the " + (k == 0 ? "numerator" : "denominator") +
+                      " has " + std::to_string(sets[k]->count()) + " meters");
+    std::fill(out, out + count, ups_interval{-1, -1, -1});
+    for (size_t k = 0; k < 2; ++k)
+      if (read[k]->batches.count() != sets[k]->meters.size()) return;
+    for (size_t m = 0; m < sets[0]->meters.size(); ++m) {
+      const uint32_t number = sets[0]->number(m), other = sets[1]->index_of(number);
+      if (other != none) out[number] = interval_of(ratio_at(read[0]->batches, m, read[1]->batches, other));
+    }
   });
 }

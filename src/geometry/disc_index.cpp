@@ -3,6 +3,7 @@
 // Embree only finds candidates (user geometry: its own disc shapes skip crossings near a ray's start); whether a disc
 // is crossed is decided here, in double, so that few discs and many give the same answer.
 #include <algorithm>
+#include <cstring>
 
 #include "geometry/embree.h"
 #include "geometry/raytracer.h"
@@ -52,7 +53,8 @@ void bounds(const RTCBoundsFunctionArguments* args) {
   const Disc& disc = static_cast<const Disc*>(args->geometryUserPtr)[args->primID];
   const float pad = 0x1p-21f * (max_abs(disc.center) + disc.radius);
   const auto half = [&](float n) { return disc.radius * std::sqrt(std::max(0.0f, 1 - n * n)) + pad; };
-  const Vec3 h{half(disc.normal.x), half(disc.normal.y), half(disc.normal.z)};
+  const Vec3 h = disc.reach.x < 0 ? Vec3(half(disc.normal.x), half(disc.normal.y), half(disc.normal.z))
+                                  : disc.reach + Vec3(pad, pad, pad);
   const Vec3 lower = disc.center - h, upper = disc.center + h;
   RTCBounds& b = *args->bounds_o;
   b.lower_x = lower.x, b.lower_y = lower.y, b.lower_z = lower.z;
@@ -102,6 +104,12 @@ size_t DiscIndex::bytes() const {
 }
 
 bool DiscIndex::empty() const { return impl_->discs.empty(); }
+
+bool DiscIndex::holds(const std::vector<Disc>& discs) const {
+  static_assert(sizeof(Disc) == 10 * sizeof(float));  // no padding to compare
+  return discs.size() == impl_->discs.size() &&
+         std::memcmp(discs.data(), impl_->discs.data(), discs.size() * sizeof(Disc)) == 0;
+}
 
 const DiscIndex::Disc& DiscIndex::disc(uint32_t i) const { return impl_->discs[i]; }
 

@@ -83,6 +83,7 @@ class DiscIndex {
   struct Disc {
     Vec3 center, normal;  // unit normal; (0, 0, 0) makes it a ball
     float radius;
+    Vec3 reach{-1, -1, -1};  // of what is searched for on the disc, from its centre along each axis; < 0: all of it
   };
   explicit DiscIndex(std::vector<Disc> discs, ThreadPool& pool);
   ~DiscIndex();
@@ -96,6 +97,7 @@ class DiscIndex {
   bool empty() const;
   size_t bytes() const;
   const Disc& disc(uint32_t i) const;
+  bool holds(const std::vector<Disc>& discs) const;  // these, in this order
 
  private:
   struct Impl;

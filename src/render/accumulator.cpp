@@ -84,10 +84,10 @@ void Accumulator::add(const IterationTally& tally) {
 
 // At least the brightest photon on the whole disc; and as an eye path that sees a surface as bright as the brightest
 // exact light makes a white one, or the scene's mean.
-double Accumulator::largest_path(size_t set, double disc_area, const Largest& found, LightPart part) const {
+double Accumulator::largest_path(size_t set, size_t m, double disc_area, const Largest& found, LightPart part) const {
   const MeterSet& meters = scene_.meter_sets[set];
   const TechniqueShare share = plan_.shares.empty() ? TechniqueShare{} : plan_.shares[plan_.units.of_set(set)];
-  const double area = meters.is_cell() && share.light ? double(meters.cell_area()) : disc_area;
+  const double area = meters.is_cell() && share.light ? meters.area(m) : disc_area;
   const double photon = plan_.light_paths > 0 && area > 0 ? work_.brightest_lm / (plan_.light_paths * area) : 0;
   const double seen = std::max(largest_exact_[set], scene_lx_) / plan_.meter_samples;
   return std::max({double(found[part]), photon, seen});
@@ -131,7 +131,7 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   const size_t columns = plan_.separation.columns.size(), row = m * (columns + 1);
   const bool point = !scene_.meter_sets[set].is_cell();
   MeterLight light{column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1], {}, visits(m), {}, {},
-                   plan_.merges_direct_light(), {}};
+                   plan_.merges_direct_light(), {}, scene_.meter_sets[set].weight(m)};
   double area = 0;
   if (!discs.empty() && light.visits > 0) {
     const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
@@ -141,7 +141,7 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   }
   const Largest& found = column == 0 ? largest_[set] : largest_separated_[set][column - 1];
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
-    light.largest[part] = std::max(largest_path(set, area, found, part), double(light.sums.paths[part].largest));
+    light.largest[part] = std::max(largest_path(set, m, area, found, part), double(light.sums.paths[part].largest));
     light.exact[part] = !emits_ || (point && (part == direct_light ? plan_.exact_direct : plan_.exact_light));
   }
   return light;
@@ -189,6 +189,7 @@ MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const
       r.parts[size_t(part)].push_back(light.part(part));
   }
   add_statistics(lights, r);
+  r.statistics.count = scene_.meter_sets[set].count();
   return r;
 }
 
@@ -201,7 +202,8 @@ std::vector<ups_sample> Accumulator::largest_samples(size_t camera, const ImageR
 std::vector<ups_sample> Accumulator::largest_samples(size_t set, const MeterSetReading& r, uint64_t seed) const {
   LargestSamples largest(scene_.meter_set_ids[set], seed);
   for (uint32_t m = 0; m < r.meters.size(); ++m)
-    largest.add(m, r.largest[m], visits(m), double(r.meters[m].illuminance_lx), r.statistics.mean_lx);
+    largest.add(scene_.meter_sets[set].number(m), r.largest[m], visits(m), double(r.meters[m].illuminance_lx),
+                r.statistics.mean_lx);
   return largest.take();
 }
 
@@ -226,7 +228,8 @@ void Accumulator::add_statistics(const std::vector<MeterLight>& lights, MeterSet
     for (uint32_t b = 0; b < batches.used(); ++b) biases[b] = sums.bias[b] / visits_of_batch(n, b);
     const Spread& bias = lights[m].bias;
     const double unfound = readings[m].error_bound_lx - std::abs(bias.mean);
-    batches.add({spread(sums.value, n).mean, bias, readings[m].standard_error_lx < 0 ? std::max(0.0, unfound) : 0},
+    batches.add({spread(sums.value, n).mean, bias, readings[m].standard_error_lx < 0 ? std::max(0.0, unfound) : 0,
+                 lights[m].weight},
                 means, biases);
     reached |= sums.batches[whole_light];
   }
@@ -239,7 +242,6 @@ void Accumulator::add_statistics(const std::vector<MeterLight>& lights, MeterSet
       errors.push_back(m.error_bound_lx / std::max(double(m.illuminance_lx), share_of_mean * s.mean_lx));
   const ErrorSummary e = summary_of(std::move(errors), 0);
   const double of_dark = known && !emits_ ? 0 : -1;  // a set that no light has reached has no known error
-  s.count = uint32_t(readings.size());
   s.median_relative_error_bound = e.median >= 0 ? e.median : of_dark;
   s.p95_relative_error_bound = e.p95 >= 0 ? e.p95 : of_dark;
   s.worst_relative_error_bound = e.worst >= 0 ? e.worst : of_dark;

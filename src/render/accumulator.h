@@ -76,7 +76,7 @@ class Accumulator {
   MeterLight light_of(size_t set, size_t meter, const Choices& discs, size_t column) const;
   std::vector<MeterLight> lights_of(size_t set, const Choices& discs, size_t column = 0) const;
   // What one path may bring to an iteration's reading, as far as is known.
-  double largest_path(size_t set, double disc_area, const Largest& found, LightPart part) const;
+  double largest_path(size_t set, size_t meter, double disc_area, const Largest& found, LightPart part) const;
   MeterSetReading read_meters(size_t set, const Choices& discs) const;
   void add_statistics(const std::vector<MeterLight>& lights, MeterSetReading& r) const;
   ErrorSummary summarize_images() const;

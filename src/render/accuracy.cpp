@@ -80,7 +80,7 @@ ups_largest_error largest_error(const Snapshot& scene, const ErrorSummary& e) {
   if (!e.worst_place) return l;
   const auto [set, meter, error] = *e.worst_place;
   l.sensor.v = scene.meter_set_ids[set] | scene.tag->bits();
-  l.index = uint32_t(meter);
+  l.index = scene.meter_sets[set].number(meter);
   l.relative_error = e.worst;
   l.bias_share = error.error() > 0 ? error.bias / error.error() : 0;
   const Vec3d position = Vec3d(scene.meter_sets[set].meters[meter].p) + scene.origin;

@@ -411,7 +411,7 @@ void RenderJob::add_warnings(RenderResult& r) const {
       r.warnings += "meters " + std::to_string(scene_->meter_set_ids[s]) +
                     ": no light has reached them; they are dark, or this method has not found their light\n";
     else
-      r.warnings += reading_warnings(scene_->meter_set_ids[s], r.meter_sets[s]);
+      r.warnings += reading_warnings(scene_->meter_set_ids[s], scene_->meter_sets[s], r.meter_sets[s]);
 }
 
 }  // namespace ups

@@ -44,7 +44,10 @@ void add_meters(const Snapshot& scene, const Plan& plan, const std::vector<uint3
     m.meters += meters * (1 + columns) * (Accumulator::sum_bytes + MeterRings::bytes_per_row(rings[s], direct));
     m.reading += meters * ((1 + columns) * Accumulator::reading_bytes + Accumulator::part_bytes);
     m.scratch = std::max(m.scratch, meters * Accumulator::scratch_bytes(rings[s] > 0));
-    m.iteration += visited * ((1 + columns) * sizeof(MeterTally) + (rings[s] > 0 ? index_bytes : 0));
+    const MeterSet& set = scene.meter_sets[s];
+    const double pieces = set.on_surface() ? double(set.triangles.size()) / meters : 1;  // of a meter, in the index
+    m.iteration += visited * ((1 + columns) * sizeof(MeterTally) +
+                              (rings[s] > 0 || (set.is_cell() && plan.light_paths > 0) ? pieces * index_bytes : 0));
   }
 }
 

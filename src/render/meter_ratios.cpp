@@ -59,8 +59,8 @@ Ratio ratio_of_means(const MeterBatches& numerator, const MeterBatches& denomina
   return ratio_of(mean_of(numerator), mean_of(denominator), std::min(numerator.used(), denominator.used()));
 }
 
-Ratio ratio_at(const MeterBatches& numerator, const MeterBatches& denominator, size_t meter) {
-  return ratio_of(meter_of(numerator, meter), meter_of(denominator, meter),
+Ratio ratio_at(const MeterBatches& numerator, size_t m, const MeterBatches& denominator, size_t n) {
+  return ratio_of(meter_of(numerator, m), meter_of(denominator, n),
                   std::min(numerator.used(), denominator.used()));
 }
 

@@ -10,7 +10,7 @@ struct Ratio {
   Interval interval;  // 95 %, noise and bias; -1: not known, as where the denominator's own error is more than half of it
 };
 Ratio ratio_of_means(const MeterBatches& numerator, const MeterBatches& denominator);
-// Of one meter of each; both have as many.
-Ratio ratio_at(const MeterBatches& numerator, const MeterBatches& denominator, size_t meter);
+// Of a meter of each, by its place in the batches.
+Ratio ratio_at(const MeterBatches& numerator, size_t m, const MeterBatches& denominator, size_t n);
 
 }  // namespace ups

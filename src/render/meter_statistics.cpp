@@ -13,9 +13,10 @@ namespace ups {
 
 void MeterBatches::add(const Meter& meter, const double* batch, const double* bias_batch) {
   meters_.push_back(meter);
+  weights_ += meter.weight;
   for (uint32_t b = 0; b < used_; ++b) {
     batches_.push_back(float(batch[b]));
-    bias_sums_[b] += bias_batch[b];
+    bias_sums_[b] += meter.weight * bias_batch[b];
   }
 }
 
@@ -85,20 +86,20 @@ double MeterBatches::bound(size_t m) const {
 
 double MeterBatches::mean() const {
   double sum = 0;
-  for (const Meter& m : meters_) sum += m.value;
-  return sum / double(count());
+  for (const Meter& m : meters_) sum += m.weight * m.value;
+  return sum / weights_;
 }
 
 double MeterBatches::unfound() const {
   double sum = 0;
-  for (const Meter& m : meters_) sum += m.unfound;
-  return sum / double(count());
+  for (const Meter& m : meters_) sum += m.weight * m.unfound;
+  return sum / weights_;
 }
 
 double MeterBatches::mean_of_batch(uint32_t b) const {
   double sum = 0;
-  for (size_t m = 0; m < count(); ++m) sum += double(batch(m, b));
-  return sum / double(count());
+  for (size_t m = 0; m < count(); ++m) sum += meters_[m].weight * double(batch(m, b));
+  return sum / weights_;
 }
 
 // First order: (x_b - r mean_b) / mean about r = x / mean.
@@ -108,12 +109,12 @@ MeterBatches MeterBatches::over_mean() const {
   double of_set[batch_count], own[batch_count], bias = 0;
   const double no_bias[batch_count] = {};
   for (uint32_t b = 0; b < used_; ++b) of_set[b] = mean_of_batch(b);
-  for (const Meter& m : meters_) bias += m.bias.mean / double(count());
+  for (const Meter& m : meters_) bias += m.weight * m.bias.mean / weights_;
   for (size_t m = 0; m < count(); ++m) {
     const double ratio = value(m) / mean;
     for (uint32_t b = 0; b < used_; ++b) own[b] = ratio + (double(batch(m, b)) - ratio * of_set[b]) / mean;
     const Spread own_bias{(meters_[m].bias.mean - ratio * bias) / mean, bias_error(m) / mean};
-    out.add({ratio, own_bias, meters_[m].unfound / mean}, own, no_bias);
+    out.add({ratio, own_bias, meters_[m].unfound / mean, meters_[m].weight}, own, no_bias);
   }
   return out;
 }

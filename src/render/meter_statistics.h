@@ -16,6 +16,7 @@ class MeterBatches {
     double value;
     Spread bias;
     double unfound;  // bound on light that few paths have found; 0: the batches know the error
+    double weight = 1;  // in the mean
   };
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);
@@ -38,7 +39,7 @@ class MeterBatches {
   double mean() const;
   double unfound() const;  // of the mean
   double mean_of_batch(uint32_t b) const;
-  double bias_of_batch(uint32_t b) const { return bias_sums_[b] / double(count()); }  // of the mean
+  double bias_of_batch(uint32_t b) const { return bias_sums_[b] / weights_; }  // of the mean
   // Of value / mean, by the batches of both together.
   MeterBatches over_mean() const;
   MeterBatches negative() const;
@@ -48,6 +49,7 @@ class MeterBatches {
   std::vector<Meter> meters_;
   std::vector<float> batches_;
   double bias_sums_[batch_count] = {};
+  double weights_ = 0;
 };
 
 struct Interval {

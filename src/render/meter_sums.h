@@ -29,6 +29,7 @@ struct MeterLight {
   std::array<bool, light_part_count> exact;      // nothing of it is a matter of chance
   bool merges_direct;                            // photons bring light straight from emitters, too
   Spread bias;                                   // of merging, estimated: its own, or what neighbours tell besides
+  double weight = 1;                             // in the set's mean
 
   ups_meter_reading reading() const;
   ups_meter_part_reading part(ups_light_part part) const;

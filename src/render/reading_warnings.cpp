@@ -20,10 +20,11 @@ std::string listed(const std::vector<size_t>& meters) {
 }
 
 template <class Holds>
-std::string line(uint32_t set_id, const MeterSetReading& set, const Holds& holds, const char* what) {
+std::string line(uint32_t set_id, const MeterSet& all, const MeterSetReading& set, const Holds& holds,
+                 const char* what) {
   std::vector<size_t> meters;
   for (size_t m = 0; m < set.meters.size(); ++m)
-    if (holds(set.flags[m], set.meters[m])) meters.push_back(m);
+    if (holds(set.flags[m], set.meters[m])) meters.push_back(all.number(m));
   if (meters.empty()) return {};
   return "meters " + std::to_string(set_id) + ": " + std::to_string(meters.size()) + " of " +
          std::to_string(set.meters.size()) + " (indices " + listed(meters) + ") " + what + "\n";
@@ -31,16 +32,16 @@ std::string line(uint32_t set_id, const MeterSetReading& set, const Holds& holds
 
 }  // namespace
 
-std::string reading_warnings(uint32_t set_id, const MeterSetReading& set) {
+std::string reading_warnings(uint32_t set_id, const MeterSet& meters, const MeterSetReading& set) {
   return line(
-             set_id, set,
+             set_id, meters, set,
              [](uint32_t flags, const ups_meter_reading& r) {
                return (flags & UPS_READING_FEW_PATHS) && r.error_bound_lx > negligible * double(r.illuminance_lx);
              },
              "have light that no path or too few have found: their standard errors are -1, their bounds those of the "
              "rule of three") +
          line(
-             set_id, set,
+             set_id, meters, set,
              [](uint32_t flags, const ups_meter_reading&) {
                return (flags & (UPS_READING_SINGLE_PATH | UPS_READING_HEAVY_TAIL)) != 0;
              },

@@ -7,7 +7,7 @@
 
 namespace ups {
 
-std::string reading_warnings(uint32_t set_id, const MeterSetReading& set);
+std::string reading_warnings(uint32_t set_id, const MeterSet& meters, const MeterSetReading& set);
 
 // Of an image whose first radius was asked for: where photons are merged over more than what a pixel sees, such as a thin
 // rod, most of the disc misses it, and no bound that is told by the disc's halves holds.

@@ -35,13 +35,16 @@ SampleAddress address_of(const Integrator& integrator, const ups_sample& s) {
   if (const size_t c = index(scene.camera_ids); c < scene.cameras.size()) {
     a.camera = true, a.sensor = uint32_t(c), count = scene.cameras[c].pixel_count();
   } else if (const size_t set = index(scene.meter_set_ids); set < scene.meter_sets.size()) {
-    a.sensor = uint32_t(set), count = scene.meter_sets[set].meters.size();
+    a.sensor = uint32_t(set), count = scene.meter_sets[set].count();
   } else {
     fail_argument("sample->sensor: id " + std::to_string(s.sensor.v) + " is not a camera nor meters of the scene");
   }
   if (s.index >= count)
     fail_argument("sample->index is " + std::to_string(s.index) + "; the sensor has " + std::to_string(count) +
                   (a.camera ? " pixels" : " meters"));
+  if (!a.camera) a.element = scene.meter_sets[a.sensor].index_of(s.index);
+  if (a.element == none)
+    fail_argument("sample->index is " + std::to_string(s.index) + "; that meter has no area to measure on");
   if (s.iteration >= 0xfffffff0u) fail_argument("sample->iteration is " + std::to_string(s.iteration));
   if (s.walk != UPS_WALK_EYE && s.walk != UPS_WALK_LIGHT)
     fail_argument("sample->walk: " + std::to_string(s.walk) + " is not a UPS_WALK_* value");

@@ -1,4 +1,4 @@
-// The making of a snapshot from a description, for prepare.cpp (surfaces, sensors, media),
+// The making of a snapshot from a description, for prepare.cpp (surfaces, sensors, media), prepare_meters.cpp,
 // prepare_sources.cpp (what emits) and prepare_warnings.cpp.
 #pragma once
 #include <map>
@@ -57,6 +57,7 @@ class Builder {
   bool add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe, float size = 0);
   void add_sensors();
   MeterSet make_meters(const MetersDescription& meters) const;
+  MeterSet make_surface_meters(uint32_t id, const SurfaceMetersDescription& meters);
   void find_media();
   void add_warnings();
   void warn_of_overlaps();

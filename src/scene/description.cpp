@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "scene/check.h"
 #include "sensor/goniometer.h"
 
 namespace ups {
 namespace {
+
+constexpr uint32_t max_meters = 16'777'216;  // of a set
 
 Affine to_affine(const double (&m)[12]) {
   Affine a;
@@ -304,7 +307,7 @@ ups_sensor_id Description::add_meters(const ups_meter_desc& d) {
   if (d.kind != UPS_METER_PLANAR)
     throw Error(UPS_ERROR_UNSUPPORTED, "kind is " + std::to_string(d.kind) +
                                            "; this version measures planar illuminance alone (UPS_METER_PLANAR)");
-  check_count(d.count, 1, 16'777'216, "count");
+  check_count(d.count, 1, max_meters, "count");
   check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
   check::pointer(d.positions_m, "positions_m");
   check::pointer(d.normals, "normals");
@@ -314,6 +317,11 @@ ups_sensor_id Description::add_meters(const ups_meter_desc& d) {
                                                            check::text(double(height)) +
                                                            "; it must be 0, 0 (points) or both above 0");
   if (cells) check::pointer(d.tangents, "tangents");
+  check::at_least(double(d.footprint_m), 0, "footprint_m");
+  check::require(!(cells && d.footprint_m > 0),
+                 "footprint_m is " + check::text(double(d.footprint_m)) +
+                     " beside cell_size_m; a mean is over a disc or a rectangle: leave one of them 0");
+  check::require(d.reserved_2 == 0, "reserved_2 is " + std::to_string(d.reserved_2) + "; it must be 0");
   for (size_t i = 0; i < d.count; ++i)
     for (size_t k = 0; k < 3; ++k)
       if (!std::isfinite(d.positions_m[3 * i + k]))
@@ -322,10 +330,11 @@ ups_sensor_id Description::add_meters(const ups_meter_desc& d) {
   const check::Floats normals{d.normals, d.count, 3, 0}, tangents{d.tangents, d.tangents ? d.count : 0, 3, 0};
   check::all_finite(normals, "normals", "");
   check::all_finite(tangents, "tangents", "");
-  MetersDescription meters{{}, read_vectors(normals), read_vectors(tangents), width, height};
+  MetersDescription meters{nullptr, read_vectors(normals), read_vectors(tangents), width, height, d.footprint_m};
+  std::vector<Vec3d> positions;
   for (size_t i = 0; i < d.count; ++i) {
     const double* p = d.positions_m + 3 * i;
-    meters.positions.emplace_back(p[0], p[1], p[2]);
+    positions.emplace_back(p[0], p[1], p[2]);
     const Vec3d n(meters.normals[i]);
     if (!(length(n) > 0))
       fail_argument("normals: element " + std::to_string(i) + " has length 0; it must point somewhere");
@@ -335,7 +344,59 @@ ups_sensor_id Description::add_meters(const ups_meter_desc& d) {
       fail_argument("tangents: element " + std::to_string(i) +
                     " is parallel to its normal, or 0; it must point along a side");
   }
+  meters.positions = std::make_shared<const std::vector<Vec3d>>(std::move(positions));
   return {sensors_.add(std::move(meters))};
+}
+
+std::vector<uint32_t> Description::check_instances(const ups_instance_id* ids, uint32_t count,
+                                                   uint64_t& triangles) const {
+  check_count(count, 1, max_id_number, "instance_count");
+  check::pointer(ids, "instances");
+  std::vector<uint32_t> numbers;
+  std::set<uint32_t> seen;
+  for (uint32_t i = 0; i < count; ++i) {
+    const std::string field = check::element("instances", i);
+    check::require(ids[i].v != 0, field + " is 0; it must be an instance of the scene");
+    const InstanceDescription& instance = instances_.get(ids[i].v, (field + ": instance").c_str());
+    const Mesh& mesh = *meshes_.at(instance.mesh);
+    numbers.push_back(number_of(ids[i].v));
+    check::require(seen.insert(numbers.back()).second,
+                   field + ": instance " + std::to_string(numbers.back()) + " is listed twice");
+    check::require(!mesh.revolution, field + ": instance " + std::to_string(numbers.back()) +
+                                         " is a curved part of a fixture, which has no triangles; meters on surfaces "
+                                         "want an instance of a mesh");
+    triangles += mesh.triangle_count();
+  }
+  return numbers;
+}
+
+ups_sensor_id Description::add_surface_meters(const ups_surface_meters_desc& d) {
+  uint64_t triangles = 0;
+  SurfaceMetersDescription meters{check_instances(d.instances, d.instance_count, triangles), d.back == 1, 0, 0};
+  check::require(triangles <= max_meters, "instances have " + std::to_string(triangles) +
+                                              " triangles together; a set measures at most " +
+                                              std::to_string(max_meters));
+  check::flag(d.back, "back");
+  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  return {sensors_.add(std::move(meters))};
+}
+
+ups_sensor_id Description::add_lightmap(const ups_lightmap_desc& d) {
+  uint64_t triangles = 0;
+  SurfaceMetersDescription map{check_instances(d.instances, d.instance_count, triangles), d.back == 1, d.width,
+                               d.height};
+  check_count(d.width, 1, 16384, "width");
+  check_count(d.height, 1, 16384, "height");
+  check::require(uint64_t(d.width) * d.height <= max_meters,
+                 "width * height is " + std::to_string(uint64_t(d.width) * d.height) + "; it must be at most " +
+                     std::to_string(max_meters));
+  for (const uint32_t number : map.instances)
+    check::require(!meshes_.at(instances_.at(number).mesh)->uvs.empty(),
+                   "instances: the mesh of instance " + std::to_string(number) +
+                       " has no uvs; a lightmap needs them to place its texels (ups_mesh_desc.uvs)");
+  check::flag(d.back, "back");
+  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  return {sensors_.add(std::move(map))};
 }
 
 namespace {

@@ -65,9 +65,15 @@ struct CameraDescription {
 };
 
 struct MetersDescription {
-  std::vector<Vec3d> positions;
+  std::shared_ptr<const std::vector<Vec3d>> positions;
   std::vector<Vec3> normals, tangents;  // of any length > 0; tangents: empty or one a meter
-  float cell_width, cell_height;
+  float cell_width, cell_height, footprint;
+};
+
+struct SurfaceMetersDescription {
+  std::vector<uint32_t> instances;  // numbers
+  bool back;
+  uint32_t width, height;  // texels of a lightmap; 0: a meter a triangle
 };
 
 struct GoniometerDescription {
@@ -98,6 +104,8 @@ class Description {
   ups_luminaire_id add_luminaire(const ups_luminaire_desc& desc, std::shared_ptr<const photometry::Photometry> profile);
   ups_sensor_id add_camera(const ups_camera_desc& desc);
   ups_sensor_id add_meters(const ups_meter_desc& desc);
+  ups_sensor_id add_surface_meters(const ups_surface_meters_desc& desc);
+  ups_sensor_id add_lightmap(const ups_lightmap_desc& desc);
   ups_sensor_id add_goniometer(const ups_goniometer_desc& desc);
   ups_sensor_id add_observer(const ups_observer_desc& desc);
 
@@ -116,12 +124,15 @@ class Description {
   const IdTable<InstanceDescription>& instances() const { return instances_; }
   const IdTable<SourceDescription>& sources() const { return sources_; }
   using Sensor =
-      std::variant<CameraDescription, MetersDescription, GoniometerDescription, ObserverDescription>;
+      std::variant<CameraDescription, MetersDescription, SurfaceMetersDescription, GoniometerDescription,
+                   ObserverDescription>;
   const IdTable<Sensor>& sensors() const { return sensors_; }
 
  private:
   MaterialDescription checked(const ups_material_desc& desc) const;
   void check_material_textures(const ups_material_desc& desc) const;
+  // Of surfaces that are measured; adds up their triangles.
+  std::vector<uint32_t> check_instances(const ups_instance_id* ids, uint32_t count, uint64_t& triangles) const;
 
   std::shared_ptr<const SceneTag> tag_;
   uint32_t tag_bits_ = tag_ ? tag_->bits() : 0;

@@ -67,6 +67,7 @@ class IdTable {
     return *items_[number - 1];
   }
   T& get(uint32_t id, const char* noun) { return const_cast<T&>(std::as_const(*this).get(id, noun)); }
+  bool holds(uint32_t number) const { return number > 0 && number <= items_.size() && items_[number - 1]; }
   // By number, of a thing that is there.
   const T& at(uint32_t number) const { return *items_[number - 1]; }
   // visit(number, item) in the order of numbers.

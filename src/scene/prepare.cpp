@@ -80,11 +80,12 @@ void Builder::place() {
   });
   in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
     if (const auto* camera = std::get_if<CameraDescription>(&s)) return grow(camera->to_world.column(3), "sensor", id);
-    if (std::holds_alternative<GoniometerDescription>(s)) return;  // at infinity
     if (const auto* o = std::get_if<ObserverDescription>(&s)) return grow(o->to_world.column(3), "sensor", id);
-    const auto& meters = std::get<MetersDescription>(s);
-    const double reach = 0.5 * std::hypot(double(meters.cell_width), double(meters.cell_height));
-    for (const Vec3d& p : meters.positions) {
+    const auto* meters = std::get_if<MetersDescription>(&s);
+    if (!meters) return;  // a goniometer is at infinity, what measures a surface lies on it
+    const double reach = 0.5 * std::max(std::hypot(double(meters->cell_width), double(meters->cell_height)),
+                                        double(meters->footprint));
+    for (const Vec3d& p : *meters->positions) {
       grow(p - Vec3d(reach, reach, reach), "sensor", id);
       grow(p + Vec3d(reach, reach, reach), "sensor", id);
     }
@@ -179,27 +180,6 @@ void Builder::add_geometry() {
 
 // ---- sensors ----
 
-MeterSet Builder::make_meters(const MetersDescription& in) const {
-  MeterSet set;
-  set.cell_width = in.cell_width, set.cell_height = in.cell_height;
-  set.meters.resize(in.positions.size());
-  parallel_for(threads_, in.positions.size(), [&](size_t i) {
-    Meter& meter = set.meters[i];
-    const Vec3d n = normalize(Vec3d(in.normals[i]));
-    meter.p = to_scene(in.positions[i]);
-    meter.frame = Frame(Vec3(n));
-    if (!in.tangents.empty()) {
-      const Vec3d t(in.tangents[i]), s = normalize(t - n * dot(t, n));
-      meter.frame = {Vec3(s), Vec3(cross(n, s)), Vec3(n)};
-    }
-    const Vec3 half_a = meter.frame.s * (0.5f * set.cell_width), half_b = meter.frame.t * (0.5f * set.cell_height);
-    if (!set.is_cell()) meter.p = off_walls(*out_, meter.p, meter.frame);
-    meter.error = set.is_cell() ? error_at(*out_, meter.p, meter.frame.n, half_a, half_b)
-                                : error_at(*out_, meter.p, meter.frame.n);
-  });
-  return set;
-}
-
 void Builder::add_sensors() {
   in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
     if (const auto* c = std::get_if<CameraDescription>(&s)) {
@@ -221,7 +201,11 @@ void Builder::add_sensors() {
       out_->meter_sets.push_back(make_meters(eye));
       out_->meter_set_ids.push_back(id);
     } else {
-      out_->meter_sets.push_back(make_meters(std::get<MetersDescription>(s)));
+      const auto* surface = std::get_if<SurfaceMetersDescription>(&s);
+      in_context("sensor id " + std::to_string(id), [&] {
+        out_->meter_sets.push_back(surface ? make_surface_meters(id, *surface)
+                                           : make_meters(std::get<MetersDescription>(s)));
+      });
       out_->meter_set_ids.push_back(id);
     }
   });
@@ -249,7 +233,7 @@ void Builder::find_media() {
     if (!wanted) continue;
     std::vector<MediaStack> found(set.meters.size());
     parallel_for(threads_, set.meters.size(), [&](size_t i) {
-      const Meter& meter = set.meters[i];
+      const Meter meter = set.is_cell() ? set.sample(i, {0.5f, 0.5f}) : set.meters[i];
       found[i] = media_at(*out_, meter.p + meter.frame.n * (2 * meter.error));
     });
     for (size_t i = 0; i < found.size(); ++i) media[i] = number(found[i]);

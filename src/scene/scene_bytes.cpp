@@ -14,7 +14,7 @@ namespace {
 constexpr size_t of_instance = sizeof(InstanceDescription) + sizeof(Raytracer::Instance) + 400,
                  of_source = sizeof(SourceDescription) + sizeof(Source) + 200,
                  of_material = sizeof(ups_material_desc) + sizeof(Material) + sizeof(SurfaceTexturing),
-                 of_meter = sizeof(Vec3d) + sizeof(Vec3) + sizeof(Meter) + sizeof(uint32_t);  // without tangents
+                 of_position = sizeof(Vec3d) + sizeof(Vec3);  // of a meter that was given one; without tangents
 constexpr size_t of_scene = 64 << 10;  // context, description, Embree's device
 
 size_t bytes_of(const photometry::Distribution& d) {
@@ -42,10 +42,12 @@ size_t bytes_of(const Snapshot& scene) {
   for (const auto& mesh : scene.meshes) sum += mesh->bytes();
   for (const auto& texture : scene.textures) sum += texture->bytes();
   if (scene.openings) sum += scene.openings->bytes();
+  for (const MeterSet& s : scene.meter_sets)
+    sum += s.bytes() + (s.positions ? s.positions->size() * of_position : 0);
   for (const Goniometer& g : scene.goniometers)
     sum += g.node_count() * (sizeof(uint32_t) + 2 * sizeof(double));
   return sum + scene.media.of_instance.size() * of_instance + scene.sources.size() * of_source +
-         scene.materials.size() * of_material + scene.meter_count() * of_meter;
+         scene.materials.size() * of_material + scene.meter_count() * sizeof(uint32_t);
 }
 
 }  // namespace ups

@@ -97,7 +97,7 @@ struct Snapshot {
     for (const Camera& c : cameras) n += c.pixel_count();
     return n;
   }
-  uint64_t meter_count() const {
+  uint64_t meter_count() const {  // of those that measure
     uint64_t n = 0;
     for (const MeterSet& s : meter_sets) n += s.meters.size();
     return n;

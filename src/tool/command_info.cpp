@@ -26,6 +26,9 @@ std::string sensor_text(const SensorEntry& sensor) {
     return format("  goniometer %s: %u planes of %u angles\n", name, info.columns, info.rows);
   if (info.kind == UPS_GLTF_OBSERVER) return "  observer " + printable(sensor.name) + "\n";
   if (info.columns > 0) return format("  meters %s: grid of %u x %u\n", name, info.columns, info.rows);
+  if (info.layout == UPS_GLTF_LAYOUT_SURFACE) return format("  meters %s: %u triangles\n", name, info.meter_count);
+  if (info.layout == UPS_GLTF_LAYOUT_LIGHTMAP)
+    return format("  meters %s: lightmap of %u x %u\n", name, info.width, info.height);
   return format("  meters %s: %u points\n", name, info.meter_count);
 }
 

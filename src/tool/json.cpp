@@ -391,6 +391,11 @@ ordered_json sheet_json(const DataSheet& s) {
   return all;
 }
 
+const char* layout_word(ups_gltf_layout layout) {
+  static constexpr const char* words[] = {"points", "grid", "en12464", "line", "surface", "lightmap"};
+  return words[layout];
+}
+
 ordered_json scene_json(const SceneReport& report) {
   const ups_scene_info& info = report.info;
   ordered_json sensors = ordered_json::array();
@@ -402,6 +407,7 @@ ordered_json scene_json(const SceneReport& report) {
     } else if (sensor.info.kind != UPS_GLTF_OBSERVER) {
       sensors.back().update(
           {{"count", sensor.info.meter_count}, {"columns", sensor.info.columns}, {"rows", sensor.info.rows}});
+      if (sensor.info.kind == UPS_GLTF_METERS) sensors.back()["layout"] = layout_word(sensor.info.layout);
     }
   }
   return {{"file", report.file},

@@ -153,19 +153,82 @@ struct MeterTable {
   std::vector<double> positions;
   std::vector<float> normals;
   std::vector<ups_meter_reading> readings;
+  std::vector<ups_meter_place> places;  // of meters on surfaces
+  std::vector<size_t> listed;           // all but a lightmap's empty texels
 };
 
-void write_csv(const std::string& path, const MeterTable& table) {
-  Csv csv("x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx");
-  for (size_t i = 0; i < table.readings.size(); ++i) {
+MeterTable read_table(uint32_t index, const SensorEntry& meters, const LoadedScene& scene, const ups_result* result) {
+  const size_t count = meters.info.meter_count;
+  MeterTable table;
+  table.positions.resize(3 * count);
+  table.normals.resize(3 * count);
+  table.readings.resize(count);
+  check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
+  const bool lightmap = meters.info.layout == UPS_GLTF_LAYOUT_LIGHTMAP;
+  if (lightmap || meters.info.layout == UPS_GLTF_LAYOUT_SURFACE) {
+    table.places = read_array<ups_meter_place>([&](ups_meter_place* to, size_t capacity, size_t* needed) {
+      return ups_scene_read_meter_places(scene.scene.get(), meters.info.sensor, to, capacity, needed);
+    });
+    for (size_t i = 0; i < count; ++i) {
+      std::copy_n(table.places[i].position_m, 3, &table.positions[3 * i]);
+      std::copy_n(table.places[i].normal, 3, &table.normals[3 * i]);
+    }
+  } else {
+    check(ups_gltf_read_meters(scene.import_result.get(), index, table.positions.data(), table.normals.data(), count),
+          ups_gltf_last_error);
+  }
+  for (size_t i = 0; i < count; ++i)
+    if (!lightmap || table.places[i].valid) table.listed.push_back(i);
+  return table;
+}
+
+// map_width: of a lightmap, else 0.
+void write_csv(const std::string& path, const MeterTable& table, uint32_t map_width) {
+  std::string header =
+      "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx";
+  if (!table.places.empty()) header += ",triangle,area_m2";
+  if (map_width > 0) header += ",column,row";
+  Csv csv(header);
+  for (const size_t i : table.listed) {
     for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(table.positions[k]);
     for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(double(table.normals[k]));
     const ups_meter_reading& r = table.readings[i];
     for (float value : {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx})
       csv.add(double(value));
+    if (!table.places.empty()) {
+      csv.add(double(table.places[i].triangle));
+      csv.add(double(table.places[i].area_m2));
+    }
+    if (map_width > 0) {
+      csv.add(double(i % map_width));
+      csv.add(double(i / map_width));
+    }
     csv.end_row();
   }
   csv.write(path);
+}
+
+// Row 0, at v = 0, is the image's top line.
+void write_lightmap(const std::string& path, const SensorEntry& map, const MeterTable& table, Attributes attributes) {
+  static constexpr const char* names[] = {"Y",          "standard_error.Y", "error_bound.Y", "direct.Y", "position.X",
+                                          "position.Y", "position.Z",       "area",          "valid"};
+  static constexpr const char* units[] = {"lx", "lx", "lx", "lx", "m", "m", "m", "m^2", "1: in use, 0: empty"};
+  constexpr size_t count = std::size(names);
+  std::vector<float> texels;
+  texels.reserve(count * table.places.size());
+  for (size_t i = 0; i < table.places.size(); ++i) {
+    const ups_meter_reading& r = table.readings[i];
+    const ups_meter_place& p = table.places[i];
+    texels.insert(texels.end(), {r.illuminance_lx, r.standard_error_lx, r.error_bound_lx, r.direct_lx,
+                                 float(p.position_m[0]), float(p.position_m[1]), float(p.position_m[2]), p.area_m2,
+                                 float(p.valid)});
+  }
+  std::vector<ups_exr_channel> channels;
+  for (size_t k = 0; k < count; ++k) {
+    channels.push_back({names[k], &texels[k], count * sizeof(float), 0});
+    attributes.emplace_back(std::string("unit.") + names[k], units[k]);
+  }
+  write_exr(path, map.info.width, map.info.height, channels, attributes);
 }
 
 // An image's top line is the grid's last row: row 0 stands at the bottom.
@@ -198,19 +261,17 @@ void write_grid(Written& written, const std::string& base, const SensorEntry& gr
 void write_meters(Written& written, const std::string& base, uint32_t index, const SensorEntry& meters,
                   const LoadedScene& scene, const ups_result* result, const MapStyle& map,
                   const Attributes& attributes) {
-  const size_t count = meters.info.meter_count;
-  MeterTable table;
-  table.positions.resize(3 * count);
-  table.normals.resize(3 * count);
-  table.readings.resize(count);
-  check(ups_gltf_read_meters(scene.import_result.get(), index, table.positions.data(), table.normals.data(), count),
-        ups_gltf_last_error);
-  check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
-  attempt(written, base + ".csv", [&](const std::string& path) { write_csv(path, table); });
+  const MeterTable table = read_table(index, meters, scene, result);
+  const bool lightmap = meters.info.layout == UPS_GLTF_LAYOUT_LIGHTMAP;
+  attempt(written, base + ".csv",
+          [&](const std::string& path) { write_csv(path, table, lightmap ? meters.info.width : 0); });
+  if (lightmap)
+    attempt(written, base + ".exr",
+            [&](const std::string& path) { write_lightmap(path, meters, table, attributes); });
   if (const auto sources = sources_of(scene, result); !sources.empty()) {
     const bool groups = sources[0].info.kind == UPS_SOURCE_GROUP;
     attempt(written, base + (groups ? "_groups.csv" : "_luminaires.csv"),
-            [&](const std::string& path) { write_sources_csv(path, table.positions, meters, sources, result); });
+            [&](const std::string& path) { write_sources_csv(path, table.positions, table.listed, meters, sources, result); });
   }
   if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
   attempt(written, base, [&](const std::string& name) {

@@ -27,7 +27,8 @@ std::vector<SourceEntry> sources_of(const LoadedScene& scene, const ups_result* 
   return sources;
 }
 
-void write_sources_csv(const std::string& path, const std::vector<double>& positions_m, const SensorEntry& meters,
+void write_sources_csv(const std::string& path, const std::vector<double>& positions_m,
+                       const std::vector<size_t>& listed, const SensorEntry& meters,
                        const std::vector<SourceEntry>& sources, const ups_result* result) {
   std::string header = "x_m,y_m,z_m";
   std::vector<std::vector<ups_meter_reading>> columns;
@@ -38,7 +39,7 @@ void write_sources_csv(const std::string& path, const std::vector<double>& posit
                                         column.size()));
   }
   Csv csv(header);
-  for (size_t m = 0; m < meters.info.meter_count; ++m) {
+  for (const size_t m : listed) {
     for (size_t k = 0; k < 3; ++k) csv.add(positions_m[3 * m + k]);
     for (const auto& column : columns) {
       csv.add(double(column[m].illuminance_lx));

@@ -17,8 +17,9 @@ std::vector<SourceEntry> sources_of(const LoadedScene& scene, const ups_result* 
 // Of its node.
 std::string source_name(const LoadedScene& scene, ups_source_kind kind, uint32_t id);
 
-// positions_m: 3 a meter. A row a meter; of each source illuminance and standard error, lx.
-void write_sources_csv(const std::string& path, const std::vector<double>& positions_m, const SensorEntry& meters,
+// positions_m: 3 a meter. A row for each meter listed; of each source illuminance and standard error, lx.
+void write_sources_csv(const std::string& path, const std::vector<double>& positions_m,
+                       const std::vector<size_t>& listed, const SensorEntry& meters,
                        const std::vector<SourceEntry>& sources, const ups_result* result);
 
 // The nodes of a goniometer; gamma runs fastest.

@@ -156,7 +156,7 @@ class MeterPaths {
     const double radius2 = sensor.cell ? 0 : in_.meter_radius2(s_, m);
     sensor.counts = in_.meter_counts(s_);
     const bool merges = sensor.counts.eta > 0;
-    sensor.own_point = mis::at_meter(sensor.counts, merges ? in_.eta(radius2) / samples : 0, set_.cell_area());
+    sensor.own_point = mis::at_meter(sensor.counts, merges ? in_.eta(radius2) / samples : 0, set_.area(m));
     sensor.first.radius = float(std::sqrt(radius2));
     if (merges || in_.settings.actual_perturbation) sensor.later = {walk_radius_, &photons_.of_walks};
     if (in_.moments) sensor.excess = &tally_.excess_of_meters[s_][i * in_.moments->row()];
@@ -169,16 +169,12 @@ class MeterPaths {
   }
   MeterTally trace_one(size_t i, uint32_t k, EyeSensor& sensor, WorkCounts& work) const {
     const uint32_t m = in_.plan.visited_meter(in_.number, i), samples = in_.plan.meter_samples;
-    const Meter& meter = set_.meters[m];
     pairing_.assign(first_path_ + uint32_t(i) * samples + k, sensor);
     PathSampler rng(in_.settings.seed, {Stream::meters, s_}, hash_combine(in_.meter_visit.batch, m),
                     in_.meter_visit.number * samples + k, in_.number, m * samples + k);
-    Vec3 p = meter.p;
-    if (sensor.cell)
-      p += meter.frame.s * ((rng.get(0, Slot::cell_x) - 0.5f) * set_.cell_width) +
-           meter.frame.t * ((rng.get(0, Slot::cell_y) - 0.5f) * set_.cell_height);
+    const Meter at = sensor.cell ? set_.sample(m, {rng.get(0, Slot::cell_x), rng.get(0, Slot::cell_y)}) : set_.meters[m];
     ++work.eye_paths;
-    const EyeTally found = EyeWalk(in_, photons_, sensor, rng, work).from_meter(p, meter.error, meter.frame);
+    const EyeTally found = EyeWalk(in_, photons_, sensor, rng, work).from_meter(at.p, at.error, at.frame);
     if (in_.moments) in_.moments->add_eye_path(luminance(found.value) * sensor.share, sensor.excess);
     return MeterTally::of_path(luminance(found.value), found.direct, found.bias, {k});
   }

@@ -140,7 +140,11 @@ Photons Integrator::trace_light(const Iteration& in, const SensorIndex& sensors,
 bool Integrator::trace(const Iteration& in, IterationTally& tally) {
   reset(in, tally);
   Photons photons;
-  if (settings_.traces_light()) photons = trace_light(in, SensorIndex(in, pool_), tally);
+  if (settings_.traces_light()) {
+    const auto sensors = std::make_shared<const SensorIndex>(in, pool_, sensors_.get());
+    if (plan_.meter_subsets == 1) sensors_ = sensors;
+    photons = trace_light(in, *sensors, tally);
+  }
   if (in.stop.is_set()) return false;
   uint32_t path = 0;
   for (uint32_t c = 0; c < scene_->cameras.size(); ++c) path = trace_camera_paths(in, photons, c, path, pool_, tally);

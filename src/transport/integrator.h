@@ -52,6 +52,7 @@ class Integrator {
   DirectLight direct_;
   Selection selection_;
   float largest_pixel_radius_ = 0;
+  std::shared_ptr<const SensorIndex> sensors_;  // of the last iteration, where each visits all meters
 };
 
 }  // namespace ups

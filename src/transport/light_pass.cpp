@@ -149,7 +149,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   void land(uint32_t a, const DiscIndex::Crossing& crossing) {
     const SensorIndex::Entry& e = sensors_.entry(crossing.disc);
     const MeterSet& set = scene_.meter_sets[e.set];
-    const Meter& meter = set.meters[e.meter];
+    const Meter& meter = set.piece(e.meter, e.piece);
     const bool cell = set.is_cell();
     if (!cell && !casters_ && !(e.counts.merge_all > 0)) return;
     if (!cell && a == 1 && !in_.gates_of(emitter_index_).merge_at_first) return;
@@ -158,7 +158,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const Vec3 p = origin_ + direction_ * crossing.t;
     const Vec3 offset = p - lifted(meter.p, meter.frame.n, meter.error);
     const float x = dot(offset, meter.frame.s), y = dot(offset, meter.frame.t);
-    if (cell && (std::abs(x) * 2 > set.cell_width || std::abs(y) * 2 > set.cell_height)) return;
+    if (cell && !set.covers(e.meter, e.piece, x, y)) return;
     const uint32_t ring = cell ? none : in_.plan.meter_discs[e.set].ring_at(e.meter, x, y);
     if (!cell && ring == none) return;
     const double flux = luminance(carried_ * met_.transmittance(scene_, crossing.t));

@@ -1,30 +1,39 @@
-// See sensor_index.h: every meter's disc or cell.
+// See sensor_index.h: every meter's disc, or the pieces of its cell.
 #include "transport/sensor_index.h"
 
 #include "transport/walk.h"
 
 namespace ups {
 
-SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool) {
+SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool, const SensorIndex* before) {
   std::vector<DiscIndex::Disc> discs;
   for (uint32_t s = 0; s < in.scene.meter_sets.size(); ++s) {
     const MeterSet& set = in.scene.meter_sets[s];
     const bool cell = set.is_cell();
     const mis::Counts counts = in.meter_counts(s);
     if (cell ? !(counts.land > 0) : !in.merges_at(s)) continue;
-    const float half_diagonal = 0.5f * std::sqrt(set.cell_width * set.cell_width + set.cell_height * set.cell_height);
     for (uint32_t i = 0; i < in.plan.visited_meters(in.number, set.meters.size()); ++i) {
       const uint32_t m = in.plan.visited_meter(in.number, i);
       const Meter& meter = set.meters[m];
       const double radius2 = cell ? 0 : in.meter_radius2(s, m);
       if (!cell && !(radius2 > 0)) continue;
-      const double area = cell ? double(set.cell_area()) : 3.14159265358979323846 * radius2;
-      entries_.push_back({s, m, i, area, in.eta(radius2) / in.plan.meter_samples, counts});
-      const float radius = cell ? half_diagonal * 1.0001f : in.plan.meter_discs[s].radius(m);
-      discs.push_back({lifted(meter.p, meter.frame.n, meter.error), meter.frame.n, radius});
+      if (!cell) {
+        entries_.push_back({s, m, 0, i, 3.14159265358979323846 * radius2, in.eta(radius2) / in.plan.meter_samples,
+                            counts});
+        discs.push_back({lifted(meter.p, meter.frame.n, meter.error), meter.frame.n, in.plan.meter_discs[s].radius(m)});
+      }
+      for (uint32_t k = 0; cell && k < set.piece_count(m); ++k) {
+        const Meter& piece = set.piece(m, k);
+        const MeterSet::Extent extent = set.extent(m, k);
+        entries_.push_back({s, m, k, i, set.area(m), 0, counts});
+        discs.push_back({lifted(extent.center, piece.frame.n, piece.error), piece.frame.n, extent.radius * 1.0001f,
+                         extent.reach * 1.0001f});
+      }
     }
   }
-  if (!discs.empty()) discs_ = std::make_unique<DiscIndex>(std::move(discs), pool);
+  if (discs.empty()) return;
+  const bool same = before && before->discs_ && before->discs_->holds(discs);
+  discs_ = same ? before->discs_ : std::make_shared<const DiscIndex>(std::move(discs), pool);
 }
 
 }  // namespace ups

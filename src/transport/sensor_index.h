@@ -14,12 +14,14 @@ class SensorIndex {
  public:
   SensorIndex() = default;
   // The meters that the iteration visits. Holds point meters where merging is on and cells where landing is on.
-  SensorIndex(const Iteration& in, ThreadPool& pool);
+  // before: of an earlier iteration, whose discs are taken over where they are the same; may be null.
+  SensorIndex(const Iteration& in, ThreadPool& pool, const SensorIndex* before = nullptr);
 
   struct Entry {
     uint32_t set, meter;
+    uint32_t piece;      // of a cell: MeterSet::piece
     uint32_t visited;    // running number of the meter among those of its set that the iteration visits
-    double area = 0;     // of a cell, of a point's disc
+    double area = 0;     // of a whole cell, of a point's disc
     double eta = 0;      // N area / Ke: a disc merges once for all eye paths of its meter; 0: a cell
     mis::Counts counts;
   };
@@ -31,7 +33,7 @@ class SensorIndex {
 
  private:
   std::vector<Entry> entries_;
-  std::unique_ptr<DiscIndex> discs_;
+  std::shared_ptr<const DiscIndex> discs_;
 };
 
 }  // namespace ups

@@ -164,6 +164,8 @@ internal static partial class BindingTest
                     Expect(path.Contributions().Length == (int)path.Info.Contributions, "its light");
                     Expect(path.Text().Contains("next-event estimation"), "what it says");
                 }
+                var places = scene.MeterPlaces(meters);
+                Expect(places.Length == result.Meters(meters).Length && places[0].Valid == 1, "the meters' places");
                 var cut = scene.Section(new double[] { 1, 0, 0 }, new double[] { 1, 0, 0 });
                 Expect(cut.Length == 2 && cut[0].FromM[0] == 1, "a section");
                 var seen = scene.Outlines(new double[] { 0, 0, 1 }, new double[] { 0, 0, 1 });
@@ -280,6 +282,33 @@ internal static partial class BindingTest
         Expect(result.Meters(meters)[0].IlluminanceLx >= 99.9, "a result outlives its job");
     }
 
+    private static void TestMeterShapes(Context context)
+    {
+        using (var scene = new Scene(context))
+        {
+            var instance = InstanceDesc.Create();
+            instance.Mesh = scene.AddMesh(new float[] { 0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0 },
+                                          new uint[] { 0, 1, 2, 0, 2, 3 }, scene.AddMaterial(MaterialDesc.Create()),
+                                          uvs: new float[] { 0, 0, 1, 0, 1, 1, 0, 1 });
+            var table = new[] { scene.AddInstance(instance) };
+            var triangles = scene.AddSurfaceMeters(table);
+            var texels = scene.AddLightmap(table, 4, 2, back: true);
+            var disc = scene.AddMeters(new double[] { 0, 0, 2 }, new float[] { 0, 0, 1 }, footprintM: 0.5f);
+            scene.Commit();
+            Expect(scene.MeterPlaces(triangles).Length == 2, "a meter a triangle");
+            var places = scene.MeterPlaces(texels);
+            Expect(places.Length == 8 && places[7].AreaM2 == 0.25f && places[7].Normal[2] == -1, "a meter a texel");
+            ExpectNear(places[7].PositionM[0], 1.75, 1e-6, "a texel's place");
+            ExpectNear(scene.MeterPlaces(disc)[0].AreaM2, Math.PI / 16, 1e-6, "a disc");
+        }
+        En12464Info info;
+        var hole = new double[] { 5, 1, 6, 1, 6, 2, 5, 2 };
+        var points = En12464Grid.In(new double[] { 0, 0, 11, 0, 11, 3, 0, 3 }, null, 0.5, out info);
+        Expect(info.Columns == 31 && info.Rows == 7 && points.Length == 217, "the grid of EN 12464-1");
+        points = En12464Grid.In(new double[] { 0, 0, 11, 0, 11, 3, 0, 3 }, new[] { hole }, 0.5, out info);
+        Expect(points.Length == info.PointCount && points.Length < 217, "a grid with a hole");
+    }
+
     private static int Main(string[] arguments)
     {
         TestLayout(arguments[0]);
@@ -294,6 +323,7 @@ internal static partial class BindingTest
             TestGoniometer(context);
             TestFixtureParts(context);
             TestPlacements(context);
+            TestMeterShapes(context);
             TestErrors(context);
         }
         TestJobsAndLifetimes();

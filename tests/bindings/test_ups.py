@@ -245,6 +245,43 @@ def test_a_section_is_where_a_plane_cuts(context):
     assert scene.outlines((0, 0, 1), (0, 0, 1), 0.5).shape == (0, 2, 3)
 
 
+def test_meters_on_surfaces_and_their_places(context):
+    scene, points, _, instance = lamp_over_floor(context)
+    white = scene.add_material(reflectance_rgb=[0.5] * 3)
+    mesh = scene.add_mesh([(0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], [(0, 1, 2), (0, 2, 3)], white,
+                          uvs=[(0, 0), (1, 0), (1, 1), (0, 1)])
+    table = scene.add_instance(mesh)
+    triangles = scene.add_surface_meters([instance, table])
+    beneath = scene.add_surface_meters([table], back=1)
+    texels = scene.add_lightmap([table], 3, 2)
+    discs = scene.add_meters([(0, 0, 1.5)], normals=(0, 0, 1), footprint_m=0.2)
+    scene.commit()
+    places = scene.meter_places(triangles)
+    assert np.all(places["valid"] == 1) and list(places["triangle"]) == [0, 1, 2, 3]
+    assert places["area_m2"] == pytest.approx([50, 50, 0.5, 0.5])
+    assert np.allclose(scene.meter_places(beneath)["normal"], (0, 0, -1))
+    assert scene.meter_places(texels)["position_m"][5] == pytest.approx((5 / 6, 0.75, 1))
+    assert scene.meter_places(discs)["area_m2"][0] == pytest.approx(math.pi * 0.01)
+    assert scene.meter_places(points)["position_m"][1] == pytest.approx((1, 0, 0.5))
+    result = scene.render(iteration_count=64)
+    assert len(result.meters(triangles)) == 4 and len(result.meters(texels)) == 6
+    flux = (scene.meter_places(texels)["area_m2"] * result.meters(texels)["illuminance_lx"]).sum()
+    assert flux == pytest.approx(result.meters(triangles)["illuminance_lx"][2:].mean(), rel=0.05)
+    with pytest.raises(ups.Error, match="no uvs"):
+        scene.add_lightmap([instance], 4, 4)
+
+
+def test_the_grid_of_en_12464():
+    points, info = ups.en12464_grid([(0, 0), (11, 0), (11, 3), (0, 3)])
+    assert (info.columns, info.rows, info.point_count) == (31, 7, 217) and len(points) == 217
+    assert points["x_m"][0] == pytest.approx(0.5 + 10 / 62)
+    fewer, info = ups.en12464_grid([(0, 0), (11, 0), (11, 3), (0, 3)], holes_m=[[(5, 1), (6, 1), (6, 2), (5, 2)]],
+                                   border_m=0.25)
+    assert len(fewer) == info.point_count < info.columns * info.rows
+    with pytest.raises(ups.Error, match="cross"):
+        ups.en12464_grid([(0, 0), (4, 4), (4, 0), (0, 4)])
+
+
 def test_accuracy_and_its_cost(context):
     scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
     scene.add_instance(scene.add_mesh([(-9, -9, 4), (9, -9, 4), (0, 9, 4)], [(0, 1, 2)],

@@ -2,6 +2,9 @@
 // parsed from.
 #include "recorded_core.h"
 
+#include "base/error.h"
+#include "sensor/en12464.h"
+
 struct ups_profile {
   std::string bytes;
 };
@@ -127,12 +130,68 @@ ups_status ups_scene_add_meters(ups_scene* scene, const ups_meter_desc* d, ups_s
                  copied(d->positions_m, 3 * count),
                  copied(d->normals, 3 * count),
                  copied(d->tangents, 3 * count),
-                 {d->cell_size_m[0], d->cell_size_m[1]}},
+                 {d->cell_size_m[0], d->cell_size_m[1]},
+                 d->footprint_m},
                 out);
 }
 
 ups_status ups_scene_add_observer(ups_scene* scene, const ups_observer_desc* d, ups_sensor_id* out) {
   return record(scene->observers, *d, out);
+}
+
+void ups_surface_meters_desc_init(ups_surface_meters_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_lightmap_desc_init(ups_lightmap_desc* desc, uint32_t size) {
+  ups_lightmap_desc d{};
+  d.width = d.height = 256;
+  write_defaults(desc, size, d);
+}
+void ups_en12464_desc_init(ups_en12464_desc* desc, uint32_t size) {
+  ups_en12464_desc d{};
+  d.border_m = 0.5;
+  write_defaults(desc, size, d);
+}
+
+template <class Desc>
+static RecordedSurfaceMeters surface_of(const Desc& d, uint32_t width, uint32_t height) {
+  RecordedSurfaceMeters m{{}, d.back == 1, width, height};
+  for (uint32_t i = 0; i < d.instance_count; ++i) m.instances.push_back(d.instances[i].v);
+  return m;
+}
+
+ups_status ups_scene_add_surface_meters(ups_scene* scene, const ups_surface_meters_desc* d, ups_sensor_id* out) {
+  return record(scene->surface_meters, surface_of(*d, 0, 0), out);
+}
+
+ups_status ups_scene_add_lightmap(ups_scene* scene, const ups_lightmap_desc* d, ups_sensor_id* out) {
+  return record(scene->surface_meters, surface_of(*d, d->width, d->height), out);
+}
+
+// The real grid: what it says of a polygon is the core's own test.
+ups_status ups_en12464_grid(const ups_en12464_desc* d, ups_en12464_info* info, ups_en12464_point* points,
+                            size_t capacity, size_t* needed) {
+  const auto outline = [](const double*& at, uint32_t count) {
+    ups::PlanOutline o;
+    for (; count > 0; --count, at += 2) o.push_back({at[0], at[1]});
+    return o;
+  };
+  const double *corners = d->corners_m, *hole_corners = d->hole_corners_m;
+  ups::En12464Area area{outline(corners, d->corner_count), {}, d->border_m};
+  for (uint32_t h = 0; h < d->hole_count; ++h)
+    area.holes.push_back(outline(hole_corners, d->hole_corner_counts[h]));
+  try {
+    const ups::En12464Grid grid = ups::en12464_grid(area);
+    if (needed) *needed = grid.points.size();
+    for (size_t i = 0; i < std::min(capacity, grid.points.size()); ++i)
+      points[i] = {grid.points[i].at.x, grid.points[i].at.y, grid.points[i].column, grid.points[i].row};
+    if (info) {
+      info->columns = grid.columns, info->rows = grid.rows;
+      info->cell_m[0] = grid.cell.x, info->cell_m[1] = grid.cell.y;
+    }
+  } catch (const ups::Error& e) {
+    last_error = e.what();
+    return e.status();
+  }
+  return UPS_OK;
 }
 
 ups_status ups_scene_add_goniometer(ups_scene* scene, const ups_goniometer_desc* d, ups_sensor_id* out) {

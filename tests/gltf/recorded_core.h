@@ -27,6 +27,13 @@ struct RecordedMeters {
   std::vector<double> positions;
   std::vector<float> normals, tangents;
   float cell_size_m[2];
+  float footprint_m;
+};
+
+struct RecordedSurfaceMeters {
+  std::vector<uint32_t> instances;
+  bool back;
+  uint32_t width, height;  // of a lightmap; 0: a meter a triangle
 };
 
 struct RecordedGoniometer {
@@ -65,6 +72,7 @@ struct ups_scene {  // ids are places in these, from 1
   std::vector<RecordedFixture> fixtures;
   std::vector<ups_camera_desc> cameras;
   std::vector<RecordedMeters> meters;
+  std::vector<RecordedSurfaceMeters> surface_meters;
   std::vector<RecordedGoniometer> goniometers;
   double maintenance_factor = 1;
   std::vector<ups_observer_desc> observers;

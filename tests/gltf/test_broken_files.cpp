@@ -309,6 +309,26 @@ TEST_F(BrokenFile, NodeExtras) {
       {"fewer normals", {{"meters", {{"points_m", {{0, 0, 0}, {1, 0, 0}}}, {"normals", {{0, 0, 1}}}}}}, {"normals"}},
       {"null normal", {{"meters", {{"points_m", {{0, 0, 0}}}, {"normals", {{0, 0, 0}}}}}}, {"normals", "element 0"}},
       {"no points", {{"meters", {{"points_m", json::array()}}}}, {"points_m"}},
+      {"footprint of a cell",
+       {{"meters", {{"width_m", 4}, {"height_m", 3}, {"columns", 2}, {"rows", 2}, {"area", true}, {"footprint_m", 1}}}},
+       {"footprint_m", "area"}},
+      {"negative footprint", changed("footprint_m", -1), {"footprint_m"}},
+      {"no polygon", {{"meters", {{"en12464", {{"border_m", 0.2}}}}}}, {"meters.en12464", "polygon_m", "missing"}},
+      {"no corner", {{"meters", {{"en12464", {{"polygon_m", {{0, 0}, {1, 2, 3}}}}}}}}, {"polygon_m", "element 1", "[x, y]"}},
+      {"holes of numbers",
+       {{"meters", {{"en12464", {{"polygon_m", {{0, 0}, {4, 0}, {4, 4}}}, {"holes_m", {1, 2}}}}}}},
+       {"holes_m", "corners"}},
+      {"unknown word of a grid", {{"meters", {{"en12464", {{"polygon", 1}}}}}}, {"polygon", "allowed"}},
+      {"negative border",
+       {{"meters", {{"en12464", {{"polygon_m", {{0, 0}, {4, 0}, {4, 4}}}, {"border_m", -1}}}}}}, {"border_m"}},
+      {"line without count", {{"meters", {{"line", {{"from_m", {0, 0, 0}}, {"to_m", {1, 0, 0}}}}}}}, {"count", "missing"}},
+      {"line without end", {{"meters", {{"line", {{"from_m", {0, 0, 0}}, {"count", 4}}}}}}, {"to_m", "missing"}},
+      {"line of a point",
+       {{"meters", {{"line", {{"from_m", {1, 0, 0}}, {"to_m", {1, 0, 0}}, {"count", 4}}}}}}, {"to_m", "two ends"}},
+      {"surface without mesh", {{"meters", {{"surface", true}}}}, {"surface", "mesh"}},
+      {"no surface", {{"meters", {{"surface", false}}}}, {"surface", "true"}},
+      {"cylinders on a surface", {{"meters", {{"surface", true}, {"kind", "cylindrical"}}}}, {"kind", "planar"}},
+      {"lightmap without mesh", {{"meters", {{"lightmap", {{"width", 4}}}}}}, {"lightmap", "mesh"}},
       {"size without camera", {{"width", 640}}, {"width", "camera"}},
       {"no file", {{"luminaire", {{"flux_lm", 900}}}}, {"file"}},
       {"negative dimming", {{"luminaire", {{"file", "a.ies"}, {"dimming", -1}}}}, {"dimming"}},
@@ -332,6 +352,23 @@ TEST_F(BrokenFile, MeterKindThatTheCoreRefuses) {
   SceneBuilder builder = with_extras(
       {{"meters", {{"width_m", 4}, {"height_m", 3}, {"columns", 2}, {"rows", 2}, {"kind", "cylindrical"}}}});
   expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"node 0 \"desk\"", "recorded core"});
+}
+
+TEST_F(BrokenFile, AreasThatTheCoreRefuses) {
+  const auto area = [this](const json& polygon, const json& holes) {
+    return with_extras({{"meters", {{"en12464", {{"polygon_m", polygon}, {"holes_m", holes}}}}}});
+  };
+  const json room = {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, none = json::array();
+  SceneBuilder crossing = area({{0, 0}, {4, 4}, {4, 0}, {0, 4}}, none);
+  expect_failure(crossing, UPS_ERROR_INVALID_ARGUMENT, {"node 0 \"desk\"", "meters.en12464", "cross"});
+  SceneBuilder outside = area(room, json::array({json{{5, 5}, {6, 5}, {6, 6}}}));
+  expect_failure(outside, UPS_ERROR_INVALID_ARGUMENT, {"node 0 \"desk\"", "hole 0", "outside"});
+  SceneBuilder narrow = area({{0, 0}, {4, 0}, {4, 0.9}, {0, 0.9}}, none);
+  expect_failure(narrow, UPS_ERROR_INVALID_ARGUMENT, {"node 0 \"desk\"", "border of 0.5 m"});
+  SceneBuilder unmapped = with_extras({{"meters", {{"lightmap", {{"width", 4}}}}}});
+  unmapped.doc["nodes"][0]["mesh"] = 0;
+  unmapped.add_square();
+  expect_failure(unmapped, UPS_ERROR_PARSE, {"node 0 \"desk\"", "lightmap", "TEXCOORD"});
 }
 
 TEST_F(BrokenFile, NamesThatNoFileCanBear) {

@@ -93,6 +93,103 @@ TEST_F(GoodFile, FreePoints) {
   EXPECT_EQ(sensor_info(0).meter_count, 2u);
 }
 
+TEST_F(GoodFile, FootprintsAreDiscs) {
+  SceneBuilder builder;
+  json extras = grid("plane");
+  extras["ups"]["meters"]["footprint_m"] = 0.01;
+  builder.add_node({{"extras", extras}});
+  builder.add_node({{"extras", {{"ups", {{"meters", {{"points_m", {{0, 0, 0}}}, {"footprint_m", 0.5}}}}}}}});
+  import(builder);
+  EXPECT_FLOAT_EQ(scene.meters[0].footprint_m, 0.01f);
+  EXPECT_FLOAT_EQ(scene.meters[1].footprint_m, 0.5f);
+  EXPECT_EQ(sensor_info(0).layout, UPS_GLTF_LAYOUT_GRID);
+  EXPECT_FLOAT_EQ(sensor_info(0).cell_size_m[0], 2);
+  EXPECT_FLOAT_EQ(sensor_info(0).cell_side[0], 1);
+  EXPECT_EQ(sensor_info(1).layout, UPS_GLTF_LAYOUT_POINTS);
+  EXPECT_EQ(sensor_info(1).cell_size_m[0], 0);
+}
+
+// 4 m x 3 m less the border: p = 0.43 m, 7 x 5 cells of 3/7 m x 0.4 m. With the column some are left out.
+TEST_F(GoodFile, GridsOfTheStandard) {
+  SceneBuilder builder;
+  json area = {{"polygon_m", {{0, 0}, {4, 0}, {4, 3}, {0, 3}}}};
+  const auto add = [&](const json& words) {
+    builder.add_node({{"name", "task"},
+                      {"translation", {1, 0.75, 0}},
+                      {"rotation", upward},
+                      {"extras", {{"ups", {{"meters", words}}}}}});
+  };
+  add({{"en12464", area}});
+  area["holes_m"] = json::array({json{{1.9, 1.4}, {2.1, 1.4}, {2.1, 1.6}, {1.9, 1.6}}});
+  add({{"en12464", area}, {"area", true}, {"name", "around"}});
+  area = {{"polygon_m", {{0, 0}, {4, 0}, {4, 3}, {0, 3}}}, {"border_m", 0}};
+  add({{"en12464", area}, {"footprint_m", 0.02}});
+  import(builder);
+  EXPECT_EQ(sensor_info(0).layout, UPS_GLTF_LAYOUT_EN12464);
+  EXPECT_EQ(sensor_info(0).columns, 7u);
+  EXPECT_EQ(sensor_info(0).rows, 5u);
+  EXPECT_EQ(sensor_info(0).meter_count, 35u);
+  EXPECT_FLOAT_EQ(sensor_info(0).cell_size_m[0], 3 / 7.0f);
+  const auto at = meter_positions(0);
+  EXPECT_NEAR(at[0], 1 + 0.5 + 1.5 / 7, 1e-6);
+  EXPECT_NEAR(at[1], 0.5 + 0.2, 1e-6);
+  EXPECT_NEAR(at[2], 0.75, 1e-6);
+  EXPECT_NEAR(meter_normals(0)[2], 1, 1e-6);
+  EXPECT_TRUE(scene.meters[0].tangents.empty());
+  EXPECT_EQ(sensor_info(1).columns, 0u) << "not all cells are there";
+  EXPECT_LT(sensor_info(1).meter_count, 35u);
+  EXPECT_GT(sensor_info(1).meter_count, 20u);
+  EXPECT_FLOAT_EQ(scene.meters[1].cell_size_m[0], 3 / 7.0f);
+  EXPECT_EQ(scene.meters[1].tangents.size(), 3 * sensor_info(1).meter_count);
+  EXPECT_EQ(sensor_info(2).columns, 8u);  // p = 0.527 m
+  EXPECT_EQ(sensor_info(2).rows, 6u);
+}
+
+TEST_F(GoodFile, Lines) {
+  SceneBuilder builder;
+  const json line = {{"from_m", {0, 0, 0}}, {"to_m", {4, 0, 2}}, {"count", 3}};
+  json turned = line;
+  turned["normal"] = {0, 2, 0};
+  builder.add_node({{"extras", {{"ups", {{"meters", {{"line", line}}}}}}}});
+  builder.add_node({{"extras", {{"ups", {{"meters", {{"line", turned}}}}}}}});
+  import(builder);
+  expect_near(meter_positions(0), {0, 0, 0, 2, -1, 0, 4, -2, 0});
+  expect_near(meter_normals(0), {0, -1, 0, 0, -1, 0, 0, -1, 0});
+  expect_near(meter_normals(1), {0, 0, 1, 0, 0, 1, 0, 0, 1});
+  EXPECT_EQ(sensor_info(0).layout, UPS_GLTF_LAYOUT_LINE);
+}
+
+// A mesh of two primitives: one set, through both instances; the node's scale is the mesh's.
+TEST_F(GoodFile, SurfacesAndLightmapsOfTheNodesMesh) {
+  SceneBuilder builder;
+  const json one = {{"attributes", {{"POSITION", builder.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3", 3)},
+                                    {"TEXCOORD_0", builder.add_floats({0, 0, 1, 0, 0, 1}, "VEC2", 2)}}}};
+  builder.doc["meshes"] = json::array({json{{"primitives", json::array({one, one})}}});
+  const auto add = [&](const json& words) {
+    builder.add_node({{"name", "wall"}, {"mesh", 0}, {"scale", {2, 2, 2}}, {"extras", {{"ups", {{"meters", words}}}}}});
+  };
+  add({{"surface", true}});
+  add({{"lightmap", {{"width", 32}, {"height", 16}}}, {"back", true}, {"name", "map"}});
+  import(builder);
+  ASSERT_EQ(scene.surface_meters.size(), 2u);
+  EXPECT_EQ(scene.surface_meters[0].instances, (std::vector<uint32_t>{1, 2}));
+  EXPECT_EQ(scene.surface_meters[0].width, 0u);
+  EXPECT_FALSE(scene.surface_meters[0].back);
+  EXPECT_EQ(sensor_info(0).layout, UPS_GLTF_LAYOUT_SURFACE);
+  EXPECT_EQ(sensor_info(0).kind, UPS_GLTF_METERS);
+  EXPECT_EQ(sensor_info(0).meter_count, 2u);
+  EXPECT_EQ(scene.surface_meters[1].instances, (std::vector<uint32_t>{3, 4}));
+  EXPECT_TRUE(scene.surface_meters[1].back);
+  EXPECT_EQ(sensor_info(1).layout, UPS_GLTF_LAYOUT_LIGHTMAP);
+  EXPECT_EQ(sensor_info(1).width, 32u);
+  EXPECT_EQ(sensor_info(1).height, 16u);
+  EXPECT_EQ(sensor_info(1).meter_count, 512u);
+  double positions[6];
+  EXPECT_EQ(ups_gltf_read_meters(imported, 0, positions, nullptr, 2), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(std::string(ups_gltf_last_error()).find("ups_scene_read_meter_places"), std::string::npos);
+  EXPECT_FALSE(warned("scale")) << warnings();
+}
+
 TEST_F(GoodFile, ScaleDoesNotMoveMetersApart) {
   SceneBuilder builder;
   builder.add_node({{"scale", {3, 3, 3}}, {"children", {1}}});

@@ -58,7 +58,7 @@ class LocalQuantities {
       if (!(merge && i == 0)) far_.push_back(&r.by_eye[i]);
     }
     path_.sensor = r.sensor;
-    path_.cell_area = r.sensor == SensorType::cell ? double(room.scene->meter_sets[r.set].cell_area()) : 1;
+    path_.cell_area = r.sensor == SensorType::cell ? room.scene->meter_sets[r.set].area(0) : 1;
     resize();
     emission();
     for (int i = 0; i < path_.k; ++i) edge(i);
@@ -279,7 +279,7 @@ class Recorder : public PathRecorder {
     r.technique = cell ? Technique::land : Technique::merge;
     r.at = int(c.technique.edges) + (cell ? 1 : 0);
     add_light(light_.back(), c.technique.edges - 1, r);
-    const Node at{.p = Vec3d(p), .ng = Vec3d(room_.scene->meter_sets[set].meters[meter].frame.n)};
+    const Node at{.p = Vec3d(p), .ng = Vec3d(room_.scene->meter_sets[set].piece(meter, 0).frame.n)};
     r.by_light.push_back(at);
     if (!cell) r.by_eye.push_back(at);
     paths.push_back(std::move(r));

@@ -46,7 +46,7 @@ class RoomBuilder {
     ups_instance_desc instance{};
     instance.mesh = description_.add_mesh(mesh);
     place(instance.to_world, {});
-    description_.add_instance(instance);
+    last_ = description_.add_instance(instance);
   }
   void add_pane(const P3& corner, const P3& u, const P3& v, float transmittance) {
     ups_material_desc m = material(UPS_MATERIAL_GLAZING);
@@ -84,15 +84,25 @@ class RoomBuilder {
     place(camera.to_world, p, tilt);
     description_.add_camera(camera);
   }
-  void add_meters(const std::vector<double>& positions, const std::vector<float>& normals, float cell = 0) {
+  void add_meters(const std::vector<double>& positions, const std::vector<float>& normals, float cell = 0,
+                  bool discs = false) {
     std::vector<float> tangents;
     for (size_t i = 0; i < normals.size(); i += 3) tangents.insert(tangents.end(), {1, 0, 0});
     ups_meter_desc meters{};
     meters.count = uint32_t(positions.size() / 3);
     meters.positions_m = positions.data(), meters.normals = normals.data();
     if (cell > 0) meters.tangents = tangents.data();
-    meters.cell_size_m[0] = meters.cell_size_m[1] = cell;
+    if (discs)
+      meters.footprint_m = cell;
+    else
+      meters.cell_size_m[0] = meters.cell_size_m[1] = cell;
     description_.add_meters(meters);
+  }
+  void add_surface_meters() {  // on what was added last
+    ups_surface_meters_desc meters{};
+    meters.instances = &last_;
+    meters.instance_count = 1;
+    description_.add_surface_meters(meters);
   }
   Room build() {
     ThreadPool pool(1);
@@ -108,11 +118,14 @@ class RoomBuilder {
   }
   Description description_;
   uint32_t materials_ = 0;
+  ups_instance_id last_{};
   std::vector<Pane> panes_;
 };
 
+enum class Cells { rectangles, discs, triangles };
+
 // nested: glass within glass, so that media nest.
-inline Room make_room(bool nested) {
+inline Room make_room(bool nested, Cells cells) {
   RoomBuilder b;
   const auto make = &RoomBuilder::material;
   const ups_material_desc matte = make(UPS_MATERIAL_MATTE, 0.6f, 0);
@@ -157,7 +170,13 @@ inline Room make_room(bool nested) {
   b.add_camera({2, 0.4, 1.9}, 48, 1.25);
   b.add_meters({1.6, 2, 1, 2.6, 2.2, 0.3, 3.2, 1.2, 0.15, 2, 2, 1.6, 1.5, 1, 1.2, 2.6, 2.9, 0.5},
                {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0.3f, -1, -1, 0, 0.2f, 0, 0, 1});
-  b.add_meters({1.5, 1.5, 0.01, 2.6, 2.2, 0.01, 1.6, 2.8, 0.8}, {0, 0, 1, 0, 0, 1, 0, 0, 1}, 0.5f);
+  if (cells == Cells::triangles) {  // all of the same size
+    b.add(quad({1.2, 1.7, 0.01}, {1.4, 0, 0}, {0.1, 0.9, 0}), matte);
+    b.add_surface_meters();
+  } else {
+    b.add_meters({1.5, 1.5, 0.01, 2.6, 2.2, 0.01, 1.6, 2.8, 0.8}, {0, 0, 1, 0, 0, 1, 0, 0, 1}, 0.5f,
+                 cells == Cells::discs);
+  }
   return b.build();
 }
 

@@ -20,11 +20,12 @@ struct Options {
   std::vector<TechniqueShare> shares = {{}};  // taken in turn by the units
   bool guided = false;
   bool nested = false;
+  Cells cells = Cells::rectangles;
 };
 
 class Replay {
  public:
-  explicit Replay(const Options& options) : room_(make_room(options.nested)), recorder_(room_) {
+  explicit Replay(const Options& options) : room_(make_room(options.nested, options.cells)), recorder_(room_) {
     settings_.method = *method_of(UPS_METHOD_UPS);
     settings_.techniques = options.techniques;
     settings_.light_paths = 1u << 14;
@@ -314,6 +315,10 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
 TEST(Replay, AllTechniques) { run({}); }
 
 TEST(Replay, GuidedEmission) { run({.guided = true}); }
+
+TEST(Replay, DiscsAsCells) { run({.cells = Cells::discs}); }
+
+TEST(Replay, TrianglesOfASurfaceAsCells) { run({.cells = Cells::triangles}); }
 
 TEST(Replay, MediaThatNest) { run({.nested = true}); }
 

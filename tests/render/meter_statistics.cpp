@@ -161,7 +161,7 @@ TEST(MeterRatios, IntervalsCoverTheTruth) {
         }
         sets[k].add({value, {0, 0}, 0}, batch, no_bias);
       }
-    const Ratio of_means = ratio_of_means(sets[0], sets[1]), of_one = ratio_at(sets[0], sets[1], 3);
+    const Ratio of_means = ratio_of_means(sets[0], sets[1]), of_one = ratio_at(sets[0], 3, sets[1], 3);
     means += holds(of_means.interval.low, of_means.interval.high, 0.3) / double(repetitions);
     single += holds(of_one.interval.low, of_one.interval.high, 0.3) / double(repetitions);
     width += (of_one.interval.high - of_one.interval.low) / 2 / double(repetitions);
@@ -181,7 +181,7 @@ TEST(MeterRatios, CommonBiasCancels) {
     std::fill(batch, batch + batch_count, value[k]);
     sets[k].add({value[k], {bias[k], 0}, 0}, batch, no_bias);
   }
-  const Interval alike = ratio_at(sets[0], sets[1], 0).interval, apart = ratio_at(sets[0], sets[2], 0).interval;
+  const Interval alike = ratio_at(sets[0], 0, sets[1], 0).interval, apart = ratio_at(sets[0], 0, sets[2], 0).interval;
   EXPECT_NEAR(alike.high - alike.low, 0, 1e-12);
   EXPECT_NEAR(apart.high, 0.3 + 0.03, 1e-9);
   EXPECT_NEAR(apart.low, 0.3 - 0.03, 1e-9);

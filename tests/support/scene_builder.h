@@ -119,7 +119,7 @@ class Scene {
   void set_group(uint32_t group) { group_ = group; }
 
   // `offset` moves the instance, in double: far from the origin floats could not hold the vertices.
-  void add(const Shape& shape, const ups_material_desc& material, const P3& offset = {}) {
+  ups_instance_id add(const Shape& shape, const ups_material_desc& material, const P3& offset = {}) {
     ups_material_id material_id;
     check(ups_scene_add_material(scene_.get(), &material, &material_id), "ups_scene_add_material");
     std::vector<float> positions;
@@ -142,6 +142,7 @@ class Scene {
     instance.to_world[11] = offset.z;
     ups_instance_id id;
     check(ups_scene_add_instance(scene_.get(), &instance, &id), "ups_scene_add_instance");
+    return id;
   }
 
   // 3 channels, row 0 first.
@@ -187,6 +188,38 @@ class Scene {
   Sensor add_cells(const std::vector<P3>& centers, const std::vector<P3>& normals, const std::vector<P3>& tangents,
                    double width, double height) {
     return add_meter_set(centers, normals, tangents, width, height);
+  }
+  // Each the mean over a disc about a point.
+  Sensor add_discs(const std::vector<P3>& centers, const std::vector<P3>& normals, double diameter) {
+    return add_meter_set(centers, normals, {}, 0, 0, diameter);
+  }
+  Sensor add_surface_meters(const std::vector<ups_instance_id>& instances, uint32_t triangles, bool back = false) {
+    auto d = make_desc<ups_surface_meters_desc>(ups_surface_meters_desc_init);
+    d.instances = instances.data();
+    d.instance_count = uint32_t(instances.size());
+    d.back = back;
+    Sensor s{{0}, triangles};
+    check(ups_scene_add_surface_meters(scene_.get(), &d, &s.id), "ups_scene_add_surface_meters");
+    sensors_.push_back(s);
+    return s;
+  }
+  Sensor add_lightmap(const std::vector<ups_instance_id>& instances, uint32_t width, uint32_t height) {
+    auto d = make_desc<ups_lightmap_desc>(ups_lightmap_desc_init);
+    d.instances = instances.data();
+    d.instance_count = uint32_t(instances.size());
+    d.width = width;
+    d.height = height;
+    Sensor s{{0}, width * height};
+    check(ups_scene_add_lightmap(scene_.get(), &d, &s.id), "ups_scene_add_lightmap");
+    sensors_.push_back(s);
+    return s;
+  }
+  // Of the scene as it was committed last.
+  std::vector<ups_meter_place> places(const Sensor& meters) const {
+    std::vector<ups_meter_place> out(meters.count);
+    check(ups_scene_read_meter_places(scene_.get(), meters.id, out.data(), out.size(), nullptr),
+          "ups_scene_read_meter_places");
+    return out;
   }
   Sensor add_camera(const P3& position, const P3& direction, uint32_t width, uint32_t height, double vertical_fov_rad,
                     bool illuminance = false) {
@@ -271,7 +304,7 @@ class Scene {
     check(ups_scene_add_light(scene_.get(), &d, &id), "ups_scene_add_light");
   }
   Sensor add_meter_set(const std::vector<P3>& positions, const std::vector<P3>& normals,
-                       const std::vector<P3>& tangents, double width, double height) {
+                       const std::vector<P3>& tangents, double width, double height, double footprint = 0) {
     std::vector<double> p;
     std::vector<float> n, t;
     for (const P3& v : positions) p.insert(p.end(), {v.x, v.y, v.z});
@@ -284,6 +317,7 @@ class Scene {
     d.tangents = t.empty() ? nullptr : t.data();
     d.cell_size_m[0] = float(width);
     d.cell_size_m[1] = float(height);
+    d.footprint_m = float(footprint);
     Sensor s{{0}, d.count, 0, 0};
     check(ups_scene_add_meters(scene_.get(), &d, &s.id), "ups_scene_add_meters");
     sensors_.push_back(s);

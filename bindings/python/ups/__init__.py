@@ -19,6 +19,7 @@ from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, 
                    Perturbation, PhotometricType, Photons, ProfileFormat, ProfileSymmetry, Projection, Reading, ReflectorProfile,
                    ResultText, SceneText, Separation, SourceKind, Status, Technique, Walk)
 from ._fixture import Fixture
+from ._grid import en12464_grid
 from ._profile import Profile
 from ._result import Job, ReplayedPath, Result
 from ._scene import Scene
@@ -28,7 +29,7 @@ __all__ = ["AlphaMode", "Channel", "CollimatorWall", "Context", "Contribution", 
            "MaterialModel", "MeterKind", "Method", "OpeningShape", "PathEvent", "Perturbation", "PhotometricType", "Photons",
            "Profile", "ProfileFormat", "ProfileSymmetry", "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "Result",
            "ResultText", "Scene", "SceneText", "Separation", "SourceKind", "Status", "Technique", "Walk",
-           "translation", "version"]
+           "en12464_grid", "translation", "version"]
 
 for _class in (Context, Error, Fixture, Job, Profile, ReplayedPath, Result, Scene):
     _class.__module__ = __name__  # tracebacks say ups.Error, the name that programs know

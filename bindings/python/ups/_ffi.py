@@ -702,6 +702,74 @@ class MeterDesc(Structure):
         ("cell_size_m", c_float * 2),
         ("count", c_uint32),
         ("reserved", c_uint32),
+        ("footprint_m", c_float),
+        ("reserved_2", c_uint32),
+    ]
+
+
+class SurfaceMetersDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("instance_count", c_uint32),
+        ("instances", POINTER(InstanceId)),
+        ("back", c_int32),
+        ("reserved", c_uint32),
+    ]
+
+
+class LightmapDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("instance_count", c_uint32),
+        ("instances", POINTER(InstanceId)),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("back", c_int32),
+        ("reserved", c_uint32),
+    ]
+
+
+class En12464Desc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("corner_count", c_uint32),
+        ("corners_m", POINTER(c_double)),
+        ("hole_corners_m", POINTER(c_double)),
+        ("hole_corner_counts", POINTER(c_uint32)),
+        ("hole_count", c_uint32),
+        ("reserved", c_uint32),
+        ("border_m", c_double),
+    ]
+
+
+class En12464Info(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("columns", c_uint32),
+        ("rows", c_uint32),
+        ("point_count", c_uint32),
+        ("origin_m", c_double * 2),
+        ("cell_m", c_double * 2),
+        ("largest_spacing_m", c_double),
+    ]
+
+
+class En12464Point(Structure):
+    _fields_ = [
+        ("x_m", c_double),
+        ("y_m", c_double),
+        ("column", c_uint32),
+        ("row", c_uint32),
+    ]
+
+
+class MeterPlace(Structure):
+    _fields_ = [
+        ("position_m", c_double * 3),
+        ("normal", c_float * 3),
+        ("area_m2", c_float),
+        ("valid", c_int32),
+        ("triangle", c_uint32),
     ]
 
 
@@ -1201,8 +1269,16 @@ PROTOTYPES = {
     "ups_scene_remove_fixture": (c_int32, [c_void_p, FixtureId]),
     "ups_camera_desc_init": (None, [POINTER(CameraDesc), c_uint32]),
     "ups_meter_desc_init": (None, [POINTER(MeterDesc), c_uint32]),
+    "ups_surface_meters_desc_init": (None, [POINTER(SurfaceMetersDesc), c_uint32]),
+    "ups_lightmap_desc_init": (None, [POINTER(LightmapDesc), c_uint32]),
     "ups_scene_add_camera": (c_int32, [c_void_p, POINTER(CameraDesc), POINTER(SensorId)]),
     "ups_scene_add_meters": (c_int32, [c_void_p, POINTER(MeterDesc), POINTER(SensorId)]),
+    "ups_scene_add_surface_meters": (c_int32, [c_void_p, POINTER(SurfaceMetersDesc), POINTER(SensorId)]),
+    "ups_scene_add_lightmap": (c_int32, [c_void_p, POINTER(LightmapDesc), POINTER(SensorId)]),
+    "ups_scene_read_meter_places": (c_int32, [c_void_p, SensorId, POINTER(MeterPlace), c_size_t, POINTER(c_size_t)]),
+    "ups_en12464_desc_init": (None, [POINTER(En12464Desc), c_uint32]),
+    "ups_en12464_grid": (c_int32, [POINTER(En12464Desc), POINTER(En12464Info), POINTER(En12464Point), c_size_t,
+        POINTER(c_size_t)]),
     "ups_goniometer_desc_init": (None, [POINTER(GoniometerDesc), c_uint32]),
     "ups_scene_add_goniometer": (c_int32, [c_void_p, POINTER(GoniometerDesc), POINTER(SensorId)]),
     "ups_render_desc_init": (None, [POINTER(RenderDesc), c_uint32]),
@@ -1291,6 +1367,9 @@ INIT = {
     FixtureInstanceDesc: "ups_fixture_instance_desc_init",
     CameraDesc: "ups_camera_desc_init",
     MeterDesc: "ups_meter_desc_init",
+    SurfaceMetersDesc: "ups_surface_meters_desc_init",
+    LightmapDesc: "ups_lightmap_desc_init",
+    En12464Desc: "ups_en12464_desc_init",
     GoniometerDesc: "ups_goniometer_desc_init",
     RenderDesc: "ups_render_desc_init",
     ObserverDesc: "ups_observer_desc_init",

@@ -72,6 +72,8 @@ class Result(Handle):
 
     def _shape(self, sensor, dimensions, what):
         shape = self._shapes.get(sensor.v, ())
+        if shape is None:
+            shape = (self.statistics(sensor).count,)
         if len(shape) != dimensions:
             raise ValueError(f"sensor {sensor.v} is not {what} of the rendered scene")
         return shape

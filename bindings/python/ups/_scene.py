@@ -88,6 +88,25 @@ class Scene(Handle):
         self._shapes[sensor.v] = (len(p),)
         return sensor
 
+    def _add_on(self, function, desc_type, instances, fields):
+        ids = (_ffi.InstanceId * len(instances))(*instances)
+        desc = describe(desc_type, {"instance_count": len(ids), **fields})
+        desc.instances = ids
+        return self._add(function, _ffi.SensorId, desc)
+
+    def add_surface_meters(self, instances, **fields):
+        """One planar meter for each triangle of the instances, counted through them; back=1: on their backs."""
+        sensor = self._add_on(lib.ups_scene_add_surface_meters, _ffi.SurfaceMetersDesc, instances, fields)
+        self._shapes[sensor.v] = None  # as many as the meshes have, which a result tells
+        return sensor
+
+    def add_lightmap(self, instances, width, height, **fields):
+        """One planar meter for each texel of the instances' UVs; readings have row 0, at v = 0, first."""
+        sensor = self._add_on(lib.ups_scene_add_lightmap, _ffi.LightmapDesc, instances,
+                              {"width": width, "height": height, **fields})
+        self._shapes[sensor.v] = (width * height,)
+        return sensor
+
     def add_goniometer(self, c_deg=None, gamma_deg=None, **fields):
         """Light that leaves the scene, by direction. Angles ascending, of shape (n,); or equal steps, so many as the
         fields c_count and gamma_count say."""
@@ -139,6 +158,10 @@ class Scene(Handle):
 
     def text(self, topic=SceneText.WARNINGS):
         return read_text(lib.ups_scene_get_text, self, topic)
+
+    def meter_places(self, sensor):
+        """What each meter of the committed scene measures: a record array with the fields of ups_meter_place."""
+        return read_array(_ffi.MeterPlace, lib.ups_scene_read_meter_places, self, sensor)
 
     def section(self, point_m, normal):
         """Where a plane cuts the committed scene's surfaces: an array (segments, 2, 3), m."""

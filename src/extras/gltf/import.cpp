@@ -155,6 +155,9 @@ ups_status ups_gltf_read_meters(const ups_gltf_import* import_result, uint32_t i
     const ups::gltf::Sensor& sensor = sensor_of(import_result, index);
     require(sensor.info.kind == UPS_GLTF_METERS, "the sensor is not a set of meters");
     require(count == sensor.info.meter_count, "count is not the sensor's meter_count");
+    require(sensor.positions_m.size() == 3 * count,
+            "the sensor's meters lie on a surface; where they are the committed scene tells "
+            "(ups_scene_read_meter_places)");
     if (positions_m) std::copy(sensor.positions_m.begin(), sensor.positions_m.end(), positions_m);
     if (normals) std::copy(sensor.normals.begin(), sensor.normals.end(), normals);
   });

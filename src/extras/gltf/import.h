@@ -53,6 +53,8 @@ struct SourceName {
 struct PlacedMesh {  // a primitive
   ups_mesh_id id;
   bool emits;
+  uint32_t triangles;
+  bool has_uvs;
 };
 
 // "colour_temperature_k" of an emitter or a luminaire, where there is one.
@@ -130,6 +132,8 @@ class Importer {
   void read_finish(const JsonReader& part, Desc& desc, ups_material_desc& custom);
   // meters.cpp
   void add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame);
+  void add_surface_meters(const JsonReader& meters, const std::string& node_name);
+  void keep_meters(Sensor&& sensor, const JsonReader& meters, const std::string& node_name);
   std::string unique_name(const std::string& name, bool illuminance, const std::string& where);
   // names.cpp: no file bears an observer's name, so it stays as it is.
   std::string unique_observer_name(const std::string& name, const std::string& where);
@@ -154,6 +158,9 @@ class Importer {
   struct {
     std::vector<float> angle_deg, transmittance, reflectance;
   } pane_;                     // of the present material, until the scene has copied it
+  // Its mesh, by primitive.
+  std::vector<ups_instance_id> node_instances_;
+  std::vector<PlacedMesh> node_meshes_;
 };
 
 }  // namespace ups::gltf

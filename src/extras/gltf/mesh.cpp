@@ -127,7 +127,7 @@ std::optional<PlacedMesh> Importer::add_primitive(const tinygltf::Primitive& pri
   desc.indices = indices.data();
   ups_mesh_id id{};
   check(ups_scene_add_mesh(scene_, &desc, &id), where);
-  return PlacedMesh{id, material.emits};
+  return PlacedMesh{id, material.emits, desc.triangle_count, !uvs.empty()};
 }
 
 const std::vector<PlacedMesh>& Importer::mesh(int index) {

@@ -85,6 +85,7 @@ void Importer::read_node(int index, const Affine& parent) {
   const auto extras = node.ups_extras();
   group_ = extras ? uint32_t(extras->integer("group", 0, 0, std::numeric_limits<uint32_t>::max())) : 0;
   node_name_ = source.name;
+  node_instances_.clear(), node_meshes_.clear();
   if (source.mesh >= 0) add_instances(source.mesh, parent * local.full, where);
   if (source.skin >= 0) warn(where + ": its skin is skipped");
   warn_about_extensions(node, {"KHR_lights_punctual", "EXT_lights_ies"});
@@ -96,7 +97,11 @@ void Importer::read_node(int index, const Affine& parent) {
       if (extras->has(key) && source.camera < 0) extras->fail(key, "needs a camera on the same node");
     }
   }
-  const auto meters = extras ? extras->object("meters") : std::nullopt;
+  auto meters = extras ? extras->object("meters") : std::nullopt;
+  if (meters && (meters->has("surface") || meters->has("lightmap"))) {  // they follow the mesh, its scale included
+    add_surface_meters(*meters, source.name);
+    meters.reset();
+  }
   const auto goniometer = extras ? extras->object("goniometer") : std::nullopt;
   const auto observer = extras ? extras->object("observer") : std::nullopt;
   const auto luminaire = extras ? extras->object("luminaire") : std::nullopt;
@@ -136,6 +141,8 @@ void Importer::add_instances(int index, const Affine& to_world, const std::strin
     ups_instance_id instance{};
     check(ups_scene_add_instance(scene_, &desc, &instance), where);
     if (placed.emits) name_source(UPS_SOURCE_INSTANCE, instance.v, "instance");
+    node_instances_.push_back(instance);
+    node_meshes_.push_back(placed);
   }
 }
 
