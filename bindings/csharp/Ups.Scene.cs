@@ -104,9 +104,10 @@ namespace Ups
 
         /// <summary>Positions, normals, tangents xyz. With tangents and cell sides: means over rectangles.</summary>
         public SensorId AddMeters(double[] positionsM, float[] normals, float[] tangents = null, float cellWidthM = 0,
-                                  float cellHeightM = 0)
+                                  float cellHeightM = 0, MeterKind kind = MeterKind.Planar)
         {
             var desc = MeterDesc.Create();
+            desc.Kind = kind;
             desc.Count = Elements.Count(positionsM, 3, "positionsM");
             desc.CellSizeM = new[] { cellWidthM, cellHeightM };
             Elements.Expect(normals, 3L * desc.Count, "normals");

@@ -32,6 +32,7 @@ typedef struct ups_gltf_sensor_info {
   uint32_t columns, rows; /* meters on a grid: columns run fastest, then rows; 0: free points.
                            * goniometer: planes, angles gamma */
   uint32_t reserved;
+  ups_meter_kind meter_kind; /* meters */
 } ups_gltf_sensor_info;
 
 UPS_API void ups_gltf_import_desc_init(ups_gltf_import_desc *desc, uint32_t struct_size);

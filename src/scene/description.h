@@ -58,6 +58,7 @@ struct CameraDescription {
 };
 
 struct MetersDescription {
+  ups_meter_kind kind;
   std::vector<Vec3d> positions;
   std::vector<Vec3> normals, tangents;  // of any length > 0; tangents: empty or one a meter
   float cell_width, cell_height;

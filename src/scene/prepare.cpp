@@ -178,6 +178,7 @@ void Builder::add_geometry() {
 
 MeterSet Builder::make_meters(const MetersDescription& in) const {
   MeterSet set;
+  set.kind = in.kind;
   set.cell_width = in.cell_width, set.cell_height = in.cell_height;
   set.meters.resize(in.positions.size());
   parallel_for(threads_, in.positions.size(), [&](size_t i) {
@@ -193,7 +194,15 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
     if (!set.is_cell()) meter.p = off_walls(*out_, meter.p, meter.frame);
     meter.error = set.is_cell() ? error_at(*out_, meter.p, meter.frame.n, half_a, half_b)
                                 : error_at(*out_, meter.p, meter.frame.n);
+    if (in.kind == UPS_METER_PLANAR) return;
+    meter.p = meter.p + meter.frame.n * (2 * meter.error);  // it sees both sides from there
+    meter.error = 0;
   });
+  if (in.kind == UPS_METER_VECTOR) {
+    const std::vector<Meter> points = set.meters;
+    for (uint32_t side = 1; side < vector_sides; ++side)
+      set.meters.insert(set.meters.end(), points.begin(), points.end());
+  }
   return set;
 }
 

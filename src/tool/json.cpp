@@ -78,7 +78,8 @@ std::string to_json(const Report& report) {
   ordered_json meters = ordered_json::object(), cameras = ordered_json::object(), convergence = ordered_json::array();
   for (const MeterReport& set : report.meters) {
     const ups_meter_statistics& s = set.statistics;
-    meters[set.name] = {{"mean_lx", number(s.mean_lx)},
+    meters[set.name] = {{"kind", set.kind},
+                        {"mean_lx", number(s.mean_lx)},
                         {"min_lx", number(s.min_lx)},
                         {"max_lx", number(s.max_lx)},
                         {"uniformity", number(s.uniformity)},

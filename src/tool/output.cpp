@@ -148,16 +148,25 @@ struct MeterTable {
   std::vector<double> positions;
   std::vector<float> normals;
   std::vector<ups_meter_reading> readings;
+  std::vector<ups_vector_reading> vectors;  // of such meters
 };
 
 void write_csv(const std::string& path, const MeterTable& table) {
-  Csv csv("x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx");
+  std::string header = "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx";
+  if (!table.vectors.empty())
+    for (const char* what : {"", "_standard_error", "_error_bound"})
+      for (const char axis : {'x', 'y', 'z'}) header += std::string(",vector_") + axis + what + "_lx";
+  Csv csv(header);
   for (size_t i = 0; i < table.readings.size(); ++i) {
     for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(table.positions[k]);
     for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(double(table.normals[k]));
     const ups_meter_reading& r = table.readings[i];
     for (float value : {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx})
       csv.add(double(value));
+    if (!table.vectors.empty())
+      for (const float(&part)[3] : {table.vectors[i].vector_lx, table.vectors[i].standard_error_lx,
+                                    table.vectors[i].error_bound_lx})
+        for (const float value : part) csv.add(double(value));
     csv.end_row();
   }
   csv.write(path);
@@ -202,6 +211,10 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
   check(ups_gltf_read_meters(scene.import_result.get(), index, table.positions.data(), table.normals.data(), count),
         ups_gltf_last_error);
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
+  if (meters.info.meter_kind == UPS_METER_VECTOR) {
+    table.vectors.resize(count);
+    check(ups_result_read_vectors(result, meters.info.sensor, table.vectors.data(), count));
+  }
   attempt(written, base + ".csv", [&](const std::string& path) { write_csv(path, table); });
   if (const auto sources = sources_of(scene, result); !sources.empty()) {
     const bool groups = sources[0].info.kind == UPS_SOURCE_GROUP;

@@ -69,6 +69,12 @@ std::string joined(const std::vector<std::string>& words) {
   return result.empty() ? "none" : result;
 }
 
+std::string kind_word(ups_meter_kind kind) {
+  static constexpr const char* words[] = {"planar", "cylindrical", "semicylindrical", "hemispherical", "spherical",
+                                          "vector"};
+  return words[kind];
+}
+
 }  // namespace
 
 std::string percent_text(double fraction) { return fraction < 0 ? "unknown" : format("%.2f %%", 100 * fraction); }
@@ -122,7 +128,7 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
       report.choices.push_back({sensor.name, choice, names_of(choice.techniques, technique_names)});
     }
     if (sensor.info.kind == UPS_GLTF_METERS) {
-      MeterReport meters{sensor.name, {}};
+      MeterReport meters{sensor.name, kind_word(sensor.info.meter_kind), {}};
       meters.statistics.struct_size = sizeof meters.statistics;
       check(ups_result_get_meter_statistics(result, sensor.info.sensor, &meters.statistics));
       report.meters.push_back(meters);
@@ -157,8 +163,8 @@ std::string to_text(const Report& report) {
     const ups_meter_statistics& s = meters.statistics;
     const std::string interval =
         s.uniformity_low < 0 ? "" : format(" (%.3f to %.3f)", s.uniformity_low, s.uniformity_high);
-    text += format("meters %s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, worst error %s\n",
-                   meters.name.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity, interval.c_str(),
+    text += format("meters %s%s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, worst error %s\n",
+                   meters.name.c_str(), meters.kind == "planar" ? "" : (" (" + meters.kind + ")").c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity, interval.c_str(),
                    percent_text(s.worst_relative_error_bound).c_str());
   }
   for (const CameraReport& camera : report.cameras) {

@@ -16,7 +16,7 @@ struct ChoiceReport {
 };
 
 struct MeterReport {
-  std::string name;
+  std::string name, kind;
   ups_meter_statistics statistics;
 };
 

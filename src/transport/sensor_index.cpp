@@ -21,7 +21,8 @@ SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool) {
       const double area = cell ? double(set.cell_area()) : 3.14159265358979323846 * radius2;
       entries_.push_back({s, m, i, area, in.eta(radius2) / in.plan.meter_samples, counts});
       const float radius = cell ? half_diagonal * 1.0001f : in.plan.meter_discs[s].radius(m);
-      discs.push_back({lifted(meter.p, meter.frame.n, meter.error), meter.frame.n, radius});
+      discs.push_back({lifted(meter.p, meter.frame.n, meter.error),
+                       set.across() ? Vec3() : meter.frame.n, radius});
     }
   }
   if (!discs.empty()) discs_ = std::make_unique<DiscIndex>(std::move(discs), pool);

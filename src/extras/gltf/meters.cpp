@@ -18,7 +18,8 @@ ups_meter_kind kind_of(const JsonReader& meters) {
   if (kind == "semicylindrical") return UPS_METER_SEMICYLINDRICAL;
   if (kind == "hemispherical") return UPS_METER_HEMISPHERICAL;
   if (kind == "spherical") return UPS_METER_SPHERICAL;
-  meters.fail("kind", "must be planar, cylindrical, semicylindrical, hemispherical or spherical");
+  if (kind == "vector") return UPS_METER_VECTOR;
+  meters.fail("kind", "must be planar, cylindrical, semicylindrical, hemispherical, spherical or vector");
 }
 
 struct MeterData {
@@ -107,6 +108,7 @@ void Importer::add_meters(const JsonReader& meters, const std::string& node_name
   sensor.info.struct_size = sizeof sensor.info;
   sensor.info.kind = UPS_GLTF_METERS;
   sensor.info.meter_count = desc.count;
+  sensor.info.meter_kind = desc.kind;
   sensor.info.columns = data.columns;
   sensor.info.rows = data.rows;
   sensor.positions_m = std::move(data.positions);
