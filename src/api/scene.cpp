@@ -45,7 +45,7 @@ ups_scene_info info_of(const Snapshot& s, const MethodChoice& method) {
   info.luminaire_count = s.luminaire_count;
   info.light_count = s.light_count;
   info.emissive_instance_count = s.emissive_instance_count;
-  info.meter_count = s.meter_count();
+  for (const MeterSet& set : s.meter_sets) info.meter_count += set.count();
   info.pixel_count = s.pixel_count();
   info.emitted_flux_lm = s.emitters.flux_lm();
   const Vec3d low = Vec3d(s.raytracer->bounds_min()) + s.origin, high = Vec3d(s.raytracer->bounds_max()) + s.origin;

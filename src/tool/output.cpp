@@ -163,10 +163,11 @@ void write_csv(const std::string& path, const MeterTable& table) {
     const ups_meter_reading& r = table.readings[i];
     for (float value : {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx})
       csv.add(double(value));
-    if (!table.vectors.empty())
-      for (const float(&part)[3] : {table.vectors[i].vector_lx, table.vectors[i].standard_error_lx,
-                                    table.vectors[i].error_bound_lx})
-        for (const float value : part) csv.add(double(value));
+    if (!table.vectors.empty()) {
+      const ups_vector_reading& v = table.vectors[i];
+      for (const float* part : {v.vector_lx, v.standard_error_lx, v.error_bound_lx})
+        for (int k = 0; k < 3; ++k) csv.add(double(part[k]));
+    }
     csv.end_row();
   }
   csv.write(path);

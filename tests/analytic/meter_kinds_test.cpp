@@ -39,8 +39,8 @@ struct Beam {
 };
 
 // The regression numbers of a beam of 100 lx at 30, 60 and 90 degrees from the vertical: horizontal, cylindrical,
-// semicylindrical towards it, spherical. Points are exact: one shadow ray; rounding is 1e-5. Cells take the same light
-// by chance of where, so none: the field is uniform.
+// semicylindrical towards it, spherical. Points are exact: one shadow ray. So are cells by eye paths: the field is
+// uniform. Rounding is 1e-5.
 TEST(MeterKinds, SingleBeamsInClosedForm) {
   const double deg[] = {30, 60, 90}, horizontal[] = {86.60254, 50, 0}, cylindrical[] = {15.915494, 27.566445, 31.830989};
   for (int i = 0; i < 3; ++i) {
@@ -63,7 +63,7 @@ TEST(MeterKinds, SingleBeamsInClosedForm) {
     for (const auto& c : cases) {
       const std::string what = "kind " + std::to_string(c.kind) + " at " + std::to_string(deg[i]) + " degrees";
       Beam beam(c.kind, eps, c.normal);
-      const Result result = beam.scene.render({.method = UPS_METHOD_UPS, .iterations = 16});
+      const Result result = beam.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16});
       for (const Sensor& meters : {beam.points, beam.cells}) {
         const ups_meter_reading r = result.readings(meters)[0];
         EXPECT_NEAR(r.illuminance_lx, c.lx, 1e-3) << what;
@@ -93,7 +93,8 @@ class LitFloor : public ::testing::Test {
   struct Set {
     ups_meter_kind kind;
     Sensor meters;
-    P3 expected;  // mean of the set; x alone, or a vector
+    P3 expected;          // mean of the set; x alone, or a vector
+    double length;        // mean of lengths
   };
   Scene scene;
   std::vector<P3> centers, normals, tangents;
@@ -116,20 +117,23 @@ class LitFloor : public ::testing::Test {
       scene.set_meter_kind(kind);
       const Sensor s = cells ? scene.add_cells(centers, normals, tangents, side, side)
                              : scene.add_meters(centers, normals);
-      sets.push_back({kind, s, expected(kind, cells)});
+      sets.push_back({kind, s, {}, 0});
+      find_expected(sets.back(), cells);
     }
   }
   // Over the set; of cells over 4 x 4 points of each, whose error is of fourth order in side over distance.
-  P3 expected(ups_meter_kind kind, bool cells) const {
-    P3 sum;
-    int count = 0;
-    for (size_t i = 0; i < centers.size(); ++i)
-      for (int k = 0; k < (cells ? 16 : 1); ++k, ++count) {
+  void find_expected(Set& set, bool cells) const {
+    const int points = cells ? 16 : 1;
+    for (size_t i = 0; i < centers.size(); ++i) {
+      P3 mean;
+      for (int k = 0; k < points; ++k) {
         const P3 s = tangents[i] * (cells ? side * ((k % 4 + 0.5) / 4 - 0.5) : 0),
                  t = cross(normals[i], tangents[i]) * (cells ? side * ((k / 4 + 0.5) / 4 - 0.5) : 0);
-        sum = sum + at(kind, normals[i], centers[i] + s + t);
+        mean = mean + at(set.kind, normals[i], centers[i] + s + t) * (1.0 / points);
       }
-    return sum * (1.0 / count);
+      set.expected = set.expected + mean * (1.0 / double(centers.size()));
+      set.length += test::length(mean) / double(centers.size());
+    }
   }
   P3 at(ups_meter_kind kind, const P3& normal, const P3& p) const {
     P3 sum;
@@ -166,14 +170,16 @@ class LitFloor : public ::testing::Test {
 
   // Within 0.3 %. Noise of a set's mean is brought below 0.1 %, so that an error of 0.6 % is found in 99 cases of 100;
   // of a vector's components, too, over its length. P(|t_15| > 3) = 0.9 % for each comparison at the limit of noise.
-  void expect(RenderOptions options, const std::string& what, double radius = 0.05) {
-    constexpr double tolerance = 0.003, noise = 0.001;
-    options.merge_radius_m = radius;
+  // Light paths alone are noisier: 0.2 %, so that 1 % is found in 99 cases of 100; P(|t_15| > 1.5) = 15 % for each of
+  // six, but seeds are fixed.
+  void expect(RenderOptions options, const std::string& what, double noise = 0.001) {
+    constexpr double tolerance = 0.003;
+    options.merge_radius_m = 0.1;
     options.light_paths = 1u << 14;
     options.iterations = 64;
     Result result = scene.render(options);
     const auto is_noisy = [&](const Set& s) {
-      return !(result.statistics(s.meters).mean_standard_error_lx <= noise * length(s.expected));
+      return !(result.statistics(s.meters).mean_standard_error_lx <= noise * s.length);
     };
     while (options.iterations < 4096 && std::any_of(sets.begin(), sets.end(), is_noisy)) {
       options.iterations *= 2;
@@ -182,7 +188,7 @@ class LitFloor : public ::testing::Test {
     for (const Set& s : sets) {
       const std::string of = what + ", kind " + std::to_string(s.kind) + ", " + std::to_string(options.iterations);
       EXPECT_FALSE(is_noisy(s)) << of << ": " << result.statistics(s.meters).mean_standard_error_lx;
-      const double size = length(s.expected);
+      const double size = s.length;
       if (s.kind != UPS_METER_VECTOR) {
         EXPECT_NEAR(result.statistics(s.meters).mean_lx, size, tolerance * size) << of;
         continue;
@@ -209,11 +215,11 @@ TEST_F(LitFloor, PointsByEmitterHits) {
 // Of the floor's light alone: what comes straight is the light sample's.
 TEST_F(LitFloor, PointsByConnections) {
   add_meters(false, 0.8);
-  expect({.method = UPS_METHOD_LIGHT_TRACING}, "connections");
+  expect({.method = UPS_METHOD_LIGHT_TRACING}, "connections", 0.002);
 }
 TEST_F(LitFloor, PointsByMerging) {
   add_meters(false, 0.8);
-  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", 0.1);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", 0.002);
 }
 TEST_F(LitFloor, PointsByAllTechniques) {
   add_meters(false, 0.8);
@@ -227,7 +233,7 @@ TEST_F(LitFloor, PointsByAllTechniquesButLightSamples) {  // photons straight fr
 }
 TEST_F(LitFloor, CellsByLandings) {
   add_meters(true, 0.8);
-  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_SENSOR_HIT}, "landings");
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_SENSOR_HIT}, "landings", 0.002);
 }
 TEST_F(LitFloor, CellsByAllTechniques) {
   add_meters(true, 0.8);
@@ -237,17 +243,17 @@ TEST_F(LitFloor, CellsByAllTechniques) {
 TEST_F(LitFloor, PointsOnTheFloorByEyePathsAndByMerging) {
   add_meters(false, 0);
   expect({.method = UPS_METHOD_PATH_TRACING}, "eye paths");
-  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", 0.1);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", 0.002);
 }
 
 // ---- a closed white room ----
 
 // A sphere whose wall emits and reflects: L is the same from everywhere, E / (pi L) = 1, but 3/4 of a dome, and no
-// vector. pi L = pi L_0 / (1 - rho).
+// vector. pi L = pi L_0 / (1 - rho). (An emitter all around is nothing to sample: light samples are weighed with hits.)
 TEST(MeterKinds, RatiosInAClosedWhiteRoom) {
-  constexpr double rho = 0.5, plane = pi_d * 100 / (1 - rho);
+  constexpr double rho = 0.3, plane = pi_d * 100 / (1 - rho);
   Scene scene;
-  scene.add(icosphere({0, 0, 0}, 1, 4).flipped(), emitter(100, rho));
+  scene.add(icosphere({0, 0, 0}, 1, 3).flipped(), emitter(100, rho));
   const std::vector<P3> centers = {{0.3, 0, 0}, {-0.4, 0.1, 0.2}, {0, -0.5, 0.3}, {0.1, 0.2, -0.6}},
                         normals = {{1, 0, 0.2}, {1, 0, 0}, {0, -1, 0}, {0, 1, 1}},
                         tangents = {{0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}};
@@ -258,14 +264,14 @@ TEST(MeterKinds, RatiosInAClosedWhiteRoom) {
     sets.emplace_back(kind, scene.add_cells(centers, normals, tangents, 0.2, 0.2));
   }
   for (const uint32_t techniques :
-       {uint32_t(UPS_TECHNIQUE_EMITTER_HIT), uint32_t(UPS_TECHNIQUE_LIGHT_SAMPLE), 0u}) {
-    const Result result = scene.render({.iterations = 256, .merge_radius_m = 0.01, .techniques = techniques});
+       {uint32_t(UPS_TECHNIQUE_EMITTER_HIT), uint32_t(UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE)}) {
+    const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .techniques = techniques});
     for (const auto& [kind, meters] : sets) {
       const std::string what = "techniques " + std::to_string(techniques) + ", kind " + std::to_string(kind);
       if (kind == UPS_METER_VECTOR) {
         for (const ups_vector_reading& v : result.vectors(meters))
           for (int k = 0; k < 3; ++k) {
-            EXPECT_LE(v.standard_error_lx[k], 0.01 * plane) << what;
+            EXPECT_LE(v.standard_error_lx[k], 0.04 * plane) << what;
             EXPECT_LE(std::abs(v.vector_lx[k]), 2 * v.error_bound_lx[k]) << what;
           }
         for (const ups_meter_reading& r : result.readings(meters))

@@ -236,7 +236,7 @@ class Recorder : public PathRecorder {
   explicit Recorder(const Room& room) : room_(room) {}
   std::vector<Replayed> paths;
   bool of_pixels = true;  // the eye pass that runs: of images, or of meters
-  uint32_t set = 0;       // of these
+  uint32_t meter_set = 0;  // of these
 
   void start_light(uint32_t emitter, const EmissionSample& start, const Rgb&) override {
     light_.push_back({{.p = Vec3d(start.p), .error = error_of(emitter)}, emitter, {}});
@@ -308,7 +308,7 @@ class Recorder : public PathRecorder {
   Replayed begin(const Contribution& c, double pass) const {
     Replayed r;
     r.sensor = sensor_, r.of_pixel = of_pixels, r.pixel = pixel_, r.emitter = c.emitter, r.found = c.relative(pass);
-    r.set = set;
+    r.set = meter_set;
     return r;
   }
   float error_of(uint32_t emitter) const {

@@ -131,7 +131,7 @@ class Replay {
     const DirectLight direct(scene, plan_, settings_);
     uint32_t path = trace_camera_paths(in, photons, 0, 0, pool, tally);
     recorder_.of_pixels = false;
-    for (uint32_t& s = recorder_.set = 0; s < scene.meter_sets.size(); ++s)
+    for (uint32_t& s = recorder_.meter_set = 0; s < scene.meter_sets.size(); ++s)
       path = trace_meter_paths(in, photons, direct, s, path, pool, tally);
   }
 
@@ -245,12 +245,19 @@ struct Count {
 };
 using Counted = std::map<std::string, Count>;
 
+// Of an edge of a tenth of a millimetre the ends' rounding may turn the direction by more than a delta lobe is found
+// again by: such paths are not weighed; one of 10,000 at most.
+//
 // Floats give about 1e-5. What is further apart must be a path whose own definition changes as much where its vertices
 // move by their rounding (edges of a millimetre, grazing angles, sharp lobes); and those are few.
 constexpr double usual = 2e-4, rare = 1e-3, rare_share = 0.01;
 
 void compare(const Replay& replay, const Replayed& r, Random& random, Counted& counted) {
   const Weighed w = weigh(replay, r);
+  if (!w.resolved && *std::min_element(w.path.distance.begin(), w.path.distance.end()) < 2e-4) {
+    ++counted["unresolved"].all;
+    return;
+  }
   ASSERT_TRUE(w.resolved && w.expected) << describe(w.path, r, {});
   if (r.technique == Technique::merge && r.sensor == SensorType::camera) {
     ASSERT_LT(length2(r.by_light.back().p - r.by_eye.front().p), 1.001 * replay.merge_radius2(r));
@@ -312,6 +319,7 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
     above += c.above_1e3;
     largest = std::max(largest, c.largest);
   }
+  EXPECT_LT(double(counted["unresolved"].all), 1e-4 * double(replay.paths().size()));
   std::printf("  %zu paths, differences above 1e-3: %zu, largest %.2g\n", replay.paths().size(), above, largest);
   EXPECT_LT(double(above), rare_share * double(replay.paths().size()));
 }
