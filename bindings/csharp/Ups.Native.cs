@@ -171,6 +171,7 @@ namespace Ups
         Semicylindrical = 2,
         Hemispherical = 3,
         Spherical = 4,
+        Vector = 5,
     }
 
     public enum Method : int
@@ -1435,6 +1436,14 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct VectorReading
+    {
+        public Float3 VectorLx;
+        public Float3 StandardErrorLx;
+        public Float3 ErrorBoundLx;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct MeterPartReading
     {
         public float IlluminanceLx;
@@ -2111,6 +2120,9 @@ namespace Ups
         internal static extern Status ups_result_get_choice(ResultHandle result, SensorId sensor, SensorChoice* choice);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_meters(ResultHandle result, SensorId sensor, MeterReading* @out,
+            UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_vectors(ResultHandle result, SensorId sensor, VectorReading* @out,
             UIntPtr count);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_meter_part(ResultHandle result, SensorId sensor, LightPart part,

@@ -120,6 +120,16 @@ namespace Ups
             return readings;
         }
 
+        /// <summary>Of meters of kind MeterKind.Vector: three components, x, y and z of the world, with their errors.
+        /// Meters() has the vectors' lengths.</summary>
+        public VectorReading[] Vectors(SensorId sensor)
+        {
+            var readings = new VectorReading[Statistics(sensor).Count];
+            fixed (VectorReading* r = readings)
+                Library.Check(Native.ups_result_read_vectors(Handle, sensor, r, (UIntPtr)readings.Length));
+            return readings;
+        }
+
         /// <summary>Of each meter: is its reading exact, hardly found, its interval unreliable?</summary>
         public Reading[] MeterFlags(SensorId sensor)
         {

@@ -105,9 +105,11 @@ namespace Ups
         /// <summary>Positions, normals, tangents xyz. With tangents and cell sides: means over rectangles.
         /// A footprint: means over discs of that diameter.</summary>
         public SensorId AddMeters(double[] positionsM, float[] normals, float[] tangents = null, float cellWidthM = 0,
-                                  float cellHeightM = 0, float footprintM = 0)
+                                  float cellHeightM = 0, float footprintM = 0,
+                                  MeterKind kind = MeterKind.Planar)
         {
             var desc = MeterDesc.Create();
+            desc.Kind = kind;
             desc.Count = Elements.Count(positionsM, 3, "positionsM");
             desc.CellSizeM = new[] { cellWidthM, cellHeightM };
             desc.FootprintM = footprintM;

@@ -49,6 +49,7 @@ typedef struct ups_gltf_sensor_info {
   float cell_size_m[2];   /* grids: of the cell that each meter stands for; else 0 */
   float cell_side[3];     /* grids: unit direction in the scene of a cell's first side, along a row; the second's is
                            * normal x cell_side */
+  ups_meter_kind meter_kind; /* meters */
 } ups_gltf_sensor_info;
 
 UPS_API void ups_gltf_import_desc_init(ups_gltf_import_desc *desc, uint32_t struct_size);

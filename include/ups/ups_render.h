@@ -134,12 +134,19 @@ typedef struct ups_result_info {
  * standard error is -1, and the bound is that of the rule of three and its continuation: the most that one path may
  * bring, times 3.00, 3.74, 4.30, ... after 0, 1, 2, ... paths, over the iterations. */
 typedef struct ups_meter_reading {
-  float illuminance_lx;
-  float standard_error_lx; /* noise alone */
-  float bias_lx;           /* estimated, of density estimation */
+  float illuminance_lx;    /* of a vector meter the vector's length, which noise makes longer */
+  float standard_error_lx; /* noise alone; of a length that of the component along it */
+  float bias_lx;           /* estimated, of density estimation; of a length also what noise across it adds */
   float error_bound_lx;    /* 95 %, noise and bias together */
-  float direct_lx, indirect_lx;
+  float direct_lx, indirect_lx; /* of a vector meter the lengths of these parts' own vectors: not their sum's parts */
 } ups_meter_reading;
+
+/* The light vector, integral L(w) w dw over the whole sphere, w towards the light, in the world's x, y, z; each
+ * component with its standard error (noise alone) and 95 % bound. Never grows; errors < 0 where not known: as of
+ * ups_meter_reading. */
+typedef struct ups_vector_reading {
+  float vector_lx[3], standard_error_lx[3], error_bound_lx[3];
+} ups_vector_reading;
 
 typedef struct ups_meter_part_reading { /* never grows; < 0 where not known */
   float illuminance_lx;
@@ -301,6 +308,9 @@ UPS_API ups_status ups_result_get_choice(const ups_result *result, ups_sensor_id
 /* count must be the set's meter count. */
 UPS_API ups_status ups_result_read_meters(const ups_result *result, ups_sensor_id sensor, ups_meter_reading *out,
                                           size_t count);
+/* Of a set of kind UPS_METER_VECTOR. */
+UPS_API ups_status ups_result_read_vectors(const ups_result *result, ups_sensor_id sensor, ups_vector_reading *out,
+                                           size_t count);
 /* The part that came straight from emitters, and the rest, each with an error of its own. */
 typedef int32_t ups_light_part;
 enum { UPS_LIGHT_PART_DIRECT = 0, UPS_LIGHT_PART_INDIRECT = 1 };
@@ -325,7 +335,8 @@ typedef struct ups_source_info {
 UPS_API ups_status ups_result_get_source_count(const ups_result *result, uint32_t *out); /* 0 without separation */
 /* index < count; info->struct_size must be set. */
 UPS_API ups_status ups_result_get_source(const ups_result *result, uint32_t index, ups_source_info *info);
-/* What the source contributes to each meter of the set; over all sources these add up to ups_result_read_meters. */
+/* What the source contributes to each meter of the set; over all sources these add up to ups_result_read_meters, but
+ * for a vector's lengths. */
 UPS_API ups_status ups_result_read_source_meters(const ups_result *result, uint32_t source, ups_sensor_id sensor,
                                                  ups_meter_reading *out, size_t count);
 /* What a committed scene has that may emit: for plans and schedules of luminaires. In the order of

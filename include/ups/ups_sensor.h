@@ -20,13 +20,27 @@ typedef struct ups_camera_desc {
 typedef int32_t ups_meter_kind;
 enum {
   UPS_METER_PLANAR = 0,
-  UPS_METER_CYLINDRICAL = 1,     /* this and below: UPS_ERROR_UNSUPPORTED in this version */
+  UPS_METER_CYLINDRICAL = 1,
   UPS_METER_SEMICYLINDRICAL = 2,
   UPS_METER_HEMISPHERICAL = 3,
-  UPS_METER_SPHERICAL = 4
+  UPS_METER_SPHERICAL = 4,
+  UPS_METER_VECTOR = 5
 };
 
-/* Illuminance meters: points, or means over rectangles. A planar meter sees the hemisphere of its normal. */
+/* Illuminance meters: points, or means over rectangles. Their kinds differ in how they weigh the light that arrives
+ * from a direction w, E = integral L(w) W(w) dw, without any approximation by a few directions:
+ *   planar            cos(theta) from the normal, of its hemisphere
+ *   cylindrical       sin(theta) / pi from the vertical, the world's +Z: the mean over all vertical planes
+ *   semicylindrical   sin(theta) (1 + cos(alpha)) / pi, alpha the azimuth from the horizontal part of the normal; a
+ *                     vertical normal is an error
+ *   hemispherical     (1 + cos(theta)) / 4 of the hemisphere of the normal: the mean over a small dome. EN 13201-3 has
+ *                     I (1 + cos(eps)) / (4 d2) for sources above the ground that the dome stands on; light from below
+ *                     its base is not seen
+ *   spherical         1 / 4: the mean over a small ball
+ *   vector            w itself: ups_result_read_vectors has the three components in the world's axes; as a reading its
+ *                     illuminance_lx is the vector's length, see there
+ * A meter on a surface stands on the side that its normal faces. One in the air that is not planar has no sides, and
+ * sees all around but for what its kind leaves out. A vector meter takes the time and memory of six planar ones. */
 typedef struct ups_meter_desc {
   uint32_t struct_size;
   ups_meter_kind kind;

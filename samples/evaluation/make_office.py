@@ -32,7 +32,7 @@ def ceiling_cells():
     return merged(ceiling), merged(panels)
 
 
-def build(scene):
+def build(scene, meters=True):
     ceiling, panels = ceiling_cells()
     luminance = PANEL_FLUX * len(PANEL_CENTRES) / (math.pi * panels.area())
     panel = scene.material("panel", {"model": "matte", "reflectance": 0.7}, luminance=luminance)
@@ -46,8 +46,9 @@ def build(scene):
     scene.shape("walls", walls, wall_paint)
     scene.shape("ceiling", ceiling, ceiling_paint)
     scene.shape("panels", panels, panel)
-    scene.meters("workplane", Frame.upright((LENGTH / 2, WIDTH / 2, 0.75)), width_m=LENGTH, height_m=WIDTH,
-                 columns=32, rows=24)
+    if meters:
+        scene.meters("workplane", Frame.upright((LENGTH / 2, WIDTH / 2, 0.75)), width_m=LENGTH, height_m=WIDTH,
+                     columns=32, rows=24)
 
 
 if __name__ == "__main__":

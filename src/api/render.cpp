@@ -193,6 +193,15 @@ ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor
   return guard(__func__, [&] { copy_readings(set_of(result, sensor), meters_of(result, sensor).meters, out, count); });
 }
 
+ups_status ups_result_read_vectors(const ups_result* result, ups_sensor_id sensor, ups_vector_reading* out,
+                                   size_t count) {
+  return guard(__func__, [&] {
+    const MeterSetReading& set = meters_of(result, sensor);
+    if (set.vectors.empty()) fail_argument("sensor: the meters are not of kind UPS_METER_VECTOR");
+    copy_readings(set.vectors, out, count);
+  });
+}
+
 ups_status ups_result_read_meter_part(const ups_result* result, ups_sensor_id sensor, ups_light_part part,
                                       ups_meter_part_reading* out, size_t count) {
   return guard(__func__, [&] {

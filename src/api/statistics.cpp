@@ -68,8 +68,8 @@ ups_status ups_result_read_meter_ratios(const ups_result* result, ups_sensor_id 
                       " has " + std::to_string(sets[k]->count()) + " meters");
     std::fill(out, out + count, ups_interval{-1, -1, -1});
     for (size_t k = 0; k < 2; ++k)
-      if (read[k]->batches.count() != sets[k]->meters.size()) return;
-    for (size_t m = 0; m < sets[0]->meters.size(); ++m) {
+      if (read[k]->batches.count() != read[k]->meters.size()) return;
+    for (size_t m = 0; m < read[0]->meters.size(); ++m) {
       const uint32_t number = sets[0]->number(m), other = sets[1]->index_of(number);
       if (other != none) out[number] = interval_of(ratio_at(read[0]->batches, m, read[1]->batches, other));
     }

@@ -165,20 +165,39 @@ std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs,
   return lights;
 }
 
+VectorLight Accumulator::vector_of(const std::vector<MeterLight>& sides, size_t m) const {
+  VectorLight::Sides of_meter;
+  for (uint32_t i = 0; i < vector_sides; ++i) of_meter[i] = &sides[i * (sides.size() / vector_sides) + m];
+  return VectorLight(of_meter, plan_.meter_samples);
+}
+
+std::vector<MeterLight> Accumulator::measured(size_t set, std::vector<MeterLight> lights) const {
+  const MeterSet& meters = scene_.meter_sets[set];
+  if (meters.kind != UPS_METER_VECTOR) return lights;
+  std::vector<MeterLight> lengths;
+  lengths.reserve(meters.count());
+  for (size_t m = 0; m < meters.count(); ++m) lengths.push_back(vector_of(lights, m).length(whole_light));
+  return lengths;
+}
+
 MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
   const Choices discs = choose_discs(set);
   MeterSetReading r = read_meters(set, discs);
   r.separated.resize(plan_.separation.columns.size());
   for (size_t c = 0; c < r.separated.size(); ++c) {
     r.separated[c].reserve(meters_[set].size());
-    for (const MeterLight& light : lights_of(set, discs, c + 1)) r.separated[c].push_back(light.reading());
+    for (const MeterLight& light : measured(set, lights_of(set, discs, c + 1)))
+      r.separated[c].push_back(light.reading());
   }
   return r;
 }
 
 MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const {
   MeterSetReading r;
-  const std::vector<MeterLight> lights = lights_of(set, discs);
+  const bool vectors = scene_.meter_sets[set].kind == UPS_METER_VECTOR;
+  std::vector<MeterLight> lights = lights_of(set, discs);
+  const std::vector<MeterLight> sides = vectors ? lights : std::vector<MeterLight>();
+  lights = measured(set, std::move(lights));
   r.meters.reserve(lights.size()), r.flags.reserve(lights.size());
   for (auto& part : r.parts) part.reserve(lights.size());
   for (const MeterLight& light : lights) {
@@ -187,6 +206,13 @@ MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const
     r.largest.push_back(light.largest_sample());
     for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
       r.parts[size_t(part)].push_back(light.part(part));
+  }
+  for (size_t m = 0; vectors && m < lights.size(); ++m) {
+    const VectorLight v = vector_of(sides, m);
+    r.meters[m] = v.reading();
+    for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
+      r.parts[size_t(part)][m] = v.part(part);
+    r.vectors.push_back(v.components());
   }
   add_statistics(lights, r);
   r.statistics.count = scene_.meter_sets[set].count();
@@ -209,7 +235,12 @@ std::vector<ups_sample> Accumulator::largest_samples(size_t set, const MeterSetR
 
 size_t Accumulator::unvisited_meters(size_t set) const {
   size_t count = 0;
-  for (size_t m = 0; m < meters_[set].size(); ++m) count += visits(m) == 0;
+  const size_t meters = scene_.meter_sets[set].count();
+  for (size_t m = 0; m < meters; ++m) {
+    bool visited = true;
+    for (size_t side = m; side < meters_[set].size(); side += meters) visited = visited && visits(side) > 0;
+    count += !visited;
+  }
   return count;
 }
 
@@ -263,7 +294,9 @@ ErrorSummary Accumulator::summarize() const {
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
     std::vector<ups_meter_reading> readings;
-    for (const MeterLight& light : lights_of(s, choose_discs(s))) readings.push_back(light.reading());
+    std::vector<uint32_t> visits;
+    for (const MeterLight& light : measured(s, lights_of(s, choose_discs(s))))
+      readings.push_back(light.reading()), visits.push_back(light.visits);
     double mean = 0;
     for (const ups_meter_reading& m : readings) mean += double(m.illuminance_lx) / double(readings.size());
     if (!(mean > 0)) mean = scene_lx_;
@@ -271,7 +304,7 @@ ErrorSummary Accumulator::summarize() const {
     for (size_t i = 0; i < readings.size(); ++i) {
       const ups_meter_reading& m = readings[i];
       if (m.error_bound_lx < 0) return {};
-      parts.push_back(emits_ ? meter_error(m, floor, visits(i)) : MeterError{});
+      parts.push_back(emits_ ? meter_error(m, floor, visits[i]) : MeterError{});
       errors.push_back(emits_ ? m.error_bound_lx / std::max(double(m.illuminance_lx), floor) : 0);
       if (!worst || parts.back().error() > worst->error.error()) worst = {s, i, parts.back()};
       bias += std::abs(m.bias_lx);

@@ -12,6 +12,7 @@
 #include "render/meter_statistics.h"
 #include "render/meter_sums.h"
 #include "render/prediction.h"
+#include "render/vector_light.h"
 #include "ups/ups_render.h"
 
 namespace ups {
@@ -22,6 +23,7 @@ struct MeterSetReading {
   std::vector<Sample> largest;                       // of each meter; 0: none by chance
   std::array<std::vector<ups_meter_part_reading>, 2> parts;  // by ups_light_part
   std::vector<std::vector<ups_meter_reading>> separated;  // by column of Plan::separation; empty where not asked for
+  std::vector<ups_vector_reading> vectors;  // of a vector set
   ups_meter_statistics statistics{};
   MeterBatches batches;  // of those that were visited, in their order
 };
@@ -75,6 +77,9 @@ class Accumulator {
   // column: 0, all its light, or one more than that of a separated source's; all take the disc that the meter chooses.
   MeterLight light_of(size_t set, size_t meter, const Choices& discs, size_t column) const;
   std::vector<MeterLight> lights_of(size_t set, const Choices& discs, size_t column = 0) const;
+  // Of a set's meters as the caller counts them: of vectors, from those of their sides, their lengths.
+  std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
+  VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;
   // What one path may bring to an iteration's reading, as far as is known.
   double largest_path(size_t set, size_t meter, double disc_area, const Largest& found, LightPart part) const;
   MeterSetReading read_meters(size_t set, const Choices& discs) const;

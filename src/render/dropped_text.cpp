@@ -26,7 +26,7 @@ std::string path_text(const Integrator& integrator, const PathAddress& at) {
     case Stream::meters: {
       const uint32_t s = at.stream.index();
       return "meters " + std::to_string(scene.meter_set_ids[s]) + ", meter " +
-             std::to_string(at.path / integrator.plan().meter_samples) + iteration;
+             std::to_string(scene.meter_sets[s].number(at.path / integrator.plan().meter_samples)) + iteration;
     }
     default: return "light path " + std::to_string(at.path) + iteration;
   }

@@ -136,8 +136,9 @@ ups_memory_estimate in_bytes(const MemoryEstimate& m, const AllowedMemory& allow
 void check_memory(const MemoryEstimate& m, const AllowedMemory& allowed, const Snapshot& scene, const Plan& plan,
                   const ups_render_desc& desc) {
   if (m.peak() <= allowed.bytes) return;
-  const double pixels = double(scene.pixel_count()), meters = double(scene.meter_count()),
-               columns = double(plan.separation.columns.size());
+  const double pixels = double(scene.pixel_count()), columns = double(plan.separation.columns.size());
+  double meters = 0;
+  for (const MeterSet& set : scene.meter_sets) meters += double(set.count());
   // What is read of a sensor counts with it where that, and not an iteration, makes the peak.
   const double read = m.reading + m.scratch > m.iteration + m.light_paths ? m.reading + m.scratch : 0,
                of_images = m.images + (m.images + m.meters > 0 ? read * m.images / (m.images + m.meters) : 0),

@@ -86,8 +86,9 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
   if (e.standard_error < 0) return {-1.0f, -1.0f};
   e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));
   const double offset = std::abs(bias.mean);
+  const double added = rounding + unfound[part];
   if (!light.is_enough(visits))
-    return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), photons.narrower) + rounding)};
+    return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), photons.narrower) + added)};
   // A disc is chosen that has less bias than noise: where it may be noise, its standard error counts once, unless it is
   // so large beside the reading's own, whose photons are stratified, that it could not tell. Nor is bias known better
   // than its model: a fit of even curvature sees three fifths of a slope's, so 95 % are taken to be within two thirds.
@@ -96,7 +97,7 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
   const double t = noise ? t_quantile(visits, offset, e.standard_error) : t_quantile(visits),
                model = 0.31 * offset,
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * bias.standard_error, t * model);
-  return {float(e.standard_error), float(std::max(bound, photons.narrower) + rounding)};
+  return {float(e.standard_error), float(std::max(bound, photons.narrower) + added)};
 }
 
 ups_meter_reading MeterLight::reading() const {

@@ -30,6 +30,7 @@ struct MeterLight {
   bool merges_direct;                            // photons bring light straight from emitters, too
   Spread bias;                                   // of merging, estimated: its own, or what neighbours tell besides
   double weight = 1;                             // in the set's mean
+  std::array<double, light_part_count> unfound{};  // lx, added to the bound: of what few paths found, see VectorLight
 
   ups_meter_reading reading() const;
   ups_meter_part_reading part(ups_light_part part) const;
@@ -38,8 +39,6 @@ struct MeterLight {
   OwnBias own_bias() const { return {spread(sums.bias, visits), spread(sums.value, visits).mean, photons.mean_radius2}; }
   // Of the first batches; without what the discs of even and odd ones differ by in bias, which is no noise.
   void batch_means(double* means, uint32_t used) const;
-
- private:
   std::pair<float, float> error_of(LightPart part) const;  // standard error and bound; -1: not known
 };
 

@@ -50,6 +50,10 @@ SampleAddress address_of(const Integrator& integrator, const ups_sample& s) {
     fail_argument("sample->walk: " + std::to_string(s.walk) + " is not a UPS_WALK_* value");
   if (s.path >= PathNumber::light_bit) fail_argument("sample->path is " + std::to_string(s.path));
   a.path = s.walk == UPS_WALK_LIGHT ? PathNumber::light(s.path) : PathNumber{s.path};
+  const uint32_t eye_paths = integrator.plan().meter_samples;
+  if (!a.camera && s.walk == UPS_WALK_EYE && scene.meter_sets[a.sensor].kind == UPS_METER_VECTOR &&
+      s.path < eye_paths * vector_sides)  // of one side after the other
+    a.element += s.path / eye_paths * uint32_t(count), a.path.bits = s.path % eye_paths;
   return a;
 }
 
@@ -72,6 +76,11 @@ class Teller {
 
  private:
   void line(const std::string& text) { out_.text += text + "\n"; }
+  uint32_t eye_paths() const {
+    if (r_.address.camera) return 1;
+    const bool sides = scene_.meter_sets[r_.address.sensor].kind == UPS_METER_VECTOR;
+    return plan_.meter_samples * (sides ? vector_sides : 1);
+  }
   const char* unit() const { return r_.address.camera ? "cd/m2" : "lx"; }
   Vec3d world(const Vec3& p) const { return Vec3d(p) + scene_.origin; }
   std::string place(const Vec3& p) const {
@@ -91,7 +100,7 @@ class Teller {
     }
     if (sample_.walk == UPS_WALK_EYE)
       line(format("Brought by eye path %u of %u that the iteration traces there: %.6g %s", sample_.path,
-                  r_.address.camera ? 1u : plan_.meter_samples, r_.value, unit()));
+                  eye_paths(), r_.value, unit()));
     else
       line(format("Brought by light path %u of %u: %.6g %s", sample_.path, plan_.light_paths, r_.value, unit()));
   }

@@ -303,10 +303,7 @@ ups_sensor_id Description::add_camera(const ups_camera_desc& d) {
 }
 
 ups_sensor_id Description::add_meters(const ups_meter_desc& d) {
-  check::enumeration(d.kind, UPS_METER_SPHERICAL, "kind", "UPS_METER_*");
-  if (d.kind != UPS_METER_PLANAR)
-    throw Error(UPS_ERROR_UNSUPPORTED, "kind is " + std::to_string(d.kind) +
-                                           "; this version measures planar illuminance alone (UPS_METER_PLANAR)");
+  check::enumeration(d.kind, UPS_METER_VECTOR, "kind", "UPS_METER_*");
   check_count(d.count, 1, max_meters, "count");
   check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
   check::pointer(d.positions_m, "positions_m");
@@ -330,7 +327,8 @@ ups_sensor_id Description::add_meters(const ups_meter_desc& d) {
   const check::Floats normals{d.normals, d.count, 3, 0}, tangents{d.tangents, d.tangents ? d.count : 0, 3, 0};
   check::all_finite(normals, "normals", "");
   check::all_finite(tangents, "tangents", "");
-  MetersDescription meters{nullptr, read_vectors(normals), read_vectors(tangents), width, height, d.footprint_m};
+  MetersDescription meters{d.kind, nullptr, read_vectors(normals), read_vectors(tangents), width, height,
+                           d.footprint_m};
   std::vector<Vec3d> positions;
   for (size_t i = 0; i < d.count; ++i) {
     const double* p = d.positions_m + 3 * i;
@@ -338,6 +336,9 @@ ups_sensor_id Description::add_meters(const ups_meter_desc& d) {
     const Vec3d n(meters.normals[i]);
     if (!(length(n) > 0))
       fail_argument("normals: element " + std::to_string(i) + " has length 0; it must point somewhere");
+    if (d.kind == UPS_METER_SEMICYLINDRICAL && !(std::hypot(n.x, n.y) > 1e-6 * length(n)))
+      fail_argument("normals: element " + std::to_string(i) +
+                    " is vertical; a semicylindrical meter faces the horizontal part of its normal");
     if (meters.tangents.empty()) continue;
     const Vec3d t(meters.tangents[i]);
     if (!(length(cross(n, t)) > 1e-6 * length(n) * length(t)))

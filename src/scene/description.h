@@ -65,6 +65,7 @@ struct CameraDescription {
 };
 
 struct MetersDescription {
+  ups_meter_kind kind;
   std::shared_ptr<const std::vector<Vec3d>> positions;
   std::vector<Vec3> normals, tangents;  // of any length > 0; tangents: empty or one a meter
   float cell_width, cell_height, footprint;

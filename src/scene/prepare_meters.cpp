@@ -11,6 +11,7 @@ namespace ups {
 
 MeterSet Builder::make_meters(const MetersDescription& in) const {
   MeterSet set;
+  set.kind = in.kind;
   set.cell_width = in.cell_width, set.cell_height = in.cell_height, set.disc_radius = 0.5f * in.footprint;
   set.positions = in.positions;
   set.meters.resize(in.positions->size());
@@ -29,7 +30,15 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
                half_b = meter.frame.t * (disc ? set.disc_radius : 0.5f * set.cell_height);
     meter.error = set.is_cell() ? error_at(*out_, meter.p, meter.frame.n, half_a, half_b)
                                 : error_at(*out_, meter.p, meter.frame.n);
+    if (in.kind == UPS_METER_PLANAR) return;
+    meter.p = meter.p + meter.frame.n * (2 * meter.error);  // it sees both sides from there
+    meter.error = 0;
   });
+  if (in.kind == UPS_METER_VECTOR) {
+    const std::vector<Meter> points = set.meters;
+    for (uint32_t side = 1; side < vector_sides; ++side)
+      set.meters.insert(set.meters.end(), points.begin(), points.end());
+  }
   return set;
 }
 

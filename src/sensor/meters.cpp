@@ -65,7 +65,7 @@ Meter MeterSet::sample(size_t m, const Vec2& u) const {
 }
 
 uint32_t MeterSet::index_of(uint32_t number) const {
-  if (numbers.empty()) return number < meters.size() ? number : UINT32_MAX;
+  if (numbers.empty()) return number < count() ? number : UINT32_MAX;
   const auto at = std::lower_bound(numbers.begin(), numbers.end(), number);
   return at != numbers.end() && *at == number ? uint32_t(at - numbers.begin()) : UINT32_MAX;
 }

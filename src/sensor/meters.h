@@ -1,18 +1,19 @@
-// A set of illuminance meters: points, or flat shapes over which the mean is measured: rectangles, discs, or triangles of
-// surfaces. Planar meters see their normal's hemisphere.
+// A set of illuminance meters: where they are, points, or flat shapes over which the mean is measured: rectangles, discs,
+// or triangles of surfaces; and of which kind.
 #pragma once
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "base/frame.h"
+#include "sensor/response.h"
 
 namespace ups {
 
 struct Meter {
   Vec3 p;       // relative to the scene's origin; a rectangle's, disc's or surface's centre
   Frame frame;  // n: the normal; s, t: a rectangle's sides
-  float error = 0;  // of p; a meter that lies on a surface stands on the side of its normal
+  // Of p; a planar meter that lies on a surface stands on the side of its normal. Others are there already: 0.
+  float error = 0;
 };
 
 // A part of a meter that measures on a surface.
@@ -27,7 +28,9 @@ struct MeterTriangle {
 };
 
 struct MeterSet {
-  std::vector<Meter> meters;  // those that measure
+  ups_meter_kind kind = UPS_METER_PLANAR;
+  // Those that measure; of a vector set all of them six times, for one side after the other.
+  std::vector<Meter> meters;
   float cell_width = 0, cell_height = 0;  // of rectangles, along frame.s, frame.t
   float disc_radius = 0;                  // of discs
   // On surfaces: meter m has triangles first_triangle[m] to first_triangle[m + 1], of areas[m] together, most of it in
@@ -60,9 +63,21 @@ struct MeterSet {
   // A point of a cell, uniformly over its area.
   Meter sample(size_t m, const Vec2& u) const;
 
+  bool across() const { return kind != UPS_METER_PLANAR && !is_cell(); }
+  MeterResponse response(size_t m) const {
+    if (kind == UPS_METER_PLANAR) return {};
+    return {kind, across(), kind == UPS_METER_VECTOR ? uint8_t(m / count()) : uint8_t(0)};
+  }
+
   // As the program counts them.
-  uint32_t count() const { return numbers.empty() ? uint32_t(meters.size()) : declared; }
-  uint32_t number(size_t m) const { return numbers.empty() ? uint32_t(m) : numbers[m]; }
+  uint32_t count() const {
+    if (!numbers.empty()) return declared;
+    return uint32_t(kind == UPS_METER_VECTOR ? meters.size() / vector_sides : meters.size());
+  }
+  uint32_t number(size_t m) const {
+    if (!numbers.empty()) return numbers[m];
+    return uint32_t(kind == UPS_METER_VECTOR ? m % count() : m);
+  }
   uint32_t index_of(uint32_t number) const;  // UINT32_MAX: it does not measure
   size_t bytes() const;
 };

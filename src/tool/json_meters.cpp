@@ -15,7 +15,8 @@ ordered_json meters_json(const std::vector<MeterReport>& sets) {
   ordered_json all = ordered_json::object();
   for (const MeterReport& set : sets) {
     const ups_meter_statistics& s = set.statistics;
-    ordered_json meters = {{"mean_lx", number(s.mean_lx)},
+    ordered_json meters = {{"kind", set.kind},
+                           {"mean_lx", number(s.mean_lx)},
                            {"min_lx", number(s.min_lx)},
                            {"max_lx", number(s.max_lx)},
                            {"uniformity", number(s.uniformity)},

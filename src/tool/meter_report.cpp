@@ -16,6 +16,12 @@ std::string interval_text(const ups_interval& i, const char* number) {
   return format(both.c_str(), i.low, i.high);
 }
 
+std::string kind_word(ups_meter_kind kind) {
+  static constexpr const char* words[] = {"planar", "cylindrical", "semicylindrical", "hemispherical", "spherical",
+                                          "vector"};
+  return words[kind];
+}
+
 ups_sensor_id set_of(const LoadedScene& scene, const std::string& name) {
   std::string names;
   for (const SensorEntry& sensor : scene.sensors) {
@@ -30,7 +36,7 @@ ups_sensor_id set_of(const LoadedScene& scene, const std::string& name) {
 }  // namespace
 
 MeterReport read_meter_report(const ups_result* result, const SensorEntry& set, const MeterQuestions& questions) {
-  MeterReport meters{set.name, {}, {}, {}};
+  MeterReport meters{set.name, kind_word(set.info.meter_kind), {}, {}, {}};
   meters.statistics.struct_size = sizeof meters.statistics;
   check(ups_result_get_meter_statistics(result, set.info.sensor, &meters.statistics));
   for (const double share : {0.05, 0.5, 0.95}) {
@@ -60,8 +66,8 @@ std::vector<RatioReport> read_ratios(const LoadedScene& scene, const ups_result*
 std::string to_text(const MeterReport& meters) {
   const ups_meter_statistics& s = meters.statistics;
   std::string text =
-      format("meters %s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, diversity %.3f%s, worst error %s\n",
-             meters.name.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity,
+      format("meters %s%s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, diversity %.3f%s, worst error %s\n",
+             meters.name.c_str(), meters.kind == "planar" ? "" : (" (" + meters.kind + ")").c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity,
              interval_text({s.uniformity, s.uniformity_low, s.uniformity_high}, "%.3f").c_str(), s.diversity,
              interval_text({s.diversity, s.diversity_low, s.diversity_high}, "%.3f").c_str(),
              percent_text(s.worst_relative_error_bound).c_str());

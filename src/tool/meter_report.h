@@ -21,7 +21,7 @@ struct IntervalAt {
 };
 
 struct MeterReport {
-  std::string name;
+  std::string name, kind;
   ups_meter_statistics statistics;
   std::vector<IntervalAt> percentiles, above;
 };

@@ -155,6 +155,7 @@ struct MeterTable {
   std::vector<ups_meter_reading> readings;
   std::vector<ups_meter_place> places;  // of meters on surfaces
   std::vector<size_t> listed;           // all but a lightmap's empty texels
+  std::vector<ups_vector_reading> vectors;  // of such meters
 };
 
 MeterTable read_table(uint32_t index, const SensorEntry& meters, const LoadedScene& scene, const ups_result* result) {
@@ -164,6 +165,10 @@ MeterTable read_table(uint32_t index, const SensorEntry& meters, const LoadedSce
   table.normals.resize(3 * count);
   table.readings.resize(count);
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
+  if (meters.info.meter_kind == UPS_METER_VECTOR) {
+    table.vectors.resize(count);
+    check(ups_result_read_vectors(result, meters.info.sensor, table.vectors.data(), count));
+  }
   const bool lightmap = meters.info.layout == UPS_GLTF_LAYOUT_LIGHTMAP;
   if (lightmap || meters.info.layout == UPS_GLTF_LAYOUT_SURFACE) {
     table.places = read_array<ups_meter_place>([&](ups_meter_place* to, size_t capacity, size_t* needed) {
@@ -186,6 +191,9 @@ MeterTable read_table(uint32_t index, const SensorEntry& meters, const LoadedSce
 void write_csv(const std::string& path, const MeterTable& table, uint32_t map_width) {
   std::string header =
       "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx";
+  if (!table.vectors.empty())
+    for (const char* what : {"", "_standard_error", "_error_bound"})
+      for (const char axis : {'x', 'y', 'z'}) header += std::string(",vector_") + axis + what + "_lx";
   if (!table.places.empty()) header += ",triangle,area_m2";
   if (map_width > 0) header += ",column,row";
   Csv csv(header);
@@ -195,6 +203,11 @@ void write_csv(const std::string& path, const MeterTable& table, uint32_t map_wi
     const ups_meter_reading& r = table.readings[i];
     for (float value : {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx})
       csv.add(double(value));
+    if (!table.vectors.empty()) {
+      const ups_vector_reading& v = table.vectors[i];
+      for (const float* part : {v.vector_lx, v.standard_error_lx, v.error_bound_lx})
+        for (int k = 0; k < 3; ++k) csv.add(double(part[k]));
+    }
     if (!table.places.empty()) {
       csv.add(double(table.places[i].triangle));
       csv.add(double(table.places[i].area_m2));

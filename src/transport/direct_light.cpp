@@ -13,10 +13,14 @@ namespace {
 constexpr size_t most_rays = size_t(1) << 22, most_looks = size_t(1) << 26;
 constexpr float unit_roundoff = 0x1p-24f;
 
-// At most, relative: of some dozens of operations, and of both ends' places in distance and cosine, E ~ cos / d^2.
-float relative_rounding(const Iteration& in, const Meter& meter, const Contribution& c) {
+// At most, relative: of some dozens of operations, and of both ends' places in distance and response, E ~ W / d^2.
+float relative_rounding(const Iteration& in, const Meter& meter, const EyeEnd& eye, const Contribution& c) {
   const Vec3 way = c.to - c.from;
-  const float d = length(way), cosine = std::max(dot(way, meter.frame.n) / d, min_cosine);
+  const float d = length(way),
+              response = eye.response.kind == UPS_METER_PLANAR
+                             ? dot(way, meter.frame.n) / d
+                             : eye.response.value(eye.surface.shading.to_local(way / d)),
+              cosine = std::max(response, min_cosine);
   const float place = 2 * unit_roundoff * in.scene.radius + meter.error;
   return 64 * unit_roundoff + place / d * (2 + 2 / cosine);
 }
@@ -61,7 +65,8 @@ void DirectLight::find(const Iteration& in, ThreadPool& pool, WorkCounts& work) 
 
 void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& work) {
   const Meter& meter = in.scene.meter_sets[set].meters[m];
-  const EyeEnd eye = meter_end(meter.p, meter.error, meter.frame, {}, in.scene.media_stacks[in.scene.media_of_meter[set][m]]);
+  const EyeEnd eye = meter_end(meter.p, meter.error, meter.frame, in.scene.meter_sets[set].response(m), {},
+                               in.scene.media_stacks[in.scene.media_of_meter[set][m]]);
   const Arrival arrival{eye.surface};
   mis::Counts alone;
   alone.light_sample = 1;
@@ -93,7 +98,7 @@ void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& 
     if (!segment_free(in.scene, *c.media, c.from, c.to, work, way)) continue;
     const double lx = luminance(c.value * way.transmittance);
     out.lx += lx;
-    out.rounding += float(lx) * relative_rounding(in, meter, c);
+    out.rounding += float(lx) * relative_rounding(in, meter, eye, c);
     if (columns) separated_[set][m * columns + in.plan.separation.column_of_emitter[c.emitter]] += lx;
   }
 }

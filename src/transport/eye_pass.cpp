@@ -153,6 +153,7 @@ class MeterPaths {
     const uint32_t m = in_.plan.visited_meter(in_.number, i), samples = in_.plan.meter_samples;
     EyeSensor sensor;
     sensor.cell = set_.is_cell();
+    sensor.response = set_.response(m);
     const double radius2 = sensor.cell ? 0 : in_.meter_radius2(s_, m);
     sensor.counts = in_.meter_counts(s_);
     const bool merges = sensor.counts.eta > 0;

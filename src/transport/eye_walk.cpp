@@ -22,7 +22,7 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
 }
 
 EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) {
-  EyeEnd eye = meter_end(surface.p, surface.error, frame, sensor_.own_point, *sensor_.media);
+  EyeEnd eye = meter_end(surface.p, surface.error, frame, {}, sensor_.own_point, *sensor_.media);
   if (in_.recorder) in_.recorder->start_eye(sensor_, surface.p, frame.n, surface.error);
   origin_ = surface.p;
   if (eye.merge) {
@@ -38,8 +38,8 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
 EyeTally EyeWalk::from_meter(const Vec3& p, float error, const Frame& frame) {
   if (in_.recorder) in_.recorder->start_eye(sensor_, p, frame.n, error);
   origin_ = p;
-  EyeEnd eye = meter_end(p, error, frame, sensor_.own_point, *sensor_.media);
-  if (in_.settings.actual_perturbation) {  // a point meter's kernel is its disc
+  EyeEnd eye = meter_end(p, error, frame, sensor_.response, sensor_.own_point, *sensor_.media);
+  if (in_.settings.actual_perturbation && !sensor_.response.across) {  // a point meter's kernel is its disc
     const Vec2 disc = square_to_disc({rng_.get(0, Slot::perturb_x), rng_.get(0, Slot::perturb_y)});
     eye.surface.p += (frame.s * disc.x + frame.t * disc.y) * float(sensor_.first.radius);
   }
@@ -62,15 +62,17 @@ void EyeWalk::gather_at_meter(EyeEnd& eye) {
   if (counts_.connect > 0) connect_one(eye, arrival);
   if (ends) return;
 
-  const Vec3 local = square_to_cosine_hemisphere(rng_.direction(0));
-  if (local.z < min_cosine) return;
-  last_ = {eye.surface.p, eye.surface.ng};
+  const MeterResponse& response = eye.response;
+  const Vec3 local = response.sample(rng_.direction(0));
+  if (response.value(local) < min_cosine) return;
+  last_ = meter_receiver(eye.surface.p, eye.surface.ng, response);
   direction_ = eye.surface.shading.to_world(local);
   origin_ = eye.surface.ray_origin(eye.surface.ng);
-  carried_ = start_carried_ = Rgb(pi);
+  carried_ = start_carried_ = Rgb(response.total());
   edge_.kind = Edge::continuous;
   edge_.state = eye.state;
-  edge_.scatter = {local.z * inv_pi, 1, local.z, eye.merge};
+  const float cosine = response.kind == UPS_METER_PLANAR ? local.z : eye.cosine(eye.surface, direction_);
+  edge_.scatter = {response.pdf(local), 1, cosine, eye.merge};
   walk();
 }
 

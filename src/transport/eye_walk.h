@@ -22,6 +22,7 @@ struct EyeSensor {
     const PhotonIndex* photons = nullptr;
   };
   bool camera = false, cell = false;
+  MeterResponse response;   // a meter's
   mis::Counts counts;
   mis::EyeState own_point;  // a meter's
   Disc first, later;        // of merges at the first vertex that scatters, or at the meter's point; elsewhere
@@ -46,10 +47,10 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
 
   // pdf_w: density of the direction.
   EyeTally from_camera(const Vec3& p, const Vec3& direction, float pdf_w);
-  // A planar meter's point: next-event estimation, connections, then a cosine-weighted walk. error: of the point, which
-  // may lie on a surface.
+  // A meter's point: next-event estimation, connections, then a walk in a direction that is drawn by its response.
+  // error: of the point, which may lie on a surface.
   EyeTally from_meter(const Vec3& p, float error, const Frame& frame);
-  // The same on a surface, on the side of frame.n: photons stored there are merged.
+  // The same of a planar one on a surface, on the side of frame.n: photons stored there are merged.
   EyeTally from_surface(const SurfacePoint& surface, const Frame& frame);
 
  private:

@@ -145,6 +145,20 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     for (const DiscIndex::Crossing& c : block_.crossings) land(a, c);
   }
 
+  // How a meter sees the current edge's light.
+  struct Seen {
+    float cos_in;   // to what catches it; below min_cosine: nothing is seen
+    float reverse;  // density of an eye walk's direction
+    float factor;   // response over cos_in
+  };
+  Seen see(const MeterResponse& response, const Frame& own) const {
+    const float cosine = -dot(direction_, own.n);
+    if (response.kind == UPS_METER_PLANAR) return {cosine, cosine * inv_pi, 1};
+    const Vec3 local = response.frame(own).to_local(-direction_);
+    const float value = response.value(local), cos_in = response.across ? 1.0f : std::abs(cosine);
+    return {value < min_cosine ? 0.0f : cos_in, response.pdf(local), value / cos_in};
+  }
+
   // A point meter merges the photon, a cell counts it.
   void land(uint32_t a, const DiscIndex::Crossing& crossing) {
     const SensorIndex::Entry& e = sensors_.entry(crossing.disc);
@@ -153,17 +167,26 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const bool cell = set.is_cell();
     if (!cell && !casters_ && !(e.counts.merge_all > 0)) return;
     if (!cell && a == 1 && !in_.gates_of(emitter_index_).merge_at_first) return;
-    const float cos_in = -dot(direction_, meter.frame.n);
-    if (cos_in < min_cosine || !(crossing.t > 0)) return;
-    const Vec3 p = origin_ + direction_ * crossing.t;
-    const Vec3 offset = p - lifted(meter.p, meter.frame.n, meter.error);
+    const Vec3 center = lifted(meter.p, meter.frame.n, meter.error);
+    const MeterResponse response = set.response(e.meter);
+    const Seen seen = see(response, meter.frame);
+    // A disc across the light is met where the path passes the meter by.
+    const float t = response.across ? dot(center - origin_, direction_) : crossing.t;
+    if (seen.cos_in < min_cosine || !(t > 0) || (response.across && t > met_.distance)) return;
+    const Vec3 p = origin_ + direction_ * t;
+    const Vec3 offset = p - center;
     const float x = dot(offset, meter.frame.s), y = dot(offset, meter.frame.t);
     if (cell && !set.covers(e.meter, e.piece, x, y)) return;
-    const uint32_t ring = cell ? none : in_.plan.meter_discs[e.set].ring_at(e.meter, x, y);
+    float share = 1;
+    const uint32_t ring = cell ? none
+                          : response.across
+                              ? in_.plan.meter_discs[e.set].ring_across(e.meter, meter.frame.n, direction_, offset, share)
+                              : in_.plan.meter_discs[e.set].ring_at(e.meter, x, y);
     if (!cell && ring == none) return;
-    const double flux = luminance(carried_ * met_.transmittance(scene_, crossing.t));
-    const mis::LightState state = in_.weighted() ? arrive({p, meter.frame.n}, cos_in, crossing.t) : mis::LightState{};
-    const Contribution c = ups::land(in_, e.counts, state, e.eta, e.area, cos_in, flux, a, emitter_index_);
+    const double flux = luminance(carried_ * met_.transmittance(scene_, t)) * seen.factor / share;
+    const mis::LightState state =
+        in_.weighted() ? arrive(meter_receiver(p, meter.frame.n, response), seen.cos_in, t) : mis::LightState{};
+    const Contribution c = ups::land(in_, e.counts, state, e.eta, e.area, seen.reverse, flux, a, emitter_index_);
     const double weight = c.weight(in_, 1), value = luminance(c.value) * weight;
     if (in_.recorder) in_.recorder->landed(c, {1, c.value, weight}, p, e.set, e.meter);
     if (!std::isfinite(value)) return drop(cell ? Drop::sensor_hit : Drop::merge, p);

@@ -54,10 +54,36 @@ void MeterDiscs::look_around(const Snapshot& scene, const Meter& meter, uint32_t
   for (const double area : rings(m, 0).area) area_[m] += area;
 }
 
+MeterDiscs MeterDiscs::across(size_t meters, uint32_t rings, float radius, uint32_t rays) {
+  MeterDiscs discs(meters, rings, radius);
+  discs.rays_ = rays;
+  discs.height_.assign(meters, std::numeric_limits<float>::infinity());
+  return discs;
+}
+
+void MeterDiscs::look_all_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest) {
+  constexpr float beneath = 0.125f;  // of the largest radius: nearer surfaces would leave too small a ball
+  constexpr float between_rays = 0.9f;
+  Hit hit;
+  const Vec3 n = meter.frame.n;
+  const bool stands = scene.raytracer->intersect(meter.p, -n, beneath * largest, hit);
+  height_[m] = stands ? hit.t : std::numeric_limits<float>::infinity();
+  float free = largest;
+  for (uint32_t i = 0; i < rays_; ++i) {  // a spiral from one pole to the other, by the golden section
+    const float z = 1 - (2 * float(i) + 1) / float(rays_), r = std::sqrt(1 - z * z),
+                turn = 2 * pi * std::fmod(0.618034f * float(i), 1.0f);
+    if (stands && z <= 0) continue;
+    const Vec3 d = meter.frame.to_world({r * std::cos(turn), r * std::sin(turn), z});
+    if (scene.raytracer->intersect(meter.p, d, free / between_rays, hit)) free = std::min(free, between_rays * hit.t);
+  }
+  radius_[m] = std::max(free, 0x1p-12f * largest);
+  area_[m] = 3.14159265358979323846 * radius_[m] * radius_[m];
+}
+
 float meter_spacing(const MeterSet& set) {
   if (set.is_cell()) return 0;
   std::vector<float> nearest;
-  const size_t n = set.meters.size(), probes = std::clamp<size_t>((size_t(1) << 24) / n, 16, 256),
+  const size_t n = set.count(), probes = std::clamp<size_t>((size_t(1) << 24) / n, 16, 256),
                step = std::max<size_t>(1, n / probes);
   for (size_t i = 0; i < n; i += step) {
     float best = std::numeric_limits<float>::infinity();

@@ -26,15 +26,22 @@ class MeterDiscs {
   MeterDiscs() = default;  // of cells
   // Everything is seen out to the radius. rays: an even number for look_around().
   MeterDiscs(size_t meters, uint32_t rings, float radius, uint32_t rays = 0);
+  // Of meters whose discs stand across the light, so that they fill a ball; rays: for look_all_around().
+  static MeterDiscs across(size_t meters, uint32_t rings, float radius, uint32_t rays);
   // Many rows of sums (a meter, or a column of one, each) take fewer rings.
   static uint32_t rings_for(size_t rows) { return rows <= 100000 ? max_rings : rows <= 1000000 ? max_rings / 2 : 8; }
 
   // A light path must not reach a meter through a wall: rays in its plane find how far it sees. A direction counts as
   // far as the opposite one does, as half a disc is biased by the light's slope. Of different meters at the same time.
   void look_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest);
+  // The same of a ball: it ends before the first surface that it would meet, but for one right beneath the meter, which
+  // hides half of it from all light alike.
+  void look_all_around(const Snapshot& scene, const Meter& meter, uint32_t m, float largest);
 
   bool empty() const { return radius_.empty(); }
-  size_t bytes() const { return radius_.size() * (sizeof(float) + sizeof(double)) + limits_.size(); }
+  size_t bytes() const {
+    return radius_.size() * (sizeof(float) + sizeof(double)) + limits_.size() + height_.size() * sizeof(float);
+  }
   uint32_t ring_count() const { return rings_; }
   float radius(uint32_t m) const { return radius_[m]; }
   double area(uint32_t m) const { return area_[m]; }
@@ -47,6 +54,17 @@ class MeterDiscs {
   uint32_t ring_at(uint32_t m, float x, float y) const {
     const uint32_t ring = ring_of(x * x + y * y, radius_[m] * radius_[m]);
     return ring < rings_ && (limits_.empty() || ring < limit(m, x, y)) ? ring : none;
+  }
+
+  // Of the point at `offset` from the meter, on the disc across the direction; normal: the meter's. share: of that ring's
+  // circle there, what the surface beneath the meter leaves.
+  uint32_t ring_across(uint32_t m, const Vec3& normal, const Vec3& direction, const Vec3& offset, float& share) const {
+    const float d2 = length2(offset), height = height_[m];
+    const uint32_t ring = ring_of(d2, radius_[m] * radius_[m]);
+    if (ring >= rings_ || dot(offset, normal) < -height) return none;
+    const float lowest = std::sqrt(d2) * length(cross(normal, direction));  // of the circle, below the meter
+    if (lowest > height) share = 0.5f + inv_pi * std::asin(height / lowest);
+    return ring;
   }
 
  private:
@@ -63,6 +81,8 @@ class MeterDiscs {
   std::vector<float> radius_;
   std::vector<double> area_;  // what is seen
   std::vector<uint8_t> limits_;  // rings seen, a meter by a sector, sector fastest; empty: all
+  uint32_t rays_ = 0;            // of a ball
+  std::vector<float> height_;    // of a ball's meter over the surface beneath it; infinite: there is none near
 };
 
 // Median distance of a meter of the set to its nearest neighbour; infinite where there is none, 0 for cells, where

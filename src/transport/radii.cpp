@@ -81,8 +81,11 @@ void plan_meter_discs(const Snapshot& scene, const TransportSettings& settings, 
     const size_t visited = std::max<size_t>(1, set.meters.size() / plan.meter_subsets);
     const uint32_t rays = uint32_t(std::bit_floor(std::clamp(rays_an_iteration / visited, least_rays, most_rays)));
     const bool catches = !set.is_cell() && largest > 0;
-    plan.meter_discs.push_back(catches ? MeterDiscs(set.meters.size(), rings, largest, whole ? 0 : rays)
-                                       : MeterDiscs());
+    if (catches && set.across())
+      plan.meter_discs.push_back(MeterDiscs::across(set.meters.size(), rings, largest, rays));
+    else
+      plan.meter_discs.push_back(catches ? MeterDiscs(set.meters.size(), rings, largest, whole ? 0 : rays)
+                                         : MeterDiscs());
     plan.meter_reach.push_back(catches && !whole ? largest : 0);
   }
 }
@@ -121,7 +124,10 @@ void look_around_meters(const Snapshot& scene, ThreadPool& pool, const StopSigna
       if (stop.is_set()) return;
       for (size_t i = begin; i < end; ++i) {
         const uint32_t m = plan.visited_meter(iteration, i);
-        plan.meter_discs[s].look_around(scene, set.meters[m], m, plan.meter_reach[s]);
+        if (set.across())
+          plan.meter_discs[s].look_all_around(scene, set.meters[m], m, plan.meter_reach[s]);
+        else
+          plan.meter_discs[s].look_around(scene, set.meters[m], m, plan.meter_reach[s]);
       }
     });
   }

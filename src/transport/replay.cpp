@@ -73,9 +73,11 @@ void ReplayRecorder::splatted(const Contribution& c, const Brought& brought, siz
 
 void ReplayRecorder::landed(const Contribution& c, const Brought& brought, const Vec3& p, uint32_t set,
                             uint32_t meter) {
-  if (paths_ || address_.camera || set != address_.sensor || meter != address_.element) return;
+  const MeterSet& meters = in_.scene.meter_sets[set];
+  if (paths_ || address_.camera || set != address_.sensor || meters.number(meter) != meters.number(address_.element))
+    return;
   ReplayedContribution& out =
-      add(c, brought, in_.scene.meter_sets[set].is_cell() ? UPS_TECHNIQUE_SENSOR_HIT : UPS_TECHNIQUE_MERGE);
+      add(c, brought, meters.is_cell() ? UPS_TECHNIQUE_SENSOR_HIT : UPS_TECHNIQUE_MERGE);
   out.from = out.to = p;
 }
 

@@ -20,7 +20,8 @@ SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool, const SensorInde
       if (!cell) {
         entries_.push_back({s, m, 0, i, 3.14159265358979323846 * radius2, in.eta(radius2) / in.plan.meter_samples,
                             counts});
-        discs.push_back({lifted(meter.p, meter.frame.n, meter.error), meter.frame.n, in.plan.meter_discs[s].radius(m)});
+        discs.push_back({lifted(meter.p, meter.frame.n, meter.error), set.across() ? Vec3() : meter.frame.n,
+                         in.plan.meter_discs[s].radius(m)});
       }
       for (uint32_t k = 0; cell && k < set.piece_count(m); ++k) {
         const Meter& piece = set.piece(m, k);

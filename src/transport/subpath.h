@@ -13,7 +13,8 @@ namespace ups {
 template <class State>
 struct End {
   SurfacePoint surface;
-  std::optional<Bsdf> bsdf;  // none: a meter's own point, which responds by the cosine (planar illuminance)
+  std::optional<Bsdf> bsdf;  // none: a meter's own point, which responds by its kind
+  MeterResponse response;
   Vec3 wo, local_wo;         // towards the vertex before
   State state;
   bool merge = false;   // photons are merged here
@@ -25,8 +26,10 @@ struct End {
   const MediaStack& beyond(const Vec3& w) const { return dot(w, surface.ng) < 0 ? *back : *front; }
   Scattering evaluate(const Vec3& local, TransportMode mode) const {
     if (bsdf) return bsdf->evaluate(local_wo, local, mode);
-    return {Rgb(local.z), local.z * inv_pi, 1};
+    return {Rgb(response.value(local)), response.pdf(local), 1};
   }
+  // Of a new edge along w from `at`, which is the vertex or stands for it: its part in densities of area there.
+  float cosine(const SurfacePoint& at, const Vec3& w) const { return response.across ? 1.0f : std::abs(dot(w, at.ng)); }
   mis::Scatter scatter(const Scattering& f) const { return {f.pdf, f.pdf_reverse, 1, merge, caster}; }
 };
 using LightEnd = End<mis::LightState>;

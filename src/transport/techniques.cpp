@@ -16,7 +16,7 @@ float arrival_factor(const EyeEnd& eye, const Arrival& a, const Vec3& wi) {
 // A response of a meter has no terminator, and its back sees nothing.
 bool scatters(const EyeEnd& eye, const Vec3& wi, Vec3& local) {
   local = eye.surface.shading.to_local(wi);
-  return eye.bsdf ? consistent_side(eye.surface, wi, local) : local.z >= min_cosine;
+  return eye.bsdf ? consistent_side(eye.surface, wi, local) : eye.response.value(local) >= min_cosine;
 }
 float terminator(const EyeEnd& eye, const Vec3& wi) { return eye.bsdf ? terminator(eye.surface, wi) : 1.0f; }
 
@@ -51,12 +51,14 @@ Found hit(const Iteration& in, const EyeHit& eye, uint32_t index, uint32_t primi
   return c;
 }
 
-EyeEnd meter_end(const Vec3& p, float error, const Frame& frame, const mis::EyeState& state, const MediaStack& media) {
+EyeEnd meter_end(const Vec3& p, float error, const Frame& frame, const MeterResponse& response,
+                 const mis::EyeState& state, const MediaStack& media) {
   EyeEnd eye;
   eye.surface.p = p;
   eye.surface.error = error;
   eye.surface.ng = frame.n;
-  eye.surface.shading = frame;
+  eye.surface.shading = response.frame(frame);
+  eye.response = response;
   eye.state = state;
   eye.merge = state.eta > 0;
   eye.carried = Rgb(1.0f);
@@ -81,7 +83,7 @@ Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, c
     const mis::Classes from_emitter =
         mis::from_emitter_at_light_sample(eye.state, n, in.gates_of(choice.index), eye.scatter(f));
     if (from_emitter.sum() > 0) in.plan.guide.apply(in.scene.emitters, choice.index, s);
-    const double cos_1 = std::abs(dot(s.wi, arrival.surface.ng)), d2 = double(s.distance) * s.distance;
+    const double cos_1 = eye.cosine(arrival.surface, s.wi), d2 = double(s.distance) * s.distance;
     const DirectDensities d = direct_densities(in.scene, in.plan.guide, choice, s, cos_1);
     const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * s.cos_0 / d2;
     c.others = mis::others_of_light_sample(from_emitter, n, pb_0, d.pn_0, d.pf_0, d.pf_1);
@@ -96,7 +98,7 @@ Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye,
                    const Vec2& u_position, float found_from) {
   if (in.is_too_long(eye.edges + 1)) return {};
   const Receiver at = eye.bsdf ? receiver_at(arrival.surface, eye.wo, *eye.bsdf)
-                               : Receiver{arrival.surface.p, eye.surface.ng};
+                               : meter_receiver(arrival.surface.p, eye.surface.ng, eye.response);
   const EmitterSet::Choice choice = in.scene.emitters.choose_direct(at, u_choice);
   if (!(choice.probability > 0)) return {};
   Found c = light_from(in, n, eye, arrival, choice, u_position);
@@ -130,7 +132,7 @@ Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, cons
                      attenuation_ahead(in.scene, media, distance) * scale};
   c.own = &mis::Classes::connect;
   if (in.weighted()) {
-    const double cos_eye = std::abs(dot(d, arrival.surface.ng)), cos_light = std::abs(dot(d, light.surface.ng));
+    const double cos_eye = eye.cosine(arrival.surface, d), cos_light = std::abs(dot(d, light.surface.ng));
     c.others = mis::others_of_connect(light.state, light.scatter(f_light), eye.state, eye.scatter(f_eye), n,
                                       f_eye.pdf * cos_light / d2, f_light.pdf * cos_eye / d2);
   }
@@ -145,8 +147,13 @@ Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, cons
 float connection_estimate(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& light) {
   if (in.is_too_long(eye.edges + 1 + light.depth)) return 0;
   const Vec3 to = light.p - eye.surface.p;
-  const float d2 = length2(to), cos_eye = dot(to, eye.surface.ng), cos_light = -dot(to, light.ng);
+  const float d2 = length2(to), cos_light = -dot(to, light.ng);
   if (!(d2 > 0)) return 0;
+  float cos_eye = dot(to, eye.surface.ng);
+  if (!eye.bsdf && eye.response.kind != UPS_METER_PLANAR) {
+    const float d = std::sqrt(d2);
+    cos_eye = d * eye.response.value(eye.surface.shading.to_local(to / d));
+  }
   const bool eye_faces = eye.bsdf ? eye.bsdf->transmits_continuously() || cos_eye * dot(eye.wo, eye.surface.ng) > 0
                                   : cos_eye > 0;
   if (!eye_faces || !(light.both_sides || cos_light * dot(light.wo, light.ng) > 0)) return 0;
@@ -233,9 +240,8 @@ bool nothing_between(const Snapshot& scene, const SurfacePoint& s, const Vec3& s
 }
 
 Contribution land(const Iteration& in, const mis::Counts& n, const mis::LightState& state, double eta, double area,
-                  float cos_in, double flux, uint32_t edges, uint32_t emitter) {
+                  float reverse, double flux, uint32_t edges, uint32_t emitter) {
   const bool merges = eta > 0;
-  const double reverse = cos_in * inv_pi;
   Contribution c{{merges ? Family::density_estimation : Family::path_integration, edges + 1, edges}, emitter,
                  Rgb(float(flux / (in.plan.light_paths * area)))};
   c.own = !merges ? &mis::Classes::light : state.casters ? &mis::Classes::caustic : &mis::Classes::merge;

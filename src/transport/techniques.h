@@ -16,7 +16,12 @@ struct Arrival {
   float ratio = 0;  // kernel over the density that the point was drawn with; 0: at the vertex itself
 };
 
-EyeEnd meter_end(const Vec3& p, float error, const Frame& frame, const mis::EyeState& state, const MediaStack& media);
+EyeEnd meter_end(const Vec3& p, float error, const Frame& frame, const MeterResponse& response,
+                 const mis::EyeState& state, const MediaStack& media);
+// As the choice of emitters sees it: a cosine counts where the response is one.
+inline Receiver meter_receiver(const Vec3& p, const Vec3& n, const MeterResponse& response) {
+  return {p, response.kind == UPS_METER_PLANAR ? n : Vec3()};
+}
 
 struct Contribution {
   Technique technique;
@@ -71,8 +76,9 @@ Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const 
 // goes on beyond it; looked for on the side of `side`.
 bool nothing_between(const Snapshot& scene, const SurfacePoint& s, const Vec3& side, const Vec3& p, float error,
                      double radius, WorkCounts& work);
-// t = 0 of a cell (eta 0), or a merge at a point meter's own disc: a light path of `edges` edges crosses it.
+// t = 0 of a cell (eta 0), or a merge at a point meter's own disc: a light path of `edges` edges crosses it. reverse:
+// density of its last direction backwards; flux: as the meter responds to it.
 Contribution land(const Iteration& in, const mis::Counts& n, const mis::LightState& state, double eta, double area,
-                  float cos_in, double flux, uint32_t edges, uint32_t emitter);
+                  float reverse, double flux, uint32_t edges, uint32_t emitter);
 
 }  // namespace ups

@@ -222,7 +222,7 @@ TEST_F(Api, MeterFields) {
   double bad_position[6] = {0, 0, 0, 0, INFINITY, 0};
   float zero[6] = {0, 0, 1, 0, 0, 0}, nan[6] = {0, 0, 1, 0, NAN, 0}, along[6] = {1, 0, 0, 0, 0, 1};
   const std::vector<Case<D>> cases = {
-      {[](D& d) { d.kind = 5; }, {"kind is 5"}},
+      {[](D& d) { d.kind = 6; }, {"kind is 6"}},
       {[](D& d) { d.count = 0; }, {"count is 0"}},
       {[](D& d) { d.count = 16'777'217; }, {"count is 16777217"}},
       {[](D& d) { d.reserved = 3; }, {"reserved is 3"}},
@@ -239,11 +239,12 @@ TEST_F(Api, MeterFields) {
   };
   expect_each_fails(scene, meters(), &ups_scene_add_meters, cases, "ups_scene_add_meters");
   auto d = meters();
-  for (const ups_meter_kind kind : {1, 2, 3, 4}) {
-    d.kind = kind;
-    ups_sensor_id id{};
-    expect_error(ups_scene_add_meters(scene, &d, &id), UPS_ERROR_UNSUPPORTED, {"kind is", "planar"});
-  }
+  d.kind = UPS_METER_SEMICYLINDRICAL;
+  const float vertical[6] = {1, 0, 0, 0, 0, -2};
+  d.normals = vertical;
+  ups_sensor_id id{};
+  expect_error(ups_scene_add_meters(scene, &d, &id), UPS_ERROR_INVALID_ARGUMENT,
+               {"normals: element 1 is vertical", "horizontal part"});
 }
 
 TEST_F(Api, NullScenes) {

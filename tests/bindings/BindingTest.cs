@@ -134,7 +134,7 @@ internal static partial class BindingTest
             camera.ToWorld = new double[] { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 2 };
             var eye = scene.AddCamera(camera);
             scene.Commit();
-            Expect(scene.Info.TriangleCount == 2 && scene.Info.MeterCount == 2, "what the scene holds");
+            Expect(scene.Info.TriangleCount == 2 && scene.Info.MeterCount == 3, "what the scene holds");
             Expect(scene.Info.BoundsMaxM[1] == 5, "an array inside a struct");
             using (var result = scene.Render(Iterations(16)))
             {
@@ -144,6 +144,9 @@ internal static partial class BindingTest
                 ExpectNear(readings[1].IlluminanceLx, 800 / Math.Pow(5, 1.5), 1e-4, "beside the lamp");
                 var direct = result.MeterPart(meters, LightPart.Direct);
                 Expect(direct[0].IlluminanceLx == readings[0].DirectLx && direct[0].StandardErrorLx == 0, "exact");
+                var vector = result.Vectors(vectors)[0];
+                ExpectNear(vector.VectorLx[2], 100, 1e-4, "the light vector");
+                Expect(vector.StandardErrorLx[2] == 0, "is exact");
                 foreach (var flags in result.MeterFlags(meters))
                     Expect(flags == Reading.Exact || flags == Reading.FewPaths, "light by chance is none");
                 Expect(result.Image(eye, 6, 4, Channel.IlluminanceStandardError).Length == 24, "errors of an image");

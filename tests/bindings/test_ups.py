@@ -97,6 +97,19 @@ def test_scene_reports_what_it_holds(context):
     assert scene.text(ups.SceneText.TECHNIQUES)
 
 
+def test_the_light_vector_points_at_the_lamp(context):
+    scene, _, _, _ = lamp_over_floor(context)
+    meters = scene.add_meters([(0, 0, 0.5), (1, 0, 0.5)], normals=(0, 0, 1), kind=ups.MeterKind.VECTOR)
+    scene.commit()
+    result = scene.render(iteration_count=16)
+    vectors = result.vectors(meters)
+    # I / d^2 with d^2 = 4 and 5, from the meter to the lamp.
+    assert vectors["vector_lx"][0] == pytest.approx([0, 0, 100], abs=0.01)
+    assert vectors["vector_lx"][1] == pytest.approx([-80 / 5 ** 0.5, 0, 160 / 5 ** 0.5], abs=0.01)
+    assert (vectors["standard_error_lx"] == 0).all()
+    assert result.meters(meters)["illuminance_lx"] == pytest.approx([100, 80], rel=1e-4)
+
+
 def test_meters_under_a_lamp_follow_the_inverse_square_law(context):
     scene, meters, _, _ = lamp_over_floor(context)
     scene.commit()

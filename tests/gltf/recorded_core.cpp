@@ -120,8 +120,8 @@ ups_status ups_scene_add_camera(ups_scene* scene, const ups_camera_desc* d, ups_
 }
 
 ups_status ups_scene_add_meters(ups_scene* scene, const ups_meter_desc* d, ups_sensor_id* out) {
-  if (d->kind != UPS_METER_PLANAR) {
-    last_error = "recorded core: this kind of meter is not built";
+  if (d->kind == UPS_METER_HEMISPHERICAL) {
+    last_error = "recorded core: refuses one kind of meter";
     return UPS_ERROR_UNSUPPORTED;
   }
   const size_t count = d->count;

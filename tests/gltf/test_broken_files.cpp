@@ -350,7 +350,7 @@ TEST_F(BrokenFile, NodeExtras) {
 
 TEST_F(BrokenFile, MeterKindThatTheCoreRefuses) {
   SceneBuilder builder = with_extras(
-      {{"meters", {{"width_m", 4}, {"height_m", 3}, {"columns", 2}, {"rows", 2}, {"kind", "cylindrical"}}}});
+      {{"meters", {{"width_m", 4}, {"height_m", 3}, {"columns", 2}, {"rows", 2}, {"kind", "hemispherical"}}}});
   expect_failure(builder, UPS_ERROR_UNSUPPORTED, {"node 0 \"desk\"", "recorded core"});
 }
 

@@ -190,6 +190,22 @@ TEST_F(GoodFile, SurfacesAndLightmapsOfTheNodesMesh) {
   EXPECT_FALSE(warned("scale")) << warnings();
 }
 
+TEST_F(GoodFile, MetersBearTheirKind) {
+  const std::pair<const char*, ups_meter_kind> kinds[] = {{"planar", UPS_METER_PLANAR},
+                                                          {"cylindrical", UPS_METER_CYLINDRICAL},
+                                                          {"semicylindrical", UPS_METER_SEMICYLINDRICAL},
+                                                          {"spherical", UPS_METER_SPHERICAL},
+                                                          {"vector", UPS_METER_VECTOR}};
+  SceneBuilder builder;
+  for (const auto& [word, kind] : kinds)
+    builder.add_node({{"extras", {{"ups", {{"meters", {{"points_m", {{0, 0, 0}}}, {"kind", word}}}}}}}});
+  import(builder);
+  for (uint32_t i = 0; i < std::size(kinds); ++i) {
+    EXPECT_EQ(scene.meters[i].kind, kinds[i].second);
+    EXPECT_EQ(sensor_info(i).meter_kind, kinds[i].second);
+  }
+}
+
 TEST_F(GoodFile, ScaleDoesNotMoveMetersApart) {
   SceneBuilder builder;
   builder.add_node({{"scale", {3, 3, 3}}, {"children", {1}}});

@@ -21,7 +21,9 @@ struct Node {
   uint32_t instance = none;
   float error = 0;     // of p
   bool delta = false;  // the walk went on by a delta lobe
+  MeterResponse response;  // of a meter's point
 
+  bool is_planar() const { return response.kind == UPS_METER_PLANAR; }
   Vec3 local(const Vec3d& w) const { return shading.to_local(Vec3(w)); }
 };
 
@@ -94,7 +96,7 @@ class LocalQuantities {
     const auto choose = [&](const Vec3d& away) {  // away: from the emitter
       const bool meter = !x_1.bsdf;
       const Vec3d n = meter || dot(away, x_1.ng) < 0 ? x_1.ng : -x_1.ng;
-      const Receiver at{reference, Vec3(n), !meter && x_1.bsdf->transmits_continuously()};
+      const Receiver at{reference, x_1.is_planar() ? Vec3(n) : Vec3(), !meter && x_1.bsdf->transmits_continuously()};
       return double(scene().emitters.direct_probability(at, r_.emitter));
     };
     DirectSample s;
@@ -158,7 +160,7 @@ class LocalQuantities {
     const Vec3d d = direction_[i] = w / distance;
     path_.distance[i] = distance;
     path_.cos_near[i] = i == 0 && path_.emitter != EmitterType::area ? 1 : std::abs(dot(d, i == 0 ? n_0_ : near(i).ng));
-    path_.cos_far[i] = std::abs(dot(d, far(i + 1).ng));
+    path_.cos_far[i] = far(i + 1).response.across ? 1 : std::abs(dot(d, far(i + 1).ng));
     for (const Pane& pane : room_.panes) {
       const Vec3d n = normalize(cross(pane.u, pane.v));
       const double cosine = dot(d, n), t = dot(pane.corner - from, n) / cosine;
@@ -201,7 +203,21 @@ class LocalQuantities {
   void sensor() {
     const int k = path_.k;
     const Vec3d d = direction_[k - 1];
-    path_.pdf_to_emitter[k] = path_.camera() ? double(scene().cameras[0].pdf_w(Vec3(-d))) : path_.cos_far[k - 1] / pi_d;
+    path_.pdf_to_emitter[k] = path_.camera() ? double(scene().cameras[0].pdf_w(Vec3(-d))) : response_pdf(far(k), -d);
+  }
+  // In proportion to how a meter's kind responds.
+  static double response_pdf(const Node& meter, const Vec3d& w) {
+    const double sine = std::hypot(w.x, w.y), facing = std::hypot(meter.ng.x, meter.ng.y),
+                 cosine = dot(w, meter.ng);
+    switch (meter.response.kind) {
+      case UPS_METER_CYLINDRICAL: return sine / (pi_d * pi_d);
+      case UPS_METER_SEMICYLINDRICAL:
+        return (sine + (w.x * meter.ng.x + w.y * meter.ng.y) / facing) / (pi_d * pi_d);
+      case UPS_METER_HEMISPHERICAL: return std::max(0.0, (1 + cosine) / (3 * pi_d));
+      case UPS_METER_SPHERICAL: return 1 / (4 * pi_d);
+      case UPS_METER_VECTOR: return dot(w, Vec3d(axis_of_side(meter.response.side))) / pi_d;
+      default: return std::abs(cosine) / pi_d;
+    }
   }
 
   const Room& room_;
@@ -220,13 +236,14 @@ class Recorder : public PathRecorder {
   explicit Recorder(const Room& room) : room_(room) {}
   std::vector<Replayed> paths;
   bool of_pixels = true;  // the eye pass that runs: of images, or of meters
+  uint32_t meter_set = 0;  // of these
 
   void start_light(uint32_t emitter, const EmissionSample& start, const Rgb&) override {
     light_.push_back({{.p = Vec3d(start.p), .error = error_of(emitter)}, emitter, {}});
     current_ = &light_.back();
   }
   void start_eye(const EyeSensor& sensor, const Vec3& p, const Vec3& n, float error) override {
-    eye_ = {{.p = Vec3d(p), .ng = Vec3d(n), .error = error}, none, {}};
+    eye_ = {{.p = Vec3d(p), .ng = Vec3d(n), .error = error, .response = sensor.response}, none, {}};
     current_ = &eye_;
     sensor_ = sensor.camera ? SensorType::camera : sensor.cell ? SensorType::cell : SensorType::point_meter;
     pixel_ = sensor.pixel;
@@ -279,7 +296,8 @@ class Recorder : public PathRecorder {
     r.technique = cell ? Technique::land : Technique::merge;
     r.at = int(c.technique.edges) + (cell ? 1 : 0);
     add_light(light_.back(), c.technique.edges - 1, r);
-    const Node at{.p = Vec3d(p), .ng = Vec3d(room_.scene->meter_sets[set].piece(meter, 0).frame.n)};
+    const MeterSet& meters = room_.scene->meter_sets[set];
+    const Node at{.p = Vec3d(p), .ng = Vec3d(meters.piece(meter, 0).frame.n), .response = meters.response(meter)};
     r.by_light.push_back(at);
     if (!cell) r.by_eye.push_back(at);
     paths.push_back(std::move(r));
@@ -289,8 +307,7 @@ class Recorder : public PathRecorder {
   Replayed begin(const Contribution& c, double pass) const {
     Replayed r;
     r.sensor = sensor_, r.of_pixel = of_pixels, r.pixel = pixel_, r.emitter = c.emitter, r.found = c.relative(pass);
-    const auto& sets = room_.scene->meter_sets;
-    if (sensor_ != SensorType::camera) r.set = sets[0].is_cell() == (sensor_ == SensorType::cell) ? 0 : 1;
+    r.set = meter_set;
     return r;
   }
   float error_of(uint32_t emitter) const {

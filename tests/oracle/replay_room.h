@@ -1,5 +1,5 @@
 // A small scene that has something of everything that the weights know: emitters with and without extent, panes in the
-// way, mirrors, glass, sharp and blunt lobes, a camera, point meters, cells.
+// way, mirrors, glass, sharp and blunt lobes, a camera, point meters and cells of every kind.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -85,10 +85,11 @@ class RoomBuilder {
     description_.add_camera(camera);
   }
   void add_meters(const std::vector<double>& positions, const std::vector<float>& normals, float cell = 0,
-                  bool discs = false) {
+                  bool discs = false, ups_meter_kind kind = UPS_METER_PLANAR) {
     std::vector<float> tangents;
     for (size_t i = 0; i < normals.size(); i += 3) tangents.insert(tangents.end(), {1, 0, 0});
     ups_meter_desc meters{};
+    meters.kind = kind;
     meters.count = uint32_t(positions.size() / 3);
     meters.positions_m = positions.data(), meters.normals = normals.data();
     if (cell > 0) meters.tangents = tangents.data();
@@ -176,6 +177,11 @@ inline Room make_room(bool nested, Cells cells) {
   } else {
     b.add_meters({1.5, 1.5, 0.01, 2.6, 2.2, 0.01, 1.6, 2.8, 0.8}, {0, 0, 1, 0, 0, 1, 0, 0, 1}, 0.5f,
                  cells == Cells::discs);
+  }
+  for (const ups_meter_kind kind : {UPS_METER_CYLINDRICAL, UPS_METER_SEMICYLINDRICAL, UPS_METER_HEMISPHERICAL,
+                                    UPS_METER_SPHERICAL, UPS_METER_VECTOR}) {
+    b.add_meters({1.6, 2, 1, 2.6, 2.2, 0.3}, {0.2f, 0.1f, 1, 1, 0, 0.5f}, 0, false, kind);
+    b.add_meters({1.5, 1.5, 0.6}, {0.3f, 0, 1}, 0.5f, cells == Cells::discs, kind);
   }
   return b.build();
 }

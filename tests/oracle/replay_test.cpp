@@ -92,8 +92,9 @@ class Replay {
     plan_.pixel_radius.emplace_back(scene.cameras[0].pixel_count());
     for (size_t i = 0; i < plan_.pixel_radius[0].size(); ++i) plan_.pixel_radius[0][i] = 0.02f + 0.01f * float(i % 5);
     for (const MeterSet& set : scene.meter_sets)
-      plan_.meter_discs.push_back(set.is_cell() ? MeterDiscs()
-                                                : MeterDiscs(set.meters.size(), max_rings, meter_radius));
+      plan_.meter_discs.push_back(set.is_cell()  ? MeterDiscs()
+                                  : set.across() ? MeterDiscs::across(set.meters.size(), max_rings, meter_radius, 0)
+                                                 : MeterDiscs(set.meters.size(), max_rings, meter_radius));
     plan_.walk_radius = 0.04f;
   }
   EmissionGuide guide() const {
@@ -131,7 +132,7 @@ class Replay {
     const DirectLight direct(scene, plan_, settings_);
     uint32_t path = trace_camera_paths(in, photons, 0, 0, pool, tally);
     recorder_.of_pixels = false;
-    for (uint32_t s = 0; s < scene.meter_sets.size(); ++s)
+    for (uint32_t& s = recorder_.meter_set = 0; s < scene.meter_sets.size(); ++s)
       path = trace_meter_paths(in, photons, direct, s, path, pool, tally);
   }
 
@@ -172,7 +173,10 @@ mis::Classes by_definition(const Path& path, const std::vector<Term>& terms, dou
 std::string name_of(const Replayed& r, int k) {
   static const char* const sensors[] = {"camera", "meter", "cell"};
   static const char* const techniques[] = {"hit", "light sample", "connect", "sensor connect", "land", "merge"};
-  const std::string name = r.sensor == SensorType::point_meter && r.of_pixel ? "pixel" : sensors[int(r.sensor)];
+  const bool planar = r.by_eye.empty() ? r.by_light.back().is_planar() : r.by_eye.back().is_planar();
+  const std::string name = !planar ? r.sensor == SensorType::cell ? "solid cell" : "solid point"
+                           : r.sensor == SensorType::point_meter && r.of_pixel ? "pixel"
+                                                                               : sensors[int(r.sensor)];
   return name + ", " + techniques[int(r.technique)] + (r.technique == Technique::merge && r.at == k ? " there" : "");
 }
 
@@ -242,12 +246,19 @@ struct Count {
 };
 using Counted = std::map<std::string, Count>;
 
+// Of an edge of a tenth of a millimetre the ends' rounding may turn the direction by more than a delta lobe is found
+// again by: such paths are not weighed; one of 10,000 at most.
+//
 // Floats give about 1e-5. What is further apart must be a path whose own definition changes as much where its vertices
 // move by their rounding (edges of a millimetre, grazing angles, sharp lobes); and those are few.
 constexpr double usual = 2e-4, rare = 1e-3, rare_share = 0.01;
 
 void compare(const Replay& replay, const Replayed& r, Random& random, Counted& counted) {
   const Weighed w = weigh(replay, r);
+  if (!w.resolved && *std::min_element(w.path.distance.begin(), w.path.distance.end()) < 2e-4) {
+    ++counted["unresolved"].all;
+    return;
+  }
   ASSERT_TRUE(w.resolved && w.expected) << describe(w.path, r, {});
   if (r.technique == Technique::merge && r.sensor == SensorType::camera) {
     ASSERT_LT(length2(r.by_light.back().p - r.by_eye.front().p), 1.001 * replay.merge_radius2(r));
@@ -289,10 +300,11 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
   size_t above = 0;
   double largest = 0;
   std::vector<std::string> names = {"refracted", "mirrored", "glossy casters", "caustics"};
-  for (const char* sensor : {"camera", "pixel", "meter", "cell"})
+  for (const char* sensor : {"camera", "pixel", "meter", "cell", "solid point", "solid cell"})
     for (const char* technique : {"hit", "light sample", "connect", "sensor connect", "merge"})
       names.push_back(std::string(sensor) + ", " + technique);
-  names.insert(names.end(), {"pixel, merge there", "meter, merge there", "cell, land"});
+  names.insert(names.end(),
+               {"pixel, merge there", "meter, merge there", "solid point, merge there", "cell, land", "solid cell, land"});
   for (size_t i = 0; i < replay.room().scene->emitters.size(); ++i) names.push_back("emitter " + std::to_string(i));
   for (const std::string& name : names) {
     const Count& c = counted[name];
@@ -308,6 +320,7 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
     above += c.above_1e3;
     largest = std::max(largest, c.largest);
   }
+  EXPECT_LT(double(counted["unresolved"].all), 1e-4 * double(replay.paths().size()));
   std::printf("  %zu paths, differences above 1e-3: %zu, largest %.2g\n", replay.paths().size(), above, largest);
   EXPECT_LT(double(above), rare_share * double(replay.paths().size()));
 }

@@ -72,6 +72,14 @@ class Result {
                      "meter reading");
     return out;
   }
+  std::vector<ups_vector_reading> vectors(const Sensor& meters) const {
+    std::vector<ups_vector_reading> out(meters.count);
+    check(ups_result_read_vectors(result_.get(), meters.id, out.data(), out.size()), "ups_result_read_vectors");
+    for (const auto& r : out)
+      for (int k = 0; k < 3; ++k)
+        require_finite({r.vector_lx[k], r.standard_error_lx[k], r.error_bound_lx[k]}, "vector");
+    return out;
+  }
   std::vector<ups_meter_part_reading> part(const Sensor& meters, ups_light_part part) const {
     std::vector<ups_meter_part_reading> out(meters.count);
     check(ups_result_read_meter_part(result_.get(), meters.id, part, out.data(), out.size()),

@@ -117,6 +117,8 @@ class Scene {
 
   // Of everything that emits and is added from here on.
   void set_group(uint32_t group) { group_ = group; }
+  // Of all meters that are added from here on.
+  void set_meter_kind(ups_meter_kind kind) { meter_kind_ = kind; }
 
   // `offset` moves the instance, in double: far from the origin floats could not hold the vertices.
   ups_instance_id add(const Shape& shape, const ups_material_desc& material, const P3& offset = {}) {
@@ -311,6 +313,7 @@ class Scene {
     for (const P3& v : normals) n.insert(n.end(), {float(v.x), float(v.y), float(v.z)});
     for (const P3& v : tangents) t.insert(t.end(), {float(v.x), float(v.y), float(v.z)});
     auto d = make_desc<ups_meter_desc>(ups_meter_desc_init);
+    d.kind = meter_kind_;
     d.count = uint32_t(positions.size());
     d.positions_m = p.data();
     d.normals = n.data();
@@ -328,6 +331,7 @@ class Scene {
   std::unique_ptr<ups_scene, decltype(&ups_scene_destroy)> scene_{nullptr, ups_scene_destroy};
   std::vector<Sensor> sensors_;
   uint32_t group_ = 0;
+  ups_meter_kind meter_kind_ = UPS_METER_PLANAR;
 };
 
 }  // namespace ups::test

@@ -159,7 +159,7 @@ class BrokenFiles(ProgramTest):
         def node(scene): scene["nodes"][2]["extras"]["ups"]["meters"]["colums"] = 1
         def luminaire(scene): scene["nodes"][0]["extras"] = {"ups": {"luminaire": {"file": "gone.ies"}}}
         def sky(scene): scene["scenes"][0]["extras"] = {"ups": {"sky": {"cie_type": 5}}}
-        def meters(scene): scene["nodes"][2]["extras"]["ups"]["meters"]["kind"] = "spherical"
+        def meters(scene): scene["nodes"][2]["extras"]["ups"]["meters"]["kind"] = "round"
         def nothing(scene): scene["scenes"][0]["nodes"] = [0, 1]
         def index(scene): scene["accessors"][0]["count"] = 3
         def extension(scene): scene["extensionsRequired"] = ["XYZ_fancy"]
@@ -167,7 +167,7 @@ class BrokenFiles(ProgramTest):
         self.broken(node, ["node 2", "work plane", "colums"])
         self.broken(luminaire, ["node 0", "gone.ies"])
         self.broken(sky, ["sky", "not built"])
-        self.broken(meters, ["node 2", "work plane"])
+        self.broken(meters, ["node 2", "work plane", "vector"])
         self.broken(nothing, ["nothing to render"])
         self.broken(index, ["mesh 0", "index 3"])
         self.broken(extension, ["XYZ_fancy"], command="info")
@@ -278,6 +278,33 @@ class Render(ProgramTest):
             self.assertGreaterEqual(row["error_bound_lx"], 0)
         mean = sum(r["illuminance_lx"] for r in rows) / 8
         self.assertAlmostEqual(result["meters"]["work_plane"]["mean_lx"], mean, delta=1e-3 * mean)
+        self.assertEqual(result["meters"]["work_plane"]["kind"], "planar")
+
+    def test_meters_of_every_kind(self):
+        scene = room()
+        scene["materials"][0]["extras"]["ups"]["reflectance"] = 0
+        # From (0, 0, 0.5) the light is 1.5 m above and 1 m, 0.5 m beside: 100 cd over 3.5 m2.
+        beam, slope = 100 / 3.5, [1 / 3.5 ** 0.5, 0.5 / 3.5 ** 0.5, 1.5 / 3.5 ** 0.5]
+        sine = (1 - slope[2] ** 2) ** 0.5
+        expected = {"cylindrical": sine / 3.14159265, "semicylindrical": (sine + slope[1]) / 3.14159265,
+                    "hemispherical": (1 + slope[1]) / 4, "spherical": 0.25, "vector": 1}
+        for kind in expected:
+            # glTF's -Z is the world's +Y.
+            points = {"points_m": [[0, 0.5, 0]], "normals": [[0, 0, -1]], "kind": kind, "name": kind}
+            scene["scenes"][0]["nodes"].append(len(scene["nodes"]))
+            scene["nodes"].append({"extras": {"ups": {"meters": points}}})
+        out = self.path("out")
+        result = self.render("--iterations", 16, "--out", out, scene=scene)
+        for kind, share in expected.items():
+            self.assertEqual(result["meters"][kind]["kind"], kind)
+            with open(os.path.join(out, kind + ".csv"), encoding="ascii") as file:
+                row = {k: float(v) for k, v in next(csv.DictReader(file)).items()}
+            self.assertAlmostEqual(row["illuminance_lx"] / (beam * share), 1, delta=1e-4, msg=kind)
+            self.assertEqual("vector_x_lx" in row, kind == "vector")
+        for axis, part in zip("xyz", slope):
+            self.assertAlmostEqual(row[f"vector_{axis}_lx"], beam * part, delta=1e-3)
+            self.assertEqual(row[f"vector_{axis}_standard_error_lx"], 0)
+            self.assertLess(row[f"vector_{axis}_error_bound_lx"], 0.01)
 
     def test_a_file_that_cannot_be_written_does_not_take_the_others(self):
         out = self.path("out")

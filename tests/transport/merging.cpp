@@ -27,7 +27,7 @@ bool is_merged(const Photon& photon) {
   mis::Counts counts;
   counts.eta = 1;
   const MediaStack media;
-  const EyeEnd eye = meter_end({0.2f, 0.3f, 0}, 0, Frame(Vec3(0, 0, 1)), mis::at_meter(counts, 1, 0), media);
+  const EyeEnd eye = meter_end({0.2f, 0.3f, 0}, 0, Frame(Vec3(0, 0, 1)), {}, mis::at_meter(counts, 1, 0), media);
   LightVertex v;
   v.p = eye.surface.p + photon.offset;
   v.ng = v.ns = normalize(photon.ng);
@@ -52,6 +52,42 @@ TEST(Merging, TakesPhotonsOfTheSameSideOfTheSameSurface) {
 
 // A meter beside a wall that stands askew: what it catches lies before the wall and before its mirror image, and takes
 // up the area that is stated for each ring.
+// Discs across the light end before the nearest surface, but for one beneath the meter: that hides its part of each.
+TEST(Merging, DiscsAcrossTheLightFillABallThatMeetsNothing) {
+  test::RoomBuilder builder;
+  builder.add(test::quad({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}), test::RoomBuilder::material(UPS_MATERIAL_MATTE));
+  builder.add(test::quad({0.3, -3, -1}, {0, 6, 0}, {0, 0, 4}), test::RoomBuilder::material(UPS_MATERIAL_MATTE));
+  const test::Room room = builder.build();
+  MeterDiscs discs = MeterDiscs::across(2, 8, 0.4f, 256);
+  const float height = 0.01f;
+  for (uint32_t m = 0; m < 2; ++m) {
+    Meter meter;
+    meter.p = Vec3(Vec3d(0, 0, m == 0 ? 0.2 : double(height)) - room.scene->origin);
+    discs.look_all_around(*room.scene, meter, m, 0.4f);
+    const double free = m == 0 ? 0.2 : 0.3;  // the floor; the wall
+    EXPECT_LE(discs.radius(m), free);
+    EXPECT_GE(discs.radius(m), 0.85 * free);
+  }
+  // The lower meter: a ring's points above the floor, over the share that is told, are the whole ring.
+  const Vec3 n(0, 0, 1);
+  for (const float tilt : {0.0f, 0.2f, 0.8f, 1.5f}) {
+    const Vec3 d(std::sin(tilt), 0, -std::cos(tilt)), across(std::cos(tilt), 0, std::sin(tilt)), side(0, 1, 0);
+    for (const float r : {0.005f, 0.02f, 0.2f}) {
+      constexpr int points = 10000;
+      double sum = 0;
+      for (int i = 0; i < points; ++i) {
+        const float phi = 2 * pi * (float(i) + 0.5f) / points;
+        const Vec3 offset = across * (r * std::cos(phi)) + side * (r * std::sin(phi));
+        float share = 1;
+        const uint32_t ring = discs.ring_across(1, n, d, offset, share);
+        EXPECT_EQ(ring == none, offset.z < -height) << tilt << ' ' << r;
+        if (ring != none) sum += 1 / double(share) / points;
+      }
+      EXPECT_NEAR(sum, 1, 2e-3) << tilt << ' ' << r;
+    }
+  }
+}
+
 TEST(Merging, ADiscCatchesWhatItsMeterSees) {
   const double turn = 0.5, distance = 0.1;
   const test::P3 n{std::cos(turn), std::sin(turn), 0}, along{-n.y, n.x, 0};

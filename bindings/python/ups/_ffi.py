@@ -152,6 +152,7 @@ class MeterKind(enum.IntEnum):
     SEMICYLINDRICAL = 2
     HEMISPHERICAL = 3
     SPHERICAL = 4
+    VECTOR = 5
 
 
 class Method(enum.IntEnum):
@@ -860,6 +861,14 @@ class MeterReading(Structure):
     ]
 
 
+class VectorReading(Structure):
+    _fields_ = [
+        ("vector_lx", c_float * 3),
+        ("standard_error_lx", c_float * 3),
+        ("error_bound_lx", c_float * 3),
+    ]
+
+
 class MeterPartReading(Structure):
     _fields_ = [
         ("illuminance_lx", c_float),
@@ -1298,6 +1307,7 @@ PROTOTYPES = {
     "ups_result_get_info": (c_int32, [c_void_p, POINTER(ResultInfo)]),
     "ups_result_get_choice": (c_int32, [c_void_p, SensorId, POINTER(SensorChoice)]),
     "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t]),
+    "ups_result_read_vectors": (c_int32, [c_void_p, SensorId, POINTER(VectorReading), c_size_t]),
     "ups_result_read_meter_part": (c_int32, [c_void_p, SensorId, c_int32, POINTER(MeterPartReading), c_size_t]),
     "ups_result_read_meter_flags": (c_int32, [c_void_p, SensorId, POINTER(c_uint32), c_size_t]),
     "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)]),

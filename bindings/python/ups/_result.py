@@ -94,6 +94,13 @@ class Result(Handle):
         check(lib.ups_result_read_meters(self, sensor, address(out, _ffi.MeterReading), len(out)))
         return out
 
+    def vectors(self, sensor):
+        """Of meters of kind MeterKind.VECTOR: a record array with the fields vector_lx, standard_error_lx and
+        error_bound_lx, three numbers each, x, y and z of the world. meters() has the vectors' lengths."""
+        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.VectorReading))
+        check(lib.ups_result_read_vectors(self, sensor, address(out, _ffi.VectorReading), len(out)))
+        return out
+
     def meter_part(self, sensor, part):
         """The LightPart.DIRECT or INDIRECT light of each meter, with errors of its own: as ups_meter_part_reading."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterPartReading))

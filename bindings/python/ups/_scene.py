@@ -74,7 +74,7 @@ class Scene(Handle):
         return sensor
 
     def add_meters(self, positions_m, normals, tangents=None, **fields):
-        """All three (n, 3); one normal may stand for all meters. Readings keep the order."""
+        """All three (n, 3); one normal may stand for all meters. Readings keep the order. kind: a MeterKind."""
         p = as_array(positions_m, np.float64, (-1, 3), "positions_m")
         n = as_array(np.broadcast_to(np.asarray(normals, np.float32), p.shape), np.float32, (-1, 3), "normals")
         t = None

@@ -19,7 +19,8 @@ ups_meter_kind kind_of(const JsonReader& meters) {
   if (kind == "semicylindrical") return UPS_METER_SEMICYLINDRICAL;
   if (kind == "hemispherical") return UPS_METER_HEMISPHERICAL;
   if (kind == "spherical") return UPS_METER_SPHERICAL;
-  meters.fail("kind", "must be planar, cylindrical, semicylindrical, hemispherical or spherical");
+  if (kind == "vector") return UPS_METER_VECTOR;
+  meters.fail("kind", "must be planar, cylindrical, semicylindrical, hemispherical, spherical or vector");
 }
 
 // Cell centres of the rectangle in the local XY plane, facing local +Z: column 0 at -X, row 0 at -Y, columns fastest.
@@ -102,6 +103,7 @@ void Importer::add_meters(const JsonReader& meters, const std::string& node_name
   Sensor sensor{};
   check(ups_scene_add_meters(scene_, &desc, &sensor.info.sensor), meters.where());
   sensor.info.meter_count = desc.count;
+  sensor.info.meter_kind = desc.kind;
   sensor.info.columns = data.columns;
   sensor.info.rows = data.rows;
   sensor.info.layout = data.layout;

@@ -1,0 +1,109 @@
+// See vector_light.h.
+#include "render/vector_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ups {
+
+namespace {
+
+constexpr Vec3d axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+double mean_of(const MeterLight& light, LightPart part) {
+  const double direct = spread(light.sums.direct, light.visits).mean;
+  return part == direct_light ? direct : spread(light.sums.value, light.visits).mean - (part == whole_light ? 0 : direct);
+}
+
+}  // namespace
+
+// To first order, as of any linear function of the six. What one side alone does not know, the others cannot tell.
+MeterLight VectorLight::along(const Vec3d& direction) const {
+  MeterLight out{{}, {}, UINT32_MAX, {}, {true, true, true}, sides_[0]->merges_direct, {}};
+  for (const MeterLight* side : sides_) out.visits = std::min(out.visits, side->visits);
+  if (out.visits == 0) return out;
+  double bias_variance = 0;
+  for (uint32_t i = 0; i < vector_sides; ++i) {
+    const MeterLight& side = *sides_[i];
+    const double share = dot(direction, Vec3d(axis_of_side(i))), size = std::abs(share);
+    for (uint32_t b = 0; b < std::min(out.visits, batch_count); ++b) {  // sides may have been visited once more or less
+      const double scale = share * visits_of_batch(out.visits, b) / visits_of_batch(side.visits, b);
+      out.sums.value[b] += scale * side.sums.value[b];
+      out.sums.direct[b] += scale * side.sums.direct[b];
+      out.sums.bias[b] += scale * side.sums.bias[b];
+    }
+    const double visits = double(out.visits) / side.visits;
+    out.sums.exact += share * visits * side.sums.exact;
+    out.sums.rounding += size * visits * side.sums.rounding;
+    if (side.sums.paths[whole_light].largest > out.sums.paths[whole_light].largest) {
+      out.sums.largest_batch = side.sums.largest_batch, out.sums.largest = side.sums.largest;
+      if (!out.sums.largest.path.is_light()) out.sums.largest.path.bits += i * eye_paths_;
+    }
+    for (const LightPart part : {whole_light, direct_light, indirect_light}) {
+      out.sums.paths[part].add(side.sums.paths[part]);
+      out.sums.batches[part] |= side.sums.batches[part];
+      out.largest[part] = std::max(out.largest[part], side.largest[part]);
+      out.exact[part] = out.exact[part] && side.exact[part];
+      const auto [error, bound] = side.error_of(part);
+      if (error < 0 && bound > 0) out.unfound[part] += size * bound;
+    }
+    out.bias.mean += share * side.bias.mean;
+    bias_variance += std::pow(share * std::max(0.0, side.bias.standard_error), 2);
+    out.photons.narrower += size * side.photons.narrower;
+    out.photons.choice_variance += share * share * side.photons.choice_variance;
+    out.photons.mean_radius2 = std::max(out.photons.mean_radius2, side.photons.mean_radius2);
+    out.photons.halves_differ |= side.photons.halves_differ;
+  }
+  out.bias.standard_error = std::sqrt(bias_variance);
+  return out;
+}
+
+Vec3d VectorLight::vector(LightPart part) const {
+  Vec3d v(0, 0, 0);
+  for (uint32_t i = 0; i < vector_sides; ++i) v += Vec3d(axis_of_side(i)) * mean_of(*sides_[i], part);
+  return v;
+}
+
+// Noise n across a vector makes it longer, by n^2 / 2 over its length in the mean, of one that noise alone makes by all
+// of it.
+MeterLight VectorLight::length(LightPart part) const {
+  for (const MeterLight* side : sides_)
+    if (side->visits == 0) return along(axes[2]);
+  const Vec3d v = vector(part);
+  const double length = ups::length(v);
+  MeterLight out = along(length > 0 ? v / length : axes[2]);
+  double noise2 = 0;
+  for (const Vec3d& axis : axes) noise2 += std::pow(std::max(0.0f, along(axis).error_of(part).first), 2);
+  const double across2 = noise2 - std::pow(std::max(0.0f, out.error_of(part).first), 2);
+  const double longer = across2 > 0 && length > 0 ? std::min(length, across2 / (2 * length)) : 0;
+  out.bias.mean += longer;
+  for (uint32_t b = 0; b < std::min(out.visits, batch_count); ++b)
+    out.sums.bias[b] += longer * visits_of_batch(out.visits, b);
+  return out;
+}
+
+ups_meter_reading VectorLight::reading() const {
+  ups_meter_reading r = length(whole_light).reading();
+  if (r.illuminance_lx < 0) return r;
+  r.direct_lx = float(ups::length(vector(direct_light)));
+  r.indirect_lx = float(ups::length(vector(indirect_light)));
+  return r;
+}
+
+ups_meter_part_reading VectorLight::part(ups_light_part part) const {
+  return length(part == UPS_LIGHT_PART_DIRECT ? direct_light : indirect_light).part(part);
+}
+
+ups_vector_reading VectorLight::components() const {
+  ups_vector_reading r{};
+  for (int k = 0; k < 3; ++k) {
+    const MeterLight light = along(axes[k]);
+    r.standard_error_lx[k] = r.error_bound_lx[k] = -1;
+    if (light.visits == 0) continue;
+    r.vector_lx[k] = float(mean_of(light, whole_light));
+    std::tie(r.standard_error_lx[k], r.error_bound_lx[k]) = light.error_of(whole_light);
+  }
+  return r;
+}
+
+}  // namespace ups

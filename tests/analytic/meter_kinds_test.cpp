@@ -1,0 +1,290 @@
+// Meters of every kind against their definitions, integral L(w) W(w) dw: single beams in closed form, an emitter with
+// extent and a floor that reflects it by integrals that are computed here, by each technique apart; a closed white room.
+#include "../support/expect_lx.h"
+
+namespace ups::test {
+namespace {
+
+constexpr ups_meter_kind all_kinds[] = {UPS_METER_PLANAR,        UPS_METER_CYLINDRICAL, UPS_METER_SEMICYLINDRICAL,
+                                        UPS_METER_HEMISPHERICAL, UPS_METER_SPHERICAL,   UPS_METER_VECTOR};
+
+// W of a unit direction towards the light; a vector's own.
+double response(ups_meter_kind kind, const P3& normal, const P3& w) {
+  const P3 n = normalize(normal);
+  const double sine = std::hypot(w.x, w.y), facing = std::hypot(n.x, n.y), c = dot(n, w);
+  switch (kind) {
+    case UPS_METER_CYLINDRICAL: return sine / pi_d;
+    case UPS_METER_SEMICYLINDRICAL: return (sine + (w.x * n.x + w.y * n.y) / facing) / pi_d;
+    case UPS_METER_HEMISPHERICAL: return c > 0 ? (1 + c) / 4 : 0;
+    case UPS_METER_SPHERICAL: return 0.25;
+    default: return std::max(0.0, c);
+  }
+}
+double component(const P3& p, int k) { return k == 0 ? p.x : k == 1 ? p.y : p.z; }
+
+// ---- single beams ----
+
+// 100 lx on a plane across the beam, which comes from the azimuth of +x.
+struct Beam {
+  Scene scene;
+  Sensor points, cells;
+  Beam(ups_meter_kind kind, double eps, const P3& normal) {
+    scene.add(quad({-5, -5, -3}, {10, 0, 0}, {0, 10, 0}), matte(0));
+    scene.add_directional({-std::sin(eps), 0, -std::cos(eps)}, 100);
+    scene.set_meter_kind(kind);
+    points = scene.add_meters({{0.2, 0.1, 0}}, normal);
+    const P3 across = normalize(cross(normal, {0.3, 1, 0.2}));
+    cells = scene.add_cells({{0.2, 0.1, 0}}, {normal}, {across}, 0.1, 0.2);
+  }
+};
+
+// The regression numbers of a beam of 100 lx at 30, 60 and 90 degrees from the vertical: horizontal, cylindrical,
+// semicylindrical towards it, spherical. Points are exact: one shadow ray. So are cells by eye paths: the field is
+// uniform. Rounding is 1e-5.
+TEST(MeterKinds, SingleBeamsInClosedForm) {
+  const double deg[] = {30, 60, 90}, horizontal[] = {86.60254, 50, 0}, cylindrical[] = {15.915494, 27.566445, 31.830989};
+  for (int i = 0; i < 3; ++i) {
+    const double eps = deg[i] * pi_d / 180;
+    const P3 to_light{std::sin(eps), 0, std::cos(eps)};
+    const struct {
+      ups_meter_kind kind;
+      P3 normal;
+      double lx;
+    } cases[] = {{UPS_METER_PLANAR, {0, 0, 1}, horizontal[i]},
+                 {UPS_METER_CYLINDRICAL, {0, 0, 1}, cylindrical[i]},
+                 {UPS_METER_CYLINDRICAL, {1, 2, -3}, cylindrical[i]},
+                 {UPS_METER_SEMICYLINDRICAL, {3, 0, 1}, 2 * cylindrical[i]},
+                 {UPS_METER_SEMICYLINDRICAL, {-1, 0, 0.2}, 0},
+                 {UPS_METER_SEMICYLINDRICAL, {0, -1, 0}, cylindrical[i]},
+                 {UPS_METER_HEMISPHERICAL, {0, 0, 1}, 25 + 0.25 * horizontal[i]},
+                 {UPS_METER_HEMISPHERICAL, {-1, 0, -1}, 0},
+                 {UPS_METER_SPHERICAL, {0.1, 0.2, -1}, 25},
+                 {UPS_METER_VECTOR, {0, 0.5, 1}, 100}};
+    for (const auto& c : cases) {
+      const std::string what = "kind " + std::to_string(c.kind) + " at " + std::to_string(deg[i]) + " degrees";
+      Beam beam(c.kind, eps, c.normal);
+      const Result result = beam.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16});
+      for (const Sensor& meters : {beam.points, beam.cells}) {
+        const ups_meter_reading r = result.readings(meters)[0];
+        EXPECT_NEAR(r.illuminance_lx, c.lx, 1e-3) << what;
+        EXPECT_NEAR(r.direct_lx, c.lx, 1e-3) << what;
+        EXPECT_NEAR(r.indirect_lx, 0, 1e-3) << what;
+      }
+      if (c.kind != UPS_METER_VECTOR) continue;
+      const ups_vector_reading v = result.vectors(beam.points)[0];
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(v.vector_lx[k], 100 * component(to_light, k), 1e-3) << what;
+        EXPECT_EQ(v.standard_error_lx[k], 0) << what;
+        EXPECT_LE(v.error_bound_lx[k], 0.01) << what;
+      }
+    }
+  }
+}
+
+// ---- an emitter with extent, and a floor ----
+
+// A square emitter above a matte floor that it lights; black otherwise. So all light comes straight or by one bounce.
+class LitFloor : public ::testing::Test {
+ protected:
+  static constexpr double luminance = 1000, rho = 0.6, side = 0.12;
+  static constexpr uint32_t eye = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE;
+
+  const Shape lamp = quad({-2, -2, 2}, {0, 4, 0}, {4, 0, 0}), floor = quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0});
+  struct Set {
+    ups_meter_kind kind;
+    Sensor meters;
+    P3 expected;          // mean of the set; x alone, or a vector
+    double length;        // mean of lengths
+  };
+  Scene scene;
+  std::vector<P3> centers, normals, tangents;
+  std::vector<Set> sets;
+
+  void SetUp() override {
+    scene.add(lamp, emitter(luminance));
+    scene.add(floor, matte(rho));
+  }
+  // Sixteen of each kind, some way off the middle.
+  void add_meters(bool cells, double height) {
+    const P3 n = height > 0 ? normalize({0.5, 0.25, 0.8}) : P3{0, 0, 1};
+    for (int i = 0; i < 16; ++i) {
+      centers.push_back({0.7 + 0.13 * (i % 4), -0.8 + 0.13 * (i / 4), height});
+      normals.push_back(n);
+      tangents.push_back(normalize(cross(n, {0.2, 1, 0.1})));
+    }
+    for (const ups_meter_kind kind : all_kinds) {
+      if (kind == UPS_METER_SEMICYLINDRICAL && height == 0) continue;
+      scene.set_meter_kind(kind);
+      const Sensor s = cells ? scene.add_cells(centers, normals, tangents, side, side)
+                             : scene.add_meters(centers, normals);
+      sets.push_back({kind, s, {}, 0});
+      find_expected(sets.back(), cells);
+    }
+  }
+  // Over the set; of cells over 4 x 4 points of each, whose error is of fourth order in side over distance.
+  void find_expected(Set& set, bool cells) const {
+    const int points = cells ? 16 : 1;
+    for (size_t i = 0; i < centers.size(); ++i) {
+      P3 mean;
+      for (int k = 0; k < points; ++k) {
+        const P3 s = tangents[i] * (cells ? side * ((k % 4 + 0.5) / 4 - 0.5) : 0),
+                 t = cross(normals[i], tangents[i]) * (cells ? side * ((k / 4 + 0.5) / 4 - 0.5) : 0);
+        mean = mean + at(set.kind, normals[i], centers[i] + s + t) * (1.0 / points);
+      }
+      set.expected = set.expected + mean * (1.0 / double(centers.size()));
+      set.length += test::length(mean) / double(centers.size());
+    }
+  }
+  P3 at(ups_meter_kind kind, const P3& normal, const P3& p) const {
+    P3 sum;
+    const auto add = [&](const P3& x, const P3& n, double l, double area) {
+      const P3 to = x - p;
+      const double d2 = dot(to, to), cosine = -dot(n, to) / std::sqrt(d2);
+      if (!(d2 > 1e-9 && cosine > 0)) return;
+      const P3 w = to * (1 / std::sqrt(d2));
+      const double e = l * area * cosine / d2;
+      sum = sum + (kind == UPS_METER_VECTOR ? w * e : P3{e * response(kind, normal, w), 0, 0});
+    };
+    constexpr int n = 64;
+    const double area = 16.0 / (n * n);
+    const std::vector<P3> outline = lamp.vertices;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const double x = -2 + 4 * (i + 0.5) / n, y = -2 + 4 * (j + 0.5) / n;
+        add({x, y, 2}, {0, 0, -1}, luminance, area);
+        if (p.z > 0) {
+          const double lx = luminance * polygon_irradiance_factor(outline, {x, y, 0}, {0, 0, 1});
+          add({x, y, 0}, {0, 0, 1}, rho / pi_d * lx, area);
+        }
+      }
+    // A meter on the floor sees it fill its lower hemisphere, all of one luminance: that of the point.
+    if (p.z == 0 && kind != UPS_METER_PLANAR && kind != UPS_METER_HEMISPHERICAL) {
+      const double l = rho / pi_d * luminance * polygon_irradiance_factor(outline, p, {0, 0, 1});
+      if (kind == UPS_METER_VECTOR)
+        sum.z -= pi_d * l;
+      else
+        sum.x += pi_d / 2 * l;
+    }
+    return sum;
+  }
+
+  // Within 0.3 %. Noise of a set's mean is brought below 0.1 %, so that an error of 0.6 % is found in 99 cases of 100;
+  // of a vector's components, too, over its length. P(|t_15| > 3) = 0.9 % for each comparison at the limit of noise.
+  // Light paths alone are noisier: 0.2 %, so that 1 % is found in 99 cases of 100; P(|t_15| > 1.5) = 15 % for each of
+  // six, but seeds are fixed.
+  void expect(RenderOptions options, const std::string& what, double noise = 0.001) {
+    constexpr double tolerance = 0.003;
+    options.merge_radius_m = 0.1;
+    options.light_paths = 1u << 14;
+    options.iterations = 64;
+    Result result = scene.render(options);
+    const auto is_noisy = [&](const Set& s) {
+      return !(result.statistics(s.meters).mean_standard_error_lx <= noise * s.length);
+    };
+    while (options.iterations < 4096 && std::any_of(sets.begin(), sets.end(), is_noisy)) {
+      options.iterations *= 2;
+      result = scene.render(options);
+    }
+    for (const Set& s : sets) {
+      const std::string of = what + ", kind " + std::to_string(s.kind) + ", " + std::to_string(options.iterations);
+      EXPECT_FALSE(is_noisy(s)) << of << ": " << result.statistics(s.meters).mean_standard_error_lx;
+      const double size = s.length;
+      if (s.kind != UPS_METER_VECTOR) {
+        EXPECT_NEAR(result.statistics(s.meters).mean_lx, size, tolerance * size) << of;
+        continue;
+      }
+      const auto vectors = result.vectors(s.meters);
+      for (int k = 0; k < 3; ++k) {
+        double mean = 0;
+        for (const ups_vector_reading& v : vectors) mean += double(v.vector_lx[k]) / double(vectors.size());
+        EXPECT_NEAR(mean, component(s.expected, k), tolerance * size) << of << ", component " << k;
+      }
+      EXPECT_NEAR(result.statistics(s.meters).mean_lx, size, tolerance * size) << of << ", length";
+    }
+  }
+};
+
+TEST_F(LitFloor, PointsByNextEventEstimation) {
+  add_meters(false, 0.8);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_LIGHT_SAMPLE}, "next-event estimation");
+}
+TEST_F(LitFloor, PointsByEmitterHits) {
+  add_meters(false, 0.8);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_EMITTER_HIT}, "hits");
+}
+// Of the floor's light alone: what comes straight is the light sample's.
+TEST_F(LitFloor, PointsByConnections) {
+  add_meters(false, 0.8);
+  expect({.method = UPS_METHOD_LIGHT_TRACING}, "connections", 0.002);
+}
+TEST_F(LitFloor, PointsByMerging) {
+  add_meters(false, 0.8);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", 0.002);
+}
+TEST_F(LitFloor, PointsByAllTechniques) {
+  add_meters(false, 0.8);
+  expect({.method = UPS_METHOD_UPS}, "all");
+}
+TEST_F(LitFloor, PointsByAllTechniquesButLightSamples) {  // photons straight from the emitter are merged, too
+  add_meters(false, 0.8);
+  expect({.method = UPS_METHOD_UPS,
+          .techniques = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_MERGE},
+         "hits, connections, merging");
+}
+TEST_F(LitFloor, CellsByLandings) {
+  add_meters(true, 0.8);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_SENSOR_HIT}, "landings", 0.002);
+}
+TEST_F(LitFloor, CellsByAllTechniques) {
+  add_meters(true, 0.8);
+  expect({.method = UPS_METHOD_UPS}, "all");
+}
+// A surface hides half of the ball within which photons are merged.
+TEST_F(LitFloor, PointsOnTheFloorByEyePathsAndByMerging) {
+  add_meters(false, 0);
+  expect({.method = UPS_METHOD_PATH_TRACING}, "eye paths");
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", 0.002);
+}
+
+// ---- a closed white room ----
+
+// A sphere whose wall emits and reflects: L is the same from everywhere, E / (pi L) = 1, but 3/4 of a dome, and no
+// vector. pi L = pi L_0 / (1 - rho). (An emitter all around is nothing to sample: light samples are weighed with hits.)
+TEST(MeterKinds, RatiosInAClosedWhiteRoom) {
+  constexpr double rho = 0.3, plane = pi_d * 100 / (1 - rho);
+  Scene scene;
+  scene.add(icosphere({0, 0, 0}, 1, 3).flipped(), emitter(100, rho));
+  const std::vector<P3> centers = {{0.3, 0, 0}, {-0.4, 0.1, 0.2}, {0, -0.5, 0.3}, {0.1, 0.2, -0.6}},
+                        normals = {{1, 0, 0.2}, {1, 0, 0}, {0, -1, 0}, {0, 1, 1}},
+                        tangents = {{0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}};
+  std::vector<std::pair<ups_meter_kind, Sensor>> sets;
+  for (const ups_meter_kind kind : all_kinds) {
+    scene.set_meter_kind(kind);
+    sets.emplace_back(kind, scene.add_meters(centers, normals));
+    sets.emplace_back(kind, scene.add_cells(centers, normals, tangents, 0.2, 0.2));
+  }
+  for (const uint32_t techniques :
+       {uint32_t(UPS_TECHNIQUE_EMITTER_HIT), uint32_t(UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE)}) {
+    const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .techniques = techniques});
+    for (const auto& [kind, meters] : sets) {
+      const std::string what = "techniques " + std::to_string(techniques) + ", kind " + std::to_string(kind);
+      if (kind == UPS_METER_VECTOR) {
+        for (const ups_vector_reading& v : result.vectors(meters))
+          for (int k = 0; k < 3; ++k) {
+            EXPECT_LE(v.standard_error_lx[k], 0.04 * plane) << what;
+            EXPECT_LE(std::abs(v.vector_lx[k]), 2 * v.error_bound_lx[k]) << what;
+          }
+        for (const ups_meter_reading& r : result.readings(meters))
+          EXPECT_LE(r.illuminance_lx, 2 * r.error_bound_lx) << what;
+        continue;
+      }
+      const double expected = kind == UPS_METER_HEMISPHERICAL ? 0.75 * plane : plane;
+      const ups_meter_statistics s = result.statistics(meters);
+      EXPECT_LE(s.mean_standard_error_lx, 0.001 * expected) << what;
+      EXPECT_NEAR(s.mean_lx, expected, 0.003 * expected) << what;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ups::test
