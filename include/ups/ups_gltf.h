@@ -17,6 +17,7 @@ typedef struct ups_gltf_import_desc {
   uint32_t reserved;                    /* 0 */
   int32_t allow_outside;                /* 1: files that the scene names may lie anywhere; 0 (default): only in the
                                          * scene's folder and below it, symbolic links followed */
+  uint32_t camera_layers;               /* UPS_LAYER_* of every camera, beside those that the file asks for */
 } ups_gltf_import_desc;
 
 typedef int32_t ups_gltf_sensor_kind;
@@ -32,6 +33,8 @@ typedef struct ups_gltf_sensor_info {
   uint32_t columns, rows; /* meters on a grid: columns run fastest, then rows; 0: free points.
                            * goniometer: planes, angles gamma */
   uint32_t reserved;
+  ups_projection projection; /* camera */
+  uint32_t layers;           /* camera: UPS_LAYER_* that the file asks for */
 } ups_gltf_sensor_info;
 
 UPS_API void ups_gltf_import_desc_init(ups_gltf_import_desc *desc, uint32_t struct_size);

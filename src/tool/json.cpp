@@ -92,6 +92,7 @@ std::string to_json(const Report& report) {
   for (const CameraReport& camera : report.cameras) {
     cameras[camera.name] = {{"width", camera.width},
                             {"height", camera.height},
+                            {"projection", projection_word(camera.projection)},
                             {"mean_luminance_cd_m2", number(camera.mean_luminance_cd_m2)}};
   }
   ordered_json goniometers = ordered_json::object(), sources = ordered_json::object();
@@ -315,7 +316,9 @@ ordered_json scene_json(const SceneReport& report) {
     const bool camera = sensor.info.kind == UPS_GLTF_CAMERA;
     sensors.push_back({{"name", sensor.name}, {"kind", camera ? "camera" : "meters"}});
     if (camera) {
-      sensors.back().update({{"width", sensor.info.width}, {"height", sensor.info.height}});
+      sensors.back().update({{"width", sensor.info.width},
+                             {"height", sensor.info.height},
+                             {"projection", projection_word(sensor.info.projection)}});
     } else {
       sensors.back().update(
           {{"count", sensor.info.meter_count}, {"columns", sensor.info.columns}, {"rows", sensor.info.rows}});

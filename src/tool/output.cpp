@@ -53,6 +53,27 @@ void write_false_color(const std::string& path, const std::string& title, uint32
   check(ups_ocio_write_false_color_png(path.c_str(), &desc), ups_ocio_last_error);
 }
 
+// What the file asks for of what a camera sees first.
+struct LayerPlane {
+  const char* channels[4];
+  size_t components;
+  const char* unit;
+  std::vector<float> values;
+};
+std::vector<LayerPlane> layer_planes(const SensorEntry& camera, const ups_result* result) {
+  std::vector<LayerPlane> planes;
+  const auto add = [&](uint32_t layer, ups_channel channel, LayerPlane plane) {
+    if (!(camera.info.layers & layer)) return;
+    plane.values = read_image(result, camera, channel);
+    planes.push_back(std::move(plane));
+  };
+  add(UPS_LAYER_ALBEDO, UPS_CHANNEL_ALBEDO_RGB, {{"albedo.R", "albedo.G", "albedo.B", nullptr}, 3, nullptr, {}});
+  add(UPS_LAYER_NORMAL, UPS_CHANNEL_NORMAL, {{"normal.X", "normal.Y", "normal.Z", nullptr}, 3, nullptr, {}});
+  add(UPS_LAYER_DEPTH, UPS_CHANNEL_DEPTH, {{"depth.Z", nullptr}, 1, "m", {}});
+  add(UPS_LAYER_ID, UPS_CHANNEL_ID, {{"id.Y", nullptr}, 1, nullptr, {}});
+  return planes;
+}
+
 void write_camera_exr(const std::string& path, const SensorEntry& camera, const ups_result* result,
                       Attributes attributes) {
   const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
@@ -82,6 +103,14 @@ void write_camera_exr(const std::string& path, const SensorEntry& camera, const 
     channels.push_back({"standard_error.illuminance.Y", illuminance_error.data(), 0, 0});
     attributes.emplace_back("unit.illuminance.Y", "lx");
     attributes.emplace_back("unit.standard_error.illuminance.Y", "lx");
+  }
+  if (camera.info.projection != UPS_PERSPECTIVE)
+    attributes.emplace_back("projection", projection_word(camera.info.projection));
+  const std::vector<LayerPlane> layers = layer_planes(camera, result);
+  for (const LayerPlane& layer : layers) {
+    for (size_t k = 0; layer.channels[k]; ++k)
+      channels.push_back({layer.channels[k], &layer.values[k], layer.components * sizeof(float), 0});
+    if (layer.unit) attributes.emplace_back(std::string("unit.") + layer.channels[0], layer.unit);
   }
   write_exr(path, camera.info.width, camera.info.height, channels, attributes);
 }
@@ -221,7 +250,8 @@ void probe_folder(const std::string& option, const std::string& folder) {
 
 std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel) {
   const bool one = channel == UPS_CHANNEL_ILLUMINANCE || channel == UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR ||
-                   channel == UPS_CHANNEL_BIAS || channel == UPS_CHANNEL_ERROR_BOUND;
+                   channel == UPS_CHANNEL_BIAS || channel == UPS_CHANNEL_ERROR_BOUND ||
+                   channel == UPS_CHANNEL_DEPTH || channel == UPS_CHANNEL_ID;
   const size_t channels = one ? 1 : 3;
   std::vector<float> pixels(size_t(camera.info.width) * camera.info.height * channels);
   check(ups_result_read_image(result, camera.info.sensor, channel, pixels.data(), 0, pixels.size() * sizeof(float)));
