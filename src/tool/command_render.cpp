@@ -3,6 +3,7 @@
 #include "tool/handles.h"
 #include "tool/interrupt.h"
 #include "tool/output.h"
+#include "tool/picture.h"
 #include "tool/render_job.h"
 #include "tool/report.h"
 #include "tool/text_format.h"
@@ -13,7 +14,8 @@ int render(const RenderOptions& options) {
   install_interrupt_handler();
   if (!options.out.empty()) prepare_folder(options.out);
   const LoadedScene scene =
-      load_scene(options.scene, {options.threads, options.width, options.height, options.allow_outside});
+      load_scene(options.scene, {options.threads, options.width, options.height, options.allow_outside,
+                                 options.picture.smooth ? layers_that_steer_smoothing : 0});
   if (scene.sensors.empty()) {
     throw Failure(options.scene + ": there is nothing to render; add a camera, or meters in a node's extras.ups");
   }
@@ -22,13 +24,14 @@ int render(const RenderOptions& options) {
   if (!finished.result) return exit_interrupted;
   Report report = make_report(options.scene, scene, finished.result.get());
   report.memory = finished.memory;
+  add_exposures(scene, finished.result.get(), options.picture, report);
   const std::string advice =
       finished.target > 0 ? advice_text(finished.target, finished.time_limit_s,
                                         predict(finished.result.get(), finished.target), report.worst_meter)
                           : "";
   if (!advice.empty()) report.advice.push_back(advice);
   Written written;
-  if (!options.out.empty()) written = write_outputs(options.out, scene, finished.result.get());
+  if (!options.out.empty()) written = write_outputs(options.out, scene, finished.result.get(), options.picture);
   append_once(report.warnings, written.warnings);
   put(stdout, options.json ? to_json(report) : to_text(report));
   for (const std::string& error : written.errors) put_error(error);

@@ -2,6 +2,7 @@
 // what is thrown into exit codes.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,8 +24,15 @@ struct JobOptions {
   JobOptions() { ups_render_desc_init(&desc, sizeof desc); }
 };
 
+// How luminance images become pictures.
+struct PictureOptions {
+  std::optional<double> ev100;  // none: chosen from each image
+  bool smooth = false;
+};
+
 struct RenderOptions : JobOptions {
   std::string out;
+  PictureOptions picture;
   uint32_t width = 0, height = 0;  // 0: as the file says
 };
 

@@ -94,6 +94,10 @@ std::string to_json(const Report& report) {
                             {"height", camera.height},
                             {"projection", projection_word(camera.projection)},
                             {"mean_luminance_cd_m2", number(camera.mean_luminance_cd_m2)}};
+    if (camera.picture)
+      cameras[camera.name].update({{"exposure_ev100", number(camera.picture->ev100)},
+                                   {"exposure", camera.picture->given ? "given" : "chosen"},
+                                   {"smoothed", camera.picture->smoothed}});
   }
   ordered_json goniometers = ordered_json::object(), sources = ordered_json::object();
   for (const GoniometerReport& g : report.goniometers)

@@ -10,6 +10,7 @@
 
 #include "common/atomic_file.h"
 #include "tool/csv.h"
+#include "tool/picture.h"
 #include "tool/report.h"
 #include "tool/tables.h"
 
@@ -157,13 +158,10 @@ void write_techniques(const std::string& path, const SensorEntry& camera, const 
 }
 
 void write_camera(Written& written, const std::string& base, const SensorEntry& camera, const ups_result* result,
-                  const Attributes& attributes) {
+                  const PictureOptions& picture, const Attributes& attributes) {
   const uint32_t width = camera.info.width, height = camera.info.height;
   attempt(written, base + ".exr", [&](const std::string& path) { write_camera_exr(path, camera, result, attributes); });
-  attempt(written, base + ".png", [&](const std::string& path) {
-    const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
-    check(ups_ocio_write_png(path.c_str(), luminance.data(), width, height, 0), ups_ocio_last_error);
-  });
+  attempt(written, base + ".png", [&](const std::string& path) { write_picture(path, camera, result, picture); });
   attempt(written, base + "_techniques.exr",
           [&](const std::string& path) { write_techniques(path, camera, result, attributes); });
   if (!camera.info.illuminance) return;
@@ -279,14 +277,15 @@ void prepare_file(const std::string& option, const std::string& path) {
   probe_folder(option, folder);
 }
 
-Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result) {
+Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result,
+                      const PictureOptions& picture) {
   Written written;
   const Attributes attributes = common_attributes(result);
   for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
     const SensorEntry& sensor = scene.sensors[i];
     attempt(written, (std::filesystem::path(folder) / sensor.name).string(), [&](const std::string& base) {
       if (sensor.info.kind == UPS_GLTF_CAMERA) {
-        write_camera(written, base, sensor, result, attributes);
+        write_camera(written, base, sensor, result, picture, attributes);
       } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {
         attempt(written, base + ".csv", [&](const std::string& path) { write_goniometer_csv(path, sensor, result); });
       } else {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tool/commands.h"
 #include "tool/handles.h"
 
 namespace ups::tool {
@@ -30,6 +31,7 @@ void attempt(Written& written, const std::string& path, Write&& write) {
     written.errors.push_back(message.find(path) == std::string::npos ? path + ": " + message : message);
   }
 }
-Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result);
+Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result,
+                      const PictureOptions& picture);
 
 }  // namespace ups::tool

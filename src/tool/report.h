@@ -1,5 +1,6 @@
 // What a render found, as numbers to print: gathered once, printed as JSON or for people. Called by the render command.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,11 @@ struct CameraReport {
   uint32_t width, height;
   ups_projection projection;
   double mean_luminance_cd_m2;  // of a fisheye: over its image circle
+  struct Picture {
+    double ev100;
+    bool given, smoothed;
+  };
+  std::optional<Picture> picture;
 };
 
 struct GoniometerReport {
