@@ -162,6 +162,18 @@ namespace Ups
     public enum Projection : int
     {
         Perspective = 0,
+        Equidistant = 1,
+        Equisolid = 2,
+        Panorama = 3,
+    }
+
+    [Flags]
+    public enum Layer : uint
+    {
+        Albedo = 1,
+        Normal = 2,
+        Depth = 4,
+        Id = 8,
     }
 
     public enum MeterKind : int
@@ -275,6 +287,10 @@ namespace Ups
         ErrorBound = 6,
         RobustRgb = 7,
         IlluminanceStandardError = 8,
+        AlbedoRgb = 9,
+        Normal = 10,
+        Depth = 11,
+        Id = 12,
     }
 
     public enum Contribution : int
@@ -1204,6 +1220,8 @@ namespace Ups
         public Double12 ToWorld;
         public float VerticalFovRad;
         public int Illuminance;
+        public uint Layers;
+        public uint Reserved;
         /// <summary>With the library's defaults.</summary>
         public static CameraDesc Create()
         {

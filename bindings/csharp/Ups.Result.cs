@@ -259,12 +259,13 @@ namespace Ups
             return new Profile(profile);
         }
 
-        /// <summary>Rows from the top, tight: 3 floats a pixel, 1 for Illuminance and its error, Bias and
-        /// ErrorBound. The camera's own size.</summary>
+        /// <summary>Rows from the top, tight: 3 floats a pixel, 1 for Illuminance and its error, Bias,
+        /// ErrorBound, Depth and Id. The camera's own size.</summary>
         public float[] Image(SensorId camera, int width, int height, Channel channel = Channel.LuminanceRgb)
         {
             bool single = channel == Channel.Illuminance || channel == Channel.IlluminanceStandardError
-                || channel == Channel.Bias || channel == Channel.ErrorBound;
+                || channel == Channel.Bias || channel == Channel.ErrorBound || channel == Channel.Depth
+                || channel == Channel.Id;
             var values = new float[(long)width * height * (single ? 1 : 3)];
             fixed (float* v = values)
                 Library.Check(Native.ups_result_read_image(Handle, camera, channel, v, UIntPtr.Zero,

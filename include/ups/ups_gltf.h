@@ -18,6 +18,7 @@ typedef struct ups_gltf_import_desc {
   uint32_t reserved;                    /* 0 */
   int32_t allow_outside;                /* 1: files that the scene names may lie anywhere; 0 (default): only in the
                                          * scene's folder and below it, symbolic links followed */
+  uint32_t camera_layers;               /* UPS_LAYER_* of every camera, beside those that the file asks for */
 } ups_gltf_import_desc;
 
 typedef int32_t ups_gltf_sensor_kind;
@@ -50,6 +51,8 @@ typedef struct ups_gltf_sensor_info {
   float cell_side[3];     /* grids: unit direction in the scene of a cell's first side, along a row; the second's is
                            * normal x cell_side */
   ups_meter_kind meter_kind; /* meters */
+  ups_projection projection; /* camera */
+  uint32_t layers;           /* camera: UPS_LAYER_* that the file asks for */
 } ups_gltf_sensor_info;
 
 UPS_API void ups_gltf_import_desc_init(ups_gltf_import_desc *desc, uint32_t struct_size);

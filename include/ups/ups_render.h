@@ -414,7 +414,15 @@ enum {
   /* 3 floats a pixel: LUMINANCE_RGB, but where single samples dominate a pixel a mean without the outermost batches of
    * its samples. Shows what bright specks hide; as a measured value it is too low. */
   UPS_CHANNEL_ROBUST_RGB = 7,
-  UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR = 8 /* 1 float a pixel, lx; of ILLUMINANCE; -1: not known */
+  UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR = 8, /* 1 float a pixel, lx; of ILLUMINANCE; -1: not known */
+  /* Of cameras whose desc asks for these `layers`: means over those of the pixel's samples that met a surface. */
+  UPS_CHANNEL_ALBEDO_RGB = 9, /* 3 floats: the material's reflectance as given, textured; a diffuser's with its
+                               * transmittance; glass and panes 1; 0 where nothing was met */
+  UPS_CHANNEL_NORMAL = 10,    /* 3 floats, x, y, z in the scene: of shading, towards the camera; a mean, so its length
+                               * may be below 1; 0 where nothing was met */
+  UPS_CHANNEL_DEPTH = 11,     /* 1 float, m from the camera's place, along the ray; -1 where nothing was met */
+  UPS_CHANNEL_ID = 12         /* 1 float: the lower 24 bits of the ups_instance_id.v at the pixel's centre; 0: nothing.
+                               * 1 is the scene's first instance, 2 its second */
 };
 /* Row 0 is the image's top. row_stride_bytes 0: tight; size_bytes is the size of out. */
 UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel,

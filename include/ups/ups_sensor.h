@@ -6,15 +6,36 @@
 #include "ups_photometry.h"
 
 typedef int32_t ups_projection;
-enum { UPS_PERSPECTIVE = 0 };
+enum {
+  UPS_PERSPECTIVE = 0,
+  /* Fisheyes: the image circle fills the height and holds the half space in front. Pixels outside of it are black, take
+   * no samples and have standard error 0; one on its rim counts what lies outside of it as black. Angle from the axis
+   * by distance r from the circle's middle, its radius being 1: */
+  UPS_EQUIDISTANT = 1, /* r 90 degrees */
+  UPS_EQUISOLID = 2,   /* 2 asin(r / sqrt 2): equal areas are equal solid angles */
+  /* All directions, longitude by latitude (equirectangular): the middle column is the axis, the column of the right
+   * quarter lies to its right, row 0 is at +Y. A pixel is the mean over its solid angle. */
+  UPS_PANORAMA = 3
+};
+
+/* Layers of the surface that a pixel sees first, whatever it is: a pane, glass and a mirror too, nothing is seen
+ * through or in it. Openings of luminaires are no surfaces. */
+enum {
+  UPS_LAYER_ALBEDO = 1,
+  UPS_LAYER_NORMAL = 2,
+  UPS_LAYER_DEPTH = 4,
+  UPS_LAYER_ID = 8
+};
 
 typedef struct ups_camera_desc {
   uint32_t struct_size;
   ups_projection projection;
   uint32_t width, height;  /* pixels, 1..16384 each */
   double to_world[12];     /* looks along local -Z, local +Y is up in the image; scale is ignored */
-  float vertical_fov_rad;  /* (0, pi) */
+  float vertical_fov_rad;  /* (0, pi); of a perspective alone */
   int32_t illuminance;     /* 1: also the illuminance on the first diffuse surface, UPS_CHANNEL_ILLUMINANCE */
+  uint32_t layers;         /* UPS_LAYER_* to have as channels too */
+  uint32_t reserved;       /* 0 */
 } ups_camera_desc;
 
 typedef int32_t ups_meter_kind;

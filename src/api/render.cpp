@@ -48,6 +48,12 @@ struct Plane {
   const std::vector<float>& values;
   uint32_t channels;
 };
+Plane layer_of(const std::vector<float>& values, uint32_t channels, const std::string& name, const char* end = "") {
+  if (values.empty())
+    fail_argument("channel UPS_CHANNEL_" + name + end + ": this camera's desc did not ask for UPS_LAYER_" + name +
+                  " in `layers`");
+  return {values, channels};
+}
 Plane plane_of(const ImageReading& image, ups_channel channel) {
   switch (channel) {
     case UPS_CHANNEL_LUMINANCE_RGB: return {image.luminance_rgb, 3};
@@ -70,6 +76,10 @@ Plane plane_of(const ImageReading& image, ups_channel channel) {
         fail_argument("channel: the parts of the image are there only where ups_render_desc.technique_images was set");
       return {values, 3};
     }
+    case UPS_CHANNEL_ALBEDO_RGB: return layer_of(image.layers.albedo_rgb, 3, "ALBEDO", "_RGB");
+    case UPS_CHANNEL_NORMAL: return layer_of(image.layers.normal, 3, "NORMAL");
+    case UPS_CHANNEL_DEPTH: return layer_of(image.layers.depth, 1, "DEPTH");
+    case UPS_CHANNEL_ID: return layer_of(image.layers.id, 1, "ID");
     default: fail_argument("channel: " + std::to_string(channel) + " is not a UPS_CHANNEL_* value");
   }
 }

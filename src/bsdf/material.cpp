@@ -122,6 +122,15 @@ Textured Bsdf::textured() const {
   return out;
 }
 
+Rgb base_colour(const Material& m, const Vec2& uv) {
+  if (m.model == MaterialModel::glass || m.model == MaterialModel::glazing) return Rgb(1.0f);
+  const Rgb reflectance = Textured(m, uv, m.ior).reflectance;
+  if (m.model == MaterialModel::diffuser) return unit(reflectance + m.transmittance);
+  if (m.model != MaterialModel::metal || is_black(m.ior_k_rgb)) return reflectance;
+  const auto facing = [](float n, float k) { return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k); };
+  return {facing(m.ior_rgb.r, m.ior_k_rgb.r), facing(m.ior_rgb.g, m.ior_k_rgb.g), facing(m.ior_rgb.b, m.ior_k_rgb.b)};
+}
+
 bool Bsdf::has_delta() const {
   switch (p_.material->model) {
     case MaterialModel::matte:

@@ -115,6 +115,10 @@ class Bsdf {
   BsdfParameters p_;
 };
 
+// A surface's own colour, for people and filters: the reflectance of its material as given, of a diffuser with its
+// transmittance, of a metal that facing its normal; glass and panes are white.
+Rgb base_colour(const Material& material, const Vec2& uv);
+
 // A thin pane at an angle of incidence: what it reflects and lets straight through, with all reflections between its two
 // faces, and the probability that a walk is reflected.
 struct PaneCrossing {

@@ -17,9 +17,17 @@ double luminance_at(const std::vector<float>& rgb, size_t pixel) {
 ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2)
     : plan_(plan), width_(camera.width()), height_(camera.height()),
       tile_columns_((width_ + Units::side - 1) / Units::side), tile_rows_((height_ + Units::side - 1) / Units::side),
-      emitted_cd_m2_(emitted_cd_m2),
+      emitted_cd_m2_(emitted_cd_m2), layers_(camera),
       illuminance_(camera.illuminance() ? camera.pixel_count() : 0), eye_(size_t(camera.pixel_count()) * 3),
-      pending_(eye_.size()), largest_(camera.pixel_count()) {}
+      pending_(eye_.size()), largest_(camera.pixel_count()) {
+  bool any = false;
+  for (uint32_t y = 0; y < height_; ++y)
+    for (uint32_t x = 0; x < width_; ++x) {
+      blank_.push_back(!camera.sees(x, y));
+      any |= blank_.back();
+    }
+  if (!any) blank_ = {};
+}
 
 ImageSums::Bytes ImageSums::bytes_per_pixel(const Camera& camera, const TransportSettings& settings, double passes) {
   const double batches = std::min<double>(std::floor(passes), batch_count), begun = std::min(std::ceil(passes), 16.0);
@@ -28,8 +36,10 @@ ImageSums::Bytes ImageSums::bytes_per_pixel(const Camera& camera, const Transpor
                families = settings.technique_edges ? 2 : 0;
   Bytes b;
   b.sums = sizeof(Sample) + 3 * (8 + 4 + 8 * splats + 4 * batches) + merges * PixelBias::bytes_per_pixel(batches) +
-           illuminance * (8 + 4 * begun) + 3 * (8 + 4) * (2 * techniques + families);
-  b.reading = 3 * (4 + 4 + 4) + 2 * 4 + 2 * 4 * illuminance + 3 * 4 * (2 * techniques + families);
+           illuminance * (8 + 4 * begun) + 3 * (8 + 4) * (2 * techniques + families) +
+           LayerSums::bytes_per_pixel(camera);
+  b.reading = 3 * (4 + 4 + 4) + 2 * 4 + 2 * 4 * illuminance + 3 * 4 * (2 * techniques + families) +
+              LayerReading::bytes_per_pixel(camera);
   b.scratch = std::max(4 + 4.0, techniques > 0 ? 8 + 4.0 : 0);  // visits; luminance, or the techniques' scales
   return b;
 }
@@ -37,6 +47,7 @@ ImageSums::Bytes ImageSums::bytes_per_pixel(const Camera& camera, const Transpor
 void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   if (!tally.techniques.empty()) add_techniques(tally.techniques[c]);
   if (!illuminance_.empty()) add_illuminance(iteration, tally.illuminance[c]);
+  layers_.add(plan_, iteration, tally, c);
   if (!bias_ && !tally.pixel_bias.empty()) bias_.emplace(width_, height_);
   const auto keep_largest = [&](uint32_t pixel, float value, PathNumber path) {
     if (value > largest_[pixel].value) largest_[pixel] = {value, {iteration, path}};
@@ -109,7 +120,7 @@ ImageReading ImageSums::read(uint32_t iterations) const {
   const size_t pixels = size_t(width_) * height_;
   ImageReading r{width_, height_, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f), {},
                  std::vector<float>(pixels), std::vector<float>(pixels, -1.0f), std::vector<float>(illuminance_.size()),
-                 std::vector<float>(illuminance_.size(), -1.0f), {}, {}};
+                 std::vector<float>(illuminance_.size(), -1.0f), layers_.read(), {}, {}};
   const uint32_t n = passes(iterations);
   const std::vector<uint32_t> all = all_visits(iterations);
   for (size_t p = 0; p < pixels; ++p) {
@@ -123,7 +134,18 @@ ImageReading ImageSums::read(uint32_t iterations) const {
   if (n >= min_batches) read_errors(n, r);
   read_bounds(n, all, r);
   read_illuminance_errors(all, r);
+  clear_blank(r);
   return r;
+}
+
+void ImageSums::clear_blank(ImageReading& r) const {
+  for (size_t p = 0; p < blank_.size(); ++p) {
+    if (!blank_[p]) continue;
+    for (std::vector<float>* rgb : {&r.luminance_rgb, &r.standard_error_rgb, &r.robust_rgb})
+      std::fill_n(rgb->begin() + std::ptrdiff_t(3 * p), 3, 0.0f);
+    r.bias[p] = r.error_bound[p] = 0;
+    if (!r.illuminance.empty()) r.illuminance[p] = r.illuminance_error[p] = 0;
+  }
 }
 
 void ImageSums::read_errors(uint32_t passes, ImageReading& r) const {
@@ -173,7 +195,9 @@ void ImageSums::read_illuminance_errors(const std::vector<uint32_t>& visits, Ima
 
 // A render that ended within its first pass: what eye paths would have found at a pixel is what they found beside it.
 void ImageSums::fill_unvisited(const std::vector<uint32_t>& all, ImageReading& r) const {
-  const std::vector<uint8_t> known(all.begin(), all.end());  // 0 or 1
+  std::vector<uint8_t> known(all.begin(), all.end());  // 0 or 1
+  for (size_t p = 0; p < blank_.size(); ++p)
+    if (blank_[p]) known[p] = 0;
   fill_gaps(width_, height_, 3, known, r.luminance_rgb);
   if (!r.illuminance.empty()) fill_gaps(width_, height_, 1, known, r.illuminance);
 }
@@ -244,10 +268,12 @@ bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, d
   const size_t pixels = image.luminance_rgb.size() / 3;
   out.reserve(out.size() + pixels);
   double mean = 0, of_dark = 0;
-  for (size_t p = 0; p < pixels; ++p) mean += luminance_at(image.luminance_rgb, p) / double(pixels);
+  const auto seen = double(pixels - size_t(std::count(blank_.begin(), blank_.end(), true)));
+  for (size_t p = 0; p < pixels; ++p) mean += luminance_at(image.luminance_rgb, p) / seen;
   const bool lit = mean > 0;
   if (!lit) mean = emitted_cd_m2_;
   for (size_t p = 0; p < pixels; ++p) {
+    if (is_blank(p)) continue;
     const double own = luminance_at(image.luminance_rgb, p);
     out.push_back(mean > 0 ? image.error_bound[p] / std::max(own, share_of_mean * mean) : 0);
     if (own > 0 || !lit)

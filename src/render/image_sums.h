@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/largest_samples.h"
+#include "render/layer_sums.h"
 #include "render/pixel_bias.h"
 #include "render/zero_bound.h"
 #include "transport/tally.h"
@@ -24,6 +25,7 @@ struct ImageReading {
   std::vector<float> robust_rgb;                         // 3 a pixel
   std::vector<float> bias, error_bound;                  // of luminance; bound -1: not known
   std::vector<float> illuminance, illuminance_error;     // 1 a pixel, the latter standard; empty where not asked for
+  LayerReading layers;
   std::array<std::vector<float>, 2> families;            // luminance_rgb apart by Family; empty where not asked for
   std::vector<TechniqueReading> techniques;
 };
@@ -64,14 +66,18 @@ class ImageSums {
     return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);
   }
   std::vector<uint32_t> all_visits(uint32_t iterations) const;
+  bool is_blank(size_t pixel) const { return !blank_.empty() && blank_[pixel]; }
   void read_errors(uint32_t passes, ImageReading& reading) const;
   void read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, ImageReading& reading) const;
   void read_illuminance_errors(const std::vector<uint32_t>& visits, ImageReading& reading) const;
   void fill_unvisited(const std::vector<uint32_t>& visits, ImageReading& reading) const;
+  void clear_blank(ImageReading& reading) const;
 
   const Plan& plan_;
   const uint32_t width_, height_, tile_columns_, tile_rows_;
   const double emitted_cd_m2_;
+  std::vector<bool> blank_;          // pixels that see nothing at all: they are black without error; empty: none
+  LayerSums layers_;
   std::vector<double> illuminance_;  // of all visits; empty where not asked for
   std::array<std::vector<float>, batch_count> illuminance_batches_;  // the same, by a pixel's own visits
   std::vector<double> eye_;          // 3 a pixel, of all visits

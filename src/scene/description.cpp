@@ -290,16 +290,22 @@ void Description::set_dimming(ups_luminaire_id id, float dimming) {
 // ---- sensors ----
 
 ups_sensor_id Description::add_camera(const ups_camera_desc& d) {
-  check::enumeration(d.projection, UPS_PERSPECTIVE, "projection", "UPS_PERSPECTIVE");
+  check::enumeration(d.projection, UPS_PANORAMA, "projection",
+                     "UPS_PERSPECTIVE, UPS_EQUIDISTANT, UPS_EQUISOLID, UPS_PANORAMA");
   check_count(d.width, 1, 16384, "width");
   check_count(d.height, 1, 16384, "height");
   check::transform(d.to_world, "to_world");
   check::require(
-      d.vertical_fov_rad > 0 && double(d.vertical_fov_rad) < 3.14159265358979,
+      d.projection != UPS_PERSPECTIVE || (d.vertical_fov_rad > 0 && double(d.vertical_fov_rad) < 3.14159265358979),
       "vertical_fov_rad is " + check::text(double(d.vertical_fov_rad)) + "; it must be above 0 and below pi");
   check::flag(d.illuminance, "illuminance");
-  return {sensors_.add(
-      CameraDescription{to_affine(d.to_world), d.width, d.height, d.vertical_fov_rad, d.illuminance == 1})};
+  constexpr uint32_t all = UPS_LAYER_ALBEDO | UPS_LAYER_NORMAL | UPS_LAYER_DEPTH | UPS_LAYER_ID;
+  check::require((d.layers & ~all) == 0,
+                 "layers is " + std::to_string(d.layers) + "; it must be UPS_LAYER_* joined by |, at most " +
+                     std::to_string(all));
+  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  return {sensors_.add(CameraDescription{to_affine(d.to_world), d.width, d.height, d.vertical_fov_rad,
+                                         d.illuminance == 1, d.projection, d.layers})};
 }
 
 ups_sensor_id Description::add_meters(const ups_meter_desc& d) {

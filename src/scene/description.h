@@ -62,6 +62,8 @@ struct CameraDescription {
   uint32_t width, height;
   float vertical_fov_rad;
   bool illuminance;
+  ups_projection projection;
+  uint32_t layers;
 };
 
 struct MetersDescription {

@@ -183,7 +183,8 @@ void Builder::add_geometry() {
 void Builder::add_sensors() {
   in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
     if (const auto* c = std::get_if<CameraDescription>(&s)) {
-      out_->cameras.emplace_back(to_scene(c->to_world), c->width, c->height, c->vertical_fov_rad, c->illuminance);
+      out_->cameras.emplace_back(to_scene(c->to_world), c->width, c->height, c->vertical_fov_rad, c->illuminance,
+                                 Projection(c->projection), c->layers);
       out_->camera_ids.push_back(id);
     } else if (const auto* g = std::get_if<GoniometerDescription>(&s)) {
       out_->goniometers.emplace_back(Axes(g->to_world).frame(), g->c_deg, g->gamma_deg,

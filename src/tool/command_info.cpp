@@ -8,6 +8,7 @@
 #include "tool/handles.h"
 #include "tool/info_report.h"
 #include "tool/profile_plot.h"
+#include "tool/report.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {
@@ -20,7 +21,7 @@ std::string sensor_text(const SensorEntry& sensor) {
   const ups_gltf_sensor_info& info = sensor.info;
   const char* name = sensor.name.c_str();
   if (info.kind == UPS_GLTF_CAMERA)
-    return format("  camera %s: %u x %u%s\n", name, info.width, info.height,
+    return format("  camera %s: %u x %u, %s%s\n", name, info.width, info.height, projection_word(info.projection),
                   info.illuminance ? ", illuminance too" : "");
   if (info.kind == UPS_GLTF_GONIOMETER)
     return format("  goniometer %s: %u planes of %u angles\n", name, info.columns, info.rows);

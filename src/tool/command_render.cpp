@@ -7,6 +7,7 @@
 #include "tool/interrupt.h"
 #include "tool/output.h"
 #include "tool/page.h"
+#include "tool/picture.h"
 #include "tool/render_job.h"
 #include "tool/report.h"
 #include "tool/text_format.h"
@@ -27,7 +28,8 @@ int render(const RenderOptions& options) {
   std::optional<Targets> targets;
   if (!options.targets.empty()) targets = read_targets(options.targets);
   const LoadedScene scene =
-      load_scene(options.scene, {options.threads, options.width, options.height, options.allow_outside});
+      load_scene(options.scene, {options.threads, options.width, options.height, options.allow_outside,
+                                 options.picture.smooth ? layers_that_steer_smoothing : 0});
   if (scene.sensors.empty()) {
     throw Failure(options.scene + ": there is nothing to render; add a camera, or meters in a node's extras.ups");
   }
@@ -37,6 +39,7 @@ int render(const RenderOptions& options) {
   if (!finished.result) return exit_interrupted;
   Report report = make_report(options.scene, scene, finished.result.get(), options.questions);
   report.memory = finished.memory;
+  add_exposures(scene, finished.result.get(), options.picture, report);
   const std::string advice =
       finished.target > 0 ? advice_text(finished.target, finished.time_limit_s,
                                         predict(finished.result.get(), finished.target), report.worst_meter)
@@ -45,7 +48,8 @@ int render(const RenderOptions& options) {
   report.target_error = finished.target;
   if (targets) take_verdicts(*targets, report);
   Written written;
-  if (!options.out.empty()) written = write_outputs(options.out, scene, finished.result.get(), options.map);
+  if (!options.out.empty())
+    written = write_outputs(options.out, scene, finished.result.get(), options.map, options.picture);
   append_once(report.warnings, written.warnings);
   if (options.report)
     attempt(written, options.out + "/report.html", [&](const std::string& path) {

@@ -2,6 +2,7 @@
 // what is thrown into exit codes.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,12 +26,19 @@ struct JobOptions {
   JobOptions() { ups_render_desc_init(&desc, sizeof desc); }
 };
 
+// How luminance images become pictures.
+struct PictureOptions {
+  std::optional<double> ev100;  // none: chosen from each image
+  bool smooth = false;
+};
+
 struct RenderOptions : JobOptions {
   std::string out;
   bool report = false;
   std::string targets;  // a file; empty: none
   std::vector<std::string> arguments;  // of the program, as it was called
   MapStyle map;
+  PictureOptions picture;
   uint32_t width = 0, height = 0;  // 0: as the file says
   MeterQuestions questions;
 };

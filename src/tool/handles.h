@@ -85,6 +85,7 @@ struct SceneOptions {
   int threads = 0;
   uint32_t camera_width = 0, camera_height = 0;  // 0: as the file says
   bool allow_outside = false;                    // files that the scene names may lie outside its folder
+  uint32_t camera_layers = 0;                    // UPS_LAYER_* of every camera, beside the file's
 };
 
 Context make_context(int threads);

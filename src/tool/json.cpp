@@ -103,7 +103,12 @@ std::string to_json(const Report& report) {
   for (const CameraReport& camera : report.cameras) {
     cameras[camera.name] = {{"width", camera.width},
                             {"height", camera.height},
+                            {"projection", projection_word(camera.projection)},
                             {"mean_luminance_cd_m2", number(camera.mean_luminance_cd_m2)}};
+    if (camera.picture)
+      cameras[camera.name].update({{"exposure_ev100", number(camera.picture->ev100)},
+                                   {"exposure", camera.picture->given ? "given" : "chosen"},
+                                   {"smoothed", camera.picture->smoothed}});
   }
   ordered_json goniometers = ordered_json::object(), sources = ordered_json::object();
   for (const GoniometerReport& g : report.goniometers)
@@ -403,7 +408,9 @@ ordered_json scene_json(const SceneReport& report) {
     constexpr const char* kinds[] = {"camera", "meters", "goniometer", "observer"};  // UPS_GLTF_*
     sensors.push_back({{"name", sensor.name}, {"kind", kinds[sensor.info.kind]}});
     if (sensor.info.kind == UPS_GLTF_CAMERA) {
-      sensors.back().update({{"width", sensor.info.width}, {"height", sensor.info.height}});
+      sensors.back().update({{"width", sensor.info.width},
+                             {"height", sensor.info.height},
+                             {"projection", projection_word(sensor.info.projection)}});
     } else if (sensor.info.kind != UPS_GLTF_OBSERVER) {
       sensors.back().update(
           {{"count", sensor.info.meter_count}, {"columns", sensor.info.columns}, {"rows", sensor.info.rows}});

@@ -187,6 +187,20 @@ void add_size(CLI::App& command, uint32_t& width, uint32_t& height) {
       ->type_name("WxH");
 }
 
+std::string ev(const std::string& text) { return between(text, -100, 100, "from -100 to 100, such as 6.5"); }
+
+void add_picture(CLI::App& command, PictureOptions& options) {
+  command
+      .add_option("--exposure", options.ev100,
+                  "Of pictures, EV at ISO 100: a luminance of 2^EV / 8 cd/m2 is shown as an 18 % grey. Without it that is "
+                  "the geometric mean between the image's 5th and 95th percentile")
+      ->check(CLI::Validator(ev, ""))
+      ->type_name("EV");
+  command.add_flag("--smooth", options.smooth,
+                   "Pictures (PNG) with less noise, for looking at: neighbouring pixels are averaged within their "
+                   "errors. Images (EXR) and numbers stay as they are");
+}
+
 void add_separation(CLI::App& command, ups_render_desc& desc, const std::string& what) {
   command
       .add_option_function<std::string>(
@@ -248,6 +262,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->check(CLI::IsMember({"worst", "p95", "mean", "median"}))
       ->type_name("WORD");
   add_size(*command, options.width, options.height);
+  add_picture(*command, options.picture);
   add_separation(*command, options.desc,
                  ": with --out, a table NAME_luminaires.csv of what each contributes to each meter");
   command->add_option("--above", options.questions.above, "The share of each set's meters with at least so many lx")

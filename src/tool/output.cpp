@@ -12,6 +12,7 @@
 #include "tool/csv.h"
 #include "tool/drawing_file.h"
 #include "tool/map_data.h"
+#include "tool/picture.h"
 #include "tool/report.h"
 #include "tool/tables.h"
 
@@ -51,6 +52,27 @@ void write_map(Written& written, const std::string& base, const MapData& data, c
     attempt(written, base + ending, [&](const std::string& path) { write_drawing(path, drawing, words); });
 }
 
+// What the file asks for of what a camera sees first.
+struct LayerPlane {
+  const char* channels[4];
+  size_t components;
+  const char* unit;
+  std::vector<float> values;
+};
+std::vector<LayerPlane> layer_planes(const SensorEntry& camera, const ups_result* result) {
+  std::vector<LayerPlane> planes;
+  const auto add = [&](uint32_t layer, ups_channel channel, LayerPlane plane) {
+    if (!(camera.info.layers & layer)) return;
+    plane.values = read_image(result, camera, channel);
+    planes.push_back(std::move(plane));
+  };
+  add(UPS_LAYER_ALBEDO, UPS_CHANNEL_ALBEDO_RGB, {{"albedo.R", "albedo.G", "albedo.B", nullptr}, 3, nullptr, {}});
+  add(UPS_LAYER_NORMAL, UPS_CHANNEL_NORMAL, {{"normal.X", "normal.Y", "normal.Z", nullptr}, 3, nullptr, {}});
+  add(UPS_LAYER_DEPTH, UPS_CHANNEL_DEPTH, {{"depth.Z", nullptr}, 1, "m", {}});
+  add(UPS_LAYER_ID, UPS_CHANNEL_ID, {{"id.Y", nullptr}, 1, nullptr, {}});
+  return planes;
+}
+
 void write_camera_exr(const std::string& path, const SensorEntry& camera, const ups_result* result,
                       Attributes attributes) {
   const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
@@ -80,6 +102,14 @@ void write_camera_exr(const std::string& path, const SensorEntry& camera, const 
     channels.push_back({"standard_error.illuminance.Y", illuminance_error.data(), 0, 0});
     attributes.emplace_back("unit.illuminance.Y", "lx");
     attributes.emplace_back("unit.standard_error.illuminance.Y", "lx");
+  }
+  if (camera.info.projection != UPS_PERSPECTIVE)
+    attributes.emplace_back("projection", projection_word(camera.info.projection));
+  const std::vector<LayerPlane> layers = layer_planes(camera, result);
+  for (const LayerPlane& layer : layers) {
+    for (size_t k = 0; layer.channels[k]; ++k)
+      channels.push_back({layer.channels[k], &layer.values[k], layer.components * sizeof(float), 0});
+    if (layer.unit) attributes.emplace_back(std::string("unit.") + layer.channels[0], layer.unit);
   }
   write_exr(path, camera.info.width, camera.info.height, channels, attributes);
 }
@@ -126,13 +156,10 @@ void write_techniques(const std::string& path, const SensorEntry& camera, const 
 }
 
 void write_camera(Written& written, const std::string& base, const SensorEntry& camera, const ups_result* result,
-                  const MapStyle& map, const Attributes& attributes) {
+                  const MapStyle& map, const PictureOptions& picture, const Attributes& attributes) {
   const uint32_t width = camera.info.width, height = camera.info.height;
   attempt(written, base + ".exr", [&](const std::string& path) { write_camera_exr(path, camera, result, attributes); });
-  attempt(written, base + ".png", [&](const std::string& path) {
-    const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
-    check(ups_ocio_write_png(path.c_str(), luminance.data(), width, height, 0), ups_ocio_last_error);
-  });
+  attempt(written, base + ".png", [&](const std::string& path) { write_picture(path, camera, result, picture); });
   attempt(written, base + "_techniques.exr",
           [&](const std::string& path) { write_techniques(path, camera, result, attributes); });
   MapStyle image_map_style = map;
@@ -302,7 +329,8 @@ void probe_folder(const std::string& option, const std::string& folder) {
 
 std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel) {
   const bool one = channel == UPS_CHANNEL_ILLUMINANCE || channel == UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR ||
-                   channel == UPS_CHANNEL_BIAS || channel == UPS_CHANNEL_ERROR_BOUND;
+                   channel == UPS_CHANNEL_BIAS || channel == UPS_CHANNEL_ERROR_BOUND ||
+                   channel == UPS_CHANNEL_DEPTH || channel == UPS_CHANNEL_ID;
   const size_t channels = one ? 1 : 3;
   std::vector<float> pixels(size_t(camera.info.width) * camera.info.height * channels);
   check(ups_result_read_image(result, camera.info.sensor, channel, pixels.data(), 0, pixels.size() * sizeof(float)));
@@ -331,7 +359,7 @@ void prepare_file(const std::string& option, const std::string& path) {
 }
 
 Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result,
-                      const MapStyle& map) {
+                      const MapStyle& map, const PictureOptions& picture) {
   Written written;
   const Attributes attributes = common_attributes(result);
   for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
@@ -339,7 +367,7 @@ Written write_outputs(const std::string& folder, const LoadedScene& scene, const
     if (sensor.info.kind == UPS_GLTF_OBSERVER) continue;  // its numbers are in the report
     attempt(written, (std::filesystem::path(folder) / sensor.name).string(), [&](const std::string& base) {
       if (sensor.info.kind == UPS_GLTF_CAMERA) {
-        write_camera(written, base, sensor, result, map, attributes);
+        write_camera(written, base, sensor, result, map, picture, attributes);
       } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {
         attempt(written, base + ".csv", [&](const std::string& path) { write_goniometer_csv(path, sensor, result); });
       } else {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tool/commands.h"
 #include "tool/handles.h"
 #include "tool/map.h"
 
@@ -31,8 +32,8 @@ void attempt(Written& written, const std::string& path, Write&& write) {
     written.errors.push_back(message.find(path) == std::string::npos ? path + ": " + message : message);
   }
 }
-// map: how its maps look.
+// map, picture: how its maps and its cameras' pictures look.
 Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result,
-                      const MapStyle& map);
+                      const MapStyle& map, const PictureOptions& picture);
 
 }  // namespace ups::tool

@@ -2,6 +2,7 @@
 #include "tool/report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tool/output.h"
 #include "tool/tables.h"
@@ -57,10 +58,17 @@ namespace {
 
 constexpr float told_share = 0.2f;  // of a reading that a single sample makes: a bright speck
 
-double mean_luminance(const std::vector<float>& rgb) {
+// Of the image, in pixels: of a fisheye the image circle, cut at the sides where the image is narrower.
+double lit_area(const ups_gltf_sensor_info& camera) {
+  const double width = camera.width, height = camera.height, r = 0.5 * height, half = std::min(0.5 * width, r);
+  if (camera.projection != UPS_EQUIDISTANT && camera.projection != UPS_EQUISOLID) return width * height;
+  return 2 * (half * std::sqrt(r * r - half * half) + r * r * std::asin(half / r));
+}
+
+double mean_luminance(const ups_gltf_sensor_info& camera, const std::vector<float>& rgb) {
   double sum = 0;
   for (size_t i = 0; i + 2 < rgb.size(); i += 3) sum += 0.2126 * rgb[i] + 0.7152 * rgb[i + 1] + 0.0722 * rgb[i + 2];
-  return rgb.empty() ? 0 : 3 * sum / double(rgb.size());
+  return sum / lit_area(camera);
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -76,6 +84,11 @@ std::string percent_text(double fraction) { return fraction < 0 ? "unknown" : fo
 std::string version_number() {
   const uint32_t v = ups_version();
   return std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." + std::to_string(v % 100);
+}
+
+const char* projection_word(ups_projection projection) {
+  constexpr const char* words[] = {"perspective", "equidistant", "equisolid", "panorama"};  // UPS_PERSPECTIVE, ...
+  return words[projection];
 }
 
 std::string method_word(ups_method method) {
@@ -167,7 +180,8 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
       report.observers.push_back(observer_report(scene, sensor, result));
     } else {
       const auto pixels = read_image(result, sensor, UPS_CHANNEL_LUMINANCE_RGB);
-      report.cameras.push_back({sensor.name, sensor.info.width, sensor.info.height, mean_luminance(pixels)});
+      report.cameras.push_back({sensor.name, sensor.info.width, sensor.info.height, sensor.info.projection,
+                                mean_luminance(sensor.info, pixels)});
     }
   }
   report.ratios = read_ratios(scene, result, questions);
@@ -193,8 +207,8 @@ std::string to_text(const Report& report) {
   for (const RatioReport& ratio : report.ratios) text += to_text(ratio);
   for (const ObserverReport& observer : report.observers) text += observer_text(observer);
   for (const CameraReport& camera : report.cameras) {
-    text += format("camera %s: %u x %u, mean luminance %.6g cd/m^2\n", camera.name.c_str(), camera.width, camera.height,
-                   camera.mean_luminance_cd_m2);
+    text += format("camera %s: %u x %u, %s, mean luminance %.6g cd/m^2\n", camera.name.c_str(), camera.width,
+                   camera.height, projection_word(camera.projection), camera.mean_luminance_cd_m2);
   }
   for (const GoniometerReport& g : report.goniometers) {
     text += format("goniometer %s: flux %.6g lm +- %.2g, light output ratio %s, median error %s, worst %s\n",

@@ -1,5 +1,6 @@
 // What a render found, as numbers to print: gathered once, printed as JSON or for people. Called by the render command.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,13 @@ struct ChoiceReport {
 struct CameraReport {
   std::string name;
   uint32_t width, height;
-  double mean_luminance_cd_m2;
+  ups_projection projection;
+  double mean_luminance_cd_m2;  // of a fisheye: over its image circle
+  struct Picture {
+    double ev100;
+    bool given, smoothed;
+  };
+  std::optional<Picture> picture;
 };
 
 struct GoniometerReport {
@@ -71,6 +78,7 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
 std::string version_number();  // "0.1.0"
 std::string percent_text(double fraction);  // "1.25 %"; "unknown" below 0
 std::string method_word(ups_method method);  // as in --method
+const char* projection_word(ups_projection projection);  // as in a scene file
 std::string technique_name(uint32_t bit);         // the other way round
 uint32_t technique_bit(const std::string& name);  // UPS_TECHNIQUE_* of "merge" and the like; 0: there is none
 

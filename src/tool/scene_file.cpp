@@ -77,6 +77,7 @@ LoadedScene import_scene(const std::string& path, const SceneOptions& options) {
   desc.camera_width = options.camera_width;
   desc.camera_height = options.camera_height;
   desc.allow_outside = options.allow_outside;
+  desc.camera_layers = options.camera_layers;
   ups_gltf_import* imported = nullptr;
   check(ups_gltf_import_file(loaded.context.get(), path.c_str(), &desc, scene, &imported), ups_gltf_last_error);
   loaded.import_result.reset(imported);

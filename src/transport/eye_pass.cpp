@@ -2,9 +2,11 @@
 #include "transport/eye_pass.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "transport/eye_walk.h"
 #include "transport/selection.h"
+#include "ups/ups_sensor.h"
 
 namespace ups {
 
@@ -64,6 +66,23 @@ float pixel_illuminance(const Iteration& in, const Photons& photons, const Camer
   return luminance(EyeWalk(in, photons, sensor, rng, work).from_surface(surface, frame).value);
 }
 
+bool meet_first(const Snapshot& scene, const Camera& camera, const Vec3& d, Hit& hit) {
+  return scene.raytracer->intersect(camera.position(), d, std::numeric_limits<float>::infinity(), hit);
+}
+
+FirstHit first_hit(const Snapshot& scene, const Camera& camera, const Vec3& d) {
+  Hit hit;
+  if (!meet_first(scene, camera, d, hit)) return {};
+  const SurfacePoint s = scene.raytracer->surface_at(hit);
+  return {base_colour(scene.materials[s.material], s.uv), dot(d, s.ng) > 0 ? -s.shading.n : s.shading.n, hit.t};
+}
+
+uint32_t first_id(const Snapshot& scene, const Camera& camera, uint32_t pixel) {
+  const auto d = camera.ray(pixel % camera.width(), pixel / camera.width(), {0.5f, 0.5f});
+  Hit hit;
+  return d && meet_first(scene, camera, *d, hit) ? scene.instance_ids[hit.instance] : 0;
+}
+
 // The eye paths of a camera's pixels, by their running numbers among those that the iteration visits.
 class CameraPaths {
  public:
@@ -73,25 +92,31 @@ class CameraPaths {
     tally.pixels[c].resize(pixels_.size());
     if (!tally.pixel_bias.empty()) tally.pixel_bias[c].resize(pixels_.size());
     if (camera_.illuminance()) tally.illuminance[c].resize(pixels_.size());
+    if (camera_.layers() & ~uint32_t(UPS_LAYER_ID)) tally.first_hits[c].resize(pixels_.size());
+    if ((camera_.layers() & UPS_LAYER_ID) && in.plan.pass(in.number) == 0) tally.first_ids[c].resize(pixels_.size());
   }
   const std::vector<uint32_t>& pixels() const { return pixels_; }
 
   // Its luminance, then what asks for more.
   void trace(size_t i, WorkCounts& work) const {
     const EyeSensor sensor = sensor_of(i);
-    const Vec3 d = trace_luminance(i, sensor, work);
+    const std::optional<Vec3> d = trace_luminance(i, sensor, work);
     if (in_.moments) in_.moments->add_eye_path(luminance(tally_.pixels[c_][i]), sensor.excess);
+    if (!tally_.first_ids[c_].empty()) tally_.first_ids[c_][i] = first_id(in_.scene, camera_, pixels_[i]);
+    if (!d) return;
+    if (!tally_.first_hits[c_].empty()) tally_.first_hits[c_][i] = first_hit(in_.scene, camera_, *d);
     if (camera_.illuminance())
       tally_.illuminance[c_][i] =
-          pixel_illuminance(in_, photons_, camera_, d, sensor, sampler(i, Stream::illuminance), work);
+          pixel_illuminance(in_, photons_, camera_, *d, sensor, sampler(i, Stream::illuminance), work);
   }
-  // Returns the direction.
-  Vec3 trace_luminance(size_t i, const EyeSensor& sensor, WorkCounts& work) const {
+  // Returns the direction; none: outside of the image circle, which is black.
+  std::optional<Vec3> trace_luminance(size_t i, const EyeSensor& sensor, WorkCounts& work) const {
     PathSampler rng = sampler(i, Stream::camera);
-    const Vec3 d = camera_.ray(pixels_[i] % camera_.width(), pixels_[i] / camera_.width(), rng.direction(0));
+    const auto d = camera_.ray(pixels_[i] % camera_.width(), pixels_[i] / camera_.width(), rng.direction(0));
+    if (!d) return d;
     ++work.eye_paths;
     const EyeTally found =
-        EyeWalk(in_, photons_, sensor, rng, work).from_camera(camera_.position(), d, camera_.pdf_w(d));
+        EyeWalk(in_, photons_, sensor, rng, work).from_camera(camera_.position(), *d, camera_.pdf_w(*d));
     tally_.pixels[c_][i] = found.value;
     if (!tally_.pixel_bias.empty()) tally_.pixel_bias[c_][i] = found.bias;
     return d;

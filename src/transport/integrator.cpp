@@ -76,6 +76,8 @@ void reset(const Iteration& in, IterationTally& tally) {
   tally.pixels.resize(scene.cameras.size());
   if (in.has(UPS_TECHNIQUE_MERGE)) tally.pixel_bias.resize(scene.cameras.size());
   tally.illuminance.resize(scene.cameras.size());
+  tally.first_hits.resize(scene.cameras.size());
+  tally.first_ids.resize(scene.cameras.size());
   tally.splats.resize(scene.cameras.size());
   const size_t sets = in.moments ? in.moments->row() : 0;
   for (size_t c = 0; c < scene.cameras.size() && sets; ++c) {

@@ -29,12 +29,13 @@ std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool
     for (size_t p = begin; p < end; ++p) {
       const uint32_t x = std::min(uint32_t(p % columns) * side + side / 2, camera.width() - 1),
                      y = std::min(uint32_t(p / columns) * side + side / 2, camera.height() - 1);
-      const Vec3 d = camera.ray(x, y, {0.5f, 0.5f});
+      const std::optional<Vec3> d = camera.ray(x, y, {0.5f, 0.5f});
+      if (!d) continue;
       Encounter seen;
-      Vec3 direction = d;
-      const float distance = first_diffuse(scene, camera.position(), d, media, seen, direction);
+      Vec3 direction = *d;
+      const float distance = first_diffuse(scene, camera.position(), *d, media, seen, direction);
       const float cosine = std::abs(dot(direction, seen.surface.ng));
-      const float area = distance * distance / (camera.pdf_w(d) * std::max(cosine, 0.1f));
+      const float area = distance * distance / (camera.pdf_w(*d) * std::max(cosine, 0.1f));
       radii[p] = 1.5f * std::sqrt(area * inv_pi);
     }
   });

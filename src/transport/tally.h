@@ -136,12 +136,21 @@ struct Splat {
   Rgb value;
 };
 
+// The surface that a camera's eye path meets first, whatever it is made of: panes and mirrors too.
+struct FirstHit {
+  Rgb albedo;       // base_colour()
+  Vec3 normal;      // of shading, towards the camera
+  float depth = -1; // m from the camera; -1: nothing is met
+};
+
 // Small however large the sensors are: holds visited pixels and meters alone, by their running number
 // (Plan::for_visited_pixels, Plan::visited_meter).
 struct IterationTally {
   std::vector<std::vector<Rgb>> pixels;         // a camera: eye paths
   std::vector<std::vector<float>> pixel_bias;   // a camera: see MeterTally, luminance; empty without merging
   std::vector<std::vector<float>> illuminance;  // a camera: lx on the first diffuse surface; empty where not asked for
+  std::vector<std::vector<FirstHit>> first_hits;  // a camera; empty where its layers are not asked for
+  std::vector<std::vector<uint32_t>> first_ids;   // a camera: instances at pixels' centres, 0: none; of a first visit
   std::vector<std::vector<Splat>> splats;       // a camera
   std::vector<TechniqueTally> techniques;       // a camera, of all its pixels; empty where not asked for
   std::vector<std::vector<MeterTally>> meters;
@@ -169,6 +178,7 @@ inline size_t IterationTally::bytes() const {
     for (const auto& one : all) sum += one.size() * sizeof one[0];
   };
   count(pixels), count(pixel_bias), count(illuminance), count(splats), count(meters), count(landings);
+  count(first_hits), count(first_ids);
   count(separated);
   for (const TechniqueTally& t : techniques)
     sum += (t.weighted.size() + t.unweighted.size() + 2 * t.pixels) * sizeof(Rgb);

@@ -205,7 +205,10 @@ TEST_F(Api, LuminaireFields) {
 TEST_F(Api, CameraFields) {
   using D = ups_camera_desc;
   const std::vector<Case<D>> cases = {
-      {[](D& d) { d.projection = 1; }, {"projection is 1"}},
+      {[](D& d) { d.projection = 4; }, {"projection is 4", "UPS_PANORAMA"}},
+      {[](D& d) { d.projection = -1; }, {"projection is -1"}},
+      {[](D& d) { d.layers = 16; }, {"layers is 16", "15"}},
+      {[](D& d) { d.reserved = 1; }, {"reserved is 1"}},
       {[](D& d) { d.width = 0; }, {"width is 0", "16384"}},
       {[](D& d) { d.height = 20000; }, {"height is 20000"}},
       {[](D& d) { d.vertical_fov_rad = 0; }, {"vertical_fov_rad is 0"}},

@@ -133,6 +133,9 @@ internal static partial class BindingTest
             camera.Illuminance = 1;
             camera.ToWorld = new double[] { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 2 };
             var eye = scene.AddCamera(camera);
+            camera.Projection = Projection.Panorama;
+            camera.Layers = (uint)(Layer.Depth | Layer.Normal);
+            var around = scene.AddCamera(camera);
             scene.Commit();
             Expect(scene.Info.TriangleCount == 2 && scene.Info.MeterCount == 3, "what the scene holds");
             Expect(scene.Info.BoundsMaxM[1] == 5, "an array inside a struct");
@@ -152,6 +155,9 @@ internal static partial class BindingTest
                 Expect(result.Image(eye, 6, 4, Channel.IlluminanceStandardError).Length == 24, "errors of an image");
                 // 400 cd / (2.5 m)^2 below the lamp; 0.5 % less at the picture's corners.
                 foreach (var e in result.Image(eye, 6, 4, Channel.Illuminance)) ExpectNear(e, 64, 0.01, "floor");
+                Expect(result.Image(around, 6, 4, Channel.Normal).Length == 72, "normals all around");
+                var depths = result.Image(around, 6, 4, Channel.Depth);  // the panorama's top row is the axis' up, +y
+                Expect(depths.Length == 24 && depths[9] > 2 && depths[6] == -1, "depth ahead and behind");
                 Expect(result.Convergence().Length > 0, "convergence");
                 var curve = result.Curve();
                 Expect(curve.Length == 1 && curve[0].Iterations == 16 && curve[0].Rays > 0, "the curve");

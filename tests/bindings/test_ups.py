@@ -159,6 +159,23 @@ def test_image_of_a_lit_floor(context):
     assert np.allclose(apart.image(camera, ups.Channel.PATH_INTEGRATION_RGB), direct, rtol=1e-5)
 
 
+def test_fisheye_and_its_layers(context):
+    scene, _, _, instance = lamp_over_floor(context, reflectance=0.5)
+    layers = ups.Layer.ALBEDO | ups.Layer.NORMAL | ups.Layer.DEPTH | ups.Layer.ID
+    camera = scene.add_camera(12, 8, to_world=ups.translation(0, 0, 2), projection=ups.Projection.EQUISOLID,
+                              layers=layers)
+    scene.commit()
+    result = scene.render(iteration_count=16)
+    assert (result.image(camera)[:, :2] == 0).all()  # beside the image circle
+    assert (result.image(camera, ups.Channel.STANDARD_ERROR_RGB)[:, :2] == 0).all()
+    depth, number = result.image(camera, ups.Channel.DEPTH), result.image(camera, ups.Channel.ID)
+    assert depth.shape == number.shape == (8, 12)
+    assert depth[4, 6] == pytest.approx(2.05, abs=0.05) and (depth[:, :2] == -1).all()
+    assert number[4, 6] == instance.v & 0xffffff and (number[:, :2] == 0).all()
+    assert np.allclose(result.image(camera, ups.Channel.ALBEDO_RGB)[4, 6], 0.5)
+    assert np.allclose(result.image(camera, ups.Channel.NORMAL)[4, 6], (0, 0, 1))
+
+
 def test_job_and_render_give_the_same_bits(context):
     scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
     scene.commit()

@@ -24,7 +24,7 @@ Affine looking(const Vec3d& back, const Vec3d& up, const Vec3d& p, double scale)
 TEST(Camera, LooksAlongMinusZWithRowZeroOnTop) {
   const Camera camera(Affine(), 4, 2, 1.0f, false);
   EXPECT_EQ(camera.forward().z, -1);
-  const Vec3 top_left = camera.ray(0, 0, {0, 0});
+  const Vec3 top_left = *camera.ray(0, 0, {0, 0});
   EXPECT_LT(top_left.x, 0);
   EXPECT_GT(top_left.y, 0);
   EXPECT_NEAR(top_left.y / -top_left.z, std::tan(0.5f), 1e-6f);
@@ -37,7 +37,7 @@ TEST(Camera, RayAndPixelAreInverse) {
   std::uniform_real_distribution<float> uniform(0.001f, 0.999f);
   for (uint32_t y = 0; y < 77; y += 4)
     for (uint32_t x = 0; x < 333; x += 3) {
-      const auto pixel = camera.pixel_of(camera.ray(x, y, {uniform(rng), uniform(rng)}));
+      const auto pixel = camera.pixel_of(*camera.ray(x, y, {uniform(rng), uniform(rng)}));
       ASSERT_TRUE(pixel.has_value());
       EXPECT_EQ(*pixel, y * 333 + x);
     }
@@ -67,10 +67,10 @@ TEST(Camera, DensityIntegratesToOneOverAPixel) {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
         const float step = 1.0f / float(n), u = float(i) * step, v = float(j) * step;
-        const Vec3d a(camera.ray(px, py, {u, v})), b(camera.ray(px, py, {u + step, v})),
-            c(camera.ray(px, py, {u + step, v + step})), d(camera.ray(px, py, {u, v + step}));
+        const Vec3d a(*camera.ray(px, py, {u, v})), b(*camera.ray(px, py, {u + step, v})),
+            c(*camera.ray(px, py, {u + step, v + step})), d(*camera.ray(px, py, {u, v + step}));
         const double solid_angle = 0.5 * length(cross(c - a, d - b));
-        total += solid_angle * double(camera.pdf_w(camera.ray(px, py, {u + step / 2, v + step / 2})));
+        total += solid_angle * double(camera.pdf_w(*camera.ray(px, py, {u + step / 2, v + step / 2})));
       }
     EXPECT_NEAR(total, 1, 1e-3);
   }
@@ -83,7 +83,7 @@ TEST(Camera, IgnoresScaleAndSkew) {
   const Camera camera(skewed, 10, 10, 1.0f, false),
       plain(looking({0, 0, 1}, {0, 1, 0}, {1, 2, 3}, 1), 10, 10, 1.0f, false);
   for (uint32_t i = 0; i < 10; ++i) {
-    const Vec3 a = camera.ray(i, 9 - i, {0.5f, 0.5f}), b = plain.ray(i, 9 - i, {0.5f, 0.5f});
+    const Vec3 a = *camera.ray(i, 9 - i, {0.5f, 0.5f}), b = *plain.ray(i, 9 - i, {0.5f, 0.5f});
     EXPECT_LT(length(a - b), 1e-6f);
   }
 }

@@ -330,6 +330,7 @@ TEST_F(BrokenFile, NodeExtras) {
       {"cylinders on a surface", {{"meters", {{"surface", true}, {"kind", "cylindrical"}}}}, {"kind", "planar"}},
       {"lightmap without mesh", {{"meters", {{"lightmap", {{"width", 4}}}}}}, {"lightmap", "mesh"}},
       {"size without camera", {{"width", 640}}, {"width", "camera"}},
+      {"projection without camera", {{"projection", "panorama"}}, {"projection", "camera"}},
       {"no file", {{"luminaire", {{"flux_lm", 900}}}}, {"file"}},
       {"negative dimming", {{"luminaire", {{"file", "a.ies"}, {"dimming", -1}}}}, {"dimming"}},
       {"too cold", {{"luminaire", {{"file", "a.ies"}, {"colour_temperature_k", 500}}}}, {"colour_temperature_k"}},
@@ -345,6 +346,23 @@ TEST_F(BrokenFile, NodeExtras) {
     SceneBuilder builder = with_extras(c.ups);
     expect_failure(builder, UPS_ERROR_PARSE, c.words);
     expect_words({"node 0 \"desk\"", "extras.ups"});
+  }
+}
+
+TEST_F(BrokenFile, WordsOfCameras) {
+  const BadExtras cases[] = {
+      {"unknown projection", {{"projection", "fisheye"}}, {"projection", "equidistant", "panorama"}},
+      {"projection by number", {{"projection", 1}}, {"projection"}},
+      {"unknown layer", {{"layers", {"depth", "motion"}}}, {"layers", "albedo, normal, depth, id"}},
+      {"layer by number", {{"layers", {4}}}, {"layers"}},
+      {"layers in one text", {{"layers", "depth"}}, {"layers", "array"}}};
+  for (const BadExtras& c : cases) {
+    SCOPED_TRACE(c.name);
+    SceneBuilder builder = with_extras(c.ups);
+    builder.doc["cameras"] = json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}});
+    builder.doc["nodes"][0]["camera"] = 0;
+    expect_failure(builder, UPS_ERROR_PARSE, c.words);
+    expect_words({"node 0 \"desk\""});
   }
 }
 

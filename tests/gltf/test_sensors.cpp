@@ -280,4 +280,33 @@ TEST_F(GoodFile, CameraSizes) {
   }
 }
 
+// One side left out: a fisheye's image is a square, a panorama's twice as wide as high, whatever the camera's aspect is.
+TEST_F(GoodFile, ProjectionsAndLayers) {
+  SceneBuilder builder;
+  builder.doc["cameras"] = json::array(
+      {{{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}, {"aspectRatio", 1.6}}}}});
+  const auto add = [&](const json& ups) { builder.add_node({{"camera", 0}, {"extras", {{"ups", ups}}}}); };
+  add({{"projection", "perspective"}, {"height", 100}});
+  add({{"projection", "equidistant"}, {"height", 100}, {"layers", {"depth", "albedo"}}});
+  add({{"projection", "equisolid"}, {"width", 300}, {"height", 200}, {"layers", json::array()}});
+  add({{"projection", "panorama"}, {"height", 100}, {"layers", {"albedo", "normal", "depth", "id"}}});
+  import(builder);
+  ASSERT_EQ(scene.cameras.size(), 4u);
+  const uint32_t widths[] = {160, 100, 300, 200}, layers[] = {0, UPS_LAYER_DEPTH | UPS_LAYER_ALBEDO, 0, 15};
+  for (uint32_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(scene.cameras[i].projection, int32_t(i));  // UPS_PERSPECTIVE to UPS_PANORAMA
+    EXPECT_EQ(scene.cameras[i].width, widths[i]);
+    EXPECT_EQ(scene.cameras[i].layers, layers[i]);
+    EXPECT_EQ(sensor_info(i).projection, int32_t(i));
+    EXPECT_EQ(sensor_info(i).layers, layers[i]);
+  }
+  ups_gltf_import_desc options;
+  ups_gltf_import_desc_init(&options, sizeof options);
+  options.camera_layers = UPS_LAYER_NORMAL;
+  desc = &options;
+  import(builder);
+  EXPECT_EQ(scene.cameras[1].layers, uint32_t(UPS_LAYER_DEPTH | UPS_LAYER_ALBEDO | UPS_LAYER_NORMAL));
+  EXPECT_EQ(sensor_info(1).layers, uint32_t(UPS_LAYER_DEPTH | UPS_LAYER_ALBEDO));  // as the file says
+}
+
 }  // namespace

@@ -224,7 +224,7 @@ class Scene {
     return out;
   }
   Sensor add_camera(const P3& position, const P3& direction, uint32_t width, uint32_t height, double vertical_fov_rad,
-                    bool illuminance = false) {
+                    bool illuminance = false, ups_projection projection = UPS_PERSPECTIVE, uint32_t layers = 0) {
     auto d = make_desc<ups_camera_desc>(ups_camera_desc_init);
     d.width = width;
     d.height = height;
@@ -232,6 +232,8 @@ class Scene {
     const auto m = facing(position, direction);
     std::copy(m.begin(), m.end(), d.to_world);
     d.illuminance = illuminance;
+    d.projection = projection;
+    d.layers = layers;
     Sensor s{{0}, 0, width, height, illuminance};
     check(ups_scene_add_camera(scene_.get(), &d, &s.id), "ups_scene_add_camera");
     sensors_.push_back(s);

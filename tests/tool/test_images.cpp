@@ -166,6 +166,42 @@ TEST_F(Images, ChosenExposureShowsTheMeanAsGrey) {
   EXPECT_NEAR(read_png(path("v.png")).at(3, 3)[1], 118, 3);  // sRGB of 18 %
 }
 
+TEST_F(Images, APictureSaysItsExposureAndThatItWasSmoothed) {
+  const std::vector<float> rgb(3 * 200 * 60, 50.f);
+  ups_ocio_picture_desc desc;
+  ups_ocio_picture_desc_init(&desc, sizeof desc);
+  desc.width = 200, desc.height = 60;
+  desc.luminance_rgb = rgb.data();
+  const auto bytes = [&] {
+    EXPECT_EQ(ups_ocio_write_picture_png(path("p.png").c_str(), &desc), UPS_OK) << ups_ocio_last_error();
+    std::ifstream in(path("p.png"), std::ios::binary);
+    return std::string((std::istreambuf_iterator<char>(in)), {});
+  };
+  const auto has = [](const std::string& file, const std::string& words) {
+    return file.find(words) != std::string::npos;
+  };
+  const std::string chosen = bytes();
+  EXPECT_TRUE(has(chosen, std::string("tEXtExposure\0EV100 8.64: 50 cd/m2 is shown", 42)));  // log2(8 * 50)
+  EXPECT_TRUE(has(chosen, "5th and 95th percentile"));
+  EXPECT_FALSE(has(chosen, "smoothed"));
+  EXPECT_NEAR(read_png(path("p.png")).at(100, 55)[1], 118, 3);
+  ASSERT_EQ(ups_ocio_get_exposure(10, &desc.exposure), UPS_OK);
+  const std::string given = bytes();
+  EXPECT_TRUE(has(given, "EV100 10.00: 128 cd/m2 is shown as an 18 % grey"));
+  EXPECT_FALSE(has(given, "percentile"));
+  EXPECT_LT(read_png(path("p.png")).at(100, 30)[1], 90);  // 1.4 stops darker
+  desc.smoothed = 1;
+  EXPECT_TRUE(has(bytes(), std::string("tEXtComment\0smoothed for display", 32)));
+  const Png said = read_png(path("p.png"));
+  int white = 0;
+  for (int y = 45; y < 60; ++y)
+    for (int x = 0; x < 200; ++x) white += said.at(x, y)[1] == 255;
+  EXPECT_GT(white, 100);  // dots of letters
+  desc.smoothed = 2;
+  EXPECT_EQ(ups_ocio_write_picture_png(path("q.png").c_str(), &desc), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_FALSE(std::filesystem::exists(path("q.png")));
+}
+
 TEST_F(Images, ViewIsGreyForGreyAndRisesWithLuminance) {
   std::vector<float> rgb;
   for (int i = 0; i < 16; ++i) rgb.insert(rgb.end(), 3, std::exp2(float(i - 8)));

@@ -14,7 +14,7 @@ raises ups.Error. Objects free themselves; close() or a `with` block does it at 
 """
 from . import _ffi
 from ._core import Context, Error, translation, version
-from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, Effect, EmitterShape, Finish, JobState,
+from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, Effect, EmitterShape, Finish, JobState, Layer,
                    LightKind, LightPart, Limit, LogLevel, MaterialModel, MeterKind, Method, OpeningShape, PathEvent,
                    Perturbation, PhotometricType, Photons, ProfileFormat, ProfileSymmetry, Projection, Reading, ReflectorProfile,
                    ResultText, SceneText, Separation, SourceKind, Status, Technique, Walk)
@@ -25,7 +25,7 @@ from ._result import Job, ReplayedPath, Result
 from ._scene import Scene
 
 __all__ = ["AlphaMode", "Channel", "CollimatorWall", "Context", "Contribution", "Criterion", "Effect", "EmitterShape",
-           "Error", "Finish", "Fixture", "Job", "JobState", "LightKind", "LightPart", "Limit", "LogLevel",
+           "Error", "Finish", "Fixture", "Job", "JobState", "Layer", "LightKind", "LightPart", "Limit", "LogLevel",
            "MaterialModel", "MeterKind", "Method", "OpeningShape", "PathEvent", "Perturbation", "PhotometricType", "Photons",
            "Profile", "ProfileFormat", "ProfileSymmetry", "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "Result",
            "ResultText", "Scene", "SceneText", "Separation", "SourceKind", "Status", "Technique", "Walk",

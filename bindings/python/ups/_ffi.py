@@ -144,6 +144,16 @@ class CollimatorWall(enum.IntEnum):
 
 class Projection(enum.IntEnum):
     PERSPECTIVE = 0
+    EQUIDISTANT = 1
+    EQUISOLID = 2
+    PANORAMA = 3
+
+
+class Layer(enum.IntFlag):
+    ALBEDO = 1
+    NORMAL = 2
+    DEPTH = 4
+    ID = 8
 
 
 class MeterKind(enum.IntEnum):
@@ -242,6 +252,10 @@ class Channel(enum.IntEnum):
     ERROR_BOUND = 6
     ROBUST_RGB = 7
     ILLUMINANCE_STANDARD_ERROR = 8
+    ALBEDO_RGB = 9
+    NORMAL = 10
+    DEPTH = 11
+    ID = 12
 
 
 class Contribution(enum.IntEnum):
@@ -690,6 +704,8 @@ class CameraDesc(Structure):
         ("to_world", c_double * 12),
         ("vertical_fov_rad", c_float),
         ("illuminance", c_int32),
+        ("layers", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 

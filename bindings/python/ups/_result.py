@@ -185,10 +185,11 @@ class Result(Handle):
         return Profile(create(lib.ups_result_get_goniometer_profile, self, sensor))
 
     def image(self, camera, channel=Channel.LUMINANCE_RGB):
-        """(height, width, 3), or (height, width) for ILLUMINANCE and its error, BIAS and ERROR_BOUND; row 0 is the
-        image's top."""
+        """(height, width, 3), or (height, width) for ILLUMINANCE and its error, BIAS, ERROR_BOUND, DEPTH and ID; row 0
+        is the image's top. The camera's layers (add_camera(layers=Layer.ALBEDO | Layer.DEPTH)) are channels too."""
         shape = self._shape(camera, 2, "a camera")
-        single = (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR, Channel.BIAS, Channel.ERROR_BOUND)
+        single = (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR, Channel.BIAS, Channel.ERROR_BOUND,
+                  Channel.DEPTH, Channel.ID)
         out = np.empty(shape if channel in single else shape + (3,), dtype=np.float32)
         check(lib.ups_result_read_image(self, camera, channel, address(out, ctypes.c_float), 0, out.nbytes))
         return out

@@ -1,5 +1,7 @@
 // Walks the node hierarchy: each node's meshes, camera, lights and what its `extras.ups` says, turned to +Z up.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "gltf/import.h"
@@ -92,8 +94,9 @@ void Importer::read_node(int index, const Affine& parent) {
 
   if (extras) {
     extras->allow_only(
-        {"meters", "goniometer", "observer", "luminaire", "fixture", "group", "width", "height", "illuminance_camera"});
-    for (const char* key : {"width", "height", "illuminance_camera"}) {
+        {"meters", "goniometer", "observer", "luminaire", "fixture", "group", "width", "height", "illuminance_camera",
+         "projection", "layers"});
+    for (const char* key : {"width", "height", "illuminance_camera", "projection", "layers"}) {
       if (extras->has(key) && source.camera < 0) extras->fail(key, "needs a camera on the same node");
     }
   }
@@ -146,6 +149,36 @@ void Importer::add_instances(int index, const Affine& to_world, const std::strin
   }
 }
 
+namespace {
+
+ups_projection projection_of(const JsonReader& words) {
+  constexpr const char* names[] = {"perspective", "equidistant", "equisolid", "panorama"};  // UPS_PERSPECTIVE, ...
+  const std::string given = words.text("projection", names[0]);
+  for (size_t i = 0; i < std::size(names); ++i)
+    if (given == names[i]) return ups_projection(i);
+  words.fail("projection", "must be perspective, equidistant, equisolid or panorama");
+}
+
+uint32_t layers_of(const JsonReader& words) {
+  constexpr const char* names[] = {"albedo", "normal", "depth", "id"};  // of UPS_LAYER_*, bit by bit
+  uint32_t layers = 0;
+  for (const Json& item : words.array("layers")) {
+    const auto at = std::find(std::begin(names), std::end(names), item.text);
+    if (item.kind != Json::Kind::text || at == std::end(names))
+      words.fail("layers", "must be an array of the words albedo, normal, depth, id");
+    layers |= 1u << (at - std::begin(names));
+  }
+  return layers;
+}
+
+// Width over height of an image of which one side is given at most.
+double aspect_of(ups_projection projection, double of_perspective) {
+  if (projection == UPS_PANORAMA) return 2;
+  return projection == UPS_PERSPECTIVE && of_perspective > 0 ? of_perspective : 1;
+}
+
+}  // namespace
+
 void Importer::add_camera(const JsonReader& node, int index, const Affine& frame) {
   const tinygltf::Camera& camera = document_.model.cameras.at(size_t(index));
   const std::string where = node.where() + ", " + place("camera", size_t(index), camera.name);
@@ -155,7 +188,8 @@ void Importer::add_camera(const JsonReader& node, int index, const Affine& frame
   }
   const auto extras = node.ups_extras();
   const JsonReader size = extras ? *extras : JsonReader(empty_object(), where);
-  const double aspect = camera.perspective.aspectRatio > 0 ? camera.perspective.aspectRatio : 1;
+  const ups_projection projection = projection_of(size);
+  const double aspect = aspect_of(projection, camera.perspective.aspectRatio);
   const auto pixels = [](double count) {
     return int64_t(std::lround(std::min(std::max(count, 1.0), double(max_width))));
   };
@@ -170,6 +204,8 @@ void Importer::add_camera(const JsonReader& node, int index, const Affine& frame
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
   desc.vertical_fov_rad = float(camera.perspective.yfov);
   desc.illuminance = size.boolean("illuminance_camera", false);
+  desc.projection = projection;
+  desc.layers = layers_of(size) | desc_.camera_layers;
   Sensor sensor{};
   check(ups_scene_add_camera(scene_, &desc, &sensor.info.sensor), where);
   sensor.info.struct_size = sizeof sensor.info;
@@ -177,6 +213,8 @@ void Importer::add_camera(const JsonReader& node, int index, const Affine& frame
   sensor.info.width = desc.width;
   sensor.info.height = desc.height;
   sensor.info.illuminance = desc.illuminance;
+  sensor.info.projection = desc.projection;
+  sensor.info.layers = layers_of(size);
   const std::string node_name = node.text("name", "");
   sensor.name = unique_name(node_name.empty() ? "camera" : node_name, desc.illuminance != 0, where);
   sensors.push_back(std::move(sensor));

@@ -1,4 +1,8 @@
 // Text in pictures: the letters of glyphs.h as squares.
+#include <algorithm>
+
+#include "ocio/glyphs.h"
+
 #include "ocio/picture.h"
 
 namespace ups::ocio {
@@ -16,6 +20,15 @@ void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y
     }
     x += glyph_width * size;
   }
+}
+
+void draw_bottom_line(Picture& picture, const std::string& text) {
+  const uint32_t size = std::max(1u, picture.height / 360), margin = 3 * size, strip = glyph_height * size + 2 * margin;
+  for (size_t i = picture.rgb.size() - size_t(std::min(strip, picture.height)) * picture.width * 3;
+       i < picture.rgb.size(); ++i)
+    picture.rgb[i] = uint8_t(picture.rgb[i] / 4);
+  if (picture.height >= strip)
+    draw_text(picture, text, margin, picture.height - strip + margin, size, {255, 255, 255});
 }
 
 }  // namespace ups::ocio

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ocio/glyphs.h"
@@ -24,7 +25,12 @@ inline constexpr uint32_t glyph_width = 6;  // with the gap between letters
 uint32_t text_width(const std::string& text, uint32_t size);
 void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y, uint32_t size, const Color& color);
 
+// White on a dark strip along the bottom edge.
+void draw_bottom_line(Picture& picture, const std::string& text);
+
+// Keyword and Latin-1 text of tEXt chunks (PNG 11.3.4.3).
+using PngTexts = std::vector<std::pair<std::string, std::string>>;
 // Throws extras::Error.
-void write_png(const std::string& path, const Picture& picture);
+void write_png(const std::string& path, const Picture& picture, const PngTexts& texts = {});
 
 }  // namespace ups::ocio

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "common/boundary.h"
 
@@ -42,6 +43,17 @@ OCIO::ConstCPUProcessorRcPtr make_view(double exposure) {
 }
 
 }  // namespace
+
+double ev100_of(double exposure) { return std::log2(8 * mid_grey / exposure); }
+double exposure_of(double ev100) { return 8 * mid_grey / std::exp2(ev100); }
+
+std::string exposure_text(double exposure, bool chosen) {
+  char text[160];
+  std::snprintf(text, sizeof text, "EV100 %.2f: %.4g cd/m2 is shown as an 18 %% grey%s", ev100_of(exposure),
+                mid_grey / exposure,
+                chosen ? ", the geometric mean of the image between its 5th and 95th percentile" : "");
+  return text;
+}
 
 double choose_exposure(const float* rgb, size_t pixel_count) {
   std::vector<double> luminance;
