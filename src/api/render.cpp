@@ -208,7 +208,7 @@ ups_status ups_result_read_vectors(const ups_result* result, ups_sensor_id senso
   return guard(__func__, [&] {
     const MeterSetReading& set = meters_of(result, sensor);
     if (set.vectors.empty()) fail_argument("sensor: the meters are not of kind UPS_METER_VECTOR");
-    copy_readings(set.vectors, out, count);
+    copy_readings(set_of(result, sensor), set.vectors, out, count);
   });
 }
 

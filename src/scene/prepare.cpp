@@ -194,7 +194,7 @@ void Builder::add_sensors() {
     } else if (const auto* o = std::get_if<ObserverDescription>(&s)) {
       const Axes axes(o->to_world);
       MetersDescription eye{};
-      eye.positions = {o->to_world.column(3)};
+      eye.positions = std::make_shared<const std::vector<Vec3d>>(1, o->to_world.column(3));
       eye.normals = {Vec3(-axes.z)};
       out_->observers.push_back({uint32_t(out_->meter_sets.size()), axes.frame(),
                                  photometry::PositionIndex(o->position_index)});
