@@ -86,7 +86,7 @@ TEST(MeterKinds, SingleBeamsInClosedForm) {
 // A square emitter above a matte floor that it lights; black otherwise. So all light comes straight or by one bounce.
 class LitFloor : public ::testing::Test {
  protected:
-  static constexpr double luminance = 1000, rho = 0.6, side = 0.12;
+  static constexpr double luminance = 1000, rho = 0.6, side = 0.5;
   static constexpr uint32_t eye = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE;
 
   const Shape lamp = quad({-2, -2, 2}, {0, 4, 0}, {4, 0, 0}), floor = quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0});
@@ -121,14 +121,14 @@ class LitFloor : public ::testing::Test {
       find_expected(sets.back(), cells);
     }
   }
-  // Over the set; of cells over 4 x 4 points of each, whose error is of fourth order in side over distance.
+  // Over the set; of cells over 8 x 8 points of each: within 0.03 %, by side, distance and curvature.
   void find_expected(Set& set, bool cells) const {
-    const int points = cells ? 16 : 1;
+    const int points = cells ? 64 : 1;
     for (size_t i = 0; i < centers.size(); ++i) {
       P3 mean;
       for (int k = 0; k < points; ++k) {
-        const P3 s = tangents[i] * (cells ? side * ((k % 4 + 0.5) / 4 - 0.5) : 0),
-                 t = cross(normals[i], tangents[i]) * (cells ? side * ((k / 4 + 0.5) / 4 - 0.5) : 0);
+        const P3 s = tangents[i] * (cells ? side * ((k % 8 + 0.5) / 8 - 0.5) : 0),
+                 t = cross(normals[i], tangents[i]) * (cells ? side * ((k / 8 + 0.5) / 8 - 0.5) : 0);
         mean = mean + at(set.kind, normals[i], centers[i] + s + t) * (1.0 / points);
       }
       set.expected = set.expected + mean * (1.0 / double(centers.size()));
@@ -170,13 +170,12 @@ class LitFloor : public ::testing::Test {
 
   // Within 0.3 %. Noise of a set's mean is brought below 0.1 %, so that an error of 0.6 % is found in 99 cases of 100;
   // of a vector's components, too, over its length. P(|t_15| > 3) = 0.9 % for each comparison at the limit of noise.
-  // Light paths alone are noisier: 0.2 %, so that 1 % is found in 99 cases of 100; P(|t_15| > 1.5) = 15 % for each of
-  // six, but seeds are fixed.
-  void expect(RenderOptions options, const std::string& what, double noise = 0.001) {
-    constexpr double tolerance = 0.003;
+  // (Landings, whose weight is that of one over a cosine: 0.6 and 0.2 %.) light_alone: light paths do the work.
+  void expect(RenderOptions options, const std::string& what, bool light_alone = false, double noise = 0.001) {
+    const double tolerance = 3 * noise;
     options.merge_radius_m = 0.1;
-    options.light_paths = 1u << 14;
-    options.iterations = 64;
+    options.light_paths = light_alone ? 1u << 17 : 1u << 14;
+    options.iterations = light_alone ? 32 : 64;
     Result result = scene.render(options);
     const auto is_noisy = [&](const Set& s) {
       return !(result.statistics(s.meters).mean_standard_error_lx <= noise * s.length);
@@ -215,11 +214,11 @@ TEST_F(LitFloor, PointsByEmitterHits) {
 // Of the floor's light alone: what comes straight is the light sample's.
 TEST_F(LitFloor, PointsByConnections) {
   add_meters(false, 0.8);
-  expect({.method = UPS_METHOD_LIGHT_TRACING}, "connections", 0.002);
+  expect({.method = UPS_METHOD_LIGHT_TRACING}, "connections");
 }
 TEST_F(LitFloor, PointsByMerging) {
   add_meters(false, 0.8);
-  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", 0.002);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", true);
 }
 TEST_F(LitFloor, PointsByAllTechniques) {
   add_meters(false, 0.8);
@@ -233,7 +232,7 @@ TEST_F(LitFloor, PointsByAllTechniquesButLightSamples) {  // photons straight fr
 }
 TEST_F(LitFloor, CellsByLandings) {
   add_meters(true, 0.8);
-  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_SENSOR_HIT}, "landings", 0.002);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_SENSOR_HIT}, "landings", true, 0.002);
 }
 TEST_F(LitFloor, CellsByAllTechniques) {
   add_meters(true, 0.8);
@@ -243,7 +242,7 @@ TEST_F(LitFloor, CellsByAllTechniques) {
 TEST_F(LitFloor, PointsOnTheFloorByEyePathsAndByMerging) {
   add_meters(false, 0);
   expect({.method = UPS_METHOD_PATH_TRACING}, "eye paths");
-  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", 0.002);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", true);
 }
 
 // ---- a closed white room ----

@@ -136,6 +136,7 @@ internal static partial class BindingTest
             camera.Projection = Projection.Panorama;
             camera.Layers = (uint)(Layer.Depth | Layer.Normal);
             var around = scene.AddCamera(camera);
+            var vectors = scene.AddMeters(new[] { 0, 0, 0.5 }, new float[] { 0, 0, 1 }, kind: MeterKind.Vector);
             scene.Commit();
             Expect(scene.Info.TriangleCount == 2 && scene.Info.MeterCount == 3, "what the scene holds");
             Expect(scene.Info.BoundsMaxM[1] == 5, "an array inside a struct");
@@ -148,8 +149,8 @@ internal static partial class BindingTest
                 var direct = result.MeterPart(meters, LightPart.Direct);
                 Expect(direct[0].IlluminanceLx == readings[0].DirectLx && direct[0].StandardErrorLx == 0, "exact");
                 var vector = result.Vectors(vectors)[0];
-                ExpectNear(vector.VectorLx[2], 100, 1e-4, "the light vector");
-                Expect(vector.StandardErrorLx[2] == 0, "is exact");
+                Expect(vector.VectorLx[2] > 0 && vector.VectorLx[2] < 100 && vector.ErrorBoundLx[2] > 0,
+                       "the light vector, less what the floor reflects");
                 foreach (var flags in result.MeterFlags(meters))
                     Expect(flags == Reading.Exact || flags == Reading.FewPaths, "light by chance is none");
                 Expect(result.Image(eye, 6, 4, Channel.IlluminanceStandardError).Length == 24, "errors of an image");

@@ -247,7 +247,7 @@ struct Count {
 using Counted = std::map<std::string, Count>;
 
 // Of an edge of a tenth of a millimetre the ends' rounding may turn the direction by more than a delta lobe is found
-// again by: such paths are not weighed; one of 10,000 at most.
+// again by: such paths are not weighed. They come together, as one light path is joined to many; 3 of 10,000 at most.
 //
 // Floats give about 1e-5. What is further apart must be a path whose own definition changes as much where its vertices
 // move by their rounding (edges of a millimetre, grazing angles, sharp lobes); and those are few.
@@ -320,7 +320,7 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
     above += c.above_1e3;
     largest = std::max(largest, c.largest);
   }
-  EXPECT_LT(double(counted["unresolved"].all), 1e-4 * double(replay.paths().size()));
+  EXPECT_LT(double(counted["unresolved"].all), 3e-4 * double(replay.paths().size()));
   std::printf("  %zu paths, differences above 1e-3: %zu, largest %.2g\n", replay.paths().size(), above, largest);
   EXPECT_LT(double(above), rare_share * double(replay.paths().size()));
 }
