@@ -9,6 +9,7 @@
 
 #include "ups_glare.h"
 #include "ups_render.h"
+#include "ups_sensor.h"
 
 typedef struct ups_gltf_import ups_gltf_import; /* what the file named: sensors and warnings; immutable, thread-safe */
 

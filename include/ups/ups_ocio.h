@@ -40,10 +40,10 @@ UPS_API void ups_ocio_picture_desc_init(ups_ocio_picture_desc *desc, uint32_t st
 /* As ups_ocio_write_png. Both write the exposure as text into the file (tEXt "Exposure"). */
 UPS_API ups_status ups_ocio_write_picture_png(const char *path, const ups_ocio_picture_desc *desc);
 
-/* An image with less noise, for looking at, never for numbers: it invents nothing, but means over neighbouring pixels are
- * not measurements of one. Which neighbours a pixel is averaged with is told by the standard errors of all of them, and
- * by what they see: normal, depth and albedo, by which colours are divided meanwhile, so that texture and edges stay.
- * What one bright path made of a pixel stays unless the luminance is UPS_CHANNEL_ROBUST_RGB.
+/* An image with less noise, for looking at, never for numbers: means over neighbours are no measurement of a pixel.
+ * Which neighbours a pixel is averaged with is told by the standard errors of all of them, and by what they see:
+ * normal, depth and albedo, by which colours are divided meanwhile, so that texture and edges stay. Give LUMINANCE_RGB:
+ * a bright speck's error is as large as itself, it is averaged away with its light kept, which ROBUST_RGB lacks.
  * Takes about 10 s a million pixels. */
 typedef struct ups_ocio_smooth_desc {
   uint32_t struct_size;

@@ -15,10 +15,11 @@ double exposure_of(const std::vector<float>& luminance, const SensorEntry& camer
   return exposure;
 }
 
-// Single bright samples are left out: their light would be spread over what is around them.
+// Of the mean, bright specks included: their errors are as large as they are, so they are averaged away, and their
+// light is kept, which UPS_CHANNEL_ROBUST_RGB lacks.
 std::vector<float> smoothed(const SensorEntry& camera, const ups_result* result) {
   const auto read = [&](ups_channel channel) { return read_image(result, camera, channel); };
-  std::vector<float> image = read(UPS_CHANNEL_ROBUST_RGB);
+  std::vector<float> image = read(UPS_CHANNEL_LUMINANCE_RGB);
   const auto error = read(UPS_CHANNEL_STANDARD_ERROR_RGB), albedo = read(UPS_CHANNEL_ALBEDO_RGB),
              normal = read(UPS_CHANNEL_NORMAL), depth = read(UPS_CHANNEL_DEPTH);
   ups_ocio_smooth_desc desc;

@@ -1,8 +1,8 @@
 // Non-local means with known variances and features: each pixel becomes a weighted mean of those around it whose
-// surroundings look the same within their noise (Rousselle, Knaus, Zwicker 2012, Adaptive Rendering with Non-Local Means
-// Filtering, Eq. 6) and which see the same surface by normal, depth and albedo (as Rousselle, Manzi, Zwicker 2013; the
-// terms are those of Schied et al. 2017, SVGF, 4.4). Colours are divided by albedo before and multiplied after, so that
-// texture stays.
+// surroundings look the same within their noise (Rousselle, Knaus, Zwicker 2012, Adaptive Rendering with Non-Local
+// Means Filtering, Eq. 6) and which see the same surface by normal, depth and albedo (as Rousselle, Manzi, Zwicker
+// 2013; the terms are those of Schied et al. 2017, SVGF, 4.4). Colours are divided by albedo before and multiplied
+// after, so that texture stays.
 #include "ocio/smooth.h"
 
 #include <algorithm>
@@ -64,8 +64,10 @@ class Smoother {
           return depth_[at(std::clamp(x + dx, 0, width_ - 1), std::clamp(y + dy, 0, height_ - 1))] - depth_[at(x, y)];
         };
         const float sides[4] = {step(1, 0), -step(-1, 0), step(0, 1), -step(0, -1)};
-        for (size_t k = 0; k < 2; ++k)
-          slope_[2 * at(x, y) + k] = std::abs(sides[2 * k]) < std::abs(sides[2 * k + 1]) ? sides[2 * k] : sides[2 * k + 1];
+        for (size_t k = 0; k < 2; ++k) {
+          const float a = sides[2 * k], b = sides[2 * k + 1];
+          slope_[2 * at(x, y) + k] = std::abs(a) < std::abs(b) ? a : b;
+        }
       }
   }
 
@@ -112,7 +114,8 @@ class Smoother {
   float color_distance(size_t p, size_t q) const {
     float sum = 0;
     for (size_t k = 0; k < 3; ++k) {
-      const float a = color_[3 * p + k], va = variance_[3 * p + k], vb = variance_[3 * q + k], d = a - color_[3 * q + k];
+      const float a = color_[3 * p + k], va = variance_[3 * p + k], vb = variance_[3 * q + k],
+                  d = a - color_[3 * q + k];
       sum += (d * d - (va + std::min(va, vb))) / (1e-8f + 1e-6f * a * a + tolerance * tolerance * (va + vb));
     }
     return sum / 3;
