@@ -231,7 +231,8 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
 
 std::vector<float> luminance_of(const std::vector<float>& rgb) {
   std::vector<float> y(rgb.size() / 3);
-  for (size_t i = 0; i < y.size(); ++i) y[i] = 0.2126f * rgb[3 * i] + 0.7152f * rgb[3 * i + 1] + 0.0722f * rgb[3 * i + 2];
+  for (size_t i = 0; i < y.size(); ++i)
+    y[i] = 0.2126f * rgb[3 * i] + 0.7152f * rgb[3 * i + 1] + 0.0722f * rgb[3 * i + 2];
   return y;
 }
 
