@@ -41,12 +41,18 @@ class Plot {
     for (const MapLine& line : data_.room)
       if (!line.cut) add_line(line.points, furniture, 0.6, 0.75);
     std::vector<Label> labels;
+    const auto [least, most] = extremes();
+    for (const MapLuminaire& l : data_.luminaires) taken_.take(view_.at(l.centre), 2 * arm, 2 * arm);
+    if (style_.numbers && !data_.is_image && least != most) {
+      add_number(least, "min ", labels);
+      add_number(most, "max ", labels);
+    }
     draw_isolines(labels);
     for (const MapLine& line : data_.room)
       if (line.cut) add_line(line.points, strong, 1.6, 1);
     draw_luminaires();
     draw_observers(labels);
-    if (style_.numbers && !data_.is_image) add_numbers(labels);
+    if (style_.numbers && !data_.is_image && most != Lattice::none) add_numbers(least, most, labels);
     for (Label& label : labels) drawing_.add(std::move(label));
     drawing_.add(ClipEnd{});
     if (data_.is_image) draw_frame();
@@ -223,8 +229,9 @@ class Plot {
 
   // ---- things
 
+  static constexpr double arm = 4;  // of a luminaire's cross
+
   void draw_luminaires() {
-    constexpr double arm = 4;
     for (const MapLuminaire& l : data_.luminaires) {
       std::vector<std::vector<Point>> strokes;
       if (!l.outline.empty()) {
@@ -237,7 +244,6 @@ class Plot {
       if (l.outline.size() < 2 || extent_on_paper(l.outline) < 2 * arm) strokes.push_back(circle(c, arm * 1.45));
       for (const auto& stroke : strokes) drawing_.add(Line{stroke, white, 2.8, 0, 0.85});
       for (const auto& stroke : strokes) drawing_.add(Line{stroke, strong, 1});
-      taken_.take(c, 2 * arm, 2 * arm);
     }
   }
 
@@ -279,19 +285,18 @@ class Plot {
 
   // ---- numbers
 
-  // The smallest and the largest value first, then as many of the others as have room; the rest are dots.
-  void add_numbers(std::vector<Label>& labels) {
+  std::pair<uint32_t, uint32_t> extremes() const {
     uint32_t least = Lattice::none, most = Lattice::none;
     for (size_t i = 0; i < data_.values.size(); ++i) {
       if (!is_known(data_.values[i])) continue;
       if (least == Lattice::none || data_.values[i].value < data_.values[least].value) least = uint32_t(i);
       if (most == Lattice::none || data_.values[i].value > data_.values[most].value) most = uint32_t(i);
     }
-    if (least == Lattice::none) return;
-    if (least != most) {
-      add_number(least, "min ", labels);
-      add_number(most, "max ", labels);
-    }
+    return {least, most};
+  }
+
+  // As many as have room; the rest are dots.
+  void add_numbers(uint32_t least, uint32_t most, std::vector<Label>& labels) {
     const double widest = width_of(value_text(data_.values[most].value, data_.values[most].value), number_size) + 5;
     const auto& lattice = field_.lattice();
     const auto stride = [&](double room, double step) {
@@ -302,7 +307,7 @@ class Plot {
     const bool dotted = lattice && std::min(lattice->step_x, lattice->step_y) * view_.scale >= 4;
     for (size_t i = 0; i < data_.values.size(); ++i) {
       const MapValue& v = data_.values[i];
-      if (!is_known(v) || i == least || i == most) continue;
+      if (!is_known(v) || (least != most && (i == least || i == most))) continue;
       bool in_turn = true;
       if (lattice) {
         const auto column = int64_t((v.at.x - lattice->corner.x) / lattice->step_x);
