@@ -98,7 +98,7 @@ MapData map_of_table(const MapOptions& options, const std::string& title) {
   LoadedScene scene;
   if (!options.scene.empty()) scene = load_scene(options.scene, {.allow_outside = options.allow_outside});
   std::optional<MapData> data = meter_map(title, points, columns_of(points), scene.scene.get());
-  if (!data) throw Failure(options.file + ": its meters do not lie in one plane, or on one line; there is no map of them");
+  if (!data) throw Failure(options.file + ": its meters lie on one line or in no plane; there is no map of them");
   data->summary = summary_of(points);
   return std::move(*data);
 }

@@ -1,7 +1,7 @@
 // See isolines.h. Marching squares on a mesh finer than the lattice, so that the lines follow MapField::between.
 #include "tool/isolines.h"
 
-#include <array>
+#include <algorithm>
 #include <unordered_map>
 
 #include "tool/profile_plot.h"
@@ -127,7 +127,7 @@ class Tracer {
 }  // namespace
 
 std::vector<double> isoline_levels(double low, double high, MapScale scale) {
-  constexpr double most = 9, slack = 1e-9;
+  constexpr double most = 10, slack = 1e-9;
   std::vector<double> levels;
   if (!(high > low)) return levels;
   if (scale == MapScale::linear) {
@@ -142,11 +142,43 @@ std::vector<double> isoline_levels(double low, double high, MapScale scale) {
     levels.clear();
     for (double power = std::floor(std::log10(low)); power <= std::log10(high) + slack; ++power)
       for (const double step : steps)
-        if (const double level = step * std::pow(10.0, power); level >= low * (1 - slack) && level <= high * (1 + slack))
-          levels.push_back(level);
+        if (const double l = step * std::pow(10.0, power); l >= low * (1 - slack) && l <= high * (1 + slack))
+          levels.push_back(l);
     if (double(levels.size()) <= most + 3) break;
   }
   return levels;
+}
+
+MapData calmed(const MapData& image) {
+  constexpr uint32_t most = 96;  // blocks along the longer side
+  const uint32_t block = std::max(1u, (std::max(image.columns, image.rows) + most - 1) / most);
+  const uint32_t columns = std::max(1u, image.columns / block), rows = std::max(1u, image.rows / block);
+  std::vector<double> medians;
+  for (uint32_t r = 0; r < rows; ++r) {
+    for (uint32_t c = 0; c < columns; ++c) {
+      std::vector<double> values;
+      for (uint32_t y = r * block; y < std::min((r + 1) * block, image.rows); ++y)
+        for (uint32_t x = c * block; x < std::min((c + 1) * block, image.columns); ++x)
+          values.push_back(image.values[size_t(y) * image.columns + x].value);
+      std::nth_element(values.begin(), values.begin() + ptrdiff_t(values.size() / 2), values.end());
+      medians.push_back(values[values.size() / 2]);
+    }
+  }
+  MapData calm;
+  calm.is_image = true;
+  calm.columns = columns, calm.rows = rows;
+  for (uint32_t r = 0; r < rows; ++r) {
+    for (uint32_t c = 0; c < columns; ++c) {
+      double sum = 0, weights = 0;  // binomial, 3 x 3
+      for (uint32_t y = r - (r > 0); y <= std::min(r + 1, rows - 1); ++y)
+        for (uint32_t x = c - (c > 0); x <= std::min(c + 1, columns - 1); ++x) {
+          const double weight = (x == c ? 2 : 1) * (y == r ? 2 : 1);
+          sum += weight * medians[size_t(y) * columns + x], weights += weight;
+        }
+      calm.values.push_back({{(c + 0.5) * block, (r + 0.5) * block}, sum / weights, -1});
+    }
+  }
+  return calm;
 }
 
 std::vector<Isoline> isolines_of(const MapField& field, const std::vector<double>& levels) {

@@ -4,7 +4,7 @@
 
 namespace ups::tool {
 
-// Linear: equal steps of 1, 2 or 5 times a power of ten, about eight of them. Logarithmic: the steps of EN 12464-1,
+// Linear: equal steps of 1, 2 or 5 times a power of ten, up to ten of them. Logarithmic: the steps of EN 12464-1,
 // 1, 1.5, 2, 3, 5, 7.5 times powers of ten, or fewer of them.
 std::vector<double> isoline_levels(double low, double high, MapScale scale);
 
@@ -14,5 +14,9 @@ struct Isoline {
 };
 // None without a lattice.
 std::vector<Isoline> isolines_of(const MapField& field, const std::vector<double>& levels);
+
+// An image with fewer, calmer pixels, in the same coordinates: medians of blocks, smoothed. Isolines of the image itself
+// would follow its noise.
+MapData calmed(const MapData& image);
 
 }  // namespace ups::tool

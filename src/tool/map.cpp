@@ -66,7 +66,7 @@ void draw_scale(Drawing& drawing, const Frame& f, const MapData& data, const Map
     drawing.add(Line{{{f.left + f.width, y}, {f.left + f.width + 4, y}}, grey, 0.8});
     drawing.add(Label{{f.left + f.width + 7, y + 0.36 * text_size}, text, text_size, black});
   }
-  drawing.add(Label{{f.left, f.top - 8}, data.unit + (range.scale == MapScale::logarithmic ? ", log scale" : ""),
+  drawing.add(Label{{f.left, f.top - 10}, data.unit + (range.scale == MapScale::logarithmic ? ", log scale" : ""),
                     text_size, black, Anchor::start, true});
 }
 
@@ -106,10 +106,12 @@ void draw_north(Drawing& drawing, const Point& centre, const MapData& data) {
                     {tail.x + 6 * y, tail.y - 6 * x}, tip},
                    black,
                    0.9});
-  drawing.add(Label{{tip.x + 8 * x, tip.y + 8 * y + 0.36 * text_size}, data.north, text_size, black, Anchor::middle, true});
+  const Point name{tip.x + 8 * x, tip.y + 8 * y + 0.36 * text_size};
+  drawing.add(Label{name, data.north, text_size, black, Anchor::middle, true});
 }
 
-void draw_metres(Drawing& drawing, const Point& at, double scale) {
+// To where it ends.
+double draw_metres(Drawing& drawing, const Point& at, double scale) {
   const double metres = round_step(50 / scale), length = metres * scale;
   constexpr int parts = 2;
   for (int i = 0; i < parts; ++i) {
@@ -118,23 +120,31 @@ void draw_metres(Drawing& drawing, const Point& at, double scale) {
     if (i % 2 == 0) drawing.add(Area{bar, black});
     drawing.add(Line{{bar[0], bar[1], bar[2], bar[3], bar[0]}, black, 0.7});
   }
-  drawing.add(Label{{at.x + length + 6, at.y + 6}, format("%g m", metres), text_size, black});
+  const std::string text = format("%g m", metres);
+  drawing.add(Label{{at.x + length + 6, at.y + 6}, text, text_size, black});
+  return at.x + length + 6 + width_of(text, text_size);
 }
 
 // What the symbols on the map mean, beside the bar of metres.
-void draw_legend(Drawing& drawing, double left, double y, const MapData& data) {
+void draw_legend(Drawing& drawing, double left, double y, const MapData& data, const MapBox& extent) {
+  const auto is_shown = [&](const Place& p) {
+    return p.x >= extent.left && p.x <= extent.right && p.y >= extent.low && p.y <= extent.high;
+  };
+  const auto any = [&](const auto& things, const auto& place) {
+    return std::any_of(things.begin(), things.end(), [&](const auto& thing) { return is_shown(place(thing)); });
+  };
   const auto entry = [&](const std::string& text) {
     drawing.add(Label{{left, y + 6}, text, text_size, grey});
     left += width_of(text, text_size) + 14;
   };
-  if (!data.luminaires.empty()) {
+  if (any(data.luminaires, [](const MapLuminaire& l) { return l.centre; })) {
     const Point c{left + 4, y + 3};
     drawing.add(Line{{{c.x - 3.5, c.y - 3.5}, {c.x + 3.5, c.y + 3.5}}, black, 1});
     drawing.add(Line{{{c.x - 3.5, c.y + 3.5}, {c.x + 3.5, c.y - 3.5}}, black, 1});
     left += 13;
     entry("luminaire");
   }
-  if (!data.observers.empty()) {
+  if (any(data.observers, [](const MapObserver& o) { return o.at; })) {
     drawing.add(Line{{{left, y + 3}, {left + 12, y + 3}}, black, 1.2});
     drawing.add(Area{{{left + 14, y + 3}, {left + 8, y}, {left + 8, y + 6}}, black});
     left += 19;
@@ -156,11 +166,14 @@ Drawing map_drawing(const MapData& data, const MapStyle& style) {
   const double least = style.threshold > 0 ? 170 : 150;  // for what stands beside it
   const double body = std::max(view.frame.height, least);
 
-  Drawing drawing{style.width, 2 * margin + heading + body + (data.is_image ? 0 : foot), {}};
+  const double content = std::max({view.frame.width + 2 + side, width_of(heading_of(data), 14, true),
+                                   width_of(data.summary, text_size)});
+  Drawing drawing{std::min(style.width, std::ceil(content + 2 * margin)),
+                  2 * margin + heading + body + (data.is_image ? 0 : foot), {}};
   drawing.add(Label{{margin, margin + 13}, heading_of(data), 14, black, Anchor::start, true});
   drawing.add(Label{{margin, margin + 29}, data.summary, text_size, grey});
   draw_plot(drawing, view, data, field, style, range);
-  const double left = margin + view.frame.width + 16, top = view.frame.top + 14;
+  const double left = margin + view.frame.width + 16, top = view.frame.top + 16;
   const bool arrow = data.north_x != 0 || data.north_y != 0;
   if (style.threshold > 0) {
     draw_verdicts(drawing, left, top, data, style);
@@ -170,8 +183,7 @@ Drawing map_drawing(const MapData& data, const MapStyle& style) {
   if (data.is_image) return drawing;
   draw_north(drawing, {left + 22, view.frame.top + body - 22}, data);
   const double y = view.frame.top + body + 12;
-  draw_metres(drawing, {margin + 1, y}, view.scale);
-  draw_legend(drawing, margin + 130, y, data);
+  draw_legend(drawing, draw_metres(drawing, {margin + 1, y}, view.scale) + 24, y, data, view.extent);
   return drawing;
 }
 
@@ -187,7 +199,8 @@ std::string map_description(const MapData& data, const MapStyle& style) {
   }
   const MapRange range = range_of(data, style);
   if (range.most >= 0)
-    text += ". From " + value_text(range.least, range.most) + " to " + value_text(range.most, range.most) + " " + data.unit;
+    text += ". From " + value_text(range.least, range.most) + " to " + value_text(range.most, range.most) + " " +
+            data.unit;
   std::string levels;
   if (style.isolines)
     for (const double level : range.levels) levels += (levels.empty() ? "" : ", ") + format("%.6g", level);

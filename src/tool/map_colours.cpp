@@ -40,6 +40,15 @@ double step_below(double value) {
   return step;
 }
 
+// The first of them that is not below it.
+double step_above(double value) {
+  const double below = step_below(value), power = std::pow(10.0, std::floor(std::log10(value)));
+  if (below >= value * (1 - 1e-9)) return below;
+  for (const double s : {1.5, 2.0, 3.0, 5.0, 7.5})
+    if (s * power > below * (1 + 1e-9)) return s * power;
+  return 10 * power;
+}
+
 }  // namespace
 
 Ink colour_at(MapColours colours, double share) {
@@ -71,7 +80,7 @@ MapRange range_of(const MapData& data, const MapStyle& style) {
       const auto positive = std::upper_bound(values.begin(), values.end(), 0.0);
       const double smallest = data.is_image ? values[size_t(0.005 * double(values.size() - 1))] : *positive;
       range.low = step_below(std::max({smallest, *positive, range.high / 1e4}));
-      if (!(range.low < range.high)) range.low = step_below(0.5 * range.high);
+      range.high = step_above(range.high);
     } else {
       range.low = range.least > 0.5 * range.high ? range.least : 0;
       if (!(range.high - range.low > 0.02 * range.high)) range.low = 0;
@@ -79,10 +88,10 @@ MapRange range_of(const MapData& data, const MapStyle& style) {
   }
   if (style.high > style.low) range.low = style.low, range.high = style.high;
   range.levels = isoline_levels(range.low, range.high, range.scale);
-  if (style.high > style.low || values.empty() || range.levels.size() < 2) return range;
-  // To whole steps, so that the scale begins and ends with a number.
-  const double step = range.scale == MapScale::linear ? range.levels[1] - range.levels[0] : 0;
-  if (step > 0) {
+  if (style.high > style.low || range.scale == MapScale::logarithmic) return range;
+  // To whole steps, so that the scale begins and ends with a number; a wider range may have wider steps.
+  for (int pass = 0; pass < 3 && range.levels.size() >= 2; ++pass) {
+    const double step = range.levels[1] - range.levels[0];
     range.low = step * std::floor(range.low / step + 1e-9);
     range.high = step * std::ceil(range.high / step - 1e-9);
     range.levels = isoline_levels(range.low, range.high, range.scale);

@@ -46,10 +46,15 @@ bool lies_across(const std::vector<MeterPoint>& points, const Vector& normal, do
   });
 }
 
-// Towards who looks: the meters' own where they share it and lie across it, else up, else that of the points.
-std::optional<Vector> normal_of(const std::vector<MeterPoint>& points) {
+// Towards who looks: the meters' own where they share it and lie across it, else up, else that of the points. A grid may
+// have a single row or cell.
+std::optional<Vector> normal_of(const std::vector<MeterPoint>& points, bool is_grid) {
   double extent;
   const Vector longest = longest_of(points, extent);
+  Vector mean{};
+  for (const MeterPoint& p : points)
+    for (int k = 0; k < 3; ++k) mean[size_t(k)] += p.normal[k];
+  if (Vector own = mean; is_grid && make_unit(own) && lies_across(points, own, extent)) return own;
   if (!(extent > 0)) return std::nullopt;
   Vector widest{};
   for (const MeterPoint& p : points) {
@@ -57,9 +62,6 @@ std::optional<Vector> normal_of(const std::vector<MeterPoint>& points) {
     if (length(across) > length(widest)) widest = across;
   }
   if (!(length(widest) > 1e-3 * extent * extent)) return std::nullopt;  // on one line
-  Vector mean{};
-  for (const MeterPoint& p : points)
-    for (int k = 0; k < 3; ++k) mean[size_t(k)] += p.normal[k];
   const Vector up{0, 0, 1};
   make_unit(widest);
   if (dot(widest.data(), up.data()) < -1e-6)
@@ -86,7 +88,7 @@ void set_upright_axes(MapPlane& plane) {
 // As the grid lies: columns to the right, rows upwards.
 void set_grid_axes(MapPlane& plane, const std::vector<MeterPoint>& points, uint32_t columns) {
   Vector right = between(points[0], points[columns - 1]), up = between(points[0], points[points.size() - columns]);
-  if (columns == 1) right = cross(up.data(), plane.normal);
+  if (columns == 1) right = cross(up.data(), plane.normal);  // of a single cell too: no direction
   if (!make_unit(right)) return set_upright_axes(plane);
   set_axes(plane, right);
   if (dot(up.data(), plane.up) < 0) {  // its rows run the other way round: seen from behind
@@ -128,7 +130,7 @@ void turn_to_lattice(MapPlane& plane, MapData& data, const std::vector<MeterPoin
 std::optional<MapData> meter_map(const std::string& name, const std::vector<MeterPoint>& points, uint32_t columns,
                                  const ups_scene* scene) {
   if (points.empty() || (columns > 0 && points.size() % columns != 0)) return std::nullopt;
-  const std::optional<Vector> normal = normal_of(points);
+  const std::optional<Vector> normal = normal_of(points, columns > 0);
   if (!normal) return std::nullopt;
   MapPlane plane{};
   std::copy(points[0].position_m, points[0].position_m + 3, plane.origin);
@@ -215,14 +217,21 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
   data.quantity = quantity;
   data.unit = unit;
   data.is_image = true;
-  data.columns = columns;
-  data.rows = rows;
   double sum = 0, least = INFINITY, most = -INFINITY;
-  for (uint32_t row = 0; row < rows; ++row) {
-    for (uint32_t column = 0; column < columns; ++column) {
-      const double value = double(values[size_t(rows - 1 - row) * columns + column]);
-      data.values.push_back({{column + 0.5, row + 0.5}, value, -1});
-      sum += value, least = std::min(least, value), most = std::max(most, value);
+  for (const float value : values)
+    sum += double(value), least = std::min(least, double(value)), most = std::max(most, double(value));
+  // Of a large one blocks of pixels: more than the drawing's own could not be seen.
+  constexpr uint32_t most_side = 2048;
+  const uint32_t block = (std::max(columns, rows) + most_side - 1) / most_side;
+  data.columns = (columns + block - 1) / block;
+  data.rows = (rows + block - 1) / block;
+  for (uint32_t row = 0; row < data.rows; ++row) {
+    for (uint32_t column = 0; column < data.columns; ++column) {
+      double block_sum = 0, count = 0;
+      for (uint32_t y = row * block; y < std::min((row + 1) * block, rows); ++y)
+        for (uint32_t x = column * block; x < std::min((column + 1) * block, columns); ++x)
+          block_sum += double(values[size_t(rows - 1 - y) * columns + x]), ++count;
+      data.values.push_back({{column + 0.5, row + 0.5}, block_sum / count, -1});
     }
   }
   data.summary = summary_text(sum / double(values.size()), -1, least, most, -1, unit);
@@ -231,7 +240,8 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
 
 std::vector<float> luminance_of(const std::vector<float>& rgb) {
   std::vector<float> y(rgb.size() / 3);
-  for (size_t i = 0; i < y.size(); ++i) y[i] = 0.2126f * rgb[3 * i] + 0.7152f * rgb[3 * i + 1] + 0.0722f * rgb[3 * i + 2];
+  for (size_t i = 0; i < y.size(); ++i)
+    y[i] = 0.2126f * rgb[3 * i] + 0.7152f * rgb[3 * i + 1] + 0.0722f * rgb[3 * i + 2];
   return y;
 }
 

@@ -1,5 +1,5 @@
-// What a map shows, from a scene and its result or from the files of an earlier render. Called by `ups render`, `ups map`
-// and the report.
+// What a map shows, from a scene and its result or from the files of an earlier render. Called by `ups render`,
+// `ups map` and the report.
 #pragma once
 #include <optional>
 

@@ -130,11 +130,17 @@ std::vector<Place> MapField::cell(size_t value) const {
   return outline;
 }
 
+// Beyond the border and in gaps the nearest one on the way to the own cell.
 double MapField::known(int64_t column, int64_t row, int64_t own_column, int64_t own_row) const {
-  for (const auto& [c, r] : {std::pair{column, row}, std::pair{own_column, row}, std::pair{column, own_row},
-                             std::pair{own_column, own_row}})
-    if (const uint32_t value = lattice_->at(c, r); value != Lattice::none) return data_.values[value].value;
-  return NAN;
+  int64_t c = std::clamp<int64_t>(column, 0, lattice_->columns - 1);
+  int64_t r = std::clamp<int64_t>(row, 0, lattice_->rows - 1);
+  while (lattice_->at(c, r) == Lattice::none) {
+    if (std::abs(c - own_column) > std::abs(r - own_row))
+      c += c < own_column ? 1 : -1;
+    else
+      r += r < own_row ? 1 : -1;
+  }
+  return data_.values[lattice_->at(c, r)].value;
 }
 
 double MapField::between(double x, double y, int64_t column, int64_t row) const {

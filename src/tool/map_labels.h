@@ -26,6 +26,19 @@ class TakenPlaces {
     return true;
   }
 
+  // A line, which may cross other things but not what is set later.
+  void occupy(const std::vector<Point>& line) {
+    constexpr double step = 4, radius = 0.5;
+    double next = 0;
+    for (size_t i = 1; i < line.size(); ++i) {
+      const Point a = line[i - 1], b = line[i];
+      const double length = std::hypot(b.x - a.x, b.y - a.y);
+      for (; next <= length; next += step)
+        taken_.push_back({{a.x + (b.x - a.x) * next / length, a.y + (b.y - a.y) * next / length}, radius});
+      next -= length;
+    }
+  }
+
  private:
   struct Disc {
     Point centre;

@@ -41,12 +41,18 @@ class Plot {
     for (const MapLine& line : data_.room)
       if (!line.cut) add_line(line.points, furniture, 0.6, 0.75);
     std::vector<Label> labels;
+    const auto [least, most] = extremes();
+    for (const MapLuminaire& l : data_.luminaires) taken_.take(view_.at(l.centre), 2 * arm, 2 * arm);
+    if (style_.numbers && !data_.is_image && least != most) {
+      add_number(least, "min ", labels);
+      add_number(most, "max ", labels);
+    }
     draw_isolines(labels);
     for (const MapLine& line : data_.room)
       if (line.cut) add_line(line.points, strong, 1.6, 1);
     draw_luminaires();
     draw_observers(labels);
-    if (style_.numbers && !data_.is_image) add_numbers(labels);
+    if (style_.numbers && !data_.is_image && most != Lattice::none) add_numbers(least, most, labels);
     for (Label& label : labels) drawing_.add(std::move(label));
     drawing_.add(ClipEnd{});
     if (data_.is_image) draw_frame();
@@ -103,7 +109,8 @@ class Plot {
     constexpr double distance = 5;
     ClipBegin clip;
     for (size_t i = 0; i < data_.values.size(); ++i)
-      if (verdict_of(data_.values[i], style_.threshold) == Verdict::not_sure) clip.outlines.push_back(on_paper(field_.cell(i)));
+      if (verdict_of(data_.values[i], style_.threshold) == Verdict::not_sure)
+        clip.outlines.push_back(on_paper(field_.cell(i)));
     if (clip.outlines.empty()) return;
     drawing_.add(std::move(clip));
     const Frame& f = view_.frame;
@@ -127,14 +134,18 @@ class Plot {
   void draw_isolines(std::vector<Label>& labels) {
     std::vector<double> levels = style_.isolines && !(style_.threshold > 0) ? range_.levels : std::vector<double>{};
     if (style_.threshold > 0) levels = {style_.threshold};
-    for (const Isoline& line : isolines_of(field_, levels)) {
+    std::vector<std::vector<Point>> drawn;
+    const MapData calm = data_.is_image ? calmed(data_) : MapData{};
+    for (const Isoline& line : isolines_of(data_.is_image ? MapField(calm) : field_, levels)) {
       const std::vector<Point> points = on_paper(line.points);
       std::vector<double> along = {0};
       for (size_t i = 1; i < points.size(); ++i)
         along.push_back(along.back() + std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y));
-      if (along.back() < (data_.is_image ? 24 : 6)) continue;  // a speck of noise
+      if (along.back() < (data_.is_image ? 40 : 6)) continue;  // a speck of noise
       draw_labelled(line.level, points, along, labels);
+      drawn.push_back(points);
     }
+    for (const auto& points : drawn) taken_.occupy(points);
   }
 
   // With its value in gaps of the line, about one each 260 units.
@@ -150,8 +161,9 @@ class Plot {
         const double turn = turn_at(points, along, at, half);
         const Point p = point_at(points, along, at);
         if (!is_well_inside(p, half) || !taken_.take(p, 2 * half, line_label_size + 3, turn)) continue;
-        labels.push_back({{p.x - 0.36 * line_label_size * std::sin(turn), p.y + 0.36 * line_label_size * std::cos(turn)},
-                          text, line_label_size, strong, Anchor::middle, style_.threshold > 0, turn, 1.6});
+        const double down = 0.36 * line_label_size;  // from the middle of the letters to their baseline
+        labels.push_back({{p.x - down * std::sin(turn), p.y + down * std::cos(turn)}, text, line_label_size, strong,
+                          Anchor::middle, style_.threshold > 0, turn, 1.6});
         gaps.push_back(at);
       }
     }
@@ -164,8 +176,8 @@ class Plot {
       piece.clear();
     };
     for (size_t i = 0; i < points.size(); ++i) {
-      const bool free = std::none_of(gaps.begin(), gaps.end(), [&](double at) { return std::abs(along[i] - at) < half; });
-      if (free) {
+      const auto is_in = [&](double gap) { return std::abs(along[i] - gap) < half; };
+      if (std::none_of(gaps.begin(), gaps.end(), is_in)) {
         piece.push_back(points[i]);
       } else {
         finish();
@@ -178,7 +190,8 @@ class Plot {
     const size_t i = std::clamp<size_t>(size_t(std::lower_bound(along.begin(), along.end(), at) - along.begin()), 1,
                                         points.size() - 1);
     const double t = along[i] > along[i - 1] ? (at - along[i - 1]) / (along[i] - along[i - 1]) : 0;
-    return {points[i - 1].x + t * (points[i].x - points[i - 1].x), points[i - 1].y + t * (points[i].y - points[i - 1].y)};
+    const Point a = points[i - 1], b = points[i];
+    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
   }
 
   // Of a text there, upright.
@@ -199,7 +212,8 @@ class Plot {
       const Point a = point_at(points, along, std::max(at - half, 0.0)), m = point_at(points, along, at);
       const Point b = point_at(points, along, std::min(at + half, along.back()));
       const double chord = std::hypot(b.x - a.x, b.y - a.y);
-      const double bend = std::abs((m.x - a.x) * (b.y - a.y) - (m.y - a.y) * (b.x - a.x)) / std::max(chord * chord, 1e-9);
+      const double sagitta = std::abs((m.x - a.x) * (b.y - a.y) - (m.y - a.y) * (b.x - a.x)) / std::max(chord, 1e-9);
+      const double bend = sagitta / std::max(chord, 1e-9);
       const double steep = std::abs(turn_at(points, along, at, half));
       const double folded = chord < 1.7 * half ? 1 : 0;
       const double badness = bend + 0.06 * steep + folded + 0.002 * std::abs(i - tries / 2);
@@ -215,8 +229,9 @@ class Plot {
 
   // ---- things
 
+  static constexpr double arm = 4;  // of a luminaire's cross
+
   void draw_luminaires() {
-    constexpr double arm = 4;
     for (const MapLuminaire& l : data_.luminaires) {
       std::vector<std::vector<Point>> strokes;
       if (!l.outline.empty()) {
@@ -229,7 +244,6 @@ class Plot {
       if (l.outline.size() < 2 || extent_on_paper(l.outline) < 2 * arm) strokes.push_back(circle(c, arm * 1.45));
       for (const auto& stroke : strokes) drawing_.add(Line{stroke, white, 2.8, 0, 0.85});
       for (const auto& stroke : strokes) drawing_.add(Line{stroke, strong, 1});
-      taken_.take(c, 2 * arm, 2 * arm);
     }
   }
 
@@ -271,28 +285,29 @@ class Plot {
 
   // ---- numbers
 
-  // The smallest and the largest value first, then as many of the others as have room; the rest are dots.
-  void add_numbers(std::vector<Label>& labels) {
+  std::pair<uint32_t, uint32_t> extremes() const {
     uint32_t least = Lattice::none, most = Lattice::none;
     for (size_t i = 0; i < data_.values.size(); ++i) {
       if (!is_known(data_.values[i])) continue;
       if (least == Lattice::none || data_.values[i].value < data_.values[least].value) least = uint32_t(i);
       if (most == Lattice::none || data_.values[i].value > data_.values[most].value) most = uint32_t(i);
     }
-    if (least == Lattice::none) return;
-    if (least != most) {
-      add_number(least, "min ", labels);
-      add_number(most, "max ", labels);
-    }
+    return {least, most};
+  }
+
+  // As many as have room; the rest are dots.
+  void add_numbers(uint32_t least, uint32_t most, std::vector<Label>& labels) {
     const double widest = width_of(value_text(data_.values[most].value, data_.values[most].value), number_size) + 5;
     const auto& lattice = field_.lattice();
-    const auto stride = [&](double room, double step) { return int64_t(std::max(1.0, std::ceil(room / (step * view_.scale)))); };
+    const auto stride = [&](double room, double step) {
+      return int64_t(std::max(1.0, std::ceil(room / (step * view_.scale))));
+    };
     const int64_t every_column = lattice ? stride(widest, lattice->step_x) : 1;
     const int64_t every_row = lattice ? stride(number_height + 2, lattice->step_y) : 1;
     const bool dotted = lattice && std::min(lattice->step_x, lattice->step_y) * view_.scale >= 4;
     for (size_t i = 0; i < data_.values.size(); ++i) {
       const MapValue& v = data_.values[i];
-      if (!is_known(v) || i == least || i == most) continue;
+      if (!is_known(v) || (least != most && (i == least || i == most))) continue;
       bool in_turn = true;
       if (lattice) {
         const auto column = int64_t((v.at.x - lattice->corner.x) / lattice->step_x);
@@ -304,17 +319,29 @@ class Plot {
     }
   }
 
-  bool add_number(uint32_t value, const char* before, std::vector<Label>& labels) {
+  bool add_number(uint32_t value, const std::string& before, std::vector<Label>& labels) {
     const Point p = view_.at(data_.values[value].at);
     const std::string text = before + value_text(data_.values[value].value, range_.most);
-    const bool bold = *before != 0;
-    const double width = width_of(text, number_size, bold);
-    // At the border of the picture it moves inwards.
-    const Frame& f = view_.frame;
-    const double x = std::clamp(p.x, f.left + 0.5 * width + 2, std::max(f.left + f.width - 0.5 * width - 2, f.left + 0.5 * width + 2));
-    if (!taken_.take({x, p.y}, width + 3, number_height)) return false;
-    labels.push_back({{x, p.y + 0.36 * number_size}, text, number_size, strong, Anchor::middle, bold, 0, 1.4});
-    return true;
+    const bool bold = !before.empty();
+    const double width = width_of(text, number_size, bold) + 3;
+    // What is named may stand beside its place, and moves inwards at the border.
+    const double left = view_.at({field_.box().left, 0}).x + 0.5 * width + 1;
+    const double right = view_.at({field_.box().right, 0}).x - 0.5 * width - 1;
+    const double x = bold && left < right ? std::clamp(p.x, left, right) : p.x;
+    for (const double beside : {0.0, 12.0, -12.0, 20.0, -20.0}) {
+      if (beside != 0 && !bold) return false;
+      if (!taken_.take({x, p.y + beside}, width, number_height)) continue;
+      const Point at{x, p.y + beside + 0.36 * number_size};
+      labels.push_back({at, text, number_size, bold ? strong : ink_on(value), Anchor::middle, bold, 0, bold ? 1.4 : 0});
+      return true;
+    }
+    return false;
+  }
+
+  // That is read on the value's own colour.
+  Ink ink_on(uint32_t value) const {
+    const Ink under = ink_of_value(value, data_.values[value].at);
+    return 0.3 * under[0] + 0.59 * under[1] + 0.11 * under[2] > 115 ? strong : white;
   }
 
   void draw_frame() {

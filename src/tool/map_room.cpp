@@ -90,7 +90,8 @@ bool is_near(const MapBox& box, const Place& a, const Place& b) {
 
 // The convex hull (Andrew's monotone chain).
 std::vector<Place> hull_of(std::vector<Place> points) {
-  std::sort(points.begin(), points.end(), [](const Place& a, const Place& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
+  std::sort(points.begin(), points.end(),
+            [](const Place& a, const Place& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
   const auto turns_left = [](const Place& a, const Place& b, const Place& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 1e-12;
   };
@@ -114,7 +115,8 @@ std::vector<std::array<double, 3>> points_of(const ups_profile_info& info) {
   if (info.opening_shape == UPS_OPENING_POINT) return points;
   if (info.opening_shape == UPS_OPENING_RECTANGLE || info.opening_shape == UPS_OPENING_BOX) {
     for (int corner = 0; corner < 8; ++corner)
-      points.push_back({corner & 1 ? half[0] : -half[0], corner & 2 ? half[1] : -half[1], corner & 4 ? half[2] : -half[2]});
+      points.push_back({corner & 1 ? half[0] : -half[0], corner & 2 ? half[1] : -half[1],
+                        corner & 4 ? half[2] : -half[2]});
     return points;
   }
   constexpr int around = 32;

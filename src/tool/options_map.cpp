@@ -82,15 +82,15 @@ const CLI::App* add_map(CLI::App& app, MapOptions& options) {
             return is_drawing_file(path) ? "" : "must end in .svg, .png or .pdf, not '" + path + "'";
           },
           ""));
-  command->add_option("--scene", options.scene, "The .gltf or .glb file that was rendered: its plan is drawn below meters")
+  command->add_option("--scene", options.scene, "The .gltf or .glb file that was rendered: meters get its plan")
       ->type_name("SCENE");
   command->add_option("--title", options.title, "Instead of the file's name")->type_name("TEXT");
   command->add_flag("--illuminance", options.illuminance, "Of a camera the illuminance, not the luminance");
   add_allow_outside(*command, options.allow_outside);
   add_map_options(*command, options.style);
   command->footer(
-      "Meters in one plane become a map in false colours with isolines, seen against their normals; those of a list get\n"
-      "the cells of the lattice they lie on, else each its nearest surroundings. North is +Y.");
+      "Meters in one plane become a map in false colours with isolines, seen against their normals; those of a list\n"
+      "get the cells of the lattice they lie on, else each its nearest surroundings. North is +Y.");
   return command;
 }
 

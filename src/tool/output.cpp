@@ -23,6 +23,7 @@ namespace {
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 constexpr uint32_t max_exr_side = 65536;  // of ups_exr
+constexpr uint32_t max_map_meters = 4000000;
 
 // What an image is of, for whoever opens it years later.
 Attributes common_attributes(const ups_result* result) {
@@ -314,6 +315,10 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
             [&](const std::string& path) { write_sources_csv(path, table.positions, table.listed, meters, sources, result); });
   }
   if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
+  if (count > max_map_meters) {
+    written.warnings.push_back(base + ": no map is drawn of more than " + std::to_string(max_map_meters) + " meters");
+    return;
+  }
   attempt(written, base, [&](const std::string& name) {
     if (const auto data = meter_map(meters, index, scene, result)) write_map(written, name, *data, map);
   });

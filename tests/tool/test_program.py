@@ -63,6 +63,12 @@ def room():
     }
 
 
+# Of room().
+FILES = sorted(["spot.csv", "view.exr", "view.png", "work_plane.csv", "work_plane.exr"] +
+               [f"{name}.{ending}" for name in ("view_illuminance", "view_luminance", "work_plane")
+                for ending in ("pdf", "png", "svg")])
+
+
 class ProgramTest(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory(prefix="ups-tool-")
@@ -252,8 +258,7 @@ class Render(ProgramTest):
     def test_files(self):
         out = self.path("deep/out")
         result = self.render("--iterations", 32, "--out", out)
-        self.assertEqual(sorted(os.listdir(out)), ["spot.csv", "view.exr", "view.png", "view_illuminance.png",
-                                                   "work_plane.csv", "work_plane.exr", "work_plane.png"])
+        self.assertEqual(sorted(os.listdir(out)), FILES)
         for name in os.listdir(out):
             with open(os.path.join(out, name), "rb") as file:
                 start = file.read(8)
@@ -316,8 +321,7 @@ class Render(ProgramTest):
         errors = done.stderr.splitlines()
         for name in ("view.exr", "work_plane.csv"):
             self.assertTrue(any("error" in line and name in line for line in errors), msg=done.stderr)
-        self.assertEqual(sorted(os.listdir(out)), ["spot.csv", "view.exr", "view.png", "view_illuminance.png",
-                                                   "work_plane.csv", "work_plane.exr", "work_plane.png"])
+        self.assertEqual(sorted(os.listdir(out)), FILES)
         self.assertEqual([name for name in os.listdir(out) if os.path.isdir(os.path.join(out, name))],
                          [name for name in os.listdir(out) if name in ("view.exr", "work_plane.csv")])
 
@@ -336,14 +340,14 @@ class Render(ProgramTest):
 
     def test_a_grid_too_wide_for_a_picture(self):
         scene, out = room(), self.path("out")
-        for columns, files in ((16385, ["grid.csv", "grid.exr"]), (65537, ["grid.csv"])):
+        maps = ["grid.pdf", "grid.png", "grid.svg"]
+        for columns, files in ((16385, ["grid.csv", "grid.exr", *maps]), (65537, ["grid.csv", *maps])):
             with self.subTest(columns=columns):
                 scene["nodes"][2]["extras"]["ups"]["meters"].update(columns=columns, rows=1, name="grid")
                 done = self.run_program("render", self.write("room.gltf", scene), "--iterations", 1, "--method", "pt",
                                         "--size", "4x4", "--json", "--out", out)
-                warnings = [w for w in json.loads(done.stdout)["warnings"] if "grid.png" in w]
-                self.assertEqual(len(warnings), 1, msg=done.stdout)
-                self.assertIn("16384", warnings[0])
+                warnings = [w for w in json.loads(done.stdout)["warnings"] if "grid.exr" in w and "65536" in w]
+                self.assertEqual(len(warnings), columns > 65536, msg=done.stdout)
                 self.assertEqual(sorted(name for name in os.listdir(out) if name.startswith("grid")), files)
                 self.assertIn("view.png", os.listdir(out))
                 for name in os.listdir(out):

@@ -1,0 +1,107 @@
+"""Maps of meters and images: `ups render --out` and `ups map`. Usage: test_map.py PATH_TO_UPS [unittest options]"""
+import os
+import re
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import test_program
+from test_info import png_size
+
+SVG = "{http://www.w3.org/2000/svg}"
+HEADER = "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx\n"
+
+
+def table(points):
+    """Of (x, y, z, lx, bound), facing up."""
+    return HEADER + "".join(f"{x},{y},{z},0,0,1,{lx},1,0,{bound},{lx},0\n" for x, y, z, lx, bound in points)
+
+
+class Maps(test_program.ProgramTest):
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def svg(self, name):
+        """Title and description."""
+        root = ElementTree.fromstring(self.read(name))
+        self.assertEqual((root.tag, root.get("role")), (SVG + "svg", "img"))
+        return root.find(SVG + "title").text, root.find(SVG + "desc").text
+
+    def grid(self):
+        return self.write("plane.csv", table([(0.5 * c, 0.5 * r, 0.8, 400 + 10 * c + r, 15)
+                                              for r in range(12) for c in range(16)]))
+
+    def test_a_render_draws_them_and_map_draws_the_same_again(self):
+        scene, out = self.write("room.gltf", test_program.room()), self.path("out")
+        self.run_program("render", scene, "--iterations", 32, "--out", out)
+        again = [self.path("again" + ending) for ending in (".png", ".svg", ".pdf")]
+        self.run_program("map", os.path.join(out, "work_plane.csv"), *again, "--scene", scene, "--title", "work_plane")
+        self.assertEqual(self.read("out/work_plane.png")[:4], b"\x89PNG")
+        title, told = self.svg("out/work_plane.svg")
+        self.assertEqual(title, "Illuminance: work_plane")
+        self.assertRegex(told, r"^Illuminance, lx: work_plane. mean \d.* U0 0\.\d.*lines at .* lx\.$")
+        self.assertEqual(png_size(self.read("again.png")), png_size(self.read("out/work_plane.png")))
+        for kind, unit in (("luminance", "cd/m\u00b2"), ("illuminance", "lx")):
+            self.assertIn(unit, self.svg(f"out/view_{kind}.svg")[1])
+            options = ["--illuminance"] if kind == "illuminance" else []
+            self.run_program("map", os.path.join(out, "view.exr"), self.path("view.png"), *options)
+            self.assertEqual(self.read("view.png"), self.read(f"out/view_{kind}.png"))
+
+    def test_sizes_and_page(self):
+        self.run_program("map", self.grid(), *(self.path("map" + e) for e in (".png", ".svg", ".pdf")))
+        root = ElementTree.fromstring(self.read("map.svg"))
+        width, height = (float(root.get(side).removesuffix("px")) for side in ("width", "height"))
+        self.assertLessEqual(width, 680)   # 180 mm
+        self.assertLessEqual(height, 570)  # half a page of A4
+        self.assertEqual(png_size(self.read("map.png")), (round(2 * width), round(2 * height)))
+        pdf = self.read("map.pdf")
+        self.assertEqual(pdf[:5], b"%PDF-")
+        box = re.search(rb"/MediaBox \[ *0 0 ([\d.]+) ([\d.]+) *\]", pdf)
+        for side, size in zip(box.groups(), (width, height)):
+            self.assertAlmostEqual(float(side), 0.75 * size, delta=0.01)
+
+    def test_scales_ranges_and_verdicts(self):
+        file = self.grid()
+        told = {}
+        for name, options in (("linear", []), ("log", ["--map-scale", "log"]), ("range", ["--map-range", "100:900"]),
+                              ("verdict", ["--map-threshold", "500"]), ("grey", ["--map-colours", "grey"]),
+                              ("cells", ["--map-cells"])):
+            self.run_program("map", file, self.path(name + ".svg"), self.path(name + ".png"), *options)
+            told[name] = self.svg(name + ".svg")[1]
+        self.assertEqual(len({self.read(name + ".png") for name in told}), 6)
+        self.assertIn("lines at 400, 420, 440, 460, 480, 500, 520, 540, 560, 580 lx", told["linear"])
+        self.assertIn("lines at 100, 200, 300, 400, 500, 600, 700, 800, 900 lx", told["range"])
+        values = [400 + 10 * c + r for r in range(12) for c in range(16)]
+        met, not_met = sum(v - 15 >= 500 for v in values), sum(v + 15 < 500 for v in values)
+        self.assertIn(f"is met at {met}, not sure at {192 - met - not_met}, not met at {not_met}.", told["verdict"])
+
+    def test_errors(self):
+        file = self.grid()
+        out = self.path("x.svg")
+        for options, words in ((["--map-range", "5"], ["--map-range", "LOW:HIGH"]),
+                               (["--map-range", "9:5"], ["--map-range"]), (["--map-scale", "cube"], ["--map-scale"]),
+                               (["--map-scale", "log", "--map-range", "0:5"], ["above 0"]),
+                               (["--map-threshold", "-3"], ["--map-threshold", "-3"])):
+            error = self.run_program("map", file, out, *options, code=2).stderr
+            for word in words:
+                self.assertIn(word, error)
+        self.run_program("map", file, self.path("x.gif"), code=2)
+        self.run_program("map", file, code=2)
+        broken = {"no column": "a,b\n1,2\n", "no number": table([(0, 0, 0, "x", 1)]), "empty": "", "no meter": HEADER,
+                  "one line": table([(x, 2 * x, 0, 5, 1) for x in range(3)]),
+                  "no plane": table([(0, 0, 0, 5, 1), (1, 0, 0, 5, 1), (0, 1, 0, 5, 1), (1, 1, 1, 5, 1),
+                                     (2, 1, 5, 5, 1)])}
+        for words, text in broken.items():
+            bad = self.write("bad.csv", text)
+            self.expect_failure("map", bad, out, words=["bad.csv", *words.split()])
+        self.expect_failure("map", self.path("none.csv"), out, words=["none.csv"])
+        self.expect_failure("map", self.path("none.exr"), out, words=["none.exr"])
+        self.expect_failure("map", self.write("t.txt", "x"), out, words=["t.txt", ".csv"])
+        self.expect_failure("map", file, self.path("no/x.pdf"), words=["x.pdf"])
+        self.assertFalse(os.path.exists(out))
+
+
+if __name__ == "__main__":
+    test_program.PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
