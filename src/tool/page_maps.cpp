@@ -18,8 +18,8 @@ std::string map_of(const PageInput& in, uint32_t index, bool narrow) {
       inline_svg(map_drawing(*data, style), data->quantity + " of " + sensor.name, map_description(*data, style),
                  "map" + std::to_string(index));
   const std::string name = html_text(sensor.name);
-  return html_figure("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Map of " + name + "\">\n" + svg +
-                         "</div>\n",
+  return html_figure("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Map of " + name + "\">\n" +
+                         svg + "</div>\n",
                      "", narrow ? "map" : "wide");
 }
 

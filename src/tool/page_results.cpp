@@ -53,6 +53,14 @@ std::string verdicts_text(const Report& report) {
   return text + ".";
 }
 
+// A rating of -1 is none: see ups_observer_reading.
+std::string value_text(const TargetVerdict& v) {
+  const Quantity& q = quantity_of(v.quantity);
+  if (v.at_most && v.value == -1 && v.low == -1)
+    return v.judgement == Judgement::met ? "no source in view" : "no rating";
+  return beside(v.value, v.required, q.text) + q.unit;
+}
+
 // Value, interval and verdict of one requirement.
 std::string finding(const TargetVerdict& v) {
   const Quantity& q = quantity_of(v.quantity);
@@ -61,7 +69,7 @@ std::string finding(const TargetVerdict& v) {
     const std::string low = beside(v.low, v.required, q.text), high = beside(v.high, v.required, q.text);
     range = "<span class=\"i\">" + (low == high ? low : low + " to " + high) + "</span> ";
   }
-  return beside(v.value, v.required, q.text) + q.unit + " " + range + chip(v.judgement);
+  return value_text(v) + " " + range + chip(v.judgement);
 }
 
 std::string area_caption(const Targets& targets, const TargetArea& area) {
@@ -103,7 +111,7 @@ std::string shortfalls(const PageInput& in) {
     if (v.judgement == Judgement::met) continue;
     const Quantity& q = quantity_of(v.quantity);
     html += "<li>" + html_text(in.targets->areas[v.area].name) + ", " + html_text(v.subject) + ": " + q.html + " " +
-            beside(v.value, v.required, q.text) + q.unit + ", required " + required_text(v) + " " + chip(v.judgement) +
+            value_text(v) + ", required " + required_text(v) + " " + chip(v.judgement) +
             "</li>\n";
   }
   return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
@@ -148,6 +156,21 @@ Column column(const Report& report, const std::string& head, const Cell& cell) {
   return c;
 }
 
+// "cylindrical" and the like; empty where all meters are planar, or the report tells no kinds.
+template <class Meters>
+std::string kind_of(const Meters& meters) {
+  if constexpr (requires { meters.kind.size(); }) return meters.kind;
+  return {};
+}
+
+Column kinds_of(const Report& report) {
+  Column kinds{"Kind", {}};
+  for (const MeterReport& meters : report.meters) kinds.cells.push_back(kind_of(meters));
+  if (std::all_of(kinds.cells.begin(), kinds.cells.end(), [](const std::string& k) { return k == "planar"; }))
+    for (std::string& cell : kinds.cells) cell.clear();
+  return kinds;
+}
+
 std::vector<Column> columns_of(const Report& report) {
   std::vector<Column> columns;
   Column count{"Meters", {}}, mean{"Mean", {}};
@@ -158,7 +181,7 @@ std::vector<Column> columns_of(const Report& report) {
     mean.cells.push_back(with_interval(s.mean_lx, known ? std::max(0.0, s.mean_lx - s.mean_error_bound_lx) : -1,
                                        known ? s.mean_lx + s.mean_error_bound_lx : -1, lux));
   }
-  columns = {count, mean};
+  columns = {kinds_of(report), count, mean};
   columns.push_back(column(report, "Minimum", [](const MeterReport& m) {
     return with_interval(m.statistics.min_lx, m.statistics.min_low_lx, m.statistics.min_high_lx, lux);
   }));
