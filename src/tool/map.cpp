@@ -109,7 +109,8 @@ void draw_north(Drawing& drawing, const Point& centre, const MapData& data) {
   drawing.add(Label{{tip.x + 8 * x, tip.y + 8 * y + 0.36 * text_size}, data.north, text_size, black, Anchor::middle, true});
 }
 
-void draw_metres(Drawing& drawing, const Point& at, double scale) {
+// The right end of what it draws.
+double draw_metres(Drawing& drawing, const Point& at, double scale) {
   const double metres = round_step(50 / scale), length = metres * scale;
   constexpr int parts = 2;
   for (int i = 0; i < parts; ++i) {
@@ -118,7 +119,9 @@ void draw_metres(Drawing& drawing, const Point& at, double scale) {
     if (i % 2 == 0) drawing.add(Area{bar, black});
     drawing.add(Line{{bar[0], bar[1], bar[2], bar[3], bar[0]}, black, 0.7});
   }
-  drawing.add(Label{{at.x + length + 6, at.y + 6}, format("%g m", metres), text_size, black});
+  const std::string text = format("%g m", metres);
+  drawing.add(Label{{at.x + length + 6, at.y + 6}, text, text_size, black});
+  return at.x + length + 6 + width_of(text, text_size);
 }
 
 // What the symbols on the map mean, beside the bar of metres.
@@ -170,8 +173,8 @@ Drawing map_drawing(const MapData& data, const MapStyle& style) {
   if (data.is_image) return drawing;
   draw_north(drawing, {left + 22, view.frame.top + body - 22}, data);
   const double y = view.frame.top + body + 12;
-  draw_metres(drawing, {margin + 1, y}, view.scale);
-  draw_legend(drawing, margin + 130, y, data);
+  const double end = draw_metres(drawing, {margin + 1, y}, view.scale);
+  draw_legend(drawing, std::max(margin + 130, end + 16), y, data);
   return drawing;
 }
 

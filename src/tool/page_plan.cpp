@@ -76,7 +76,11 @@ class Chains {
     for (size_t i = 1; i + 1 < line.size(); ++i) {
       const Point &a = kept.back(), &p = line[i], &b = line[i + 1];
       const double length = std::hypot(b.x - a.x, b.y - a.y);
-      const double off = std::abs((p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x)) / std::max(length, step_);
+      if (length <= step_) {  // there and back, as where the edges of a thing lie one above the other
+        if (std::hypot(p.x - a.x, p.y - a.y) > step_) kept.push_back(p);
+        continue;
+      }
+      const double off = std::abs((p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x)) / length;
       const double along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
       if (off > 0.3 * step_ || along < 0 || along > length * length) kept.push_back(p);
     }

@@ -67,9 +67,9 @@ std::string finding(const TargetVerdict& v) {
   std::string range;
   if (v.low >= 0 && v.high >= 0) {
     const std::string low = beside(v.low, v.required, q.text), high = beside(v.high, v.required, q.text);
-    range = "<span class=\"i\">" + (low == high ? low : low + " to " + high) + "</span> ";
+    range = " <span class=\"i\">" + (low == high ? low : low + " to " + high) + "</span>";
   }
-  return value_text(v) + " " + range + chip(v.judgement);
+  return chip(v.judgement) + " " + value_text(v) + range;
 }
 
 std::string area_caption(const Targets& targets, const TargetArea& area) {

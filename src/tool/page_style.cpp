@@ -97,6 +97,8 @@ footer { color: #57606a; font-size: .85em; padding-top: 2rem; padding-bottom: 3r
   .low svg { max-height: 62mm; }
   dl.facts { grid-template-columns: repeat(3, 1fr); }
   .cards { grid-template-columns: repeat(2, 1fr); }
+  .maps { grid-template-columns: 1fr; }
+  .map svg { width: 125mm; }
 }
 )";
 }
