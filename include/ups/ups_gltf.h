@@ -82,13 +82,14 @@ UPS_API ups_status ups_gltf_get_sensor_name(const ups_gltf_import *import_result
  * counted through the file. Two calls, as above. Errors: INVALID_ARGUMENT for a group, or what the file did not add. */
 UPS_API ups_status ups_gltf_get_source_name(const ups_gltf_import *import_result, ups_source_kind kind, uint32_t id,
                                             char *text, size_t capacity, size_t *needed);
-/* The photometric file of a luminaire, as the scene file names it; empty: it has none, or it lies within the scene file.
- * Two calls and errors, as above. */
+/* The photometric file of a luminaire, as the scene file names it; empty: it has none, or it lies within the scene
+ * file. Two calls and errors, as above. */
 UPS_API ups_status ups_gltf_get_source_file(const ups_gltf_import *import_result, ups_source_kind kind, uint32_t id,
                                             char *text, size_t capacity, size_t *needed);
 /* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;
- * count must be the sensor's meter_count. Errors: INVALID_ARGUMENT for a surface or lightmap, whose meters are where
- * ups_scene_read_meter_places finds them once the scene is committed. */
+ * count must be the sensor's meter_count. Of an observer, with count 1, its eye and the direction that it looks
+ * along. Errors: INVALID_ARGUMENT for a surface or lightmap, whose meters are where ups_scene_read_meter_places finds
+ * them once the scene is committed. */
 UPS_API ups_status ups_gltf_read_meters(const ups_gltf_import *import_result, uint32_t index, double *positions_m,
                                         float *normals, size_t count);
 /* For people, a line each: what was left out or looks wrong, each with its place. Two calls, as above. */

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A small office for a report: four desks under eight recessed luminaires, meters on desks, their surroundings and the
-walls, people's faces: office.glb and its luminaire's file.
+"""A small office for a report: four desks under eight recessed luminaires, meters on the desks, around them and on
+walls, four people who look across their desks: office.glb and its luminaire's file.
 
 Called by run.sh beside this script and by a test.
 """
@@ -44,6 +44,8 @@ def measure(scene):
     for k, (x, y) in enumerate(DESKS):
         scene.meters(f"desk {k + 1}", Frame.upright((x + 0.8, y + 0.4, DESK_HEIGHT + 0.01)), width_m=1.6, height_m=0.8,
                      columns=8, rows=4)
+        # Somebody who works there, seated, and looks level across the desk.
+        scene.observer(f"desk {k + 1}", (x + 0.8, y - 0.25, 1.2), (x + 0.8, y + 5, 1.2))
     scene.meters("room", Frame.upright((LENGTH / 2, WIDTH / 2, 0.75)), width_m=LENGTH - 1, height_m=WIDTH - 1,
                  columns=12, rows=9)
     for name, x, y, width, facing in (("wall west", 0.001, 2.7, 4.4, (1, 0, 0)),

@@ -13,13 +13,13 @@ std::string map_of(const PageInput& in, uint32_t index, bool narrow) {
   const std::optional<MapData> data = meter_map(sensor, index, in.scene, in.result);
   if (!data) return {};
   MapStyle style = in.map;
-  if (narrow) style.width = 600, style.most_height = 460;
+  if (narrow) style.width = 560, style.most_height = 440;
   const std::string svg =
       inline_svg(map_drawing(*data, style), data->quantity + " of " + sensor.name, map_description(*data, style),
                  "map" + std::to_string(index));
   const std::string name = html_text(sensor.name);
-  return html_figure("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Map of " + name + "\">\n" + svg +
-                         "</div>\n",
+  return html_figure("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Map of " + name + "\">\n" +
+                         svg + "</div>\n",
                      "", narrow ? "map" : "wide");
 }
 

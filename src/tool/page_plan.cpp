@@ -14,7 +14,7 @@ namespace {
 
 constexpr double width = 680, margin = 26, most_height = 620, foot = 40;
 constexpr size_t most_dots = 900, most_places = 200000;  // of a set; of a lightmap the outline alone would cost much
-constexpr Ink lamp_ink{214, 130, 0}, meter_ink{0, 92, 175}, camera_ink{110, 40, 140}, seen_ink{165, 170, 178};
+constexpr Ink lamp_ink{214, 130, 0}, meter_ink{0, 92, 175}, observer_ink{110, 40, 140}, seen_ink{165, 170, 178};
 
 using Polyline = std::vector<Point>;
 
@@ -76,7 +76,11 @@ class Chains {
     for (size_t i = 1; i + 1 < line.size(); ++i) {
       const Point &a = kept.back(), &p = line[i], &b = line[i + 1];
       const double length = std::hypot(b.x - a.x, b.y - a.y);
-      const double off = std::abs((p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x)) / std::max(length, step_);
+      if (length <= step_) {  // there and back, as where the edges of a thing lie one above the other
+        if (std::hypot(p.x - a.x, p.y - a.y) > step_) kept.push_back(p);
+        continue;
+      }
+      const double off = std::abs((p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x)) / length;
       const double along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
       if (off > 0.3 * step_ || along < 0 || along > length * length) kept.push_back(p);
     }
@@ -193,6 +197,23 @@ class View {
     }
   }
 
+  // An eye, with a stroke along its line of sight.
+  void observers() {
+    for (uint32_t i = 0; i < in_.scene.sensors.size(); ++i) {
+      const SensorEntry& sensor = in_.scene.sensors[i];
+      if (sensor.info.kind != UPS_GLTF_OBSERVER) continue;
+      double eye[3];
+      float looks[3];
+      check(ups_gltf_read_meters(in_.scene.import_result.get(), i, eye, looks, 1), ups_gltf_last_error);
+      const Point at = place(axes_.flat(eye));
+      const double x = double(looks[axes_.across]), y = -double(looks[axes_.up]);
+      constexpr double stroke = 18;
+      drawing_.add(Line{{at, {at.x + stroke * x, at.y + stroke * y}}, observer_ink, 1.6});
+      dot(at, 3.6, observer_ink);
+      name({at.x + 6, at.y + 4}, sensor.name, observer_ink);
+    }
+  }
+
   // The line along which the section is cut.
   void section_line(double at) {
     const double y = place({0, at}).y;
@@ -258,6 +279,7 @@ Drawing plan_drawing(const PageInput& in, const std::vector<LuminaireType>& type
   view.section_line(0.5 * (b.low[1] + b.high[1]));
   view.meters();
   view.luminaires(true);
+  view.observers();
   return view.finish(format("Plan, cut at z = %.2f m; +X to the right, +Y up", plan_height(b)));
 }
 
@@ -268,6 +290,7 @@ Drawing section_drawing(const PageInput& in, const std::vector<LuminaireType>& t
   view.surfaces(1, at, black, 1.8);
   view.meters();
   view.luminaires(false);
+  view.observers();
   return view.finish(format("Section A-A, cut at y = %.2f m, seen towards +Y", at));
 }
 

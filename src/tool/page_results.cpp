@@ -53,15 +53,23 @@ std::string verdicts_text(const Report& report) {
   return text + ".";
 }
 
+// A rating of -1 is none: see ups_observer_reading.
+std::string value_text(const TargetVerdict& v) {
+  const Quantity& q = quantity_of(v.quantity);
+  if (v.at_most && v.value == -1 && v.low == -1)
+    return v.judgement == Judgement::met ? "no source in view" : "no rating";
+  return beside(v.value, v.required, q.text) + q.unit;
+}
+
 // Value, interval and verdict of one requirement.
 std::string finding(const TargetVerdict& v) {
   const Quantity& q = quantity_of(v.quantity);
   std::string range;
   if (v.low >= 0 && v.high >= 0) {
     const std::string low = beside(v.low, v.required, q.text), high = beside(v.high, v.required, q.text);
-    range = "<span class=\"i\">" + (low == high ? low : low + " to " + high) + "</span> ";
+    range = " <span class=\"i\">" + (low == high ? low : low + " to " + high) + "</span>";
   }
-  return beside(v.value, v.required, q.text) + q.unit + " " + range + chip(v.judgement);
+  return chip(v.judgement) + " " + value_text(v) + range;
 }
 
 std::string area_caption(const Targets& targets, const TargetArea& area) {
@@ -103,7 +111,7 @@ std::string shortfalls(const PageInput& in) {
     if (v.judgement == Judgement::met) continue;
     const Quantity& q = quantity_of(v.quantity);
     html += "<li>" + html_text(in.targets->areas[v.area].name) + ", " + html_text(v.subject) + ": " + q.html + " " +
-            beside(v.value, v.required, q.text) + q.unit + ", required " + required_text(v) + " " + chip(v.judgement) +
+            value_text(v) + ", required " + required_text(v) + " " + chip(v.judgement) +
             "</li>\n";
   }
   return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
@@ -148,6 +156,21 @@ Column column(const Report& report, const std::string& head, const Cell& cell) {
   return c;
 }
 
+// "cylindrical" and the like; empty where all meters are planar, or the report tells no kinds.
+template <class Meters>
+std::string kind_of(const Meters& meters) {
+  if constexpr (requires { meters.kind.size(); }) return meters.kind;
+  return {};
+}
+
+Column kinds_of(const Report& report) {
+  Column kinds{"Kind", {}};
+  for (const MeterReport& meters : report.meters) kinds.cells.push_back(kind_of(meters));
+  if (std::all_of(kinds.cells.begin(), kinds.cells.end(), [](const std::string& k) { return k == "planar"; }))
+    for (std::string& cell : kinds.cells) cell.clear();
+  return kinds;
+}
+
 std::vector<Column> columns_of(const Report& report) {
   std::vector<Column> columns;
   Column count{"Meters", {}}, mean{"Mean", {}};
@@ -158,7 +181,7 @@ std::vector<Column> columns_of(const Report& report) {
     mean.cells.push_back(with_interval(s.mean_lx, known ? std::max(0.0, s.mean_lx - s.mean_error_bound_lx) : -1,
                                        known ? s.mean_lx + s.mean_error_bound_lx : -1, lux));
   }
-  columns = {count, mean};
+  columns = {kinds_of(report), count, mean};
   columns.push_back(column(report, "Minimum", [](const MeterReport& m) {
     return with_interval(m.statistics.min_lx, m.statistics.min_low_lx, m.statistics.min_high_lx, lux);
   }));
@@ -185,10 +208,40 @@ std::vector<Column> percentile_columns(const Report& report) {
   return columns;
 }
 
-std::string table_of(const Report& report, const std::string& caption, const std::vector<Column>& columns,
-                     const std::string& label) {
+// "8 x 4, horizontal, at 0.75 m": how many, which way, how high. Empty where they have nothing of it in common.
+std::string place_of(const LoadedScene& scene, const std::string& name, bool planar) {
+  for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
+    const ups_gltf_sensor_info& info = scene.sensors[i].info;
+    constexpr size_t most = 200000;
+    if (scene.sensors[i].name != name || info.kind != UPS_GLTF_METERS || info.meter_count > most) continue;
+    std::vector<double> at(3 * size_t(info.meter_count));
+    std::vector<float> normals(at.size());
+    check(ups_gltf_read_meters(scene.import_result.get(), i, at.data(), normals.data(), info.meter_count),
+          ups_gltf_last_error);
+    bool level = true, upward = true, vertical = true;
+    for (size_t m = 0; m < at.size(); m += 3) {
+      level = level && std::abs(at[m + 2] - at[2]) < 1e-4;
+      upward = upward && normals[m + 2] > 0.9999f;
+      vertical = vertical && std::abs(normals[m + 2]) < 1e-3f;
+    }
+    std::string text = info.columns > 0 ? format("%u \u00d7 %u", info.columns, info.rows) : "";
+    if (planar && (upward || vertical)) text += (text.empty() ? "" : ", ") + std::string(upward ? "horizontal" : "vertical");
+    if (level) text += (text.empty() ? "" : ", ") + format("at %.2f m", at[2]);
+    return text;
+  }
+  return {};
+}
+
+std::string table_of(const PageInput& in, const std::string& caption, const std::vector<Column>& columns,
+                     const std::string& label, bool with_places) {
+  const Report& report = in.report;
   HtmlTable table{caption, {"Set of meters"}, {}, 1};
-  for (const MeterReport& meters : report.meters) table.rows.push_back({html_text(meters.name)});
+  for (const MeterReport& meters : report.meters) {
+    const std::string kind = kind_of(meters);
+    const std::string place =
+        with_places ? place_of(in.scene, meters.name, kind.empty() || kind == "planar") : std::string();
+    table.rows.push_back({html_text(meters.name) + (place.empty() ? "" : " <span class=\"i\">" + place + "</span>")});
+  }
   for (const Column& c : columns) {
     if (std::all_of(c.cells.begin(), c.cells.end(), [](const std::string& cell) { return cell.empty(); })) continue;
     table.head.push_back(c.head);
@@ -246,8 +299,8 @@ Section illuminance_section(const PageInput& in) {
   const std::string soft = " <span class=\"soft\">lx, with 95&nbsp;% intervals below</span>";
   return {"illuminance", "Illuminance",
           "<p>" + maintenance_text(in) + "</p>\n" +
-              table_of(report, "Means, extremes and uniformity" + soft, columns_of(report), "Statistics of meters") +
-              table_of(report, "Distribution" + soft, percentile_columns(report), "Distribution of the meters") +
+              table_of(in, "Means, extremes and uniformity" + soft, columns_of(report), "Statistics", true) +
+              table_of(in, "Distribution" + soft, percentile_columns(report), "Distribution", false) +
               ratios_table(report) + maps_part(in)};
 }
 

@@ -38,6 +38,24 @@ std::vector<uint8_t> bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+// exposure: that the program chooses. What was chosen or asked for instead a camera's report tells, where it does.
+template <class Report>
+std::string exposure_text(const Report& camera, double exposure) {
+  const double grey = 0.26 / exposure;  // what ups_ocio shows as an 18 % grey
+  double ev100 = std::log2(grey * 100 / 12.5);
+  const char* chosen = "chosen from the picture itself";
+  std::string smoothed;
+  if constexpr (requires { camera.picture->ev100; }) {
+    if (camera.picture) {
+      ev100 = camera.picture->ev100;
+      if (camera.picture->given) chosen = "as asked for";
+      if (camera.picture->smoothed) smoothed = " Smoothed for display, for looking at alone.";
+    }
+  }
+  return format("Exposure %s: %.3g cd/m\u00b2 is shown as a middle grey (EV100 %.1f).", chosen,
+                0.125 * std::exp2(ev100), ev100) + smoothed;
+}
+
 std::string picture(const PageInput& in, const SensorEntry& camera) {
   const std::string path = (std::filesystem::path(in.folder) / (camera.name + ".png")).string();
   const std::vector<uint8_t> bytes = bytes_of(path);
@@ -48,11 +66,9 @@ std::string picture(const PageInput& in, const SensorEntry& camera) {
         ups_ocio_last_error);
   const auto found = std::find_if(in.report.cameras.begin(), in.report.cameras.end(),
                                   [&](const CameraReport& c) { return c.name == camera.name; });
-  const double grey = 0.26 / exposure;  // what ups_ocio shows as an 18 % grey
-  std::string caption = "<strong>" + html_text(camera.name) + "</strong>. " +
-                        format("Mean luminance %.4g cd/m\u00b2. Exposure chosen from the picture itself: %.3g "
-                               "cd/m\u00b2 is shown as a middle grey (EV100 %.1f).",
-                               found->mean_luminance_cd_m2, grey, std::log2(grey * 100 / 12.5));
+  const std::string caption = "<strong>" + html_text(camera.name) + "</strong>. " +
+                              format("Mean luminance %.4g cd/m\u00b2. ", found->mean_luminance_cd_m2) +
+                              exposure_text(*found, exposure);
   return html_figure(html_image("image/png", bytes, "Rendered picture of the camera " + camera.name, camera.info.width,
                                 camera.info.height),
                      caption);
@@ -63,6 +79,7 @@ std::string picture(const PageInput& in, const SensorEntry& camera) {
 Section scene_section(const PageInput& in, const std::vector<LuminaireType>& types) {
   const ups_scene_info info = info_of(in.scene);
   size_t luminaires = 0, sets = 0, meters = 0, cameras = 0;
+  const size_t observers = in.report.observers.size();
   double flux = 0;
   for (const LuminaireType& type : types) {
     luminaires += type.sources.size();
@@ -77,6 +94,7 @@ Section scene_section(const PageInput& in, const std::vector<LuminaireType>& typ
       {{"Size", html_text(size_text(info))},
        {"Luminaires", counted(luminaires, "luminaire", "luminaires") + ", " + lux(flux) + " lm"},
        {"Meters", sets ? counted(meters, "point", "points") + " in " + counted(sets, "set", "sets") : ""},
+       {"Observers", observers ? std::to_string(observers) : ""},
        {"Cameras", cameras ? std::to_string(cameras) : ""},
        {"Maintenance factor", info.maintenance_factor < 1 ? format("%.3g", info.maintenance_factor) : ""},
        {"Surfaces", counted(size_t(info.triangle_count), "triangle", "triangles")}});
@@ -87,7 +105,8 @@ Section scene_section(const PageInput& in, const std::vector<LuminaireType>& typ
                       "Plan of the scene",
                       "Plan. Black: what the plane cuts; grey: what lies below; yellow: luminaires" +
                           std::string(types.size() > 1 ? ", with the numbers of their types" : "") +
-                          "; blue: meters and the names of their sets.");
+                          "; blue: meters and the names of their sets" +
+                          (in.report.observers.empty() ? "." : "; violet: observers and where they look."));
   body += wide_figure(
       inline_svg(section_drawing(in, types), "Section of the scene", "Seen from the side: " + words, "section"),
       "Section of the scene", "Section A-A through the middle, with all luminaires and meters projected onto it.",

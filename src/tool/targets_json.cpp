@@ -143,6 +143,7 @@ void take_row(const Json& words, const std::string& where, const Rows& rows, Tar
   else if (words.contains("meters"))
     fail(where + ".part", "the row '" + key + "' says nothing of '" + part + "'");
   read_room(row->second.words, row->second.where, area);
+  if (part != "task") area.colour_rendering = -1;  // once a room is enough
   area.use = row->second.name.empty() ? key : row->second.name;
   if (part != "task") area.use += " (" + part + ")";
   area.reference = row->second.reference;

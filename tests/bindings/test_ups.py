@@ -312,6 +312,21 @@ def test_the_grid_of_en_12464():
         ups.en12464_grid([(0, 0), (4, 4), (4, 0), (0, 4)])
 
 
+def test_what_emits_is_listed(context):
+    scene, _, light, _ = lamp_over_floor(context)
+    luminaire = scene.add_luminaire(uniform_profile(context), to_world=ups.translation(1, 0, 2), flux_lm=500)
+    scene.commit()
+    first, second = scene.sources()
+    assert (first.id, first.light_kind) == (light.v, ups.LightKind.POINT)
+    assert first.flux_lm == pytest.approx(4 * math.pi * 400, rel=1e-5)
+    assert (second.id, second.light_kind, second.kind) == (luminaire.v, -1, ups.SourceKind.LUMINAIRE)
+    assert list(second.bounds_max_m) == [1, 0, 2] and second.to_world[11] == 2
+    assert second.flux_lm == pytest.approx(500, rel=1e-2)
+    assert scene.source_profile(1).info.flux_lm == pytest.approx(uniform_profile(context).info.flux_lm)
+    with pytest.raises(ups.Error, match="no luminaire"):
+        scene.source_profile(0)
+
+
 def test_accuracy_and_its_cost(context):
     scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
     scene.add_instance(scene.add_mesh([(-9, -9, 4), (9, -9, 4), (0, 9, 4)], [(0, 1, 2)],

@@ -59,6 +59,12 @@ TEST_F(GoodFile, ObserversLookLikeCameras) {
   expect_near(point(scene.observers[0].to_world, 0, 1, 0), {1, 2, 2.2});
   EXPECT_EQ(scene.observers[0].position_index, UPS_POSITION_INDEX_TABLE);
   EXPECT_EQ(scene.observers[1].position_index, UPS_POSITION_INDEX_GUTH);
+  double eye[3];
+  float looks[3];
+  EXPECT_EQ(ups_gltf_read_meters(imported, 0, eye, looks, 1), UPS_OK) << ups_gltf_last_error();
+  EXPECT_NEAR(eye[1], 2, 1e-6);
+  EXPECT_NEAR(looks[1], 1, 1e-6);
+  EXPECT_EQ(ups_gltf_read_meters(imported, 0, eye, looks, 0), UPS_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(warnings(), "");
 }
 

@@ -227,6 +227,29 @@ class Targets(ReportTest):
             self.assertNotEqual(shown, required)
             self.assertIn(verdict["verdict"].replace("_", " "), words)
 
+    def test_glare_must_be_at_most(self):
+        scene = lamp_room()
+        scene["nodes"].append({"translation": [0, 1.2, 1.5], "extras": {"ups": {"observer": {"name": "<eye>"}}}})
+        scene["scenes"][0]["nodes"].append(5)
+
+        def judge(ugr):
+            page, result = self.report("--iterations", 48, scene=scene,
+                                       targets={"areas": [{"observers": "<eye*", "ugr": ugr}]})
+            (verdict,) = result["targets"]
+            self.assertEqual((verdict["observer"], verdict["quantity"]), ("<eye>", "ugr"))
+            return verdict["verdict"], result["observers"]["<eye>"], Page(page)
+        verdict, observer, page = judge(39)
+        self.assertEqual(verdict, "met")
+        self.assertEqual(page.wrong, [])
+        self.assertIn("What troubles most", page.words())
+        self.assertIn("<eye>", page.words())
+        self.assertIn(f"{observer['ugr']:.1f}", page.words())
+        self.assertGreater(observer["ugr_low"], 1)
+        self.assertLess(observer["ugr_low"], observer["ugr_high"])
+        self.assertEqual(judge(observer["ugr_high"] + 0.001)[0], "met")
+        self.assertEqual(judge(observer["ugr_low"] - 0.001)[0], "not_met")
+        self.assertEqual(judge((observer["ugr_low"] + observer["ugr_high"]) / 2)[0], "not_sure")
+
     def test_without_known_errors_nothing_is_sure(self):
         verdict, _, _ = self.judge({"uniformity": 0.01}, iterations=2)
         self.assertEqual(verdict["verdict"], "not_sure")
@@ -234,7 +257,8 @@ class Targets(ReportTest):
     def test_rows_of_the_standard(self):
         _, result = self.report("--iterations", 32, targets={"include": "en12464-1.json", "areas": [
             {"name": "desks", "row": "office.writing", "meters": ["work*", "sp?t"]},
-            {"name": "around", "row": "office.writing", "part": "surround", "meters": "work_plane", "uniformity": 0.3}]})
+            {"name": "around", "row": "office.writing", "part": "surround", "meters": "work_plane",
+             "uniformity": 0.3}]})
         found = [(v["area"], v["meters"], v["quantity"], v["required"]) for v in result["targets"]]
         self.assertEqual(found, [
             ("desks", "work_plane", "mean_lx", 500), ("desks", "work_plane", "uniformity", 0.6),

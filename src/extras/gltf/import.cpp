@@ -153,8 +153,10 @@ ups_status ups_gltf_read_meters(const ups_gltf_import* import_result, uint32_t i
                                 float* normals, size_t count) {
   return guarded([&] {
     const ups::gltf::Sensor& sensor = sensor_of(import_result, index);
-    require(sensor.info.kind == UPS_GLTF_METERS, "the sensor is not a set of meters");
-    require(count == sensor.info.meter_count, "count is not the sensor's meter_count");
+    require(sensor.info.kind == UPS_GLTF_METERS || sensor.info.kind == UPS_GLTF_OBSERVER,
+            "the sensor is not a set of meters");
+    require(count == (sensor.info.kind == UPS_GLTF_OBSERVER ? 1 : sensor.info.meter_count),
+            "count is not the sensor's meter_count, of an observer 1");
     require(sensor.positions_m.size() == 3 * count,
             "the sensor's meters lie on a surface; where they are the committed scene tells "
             "(ups_scene_read_meter_places)");

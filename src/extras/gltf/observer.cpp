@@ -16,6 +16,10 @@ void Importer::add_observer(const JsonReader& words, const std::string& node_nam
   check(ups_scene_add_observer(scene_, &desc, &sensor.info.sensor), words.where());
   sensor.info.struct_size = sizeof sensor.info;
   sensor.info.kind = UPS_GLTF_OBSERVER;
+  for (int k = 0; k < 3; ++k) {
+    sensor.positions_m.push_back(frame.column(3)[k]);
+    sensor.normals.push_back(float(-frame.column(2)[k]));
+  }
   std::string name = words.text("name", "");
   if (name.empty()) name = node_name;
   sensor.name = unique_observer_name(name.empty() ? "observer" : name, words.where());
