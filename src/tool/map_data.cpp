@@ -162,6 +162,8 @@ std::optional<MapData> meter_map(const std::string& name, const std::vector<Mete
 
 std::optional<MapData> meter_map(const SensorEntry& meters, uint32_t index, const LoadedScene& scene,
                                  const ups_result* result) {
+  const ups_gltf_layout layout = meters.info.layout;
+  if (layout == UPS_GLTF_LAYOUT_SURFACE || layout == UPS_GLTF_LAYOUT_LIGHTMAP) return std::nullopt;
   const size_t count = meters.info.meter_count;
   std::vector<double> positions(3 * count);
   std::vector<float> normals(3 * count);

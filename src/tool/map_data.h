@@ -17,7 +17,7 @@ struct MeterPoint {
 // else 0. scene: committed, whose plan is drawn; may be null. A wall's map is upright, a grid's has its row 0 below.
 std::optional<MapData> meter_map(const std::string& name, const std::vector<MeterPoint>& points, uint32_t columns,
                                  const ups_scene* scene);
-// Of a set of meters of a render; index: of its sensor in the scene.
+// Of a set of meters of a render, but of a mesh's surface; index: of its sensor in the scene.
 std::optional<MapData> meter_map(const SensorEntry& meters, uint32_t index, const LoadedScene& scene,
                                  const ups_result* result);
 // 0: they are no grid whose columns run fastest.

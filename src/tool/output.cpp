@@ -315,7 +315,7 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
             [&](const std::string& path) { write_sources_csv(path, table.positions, table.listed, meters, sources, result); });
   }
   if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
-  if (count > max_map_meters) {
+  if (meters.info.meter_count > max_map_meters) {
     written.warnings.push_back(base + ": no map is drawn of more than " + std::to_string(max_map_meters) + " meters");
     return;
   }
