@@ -152,7 +152,8 @@ struct MeterTable {
 };
 
 void write_csv(const std::string& path, const MeterTable& table) {
-  std::string header = "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx";
+  std::string header = "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,"
+                       "indirect_lx";
   if (!table.vectors.empty())
     for (const char* what : {"", "_standard_error", "_error_bound"})
       for (const char axis : {'x', 'y', 'z'}) header += std::string(",vector_") + axis + what + "_lx";

@@ -163,8 +163,9 @@ std::string to_text(const Report& report) {
     const ups_meter_statistics& s = meters.statistics;
     const std::string interval =
         s.uniformity_low < 0 ? "" : format(" (%.3f to %.3f)", s.uniformity_low, s.uniformity_high);
+    const std::string kind = meters.kind == "planar" ? "" : " (" + meters.kind + ")";
     text += format("meters %s%s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, worst error %s\n",
-                   meters.name.c_str(), meters.kind == "planar" ? "" : (" (" + meters.kind + ")").c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity, interval.c_str(),
+                   meters.name.c_str(), kind.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity, interval.c_str(),
                    percent_text(s.worst_relative_error_bound).c_str());
   }
   for (const CameraReport& camera : report.cameras) {
