@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace ups {
 
@@ -12,7 +13,8 @@ constexpr Vec3d axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 double mean_of(const MeterLight& light, LightPart part) {
   const double direct = spread(light.sums.direct, light.visits).mean;
-  return part == direct_light ? direct : spread(light.sums.value, light.visits).mean - (part == whole_light ? 0 : direct);
+  if (part == direct_light) return direct;
+  return spread(light.sums.value, light.visits).mean - (part == whole_light ? 0 : direct);
 }
 
 }  // namespace

@@ -34,10 +34,10 @@ struct MeterResponse {
     return {facing, Vec3(-facing.y, facing.x, 0), Vec3(0, 0, 1)};
   }
 
-  // W of a unit direction. With theta from local z and alpha from local x: planar and a vector's side, cos theta; cylindrical,
-  // sin theta / pi; semicylindrical, sin theta (1 + cos alpha) / pi; hemispherical, (1 + cos theta) / 4 of the upper
-  // hemisphere: the mean over a dome whose base lies on the ground; spherical, 1 / 4 (EN 13201-3 has the second to
-  // fourth, per source as I / d2 times these).
+  // W of a unit direction. With theta from local z and alpha from local x: planar and a vector's side, cos theta;
+  // cylindrical, sin theta / pi; semicylindrical, sin theta (1 + cos alpha) / pi; hemispherical, (1 + cos theta) / 4 of
+  // the upper hemisphere: the mean over a dome whose base lies on the ground; spherical, 1 / 4 (EN 13201-3 has the
+  // second to fourth, per source as I / d2 times these).
   float value(const Vec3& w) const {
     switch (kind) {
       case UPS_METER_CYLINDRICAL: return inv_pi * sine(w);
@@ -68,8 +68,8 @@ struct MeterResponse {
     const float r = std::sqrt(std::max(0.0f, 1 - z * z));
     return {r * std::cos(azimuth), r * std::sin(azimuth), z};
   }
-  // The height of a uniform point of a disc has the density of a direction's cosine to the axis, sin theta dz; where the
-  // point lies on its chord is independent of that.
+  // The height of a uniform point of a disc has the density of a direction's cosine to the axis, sin theta dz; where
+  // the point lies on its chord is independent of that.
   Vec3 sample_cylinder(const Vec2& u) const {
     const Vec2 d = square_to_disc(u);
     const float half_chord = std::sqrt(std::max(0.0f, 1 - d.x * d.x)),

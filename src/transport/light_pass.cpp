@@ -178,10 +178,11 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const float x = dot(offset, meter.frame.s), y = dot(offset, meter.frame.t);
     if (cell && !set.covers(e.meter, e.piece, x, y)) return;
     float share = 1;
-    const uint32_t ring = cell ? none
-                          : response.across
-                              ? in_.plan.meter_discs[e.set].ring_across(e.meter, meter.frame.n, direction_, offset, share)
-                              : in_.plan.meter_discs[e.set].ring_at(e.meter, x, y);
+    uint32_t ring = none;
+    if (response.across)
+      ring = in_.plan.meter_discs[e.set].ring_across(e.meter, meter.frame.n, direction_, offset, share);
+    else if (!cell)
+      ring = in_.plan.meter_discs[e.set].ring_at(e.meter, x, y);
     if (!cell && ring == none) return;
     const double flux = luminance(carried_ * met_.transmittance(scene_, t)) * seen.factor / share;
     const mis::LightState state =

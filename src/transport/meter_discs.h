@@ -56,8 +56,8 @@ class MeterDiscs {
     return ring < rings_ && (limits_.empty() || ring < limit(m, x, y)) ? ring : none;
   }
 
-  // Of the point at `offset` from the meter, on the disc across the direction; normal: the meter's. share: of that ring's
-  // circle there, what the surface beneath the meter leaves.
+  // Of the point at `offset` from the meter, on the disc across the direction; normal: the meter's. share: of that
+  // ring's circle there, what the surface beneath the meter leaves.
   uint32_t ring_across(uint32_t m, const Vec3& normal, const Vec3& direction, const Vec3& offset, float& share) const {
     const float d2 = length2(offset), height = height_[m];
     const uint32_t ring = ring_of(d2, radius_[m] * radius_[m]);

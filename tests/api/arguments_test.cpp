@@ -244,7 +244,7 @@ TEST_F(Api, MeterFields) {
   auto d = meters();
   d.kind = UPS_METER_SEMICYLINDRICAL;
   const float vertical[6] = {1, 0, 0, 0, 0, -2};
-  d.normals = vertical;
+  d.normals = vertical, d.tangents = nullptr;
   ups_sensor_id id{};
   expect_error(ups_scene_add_meters(scene, &d, &id), UPS_ERROR_INVALID_ARGUMENT,
                {"normals: element 1 is vertical", "horizontal part"});

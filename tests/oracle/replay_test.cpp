@@ -304,7 +304,8 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
     for (const char* technique : {"hit", "light sample", "connect", "sensor connect", "merge"})
       names.push_back(std::string(sensor) + ", " + technique);
   names.insert(names.end(),
-               {"pixel, merge there", "meter, merge there", "solid point, merge there", "cell, land", "solid cell, land"});
+               {"pixel, merge there", "meter, merge there", "solid point, merge there"});
+  names.insert(names.end(), {"cell, land", "solid cell, land"});
   for (size_t i = 0; i < replay.room().scene->emitters.size(); ++i) names.push_back("emitter " + std::to_string(i));
   for (const std::string& name : names) {
     const Count& c = counted[name];
