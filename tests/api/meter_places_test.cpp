@@ -159,6 +159,62 @@ TEST_F(MeterPlaces, BacksLookTheOtherWay) {
   EXPECT_FLOAT_EQ(places(id, 2)[0].normal[2], -1);
 }
 
+// Samples, warnings and readings name a meter by its triangle, whatever has no area before it.
+TEST_F(MeterPlaces, TrianglesWithoutAreaKeepTheirNumbers) {
+  const uint32_t with_flat[9] = {1, 1, 2, 0, 1, 2, 0, 2, 3};
+  auto d = quad();
+  d.indices = with_flat, d.triangle_count = 3;
+  ups_mesh_id mesh{};
+  EXPECT_OK(ups_scene_add_mesh(scene, &d, &mesh));
+  auto i = make(&ups_instance_desc_init);
+  i.mesh = mesh, i.to_world[11] = 2;
+  ups_instance_id id{};
+  EXPECT_OK(ups_scene_add_instance(scene, &i, &id));
+  auto light = make(&ups_light_desc_init);
+  light.to_world[3] = 0.3, light.to_world[7] = 0.4, light.to_world[11] = 3;
+  for (float& cd : light.intensity_rgb) cd = 100;
+  ups_luminaire_id lamp{};
+  EXPECT_OK(ups_scene_add_light(scene, &light, &lamp));
+  const auto s = surface_of(id);
+  ups_sensor_id set{};
+  EXPECT_OK(ups_scene_add_surface_meters(scene, &s, &set));
+  EXPECT_OK(ups_scene_commit(scene));
+  for (const ups_method method : {UPS_METHOD_LIGHT_TRACING, UPS_METHOD_PATH_TRACING}) {
+    auto r = make(&ups_render_desc_init);
+    r.method = method, r.iteration_count = 4;
+    ups_result* result = nullptr;
+    ASSERT_EQ(ups_render(scene, &r, &result), UPS_OK) << ups_last_error();
+    ups_meter_reading readings[3];
+    EXPECT_OK(ups_result_read_meters(result, set, readings, 3));
+    EXPECT_EQ(readings[0].illuminance_lx, 0);
+    EXPECT_EQ(readings[0].error_bound_lx, 0);
+    EXPECT_GT(readings[1].illuminance_lx, 0);
+    EXPECT_GT(readings[2].illuminance_lx, 0);
+    expect_error(ups_result_read_meters(result, set, readings, 2), UPS_ERROR_INVALID_ARGUMENT,
+                 {"count is 2", "3 meters"});
+    ups_sample samples[8];
+    size_t count = 0;
+    EXPECT_OK(ups_result_read_largest_samples(result, set, samples, 8, &count));
+    ASSERT_EQ(count, 2u);
+    for (size_t k = 0; k < count; ++k) {
+      EXPECT_GE(samples[k].index, 1u);
+      ups_path* path = nullptr;
+      ASSERT_EQ(ups_replay(scene, &r, &samples[k], &path), UPS_OK) << ups_last_error();
+      ups_path_info info{};
+      info.struct_size = sizeof info;
+      EXPECT_OK(ups_path_get_info(path, &info));
+      EXPECT_NEAR(double(info.value), double(samples[k].value), 1e-4 * double(samples[k].value));
+      ups_path_destroy(path);
+    }
+    ups_path* path = nullptr;
+    samples[0].index = 0;
+    expect_error(ups_replay(scene, &r, &samples[0], &path), UPS_ERROR_INVALID_ARGUMENT, {"no area to measure on"});
+    samples[0].index = 3;
+    expect_error(ups_replay(scene, &r, &samples[0], &path), UPS_ERROR_INVALID_ARGUMENT, {"index is 3", "3 meters"});
+    ups_result_destroy(result);
+  }
+}
+
 TEST_F(MeterPlaces, MapsSayWhatTheyDoNotMeasure) {
   const auto add = [&](const std::vector<float>& uvs) {
     auto d = quad();
