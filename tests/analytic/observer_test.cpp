@@ -88,7 +88,7 @@ TEST(Observer, SmallLuminaireAndPointInASphere) {
     const Result result = room.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1});
     EXPECT_EQ(result.observer(room.eye).flags, size > 0 ? 0u : uint32_t(UPS_OBSERVER_POINT_SOURCE));
     EXPECT_EQ(result.glare_sources(room.eye)[0].flags,
-              uint32_t(UPS_GLARE_SOURCE_SMALL | (size > 0 ? 0 : UPS_GLARE_SOURCE_POINT)));
+              uint32_t(UPS_GLARE_FLAG_SMALL | (size > 0 ? 0 : UPS_GLARE_FLAG_POINT)));
     EXPECT_EQ(result.text(UPS_TEXT_WARNINGS).find("no luminance") == std::string::npos, size > 0);
   }
 }
@@ -157,7 +157,7 @@ TEST(Observer, ScreensHideAShare) {
   EXPECT_NEAR(s.visible_share, 0.3, 0.02);
   EXPECT_NEAR(s.luminance_cd_m2, 2500, 0.3);
   EXPECT_NEAR(s.solid_angle_sr, 0.04 * double(s.visible_share), 1e-6);
-  EXPECT_EQ(s.flags, uint32_t(UPS_GLARE_SOURCE_HIDDEN));
+  EXPECT_EQ(s.flags, uint32_t(UPS_GLARE_FLAG_HIDDEN));
 }
 
 TEST(Observer, PanesWeaken) {
@@ -197,7 +197,7 @@ TEST(Observer, SaysWhatItCannotRate) {
   const Result result = room.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16});
   const ups_observer_reading r = result.observer(room.eye);
   EXPECT_EQ(r.flags, uint32_t(UPS_OBSERVER_LARGE_SOURCE | UPS_OBSERVER_UNRATED_SOURCE));
-  EXPECT_EQ(result.glare_sources(room.eye)[0].flags, uint32_t(UPS_GLARE_SOURCE_LARGE));
+  EXPECT_EQ(result.glare_sources(room.eye)[0].flags, uint32_t(UPS_GLARE_FLAG_LARGE));
   EXPECT_NE(result.text(UPS_TEXT_WARNINGS).find("0.1 sr"), std::string::npos);
   EXPECT_NE(result.text(UPS_TEXT_WARNINGS).find("parallel light"), std::string::npos);
 }
