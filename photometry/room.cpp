@@ -7,7 +7,7 @@
 namespace photometry {
 namespace {
 
-constexpr double pi = 3.14159265358979323846, degree = pi / 180;
+constexpr double pi = 3.14159265358979323846;
 
 // Between two equal rectangles x by y, parallel and opposite at distance 1.
 double form_factor(double x, double y) {
@@ -46,34 +46,22 @@ RoomFlux exchange(const RoomShape& room, const Reflectances& rho, const RoomFlux
   return {f0 + f1 * w, w, c0 + c1 * w};
 }
 
-RoomRays::RoomRays(const Distribution& distribution, double flux_lm) {
-  constexpr int rows = 360, columns = 180;
-  double sum = 0;
-  for (int j = 0; j < rows; ++j) {
-    const double g = (j + 0.5) * 180 / rows * degree, sine = std::sin(g), cosine = std::cos(g);
-    for (int i = 0; i < columns; ++i) {
-      const double c = (i + 0.5) * 360 / columns * degree;
-      const double flux = distribution.eval(sine * std::cos(c), sine * std::sin(c), -cosine) * sine;
-      if (!(flux > 0)) continue;
-      sum += flux;
-      if (j < rows / 2)
-        down_.push_back({sine / cosine * std::cos(c), sine / cosine * std::sin(c), flux});
-      else
-        up_ += flux;
-    }
+RoomRays::RoomRays(const Distribution& distribution) {
+  if (!(distribution.interpolated_flux_lm() > 0)) throw std::invalid_argument("the distribution has no flux");
+  constexpr int side = 200;
+  for (int i = 0; i < side * side; ++i) {
+    const Distribution::Sample s = distribution.sample((i / side + 0.5) / side, (i % side + 0.5) / side);
+    if (s.z < 0) down_.push_back({s.x / -s.z, s.y / -s.z});
   }
-  if (!(sum > 0 && flux_lm > 0)) throw std::invalid_argument("the distribution has no flux");
-  for (Ray& ray : down_) ray.share /= sum;
-  up_ /= sum;
+  share_ = 1.0 / (side * side);
+  up_ = 1 - share_ * double(down_.size());
 }
 
 RoomFlux RoomRays::direct_shares(const RoomShape& room, int columns, int rows) const {
-  double floor = 0, down = 0;
-  for (const Ray& ray : down_) {
-    floor += ray.share * share_inside(room.x, columns, ray.dx) * share_inside(room.y, rows, ray.dy);
-    down += ray.share;
-  }
-  return {floor, down - floor, up_};
+  double floor = 0;
+  for (const Ray& ray : down_) floor += share_inside(room.x, columns, ray.dx) * share_inside(room.y, rows, ray.dy);
+  floor *= share_;
+  return {floor, 1 - up_ - floor, up_};
 }
 
 }  // namespace photometry

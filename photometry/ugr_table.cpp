@@ -44,7 +44,7 @@ UgrTable ugr_table(const Photometry& photometry) {
     throw UnsupportedError("the luminous opening has no area, so no luminance to rate: a UGR table needs a file that "
                            "states an opening of two extents at least");
   const double flux = flux_lm(photometry);
-  const RoomRays rays(photometry.distribution, flux);
+  const RoomRays rays(photometry.distribution);
   UgrTable table;
   table.lamp_flux_lm = photometry.rated_flux_lm > 0 ? photometry.rated_flux_lm : flux;
   for (int view = 0; view < UgrTable::views; ++view) {

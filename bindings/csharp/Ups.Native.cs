@@ -344,7 +344,7 @@ namespace Ups
     }
 
     [Flags]
-    public enum GlareSource : uint
+    public enum GlareFlag : uint
     {
         Small = 1,
         Point = 2,
@@ -671,29 +671,6 @@ namespace Ups
             return to;
         }
         public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
-        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
-    }
-
-    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct Int2 : IEnumerable<int>
-    {
-        private fixed int values_[2];
-        public int Length { get { return 2; } }
-        public int this[int index]
-        {
-            get { fixed (int* p = values_) return p[Elements.Index(index, 2)]; }
-            set { fixed (int* p = values_) p[Elements.Index(index, 2)] = value; }
-        }
-        public int[] ToArray() { fixed (int* p = values_) return Elements.Copy(p, 2); }
-        public static implicit operator int[](Int2 from) { return from.ToArray(); }
-        public static implicit operator Int2(int[] from)
-        {
-            var to = new Int2();
-            Elements.Set(to.values_, 2, from, "Int2");
-            return to;
-        }
-        public IEnumerator<int> GetEnumerator() { return ((IEnumerable<int>)ToArray()).GetEnumerator(); }
         IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
     }
 
@@ -1785,7 +1762,8 @@ namespace Ups
         public float HighestLuminanceCDeg;
         public float HighestLuminanceGammaDeg;
         public Float3 SpacingCriterion;
-        public Int2 NemaType;
+        public int NemaHorizontal;
+        public int NemaVertical;
         public Float4 FrontLm;
         public Float4 BackLm;
         public Float2 UpLm;

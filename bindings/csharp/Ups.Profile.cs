@@ -158,6 +158,56 @@ namespace Ups
             return beam;
         }
 
+        /// <summary>By CIE 190: crosswise and endwise, room * 5 + set of reflectances.</summary>
+        public UgrTable UgrTable()
+        {
+            var table = Ups.UgrTable.Sized();
+            Library.Check(Native.ups_profile_get_ugr_table(Handle, &table));
+            return table;
+        }
+
+        /// <summary>CIE flux code, luminance limits, spacing criterion, NEMA type, BUG rating. frontCDeg: where the
+        /// front of an outdoor luminaire faces.</summary>
+        public DataSheet DataSheet(float frontCDeg = 0)
+        {
+            var sheet = Ups.DataSheet.Sized();
+            Library.Check(Native.ups_profile_get_data_sheet(Handle, frontCDeg, &sheet));
+            return sheet;
+        }
+
+        /// <summary>Utilisation factors of ten rooms: room * 10 + set of reflectances.</summary>
+        public UtilisationTable Utilisation()
+        {
+            var table = UtilisationTable.Sized();
+            Library.Check(Native.ups_profile_get_utilisation(Handle, &table));
+            return table;
+        }
+
         public void Dispose() { Handle.Dispose(); }
+    }
+
+    /// <summary>How much a source dazzles: position indices and UGR by hand.</summary>
+    public static unsafe class Glare
+    {
+        /// <summary>For directions xyz in the eye's frame, which looks along -Z, +Y up; -1: not a source there.</summary>
+        public static float[] PositionIndex(float[] directions, PositionIndex kind = Ups.PositionIndex.Table)
+        {
+            var values = new float[Elements.Count(directions, 3, "directions")];
+            fixed (float* d = directions, v = values)
+                Library.Check(Native.ups_glare_get_position_index(kind, d, (UIntPtr)values.Length, v));
+            return values;
+        }
+
+        /// <summary>Of sources by three arrays of one length; -1: none of them counts.</summary>
+        public static float Ugr(float[] luminanceCdM2, float[] solidAngleSr, float[] positionIndex, double backgroundCdM2)
+        {
+            var count = Elements.Count(luminanceCdM2, 1, "luminanceCdM2");
+            Elements.Expect(solidAngleSr, count, "solidAngleSr");
+            Elements.Expect(positionIndex, count, "positionIndex");
+            float ugr;
+            fixed (float* l = luminanceCdM2, w = solidAngleSr, p = positionIndex)
+                Library.Check(Native.ups_glare_get_ugr(l, w, p, (UIntPtr)count, backgroundCdM2, &ugr));
+            return ugr;
+        }
     }
 }

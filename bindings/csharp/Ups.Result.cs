@@ -213,6 +213,27 @@ namespace Ups
             return all;
         }
 
+        /// <summary>UGR with its error and background.</summary>
+        public ObserverReading Observer(SensorId sensor)
+        {
+            var reading = ObserverReading.Sized();
+            Library.Check(Native.ups_result_get_observer(Handle, sensor, &reading));
+            return reading;
+        }
+
+        /// <summary>The sources of an observer's rating, the worst first.</summary>
+        public GlareSource[] GlareSources(SensorId sensor)
+        {
+            var all = new GlareSource[Observer(sensor).SourceCount];
+            for (uint i = 0; i < all.Length; ++i)
+            {
+                var source = GlareSource.Sized();
+                Library.Check(Native.ups_result_get_glare_source(Handle, sensor, i, &source));
+                all[i] = source;
+            }
+            return all;
+        }
+
         /// <summary>Flux, light output ratio and accuracy.</summary>
         public GoniometerInfo GoniometerInfo(SensorId sensor)
         {

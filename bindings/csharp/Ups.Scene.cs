@@ -170,6 +170,14 @@ namespace Ups
             return places;
         }
 
+        /// <summary>An eye whose glare is rated; its meter's readings are those of a set of one.</summary>
+        public SensorId AddObserver(ObserverDesc desc)
+        {
+            SensorId id;
+            Library.Check(Native.ups_scene_add_observer(Handle, &desc, &id));
+            return id;
+        }
+
         /// <summary>Light that leaves the scene, by direction. Without angles: equal steps, desc.CCount and GammaCount
         /// of them.</summary>
         public SensorId AddGoniometer(GoniometerDesc desc, float[] cDeg = null, float[] gammaDeg = null)

@@ -52,7 +52,7 @@ typedef struct ups_data_sheet {
   float highest_luminance_cd_m2;  /* from 65 to 85 deg, the last angle of EN 13032-2, and where */
   float highest_luminance_c_deg, highest_luminance_gamma_deg;
   float spacing_criterion[3];     /* of the IES: planes C0-C180 and C90-C270, diagonal of a square; < 0: none */
-  int32_t nema_type[2];           /* 1 to 7 by the field angle in C90-C270 (horizontal), C0-C180 (vertical); 0: none */
+  int32_t nema_horizontal, nema_vertical; /* type 1 to 7 by the field angle in C90-C270, C0-C180; 0: none */
   /* IES TM-15-11: zones of flux in front and behind, to 30, 60, 80 and 90 deg, above to 100 and 180 deg; ratings 0 to
    * 5; glare by the limits of types V (bug_type_v 1: symmetric to both planes, or round) or of types I to IV */
   float front_lm[4], back_lm[4], up_lm[2];
@@ -117,16 +117,16 @@ UPS_API ups_status ups_result_get_observer(const ups_result *result, ups_sensor_
                                            ups_observer_reading *reading);
 
 enum {
-  UPS_GLARE_SOURCE_SMALL = 1,  /* looks smaller than 0.005 m^2, hidden parts included */
-  UPS_GLARE_SOURCE_POINT = 2,  /* without extent: no luminance */
-  UPS_GLARE_SOURCE_LARGE = 4,  /* above 0.1 sr */
-  UPS_GLARE_SOURCE_HIDDEN = 8  /* in part */
+  UPS_GLARE_FLAG_SMALL = 1,  /* looks smaller than 0.005 m^2, hidden parts included */
+  UPS_GLARE_FLAG_POINT = 2,  /* without extent: no luminance */
+  UPS_GLARE_FLAG_LARGE = 4,  /* above 0.1 sr */
+  UPS_GLARE_FLAG_HIDDEN = 8  /* in part */
 };
 typedef struct ups_glare_source {
   uint32_t struct_size;
   ups_source_kind kind;        /* UPS_SOURCE_LUMINAIRE or _INSTANCE */
   uint32_t id;                 /* the v of its ups_luminaire_id or ups_instance_id */
-  uint32_t flags;              /* UPS_GLARE_SOURCE_* */
+  uint32_t flags;              /* UPS_GLARE_FLAG_* */
   float luminance_cd_m2;       /* mean of what is visible, panes included; -1: a point */
   float solid_angle_sr;        /* of what is visible; 0: a point */
   float intensity_cd;          /* of what is visible, towards the eye */

@@ -52,8 +52,8 @@ ups_data_sheet sheet_of(const photometry::Photometry& data, double front_c_deg) 
   out.spacing_criterion[0] = float(sc.along_c0);
   out.spacing_criterion[1] = float(sc.along_c90);
   out.spacing_criterion[2] = float(sc.diagonal);
-  for (int i = 0; i < 2; ++i)
-    out.nema_type[i] = photometry::nema_type(photometry::beam_of(data, i == 0 ? 90 : 0, 0.1).angle_deg);
+  out.nema_horizontal = photometry::nema_type(photometry::beam_of(data, 90, 0.1).angle_deg);
+  out.nema_vertical = photometry::nema_type(photometry::beam_of(data, 0, 0.1).angle_deg);
   const photometry::BugRating bug = photometry::bug_rating(data, front_c_deg);
   copy(bug.front_lm, out.front_lm);
   copy(bug.back_lm, out.back_lm);
@@ -80,7 +80,7 @@ ups_utilisation_table utilisation_of(const photometry::Photometry& data) {
 }
 
 size_t observer_index(const RenderResult& r, ups_sensor_id observer) {
-  return index_of(r, r.scene->observer_ids, observer, "observer");
+  return index_of(r, r.scene->observer_ids, observer, "rated eye (an observer)");
 }
 
 bool is_large(const SeenSource& s) { return s.glare.solid_angle_sr > photometry::large_source_sr; }
@@ -134,10 +134,10 @@ ups_glare_source source_of(const RenderResult& r, const SeenGlare& glare, uint32
   ups_glare_source out{};
   out.kind = source.kind;
   out.id = source.id | r.scene->tag->bits();
-  if (s.glare.is_small) out.flags |= UPS_GLARE_SOURCE_SMALL;
-  if (s.glare.luminance_cd_m2 < 0) out.flags |= UPS_GLARE_SOURCE_POINT;
-  if (is_large(s)) out.flags |= UPS_GLARE_SOURCE_LARGE;
-  if (s.visible_share < 1) out.flags |= UPS_GLARE_SOURCE_HIDDEN;
+  if (s.glare.is_small) out.flags |= UPS_GLARE_FLAG_SMALL;
+  if (s.glare.luminance_cd_m2 < 0) out.flags |= UPS_GLARE_FLAG_POINT;
+  if (is_large(s)) out.flags |= UPS_GLARE_FLAG_LARGE;
+  if (s.visible_share < 1) out.flags |= UPS_GLARE_FLAG_HIDDEN;
   out.luminance_cd_m2 = float(s.glare.luminance_cd_m2);
   out.solid_angle_sr = float(s.glare.solid_angle_sr);
   out.intensity_cd = float(s.glare.intensity_cd);

@@ -134,7 +134,7 @@ std::string to_text(const DataSheet& s) {
   const auto spacing = [&](int i) { return cell(d.spacing_criterion[i], "%.2f"); };
   text += "spacing criterion: C0-C180 " + spacing(0) + ", C90-C270 " + spacing(1) + ", diagonal " + spacing(2) + "\n";
   const auto nema = [](int type) { return type > 0 ? std::to_string(type) : std::string("-"); };
-  text += "NEMA type: " + nema(d.nema_type[0]) + " x " + nema(d.nema_type[1]) + " (C90-C270 x C0-C180)\n";
+  text += "NEMA type: " + nema(d.nema_horizontal) + " x " + nema(d.nema_vertical) + " (C90-C270 x C0-C180)\n";
   text += format("BUG rating: B%d U%d G%d (front to C%g, glare limits of types %s)\n", d.backlight_rating,
                  d.uplight_rating, d.glare_rating, s.front_c_deg, d.bug_type_v ? "V" : "I to IV");
   text += zones_text(d);
@@ -161,7 +161,7 @@ std::string csv_rows(const std::string& file, const DataSheet& s) {
   add("luminance_cd_m2", "65-85", "highest", d.highest_luminance_cd_m2);
   constexpr const char *sc_rows[] = {"C0-C180", "C90-C270", "diagonal"}, *zones[] = {"30", "60", "80", "90"};
   for (int i = 0; i < 3; ++i) add("spacing_criterion", sc_rows[i], "ratio", d.spacing_criterion[i]);
-  for (int i = 0; i < 2; ++i) add("nema_type", sc_rows[1 - i], "type", d.nema_type[i]);
+  add("nema_type", sc_rows[1], "type", d.nema_horizontal), add("nema_type", sc_rows[0], "type", d.nema_vertical);
   for (int i = 0; i < 4; ++i) {
     add("bug_lm", zones[i], "front", d.front_lm[i]);
     add("bug_lm", zones[i], "back", d.back_lm[i]);

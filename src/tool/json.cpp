@@ -81,8 +81,8 @@ ordered_json observer_json(const ObserverReport& observer) {
                        {"distance_m", number(s.distance_m)},
                        {"visible_share", number(s.visible_share)},
                        {"position_index", number(s.position_index)},
-                       {"small", (s.flags & UPS_GLARE_SOURCE_SMALL) != 0},
-                       {"large", (s.flags & UPS_GLARE_SOURCE_LARGE) != 0}});
+                       {"small", (s.flags & UPS_GLARE_FLAG_SMALL) != 0},
+                       {"large", (s.flags & UPS_GLARE_FLAG_LARGE) != 0}});
   const bool rated = !(r.flags & (UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_NO_BACKGROUND));
   return {{"ugr", number(r.ugr)},
           {"ugr_standard_error", number(r.ugr_standard_error)},
@@ -379,7 +379,7 @@ ordered_json sheet_json(const DataSheet& s) {
        {{"c0_c180", number(d.spacing_criterion[0])},
         {"c90_c270", number(d.spacing_criterion[1])},
         {"diagonal", number(d.spacing_criterion[2])}}},
-      {"nema_type", {{"horizontal", d.nema_type[0]}, {"vertical", d.nema_type[1]}}},
+      {"nema_type", {{"horizontal", d.nema_horizontal}, {"vertical", d.nema_vertical}}},
       {"bug",
        {{"backlight", d.backlight_rating},
         {"uplight", d.uplight_rating},

@@ -332,6 +332,7 @@ internal static partial class BindingTest
             TestValues(context);
             TestArrays(context);
             TestProfiles(context);
+            TestGlare(context);
             TestGoniometer(context);
             TestFixtureParts(context);
             TestPlacements(context);

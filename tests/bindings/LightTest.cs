@@ -53,6 +53,50 @@ internal static partial class BindingTest
         }
     }
 
+    // 450 cd towards the eye from a panel of 0.3 m, 2 m ahead and 1 m up, above a white floor.
+    private static void TestGlare(Context context)
+    {
+        var rectangle = ProfileDesc.Create();
+        rectangle.OpeningShape = OpeningShape.Rectangle;
+        rectangle.OpeningM = new[] { 0.3f, 0.3f, 0 };
+        using (var scene = new Scene(context))
+        using (var panel = Profile.FromTable(context, new float[] { 0 }, new float[] { 0, 90 }, new float[] { 450, 450 },
+                                             rectangle))
+        {
+            Expect(panel.UgrTable().Crosswise[50] == panel.UgrTable().Endwise[50], "a table of a round distribution");
+            ExpectNear(panel.DataSheet().FluxCode[1], 50, 0.01, "half of the hemisphere's light within 60 degrees");
+            Expect(panel.DataSheet(90).NemaHorizontal == 7, "a wide beam");
+            Expect(panel.Utilisation().Factors[0] > panel.Utilisation().Factors[9], "reflections are of use");
+            var white = MaterialDesc.Create();
+            var floor = InstanceDesc.Create();
+            floor.Mesh = scene.AddMesh(new float[] { -5, -5, -1, 5, -5, -1, 5, 5, -1, -5, 5, -1 },
+                                       new uint[] { 0, 1, 2, 0, 2, 3 }, scene.AddMaterial(white));
+            scene.AddInstance(floor);
+            var luminaire = LuminaireDesc.Create();
+            luminaire.ToWorld = new double[] { 1, 0, 0, 0, 0, 1, 0, 2, 0, 0, 1, 1 };
+            luminaire.UseOpening = 1;
+            var lamp = scene.AddLuminaire(panel, luminaire);
+            var eye = ObserverDesc.Create();
+            eye.ToWorld = new double[] { 1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0 };  // along +y, up +z
+            var observer = scene.AddObserver(eye);
+            scene.Commit();
+            var render = RenderDesc.Create();
+            render.IterationCount = 16;
+            render.Seed = 1;
+            using (var result = scene.Render(render))
+            {
+                var reading = result.Observer(observer);
+                Expect(reading.SourceCount == 1 && reading.Flags == 0, "a source");
+                var source = result.GlareSources(observer)[0];
+                Expect(source.Kind == SourceKind.Luminaire && source.Id == lamp.V, "the luminaire");
+                ExpectNear(source.IntensityCd, 450, 1e-4, "its intensity");
+                ExpectNear(source.PositionIndex, Glare.PositionIndex(new float[] { 0, 0.5f, -1 })[0], 1e-5, "its index");
+                ExpectNear(Glare.Ugr(new[] { source.LuminanceCdM2 }, new[] { source.SolidAngleSr },
+                                     new[] { source.PositionIndex }, reading.BackgroundCdM2), reading.Ugr, 1e-4, "UGR");
+            }
+        }
+    }
+
     private static Fixture Emitter(Context context)
     {
         var emitter = FixtureEmitterDesc.Create();

@@ -83,7 +83,7 @@ double floor_share_by_points(const Photometry& p, const RoomShape& room, double 
 TEST(Room, DirectSharesAreThosePointByPoint) {
   for (const auto& f : {lambertian, batwing, spot, pendant}) {
     const Photometry p = panel(f);
-    const RoomRays rays(p.distribution, flux_lm(p));
+    const RoomRays rays(p.distribution);
     for (const RoomShape& room : {RoomShape{2, 2}, {4, 2}, {2, 3}}) {
       const RoomFlux direct = rays.direct_shares(room, int(4 * room.x), int(4 * room.y));
       EXPECT_NEAR(direct[0], floor_share_by_points(p, room, 0.25, 4), 0.003) << room.x << " " << room.y;
@@ -143,6 +143,20 @@ TEST(UgrTable, IsThatOfCie190sTables) {
               8 * std::log10(0.25 / background_by_cie190(p, r, k) * glare_sum(p, UgrTable::shapes[r], view == 1));
           EXPECT_NEAR(table.ugr[view][r][k], expected, bound) << view << " " << r << " " << k;
         }
+  }
+}
+
+// 0.1 degrees wide: to the floor, or past it to a wall.
+TEST(Room, MissesNoNeedle) {
+  for (const double gamma : {20.3, 80.3}) {
+    const Distribution needle({0, 10, 10.1, 10.2}, {gamma, gamma + 0.05, gamma + 0.1},
+                              {0, 0, 0, 0, 0, 0, 0, 1000, 0, 0, 0, 0});
+    const RoomFlux direct = RoomRays(needle).direct_shares({2, 2}, 0, 0);
+    const double reach = std::tan(rad(gamma + 0.05));
+    const double dx = reach * std::cos(rad(10.1)), dy = reach * std::sin(rad(10.1));
+    const double floor = std::max(0.0, 1 - dx / 2) * std::max(0.0, 1 - dy / 2);
+    EXPECT_NEAR(direct[0], floor, 1e-3) << gamma;
+    EXPECT_NEAR(direct[1], 1 - floor, 1e-3) << gamma;
   }
 }
 

@@ -104,6 +104,47 @@ class Info(test_program.ProgramTest):
         for words in ("luminance of the opening", "light output ratio"):
             self.assertNotIn(words, text)
 
+    def test_data_sheet(self):
+        path = self.write("lamp.ies", LAMBERTIAN)
+        (lamp,) = self.info(path)
+        sheet = lamp["data_sheet"]
+        for value, expected in zip(sheet["flux_code"], (43.75, 75, 93.75, 100, 78.54)):
+            self.assertAlmostEqual(value, expected, delta=0.3)
+        self.assertAlmostEqual(sheet["high_luminance"]["luminance_cd_m2"][0], 31831, delta=40)
+        self.assertAlmostEqual(sheet["spacing_criterion"]["c0_c180"], 1.29, delta=0.01)
+        self.assertAlmostEqual(sheet["spacing_criterion"]["diagonal"], 1.41, delta=0.01)
+        self.assertEqual(sheet["nema_type"], {"horizontal": 7, "vertical": 7})
+        self.assertEqual([sheet["bug"][k] for k in ("backlight", "uplight", "glare", "type_v")], [1, 0, 1, True])
+        table = sheet["ugr_table"]
+        self.assertEqual((table["lamp_flux_lm"], table["reflectances"][0]), (4000, "70/50/20"))
+        self.assertEqual(len(table["rooms"]), 19)
+        room = table["rooms"][10]
+        self.assertEqual(room["room"], "4H 8H")
+        self.assertAlmostEqual(room["crosswise"][0], room["endwise"][0], delta=0.02)
+        self.assertEqual(len(sheet["utilisation"]["rooms"]), 10)
+        self.assertEqual(sheet["candela"][0]["intensity_cd"][0], 1000)
+        self.assertAlmostEqual(sum(z["flux_lm"] for z in sheet["zonal_flux"]), lamp["flux_lm"], delta=0.01)
+        text = self.run_program("info", path).stdout
+        for words in ("CIE flux code: 44 75 94 100 79", "NEMA type: 7 x 7", "BUG rating: B1 U0 G1",
+                      f"  4H 8H {room['crosswise'][0]:12.1f}", "room index", "  90   "):
+            self.assertIn(words, text)
+        rows = [line.split(",") for line in self.run_program("info", "--csv", path).stdout.splitlines()]
+        self.assertEqual(rows[0], ["file", "table", "row", "column", "value"])
+        self.assertTrue(all(len(row) == 5 and float(row[4]) is not None for row in rows[1:]))
+        value = {tuple(row[1:4]): float(row[4]) for row in rows[1:]}
+        self.assertAlmostEqual(value["ugr_endwise", "4H 8H", "70/50/20"], room["endwise"][0], delta=1e-4)
+        self.assertEqual(value["candela", "0", "C0"], 1000)
+        self.run_program("info", "--csv", "--json", path, code=2)
+
+    def test_data_sheet_without_an_opening(self):
+        path = self.write("all.ies", ies([0, 90, 180], [7, 7, 7]))
+        (lamp,) = self.info(path)
+        self.assertNotIn("ugr_table", lamp["data_sheet"])
+        self.assertEqual(lamp["data_sheet"]["high_luminance"]["highest_cd_m2"], -1)
+        self.assertIn("UGR table: none", self.run_program("info", path).stdout)
+        scene = self.write("room.gltf", test_program.room())
+        self.assertIn("--csv", self.run_program("info", "--csv", scene, code=1).stderr)
+
     def test_folder_is_a_sorted_table_that_survives_broken_files(self):
         for name, content in (("b.IES", LAMBERTIAN), ("a.ies", ies([0, 90, 180], [7, 7, 7])), ("notes.txt", "no"),
                               ("c.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 2")):

@@ -132,6 +132,37 @@ class SourcesTest(unittest.TestCase):
         self.assertEqual(nodes[1]["intensity_cd"] < 150, True)  # the floor is in the way
         self.assertAlmostEqual(report["flux_lm"] / (600 * math.pi), report["light_output_ratio"], delta=1e-4)
 
+    def test_observers(self):
+        scene = two_lights()
+        # Eyes beside each other, 1 m up: "desk 1" looks north to the lights, the other one away from them.
+        for name, turn in (("desk 1", [0, 0, 0, 1]), ("away", [0, 1, 0, 0])):
+            scene["nodes"].append({"translation": [0, 1, 3], "rotation": turn,
+                                   "extras": {"ups": {"observer": {"name": name, "metric": "ugr"}}}})
+            scene["scenes"][0]["nodes"].append(len(scene["nodes"]) - 1)
+        run = self.render(scene)
+        report = json.loads(run.stdout)
+        self.assertEqual(set(report["observers"]), {"desk 1", "away"})
+        seen, away = report["observers"]["desk 1"], report["observers"]["away"]
+        self.assertTrue(seen["rated"])
+        self.assertGreater(seen["ugr"], 0)
+        self.assertGreater(seen["background_cd_m2"], 0)
+        self.assertGreaterEqual(seen["ugr_standard_error"], 0)
+        self.assertLessEqual(seen["ugr_low"], seen["ugr"])
+        self.assertAlmostEqual(sum(s["share"] for s in seen["sources"]), 1, delta=1e-5)
+        self.assertTrue(all(s["small"] and s["luminance_cd_m2"] == -1 for s in seen["sources"]))  # point lights
+        self.assertEqual((away["rated"], away["ugr"], away["sources"]), (False, -1, []))
+        self.assertTrue(any("no luminance" in w for w in report["warnings"]))
+        self.assertNotIn("desk 1", report["meters"])
+
+    def test_wrong_observers(self):
+        for words, message in (({"metric": "dgp"}, "must be ugr"), ({"position_index": "x"}, "table or guth"),
+                               ({"height": 1}, "height")):
+            scene = two_lights()
+            scene["nodes"][6]["extras"] = {"ups": {"observer": words}}
+            run = self.render(scene)
+            self.assertEqual(run.returncode, 1, words)
+            self.assertIn(message, run.stderr)
+
     def test_wrong_words(self):
         for words, expected in (({"symmetry": "round"}, "symmetry"), ({"gamma_step_deg": 7}, "gamma_step_deg"),
                                 ({"symmetry": "axial", "c_step_deg": 15}, "axial has one plane"),

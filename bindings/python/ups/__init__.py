@@ -14,22 +14,25 @@ raises ups.Error. Objects free themselves; close() or a `with` block does it at 
 """
 from . import _ffi
 from ._core import Context, Error, translation, version
-from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, Effect, EmitterShape, Finish, JobState, Layer,
-                   LightKind, LightPart, Limit, LogLevel, MaterialModel, MeterKind, Method, OpeningShape, PathEvent,
-                   Perturbation, PhotometricType, Photons, ProfileFormat, ProfileSymmetry, Projection, Reading, ReflectorProfile,
-                   ResultText, SceneText, Separation, SourceKind, Status, Technique, Walk)
+from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, Effect, EmitterShape, Finish,
+                  GlareFlag, GlareMetric, JobState, Layer, LightKind, LightPart, Limit, LogLevel, MaterialModel,
+                  MeterKind, Method, Observer, OpeningShape, PathEvent, Perturbation, PhotometricType, Photons,
+                  PositionIndex, ProfileFormat, ProfileSymmetry, Projection, Reading, ReflectorProfile, ResultText,
+                  SceneText, Separation, SourceKind, Status, Technique, Walk)
 from ._fixture import Fixture
+from ._glare import position_index, ugr
 from ._grid import en12464_grid
 from ._profile import Profile
 from ._result import Job, ReplayedPath, Result
 from ._scene import Scene
 
 __all__ = ["AlphaMode", "Channel", "CollimatorWall", "Context", "Contribution", "Criterion", "Effect", "EmitterShape",
-           "Error", "Finish", "Fixture", "Job", "JobState", "Layer", "LightKind", "LightPart", "Limit", "LogLevel",
-           "MaterialModel", "MeterKind", "Method", "OpeningShape", "PathEvent", "Perturbation", "PhotometricType", "Photons",
-           "Profile", "ProfileFormat", "ProfileSymmetry", "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "Result",
-           "ResultText", "Scene", "SceneText", "Separation", "SourceKind", "Status", "Technique", "Walk",
-           "en12464_grid", "translation", "version"]
+           "Error", "Finish", "Fixture", "GlareFlag", "GlareMetric", "Job", "JobState", "Layer", "LightKind",
+           "LightPart", "Limit", "LogLevel", "MaterialModel", "MeterKind", "Method", "Observer", "OpeningShape",
+           "PathEvent", "Perturbation", "PhotometricType", "Photons", "PositionIndex", "Profile", "ProfileFormat",
+           "ProfileSymmetry", "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "Result", "ResultText",
+           "Scene", "SceneText", "Separation", "SourceKind", "Status", "Technique", "Walk", "en12464_grid",
+           "position_index", "translation", "ugr", "version"]
 
 for _class in (Context, Error, Fixture, Job, Profile, ReplayedPath, Result, Scene):
     _class.__module__ = __name__  # tracebacks say ups.Error, the name that programs know

@@ -300,7 +300,7 @@ class Observer(enum.IntFlag):
     UNRATED_SOURCE = 16
 
 
-class GlareSource(enum.IntFlag):
+class GlareFlag(enum.IntFlag):
     SMALL = 1
     POINT = 2
     LARGE = 4
@@ -1156,7 +1156,8 @@ class DataSheet(Structure):
         ("highest_luminance_c_deg", c_float),
         ("highest_luminance_gamma_deg", c_float),
         ("spacing_criterion", c_float * 3),
-        ("nema_type", c_int32 * 2),
+        ("nema_horizontal", c_int32),
+        ("nema_vertical", c_int32),
         ("front_lm", c_float * 4),
         ("back_lm", c_float * 4),
         ("up_lm", c_float * 2),

@@ -118,3 +118,16 @@ class Profile(Handle):
         """The lobe around the peak of the plane C / C + 180 down to that fraction of it, as ups_profile_beam: peak_cd,
         angle_deg, ... 0.5 gives the beam angle, 0.1 the field angle."""
         return read_info(_ffi.ProfileBeam, lib.ups_profile_get_beam, self, c_deg, fraction)
+
+    def ugr_table(self):
+        """By CIE 190, as ups_ugr_table: crosswise and endwise, room * 5 + set of reflectances."""
+        return read_info(_ffi.UgrTable, lib.ups_profile_get_ugr_table, self)
+
+    def data_sheet(self, front_c_deg=0):
+        """CIE flux code, luminance limits, spacing criterion, NEMA type, BUG rating, as ups_data_sheet. front_c_deg:
+        where the front of an outdoor luminaire faces."""
+        return read_info(_ffi.DataSheet, lib.ups_profile_get_data_sheet, self, front_c_deg)
+
+    def utilisation(self):
+        """Utilisation factors of ten rooms, as ups_utilisation_table: room * 10 + set of reflectances."""
+        return read_info(_ffi.UtilisationTable, lib.ups_profile_get_utilisation, self)

@@ -156,6 +156,15 @@ class Result(Handle):
             check(lib.ups_result_read_source_meters(self, source, sensor, address(row, _ffi.MeterReading), len(row)))
         return out
 
+    def observer(self, sensor):
+        """UGR with its error and background, as ups_observer_reading."""
+        return read_info(_ffi.ObserverReading, lib.ups_result_get_observer, self, sensor)
+
+    def glare_sources(self, sensor):
+        """The sources of an observer's rating, the worst first, each as ups_glare_source."""
+        return [read_info(_ffi.GlareSource, lib.ups_result_get_glare_source, self, sensor, i)
+                for i in range(self.observer(sensor).source_count)]
+
     def goniometer_info(self, sensor):
         """Flux, light output ratio and accuracy, as ups_goniometer_info."""
         return read_info(_ffi.GoniometerInfo, lib.ups_result_get_goniometer_info, self, sensor)

@@ -116,6 +116,12 @@ class Scene(Handle):
                 fields.update({f"{name}_deg": address(angles, ctypes.c_float), f"{name}_count": len(angles)})
         return self._add(lib.ups_scene_add_goniometer, _ffi.SensorId, describe(_ffi.GoniometerDesc, fields))
 
+    def add_observer(self, **fields):
+        """An eye whose glare is rated; its meter's readings are those of a set of one."""
+        sensor = self._add(lib.ups_scene_add_observer, _ffi.SensorId, describe(_ffi.ObserverDesc, fields))
+        self._shapes[sensor.v] = (1,)
+        return sensor
+
     def set_material(self, material, **fields):
         """Fields that are not given take the library's defaults."""
         check(lib.ups_scene_set_material(self, material, byref(describe(_ffi.MaterialDesc, fields))))
