@@ -12,6 +12,7 @@ those without the thousandth that differs most. numpy and matplotlib are needed.
 import argparse
 import ctypes
 import json
+import shutil
 import struct
 import subprocess
 import sys
@@ -42,6 +43,7 @@ def scene_with_layers(path):
     rest = data[20 + size:]
     head = struct.pack("<4sIIII", b"glTF", 2, 20 + len(text) + len(rest), len(text), JSON_CHUNK)
     path.write_bytes(head + text + rest)
+    shutil.copy(SCENE.parent / "wall_light.ies", path.parent)  # which it names
     return path
 
 

@@ -366,6 +366,47 @@ class Render(ProgramTest):
         result = self.render("--iterations", 16, "--size", "10x5")
         self.assertEqual({k: result["cameras"]["view"][k] for k in ("width", "height")}, {"width": 10, "height": 5})
 
+    def test_exposure_and_smoothing_change_the_picture_alone(self):
+        files = {}
+        for name, options in (("plain", []), ("smooth", ["--smooth"]), ("given", ["--exposure", 5.5])):
+            out = self.path(name)
+            view = self.render("--iterations", 32, "--out", out, *options)["cameras"]["view"]
+            with open(os.path.join(out, "view.exr"), "rb") as exr, open(os.path.join(out, "view.png"), "rb") as png:
+                files[name] = (view, exr.read(), png.read())
+        for name in ("smooth", "given"):
+            self.assertEqual(files[name][1], files["plain"][1])  # not a bit of the image
+            self.assertNotEqual(files[name][2], files["plain"][2])
+        self.assertEqual([files[n][0]["smoothed"] for n in files], [False, True, False])
+        self.assertEqual([files[n][0]["exposure"] for n in files], ["chosen", "chosen", "given"])
+        self.assertEqual(files["smooth"][0]["exposure_ev100"], files["plain"][0]["exposure_ev100"])
+        self.assertAlmostEqual(files["given"][0]["exposure_ev100"], 5.5, places=9)
+        self.assertIn(b"tEXtComment\0smoothed for display", files["smooth"][2])
+        self.assertNotIn(b"smoothed", files["plain"][2])
+        self.assertIn(b"tEXtExposure\0EV100 5.50: 5.657 cd/m2 is shown as an 18 % grey", files["given"][2])  # 2^5.5 / 8
+        self.assertIn(b"5th and 95th percentile", files["plain"][2])
+        for bad in ("bright", 101, "nan"):
+            self.run_program("render", "room.gltf", "--exposure", bad, code=2)
+
+    def test_projection_and_layers(self):
+        scene = room()
+        view = next(node for node in scene["nodes"] if node.get("name") == "view")
+        words = view.setdefault("extras", {}).setdefault("ups", {})
+        words.update({"projection": "equidistant", "width": 24, "height": 16, "layers": ["albedo", "depth", "id"]})
+        out = self.path("out")
+        camera = self.render("--iterations", 16, "--out", out, scene=scene)["cameras"]["view"]
+        self.assertEqual((camera["projection"], camera["width"], camera["height"]), ("equidistant", 24, 16))
+        with open(os.path.join(out, "view.exr"), "rb") as file:
+            header = file.read(4000)
+        for channel in ("albedo.R", "albedo.G", "albedo.B", "depth.Z", "id.Y", "R", "standard_error.R"):
+            self.assertIn(b"\0" + channel.encode() + b"\0", header)
+        self.assertNotIn(b"normal.X", header)
+        self.assertIn(b"equidistant", header)
+        info = json.loads(self.run_program("info", self.write("room.gltf", scene), "--json").stdout)
+        sensors = {s["name"]: s for s in info["files"][0]["sensors"]}
+        self.assertEqual(sensors["view"]["projection"], "equidistant")
+        words["projection"] = "fisheye"
+        self.expect_failure("render", self.write("room.gltf", scene), words=["projection", "equisolid"])
+
     def test_methods_bear_their_words(self):
         for method in ("ups", "pt", "lt", "bpt", "ppm"):
             with self.subTest(method=method):

@@ -15,10 +15,10 @@ raises ups.Error. Objects free themselves; close() or a `with` block does it at 
 from . import _ffi
 from ._core import Context, Error, translation, version
 from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, Effect, EmitterShape, Finish,
-                  GlareFlag, GlareMetric, JobState, Layer, LightKind, LightPart, Limit, LogLevel, MaterialModel,
-                  MeterKind, Method, Observer, OpeningShape, PathEvent, Perturbation, PhotometricType, Photons,
-                  PositionIndex, ProfileFormat, ProfileSymmetry, Projection, Reading, ReflectorProfile, ResultText,
-                  SceneText, Separation, SourceKind, Status, Technique, Walk)
+                   GlareFlag, GlareMetric, JobState, Layer, LightKind, LightPart, Limit, LogLevel, MaterialModel,
+                   MeterKind, Method, Observer, OpeningShape, PathEvent, Perturbation, PhotometricType, Photons,
+                   PositionIndex, ProfileFormat, ProfileSymmetry, Projection, Reading, ReflectorProfile, ResultText,
+                   SceneText, Separation, SourceKind, Status, Technique, Walk)
 from ._fixture import Fixture
 from ._glare import position_index, ugr
 from ._grid import en12464_grid
