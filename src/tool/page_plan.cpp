@@ -14,7 +14,7 @@ namespace {
 
 constexpr double width = 680, margin = 26, most_height = 620, foot = 40;
 constexpr size_t most_dots = 900, most_places = 200000;  // of a set; of a lightmap the outline alone would cost much
-constexpr Ink lamp_ink{214, 130, 0}, meter_ink{0, 92, 175}, observer_ink{110, 40, 140}, seen_ink{165, 170, 178};
+constexpr Ink lamp_ink{214, 130, 0}, meter_ink{0, 92, 175}, observer_ink{110, 40, 140}, seen_ink{125, 131, 140};
 
 using Polyline = std::vector<Point>;
 

@@ -88,7 +88,7 @@ footer { color: #57606a; font-size: .85em; padding-top: 2rem; padding-bottom: 3r
   h3 { font-size: 11pt; }
   h2, h3, caption { break-after: avoid; }
   p, ul { orphans: 3; widows: 3; }
-  .scroll { overflow: visible; }
+  .scroll { overflow: visible; break-inside: avoid; }
   figure, tr, .answer, dl.facts > div, li { break-inside: avoid; }
   thead { display: table-header-group; }
   .page { break-before: page; }
