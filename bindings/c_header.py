@@ -9,7 +9,7 @@ from collections import namedtuple
 from pathlib import Path
 
 CORE_HEADERS = ("ups_base.h", "ups_photometry.h", "ups_scene.h", "ups_fixture.h", "ups_sensor.h", "ups_render.h",
-                "ups_replay.h")
+                "ups_replay.h", "ups_statistics.h", "ups_glare.h")
 
 # C type: name without const, whether const, how many stars, elements of an array (0: no array).
 Type = namedtuple("Type", "name const pointers count")

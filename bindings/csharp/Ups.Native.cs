@@ -305,6 +305,36 @@ namespace Ups
         Refracted = 4,
     }
 
+    public enum PositionIndex : int
+    {
+        Table = 0,
+        Guth = 1,
+    }
+
+    public enum GlareMetric : int
+    {
+        GlareMetricUgr = 0,
+    }
+
+    [Flags]
+    public enum Observer : uint
+    {
+        NoSource = 1,
+        NoBackground = 2,
+        LargeSource = 4,
+        PointSource = 8,
+        UnratedSource = 16,
+    }
+
+    [Flags]
+    public enum GlareSource : uint
+    {
+        Small = 1,
+        Point = 2,
+        Large = 4,
+        Hidden = 8,
+    }
+
     /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct Double3 : IEnumerable<double>
@@ -417,6 +447,213 @@ namespace Ups
             return to;
         }
         public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float4 : IEnumerable<float>
+    {
+        private fixed float values_[4];
+        public int Length { get { return 4; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 4)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 4)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 4); }
+        public static implicit operator float[](Float4 from) { return from.ToArray(); }
+        public static implicit operator Float4(float[] from)
+        {
+            var to = new Float4();
+            Elements.Set(to.values_, 4, from, "Float4");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float5 : IEnumerable<float>
+    {
+        private fixed float values_[5];
+        public int Length { get { return 5; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 5)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 5)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 5); }
+        public static implicit operator float[](Float5 from) { return from.ToArray(); }
+        public static implicit operator Float5(float[] from)
+        {
+            var to = new Float5();
+            Elements.Set(to.values_, 5, from, "Float5");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float10 : IEnumerable<float>
+    {
+        private fixed float values_[10];
+        public int Length { get { return 10; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 10)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 10)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 10); }
+        public static implicit operator float[](Float10 from) { return from.ToArray(); }
+        public static implicit operator Float10(float[] from)
+        {
+            var to = new Float10();
+            Elements.Set(to.values_, 10, from, "Float10");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float15 : IEnumerable<float>
+    {
+        private fixed float values_[15];
+        public int Length { get { return 15; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 15)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 15)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 15); }
+        public static implicit operator float[](Float15 from) { return from.ToArray(); }
+        public static implicit operator Float15(float[] from)
+        {
+            var to = new Float15();
+            Elements.Set(to.values_, 15, from, "Float15");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float19 : IEnumerable<float>
+    {
+        private fixed float values_[19];
+        public int Length { get { return 19; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 19)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 19)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 19); }
+        public static implicit operator float[](Float19 from) { return from.ToArray(); }
+        public static implicit operator Float19(float[] from)
+        {
+            var to = new Float19();
+            Elements.Set(to.values_, 19, from, "Float19");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float30 : IEnumerable<float>
+    {
+        private fixed float values_[30];
+        public int Length { get { return 30; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 30)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 30)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 30); }
+        public static implicit operator float[](Float30 from) { return from.ToArray(); }
+        public static implicit operator Float30(float[] from)
+        {
+            var to = new Float30();
+            Elements.Set(to.values_, 30, from, "Float30");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float95 : IEnumerable<float>
+    {
+        private fixed float values_[95];
+        public int Length { get { return 95; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 95)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 95)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 95); }
+        public static implicit operator float[](Float95 from) { return from.ToArray(); }
+        public static implicit operator Float95(float[] from)
+        {
+            var to = new Float95();
+            Elements.Set(to.values_, 95, from, "Float95");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Float100 : IEnumerable<float>
+    {
+        private fixed float values_[100];
+        public int Length { get { return 100; } }
+        public float this[int index]
+        {
+            get { fixed (float* p = values_) return p[Elements.Index(index, 100)]; }
+            set { fixed (float* p = values_) p[Elements.Index(index, 100)] = value; }
+        }
+        public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 100); }
+        public static implicit operator float[](Float100 from) { return from.ToArray(); }
+        public static implicit operator Float100(float[] from)
+        {
+            var to = new Float100();
+            Elements.Set(to.values_, 100, from, "Float100");
+            return to;
+        }
+        public IEnumerator<float> GetEnumerator() { return ((IEnumerable<float>)ToArray()).GetEnumerator(); }
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+    }
+
+    /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Int2 : IEnumerable<int>
+    {
+        private fixed int values_[2];
+        public int Length { get { return 2; } }
+        public int this[int index]
+        {
+            get { fixed (int* p = values_) return p[Elements.Index(index, 2)]; }
+            set { fixed (int* p = values_) p[Elements.Index(index, 2)] = value; }
+        }
+        public int[] ToArray() { fixed (int* p = values_) return Elements.Copy(p, 2); }
+        public static implicit operator int[](Int2 from) { return from.ToArray(); }
+        public static implicit operator Int2(int[] from)
+        {
+            var to = new Int2();
+            Elements.Set(to.values_, 2, from, "Int2");
+            return to;
+        }
+        public IEnumerator<int> GetEnumerator() { return ((IEnumerable<int>)ToArray()).GetEnumerator(); }
         IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
     }
 
@@ -727,6 +964,7 @@ namespace Ups
         public double EmittedFluxLm;
         public Double3 BoundsMinM;
         public Double3 BoundsMaxM;
+        public double MaintenanceFactor;
         internal static SceneInfo Sized()
         {
             return new SceneInfo { StructSize = (uint)sizeof(SceneInfo) };
@@ -1058,6 +1296,7 @@ namespace Ups
         public uint Effects;
         public int Threads;
         public double FluxBalanceStandardErrorLm;
+        public double MaintenanceFactor;
         internal static ResultInfo Sized()
         {
             return new ResultInfo { StructSize = (uint)sizeof(ResultInfo) };
@@ -1120,6 +1359,9 @@ namespace Ups
         public double Percentile5Lx;
         public double Percentile5LowLx;
         public double Percentile5HighLx;
+        public double Diversity;
+        public double DiversityLow;
+        public double DiversityHigh;
         internal static MeterStatistics Sized()
         {
             return new MeterStatistics { StructSize = (uint)sizeof(MeterStatistics) };
@@ -1362,6 +1604,124 @@ namespace Ups
         public uint Reserved;
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Interval
+    {
+        public double Value;
+        public double Low;
+        public double High;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct UgrTable
+    {
+        public uint StructSize;
+        public float LampFluxLm;
+        public Float19 RoomAcrossH;
+        public Float19 RoomAlongH;
+        public Float15 Reflectances;
+        public Float95 Crosswise;
+        public Float95 Endwise;
+        internal static UgrTable Sized()
+        {
+            return new UgrTable { StructSize = (uint)sizeof(UgrTable) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct DataSheet
+    {
+        public uint StructSize;
+        public Float5 FluxCode;
+        public Float3 LuminanceCdM2;
+        public float HighestLuminanceCdM2;
+        public float HighestLuminanceCDeg;
+        public float HighestLuminanceGammaDeg;
+        public Float3 SpacingCriterion;
+        public Int2 NemaType;
+        public Float4 FrontLm;
+        public Float4 BackLm;
+        public Float2 UpLm;
+        public int BacklightRating;
+        public int UplightRating;
+        public int GlareRating;
+        public int BugTypeV;
+        internal static DataSheet Sized()
+        {
+            return new DataSheet { StructSize = (uint)sizeof(DataSheet) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct UtilisationTable
+    {
+        public uint StructSize;
+        public Float10 RoomIndex;
+        public Float30 Reflectances;
+        public Float100 Factors;
+        internal static UtilisationTable Sized()
+        {
+            return new UtilisationTable { StructSize = (uint)sizeof(UtilisationTable) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ObserverDesc
+    {
+        public uint StructSize;
+        public GlareMetric Metric;
+        public PositionIndex PositionIndex;
+        public uint Reserved;
+        public Double12 ToWorld;
+        /// <summary>With the library's defaults.</summary>
+        public static ObserverDesc Create()
+        {
+            var d = new ObserverDesc();
+            Native.ups_observer_desc_init(&d, (uint)sizeof(ObserverDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ObserverReading
+    {
+        public uint StructSize;
+        public uint Flags;
+        public float Ugr;
+        public float UgrStandardError;
+        public float UgrLow;
+        public float UgrHigh;
+        public float BackgroundCdM2;
+        public float BackgroundStandardErrorCdM2;
+        public float BackgroundErrorBoundCdM2;
+        public uint SourceCount;
+        internal static ObserverReading Sized()
+        {
+            return new ObserverReading { StructSize = (uint)sizeof(ObserverReading) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct GlareSource
+    {
+        public uint StructSize;
+        public SourceKind Kind;
+        public uint Id;
+        public uint Flags;
+        public float LuminanceCdM2;
+        public float SolidAngleSr;
+        public float IntensityCd;
+        public float DistanceM;
+        public float VisibleShare;
+        public float PositionIndex;
+        public float Share;
+        public Float3 Direction;
+        internal static GlareSource Sized()
+        {
+            return new GlareSource { StructSize = (uint)sizeof(GlareSource) };
+        }
+    }
+
     public sealed class ContextHandle : NativeHandle
     {
         protected override bool ReleaseHandle() { Native.ups_context_destroy(handle); return true; }
@@ -1500,6 +1860,8 @@ namespace Ups
         internal static extern Status ups_scene_set_transform(SceneHandle scene, InstanceId id, double* to_world);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_dimming(SceneHandle scene, LuminaireId id, float dimming);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_maintenance_factor(SceneHandle scene, double factor);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_remove_instance(SceneHandle scene, InstanceId id);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -1697,5 +2059,40 @@ namespace Ups
             UIntPtr capacity, UIntPtr* needed);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_path_get_text(PathHandle path, byte* text, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_meter_percentile(ResultHandle result, SensorId sensor, double
+            share, Interval* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_meter_share(ResultHandle result, SensorId sensor, double
+            threshold_lx, Interval* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_meter_ratio(ResultHandle result, SensorId numerator, SensorId
+            denominator, Interval* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_meter_ratios(ResultHandle result, SensorId numerator, SensorId
+            denominator, Interval* @out, UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_glare_get_position_index(PositionIndex kind, float* directions_xyz, UIntPtr
+            count, float* index);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_glare_get_ugr(float* luminance_cd_m2, float* solid_angle_sr, float*
+            position_index, UIntPtr count, double background_cd_m2, float* ugr);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_ugr_table(ProfileHandle profile, UgrTable* table);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_data_sheet(ProfileHandle profile, float front_c_deg, DataSheet*
+            sheet);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_profile_get_utilisation(ProfileHandle profile, UtilisationTable* table);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_observer_desc_init(ObserverDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_add_observer(SceneHandle scene, ObserverDesc* desc, SensorId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_observer(ResultHandle result, SensorId observer, ObserverReading*
+            reading);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_get_glare_source(ResultHandle result, SensorId observer, uint index,
+            GlareSource* source);
     }
 }

@@ -136,6 +136,41 @@ namespace Ups
             return statistics;
         }
 
+        /// <summary>lx: `share` (0 to 1) of the meters are below. 0.5: the median.</summary>
+        public Interval Percentile(SensorId sensor, double share)
+        {
+            Interval interval;
+            Library.Check(Native.ups_result_get_meter_percentile(Handle, sensor, share, &interval));
+            return interval;
+        }
+
+        /// <summary>0 to 1: of the meters with at least so much.</summary>
+        public Interval ShareAbove(SensorId sensor, double thresholdLx)
+        {
+            Interval interval;
+            Library.Check(Native.ups_result_get_meter_share(Handle, sensor, thresholdLx, &interval));
+            return interval;
+        }
+
+        /// <summary>The mean of one set of meters over that of another; -1 where it is not known.</summary>
+        public Interval Ratio(SensorId numerator, SensorId denominator)
+        {
+            Interval interval;
+            Library.Check(Native.ups_result_get_meter_ratio(Handle, numerator, denominator, &interval));
+            return interval;
+        }
+
+        /// <summary>Meter by meter; of cylindrical ones over horizontal ones at the same places: the modelling
+        /// index.</summary>
+        public Interval[] Ratios(SensorId numerator, SensorId denominator)
+        {
+            var ratios = new Interval[Statistics(numerator).Count];
+            fixed (Interval* r = ratios)
+                Library.Check(Native.ups_result_read_meter_ratios(Handle, numerator, denominator, r,
+                    (UIntPtr)ratios.Length));
+            return ratios;
+        }
+
         /// <summary>What RenderDesc.Separation tells apart: kind, id (of a luminaire or instance, or the group), flux;
         /// else none.</summary>
         public SourceInfo[] Sources()

@@ -168,6 +168,12 @@ namespace Ups
             Library.Check(Native.ups_scene_set_fixture_dimming(Handle, id, dimming));
         }
 
+        /// <summary>Multiplies the flux of every luminaire and fixture: above 0, at most 1.</summary>
+        public void SetMaintenanceFactor(double factor)
+        {
+            Library.Check(Native.ups_scene_set_maintenance_factor(Handle, factor));
+        }
+
         /// <summary>The instance that a part of a placed fixture became.</summary>
         public InstanceId FixtureInstance(FixtureId id, FixturePartId part)
         {

@@ -9,5 +9,7 @@
 #include "ups_sensor.h"
 #include "ups_render.h"
 #include "ups_replay.h"
+#include "ups_statistics.h"
+#include "ups_glare.h"
 
 #endif

@@ -7,6 +7,7 @@
 #ifndef UPS_GLTF_H
 #define UPS_GLTF_H
 
+#include "ups_glare.h"
 #include "ups_render.h"
 
 typedef struct ups_gltf_import ups_gltf_import; /* what the file named: sensors and warnings; immutable, thread-safe */
@@ -20,7 +21,7 @@ typedef struct ups_gltf_import_desc {
 } ups_gltf_import_desc;
 
 typedef int32_t ups_gltf_sensor_kind;
-enum { UPS_GLTF_CAMERA = 0, UPS_GLTF_METERS = 1, UPS_GLTF_GONIOMETER = 2 };
+enum { UPS_GLTF_CAMERA = 0, UPS_GLTF_METERS = 1, UPS_GLTF_GONIOMETER = 2, UPS_GLTF_OBSERVER = 3 };
 
 typedef struct ups_gltf_sensor_info {
   uint32_t struct_size;
@@ -50,7 +51,8 @@ UPS_API void ups_gltf_import_destroy(ups_gltf_import *import_result); /* NULL ok
 UPS_API ups_status ups_gltf_get_sensor_count(const ups_gltf_import *import_result, uint32_t *out);
 UPS_API ups_status ups_gltf_get_sensor(const ups_gltf_import *import_result, uint32_t index,
                                        ups_gltf_sensor_info *info);
-/* Unique in the file and fit for a file name: [A-Za-z0-9._-], at most 200 bytes. Two calls: text NULL and capacity 0
+/* Unique in the file and fit for a file name: [A-Za-z0-9._-], at most 200 bytes; an observer's as the file has it. Two
+ * calls: text NULL and capacity 0
  * give *needed (with the final zero), then the text. */
 UPS_API ups_status ups_gltf_get_sensor_name(const ups_gltf_import *import_result, uint32_t index, char *text,
                                             size_t capacity, size_t *needed);
@@ -59,12 +61,13 @@ UPS_API ups_status ups_gltf_get_sensor_name(const ups_gltf_import *import_result
  * counted through the file. Two calls, as above. Errors: INVALID_ARGUMENT for a group, or what the file did not add. */
 UPS_API ups_status ups_gltf_get_source_name(const ups_gltf_import *import_result, ups_source_kind kind, uint32_t id,
                                             char *text, size_t capacity, size_t *needed);
-/* The photometric file of a luminaire, as the scene file names it; empty: it has none, or it lies within the scene file.
- * Two calls and errors, as above. */
+/* The photometric file of a luminaire, as the scene file names it; empty: it has none, or it lies within the scene
+ * file. Two calls and errors, as above. */
 UPS_API ups_status ups_gltf_get_source_file(const ups_gltf_import *import_result, ups_source_kind kind, uint32_t id,
                                             char *text, size_t capacity, size_t *needed);
 /* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;
- * count must be the sensor's meter_count. */
+ * count must be the sensor's meter_count. Of an observer, with count 1, its eye and the direction that it looks
+ * along. */
 UPS_API ups_status ups_gltf_read_meters(const ups_gltf_import *import_result, uint32_t index, double *positions_m,
                                         float *normals, size_t count);
 /* For people, a line each: what was left out or looks wrong, each with its place. Two calls, as above. */

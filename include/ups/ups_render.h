@@ -125,6 +125,7 @@ typedef struct ups_result_info {
   double flux_balance_standard_error_lm; /* of emitted - absorbed - escaped, which is 0 but for chance, rounding and
                                           * what max_path_length cuts off; < 0: not known. Where more is missing than by
                                           * chance, UPS_TEXT_WARNINGS says so: by mistake once in 10,000 renders */
+  double maintenance_factor;              /* of the scene: that its luminaires' flux is multiplied by */
 } ups_result_info;
 
 /* Plain array elements: these never grow. < 0 where not known (too few iterations). Of more than 32768 meters an
@@ -180,6 +181,8 @@ typedef struct ups_meter_statistics {
   double min_low_lx, min_high_lx, max_low_lx, max_high_lx, uniformity_low, uniformity_high;
   double percentile_5_lx;        /* 5 % of the meters are below */
   double percentile_5_low_lx, percentile_5_high_lx;
+  double diversity;              /* min / max (EN 12193's U1); 0 where the maximum is 0 */
+  double diversity_low, diversity_high;
 } ups_meter_statistics;
 
 /* What accuracy cost: one look at the error. Errors are relative, over all meters, without meters over all pixels or a

@@ -125,6 +125,9 @@ UPS_API ups_status ups_scene_add_luminaire(ups_scene *scene, const ups_luminaire
 UPS_API ups_status ups_scene_set_material(ups_scene *scene, ups_material_id id, const ups_material_desc *desc);
 UPS_API ups_status ups_scene_set_transform(ups_scene *scene, ups_instance_id id, const double to_world[12]);
 UPS_API ups_status ups_scene_set_dimming(ups_scene *scene, ups_luminaire_id id, float dimming);
+/* Multiplies the flux of every luminaire and fixture, so that all readings are maintained ones (EN 12464-1; CIE 97):
+ * above 0, at most 1, at first 1. Lights and emitting surfaces keep theirs, of which a warning tells. */
+UPS_API ups_status ups_scene_set_maintenance_factor(ups_scene *scene, double factor);
 UPS_API ups_status ups_scene_remove_instance(ups_scene *scene, ups_instance_id id);
 UPS_API ups_status ups_scene_remove_luminaire(ups_scene *scene, ups_luminaire_id id);
 UPS_API ups_status ups_scene_remove_sensor(ups_scene *scene, ups_sensor_id id);
@@ -154,6 +157,7 @@ typedef struct ups_scene_info {
   uint64_t meter_count, pixel_count;
   double emitted_flux_lm;
   double bounds_min_m[3], bounds_max_m[3]; /* of all geometry; min > max without any */
+  double maintenance_factor;
 } ups_scene_info;
 
 typedef int32_t ups_scene_text;

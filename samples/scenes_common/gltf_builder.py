@@ -173,6 +173,10 @@ class GltfBuilder:
         """`meters`: the words of extras.ups.meters, in the frame's local axes."""
         self.node(name, **frame.properties(), extras={"ups": {"meters": {"name": name, **meters}}})
 
+    def observer(self, name, eye, target):
+        """An eye whose glare is rated."""
+        self.node(name, **Frame.camera(eye, target).properties(), extras={"ups": {"observer": {"name": name}}})
+
     def luminaire(self, name, frame, **luminaire):
         self.node(name, **frame.properties(), extras={"ups": {"luminaire": luminaire}})
 

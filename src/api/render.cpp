@@ -37,11 +37,6 @@ void check_source(const RenderResult& r, uint32_t index) {
                   " (ups_render_desc.separation)");
 }
 
-const MeterSetReading& meters_of(const ups_result* result, ups_sensor_id sensor) {
-  const RenderResult& r = data_of(result);
-  return r.meter_sets[index_of(r, r.scene->meter_set_ids, sensor, "meter set")];
-}
-
 const GoniometerReading& goniometer_of(const ups_result* result, ups_sensor_id sensor) {
   const RenderResult& r = data_of(result);
   return r.goniometers[index_of(r, r.scene->goniometer_ids, sensor, "goniometer")];

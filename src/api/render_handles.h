@@ -30,4 +30,9 @@ inline size_t index_of(const RenderResult& r, const std::vector<uint32_t>& numbe
   return size_t(it - numbers.begin());
 }
 
+inline const MeterSetReading& meters_of(const ups_result* result, ups_sensor_id sensor) {
+  const RenderResult& r = data_of(result);
+  return r.meter_sets[index_of(r, r.scene->meter_set_ids, sensor, "meter set")];
+}
+
 }  // namespace ups::api

@@ -39,6 +39,7 @@ ups_status change(const char* function, ups_scene* scene, const Change& body) {
 
 ups_scene_info info_of(const Snapshot& s, const MethodChoice& method) {
   ups_scene_info info{};
+  info.maintenance_factor = s.maintenance_factor;
   info.effects = s.effects.effects;
   info.techniques = method.techniques;
   info.method = method.method;
@@ -166,6 +167,10 @@ ups_status ups_scene_set_transform(ups_scene* scene, ups_instance_id id, const d
 
 ups_status ups_scene_set_dimming(ups_scene* scene, ups_luminaire_id id, float dimming) {
   return change(__func__, scene, [&](Description& d) { d.set_dimming(id, dimming); });
+}
+
+ups_status ups_scene_set_maintenance_factor(ups_scene* scene, double factor) {
+  return change(__func__, scene, [&](Description& d) { d.set_maintenance_factor(factor); });
 }
 
 ups_status ups_scene_remove_instance(ups_scene* scene, ups_instance_id id) {

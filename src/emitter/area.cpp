@@ -143,6 +143,34 @@ bool AreaEmitter::sample_direct(const Vec3& reference, const Vec2& u, DirectSamp
   return is_finite(out.weight);
 }
 
+namespace {
+
+// Of a triangle, counter-clockwise from where it is positive: van Oosterom and Strackee 1983.
+double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const double la = length(a), lb = length(b), lc = length(c);
+  const double below = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
+  return -2 * std::atan2(dot(a, cross(b, c)), below);
+}
+
+}  // namespace
+
+bool AreaEmitter::seen_from(const Vec3& eye, Sight& out) const {
+  Vec3d center;
+  double sum = 0;
+  for (const EmitterTriangle& t : triangles_) {
+    const Vec3d a = Vec3d(t.p0) - Vec3d(eye), b = Vec3d(t.p1) - Vec3d(eye), c = Vec3d(t.p2) - Vec3d(eye);
+    double w = solid_angle(a, b, c);
+    if (both_sides_) w = std::abs(w);
+    if (!(w > 0)) continue;
+    sum += w;
+    center += (a + b + c) * (w / 3);
+  }
+  const double distance = length(center) / sum;
+  if (!(sum > 0 && distance > 0)) return false;
+  out = {Vec3(normalize(center)), distance, double(luminance(radiance_)) * sum * distance * distance, sum};
+  return true;
+}
+
 bool AreaEmitter::eval_hit(const Vec3&, const Vec3&, uint32_t primitive, const Vec3& wo, EmitterHit& out) const {
   if (primitive >= normals_.size()) return false;
   const float cos_front = dot(wo, normals_[primitive]);

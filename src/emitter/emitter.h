@@ -47,6 +47,14 @@ struct EmitterHit {
   float pdf_nee_a = 0, pdf_position_a = 0, pdf_direction_w = 0;
 };
 
+// What an eye sees of an emitter that nothing hides.
+struct Sight {
+  Vec3 direction;            // unit, to its centre
+  double distance = 0;       // of that
+  double intensity_cd = 0;   // towards the eye
+  double solid_angle_sr = 0; // 0: a point
+};
+
 enum class EmitterKind { area, point, spot, directional, profile_point, profile_opening, rays };
 
 class Emitter {
@@ -68,6 +76,9 @@ class Emitter {
   // Area emitters and openings. `primitive` is the triangle (area) or 0. False where wo sees no emission.
   virtual bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,
                         EmitterHit& out) const = 0;
+  // As a source of glare: luminaires and points as from afar, by the intensity of the whole towards the eye; surfaces
+  // as they are. False where the eye sees no light of it, or it has no intensity.
+  virtual bool seen_from(const Vec3&, Sight&) const { return false; }
   // The inverse of sample_emission: u_direction of the light that leaves p in that direction; of a directional light,
   // u_position of the light that passes p. False where there is none. `primitive`: as for eval_hit.
   virtual bool emission_square(const Vec3& p, uint32_t primitive, const Vec3& direction, Vec2& u) const = 0;

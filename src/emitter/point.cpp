@@ -15,6 +15,13 @@ void PunctualEmitter::start_emission(const Vec3& direction, const Rgb& flux, flo
   out.error = error_;
 }
 
+bool PunctualEmitter::seen_from(const Vec3& eye, Sight& out) const {
+  DirectSample s;
+  if (!sample_direct(eye, {0.5f, 0.5f}, s)) return false;
+  out = {s.wi, double(s.distance), double(luminance(s.weight)) * s.distance * s.distance, 0};
+  return out.intensity_cd > 0;
+}
+
 bool PunctualEmitter::start_direct(const Vec3& reference, DirectSample& out) const {
   const Vec3 to_p = p_ - reference;
   const float distance2 = length2(to_p);

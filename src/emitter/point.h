@@ -12,6 +12,7 @@ class PunctualEmitter : public Emitter {
   Vec3 center() const override { return p_; }
   float radius() const override { return 0; }
   bool eval_hit(const Vec3&, const Vec3&, uint32_t, const Vec3&, EmitterHit&) const override { return false; }
+  bool seen_from(const Vec3& eye, Sight& out) const override;
 
  protected:
   PunctualEmitter(const Vec3& p, float error) : p_(p), error_(error) {}

@@ -175,6 +175,17 @@ bool ProfileOpeningEmitter::eval_hit(const Vec3& reference, const Vec3& p, uint3
   return is_finite(out.radiance);
 }
 
+bool ProfileOpeningEmitter::seen_from(const Vec3& eye, Sight& out) const {
+  const Vec3d to_eye = Vec3d(eye) - Vec3d(p_);
+  const double distance = length(to_eye);
+  Rgb intensity;
+  float pdf;
+  if (!(distance > 0) || !profile_.eval(Vec3(to_eye / distance), intensity, pdf)) return false;
+  const double area = body_.projected_area(normalize(to_body(Vec3(to_eye / distance))));
+  out = {Vec3(-(to_eye / distance)), distance, double(luminance(intensity)), area / (distance * distance)};
+  return out.intensity_cd > 0 && out.solid_angle_sr > 0;
+}
+
 bool ProfileOpeningEmitter::enter(const Vec3& o, const Vec3& d, float& t, float& cosine) const {
   const double lift = 2 * double(error_), margin = body_.is_flat() && dot(front_, frame_.n) < 0 ? -lift : lift;
   const Vec3d w = normalize(to_body(d));

@@ -68,6 +68,7 @@ class ProfileOpeningEmitter : public Emitter {
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;
   bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,
                 EmitterHit& out) const override;
+  bool seen_from(const Vec3& eye, Sight& out) const override;
   bool emission_square(const Vec3&, uint32_t, const Vec3& direction, Vec2& u) const override {
     return profile_.invert(direction, u);
   }

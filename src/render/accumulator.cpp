@@ -48,11 +48,11 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
   for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d);
 }
 
-// All meters' light, and beside it the choice of discs, then profiles, or batches of the statistics.
+// All meters' light, and beside it the choice of discs, then profiles, or two more copies of the batches and their ranks.
 double Accumulator::scratch_bytes(bool has_discs) {
   constexpr double profiles = sizeof(RingProfile) + sizeof(MeterRings::Choice);
   return sizeof(MeterLight) + std::max(sizeof(OwnBias) + sizeof(NeighbourCurvature) + has_discs * profiles,
-                                       MeterBatches::bytes_per_meter);
+                                       2 * MeterBatches::bytes_per_meter + 48);
 }
 
 void Accumulator::add(const IterationTally& tally) {
@@ -188,7 +188,7 @@ MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const
     for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
       r.parts[size_t(part)].push_back(light.part(part));
   }
-  r.statistics = statistics_of(lights, r.meters);
+  add_statistics(lights, r);
   return r;
 }
 
@@ -213,8 +213,8 @@ size_t Accumulator::unvisited_meters(size_t set) const {
 
 // Of the meters that were visited. A pass that is under way visited some of them more often than others: each meter's
 // batch counts as its mean.
-ups_meter_statistics Accumulator::statistics_of(const std::vector<MeterLight>& lights,
-                                                const std::vector<ups_meter_reading>& readings) const {
+void Accumulator::add_statistics(const std::vector<MeterLight>& lights, MeterSetReading& r) const {
+  const std::vector<ups_meter_reading>& readings = r.meters;
   MeterBatches batches(std::min(plan_.meter_pass(iterations_), batch_count));
   uint16_t reached = 0;  // batches, by any path
   for (size_t m = 0; m < readings.size(); ++m) {
@@ -243,7 +243,8 @@ ups_meter_statistics Accumulator::statistics_of(const std::vector<MeterLight>& l
   s.median_relative_error_bound = e.median >= 0 ? e.median : of_dark;
   s.p95_relative_error_bound = e.p95 >= 0 ? e.p95 : of_dark;
   s.worst_relative_error_bound = e.worst >= 0 ? e.worst : of_dark;
-  return s;
+  r.statistics = s;
+  r.batches = std::move(batches);
 }
 
 ImageReading Accumulator::read_image_and_techniques(size_t c) const {

@@ -23,6 +23,7 @@ struct MeterSetReading {
   std::array<std::vector<ups_meter_part_reading>, 2> parts;  // by ups_light_part
   std::vector<std::vector<ups_meter_reading>> separated;  // by column of Plan::separation; empty where not asked for
   ups_meter_statistics statistics{};
+  MeterBatches batches;  // of those that were visited, in their order
 };
 
 // Quantiles of the relative error over all meters, without meters over all pixels; -1: not known yet.
@@ -42,7 +43,8 @@ class Accumulator {
   // Of a meter, without MeterRings: its sums, as many again for each column of a separation; its reading, which is kept;
   // and what reading its set takes besides.
   static constexpr double sum_bytes = sizeof(MeterSums), reading_bytes = sizeof(ups_meter_reading),
-                          part_bytes = 2 * sizeof(ups_meter_part_reading) + sizeof(uint32_t);
+                          part_bytes = 2 * sizeof(ups_meter_part_reading) + sizeof(uint32_t) +
+                                               MeterBatches::bytes_per_meter;
   static double scratch_bytes(bool has_discs);
   void add(const IterationTally& tally);  // the next iteration
   uint32_t iterations() const { return iterations_; }
@@ -76,8 +78,7 @@ class Accumulator {
   // What one path may bring to an iteration's reading, as far as is known.
   double largest_path(size_t set, double disc_area, const Largest& found, LightPart part) const;
   MeterSetReading read_meters(size_t set, const Choices& discs) const;
-  ups_meter_statistics statistics_of(const std::vector<MeterLight>& lights,
-                                     const std::vector<ups_meter_reading>& readings) const;
+  void add_statistics(const std::vector<MeterLight>& lights, MeterSetReading& r) const;
   ErrorSummary summarize_images() const;
   ErrorSummary summarize_goniometers() const;
   const Snapshot& scene_;

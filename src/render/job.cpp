@@ -11,6 +11,7 @@
 #include "render/dropped_text.h"
 #include "render/flux_balance.h"
 #include "render/flux_pass.h"
+#include "render/glare_warnings.h"
 #include "render/radius_notice.h"
 #include "render/reading_warnings.h"
 #include "scene/scene_bytes.h"
@@ -172,6 +173,9 @@ void RenderJob::prepare() {
   make_integrator();
   take_memory();
   books_flux_ = integrator_->books_flux();
+  auto glare = std::make_shared<std::vector<SeenGlare>>();
+  for (const Observer& o : scene_->observers) glare->push_back(find_glare(*scene_, o, *pool_, stop_));
+  glare_ = std::move(glare);
   auto sums = std::make_unique<Accumulator>(*scene_, integrator_->plan());
   queue_.read([&] {
     sums_ = std::move(sums);
@@ -324,6 +328,7 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
     r->largest_samples.push_back(sums_->largest_samples(s, r->meter_sets[s], desc_.seed));
   r->sources = integrator_->plan().separation.columns;
   r->scene = scene_;
+  r->glare = glare_;
   r->choices = integrator_->selection().sensors;
   for (size_t g = 0; g < scene_->goniometers.size(); ++g) {
     r->goniometers.push_back(sums_->read_goniometer(g));
@@ -364,6 +369,7 @@ ups_result_info RenderJob::read_info() const {
   i.absorbed_flux_lm = known ? light.flux.absorbed / n : -1;
   i.escaped_flux_lm = known ? light.flux.escaped / n : -1;
   i.flux_balance_standard_error_lm = !known ? -1 : flux_balance(light, i.emitted_flux_lm).standard_error;
+  i.maintenance_factor = scene_->maintenance_factor;
   i.seed = desc_.seed;
   for (size_t d = 0; d < flux_.dropped.size(); ++d) i.dropped_samples += w.dropped[d] + flux_.dropped[d];
   i.method = method_.method;
@@ -391,6 +397,8 @@ void RenderJob::add_warnings(RenderResult& r) const {
       r.warnings += "goniometer " + std::to_string(scene_->goniometer_ids[g]) + ": " + what +
                     ", so the light has not the symmetry that was asked for: what it measures is a mean over " +
                     "directions that differ\n";
+  for (size_t o = 0; o < scene_->observers.size(); ++o)
+    r.warnings += glare_warnings(*scene_, scene_->observer_ids[o], (*glare_)[o]);
   r.warnings += radius_notice(*integrator_, sums_->iterations());
   if (desc_.merge_radius_m > 0)
     for (size_t c = 0; c < r.images.size(); ++c) r.warnings += blur_notice(scene_->camera_ids[c], r.images[c]);

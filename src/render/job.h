@@ -18,6 +18,7 @@
 #include "render/progress.h"
 #include "render/replay.h"
 #include "render/tally_queue.h"
+#include "transport/glare.h"
 
 namespace ups {
 
@@ -31,6 +32,7 @@ struct RenderResult {
   std::vector<MeterSetReading> meter_sets;
   std::vector<ups_source_info> sources;  // columns of MeterSetReading::separated
   std::vector<std::vector<ups_sample>> largest_samples;  // of cameras, then of meter sets; sensors by their numbers
+  std::shared_ptr<const std::vector<SeenGlare>> glare;   // of observers
   Accuracy accuracy;
   std::string warnings, effects, techniques, dropped;
 };
@@ -85,6 +87,7 @@ class RenderJob {
   MemoryBudget memory_;  // of light paths
   std::atomic<bool> is_read_meanwhile_{true};  // memory allows it
   std::unique_ptr<Integrator> integrator_;
+  std::shared_ptr<const std::vector<SeenGlare>> glare_;  // made before the sums are
   StopSignal stop_;
   double reading_s_ = 0;  // of the time limit, kept for reading what was found
   const Clock::time_point start_ = Clock::now();

@@ -33,31 +33,34 @@ double error_of_mean(uint32_t used, uint32_t means, const Value& value) {
   return std::sqrt(square / (double(used) * (used - means)));
 }
 
-// Indices in order of what all batches of one half say, up to `end`.
-std::vector<uint32_t> order_by_half(const MeterBatches& meters, uint32_t half, size_t end) {
-  std::vector<float> sums(meters.count());
-  for (size_t m = 0; m < sums.size(); ++m)
-    for (uint32_t b = half; b < meters.used(); b += 2) sums[m] += meters.batch(m, b);
-  std::vector<uint32_t> order(sums.size());
+std::vector<uint32_t> order_by(const std::vector<double>& values) {
+  std::vector<uint32_t> order(values.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::partial_sort(order.begin(), order.begin() + ptrdiff_t(end), order.end(), [&](uint32_t i, uint32_t j) {
-    return sums[i] != sums[j] ? sums[i] < sums[j] : i < j;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](uint32_t i, uint32_t j) { return values[i] != values[j] ? values[i] < values[j] : i < j; });
   return order;
 }
 
+// Indices in order of what all batches of one half say.
+std::vector<uint32_t> order_by_half(const MeterBatches& meters, uint32_t half) {
+  std::vector<double> sums(meters.count());
+  for (size_t m = 0; m < sums.size(); ++m)
+    for (uint32_t b = half; b < meters.used(); b += 2) sums[m] += double(meters.batch(m, b));
+  return order_by(sums);
+}
+
 // The mean of the meters at ranks [begin, end), chosen by one half of the batches and read by the other, and how far
-// its upper limit is above it.
+// its limits are from it.
 struct CrossReading {
   double value, above;
 };
-CrossReading cross_reading(const MeterBatches& meters, size_t begin, size_t end) {
+CrossReading cross_reading(const MeterBatches& meters, const std::vector<uint32_t> (&by_half)[2], size_t begin,
+                           size_t end) {
   double batches[batch_count] = {}, offset = 0, bias_error = 0;
   const double share = 1 / double(end - begin);
   for (uint32_t half = 0; half < 2; ++half) {
-    const std::vector<uint32_t> order = order_by_half(meters, half, end);
     for (size_t i = begin; i < end; ++i) {
-      const uint32_t m = order[i];
+      const uint32_t m = by_half[half][i];
       offset += 0.5 * share * meters.offset(m);
       bias_error += 0.5 * share * meters.bias_error(m);
       for (uint32_t b = 1 - half; b < meters.used(); b += 2) batches[b] += share * double(meters.batch(m, b));
@@ -125,38 +128,52 @@ MeterBatches MeterBatches::negative() const {
 Interval minimum_interval(const MeterBatches& meters) {
   if (meters.count() == 0 || meters.used() < min_batches_of_interval) return {};
   double low = INFINITY, least = INFINITY;
+  std::vector<uint32_t> first[2];  // of each half
+  for (uint32_t half = 0; half < 2; ++half) {
+    double least_sum = INFINITY;
+    for (uint32_t m = 0; m < meters.count(); ++m) {
+      double sum = 0;
+      for (uint32_t b = half; b < meters.used(); b += 2) sum += double(meters.batch(m, b));
+      if (sum < least_sum) least_sum = sum, first[half] = {m};
+    }
+    if (first[half].empty()) first[half] = {0};
+  }
   for (size_t m = 0; m < meters.count(); ++m) {
     low = std::min(low, meters.value(m) - meters.bound(m));
     least = std::min(least, meters.value(m));
   }
-  const CrossReading high = cross_reading(meters, 0, 1);
+  const CrossReading high = cross_reading(meters, first, 0, 1);
   return {low, std::max(least, high.value + high.above)};
 }
 
+MeterRanks::MeterRanks(const MeterBatches& meters) : lower_(meters), upper_(meters.negative()) {}
+
+MeterRanks::Half::Half(MeterBatches of) : meters(std::move(of)) {
+  std::vector<double> values;
+  for (size_t m = 0; m < meters.count(); ++m) values.push_back(meters.value(m));
+  all = order_by(values);
+  for (uint32_t half = 0; half < 2; ++half) by_half[half] = order_by_half(meters, half);
+}
+
 // As a minimum, but that noise averages over all meters whose readings it can exchange: those within a standard error.
-Interval percentile_interval(const MeterBatches& meters, double share) {
-  const size_t count = meters.count(), rank = size_t(share * double(count));
+Interval MeterRanks::Half::interval(size_t rank) const {
   if (rank == 0) return minimum_interval(meters);
   if (meters.used() < min_batches_of_interval) return {};
-  std::vector<uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](uint32_t i, uint32_t j) {
-    return meters.value(i) != meters.value(j) ? meters.value(i) < meters.value(j) : i < j;
-  });
-  const double value = meters.value(order[rank]);
+  const size_t count = meters.count();
+  const double value = meters.value(all[rank]);
   double square = 0;
   const size_t reach = std::max<size_t>(1, count / 40), first = rank - std::min(rank, reach),
                last = std::min(count - 1, rank + reach);
   for (size_t i = first; i <= last; ++i)
-    square += std::pow(meters.standard_error(order[i]), 2) / double(last - first + 1);
+    square += std::pow(meters.standard_error(all[i]), 2) / double(last - first + 1);
   const double noise = std::sqrt(square);
   size_t begin = rank, end = rank + 1;
-  while (begin > 0 && value - meters.value(order[begin - 1]) <= noise) --begin;
-  while (end < count && meters.value(order[end]) - value <= noise) ++end;
+  while (begin > 0 && value - meters.value(all[begin - 1]) <= noise) --begin;
+  while (end < count && meters.value(all[end]) - value <= noise) ++end;
 
   double batches[batch_count] = {}, offset = 0, bias_error = 0;
   for (size_t i = begin; i < end; ++i) {
-    const uint32_t m = order[i];
+    const uint32_t m = all[i];
     const double part = 1 / double(end - begin);
     offset += part * meters.offset(m);
     bias_error += part * meters.bias_error(m);
@@ -164,22 +181,62 @@ Interval percentile_interval(const MeterBatches& meters, double share) {
   }
   const double own = error_of_mean(meters.used(), 1, [&](uint32_t b) { return batches[b]; });
   const double below = offset + t_quantile(meters.used()) * std::hypot(own, bias_error);
-  const CrossReading high = cross_reading(meters, begin, end);
-  return {value - below, std::max(value + below, high.value + high.above)};
+  const CrossReading cross = cross_reading(meters, by_half, begin, end);
+  return {std::min(value - below, cross.value - cross.above), std::max(value + below, cross.value + cross.above)};
+}
+
+Interval MeterRanks::interval(size_t rank) const {
+  if (2 * rank < count()) return lower_.interval(rank);
+  const Interval i = upper_.interval(count() - 1 - rank);
+  return lower_.meters.used() < min_batches_of_interval ? i : Interval{-i.high, -i.low};
+}
+
+double MeterRanks::share_above(double threshold) const {
+  size_t above = 0;
+  for (size_t m = 0; m < count(); ++m) above += lower_.meters.value(m) >= threshold;
+  return double(above) / double(count());
+}
+
+// The first rank whose interval's end is not below the threshold; intervals rise with the rank.
+size_t MeterRanks::first_rank(double threshold, double Interval::*end) const {
+  size_t first = 0, last = count();
+  while (first < last) {
+    const size_t middle = first + (last - first) / 2;
+    if (interval(middle).*end < threshold)
+      first = middle + 1;
+    else
+      last = middle;
+  }
+  return first;
+}
+
+// True values whose interval lies above are surely above; those whose interval lies below surely are not.
+Interval MeterRanks::share_above_interval(double threshold) const {
+  if (lower_.meters.used() < min_batches_of_interval) return {};
+  const auto share = [&](size_t first) { return double(count() - first) / double(count()); };
+  return {share(first_rank(threshold, &Interval::low)), share(first_rank(threshold, &Interval::high))};
 }
 
 namespace {
 
+Interval fifth_percentile(const MeterBatches& meters) {
+  const MeterRanks ranks(meters);
+  return ranks.interval(ranks.rank_at(0.05));
+}
+
 void add_intervals(const MeterBatches& meters, ups_meter_statistics& s) {
   const auto positive = [](Interval i) { return Interval{std::max(0.0, i.low), std::max(0.0, i.high)}; };
-  const Interval least = positive(minimum_interval(meters)), fifth = positive(percentile_interval(meters, 0.05)),
+  const Interval least = positive(minimum_interval(meters)), fifth = positive(fifth_percentile(meters)),
                  most = minimum_interval(meters.negative());
   s.min_low_lx = least.low, s.min_high_lx = least.high;
   s.max_low_lx = std::max(0.0, -most.high), s.max_high_lx = -most.low;
   s.percentile_5_low_lx = fifth.low, s.percentile_5_high_lx = fifth.high;
   if (!(s.mean_lx > 0)) return;
-  const Interval uniformity = positive(minimum_interval(meters.over_mean()));
+  const MeterBatches relative = meters.over_mean();
+  const Interval uniformity = positive(minimum_interval(relative)), peak = minimum_interval(relative.negative());
   s.uniformity_low = uniformity.low, s.uniformity_high = std::min(1.0, uniformity.high);
+  s.diversity_low = -peak.low > 0 ? std::min(1.0, uniformity.low / -peak.low) : 0;
+  s.diversity_high = -peak.high > 0 ? std::min(1.0, uniformity.high / -peak.high) : 1;
 }
 
 // Of all meters together: what few paths have found of one of them is found by the others' batches.
@@ -203,7 +260,7 @@ ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passe
   s.struct_size = sizeof s;
   s.mean_lx = s.min_lx = s.max_lx = s.mean_standard_error_lx = s.mean_error_bound_lx = s.percentile_5_lx = -1;
   s.min_low_lx = s.min_high_lx = s.max_low_lx = s.max_high_lx = s.uniformity_low = s.uniformity_high = -1;
-  s.percentile_5_low_lx = s.percentile_5_high_lx = -1;
+  s.percentile_5_low_lx = s.percentile_5_high_lx = s.diversity_low = s.diversity_high = -1;
   if (meters.count() == 0) return s;
   std::vector<double> values;
   for (size_t m = 0; m < meters.count(); ++m) values.push_back(meters.value(m));
@@ -211,6 +268,7 @@ ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passe
   s.min_lx = *std::min_element(values.begin(), values.end());
   s.max_lx = *std::max_element(values.begin(), values.end());
   s.uniformity = s.mean_lx > 0 ? s.min_lx / s.mean_lx : 0;
+  s.diversity = s.max_lx > 0 ? s.min_lx / s.max_lx : 0;
   s.percentile_5_lx = quantile(values, 0.05);
   add_mean(meters, passes, known, s);
   if (meters.used() >= min_batches_of_interval) add_intervals(meters, s);

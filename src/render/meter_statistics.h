@@ -11,7 +11,7 @@ namespace ups {
 // The meters of a set that were visited; each batch counts as its mean.
 class MeterBatches {
  public:
-  explicit MeterBatches(uint32_t used) : used_(used) {}
+  explicit MeterBatches(uint32_t used = 0) : used_(used) {}
   struct Meter {
     double value;
     Spread bias;
@@ -20,7 +20,7 @@ class MeterBatches {
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);
 
-  static constexpr double bytes_per_meter = 3 * (batch_count * sizeof(float) + sizeof(Meter));  // with two copies
+  static constexpr double bytes_per_meter = batch_count * sizeof(float) + sizeof(Meter);
 
   size_t count() const { return meters_.size(); }
   uint32_t used() const { return used_; }
@@ -31,7 +31,9 @@ class MeterBatches {
   double bound(size_t m) const;
   // Bias and what is unfound, without noise: magnitude, and the bias's standard error.
   double offset(size_t m) const { return std::abs(meters_[m].bias.mean) + meters_[m].unfound; }
+  double bias(size_t m) const { return meters_[m].bias.mean; }
   double bias_error(size_t m) const { return std::max(0.0, meters_[m].bias.standard_error); }
+  double unfound(size_t m) const { return meters_[m].unfound; }
 
   double mean() const;
   double unfound() const;  // of the mean
@@ -52,9 +54,31 @@ struct Interval {
   double low = -1, high = -1;
 };
 inline constexpr uint32_t min_batches_of_interval = 6;
-// 95 %, of the least true value; of the true value at a share of all.
+// 95 %, of the least true value.
 Interval minimum_interval(const MeterBatches& meters);
-Interval percentile_interval(const MeterBatches& meters, double share);
+
+// The true values in ascending order, of which noise hides who is where.
+class MeterRanks {
+ public:
+  explicit MeterRanks(const MeterBatches& meters);
+  size_t count() const { return lower_.meters.count(); }
+  double value(size_t rank) const { return lower_.meters.value(lower_.all[rank]); }
+  Interval interval(size_t rank) const;  // 95 %; rank < count()
+  size_t rank_at(double share) const { return std::min(count() - 1, size_t(share * double(count()))); }
+  // Of the true values at least as large as the threshold: their share, and its 95 % interval.
+  double share_above(double threshold) const;
+  Interval share_above_interval(double threshold) const;
+
+ private:
+  struct Half {  // asked for ranks of the lower half alone
+    explicit Half(MeterBatches of);
+    Interval interval(size_t rank) const;
+    MeterBatches meters;
+    std::vector<uint32_t> all, by_half[2];  // in ascending order of all batches, of the even and of the odd ones
+  };
+  size_t first_rank(double threshold, double Interval::*end) const;
+  Half lower_, upper_;  // upper_: of the negative
+};
 
 // All but the relative errors, of so many passes. known: the spread of the mean's batches is its error.
 ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passes, bool known);

@@ -63,6 +63,7 @@ class Builder {
   void warn_of_triangles();
   void warn_of_swallowed_light();
   void warn_of_unit();
+  void warn_of_maintenance();
 
   Affine to_scene(Affine m) const {
     m.m[3] -= out_->origin.x, m.m[7] -= out_->origin.y, m.m[11] -= out_->origin.z;
@@ -83,6 +84,7 @@ class Builder {
   std::vector<std::unique_ptr<Emitter>> emitters_;
   std::vector<Vec3> emitter_probes_;  // a point of each, off any surface
   std::vector<DiscIndex::Disc> openings_;
+  uint32_t unmaintained_ = 0;  // lamps that are no luminaires
   std::map<const photometry::Photometry*, std::shared_ptr<const RaySet>> ray_sets_;  // one a profile
   std::map<std::pair<std::string, std::string>, std::vector<uint32_t>> shared_warnings_;  // ids by noun and text
 };

@@ -193,12 +193,12 @@ ups_mesh_id Description::add_mesh(const ups_mesh_desc& d, std::shared_ptr<const 
   return {meshes_.add(std::move(mesh))};
 }
 
-ups_instance_id Description::add_instance(const ups_instance_desc& d) {
+ups_instance_id Description::add_instance(const ups_instance_desc& d, bool of_fixture) {
   check::require(d.mesh.v != 0, "mesh is 0; an instance needs one");
   meshes_.get(d.mesh.v, "mesh: mesh");
   check::transform(d.to_world, "to_world");
   check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
-  return {instances_.add({number_of(d.mesh.v), to_affine(d.to_world), d.group})};
+  return {instances_.add({number_of(d.mesh.v), to_affine(d.to_world), d.group, of_fixture})};
 }
 
 void Description::set_transform(ups_instance_id id, const double (&to_world)[12]) {
@@ -208,6 +208,12 @@ void Description::set_transform(ups_instance_id id, const double (&to_world)[12]
 }
 
 // ---- what emits ----
+
+void Description::set_maintenance_factor(double factor) {
+  check::require(factor > 0 && factor <= 1,
+                 "maintenance_factor is " + check::text(factor) + "; it must be above 0 and at most 1");
+  maintenance_factor_ = factor;
+}
 
 ups_luminaire_id Description::add_light(const ups_light_desc& d) {
   check::enumeration(d.kind, UPS_LIGHT_DIRECTIONAL, "kind", "UPS_LIGHT_*");
@@ -348,6 +354,14 @@ ups_sensor_id Description::add_goniometer(const ups_goniometer_desc& d) {
   }
   Goniometer(Frame(Vec3(0, 0, 1)), g.c_deg, g.gamma_deg, Goniometer::Symmetry(d.symmetry));  // throws what is wrong
   return {sensors_.add(std::move(g))};
+}
+
+ups_sensor_id Description::add_observer(const ups_observer_desc& d) {
+  check::enumeration(d.metric, UPS_GLARE_METRIC_UGR, "metric", "UPS_GLARE_METRIC_*");
+  check::enumeration(d.position_index, UPS_POSITION_INDEX_GUTH, "position_index", "UPS_POSITION_INDEX_*");
+  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  check::transform(d.to_world, "to_world");
+  return {sensors_.add(ObserverDescription{to_affine(d.to_world), d.position_index})};
 }
 
 }  // namespace ups

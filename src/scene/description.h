@@ -9,6 +9,7 @@
 #include "geometry/raytracer.h"
 #include "photometry/photometry.h"
 #include "scene/ids.h"
+#include "ups/ups_glare.h"
 #include "ups/ups_scene.h"
 #include "ups/ups_sensor.h"
 
@@ -27,6 +28,7 @@ struct InstanceDescription {
   uint32_t mesh;  // number
   Affine to_world;
   uint32_t group;
+  bool of_fixture;  // what it emits is a luminaire's
 };
 
 struct LightDescription {
@@ -70,6 +72,11 @@ struct GoniometerDescription {
   photometry::Opening opening;
 };
 
+struct ObserverDescription {
+  Affine to_world;
+  ups_position_index position_index;
+};
+
 class Description {
  public:
   // Without a tag: a scene of its own that hands out no ids.
@@ -81,16 +88,19 @@ class Description {
   ups_texture_id add_texture(const ups_texture_desc& desc);
   ups_material_id add_material(const ups_material_desc& desc);
   ups_mesh_id add_mesh(const ups_mesh_desc& desc, std::shared_ptr<const Revolution> revolution = nullptr);
-  ups_instance_id add_instance(const ups_instance_desc& desc);
+  ups_instance_id add_instance(const ups_instance_desc& desc, bool of_fixture = false);
   ups_luminaire_id add_light(const ups_light_desc& desc);
   ups_luminaire_id add_luminaire(const ups_luminaire_desc& desc, std::shared_ptr<const photometry::Photometry> profile);
   ups_sensor_id add_camera(const ups_camera_desc& desc);
   ups_sensor_id add_meters(const ups_meter_desc& desc);
   ups_sensor_id add_goniometer(const ups_goniometer_desc& desc);
+  ups_sensor_id add_observer(const ups_observer_desc& desc);
 
   void set_material(ups_material_id id, const ups_material_desc& desc);
   void set_transform(ups_instance_id id, const double (&to_world)[12]);
   void set_dimming(ups_luminaire_id id, float dimming);
+  void set_maintenance_factor(double factor);
+  double maintenance_factor() const { return maintenance_factor_; }  // of luminaires and fixtures
   void remove_instance(ups_instance_id id) { instances_.remove(id.v, "instance"); }
   void remove_luminaire(ups_luminaire_id id) { sources_.remove(id.v, "luminaire"); }
   void remove_sensor(ups_sensor_id id) { sensors_.remove(id.v, "sensor"); }
@@ -100,7 +110,8 @@ class Description {
   const IdTable<std::shared_ptr<const Mesh>>& meshes() const { return meshes_; }  // Mesh::material is the number - 1
   const IdTable<InstanceDescription>& instances() const { return instances_; }
   const IdTable<SourceDescription>& sources() const { return sources_; }
-  using Sensor = std::variant<CameraDescription, MetersDescription, GoniometerDescription>;
+  using Sensor =
+      std::variant<CameraDescription, MetersDescription, GoniometerDescription, ObserverDescription>;
   const IdTable<Sensor>& sensors() const { return sensors_; }
 
  private:
@@ -109,6 +120,7 @@ class Description {
 
   std::shared_ptr<const SceneTag> tag_;
   uint32_t tag_bits_ = tag_ ? tag_->bits() : 0;
+  double maintenance_factor_ = 1;
   IdTable<TextureDescription> textures_{tag_bits_};
   IdTable<ups_material_desc> materials_{tag_bits_};
   IdTable<std::shared_ptr<const Mesh>> meshes_{tag_bits_};

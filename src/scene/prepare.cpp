@@ -17,6 +17,7 @@ constexpr double max_coordinate_m = 1e9;
 
 std::shared_ptr<const Snapshot> Builder::build() {
   out_->tag = in_.tag();
+  out_->maintenance_factor = in_.maintenance_factor();
   place();
   add_materials();
   add_geometry();
@@ -80,6 +81,7 @@ void Builder::place() {
   in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
     if (const auto* camera = std::get_if<CameraDescription>(&s)) return grow(camera->to_world.column(3), "sensor", id);
     if (std::holds_alternative<GoniometerDescription>(s)) return;  // at infinity
+    if (const auto* o = std::get_if<ObserverDescription>(&s)) return grow(o->to_world.column(3), "sensor", id);
     const auto& meters = std::get<MetersDescription>(s);
     const double reach = 0.5 * std::hypot(double(meters.cell_width), double(meters.cell_height));
     for (const Vec3d& p : meters.positions) {
@@ -207,6 +209,16 @@ void Builder::add_sensors() {
                                      Goniometer::Symmetry(g->symmetry));
       out_->goniometer_openings.push_back(g->opening);
       out_->goniometer_ids.push_back(id);
+    } else if (const auto* o = std::get_if<ObserverDescription>(&s)) {
+      const Axes axes(o->to_world);
+      MetersDescription eye{};
+      eye.positions = {o->to_world.column(3)};
+      eye.normals = {Vec3(-axes.z)};
+      out_->observers.push_back({uint32_t(out_->meter_sets.size()), axes.frame(),
+                                 photometry::PositionIndex(o->position_index)});
+      out_->observer_ids.push_back(id);
+      out_->meter_sets.push_back(make_meters(eye));
+      out_->meter_set_ids.push_back(id);
     } else {
       out_->meter_sets.push_back(make_meters(std::get<MetersDescription>(s)));
       out_->meter_set_ids.push_back(id);

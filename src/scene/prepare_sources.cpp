@@ -79,8 +79,11 @@ void Builder::add_emissive_instances() {
   for (uint32_t i = 0; i < instances_.size(); ++i) {
     const Mesh& mesh = *out_->meshes[instances_[i].mesh];
     const ups_material_desc& material = in_.materials().at(mesh.material + 1);
-    const Rgb radiance = to_rgb(material.luminance_cd_m2);
+    const InstanceDescription& described = in_.instances().at(out_->instance_ids[i]);
+    const Rgb radiance = to_rgb(material.luminance_cd_m2) *
+                         (described.of_fixture ? float(in_.maintenance_factor()) : 1.0f);
     if (is_black(radiance)) continue;
+    unmaintained_ += !described.of_fixture;
     const Affine& m = instances_[i].to_scene;
     std::vector<Vec3> corners;
     for (const Vec3& p : mesh.positions) corners.push_back(Vec3(m.point(Vec3d(p))));
@@ -93,8 +96,7 @@ void Builder::add_emissive_instances() {
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     const std::string name = "instance " + std::to_string(out_->instance_ids[i]);
-    const InstanceDescription& instance = in_.instances().at(out_->instance_ids[i]);
-    out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], instance.group, -1, instance.to_world});
+    out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group, -1, described.to_world});
     bound(out_->sources.back(), corners);
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;
@@ -123,6 +125,7 @@ void Builder::add_sources() {
 
 void Builder::add_light(const std::string& name, const LightDescription& light, float dimming) {
   ++out_->light_count;
+  unmaintained_ += light.kind != UPS_LIGHT_DIRECTIONAL;
   const Rgb intensity = light.intensity * dimming;
   if (is_black(intensity)) return;
   const Vec3 axis = -Axes(light.to_world).frame().n;
@@ -148,7 +151,8 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   const double file_flux = photometry::flux_lm(*luminaire.profile);
   if (!(file_flux > 0)) return warn_of(out_->sources.back(), "the profile has no flux: nothing is emitted");
   const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / file_flux : 1;
-  const Rgb scale = luminaire.color * float(double(dimming) * double(luminaire.intensity_scale) * to_flux);
+  const Rgb scale = luminaire.color * float(double(dimming) * double(luminaire.intensity_scale) * to_flux *
+                                            in_.maintenance_factor());
   if (is_black(scale)) return;
   if (luminaire.use_opening && !luminaire.profile->rays.empty()) return add_rays(name, luminaire, scale);
   const std::shared_ptr<const photometry::Distribution> distribution(luminaire.profile,

@@ -40,6 +40,7 @@ void Builder::add_warnings() {
               "infinite");
   warn_of_swallowed_light();
   warn_of_unit();
+  warn_of_maintenance();
   for (const auto& [what, ids] : shared_warnings_) warn(listed(what.first, ids) + ": " + what.second);
 }
 
@@ -109,6 +110,14 @@ void Builder::warn_of_swallowed_light() {
 }
 
 // Metres are expected; a room in millimetres is kilometres wide, and what luminaires emit is lost in it.
+void Builder::warn_of_maintenance() {
+  if (in_.maintenance_factor() == 1 || unmaintained_ == 0) return;
+  warn("the maintenance factor " + check::text(in_.maintenance_factor()) + " is of luminaires and fixtures alone: " +
+       std::to_string(unmaintained_) + (unmaintained_ == 1 ? " light or emitting surface keeps its"
+                                                           : " lights and emitting surfaces keep their") +
+       " initial flux");
+}
+
 void Builder::warn_of_unit() {
   constexpr double large_m = 500, dark_lx = 0.01;
   const Vec3 size = out_->raytracer->bounds_max() - out_->raytracer->bounds_min();

@@ -10,6 +10,7 @@
 #include "emitter/emitter_set.h"
 #include "geometry/raytracer.h"
 #include "photometry/photometry.h"
+#include "photometry/position_index.h"
 #include "scene/ids.h"
 #include "scene/media.h"
 #include "scene/panes.h"
@@ -43,6 +44,13 @@ struct Source {
   std::shared_ptr<const photometry::Photometry> profile;  // of a luminaire
 };
 
+// An eye: it looks along -frame.n, frame.t is up. What it measures is a meter set of one, which faces what it looks at.
+struct Observer {
+  uint32_t meter_set;
+  Frame frame;
+  photometry::PositionIndex position_index;
+};
+
 struct Snapshot {
   std::shared_ptr<const SceneTag> tag;  // of the ids that the program has; all below are without it
   Vec3d origin;
@@ -69,6 +77,8 @@ struct Snapshot {
   std::vector<MeterSet> meter_sets;
   std::vector<Goniometer> goniometers;
   std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;  // numbers of each
+  std::vector<Observer> observers;
+  std::vector<uint32_t> observer_ids;           // those of their meter sets
   std::vector<photometry::Opening> goniometer_openings;  // that their distributions are given
 
   Panes panes;
@@ -80,6 +90,7 @@ struct Snapshot {
   std::vector<uint32_t> media_of_emitter;
 
   SceneEffects effects;
+  double maintenance_factor = 1;
   std::vector<std::string> warnings;
   uint64_t pixel_count() const {
     uint64_t n = 0;

@@ -24,6 +24,7 @@ std::string sensor_text(const SensorEntry& sensor) {
                   info.illuminance ? ", illuminance too" : "");
   if (info.kind == UPS_GLTF_GONIOMETER)
     return format("  goniometer %s: %u planes of %u angles\n", name, info.columns, info.rows);
+  if (info.kind == UPS_GLTF_OBSERVER) return "  observer " + printable(sensor.name) + "\n";
   if (info.columns > 0) return format("  meters %s: grid of %u x %u\n", name, info.columns, info.rows);
   return format("  meters %s: %u points\n", name, info.meter_count);
 }
@@ -116,15 +117,17 @@ std::vector<InfoEntry> expand(const std::vector<std::string>& arguments) {
 
 // Reads one file; what is wrong with it becomes the entry's error.
 void read_entry(ups_context* context, const InfoOptions& options, const std::vector<std::string>& plots,
-                InfoEntry& entry) {
+                bool with_sheet, InfoEntry& entry) {
   if (!entry.error.empty()) return;  // a folder
   try {
     if (is_scene_file(entry.file)) {
       if (!plots.empty()) throw Failure(entry.file + ": --plot draws photometric files, not scenes");
+      if (options.csv) throw Failure(entry.file + ": --csv has data sheets of photometric files, none of scenes");
       entry.scene = scene_report_of(entry.file, load_scene(entry.file, {0, 0, 0, options.allow_outside}));
     } else {
       const Profile profile = read_profile(context, entry.file);
       entry.profile = report_of_file(entry.file, profile.get());
+      if (with_sheet) entry.sheet = data_sheet_of(*entry.profile, profile.get());
       for (const std::string& plot : plots) write_plot(plot, profile.get(), *entry.profile);
     }
   } catch (const std::exception& e) {
@@ -167,21 +170,32 @@ std::string table_text(const std::vector<InfoEntry>& entries) {
   return text;
 }
 
+std::string csv_text(const std::vector<InfoEntry>& entries) {
+  std::string text = csv_header();
+  for (const InfoEntry& entry : entries)
+    if (entry.sheet) text += csv_rows(entry.file, *entry.sheet);
+  return text;
+}
+
 }  // namespace
 
 int info(const InfoOptions& options) {
   std::vector<InfoEntry> entries = expand(options.files);
   const Context context = make_context(1);
   std::set<std::string> taken;
-  for (InfoEntry& entry : entries)
-    read_entry(context.get(), options, plots_of(entry, options, entries.size() > 1, taken), entry);
   const bool single = entries.size() == 1 && entries[0].file == options.files[0];
+  for (InfoEntry& entry : entries)
+    read_entry(context.get(), options, plots_of(entry, options, entries.size() > 1, taken),
+               single || options.json || options.csv, entry);
   if (options.json) {
     put(stdout, to_json(entries));
+  } else if (options.csv) {
+    put(stdout, csv_text(entries));
   } else if (!single) {
     put(stdout, table_text(entries));
   } else if (entries[0].error.empty()) {
-    put(stdout, entries[0].scene ? scene_text(*entries[0].scene) : to_text(*entries[0].profile));
+    put(stdout, entries[0].scene ? scene_text(*entries[0].scene)
+                                 : to_text(*entries[0].profile) + to_text(*entries[0].sheet));
   }
   int code = exit_done;
   for (const InfoEntry& entry : entries) {

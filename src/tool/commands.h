@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tool/map.h"
+#include "tool/meter_report.h"
 #include "ups/ups_render.h"
 #include "ups/ups_sensor.h"
 
@@ -26,8 +27,12 @@ struct JobOptions {
 
 struct RenderOptions : JobOptions {
   std::string out;
+  bool report = false;
+  std::string targets;  // a file; empty: none
+  std::vector<std::string> arguments;  // of the program, as it was called
   MapStyle map;
   uint32_t width = 0, height = 0;  // 0: as the file says
+  MeterQuestions questions;
 };
 
 struct ReplayOptions : JobOptions {
@@ -50,7 +55,7 @@ struct GoniometerOptions : JobOptions {
 struct InfoOptions {
   std::vector<std::string> files;  // or folders
   std::vector<std::string> plots;  // .svg, .png, .pdf
-  bool json = false, allow_outside = false;
+  bool json = false, csv = false, allow_outside = false;
 };
 
 struct MapOptions {

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "tool/data_sheet.h"
 #include "tool/profile_file.h"
 
 namespace ups::tool {
@@ -17,6 +18,7 @@ struct InfoEntry {
   std::string file, error;  // error: empty where the file could be read and its plots written
   std::string name;         // in the table: of the file, of one in a folder with the folders below that
   std::optional<ProfileReport> profile;
+  std::optional<DataSheet> sheet;  // of the profile, where it is printed
   std::optional<SceneReport> scene;
 };
 

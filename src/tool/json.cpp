@@ -1,31 +1,15 @@
-// Reports as JSON, the program's contract with scripts. The only file of the program that includes nlohmann/json.
+// Reports as JSON, the program's contract with scripts. With json_*.cpp and targets_json.cpp all
+// of the program that includes nlohmann/json.
 #include <sys/resource.h>
-
-#include <charconv>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "tool/goniometer_report.h"
 #include "tool/info_report.h"
-#include "tool/report.h"
+#include "tool/json_parts.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {
 
 namespace {
-
-using nlohmann::ordered_json;
-
-// JSON has no NaN: a number that is not known is -1.
-double number(double value) { return std::isfinite(value) ? value : -1; }
-
-// A float as the shortest decimal that means it, not as the double beside it.
-double number(float value) {
-  char text[32];
-  double result = value;
-  std::from_chars(text, std::to_chars(text, text + sizeof text, value).ptr, result);
-  return number(result);
-}
 
 std::string dump(const ordered_json& json) {
   return printable_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
@@ -71,24 +55,51 @@ ordered_json samples_json(const std::vector<SampleReport>& samples) {
   return all;
 }
 
+ordered_json targets_json(const Report& report) {
+  ordered_json all = ordered_json::array();
+  for (const TargetVerdict& v : report.targets)
+    all.push_back({{"area", report.area_names[v.area]},
+                   {v.quantity == "ugr" ? "observer" : "meters", v.subject},
+                   {"quantity", v.quantity},
+                   {"required", number(v.required)},
+                   {"value", number(v.value)},
+                   {"low", number(v.low)},
+                   {"high", number(v.high)},
+                   {"verdict", judgement_word(v.judgement)}});
+  return all;
+}
+
+ordered_json observer_json(const ObserverReport& observer) {
+  const ups_observer_reading& r = observer.reading;
+  ordered_json sources = ordered_json::array();
+  for (const auto& [name, s] : observer.sources)
+    sources.push_back({{"source", name},
+                       {"share", number(s.share)},
+                       {"luminance_cd_m2", number(s.luminance_cd_m2)},
+                       {"solid_angle_sr", number(s.solid_angle_sr)},
+                       {"intensity_cd", number(s.intensity_cd)},
+                       {"distance_m", number(s.distance_m)},
+                       {"visible_share", number(s.visible_share)},
+                       {"position_index", number(s.position_index)},
+                       {"small", (s.flags & UPS_GLARE_SOURCE_SMALL) != 0},
+                       {"large", (s.flags & UPS_GLARE_SOURCE_LARGE) != 0}});
+  const bool rated = !(r.flags & (UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_NO_BACKGROUND));
+  return {{"ugr", number(r.ugr)},
+          {"ugr_standard_error", number(r.ugr_standard_error)},
+          {"ugr_low", number(r.ugr_low)},
+          {"ugr_high", number(r.ugr_high)},
+          {"background_cd_m2", number(r.background_cd_m2)},
+          {"background_standard_error_cd_m2", number(r.background_standard_error_cd_m2)},
+          {"background_error_bound_cd_m2", number(r.background_error_bound_cd_m2)},
+          {"rated", rated},
+          {"sources", sources}};
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
   const ups_result_info& info = report.info;
-  ordered_json meters = ordered_json::object(), cameras = ordered_json::object(), convergence = ordered_json::array();
-  for (const MeterReport& set : report.meters) {
-    const ups_meter_statistics& s = set.statistics;
-    meters[set.name] = {{"mean_lx", number(s.mean_lx)},
-                        {"min_lx", number(s.min_lx)},
-                        {"max_lx", number(s.max_lx)},
-                        {"uniformity", number(s.uniformity)},
-                        {"mean_standard_error_lx", number(s.mean_standard_error_lx)},
-                        {"mean_error_bound_lx", number(s.mean_error_bound_lx)},
-                        {"percentile_5_lx", number(s.percentile_5_lx)},
-                        {"uniformity_low", number(s.uniformity_low)},
-                        {"uniformity_high", number(s.uniformity_high)},
-                        {"worst_relative_error_bound", number(s.worst_relative_error_bound)}};
-  }
+  ordered_json cameras = ordered_json::object(), convergence = ordered_json::array();
   for (const CameraReport& camera : report.cameras) {
     cameras[camera.name] = {{"width", camera.width},
                             {"height", camera.height},
@@ -133,6 +144,7 @@ std::string to_json(const Report& report) {
                {"time_s", number(info.elapsed_s)},
                {"threads", info.threads},
                {"seed", info.seed},
+               {"maintenance_factor", number(info.maintenance_factor)},
                {"flux",
                 {{"emitted_lm", number(info.emitted_flux_lm)},
                  {"absorbed_lm", number(info.absorbed_flux_lm)},
@@ -146,14 +158,17 @@ std::string to_json(const Report& report) {
                  {"connections", info.connections},
                  {"merges", info.merges}}},
                {"memory", memory_json(report.memory)},
-               {"meters", meters},
+               {"meters", meters_json(report.meters)},
                {"cameras", cameras},
                {"convergence", convergence},
                {"prediction", predictions_json(report.predictions)},
                {"advice", report.advice},
                {"largest_samples", samples_json(report.largest_samples)},
                {"warnings", report.warnings}};
+  if (!report.ratios.empty()) all["ratios"] = ratios_json(report.ratios);
+  for (const ObserverReport& observer : report.observers) all["observers"][observer.name] = observer_json(observer);
   if (!report.goniometers.empty()) all["goniometers"] = goniometers;
+  if (!report.targets.empty()) all["targets"] = targets_json(report);
   if (!report.sources.empty()) all["sources"] = sources;
   if (report.worst_meter) all["largest_error"] = worst_meter_json(*report.worst_meter);
   return dump(all);
@@ -308,15 +323,83 @@ ordered_json profile_json(const ProfileReport& report) {
           {"warnings", report.warnings}};
 }
 
+ordered_json ugr_json(const ups_ugr_table& t) {
+  ordered_json rooms = ordered_json::array(), sets = ordered_json::array();
+  for (int k = 0; k < ugr_sets; ++k) sets.push_back(reflectance_name(t.reflectances + 3 * k));
+  for (int r = 0; r < ugr_rooms; ++r) {
+    ordered_json crosswise = ordered_json::array(), endwise = ordered_json::array();
+    for (int k = 0; k < ugr_sets; ++k) {
+      crosswise.push_back(number(t.crosswise[r * ugr_sets + k]));
+      endwise.push_back(number(t.endwise[r * ugr_sets + k]));
+    }
+    rooms.push_back({{"room", room_name(t, r)}, {"crosswise", crosswise}, {"endwise", endwise}});
+  }
+  return {{"lamp_flux_lm", number(t.lamp_flux_lm)}, {"reflectances", sets}, {"rooms", rooms}};
+}
+
+ordered_json utilisation_json(const ups_utilisation_table& t) {
+  ordered_json rooms = ordered_json::array(), sets = ordered_json::array();
+  for (int k = 0; k < utilisation_sets; ++k) sets.push_back(reflectance_name(t.reflectances + 3 * k));
+  for (int r = 0; r < utilisation_rooms; ++r) {
+    ordered_json factors = ordered_json::array();
+    for (int k = 0; k < utilisation_sets; ++k) factors.push_back(number(t.factors[r * utilisation_sets + k]));
+    rooms.push_back({{"room_index", number(t.room_index[r])}, {"factors", factors}});
+  }
+  return {{"reflectances", sets}, {"rooms", rooms}};
+}
+
+ordered_json sheet_json(const DataSheet& s) {
+  const ups_data_sheet& d = s.sheet;
+  ordered_json candela = ordered_json::array(), zones = ordered_json::array();
+  const size_t rows = s.gamma_deg.size();
+  for (size_t i = 0; i < s.c_deg.size(); ++i) {
+    const auto first = s.candela.begin() + ptrdiff_t(i * rows);
+    candela.push_back({{"c_deg", number(s.c_deg[i])},
+                       {"gamma_deg", array_json(s.gamma_deg)},
+                       {"intensity_cd", array_json(std::vector<float>(first, first + ptrdiff_t(rows)))}});
+  }
+  for (size_t j = 0; j < s.zonal_flux_lm.size(); ++j)
+    zones.push_back({{"from_deg", number(s.zone_deg[j])},
+                     {"to_deg", number(s.zone_deg[j + 1])},
+                     {"flux_lm", number(s.zonal_flux_lm[j])}});
+  ordered_json all = {
+      {"flux_code", array_json(d.flux_code)},
+      {"high_luminance",
+       {{"gamma_deg", {65, 75, 85}},
+        {"luminance_cd_m2", array_json(d.luminance_cd_m2)},
+        {"highest_cd_m2", number(d.highest_luminance_cd_m2)},
+        {"c_deg", number(d.highest_luminance_c_deg)},
+        {"highest_gamma_deg", number(d.highest_luminance_gamma_deg)}}},
+      {"spacing_criterion",
+       {{"c0_c180", number(d.spacing_criterion[0])},
+        {"c90_c270", number(d.spacing_criterion[1])},
+        {"diagonal", number(d.spacing_criterion[2])}}},
+      {"nema_type", {{"horizontal", d.nema_type[0]}, {"vertical", d.nema_type[1]}}},
+      {"bug",
+       {{"backlight", d.backlight_rating},
+        {"uplight", d.uplight_rating},
+        {"glare", d.glare_rating},
+        {"type_v", d.bug_type_v == 1},
+        {"front_c_deg", number(s.front_c_deg)},
+        {"front_lm", array_json(d.front_lm)},
+        {"back_lm", array_json(d.back_lm)},
+        {"up_lm", array_json(d.up_lm)}}},
+      {"candela", candela},
+      {"zonal_flux", zones}};
+  if (s.ugr) all["ugr_table"] = ugr_json(*s.ugr);
+  if (s.utilisation) all["utilisation"] = utilisation_json(*s.utilisation);
+  return all;
+}
+
 ordered_json scene_json(const SceneReport& report) {
   const ups_scene_info& info = report.info;
   ordered_json sensors = ordered_json::array();
   for (const SensorEntry& sensor : report.sensors) {
-    const bool camera = sensor.info.kind == UPS_GLTF_CAMERA;
-    sensors.push_back({{"name", sensor.name}, {"kind", camera ? "camera" : "meters"}});
-    if (camera) {
+    constexpr const char* kinds[] = {"camera", "meters", "goniometer", "observer"};  // UPS_GLTF_*
+    sensors.push_back({{"name", sensor.name}, {"kind", kinds[sensor.info.kind]}});
+    if (sensor.info.kind == UPS_GLTF_CAMERA) {
       sensors.back().update({{"width", sensor.info.width}, {"height", sensor.info.height}});
-    } else {
+    } else if (sensor.info.kind != UPS_GLTF_OBSERVER) {
       sensors.back().update(
           {{"count", sensor.info.meter_count}, {"columns", sensor.info.columns}, {"rows", sensor.info.rows}});
     }
@@ -391,6 +474,7 @@ std::string to_json(const std::vector<InfoEntry>& entries) {
     ordered_json file = entry.profile ? profile_json(*entry.profile)
                         : entry.scene ? scene_json(*entry.scene)
                                       : ordered_json{{"file", entry.file}};
+    if (entry.sheet) file["data_sheet"] = sheet_json(*entry.sheet);
     if (!entry.error.empty()) file["error"] = entry.error;
     files.push_back(file);
   }

@@ -26,7 +26,9 @@ const CLI::App* add_info(CLI::App& app, InfoOptions& options) {
       ->check(CLI::Validator(ups::tool::plot_file, ""))
       ->type_name("OUT");
   ups::tool::add_allow_outside(*command, options.allow_outside);
-  command->add_flag("--json", options.json, "Print one JSON object on standard output");
+  const auto json = command->add_flag("--json", options.json, "Print one JSON object on standard output");
+  command->add_flag("--csv", options.csv, "Print the data sheets of photometric files as CSV, a value a line")
+      ->excludes(json);
   // CLI11 takes what follows the first OUT for a FILE; no file that is read is an image.
   command->parse_complete_callback([&options] {
     if (options.plots.empty()) return;
@@ -105,6 +107,7 @@ int run(int argc, char** argv) {
   if (map->parsed()) return ups::tool::map(map_options);
   if (convert->parsed()) return ups::tool::convert(in, out);
   if (compare->parsed()) return ups::tool::compare(a, b, json);
+  render_options.arguments.assign(argv + 1, argv + argc);
   return ups::tool::render(render_options);
 }
 

@@ -250,8 +250,37 @@ void add_render(CLI::App& app, RenderOptions& options) {
   add_size(*command, options.width, options.height);
   add_separation(*command, options.desc,
                  ": with --out, a table NAME_luminaires.csv of what each contributes to each meter");
+  command->add_option("--above", options.questions.above, "The share of each set's meters with at least so many lx")
+      ->expected(1)
+      ->type_name("LX");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--ratio",
+          [&options](const std::vector<std::string>& all) {
+            for (const std::string& text : all)
+              options.questions.ratios.emplace_back(text.substr(0, text.find('/')), text.substr(text.find('/') + 1));
+          },
+          "The mean of the meters A over that of the meters B, by their names")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            const size_t slash = text.find('/');
+            return slash > 0 && slash + 1 < text.size() && text.find('/', slash + 1) == std::string::npos
+                       ? std::string()
+                       : text + " is not two names such as task/surround";
+          },
+          ""))
+      ->expected(1)
+      ->type_name("A/B");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
       ->type_name("DIR");
+  command
+      ->add_flag("--report", options.report,
+                 "With --out: report.html, one page to hand in: plan, luminaires, results, accuracy")
+      ->needs("--out");
+  command
+      ->add_option("--targets", options.targets,
+                   "What meters and observers must reach, a JSON file: verdicts in the report and the JSON")
+      ->type_name("FILE");
   add_map_options(*command, options.map);
   add_method_options(*command, options.desc);
   command->footer(

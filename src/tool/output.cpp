@@ -267,6 +267,7 @@ Written write_outputs(const std::string& folder, const LoadedScene& scene, const
   const Attributes attributes = common_attributes(result);
   for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
     const SensorEntry& sensor = scene.sensors[i];
+    if (sensor.info.kind == UPS_GLTF_OBSERVER) continue;  // its numbers are in the report
     attempt(written, (std::filesystem::path(folder) / sensor.name).string(), [&](const std::string& base) {
       if (sensor.info.kind == UPS_GLTF_CAMERA) {
         write_camera(written, base, sensor, result, map, attributes);

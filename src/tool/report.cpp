@@ -99,7 +99,42 @@ std::string method_word(ups_method method) {
   }
 }
 
-Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result) {
+namespace {
+
+ObserverReport observer_report(const LoadedScene& scene, const SensorEntry& sensor, const ups_result* result) {
+  ObserverReport observer{sensor.name, {}, {}};
+  observer.reading.struct_size = sizeof observer.reading;
+  check(ups_result_get_observer(result, sensor.info.sensor, &observer.reading));
+  for (uint32_t i = 0; i < observer.reading.source_count; ++i) {
+    ups_glare_source source{};
+    source.struct_size = sizeof source;
+    check(ups_result_get_glare_source(result, sensor.info.sensor, i, &source));
+    observer.sources.push_back({source_name(scene, source.kind, source.id), source});
+  }
+  return observer;
+}
+
+std::string observer_text(const ObserverReport& observer) {
+  const ups_observer_reading& r = observer.reading;
+  std::string text = "observer " + printable(observer.name) + ": ";
+  if (r.flags & UPS_OBSERVER_NO_SOURCE)
+    text += "no UGR, as no source of glare is visible";
+  else if (r.flags & UPS_OBSERVER_NO_BACKGROUND)
+    text += "no UGR, as no indirect light was found";
+  else
+    text += format("UGR %.1f", r.ugr) +
+            (r.ugr_low == -1 || r.ugr_high == -1 ? "" : format(" (%.1f to %.1f)", r.ugr_low, r.ugr_high));
+  text += r.background_cd_m2 < 0 ? ", background unknown" : format(", background %.4g cd/m^2", r.background_cd_m2);
+  if (observer.sources.empty()) return text + "\n";
+  const GlareSourceReport& worst = observer.sources[0];
+  return text + format(", %u sources, the worst %s with %.0f %%\n", r.source_count, worst.name.c_str(),
+                       100 * worst.source.share);
+}
+
+}  // namespace
+
+Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result,
+                   const MeterQuestions& questions) {
   Report report{};
   report.scene = scene_path;
   report.info.struct_size = sizeof report.info;
@@ -122,20 +157,20 @@ Report make_report(const std::string& scene_path, const LoadedScene& scene, cons
       report.choices.push_back({sensor.name, choice, names_of(choice.techniques, technique_names)});
     }
     if (sensor.info.kind == UPS_GLTF_METERS) {
-      MeterReport meters{sensor.name, {}};
-      meters.statistics.struct_size = sizeof meters.statistics;
-      check(ups_result_get_meter_statistics(result, sensor.info.sensor, &meters.statistics));
-      report.meters.push_back(meters);
+      report.meters.push_back(read_meter_report(result, sensor, questions));
     } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {
       GoniometerReport goniometer{sensor.name, {}};
       goniometer.info.struct_size = sizeof goniometer.info;
       check(ups_result_get_goniometer_info(result, sensor.info.sensor, &goniometer.info));
       report.goniometers.push_back(goniometer);
+    } else if (sensor.info.kind == UPS_GLTF_OBSERVER) {
+      report.observers.push_back(observer_report(scene, sensor, result));
     } else {
       const auto pixels = read_image(result, sensor, UPS_CHANNEL_LUMINANCE_RGB);
       report.cameras.push_back({sensor.name, sensor.info.width, sensor.info.height, mean_luminance(pixels)});
     }
   }
+  report.ratios = read_ratios(scene, result, questions);
   for (const SourceEntry& source : sources_of(scene, result))
     report.sources.push_back({source.name, source.info.flux_lm});
   report.convergence = read_curve(result);
@@ -153,14 +188,10 @@ std::string to_text(const Report& report) {
   text += "effects: " + joined(report.effects) + "\ntechniques: " + joined(report.techniques) + "\n";
   text += format("flux: emitted %.6g lm, absorbed %.6g lm, escaped %.6g lm\n", info.emitted_flux_lm,
                  info.absorbed_flux_lm, info.escaped_flux_lm);
-  for (const MeterReport& meters : report.meters) {
-    const ups_meter_statistics& s = meters.statistics;
-    const std::string interval =
-        s.uniformity_low < 0 ? "" : format(" (%.3f to %.3f)", s.uniformity_low, s.uniformity_high);
-    text += format("meters %s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, worst error %s\n",
-                   meters.name.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity, interval.c_str(),
-                   percent_text(s.worst_relative_error_bound).c_str());
-  }
+  if (info.maintenance_factor != 1) text += format("maintenance factor: %g\n", info.maintenance_factor);
+  for (const MeterReport& meters : report.meters) text += to_text(meters);
+  for (const RatioReport& ratio : report.ratios) text += to_text(ratio);
+  for (const ObserverReport& observer : report.observers) text += observer_text(observer);
   for (const CameraReport& camera : report.cameras) {
     text += format("camera %s: %u x %u, mean luminance %.6g cd/m^2\n", camera.name.c_str(), camera.width, camera.height,
                    camera.mean_luminance_cd_m2);

@@ -5,19 +5,16 @@
 
 #include "tool/accuracy.h"
 #include "tool/handles.h"
+#include "tool/meter_report.h"
 #include "tool/sample_address.h"
+#include "tool/targets.h"
 
 namespace ups::tool {
 
 struct ChoiceReport {
-  std::string name;  // of a camera or a set of meters
+  std::string name;  // of a camera, a set of meters or an observer
   ups_sensor_choice choice;
   std::vector<std::string> techniques;
-};
-
-struct MeterReport {
-  std::string name;
-  ups_meter_statistics statistics;
 };
 
 struct CameraReport {
@@ -31,6 +28,17 @@ struct GoniometerReport {
   ups_goniometer_info info;
 };
 
+struct GlareSourceReport {
+  std::string name;  // of its node
+  ups_glare_source source;
+};
+
+struct ObserverReport {
+  std::string name;
+  ups_observer_reading reading;
+  std::vector<GlareSourceReport> sources;
+};
+
 struct SourceReport {
   std::string name;  // of its node, or "group_3"
   double flux_lm;
@@ -42,8 +50,10 @@ struct Report {
   std::vector<std::string> techniques, effects, warnings;
   std::vector<ChoiceReport> choices;
   std::vector<MeterReport> meters;
+  std::vector<RatioReport> ratios;
   std::vector<CameraReport> cameras;
   std::vector<GoniometerReport> goniometers;
+  std::vector<ObserverReport> observers;
   std::vector<SourceReport> sources;  // empty without --separate
   std::vector<ups_curve_point> convergence;
   std::vector<PredictionReport> predictions;
@@ -51,9 +61,13 @@ struct Report {
   std::vector<std::string> advice;
   std::vector<SampleReport> largest_samples;
   ups_memory_estimate memory{};
+  double target_error = 0;  // that the render was to stop at; 0: none
+  std::vector<TargetVerdict> targets;
+  std::vector<std::string> area_names;  // of the targets' areas
 };
 
-Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result);
+Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result,
+                   const MeterQuestions& questions = {});
 std::string version_number();  // "0.1.0"
 std::string percent_text(double fraction);  // "1.25 %"; "unknown" below 0
 std::string method_word(ups_method method);  // as in --method

@@ -5,6 +5,14 @@
 
 namespace ups::tool {
 
+std::string source_name(const LoadedScene& scene, ups_source_kind kind, uint32_t id) {
+  return read_text(
+      [&](char* to, size_t capacity, size_t* needed) {
+        return ups_gltf_get_source_name(scene.import_result.get(), kind, id, to, capacity, needed);
+      },
+      ups_gltf_last_error);
+}
+
 std::vector<SourceEntry> sources_of(const LoadedScene& scene, const ups_result* result) {
   uint32_t count = 0;
   check(ups_result_get_source_count(result, &count));
@@ -13,15 +21,8 @@ std::vector<SourceEntry> sources_of(const LoadedScene& scene, const ups_result* 
     ups_source_info& info = sources[i].info;
     info.struct_size = sizeof info;
     check(ups_result_get_source(result, i, &info));
-    if (info.kind == UPS_SOURCE_GROUP) {
-      sources[i].name = "group_" + std::to_string(info.id);
-      continue;
-    }
-    sources[i].name = read_text(
-        [&](char* to, size_t capacity, size_t* needed) {
-          return ups_gltf_get_source_name(scene.import_result.get(), info.kind, info.id, to, capacity, needed);
-        },
-        ups_gltf_last_error);
+    sources[i].name = info.kind == UPS_SOURCE_GROUP ? "group_" + std::to_string(info.id)
+                                                    : source_name(scene, info.kind, info.id);
   }
   return sources;
 }

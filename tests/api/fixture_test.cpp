@@ -54,6 +54,9 @@ TEST_F(Fixtures, AreDimmedMovedScaledAndRemoved) {
   EXPECT_NEAR(scene_info().emitted_flux_lm, 1600, 0.1);
   EXPECT_OK(ups_scene_set_fixture_dimming(scene, first, 0));
   EXPECT_NEAR(scene_info().emitted_flux_lm, 600, 0.1);
+  EXPECT_OK(ups_scene_set_maintenance_factor(scene, 0.75));
+  EXPECT_NEAR(scene_info().emitted_flux_lm, 450, 0.1);
+  EXPECT_OK(ups_scene_set_maintenance_factor(scene, 1));
   EXPECT_OK(ups_scene_set_fixture_dimming(scene, first, 1));
   // Head over: the paraboloid's vertex, f above its focus, goes down.
   const double turned[12] = {1, 0, 0, 5, 0, -1, 0, 0, 0, 0, -1, 2};

@@ -168,6 +168,8 @@ internal static partial class BindingTest
                 Expect(cut.Length == 2 && cut[0].FromM[0] == 1, "a section");
                 var seen = scene.Outlines(new double[] { 0, 0, 1 }, new double[] { 0, 0, 1 });
                 Expect(seen.Length == 4 && seen[0].FromM[2] == 0, "outlines");
+                var emits = scene.Sources();
+                Expect(emits.Length == 1 && emits[0].LightKind == (int)LightKind.Point && emits[0].FluxLm > 0, "sources");
                 Expect(result.Info.Iterations == 16 && result.Info.Seed == 5, "the render's own data");
                 Expect(result.Info.AbsorbedFluxLm < 0 == result.Info.FluxBalanceStandardErrorLm < 0, "the balance");
                 foreach (var sensor in new[] { meters, eye })

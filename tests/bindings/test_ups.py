@@ -186,6 +186,31 @@ def test_results_report_their_render(context):
     assert isinstance(result.text(ups.ResultText.TECHNIQUES), str)
 
 
+def test_statistics_of_areas(context):
+    scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
+    other = scene.add_meters([(1, 0, 0.5), (0, 1, 0.5)], [(0, 0, 1)] * 2)
+    scene.commit()
+    result = scene.render(iteration_count=32)
+    readings, others = result.meters(meters)["illuminance_lx"], result.meters(other)["illuminance_lx"]
+    least = result.percentile(meters, 0)
+    assert least.low <= least.value <= least.high and least.value == pytest.approx(readings.min())
+    share = result.share_above(meters, float(readings.mean()))
+    assert share.value == 0.5 and share.low <= 0.5 <= share.high
+    assert result.ratio(meters, other).value == pytest.approx(readings.mean() / others.mean(), rel=1e-5)
+    np.testing.assert_allclose(result.ratios(meters, other)["value"], readings / others, rtol=1e-5)
+    with pytest.raises(ups.Error, match="share is 2"):
+        result.percentile(meters, 2)
+
+
+def test_maintained_values(context):
+    scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
+    with pytest.raises(ups.Error, match="above 0 and at most 1"):
+        scene.set_maintenance_factor(1.5)
+    scene.set_maintenance_factor(0.8)
+    scene.commit()
+    assert scene.render(iteration_count=1).info.maintenance_factor == 0.8
+
+
 def test_a_sample_is_traced_again(context):
     scene, meters, _, _ = lamp_over_floor(context, reflectance=0.8)
     instance = scene.add_instance(scene.add_mesh([(-9, -9, 4), (9, -9, 4), (0, 9, 4)], [(0, 1, 2)],
@@ -218,6 +243,21 @@ def test_a_section_is_where_a_plane_cuts(context):
     edges = scene.outlines((0, 0, 1), (0, 0, 1))
     assert np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).sum() == pytest.approx(40)
     assert scene.outlines((0, 0, 1), (0, 0, 1), 0.5).shape == (0, 2, 3)
+
+
+def test_what_emits_is_listed(context):
+    scene, _, light, _ = lamp_over_floor(context)
+    luminaire = scene.add_luminaire(uniform_profile(context), to_world=ups.translation(1, 0, 2), flux_lm=500)
+    scene.commit()
+    first, second = scene.sources()
+    assert (first.id, first.light_kind) == (light.v, ups.LightKind.POINT)
+    assert first.flux_lm == pytest.approx(4 * math.pi * 400, rel=1e-5)
+    assert (second.id, second.light_kind, second.kind) == (luminaire.v, -1, ups.SourceKind.LUMINAIRE)
+    assert list(second.bounds_max_m) == [1, 0, 2] and second.to_world[11] == 2
+    assert second.flux_lm == pytest.approx(500, rel=1e-2)
+    assert scene.source_profile(1).info.flux_lm == pytest.approx(uniform_profile(context).info.flux_lm)
+    with pytest.raises(ups.Error, match="no luminaire"):
+        scene.source_profile(0)
 
 
 def test_accuracy_and_its_cost(context):

@@ -43,6 +43,7 @@ void ups_mesh_desc_init(ups_mesh_desc* desc, uint32_t size) { write_defaults(des
 void ups_instance_desc_init(ups_instance_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_light_desc_init(ups_light_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_camera_desc_init(ups_camera_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
+void ups_observer_desc_init(ups_observer_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_goniometer_desc_init(ups_goniometer_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 void ups_meter_desc_init(ups_meter_desc* desc, uint32_t size) { write_defaults(desc, size, {}); }
 
@@ -95,6 +96,15 @@ ups_status ups_scene_add_light(ups_scene* scene, const ups_light_desc* d, ups_lu
   return record(scene->lights, *d, out);
 }
 
+ups_status ups_scene_set_maintenance_factor(ups_scene* scene, double factor) {
+  if (!(factor > 0)) {
+    last_error = "recorded core: maintenance_factor is not above 0";
+    return UPS_ERROR_INVALID_ARGUMENT;
+  }
+  scene->maintenance_factor = factor;
+  return UPS_OK;
+}
+
 ups_status ups_scene_add_luminaire(ups_scene* scene, const ups_luminaire_desc* d, ups_luminaire_id* out) {
   return record(scene->luminaires, {*d, d->profile->bytes}, out);
 }
@@ -116,6 +126,10 @@ ups_status ups_scene_add_meters(ups_scene* scene, const ups_meter_desc* d, ups_s
                  copied(d->tangents, 3 * count),
                  {d->cell_size_m[0], d->cell_size_m[1]}},
                 out);
+}
+
+ups_status ups_scene_add_observer(ups_scene* scene, const ups_observer_desc* d, ups_sensor_id* out) {
+  return record(scene->observers, *d, out);
 }
 
 ups_status ups_scene_add_goniometer(ups_scene* scene, const ups_goniometer_desc* d, ups_sensor_id* out) {

@@ -61,6 +61,8 @@ struct ups_scene {  // ids are places in these, from 1
   std::vector<ups_camera_desc> cameras;
   std::vector<RecordedMeters> meters;
   std::vector<RecordedGoniometer> goniometers;
+  double maintenance_factor = 1;
+  std::vector<ups_observer_desc> observers;
 };
 
 // Profiles that were parsed and not yet destroyed.

@@ -373,6 +373,16 @@ TEST_F(BrokenFile, SkyIsNotBuilt) {
   expect_failure(builder, UPS_ERROR_PARSE, {"scene 0", "sun", "sky"});
 }
 
+TEST_F(BrokenFile, MaintenanceFactorIsAShare) {
+  SceneBuilder builder = square();
+  for (const json& wrong : {json(1.2), json(-0.1), json("0.8")}) {
+    builder.doc["scenes"][0]["extras"]["ups"]["maintenance_factor"] = wrong;
+    expect_failure(builder, UPS_ERROR_PARSE, {"scene 0", "maintenance_factor"});
+  }
+  builder.doc["scenes"][0]["extras"]["ups"]["maintenance_factor"] = 0;
+  expect_failure(builder, UPS_ERROR_INVALID_ARGUMENT, {"scene 0", "maintenance_factor"});
+}
+
 // Whatever bytes are there, the importer ends with a status. Sanitizers turn a stray read into a failure.
 TEST_F(BrokenFile, RandomBytesChanged) {
   SceneBuilder builder = with_material({{"name", "m"}, {"extras", {{"ups", {{"model", "matte"}}}}}});

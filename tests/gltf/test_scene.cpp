@@ -20,6 +20,16 @@ TEST_F(GoodFile, MeshesAreSharedAndTurned) {
   expect_near(point(scene.instances[1].to_world, 1, 1, 0), {-2, 0, 1});
 }
 
+TEST_F(GoodFile, MaintenanceFactor) {
+  SceneBuilder builder;
+  builder.add_square();
+  import(builder);
+  EXPECT_EQ(scene.maintenance_factor, 1);
+  builder.doc["scenes"][0]["extras"]["ups"]["maintenance_factor"] = 0.8;
+  import(builder);
+  EXPECT_EQ(scene.maintenance_factor, 0.8);
+}
+
 TEST_F(GoodFile, ParentsAndMatrices) {
   SceneBuilder builder;
   builder.add_square();

@@ -40,6 +40,34 @@ TEST_F(GoodFile, GoniometersHangLikeLuminaires) {
   EXPECT_EQ(scene.goniometers[1].gamma_deg.back(), 180);
 }
 
+TEST_F(GoodFile, ObserversLookLikeCameras) {
+  SceneBuilder builder;
+  // Without rotation: glTF's -Z is north.
+  builder.add_node({{"name", "node"},
+                    {"translation", {1, 1.2, -2}},
+                    {"extras", {{"ups", {{"observer", {{"name", "desk 1"}, {"metric", "ugr"}}}}}}}});
+  builder.add_node({{"name", "door"}, {"extras", {{"ups", {{"observer", {{"position_index", "guth"}}}}}}}});
+  builder.add_node({{"extras", {{"ups", {{"observer", {{"name", "desk 1"}}}}}}}});
+  import(builder);
+  EXPECT_EQ(sensor_info(0).kind, UPS_GLTF_OBSERVER);
+  EXPECT_EQ(name_of(0), "desk 1");
+  EXPECT_EQ(name_of(1), "door");
+  EXPECT_EQ(name_of(2), "desk 1_2");
+  ASSERT_EQ(scene.observers.size(), 3u);
+  expect_near(point(scene.observers[0].to_world, 0, 0, 0), {1, 2, 1.2});
+  expect_near(point(scene.observers[0].to_world, 0, 0, -1), {1, 3, 1.2});
+  expect_near(point(scene.observers[0].to_world, 0, 1, 0), {1, 2, 2.2});
+  EXPECT_EQ(scene.observers[0].position_index, UPS_POSITION_INDEX_TABLE);
+  EXPECT_EQ(scene.observers[1].position_index, UPS_POSITION_INDEX_GUTH);
+  double eye[3];
+  float looks[3];
+  EXPECT_EQ(ups_gltf_read_meters(imported, 0, eye, looks, 1), UPS_OK) << ups_gltf_last_error();
+  EXPECT_NEAR(eye[1], 2, 1e-6);
+  EXPECT_NEAR(looks[1], 1, 1e-6);
+  EXPECT_EQ(ups_gltf_read_meters(imported, 0, eye, looks, 0), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(warnings(), "");
+}
+
 TEST_F(GoodFile, MetersWithoutRotationFaceSouth) {
   SceneBuilder builder;
   builder.add_node({{"extras", grid(nullptr)}});

@@ -36,4 +36,8 @@ if [ -x "$program" ]; then
   printed=$("$program" --version)
   echo "program: $printed"
   [ "$printed" = "ups $version" ] || { echo "expected 'ups $version'" >&2; exit 1; }
+  # Targets are read before the scene; those of the standard are found from where the program now is.
+  echo '{"include": "en12464-1.json", "areas": [{"meters": "a", "row": "office.writing"}]}' >"$work/targets.json"
+  "$program" render "$work/none.gltf" --targets "$work/targets.json" 2>"$work/targets.log" && exit 1
+  grep -q "none.gltf" "$work/targets.log" || { cat "$work/targets.log" >&2; exit 1; }
 fi

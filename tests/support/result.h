@@ -49,6 +49,7 @@ class Result {
     }
   }
 
+  const ups_result* get() const { return result_.get(); }
   ups_result_info info() const {
     ups_result_info i{};
     i.struct_size = sizeof i;
@@ -78,6 +79,25 @@ class Result {
     for (const auto& r : out)
       require_finite({r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx}, "part of a meter's reading");
     return out;
+  }
+  ups_observer_reading observer(const Sensor& eye) const {
+    ups_observer_reading r{};
+    r.struct_size = sizeof r;
+    check(ups_result_get_observer(result_.get(), eye.id, &r), "ups_result_get_observer");
+    require_finite({r.ugr, r.ugr_standard_error, r.ugr_low, r.ugr_high, r.background_cd_m2,
+                    r.background_standard_error_cd_m2, r.background_error_bound_cd_m2}, "observer");
+    return r;
+  }
+  std::vector<ups_glare_source> glare_sources(const Sensor& eye) const {
+    std::vector<ups_glare_source> all(observer(eye).source_count);
+    for (uint32_t i = 0; i < all.size(); ++i) {
+      all[i].struct_size = sizeof all[i];
+      check(ups_result_get_glare_source(result_.get(), eye.id, i, &all[i]), "ups_result_get_glare_source");
+      const ups_glare_source& s = all[i];
+      require_finite({s.luminance_cd_m2, s.solid_angle_sr, s.intensity_cd, s.distance_m, s.visible_share,
+                      s.position_index, s.share}, "glare source");
+    }
+    return all;
   }
   std::vector<uint32_t> flags(const Sensor& meters) const {
     std::vector<uint32_t> out(meters.count);

@@ -203,6 +203,19 @@ class Scene {
     return s;
   }
 
+  // An eye, the world's up above it; its meter is among the sensors.
+  Sensor add_observer(const P3& position, const P3& direction,
+                      ups_position_index index = UPS_POSITION_INDEX_TABLE) {
+    auto d = make_desc<ups_observer_desc>(ups_observer_desc_init);
+    d.position_index = index;
+    const auto m = facing(position, direction);
+    std::copy(m.begin(), m.end(), d.to_world);
+    Sensor s{{0}, 1, 0, 0};
+    check(ups_scene_add_observer(scene_.get(), &d, &s.id), "ups_scene_add_observer");
+    sensors_.push_back(s);
+    return s;
+  }
+
   // Axes along the world's, nadir down.
   Sensor add_goniometer(uint32_t planes, uint32_t gammas, ups_profile_symmetry symmetry = UPS_SYMMETRY_NONE) {
     auto d = make_desc<ups_goniometer_desc>(ups_goniometer_desc_init);

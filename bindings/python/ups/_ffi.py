@@ -268,6 +268,30 @@ class PathEvent(enum.IntEnum):
     REFRACTED = 4
 
 
+class PositionIndex(enum.IntEnum):
+    TABLE = 0
+    GUTH = 1
+
+
+class GlareMetric(enum.IntEnum):
+    GLARE_METRIC_UGR = 0
+
+
+class Observer(enum.IntFlag):
+    NO_SOURCE = 1
+    NO_BACKGROUND = 2
+    LARGE_SOURCE = 4
+    POINT_SOURCE = 8
+    UNRATED_SOURCE = 16
+
+
+class GlareSource(enum.IntFlag):
+    SMALL = 1
+    POINT = 2
+    LARGE = 4
+    HIDDEN = 8
+
+
 class TextureId(Structure):
     _fields_ = [
         ("v", c_uint32),
@@ -499,6 +523,7 @@ class SceneInfo(Structure):
         ("emitted_flux_lm", c_double),
         ("bounds_min_m", c_double * 3),
         ("bounds_max_m", c_double * 3),
+        ("maintenance_factor", c_double),
     ]
 
 
@@ -748,6 +773,7 @@ class ResultInfo(Structure):
         ("effects", c_uint32),
         ("threads", c_int32),
         ("flux_balance_standard_error_lm", c_double),
+        ("maintenance_factor", c_double),
     ]
 
 
@@ -806,6 +832,9 @@ class MeterStatistics(Structure):
         ("percentile_5_lx", c_double),
         ("percentile_5_low_lx", c_double),
         ("percentile_5_high_lx", c_double),
+        ("diversity", c_double),
+        ("diversity_low", c_double),
+        ("diversity_high", c_double),
     ]
 
 
@@ -1001,6 +1030,97 @@ class PathContribution(Structure):
     ]
 
 
+class Interval(Structure):
+    _fields_ = [
+        ("value", c_double),
+        ("low", c_double),
+        ("high", c_double),
+    ]
+
+
+class UgrTable(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("lamp_flux_lm", c_float),
+        ("room_across_h", c_float * 19),
+        ("room_along_h", c_float * 19),
+        ("reflectances", c_float * 15),
+        ("crosswise", c_float * 95),
+        ("endwise", c_float * 95),
+    ]
+
+
+class DataSheet(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("flux_code", c_float * 5),
+        ("luminance_cd_m2", c_float * 3),
+        ("highest_luminance_cd_m2", c_float),
+        ("highest_luminance_c_deg", c_float),
+        ("highest_luminance_gamma_deg", c_float),
+        ("spacing_criterion", c_float * 3),
+        ("nema_type", c_int32 * 2),
+        ("front_lm", c_float * 4),
+        ("back_lm", c_float * 4),
+        ("up_lm", c_float * 2),
+        ("backlight_rating", c_int32),
+        ("uplight_rating", c_int32),
+        ("glare_rating", c_int32),
+        ("bug_type_v", c_int32),
+    ]
+
+
+class UtilisationTable(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("room_index", c_float * 10),
+        ("reflectances", c_float * 30),
+        ("factors", c_float * 100),
+    ]
+
+
+class ObserverDesc(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("metric", c_int32),
+        ("position_index", c_int32),
+        ("reserved", c_uint32),
+        ("to_world", c_double * 12),
+    ]
+
+
+class ObserverReading(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("ugr", c_float),
+        ("ugr_standard_error", c_float),
+        ("ugr_low", c_float),
+        ("ugr_high", c_float),
+        ("background_cd_m2", c_float),
+        ("background_standard_error_cd_m2", c_float),
+        ("background_error_bound_cd_m2", c_float),
+        ("source_count", c_uint32),
+    ]
+
+
+class GlareSource(Structure):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("id", c_uint32),
+        ("flags", c_uint32),
+        ("luminance_cd_m2", c_float),
+        ("solid_angle_sr", c_float),
+        ("intensity_cd", c_float),
+        ("distance_m", c_float),
+        ("visible_share", c_float),
+        ("position_index", c_float),
+        ("share", c_float),
+        ("direction", c_float * 3),
+    ]
+
+
 # Result and parameters of each function.
 PROTOTYPES = {
     "ups_version": (c_uint32, []),
@@ -1045,6 +1165,7 @@ PROTOTYPES = {
     "ups_scene_set_material": (c_int32, [c_void_p, MaterialId, POINTER(MaterialDesc)]),
     "ups_scene_set_transform": (c_int32, [c_void_p, InstanceId, POINTER(c_double)]),
     "ups_scene_set_dimming": (c_int32, [c_void_p, LuminaireId, c_float]),
+    "ups_scene_set_maintenance_factor": (c_int32, [c_void_p, c_double]),
     "ups_scene_remove_instance": (c_int32, [c_void_p, InstanceId]),
     "ups_scene_remove_luminaire": (c_int32, [c_void_p, LuminaireId]),
     "ups_scene_remove_sensor": (c_int32, [c_void_p, SensorId]),
@@ -1131,6 +1252,20 @@ PROTOTYPES = {
     "ups_path_read_vertices": (c_int32, [c_void_p, POINTER(PathVertex), c_size_t, POINTER(c_size_t)]),
     "ups_path_read_contributions": (c_int32, [c_void_p, POINTER(PathContribution), c_size_t, POINTER(c_size_t)]),
     "ups_path_get_text": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "ups_result_get_meter_percentile": (c_int32, [c_void_p, SensorId, c_double, POINTER(Interval)]),
+    "ups_result_get_meter_share": (c_int32, [c_void_p, SensorId, c_double, POINTER(Interval)]),
+    "ups_result_get_meter_ratio": (c_int32, [c_void_p, SensorId, SensorId, POINTER(Interval)]),
+    "ups_result_read_meter_ratios": (c_int32, [c_void_p, SensorId, SensorId, POINTER(Interval), c_size_t]),
+    "ups_glare_get_position_index": (c_int32, [c_int32, POINTER(c_float), c_size_t, POINTER(c_float)]),
+    "ups_glare_get_ugr": (c_int32, [POINTER(c_float), POINTER(c_float), POINTER(c_float), c_size_t, c_double,
+        POINTER(c_float)]),
+    "ups_profile_get_ugr_table": (c_int32, [c_void_p, POINTER(UgrTable)]),
+    "ups_profile_get_data_sheet": (c_int32, [c_void_p, c_float, POINTER(DataSheet)]),
+    "ups_profile_get_utilisation": (c_int32, [c_void_p, POINTER(UtilisationTable)]),
+    "ups_observer_desc_init": (None, [POINTER(ObserverDesc), c_uint32]),
+    "ups_scene_add_observer": (c_int32, [c_void_p, POINTER(ObserverDesc), POINTER(SensorId)]),
+    "ups_result_get_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverReading)]),
+    "ups_result_get_glare_source": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(GlareSource)]),
 }
 
 # Function that fills each description with its defaults.
@@ -1154,4 +1289,5 @@ INIT = {
     MeterDesc: "ups_meter_desc_init",
     GoniometerDesc: "ups_goniometer_desc_init",
     RenderDesc: "ups_render_desc_init",
+    ObserverDesc: "ups_observer_desc_init",
 }

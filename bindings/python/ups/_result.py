@@ -107,6 +107,30 @@ class Result(Handle):
     def statistics(self, sensor):
         return read_info(_ffi.MeterStatistics, lib.ups_result_get_meter_statistics, self, sensor)
 
+    def percentile(self, sensor, share):
+        """A ups_interval (value, low, high), lx: `share` (0 to 1) of the meters are below. 0.5: the median."""
+        return self._interval(lib.ups_result_get_meter_percentile, sensor, share)
+
+    def share_above(self, sensor, threshold_lx):
+        """A ups_interval, 0 to 1: of the meters with at least so much."""
+        return self._interval(lib.ups_result_get_meter_share, sensor, threshold_lx)
+
+    def ratio(self, numerator, denominator):
+        """A ups_interval: the mean of one set of meters over that of another; -1 where it is not known."""
+        return self._interval(lib.ups_result_get_meter_ratio, numerator, denominator)
+
+    def _interval(self, function, *arguments):
+        out = _ffi.Interval()
+        check(function(self, *arguments, byref(out)))
+        return out
+
+    def ratios(self, numerator, denominator):
+        """Meter by meter: a record array with the fields value, low, high. Of cylindrical meters over horizontal ones at
+        the same places: the modelling index."""
+        out = np.empty(self._shape(numerator, 1, "a set of meters"), dtype=np.dtype(_ffi.Interval))
+        check(lib.ups_result_read_meter_ratios(self, numerator, denominator, address(out, _ffi.Interval), len(out)))
+        return out
+
     def sources(self):
         """A ups_source_info of each source that `separation` in the render's description tells apart, else empty: kind,
         id (of a luminaire or instance, or the group), flux_lm."""

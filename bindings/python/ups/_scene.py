@@ -107,6 +107,10 @@ class Scene(Handle):
     def set_dimming(self, luminaire, dimming):
         check(lib.ups_scene_set_dimming(self, luminaire, dimming))
 
+    def set_maintenance_factor(self, factor):
+        """Multiplies the flux of every luminaire and fixture: above 0, at most 1."""
+        check(lib.ups_scene_set_maintenance_factor(self, factor))
+
     def set_fixture_transform(self, fixture, to_world):
         matrix = address(as_matrix(to_world, "to_world"), ctypes.c_double)
         check(lib.ups_scene_set_fixture_transform(self, fixture, matrix))

@@ -153,8 +153,9 @@ ups_status ups_gltf_read_meters(const ups_gltf_import* import_result, uint32_t i
                                 float* normals, size_t count) {
   return guarded([&] {
     const ups::gltf::Sensor& sensor = sensor_of(import_result, index);
-    require(sensor.info.kind == UPS_GLTF_METERS, "the sensor is not a set of meters");
-    require(count == sensor.info.meter_count, "count is not the sensor's meter_count");
+    require(sensor.info.kind == UPS_GLTF_METERS || sensor.info.kind == UPS_GLTF_OBSERVER,
+            "the sensor is not a set of meters");
+    require(count == sensor.positions_m.size() / 3, "count is not the sensor's meter_count, of an observer 1");
     if (positions_m) std::copy(sensor.positions_m.begin(), sensor.positions_m.end(), positions_m);
     if (normals) std::copy(sensor.normals.begin(), sensor.normals.end(), normals);
   });

@@ -116,6 +116,8 @@ class Importer {
   const ups_profile* profile(const ProfileFile& file, const std::string& where);
   // goniometer.cpp
   void add_goniometer(const JsonReader& words, const std::string& node_name, const Affine& frame);
+  // observer.cpp
+  void add_observer(const JsonReader& words, const std::string& node_name, const Affine& frame);
   // fixture.cpp
   void add_fixture(const JsonReader& fixture, const Affine& frame);
   const ups_fixture* fixture_of(const JsonReader& fixture);
@@ -128,6 +130,8 @@ class Importer {
   // meters.cpp
   void add_meters(const JsonReader& meters, const std::string& node_name, const Affine& frame);
   std::string unique_name(const std::string& name, bool illuminance, const std::string& where);
+  // names.cpp: no file bears an observer's name, so it stays as it is.
+  std::string unique_observer_name(const std::string& name, const std::string& where);
   // names.cpp: of what emits on the present node; word: "luminaire", "instance" or "fixture".
   void name_source(ups_source_kind kind, uint32_t id, const char* word, const std::string& file = {});
 

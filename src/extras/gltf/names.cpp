@@ -46,6 +46,13 @@ std::string Importer::unique_name(const std::string& name, bool illuminance, con
   return result;
 }
 
+std::string Importer::unique_observer_name(const std::string& name, const std::string& where) {
+  if (name.size() > max_name_bytes)
+    throw extras::Error(UPS_ERROR_PARSE, where + ": the observer's name has " + std::to_string(name.size()) +
+                                             " bytes; at most " + std::to_string(max_name_bytes) + " fit");
+  return unique_in(names_, name, "");
+}
+
 // A table has the columns NAME_lx and NAME_standard_error_lx.
 void Importer::name_source(ups_source_kind kind, uint32_t id, const char* word, const std::string& file) {
   constexpr size_t room = 12;  // for the number

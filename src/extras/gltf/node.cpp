@@ -33,12 +33,14 @@ void Importer::read_scene() {
     const std::string where = place("scene", size_t(chosen), model.scenes[size_t(chosen)].name);
     const JsonReader scene = document_.element("scenes", size_t(chosen), where);
     if (const auto extras = scene.ups_extras()) {
-      extras->allow_only({"sky"});
+      extras->allow_only({"maintenance_factor", "sky"});
       if (extras->has("sky")) {
         throw extras::Error(UPS_ERROR_UNSUPPORTED, where +
                                                        ": extras.ups.sky is not built yet; light the scene with "
                                                        "luminaires or emitting surfaces");
       }
+      check(ups_scene_set_maintenance_factor(scene_, extras->number("maintenance_factor", 1, 0, 1)),
+            where + ": extras.ups");
     }
     if (model.scenes.size() > 1) warn("only " + where + " is read, the other scenes of the file are skipped");
     roots = model.scenes[size_t(chosen)].nodes;
@@ -89,23 +91,25 @@ void Importer::read_node(int index, const Affine& parent) {
 
   if (extras) {
     extras->allow_only(
-        {"meters", "goniometer", "luminaire", "fixture", "group", "width", "height", "illuminance_camera"});
+        {"meters", "goniometer", "observer", "luminaire", "fixture", "group", "width", "height", "illuminance_camera"});
     for (const char* key : {"width", "height", "illuminance_camera"}) {
       if (extras->has(key) && source.camera < 0) extras->fail(key, "needs a camera on the same node");
     }
   }
   const auto meters = extras ? extras->object("meters") : std::nullopt;
   const auto goniometer = extras ? extras->object("goniometer") : std::nullopt;
+  const auto observer = extras ? extras->object("observer") : std::nullopt;
   const auto luminaire = extras ? extras->object("luminaire") : std::nullopt;
   const auto fixture = extras ? extras->object("fixture") : std::nullopt;
   const bool has_punctual = node.extension("KHR_lights_punctual").has_value();
   const bool has_ies = node.extension("EXT_lights_ies").has_value();
-  if (source.camera < 0 && !meters && !goniometer && !luminaire && !fixture && !has_punctual && !has_ies) return;
+  if (source.camera < 0 && !meters && !goniometer && !observer && !luminaire && !fixture && !has_punctual && !has_ies)
+    return;
 
   bool scaled = false;
   const Affine frame = without_scale(parent * local.unscaled, scaled, where);
   if (scaled || !is_unit(source.scale))
-    warn(where + ": its scale is ignored for meters, goniometers, luminaires, fixtures, lights and cameras");
+    warn(where + ": its scale is ignored for meters, goniometers, observers, luminaires, fixtures, lights and cameras");
   if (source.camera >= 0) add_camera(node, source.camera, frame);
   if (has_punctual) add_punctual_light(node, frame);
   if (has_ies) add_ies_light(node, frame);
@@ -113,6 +117,7 @@ void Importer::read_node(int index, const Affine& parent) {
   if (fixture) add_fixture(*fixture, frame);
   if (meters) add_meters(*meters, source.name, frame);
   if (goniometer) add_goniometer(*goniometer, source.name, frame);
+  if (observer) add_observer(*observer, source.name, frame);
 }
 
 void Importer::add_instances(int index, const Affine& to_world, const std::string& where) {

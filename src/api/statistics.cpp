@@ -1,0 +1,72 @@
+// ups_statistics.h: percentiles, shares and ratios of meters.
+#include <algorithm>
+#include <cmath>
+
+#include "api/render_handles.h"
+#include "render/meter_ratios.h"
+#include "scene/check.h"
+
+using namespace ups;
+using namespace ups::api;
+
+namespace {
+
+ups_interval interval_of(double value, const Interval& i, double most) {
+  const auto end = [&](double v) { return std::clamp(v, 0.0, most); };
+  if (i.low == -1 && i.high == -1) return {value, -1, -1};
+  return {value, end(i.low), end(i.high)};
+}
+
+ups_interval interval_of(const Ratio& r) { return {r.value, r.interval.low, r.interval.high}; }
+
+}  // namespace
+
+ups_status ups_result_get_meter_percentile(const ups_result* result, ups_sensor_id sensor, double share,
+                                           ups_interval* out) {
+  return guard(__func__, [&] {
+    const MeterBatches& meters = meters_of(result, sensor).batches;
+    require(out, "out");
+    check::range(share, 0, 1, "share");
+    *out = {-1, -1, -1};
+    if (meters.count() == 0) return;
+    const MeterRanks ranks(meters);
+    const size_t rank = ranks.rank_at(share);
+    *out = interval_of(ranks.value(rank), ranks.interval(rank), INFINITY);
+  });
+}
+
+ups_status ups_result_get_meter_share(const ups_result* result, ups_sensor_id sensor, double threshold_lx,
+                                      ups_interval* out) {
+  return guard(__func__, [&] {
+    const MeterBatches& meters = meters_of(result, sensor).batches;
+    require(out, "out");
+    check::finite(threshold_lx, "threshold_lx");
+    *out = {-1, -1, -1};
+    if (meters.count() == 0) return;
+    const MeterRanks ranks(meters);
+    *out = interval_of(ranks.share_above(threshold_lx), ranks.share_above_interval(threshold_lx), 1);
+  });
+}
+
+ups_status ups_result_get_meter_ratio(const ups_result* result, ups_sensor_id numerator, ups_sensor_id denominator,
+                                      ups_interval* out) {
+  return guard(__func__, [&] {
+    const MeterBatches &a = meters_of(result, numerator).batches, &b = meters_of(result, denominator).batches;
+    require(out, "out") = interval_of(ratio_of_means(a, b));
+  });
+}
+
+ups_status ups_result_read_meter_ratios(const ups_result* result, ups_sensor_id numerator, ups_sensor_id denominator,
+                                        ups_interval* out, size_t count) {
+  return guard(__func__, [&] {
+    const MeterSetReading &a = meters_of(result, numerator), &b = meters_of(result, denominator);
+    require(out, "out");
+    for (const MeterSetReading* set : {&a, &b})
+      if (count != set->meters.size())
+        fail_argument("count is " + std::to_string(count) + "; the " + (set == &a ? "numerator" : "denominator") +
+                      " has " + std::to_string(set->meters.size()) + " meters");
+    const bool all = a.batches.count() == count && b.batches.count() == count;
+    for (size_t m = 0; m < count; ++m)
+      out[m] = all ? interval_of(ratio_at(a.batches, b.batches, m)) : ups_interval{-1, -1, -1};
+  });
+}

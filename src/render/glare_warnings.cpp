@@ -1,0 +1,32 @@
+// See glare_warnings.h.
+#include "render/glare_warnings.h"
+
+#include <algorithm>
+
+#include "scene/check.h"
+
+namespace ups {
+
+std::string glare_warnings(const Snapshot& scene, uint32_t observer_id, const SeenGlare& glare) {
+  const std::string who = "observer " + std::to_string(observer_id) + ": ";
+  std::string text;
+  const auto worst = [&](const auto& is_one, const char* what) {
+    size_t count = 0;
+    const SeenSource* first = nullptr;  // they are in the order of their terms
+    for (const SeenSource& s : glare.sources)
+      if (is_one(s)) first = count++ == 0 ? &s : first;
+    if (count == 0) return;
+    text += who + scene.emitter_names[first->emitter] +
+            (count > 1 ? " and " + std::to_string(count - 1) + " more" : "") + what + "\n";
+  };
+  worst([](const SeenSource& s) { return s.glare.solid_angle_sr > photometry::large_source_sr; },
+        ": seen under more than 0.1 sr, for which UGR is not made and too low; rated like the others (CIE 147 has "
+        "formulas for large sources, which are not built)");
+  worst([](const SeenSource& s) { return s.glare.luminance_cd_m2 < 0; },
+        ": light comes from a point, so there is no luminance: rated as a small source, by its intensity (CIE 147)");
+  if (glare.has_unrated)
+    text += who + "parallel light and luminaires that emit the rays of a file have no part in its rating\n";
+  return text;
+}
+
+}  // namespace ups

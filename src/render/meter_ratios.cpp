@@ -1,0 +1,67 @@
+// See meter_ratios.h. To first order x / y is off by (dx - (x / y) dy) / y, by noise and by bias alike.
+#include "render/meter_ratios.h"
+
+namespace ups {
+namespace {
+
+struct Quantity {
+  double value, batches[batch_count], bias_batches[batch_count], bias, bias_error, unfound;
+};
+
+Quantity mean_of(const MeterBatches& meters) {
+  Quantity q{meters.mean(), {}, {}, 0, 0, meters.unfound()};
+  for (uint32_t b = 0; b < meters.used(); ++b) {
+    q.batches[b] = meters.mean_of_batch(b);
+    q.bias_batches[b] = meters.bias_of_batch(b);
+    q.bias += q.bias_batches[b] / meters.used();
+  }
+  return q;
+}
+
+Quantity meter_of(const MeterBatches& meters, size_t m) {
+  Quantity q{meters.value(m), {}, {}, meters.bias(m), meters.bias_error(m), meters.unfound(m)};
+  for (uint32_t b = 0; b < meters.used(); ++b) q.batches[b] = double(meters.batch(m, b));
+  return q;
+}
+
+double error_of_mean(const double* batches, uint32_t used) {
+  double sum = 0, square = 0;
+  for (uint32_t b = 0; b < used; ++b) sum += batches[b];
+  for (uint32_t b = 0; b < used; ++b) square += std::pow(batches[b] - sum / used, 2);
+  return std::sqrt(square / (double(used) * (used - 1)));
+}
+
+Ratio ratio_of(const Quantity& x, const Quantity& y, uint32_t used) {
+  Ratio r;
+  if (!(y.value > 0) || x.value < 0) return r;
+  r.value = x.value / y.value;
+  if (used < min_batches_of_interval) return r;
+  const double t = t_quantile(used), y_error = std::abs(y.bias) + y.unfound +
+                                               t * std::hypot(error_of_mean(y.batches, used), y.bias_error);
+  if (y_error > 0.5 * y.value) return r;  // first order is not enough
+  double noise[batch_count], bias[batch_count];
+  for (uint32_t b = 0; b < used; ++b) {
+    noise[b] = (x.batches[b] - r.value * y.batches[b]) / y.value;
+    bias[b] = (x.bias_batches[b] - r.value * y.bias_batches[b]) / y.value;
+  }
+  const double s_bias = error_of_mean(bias, used), own_bias = std::hypot(x.bias_error, r.value * y.bias_error) / y.value,
+               offset = (std::abs(x.bias - r.value * y.bias) + x.unfound + r.value * y.unfound) / y.value,
+               error = offset + t * std::sqrt(std::pow(error_of_mean(noise, used), 2) + s_bias * s_bias +
+                                              own_bias * own_bias);
+  r.interval = {std::max(0.0, r.value - error), r.value + error};
+  return r;
+}
+
+}  // namespace
+
+Ratio ratio_of_means(const MeterBatches& numerator, const MeterBatches& denominator) {
+  if (numerator.count() == 0 || denominator.count() == 0) return {};
+  return ratio_of(mean_of(numerator), mean_of(denominator), std::min(numerator.used(), denominator.used()));
+}
+
+Ratio ratio_at(const MeterBatches& numerator, const MeterBatches& denominator, size_t meter) {
+  return ratio_of(meter_of(numerator, meter), meter_of(denominator, meter),
+                  std::min(numerator.used(), denominator.used()));
+}
+
+}  // namespace ups

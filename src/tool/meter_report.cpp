@@ -1,0 +1,79 @@
+// See meter_report.h.
+#include "tool/meter_report.h"
+
+#include <algorithm>
+
+#include "tool/accuracy.h"
+#include "tool/report.h"
+#include "tool/text_format.h"
+
+namespace ups::tool {
+namespace {
+
+std::string interval_text(const ups_interval& i, const char* number) {
+  if (i.low < 0) return "";
+  const std::string both = std::string(" (") + number + " to " + number + ")";
+  return format(both.c_str(), i.low, i.high);
+}
+
+ups_sensor_id set_of(const LoadedScene& scene, const std::string& name) {
+  std::string names;
+  for (const SensorEntry& sensor : scene.sensors) {
+    if (sensor.info.kind != UPS_GLTF_METERS) continue;
+    if (sensor.name == name) return sensor.info.sensor;
+    names += (names.empty() ? "" : ", ") + sensor.name;
+  }
+  throw Failure("--ratio: the scene has no meters of the name " + name + "; it has " +
+                (names.empty() ? "none" : names));
+}
+
+}  // namespace
+
+MeterReport read_meter_report(const ups_result* result, const SensorEntry& set, const MeterQuestions& questions) {
+  MeterReport meters{set.name, {}, {}, {}};
+  meters.statistics.struct_size = sizeof meters.statistics;
+  check(ups_result_get_meter_statistics(result, set.info.sensor, &meters.statistics));
+  for (const double share : {0.05, 0.5, 0.95}) {
+    IntervalAt p{share, {}};
+    check(ups_result_get_meter_percentile(result, set.info.sensor, share, &p.interval));
+    meters.percentiles.push_back(p);
+  }
+  for (const double threshold : questions.above) {
+    IntervalAt a{threshold, {}};
+    check(ups_result_get_meter_share(result, set.info.sensor, threshold, &a.interval));
+    meters.above.push_back(a);
+  }
+  return meters;
+}
+
+std::vector<RatioReport> read_ratios(const LoadedScene& scene, const ups_result* result,
+                                     const MeterQuestions& questions) {
+  std::vector<RatioReport> ratios;
+  for (const auto& [numerator, denominator] : questions.ratios) {
+    RatioReport r{numerator, denominator, {}};
+    check(ups_result_get_meter_ratio(result, set_of(scene, numerator), set_of(scene, denominator), &r.ratio));
+    ratios.push_back(r);
+  }
+  return ratios;
+}
+
+std::string to_text(const MeterReport& meters) {
+  const ups_meter_statistics& s = meters.statistics;
+  std::string text =
+      format("meters %s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, diversity %.3f%s, worst error %s\n",
+             meters.name.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity,
+             interval_text({s.uniformity, s.uniformity_low, s.uniformity_high}, "%.3f").c_str(), s.diversity,
+             interval_text({s.diversity, s.diversity_low, s.diversity_high}, "%.3f").c_str(),
+             percent_text(s.worst_relative_error_bound).c_str());
+  for (const IntervalAt& a : meters.above)
+    text += format("meters %s: %.4g %% at least %.6g lx%s\n", meters.name.c_str(), 100 * a.interval.value, a.at,
+                   interval_text({0, 100 * a.interval.low, 100 * a.interval.high}, "%.4g").c_str());
+  return text;
+}
+
+std::string to_text(const RatioReport& r) {
+  return format("ratio %s / %s: %.4g%s\n", r.numerator.c_str(), r.denominator.c_str(), r.ratio.value,
+                interval_text(r.ratio, "%.4g").c_str());
+}
+
+}  // namespace ups::tool

@@ -1,0 +1,125 @@
+// See page.h: what was lit: the scene in plan, section and numbers, and the cameras' pictures of it.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tool/output.h"
+#include "tool/page.h"
+#include "tool/text_format.h"
+
+namespace ups::tool {
+namespace {
+
+ups_scene_info info_of(const LoadedScene& scene) {
+  ups_scene_info info{};
+  info.struct_size = sizeof info;
+  check(ups_scene_get_info(scene.scene.get(), &info));
+  return info;
+}
+
+std::string wide_figure(const std::string& svg, const std::string& label, const std::string& caption,
+                        const char* style = "wide") {
+  return html_figure("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" + html_text(label) + "\">\n" +
+                         svg + "</div>\n",
+                     caption, style);
+}
+
+std::string size_text(const ups_scene_info& info) {
+  if (info.bounds_min_m[0] > info.bounds_max_m[0]) return {};
+  double size[3];
+  for (int k = 0; k < 3; ++k) size[k] = info.bounds_max_m[k] - info.bounds_min_m[k];
+  return format("%.2f m \u00d7 %.2f m \u00d7 %.2f m (x, y, z)", size[0], size[1], size[2]);
+}
+
+std::vector<uint8_t> bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// exposure: that the program chooses. What was chosen or asked for instead a camera's report tells, where it does.
+template <class Report>
+std::string exposure_text(const Report& camera, double exposure) {
+  const double grey = 0.26 / exposure;  // what ups_ocio shows as an 18 % grey
+  double ev100 = std::log2(grey * 100 / 12.5);
+  const char* chosen = "chosen from the picture itself";
+  std::string smoothed;
+  if constexpr (requires { camera.picture->ev100; }) {
+    if (camera.picture) {
+      ev100 = camera.picture->ev100;
+      if (camera.picture->given) chosen = "as asked for";
+      if (camera.picture->smoothed) smoothed = " Smoothed for display, for looking at alone.";
+    }
+  }
+  return format("Exposure %s: %.3g cd/m\u00b2 is shown as a middle grey (EV100 %.1f).", chosen,
+                0.125 * std::exp2(ev100), ev100) + smoothed;
+}
+
+std::string picture(const PageInput& in, const SensorEntry& camera) {
+  const std::string path = (std::filesystem::path(in.folder) / (camera.name + ".png")).string();
+  const std::vector<uint8_t> bytes = bytes_of(path);
+  if (bytes.empty()) return {};
+  const auto luminance = read_image(in.result, camera, UPS_CHANNEL_LUMINANCE_RGB);
+  double exposure = 1;
+  check(ups_ocio_choose_exposure(luminance.data(), camera.info.width, camera.info.height, &exposure),
+        ups_ocio_last_error);
+  const auto found = std::find_if(in.report.cameras.begin(), in.report.cameras.end(),
+                                  [&](const CameraReport& c) { return c.name == camera.name; });
+  const std::string caption = "<strong>" + html_text(camera.name) + "</strong>. " +
+                              format("Mean luminance %.4g cd/m\u00b2. ", found->mean_luminance_cd_m2) +
+                              exposure_text(*found, exposure);
+  return html_figure(html_image("image/png", bytes, "Rendered picture of the camera " + camera.name, camera.info.width,
+                                camera.info.height),
+                     caption);
+}
+
+}  // namespace
+
+Section scene_section(const PageInput& in, const std::vector<LuminaireType>& types) {
+  const ups_scene_info info = info_of(in.scene);
+  size_t luminaires = 0, sets = 0, meters = 0, cameras = 0;
+  const size_t observers = in.report.observers.size();
+  double flux = 0;
+  for (const LuminaireType& type : types) {
+    luminaires += type.sources.size();
+    flux += type.flux_lm * double(type.sources.size());
+  }
+  for (const SensorEntry& sensor : in.scene.sensors) {
+    sets += sensor.info.kind == UPS_GLTF_METERS;
+    meters += sensor.info.kind == UPS_GLTF_METERS ? sensor.info.meter_count : 0;
+    cameras += sensor.info.kind == UPS_GLTF_CAMERA;
+  }
+  std::string body = html_facts(
+      {{"Size", html_text(size_text(info))},
+       {"Luminaires", counted(luminaires, "luminaire", "luminaires") + ", " + lux(flux) + " lm"},
+       {"Meters", sets ? counted(meters, "point", "points") + " in " + counted(sets, "set", "sets") : ""},
+       {"Observers", observers ? std::to_string(observers) : ""},
+       {"Cameras", cameras ? std::to_string(cameras) : ""},
+       {"Maintenance factor", info.maintenance_factor < 1 ? format("%.3g", info.maintenance_factor) : ""},
+       {"Surfaces", counted(size_t(info.triangle_count), "triangle", "triangles")}});
+  const std::string words = counted(luminaires, "luminaire", "luminaires") + " and " +
+                            counted(sets, "set of meters", "sets of meters") + " of a scene of " + size_text(info) +
+                            ".";
+  body += wide_figure(inline_svg(plan_drawing(in, types), "Plan of the scene", "Seen from above: " + words, "plan"),
+                      "Plan of the scene",
+                      "Plan. Black: what the plane cuts; grey: what lies below; yellow: luminaires" +
+                          std::string(types.size() > 1 ? ", with the numbers of their types" : "") +
+                          "; blue: meters and the names of their sets" +
+                          (in.report.observers.empty() ? "." : "; violet: observers and where they look."));
+  body += wide_figure(
+      inline_svg(section_drawing(in, types), "Section of the scene", "Seen from the side: " + words, "section"),
+      "Section of the scene", "Section A-A through the middle, with all luminaires and meters projected onto it.",
+      "wide low");
+  return {"scene", "Scene", body};
+}
+
+Section pictures_section(const PageInput& in) {
+  std::string body;
+  for (const SensorEntry& sensor : in.scene.sensors)
+    if (sensor.info.kind == UPS_GLTF_CAMERA) body += picture(in, sensor);
+  if (body.empty()) return {};
+  return {"pictures", "Pictures", body + "<p>Pictures are for looking at; numbers are those of the meters.</p>\n"};
+}
+
+}  // namespace ups::tool

@@ -1,0 +1,28 @@
+// What an observer sees of the emitters: the sources of a glare rating. Called by render/job, once a render.
+#pragma once
+#include "base/parallel.h"
+#include "base/stop.h"
+#include "photometry/ugr.h"
+#include "scene/snapshot.h"
+
+namespace ups {
+
+struct SeenSource {
+  uint32_t emitter = 0;
+  photometry::GlareSource glare;
+  Vec3 direction;            // from the eye
+  double visible_share = 0;  // of its light
+  double term = 0;           // L^2 w / p^2
+  double term_error = 0;     // standard error of it, by the rays that look for what hides it
+};
+
+struct SeenGlare {
+  std::vector<SeenSource> sources;  // with a term above 0, the largest first
+  double sum = 0, sum_error = 0;    // of the terms
+  bool has_unrated = false;         // sources without a luminance or intensity: parallel light, rays of a file
+};
+
+// From fixed places of each emitter. Ends early, with what was found, where `stop` was set.
+SeenGlare find_glare(const Snapshot& scene, const Observer& observer, ThreadPool& pool, const StopSignal& stop);
+
+}  // namespace ups
