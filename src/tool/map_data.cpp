@@ -46,8 +46,8 @@ bool lies_across(const std::vector<MeterPoint>& points, const Vector& normal, do
   });
 }
 
-// Towards who looks: the meters' own where they share it and lie across it, else up, else that of the points. A grid may
-// have a single row or cell.
+// Towards who looks: the meters' own where they share it and lie across it, else up, else the points' own. A grid
+// may have a single row or cell.
 std::optional<Vector> normal_of(const std::vector<MeterPoint>& points, bool is_grid) {
   double extent;
   const Vector longest = longest_of(points, extent);

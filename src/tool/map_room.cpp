@@ -208,7 +208,7 @@ void add_room(MapData& data, const MapPlane& plane, const LoadedScene& loaded) {
     joined.lines(cut, cut ? 0 : 0.006 * side, data.room);
   }
   add_luminaires(data, plane, scene);
-  add_observers(data, plane, loaded);
+  if (std::abs(plane.normal[2]) > 0.7) add_observers(data, plane, loaded);  // who looks past a wall is none of it
 }
 
 }  // namespace ups::tool
