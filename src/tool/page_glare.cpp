@@ -64,7 +64,8 @@ Section glare_section(const PageInput& in) {
   return {"glare", "Glare",
           html_table(table, "Glare ratings") + remarks(in.report) +
               "<p>Unified glare rating of CIE 117 from the eye's place and line of sight; the background is the "
-              "indirect light at the eye. Steps that people tell apart: 10, 13, 16, 19, 22, 25, 28; less is better.</p>\n"};
+              "indirect light at the eye. Steps that people tell apart: 10, 13, 16, 19, 22, 25, 28; less is "
+              "better.</p>\n"};
 }
 
 }  // namespace ups::tool

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "tool/data_sheet.h"
 #include "tool/page.h"
 #include "tool/profile_plot.h"
 #include "tool/text_format.h"
@@ -107,6 +108,32 @@ std::string schedule(const std::vector<LuminaireType>& types) {
          (all_powers && with_power ? format("<p>Connected load: %.5g W.</p>\n", power) : "");
 }
 
+// With the flux that it has in the scene: a rating rises by 8 log10 of it.
+std::string rating(float table_value, double flux_ratio) {
+  return table_value == -1 ? "none" : format("%.1f", double(table_value) + 8 * std::log10(flux_ratio));
+}
+
+// What data sheets are compared by: flux code, luminance that troubles screens, UGR of the standard room.
+std::string sheet_text(const LuminaireType& type, const ProfileReport& report) {
+  const DataSheet sheet = data_sheet_of(report, type.sources[0].profile.get());
+  const double flux_ratio = type.flux_lm / report.info.flux_lm;
+  std::string text = " CIE flux code";
+  for (const float part : sheet.sheet.flux_code) text += format(" %.0f", double(part));
+  text += ".";
+  if (sheet.sheet.highest_luminance_cd_m2 >= 0)
+    text += format(" Luminance from 65\u00b0 to 85\u00b0: at most %.3g cd/m\u00b2.",
+                   flux_ratio * double(sheet.sheet.highest_luminance_cd_m2));
+  if (!sheet.ugr) return text;
+  const std::string room = "4H 8H", reflectances = "70/50/20";
+  for (int r = 0; r < ugr_rooms; ++r)
+    for (int k = 0; k < ugr_sets; ++k)
+      if (room_name(*sheet.ugr, r) == room && reflectance_name(sheet.ugr->reflectances + 3 * k) == reflectances)
+        text += " UGR in the room " + room + ", " + reflectances + " (CIE 190, spacing 0.25 H): " +
+                rating(sheet.ugr->crosswise[r * ugr_sets + k], flux_ratio) + " crosswise, " +
+                rating(sheet.ugr->endwise[r * ugr_sets + k], flux_ratio) + " endwise.";
+  return text;
+}
+
 std::string polar(const LuminaireType& type, size_t number) {
   const ProfileReport report = profile_of(type);
   const ups_profile* profile = type.sources[0].profile.get();
@@ -125,6 +152,7 @@ std::string polar(const LuminaireType& type, size_t number) {
   caption += planes + ".";
   if (report.info.opening_shape != UPS_OPENING_POINT)
     caption += " Luminous opening: " + html_text(opening_text(report.info)) + ".";
+  caption += sheet_text(type, report);
   return html_figure(inline_svg(drawing, "Polar diagram of " + type.file,
                                 "Luminous intensity by angle in the planes " + std::to_string(drawn.size()) +
                                     " of the luminaire, nadir at the bottom. " + beams_text(report),

@@ -32,9 +32,7 @@ std::vector<std::string> named_lines(const PageInput& in, const std::string& tex
 // 482,600; beyond a million "4.26 million".
 std::string many(uint64_t count) {
   if (count >= 1000000) return format("%.3g million", 1e-6 * double(count));
-  std::string digits = std::to_string(count);
-  if (digits.size() > 3) digits.insert(digits.size() - 3, ",");
-  return digits;
+  return count < 1000 ? std::to_string(count) : format("%u,%03u", unsigned(count / 1000), unsigned(count % 1000));
 }
 
 std::string percent_of(double part, double whole) { return whole > 0 ? format("%.1f", 100 * part / whole) : ""; }

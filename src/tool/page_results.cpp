@@ -208,10 +208,40 @@ std::vector<Column> percentile_columns(const Report& report) {
   return columns;
 }
 
-std::string table_of(const Report& report, const std::string& caption, const std::vector<Column>& columns,
-                     const std::string& label) {
+// "8 x 4, horizontal, at 0.75 m": how many, which way, how high. Empty where they have nothing of it in common.
+std::string place_of(const LoadedScene& scene, const std::string& name, bool planar) {
+  for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
+    const ups_gltf_sensor_info& info = scene.sensors[i].info;
+    constexpr size_t most = 200000;
+    if (scene.sensors[i].name != name || info.kind != UPS_GLTF_METERS || info.meter_count > most) continue;
+    std::vector<double> at(3 * size_t(info.meter_count));
+    std::vector<float> normals(at.size());
+    check(ups_gltf_read_meters(scene.import_result.get(), i, at.data(), normals.data(), info.meter_count),
+          ups_gltf_last_error);
+    bool level = true, upward = true, vertical = true;
+    for (size_t m = 0; m < at.size(); m += 3) {
+      level = level && std::abs(at[m + 2] - at[2]) < 1e-4;
+      upward = upward && normals[m + 2] > 0.9999f;
+      vertical = vertical && std::abs(normals[m + 2]) < 1e-3f;
+    }
+    std::string text = info.columns > 0 ? format("%u \u00d7 %u", info.columns, info.rows) : "";
+    if (planar && (upward || vertical)) text += (text.empty() ? "" : ", ") + std::string(upward ? "horizontal" : "vertical");
+    if (level) text += (text.empty() ? "" : ", ") + format("at %.2f m", at[2]);
+    return text;
+  }
+  return {};
+}
+
+std::string table_of(const PageInput& in, const std::string& caption, const std::vector<Column>& columns,
+                     const std::string& label, bool with_places) {
+  const Report& report = in.report;
   HtmlTable table{caption, {"Set of meters"}, {}, 1};
-  for (const MeterReport& meters : report.meters) table.rows.push_back({html_text(meters.name)});
+  for (const MeterReport& meters : report.meters) {
+    const std::string kind = kind_of(meters);
+    const std::string place =
+        with_places ? place_of(in.scene, meters.name, kind.empty() || kind == "planar") : std::string();
+    table.rows.push_back({html_text(meters.name) + (place.empty() ? "" : " <span class=\"i\">" + place + "</span>")});
+  }
   for (const Column& c : columns) {
     if (std::all_of(c.cells.begin(), c.cells.end(), [](const std::string& cell) { return cell.empty(); })) continue;
     table.head.push_back(c.head);
@@ -269,8 +299,8 @@ Section illuminance_section(const PageInput& in) {
   const std::string soft = " <span class=\"soft\">lx, with 95&nbsp;% intervals below</span>";
   return {"illuminance", "Illuminance",
           "<p>" + maintenance_text(in) + "</p>\n" +
-              table_of(report, "Means, extremes and uniformity" + soft, columns_of(report), "Statistics of meters") +
-              table_of(report, "Distribution" + soft, percentile_columns(report), "Distribution of the meters") +
+              table_of(in, "Means, extremes and uniformity" + soft, columns_of(report), "Statistics", true) +
+              table_of(in, "Distribution" + soft, percentile_columns(report), "Distribution", false) +
               ratios_table(report) + maps_part(in)};
 }
 
