@@ -46,8 +46,8 @@ bool lies_across(const std::vector<MeterPoint>& points, const Vector& normal, do
   });
 }
 
-// Towards who looks: the meters' own where they share it and lie across it, else up, else that of the points. A grid may
-// have a single row or cell.
+// Towards who looks: the meters' own where they share it and lie across it, else up, else the points' own. A grid
+// may have a single row or cell.
 std::optional<Vector> normal_of(const std::vector<MeterPoint>& points, bool is_grid) {
   double extent;
   const Vector longest = longest_of(points, extent);
@@ -128,7 +128,7 @@ void turn_to_lattice(MapPlane& plane, MapData& data, const std::vector<MeterPoin
 }  // namespace
 
 std::optional<MapData> meter_map(const std::string& name, const std::vector<MeterPoint>& points, uint32_t columns,
-                                 const ups_scene* scene) {
+                                 const LoadedScene* scene) {
   if (points.empty() || (columns > 0 && points.size() % columns != 0)) return std::nullopt;
   const std::optional<Vector> normal = normal_of(points, columns > 0);
   if (!normal) return std::nullopt;
@@ -156,7 +156,7 @@ std::optional<MapData> meter_map(const std::string& name, const std::vector<Mete
     data.north_x = arrow.x, data.north_y = arrow.y;
     data.north = level ? "N" : "up";
   }
-  if (scene) add_room(data, plane, scene);
+  if (scene) add_room(data, plane, *scene);
   return data;
 }
 
@@ -180,7 +180,7 @@ std::optional<MapData> meter_map(const SensorEntry& meters, uint32_t index, cons
     points[i].illuminance_lx = double(readings[i].illuminance_lx);
     points[i].error_bound_lx = double(readings[i].error_bound_lx);
   }
-  std::optional<MapData> data = meter_map(meters.name, points, meters.info.columns, scene.scene.get());
+  std::optional<MapData> data = meter_map(meters.name, points, meters.info.columns, &scene);
   if (!data) return data;
   ups_meter_statistics s{};
   s.struct_size = sizeof s;

@@ -14,9 +14,9 @@ struct MeterPoint {
 };
 
 // Of points in one plane, seen against its normal; nothing where they lie in none, or on one line. columns: of a grid,
-// else 0. scene: committed, whose plan is drawn; may be null. A wall's map is upright, a grid's has its row 0 below.
+// else 0. scene: committed, whose plan and observers are drawn; may be null. A wall's map is upright, a grid's has its row 0 below.
 std::optional<MapData> meter_map(const std::string& name, const std::vector<MeterPoint>& points, uint32_t columns,
-                                 const ups_scene* scene);
+                                 const LoadedScene* scene);
 // Of a set of meters of a render, but of a mesh's surface; index: of its sensor in the scene.
 std::optional<MapData> meter_map(const SensorEntry& meters, uint32_t index, const LoadedScene& scene,
                                  const ups_result* result);
@@ -49,8 +49,8 @@ struct MapPlane {
   }
 };
 
-// Fills room and luminaires: what the plane cuts, what lies beneath it, what shines. Lines far from the values are left
-// out.
-void add_room(MapData& data, const MapPlane& plane, const ups_scene* scene);
+// Fills room, luminaires and observers: what the plane cuts, what lies beneath it, what shines, who looks. Lines far from
+// the values are left out.
+void add_room(MapData& data, const MapPlane& plane, const LoadedScene& scene);
 
 }  // namespace ups::tool

@@ -47,4 +47,12 @@ class TakenPlaces {
   std::vector<Disc> taken_;
 };
 
+// Along a line of points, `along` being how far each is from the first.
+Point point_at(const std::vector<Point>& points, const std::vector<double>& along, double at);
+// Of a text of half that width there, upright.
+double turn_at(const std::vector<Point>& points, const std::vector<double>& along, double at, double half);
+// Where the line is straightest, and nearly level if it can be; < 0: nowhere is it straight enough.
+double best_place(const std::vector<Point>& points, const std::vector<double>& along, double from, double to,
+                  double half);
+
 }  // namespace ups::tool

@@ -42,7 +42,7 @@ class Plot {
       if (!line.cut) add_line(line.points, furniture, 0.6, 0.75);
     std::vector<Label> labels;
     const auto [least, most] = extremes();
-    for (const MapLuminaire& l : data_.luminaires) taken_.take(view_.at(l.centre), 2 * arm, 2 * arm);
+    take_symbols();
     if (style_.numbers && !data_.is_image && least != most) {
       add_number(least, "min ", labels);
       add_number(most, "max ", labels);
@@ -51,6 +51,7 @@ class Plot {
     for (const MapLine& line : data_.room)
       if (line.cut) add_line(line.points, strong, 1.6, 1);
     draw_luminaires();
+    for (const MapLuminaire& l : data_.luminaires) taken_.occupy(ring_of(l));
     draw_observers(labels);
     if (style_.numbers && !data_.is_image && most != Lattice::none) add_numbers(least, most, labels);
     for (Label& label : labels) drawing_.add(std::move(label));
@@ -186,42 +187,6 @@ class Plot {
     finish();
   }
 
-  static Point point_at(const std::vector<Point>& points, const std::vector<double>& along, double at) {
-    const size_t i = std::clamp<size_t>(size_t(std::lower_bound(along.begin(), along.end(), at) - along.begin()), 1,
-                                        points.size() - 1);
-    const double t = along[i] > along[i - 1] ? (at - along[i - 1]) / (along[i] - along[i - 1]) : 0;
-    const Point a = points[i - 1], b = points[i];
-    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-  }
-
-  // Of a text there, upright.
-  static double turn_at(const std::vector<Point>& points, const std::vector<double>& along, double at, double half) {
-    const Point a = point_at(points, along, std::max(at - half, 0.0));
-    const Point b = point_at(points, along, std::min(at + half, along.back()));
-    const double turn = std::atan2(b.y - a.y, b.x - a.x), quarter = std::acos(0.0);
-    return turn > quarter ? turn - 2 * quarter : turn <= -quarter ? turn + 2 * quarter : turn;
-  }
-
-  // Where the line is straightest, and nearly level if it can be; < 0: nowhere is it straight enough.
-  static double best_place(const std::vector<Point>& points, const std::vector<double>& along, double from, double to,
-                           double half) {
-    double best = -1, least = 0.35;
-    constexpr int tries = 24;
-    for (int i = 0; i <= tries && to > from; ++i) {
-      const double at = from + (to - from) * i / tries;
-      const Point a = point_at(points, along, std::max(at - half, 0.0)), m = point_at(points, along, at);
-      const Point b = point_at(points, along, std::min(at + half, along.back()));
-      const double chord = std::hypot(b.x - a.x, b.y - a.y);
-      const double sagitta = std::abs((m.x - a.x) * (b.y - a.y) - (m.y - a.y) * (b.x - a.x)) / std::max(chord, 1e-9);
-      const double bend = sagitta / std::max(chord, 1e-9);
-      const double steep = std::abs(turn_at(points, along, at, half));
-      const double folded = chord < 1.7 * half ? 1 : 0;
-      const double badness = bend + 0.06 * steep + folded + 0.002 * std::abs(i - tries / 2);
-      if (badness < least) least = badness, best = at;
-    }
-    return best;
-  }
-
   bool is_well_inside(const Point& p, double room) const {
     const Frame& f = view_.frame;
     return p.x > f.left + room && p.x < f.left + f.width - room && p.y > f.top + 7 && p.y < f.top + f.height - 7;
@@ -229,15 +194,27 @@ class Plot {
 
   // ---- things
 
-  static constexpr double arm = 4;  // of a luminaire's cross
+  static constexpr double arm = 4, eye = 4.5, look = 20;  // of a luminaire's cross, an observer's circle and arrow
+
+  void take_symbols() {
+    for (const MapLuminaire& l : data_.luminaires) taken_.take(view_.at(l.centre), 2 * arm, 2 * arm);
+    for (const MapObserver& o : data_.observers) {
+      const Point c = view_.at(o.at);
+      const double turn = std::atan2(-o.looks_along.y, o.looks_along.x), middle = 0.5 * (look - eye);
+      taken_.take({c.x + middle * std::cos(turn), c.y + middle * std::sin(turn)}, look + eye, 2 * eye, turn);
+    }
+  }
+
+  std::vector<Point> ring_of(const MapLuminaire& l) const {
+    std::vector<Point> ring = on_paper(l.outline);
+    if (!ring.empty()) ring.push_back(ring.front());
+    return ring;
+  }
 
   void draw_luminaires() {
     for (const MapLuminaire& l : data_.luminaires) {
       std::vector<std::vector<Point>> strokes;
-      if (!l.outline.empty()) {
-        strokes.push_back(on_paper(l.outline));
-        strokes.back().push_back(strokes.back().front());
-      }
+      if (!l.outline.empty()) strokes.push_back(ring_of(l));
       const Point c = view_.at(l.centre);
       strokes.push_back({{c.x - arm, c.y - arm}, {c.x + arm, c.y + arm}});
       strokes.push_back({{c.x - arm, c.y + arm}, {c.x + arm, c.y - arm}});
@@ -267,19 +244,24 @@ class Plot {
     for (const MapObserver& o : data_.observers) {
       const Point c = view_.at(o.at);
       const double length = std::hypot(o.looks_along.x, o.looks_along.y);
-      drawing_.add(Area{circle(c, 4.5), white});
-      drawing_.add(Line{circle(c, 4.5), strong, 1.2});
+      drawing_.add(Area{circle(c, eye), white});
+      drawing_.add(Line{circle(c, eye), strong, 1.2});
       if (length > 0) {
         const double x = o.looks_along.x / length, y = -o.looks_along.y / length;
-        drawing_.add(Line{{{c.x + 4.5 * x, c.y + 4.5 * y}, {c.x + 16 * x, c.y + 16 * y}}, strong, 1.2});
-        drawing_.add(Area{{{c.x + 20 * x, c.y + 20 * y},
-                           {c.x + 13 * x - 3.5 * y, c.y + 13 * y + 3.5 * x},
-                           {c.x + 13 * x + 3.5 * y, c.y + 13 * y - 3.5 * x}},
+        const double head = look - 7;
+        drawing_.add(Line{{{c.x + eye * x, c.y + eye * y}, {c.x + head * x, c.y + head * y}}, strong, 1.2});
+        drawing_.add(Area{{{c.x + look * x, c.y + look * y},
+                           {c.x + head * x - 3.5 * y, c.y + head * y + 3.5 * x},
+                           {c.x + head * x + 3.5 * y, c.y + head * y - 3.5 * x}},
                           strong});
       }
-      taken_.take(c, 10, 10);
-      if (!o.name.empty() && taken_.take({c.x, c.y + 13}, width_of(o.name, number_size), number_height))
-        labels.push_back({{c.x, c.y + 16}, o.name, number_size, strong, Anchor::middle, true, 0, 1.6});
+      const double width = width_of(o.name, number_size, true), aside = 0.5 * width + 8;
+      const Point places[] = {{c.x, c.y + 12}, {c.x + aside, c.y}, {c.x - aside, c.y}, {c.x, c.y - 12}};
+      for (const Point& p : places) {
+        if (o.name.empty() || !taken_.take(p, width, number_height)) continue;
+        labels.push_back({{p.x, p.y + 0.36 * number_size}, o.name, number_size, strong, Anchor::middle, true, 0, 1.6});
+        break;
+      }
     }
   }
 

@@ -175,9 +175,21 @@ void add_luminaires(MapData& data, const MapPlane& plane, const ups_scene* scene
   }
 }
 
+void add_observers(MapData& data, const MapPlane& plane, const LoadedScene& scene) {
+  for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
+    if (scene.sensors[i].info.kind != UPS_GLTF_OBSERVER) continue;
+    double eye[3];
+    float along[3];
+    check(ups_gltf_read_meters(scene.import_result.get(), i, eye, along, 1), ups_gltf_last_error);
+    const double direction[3] = {double(along[0]), double(along[1]), double(along[2])};
+    data.observers.push_back({plane.flat(eye), plane.direction(direction), scene.sensors[i].name});
+  }
+}
+
 }  // namespace
 
-void add_room(MapData& data, const MapPlane& plane, const ups_scene* scene) {
+void add_room(MapData& data, const MapPlane& plane, const LoadedScene& loaded) {
+  const ups_scene* scene = loaded.scene.get();
   MapBox near = MapField(data).box();
   const double side = std::max(near.width(), near.height()), reach = 0.3 * side + 0.4;
   near = {near.left - reach, near.low - reach, near.right + reach, near.high + reach};
@@ -196,6 +208,7 @@ void add_room(MapData& data, const MapPlane& plane, const ups_scene* scene) {
     joined.lines(cut, cut ? 0 : 0.006 * side, data.room);
   }
   add_luminaires(data, plane, scene);
+  if (std::abs(plane.normal[2]) > 0.7) add_observers(data, plane, loaded);  // who looks past a wall is none of it
 }
 
 }  // namespace ups::tool

@@ -83,7 +83,8 @@ TEST(Isolines, HaveLevelsThatPeopleRead) {
             (std::vector<double>{100, 200, 300, 400, 500, 600, 700, 800, 900, 1000}));
   EXPECT_EQ(isoline_levels(420, 610, MapScale::linear),
             (std::vector<double>{420, 440, 460, 480, 500, 520, 540, 560, 580, 600}));
-  EXPECT_EQ(isoline_levels(50, 800, MapScale::logarithmic), (std::vector<double>{50, 75, 100, 150, 200, 300, 500, 750}));
+  EXPECT_EQ(isoline_levels(50, 800, MapScale::logarithmic),
+            (std::vector<double>{50, 75, 100, 150, 200, 300, 500, 750}));
   EXPECT_TRUE(isoline_levels(5, 5, MapScale::linear).empty());
 }
 
@@ -119,9 +120,8 @@ TEST(MapField, FindsTheLatticeOfPointsAndDrawsNothingInItsGaps) {
   EXPECT_EQ(field.nearest({1.2, 1.2}), Lattice::none);
   EXPECT_NE(field.nearest({1.2, -0.1}), Lattice::none);
   const Drawing drawing = map_drawing(data, {});
-  const auto& picture = std::get<Picture>(*std::find_if(drawing.parts.begin(), drawing.parts.end(), [](const auto& part) {
-    return std::holds_alternative<Picture>(part);
-  }));
+  const auto is_picture = [](const auto& part) { return std::holds_alternative<Picture>(part); };
+  const auto& picture = std::get<Picture>(*std::find_if(drawing.parts.begin(), drawing.parts.end(), is_picture));
   size_t filled = 0;
   for (size_t i = 3; i < picture.rgba.size(); i += 4) filled += picture.rgba[i] == 255;
   EXPECT_NEAR(double(filled) / double(picture.columns * picture.rows), 0.75, 0.005);
@@ -129,7 +129,8 @@ TEST(MapField, FindsTheLatticeOfPointsAndDrawsNothingInItsGaps) {
 
 TEST(MapField, OfPointsWithoutALatticeGivesEachItsSurroundings) {
   MapData data;
-  for (int i = 0; i < 30; ++i) data.values.push_back({{std::fmod(i * 0.618034, 1) * 5, i * 0.1 + 0.003 * i * i}, 100.0 + i, 1});
+  for (int i = 0; i < 30; ++i)
+    data.values.push_back({{std::fmod(i * 0.618034, 1) * 5, i * 0.1 + 0.003 * i * i}, 100.0 + i, 1});
   const MapField field(data);
   ASSERT_FALSE(field.lattice());
   for (size_t i = 0; i < data.values.size(); ++i) {
@@ -153,7 +154,8 @@ TEST(Verdicts, FollowTheBounds) {
 TEST(Colours, RiseInLightnessFromLowToHigh) {
   const auto lightness = [](const Ink& ink) {  // CIE L*
     const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-    const double y = 0.2126 * linear(ink[0] / 255.0) + 0.7152 * linear(ink[1] / 255.0) + 0.0722 * linear(ink[2] / 255.0);
+    const double r = linear(ink[0] / 255.0), g = linear(ink[1] / 255.0), b = linear(ink[2] / 255.0);
+    const double y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
     return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
   };
   for (const MapColours colours : {MapColours::viridis, MapColours::cividis, MapColours::grey}) {
@@ -187,7 +189,8 @@ TEST(Map, HasItsWordsAndNoTwoNumbersInOnePlace) {
   data.north_y = 1;
   const Drawing drawing = map_drawing(data, {});
   const auto labels = labels_of(drawing);
-  for (const char* words : {"Illuminance, lx: plane", "mean 123 lx", "lx", "N", "0.5 m", "luminaire", "observer", "desk 1"})
+  for (const char* words :
+       {"Illuminance, lx: plane", "mean 123 lx", "lx", "N", "0.5 m", "luminaire", "observer", "desk 1"})
     EXPECT_TRUE(labels.count(words)) << words;
   EXPECT_GE(labels.count("400"), 2u) << "at the scale and on its line";
   EXPECT_LE(drawing.width, 680);
@@ -247,7 +250,8 @@ TEST(MapData, OfATurnedLatticeLiesStraight) {
   std::vector<MeterPoint> points;
   const double c = std::cos(0.3), s = std::sin(0.3);
   for (int i = 0; i < 30; ++i)
-    if (i % 7 != 6) points.push_back({{c * (i % 6) - s * (i / 6), s * (i % 6) + c * (i / 6), 0.75}, {0, 0, 1}, 10.0 + i, 1});
+    if (i % 7 != 6)
+      points.push_back({{c * (i % 6) - s * (i / 6), s * (i % 6) + c * (i / 6), 0.75}, {0, 0, 1}, 10.0 + i, 1});
   const auto data = meter_map("turned", points, 0, nullptr);
   ASSERT_TRUE(data);
   ASSERT_TRUE(MapField(*data).lattice());
