@@ -8,6 +8,7 @@
 #define UPS_GLTF_H
 
 #include "ups_render.h"
+#include "ups_sensor.h"
 
 typedef struct ups_gltf_import ups_gltf_import; /* what the file named: sensors and warnings; immutable, thread-safe */
 
