@@ -174,9 +174,11 @@ class LitFloor : public ::testing::Test {
 
   // Within 0.3 %. Noise of a set's mean is brought below 0.1 %, so that an error of 0.6 % is found in 99 cases of 100;
   // of a vector's components, too, over its length. P(|t_15| > 3) = 0.9 % for each comparison at the limit of noise.
-  // (Landings, whose weight is that of one over a cosine: 0.6 and 0.2 %.) light_alone: light paths do the work.
-  void expect(RenderOptions options, const std::string& what, bool light_alone = false, double noise = 0.001) {
-    const double tolerance = 3 * noise;
+  // Connections and landings are noisier, 0.2 %: an error of 0.9 % is found in 99 cases of 100 of connections, where
+  // P(|t_15| > 1.5) is 15 %, but seeds are fixed; of landings, whose weight is that of one over a cosine, within 0.6 %.
+  // light_alone: light paths do the work.
+  void expect(RenderOptions options, const std::string& what, bool light_alone = false, double noise = 0.001,
+              double tolerance = 0.003) {
     options.merge_radius_m = 0.1;
     options.light_paths = light_alone ? 1u << 17 : 1u << 14;
     options.iterations = light_alone ? 32 : 64;
@@ -218,7 +220,7 @@ TEST_F(LitFloor, PointsByEmitterHits) {
 // Of the floor's light alone: what comes straight is the light sample's.
 TEST_F(LitFloor, PointsByConnections) {
   add_meters(false, 0.8);
-  expect({.method = UPS_METHOD_LIGHT_TRACING}, "connections");
+  expect({.method = UPS_METHOD_LIGHT_TRACING}, "connections", false, 0.002);
 }
 TEST_F(LitFloor, PointsByMerging) {
   add_meters(false, 0.8);
@@ -236,7 +238,7 @@ TEST_F(LitFloor, PointsByAllTechniquesButLightSamples) {  // photons straight fr
 }
 TEST_F(LitFloor, CellsByLandings) {
   add_meters(true, 0.8);
-  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_SENSOR_HIT}, "landings", true, 0.002);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_SENSOR_HIT}, "landings", true, 0.002, 0.006);
 }
 TEST_F(LitFloor, CellsByAllTechniques) {
   add_meters(true, 0.8);

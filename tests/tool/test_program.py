@@ -216,7 +216,8 @@ class Render(ProgramTest):
         self.assertGreater(memory["peak_bytes"], memory["scene_bytes"] + memory["result_bytes"])
         self.assertEqual(list(result["meters"]), ["work_plane", "spot"])
         for statistics in result["meters"].values():
-            self.assertEqual(set(statistics), {"mean_lx", "min_lx", "max_lx", "uniformity", "mean_standard_error_lx",
+            self.assertEqual(set(statistics), {"kind", "mean_lx", "min_lx", "max_lx", "uniformity",
+                                               "mean_standard_error_lx",
                                                "mean_error_bound_lx", "percentile_5_lx", "uniformity_low",
                                                "uniformity_high", "worst_relative_error_bound"})
             if statistics["uniformity_low"] >= 0:
