@@ -14,7 +14,7 @@ namespace ups {
 namespace {
 
 // Of the index of a meter that an iteration visits: its entry and disc, and Embree's tree of them.
-constexpr double index_bytes = 280;
+constexpr double index_bytes = 280, kept_index_bytes = 180;  // with and without the entry
 // Of a pixel or meter, of a pilot that chooses techniques.
 constexpr double pilot_bytes = 48;
 
@@ -40,6 +40,7 @@ void add_images(const Snapshot& scene, const TransportSettings& settings, const 
 void add_meters(const Snapshot& scene, const Plan& plan, const std::vector<uint32_t>& rings, bool direct,
                 MemoryEstimate& m) {
   const double columns = double(plan.separation.columns.size());
+  double indexed = 0;  // meters' discs and cells' pieces
   for (size_t s = 0; s < scene.meter_sets.size(); ++s) {
     const double meters = double(scene.meter_sets[s].meters.size()), visited = std::ceil(meters / plan.meter_subsets);
     m.meters += meters * (1 + columns) * (Accumulator::sum_bytes + MeterRings::bytes_per_row(rings[s], direct));
@@ -47,9 +48,11 @@ void add_meters(const Snapshot& scene, const Plan& plan, const std::vector<uint3
     m.scratch = std::max(m.scratch, meters * Accumulator::scratch_bytes(rings[s] > 0));
     const MeterSet& set = scene.meter_sets[s];
     const double pieces = set.on_surface() ? double(set.triangles.size()) / meters : 1;  // of a meter, in the index
-    m.iteration += visited * ((1 + columns) * sizeof(MeterTally) +
-                              (rings[s] > 0 || (set.is_cell() && plan.light_paths > 0) ? pieces * index_bytes : 0));
+    m.iteration += visited * (1 + columns) * sizeof(MeterTally);
+    if (rings[s] > 0 || (set.is_cell() && plan.light_paths > 0)) indexed += visited * pieces;
   }
+  m.iteration += indexed * index_bytes;
+  if (plan.meter_subsets == 1) m.scratch += indexed * kept_index_bytes;  // from one iteration to the next
 }
 
 void add_goniometers(const Snapshot& scene, MemoryEstimate& m) {

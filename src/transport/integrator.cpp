@@ -143,9 +143,9 @@ bool Integrator::trace(const Iteration& in, IterationTally& tally) {
   reset(in, tally);
   Photons photons;
   if (settings_.traces_light()) {
-    const auto sensors = std::make_shared<const SensorIndex>(in, pool_, sensors_.get());
-    if (plan_.meter_subsets == 1) sensors_ = sensors;
-    photons = trace_light(in, *sensors, tally);
+    const SensorIndex sensors(in, pool_, sensor_discs_);
+    if (plan_.meter_subsets == 1) sensor_discs_ = sensors.discs();
+    photons = trace_light(in, sensors, tally);
   }
   if (in.stop.is_set()) return false;
   uint32_t path = 0;

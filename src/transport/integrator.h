@@ -52,7 +52,7 @@ class Integrator {
   DirectLight direct_;
   Selection selection_;
   float largest_pixel_radius_ = 0;
-  std::shared_ptr<const SensorIndex> sensors_;  // of the last iteration, where each visits all meters
+  std::shared_ptr<const DiscIndex> sensor_discs_;  // of the last iteration, where each visits all meters
 };
 
 }  // namespace ups

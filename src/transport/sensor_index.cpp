@@ -5,7 +5,7 @@
 
 namespace ups {
 
-SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool, const SensorIndex* before) {
+SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool, const std::shared_ptr<const DiscIndex>& before) {
   std::vector<DiscIndex::Disc> discs;
   for (uint32_t s = 0; s < in.scene.meter_sets.size(); ++s) {
     const MeterSet& set = in.scene.meter_sets[s];
@@ -33,8 +33,7 @@ SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool, const SensorInde
     }
   }
   if (discs.empty()) return;
-  const bool same = before && before->discs_ && before->discs_->holds(discs);
-  discs_ = same ? before->discs_ : std::make_shared<const DiscIndex>(std::move(discs), pool);
+  discs_ = before && before->holds(discs) ? before : std::make_shared<const DiscIndex>(std::move(discs), pool);
 }
 
 }  // namespace ups

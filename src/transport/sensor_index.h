@@ -14,8 +14,8 @@ class SensorIndex {
  public:
   SensorIndex() = default;
   // The meters that the iteration visits. Holds point meters where merging is on and cells where landing is on.
-  // before: of an earlier iteration, whose discs are taken over where they are the same; may be null.
-  SensorIndex(const Iteration& in, ThreadPool& pool, const SensorIndex* before = nullptr);
+  // before: of an earlier iteration, taken over where its discs are the same; may be null.
+  SensorIndex(const Iteration& in, ThreadPool& pool, const std::shared_ptr<const DiscIndex>& before = nullptr);
 
   struct Entry {
     uint32_t set, meter;
@@ -25,6 +25,7 @@ class SensorIndex {
     double eta = 0;      // N area / Ke: a disc merges once for all eye paths of its meter; 0: a cell
     mis::Counts counts;
   };
+  const std::shared_ptr<const DiscIndex>& discs() const { return discs_; }
   bool empty() const { return entries_.empty(); }
   const Entry& entry(uint32_t disc) const { return entries_[disc]; }
   void crossings(const Vec3& o, const Vec3& d, float tmax, std::vector<DiscIndex::Crossing>& out) const {
