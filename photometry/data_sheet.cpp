@@ -21,11 +21,18 @@ double luminance(const Photometry& p, double c_deg, double gamma_deg) {
   return luminance_cd_m2(p, std::sin(g) * std::cos(c), std::sin(g) * std::sin(c), -std::cos(g));
 }
 
+// More angles of a table than these are finer than the steps that are looked at anyway.
+constexpr size_t most_angles = 2000;
+
+bool has_own_angles(const Photometry& p, const std::vector<double>& angles) {
+  return p.type == PhotometricType::c && angles.size() <= most_angles;
+}
+
 // The table's own where it is of type C, and every degree.
 std::vector<double> planes_of(const Photometry& p) {
   std::vector<double> planes;
   for (int c = 0; c < 360; ++c) planes.push_back(c);
-  if (p.type == PhotometricType::c)
+  if (has_own_angles(p, p.distribution.c_deg()))
     planes.insert(planes.end(), p.distribution.c_deg().begin(), p.distribution.c_deg().end());
   return planes;
 }
@@ -127,8 +134,9 @@ HighLuminance high_luminance(const Photometry& p) {
   for (int k = 0; k < 3; ++k) look(HighLuminance::gamma_deg[k], out.at_cd_m2[k]);
   double ignored = -1;
   for (int i = 131; i < 170; ++i) look(0.5 * i, ignored);
+  if (!has_own_angles(p, p.distribution.gamma_deg())) return out;
   for (double gamma : p.distribution.gamma_deg())
-    if (p.type == PhotometricType::c && gamma > 65 && gamma < 85) look(gamma, ignored);
+    if (gamma > 65 && gamma < 85) look(gamma, ignored);
   return out;
 }
 

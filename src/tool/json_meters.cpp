@@ -1,5 +1,5 @@
 // Sets of meters as JSON.
-#include "tool/json_parts.h"
+#include "tool/json_values.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {

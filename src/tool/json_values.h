@@ -1,9 +1,11 @@
-// What the files that write JSON share. Included by json*.cpp alone.
+// Numbers and arrays in the program's JSON, and its parts that have files of their own. Included by those that write
+// JSON, all of the program that includes nlohmann/json.
 #pragma once
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tool/data_sheet.h"
 #include "tool/report.h"
 
 namespace ups::tool {
@@ -21,7 +23,15 @@ inline double number(float value) {
   return number(result);
 }
 
-ordered_json meters_json(const std::vector<MeterReport>& sets);
+template <class Values>
+ordered_json array_json(const Values& values) {
+  ordered_json array = ordered_json::array();
+  for (const auto value : values) array.push_back(number(value));
+  return array;
+}
+
+ordered_json sheet_json(const DataSheet& sheet);                   // json_data_sheet.cpp
+ordered_json meters_json(const std::vector<MeterReport>& sets);     // json_meters.cpp
 ordered_json ratios_json(const std::vector<RatioReport>& ratios);
 
 }  // namespace ups::tool
