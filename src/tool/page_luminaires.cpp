@@ -121,8 +121,8 @@ std::string sheet_text(const LuminaireType& type, const ProfileReport& report) {
   for (const float part : sheet.sheet.flux_code) text += format(" %.0f", double(part));
   text += ".";
   if (sheet.sheet.highest_luminance_cd_m2 >= 0)
-    text += format(" Luminance from 65\u00b0 to 85\u00b0: at most %.3g cd/m\u00b2.",
-                   flux_ratio * double(sheet.sheet.highest_luminance_cd_m2));
+    text += " Luminance from 65\u00b0 to 85\u00b0: at most " +
+            lux(flux_ratio * double(sheet.sheet.highest_luminance_cd_m2)) + " cd/m\u00b2.";
   if (!sheet.ugr) return text;
   const std::string room = "4H 8H", reflectances = "70/50/20";
   for (int r = 0; r < ugr_rooms; ++r)
