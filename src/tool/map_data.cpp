@@ -24,8 +24,9 @@ Vector between(const MeterPoint& a, const MeterPoint& b) {
 // False where it has no length.
 bool make_unit(Vector& v) {
   const double l = length(v);
+  if (!(l > 0) || !std::isfinite(l)) return false;
   for (double& c : v) c /= l;
-  return l > 0 && std::isfinite(l);
+  return true;
 }
 void copy(const Vector& from, double* to) { std::copy(from.begin(), from.end(), to); }
 
