@@ -98,7 +98,9 @@ MapData map_of_table(const MapOptions& options, const std::string& title) {
   std::optional<LoadedScene> scene;
   if (!options.scene.empty()) scene = load_scene(options.scene, {.allow_outside = options.allow_outside});
   std::optional<MapData> data = meter_map(title, points, columns_of(points), scene ? &*scene : nullptr);
-  if (!data) throw Failure(options.file + ": its meters lie on one line or in no plane; there is no map of them");
+  if (!data)
+    throw Failure(options.file + ": its meters lie on one line or in no plane, or are too many on no lattice; there is "
+                                 "no map of them");
   data->summary = summary_of(points);
   return std::move(*data);
 }

@@ -159,9 +159,9 @@ MapData calmed(const MapData& image) {
       std::vector<double> values;
       for (uint32_t y = r * block; y < std::min((r + 1) * block, image.rows); ++y)
         for (uint32_t x = c * block; x < std::min((c + 1) * block, image.columns); ++x)
-          values.push_back(image.values[size_t(y) * image.columns + x].value);
+          if (const MapValue& v = image.values[size_t(y) * image.columns + x]; is_known(v)) values.push_back(v.value);
       std::nth_element(values.begin(), values.begin() + ptrdiff_t(values.size() / 2), values.end());
-      medians.push_back(values[values.size() / 2]);
+      medians.push_back(values.empty() ? -1 : values[values.size() / 2]);
     }
   }
   MapData calm;
@@ -172,10 +172,10 @@ MapData calmed(const MapData& image) {
       double sum = 0, weights = 0;  // binomial, 3 x 3
       for (uint32_t y = r - (r > 0); y <= std::min(r + 1, rows - 1); ++y)
         for (uint32_t x = c - (c > 0); x <= std::min(c + 1, columns - 1); ++x) {
-          const double weight = (x == c ? 2 : 1) * (y == r ? 2 : 1);
-          sum += weight * medians[size_t(y) * columns + x], weights += weight;
+          const double weight = (x == c ? 2 : 1) * (y == r ? 2 : 1), median = medians[size_t(y) * columns + x];
+          if (median >= 0) sum += weight * median, weights += weight;
         }
-      calm.values.push_back({{(c + 0.5) * block, (r + 0.5) * block}, sum / weights, -1});
+      calm.values.push_back({{(c + 0.5) * block, (r + 0.5) * block}, weights > 0 ? sum / weights : -1, -1});
     }
   }
   return calm;

@@ -24,8 +24,9 @@ Vector between(const MeterPoint& a, const MeterPoint& b) {
 // False where it has no length.
 bool make_unit(Vector& v) {
   const double l = length(v);
+  if (!(l > 0) || !std::isfinite(l)) return false;
   for (double& c : v) c /= l;
-  return l > 0 && std::isfinite(l);
+  return true;
 }
 void copy(const Vector& from, double* to) { std::copy(from.begin(), from.end(), to); }
 
@@ -149,6 +150,7 @@ std::optional<MapData> meter_map(const std::string& name, const std::vector<Mete
     data.values = values_of(points, plane);
     turn_to_lattice(plane, data, points);
   }
+  if (MapField(data).box().empty()) return std::nullopt;
   const bool level = std::abs(plane.normal[2]) > 0.9;
   const double towards[3] = {0, level ? 1.0 : 0.0, level ? 0.0 : 1.0};
   const Place arrow = plane.direction(towards);
@@ -219,9 +221,13 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
   data.quantity = quantity;
   data.unit = unit;
   data.is_image = true;
-  double sum = 0, least = INFINITY, most = -INFINITY;
-  for (const float value : values)
-    sum += double(value), least = std::min(least, double(value)), most = std::max(most, double(value));
+  const auto is_good = [](float value) { return std::isfinite(value) && value >= 0; };
+  double sum = 0, good = 0, least = INFINITY, most = 0;
+  for (const float value : values) {
+    if (!is_good(value)) continue;
+    sum += double(value), ++good;
+    least = std::min(least, double(value)), most = std::max(most, double(value));
+  }
   // Of a large one blocks of pixels: more than the drawing's own could not be seen.
   constexpr uint32_t most_side = 2048;
   const uint32_t block = (std::max(columns, rows) + most_side - 1) / most_side;
@@ -232,11 +238,12 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
       double block_sum = 0, count = 0;
       for (uint32_t y = row * block; y < std::min((row + 1) * block, rows); ++y)
         for (uint32_t x = column * block; x < std::min((column + 1) * block, columns); ++x)
-          block_sum += double(values[size_t(rows - 1 - y) * columns + x]), ++count;
-      data.values.push_back({{column + 0.5, row + 0.5}, block_sum / count, -1});
+          if (const float value = values[size_t(rows - 1 - y) * columns + x]; is_good(value))
+            block_sum += double(value), ++count;
+      data.values.push_back({{column + 0.5, row + 0.5}, count > 0 ? block_sum / count : -1, -1});
     }
   }
-  data.summary = summary_text(sum / double(values.size()), -1, least, most, -1, unit);
+  data.summary = good > 0 ? summary_text(sum / good, -1, least, most, -1, unit) : "no pixel is known";
   return data;
 }
 

@@ -13,8 +13,9 @@ struct MeterPoint {
   double illuminance_lx, error_bound_lx;
 };
 
-// Of points in one plane, seen against its normal; nothing where they lie in none, or on one line. columns: of a grid,
-// else 0. scene: committed, whose plan and observers are drawn; may be null. A wall's map is upright, a grid's has its row 0 below.
+// Of points in one plane, seen against its normal; nothing where they lie in none, or on one line, or are more than
+// 20,000 on no lattice. columns: of a grid, else 0. scene: committed, whose plan and observers are drawn; may be null.
+// A wall's map is upright, a grid's has its row 0 below.
 std::optional<MapData> meter_map(const std::string& name, const std::vector<MeterPoint>& points, uint32_t columns,
                                  const LoadedScene* scene);
 // Of a set of meters of a render, but of a mesh's surface; index: of its sensor in the scene.
@@ -49,8 +50,8 @@ struct MapPlane {
   }
 };
 
-// Fills room, luminaires and observers: what the plane cuts, what lies beneath it, what shines, who looks. Lines far from
-// the values are left out.
+// Fills room, luminaires and observers: what the plane cuts, what lies beneath it, what shines, who looks. Lines far
+// from the values are left out.
 void add_room(MapData& data, const MapPlane& plane, const LoadedScene& scene);
 
 }  // namespace ups::tool

@@ -113,14 +113,17 @@ MapField::MapField(const MapData& data) : data_(data), lattice_(data.columns > 0
     box_.grow({l.corner.x + l.columns * l.step_x, l.corner.y + l.rows * l.step_y});
     return;
   }
+  constexpr size_t most = 20000;
+  if (data.values.size() > most) return;
   spacing_ = spacing_of(data.values);
+  for (size_t i = 0; i < data.values.size(); ++i) squares_[square_of(data.values[i].at)].push_back(uint32_t(i));
   for (size_t i = 0; i < data.values.size(); ++i)
     for (const Place& p : cell(i)) box_.grow(p);
 }
 
 std::vector<Place> MapField::cell(size_t value) const {
   const Place at = data_.values[value].at;
-  const double x = lattice_ ? 0.5 * lattice_->step_x : 0.7 * spacing_, y = lattice_ ? 0.5 * lattice_->step_y : x;
+  const double x = lattice_ ? 0.5 * lattice_->step_x : reach(), y = lattice_ ? 0.5 * lattice_->step_y : x;
   std::vector<Place> outline = {{at.x - x, at.y - y}, {at.x + x, at.y - y}, {at.x + x, at.y + y}, {at.x - x, at.y + y}};
   if (lattice_) return outline;
   for (const MapValue& other : data_.values) {
@@ -167,10 +170,17 @@ uint32_t MapField::nearest(const Place& p) const {
   }
   uint32_t best = Lattice::none;
   double least = INFINITY;
-  for (size_t i = 0; i < data_.values.size(); ++i) {
-    const Place at = data_.values[i].at;
-    if (std::max(std::abs(at.x - p.x), std::abs(at.y - p.y)) > 0.7 * spacing_) continue;
-    if (const double d = distance2(at, p); d < least) least = d, best = uint32_t(i);
+  const auto [column, row] = square_of(p);
+  for (int64_t c = column - 1; c <= column + 1; ++c) {
+    for (int64_t r = row - 1; r <= row + 1; ++r) {
+      const auto square = squares_.find({c, r});
+      if (square == squares_.end()) continue;
+      for (const uint32_t i : square->second) {
+        const Place at = data_.values[i].at;
+        if (std::max(std::abs(at.x - p.x), std::abs(at.y - p.y)) > reach()) continue;
+        if (const double d = distance2(at, p); d < least) least = d, best = i;
+      }
+    }
   }
   return best != Lattice::none && is_known(data_.values[best]) ? best : Lattice::none;
 }

@@ -2,7 +2,9 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "tool/map.h"
 
@@ -43,7 +45,7 @@ class MapField {
   const std::optional<Lattice>& lattice() const { return lattice_; }
   // Closed, of a value; without a lattice what is nearer to it than to any other, as far as their spacing reaches.
   std::vector<Place> cell(size_t value) const;
-  const MapBox& box() const { return box_; }  // of all cells
+  const MapBox& box() const { return box_; }  // of all cells; empty: more points than can be told apart without one
 
   // Between the values of a lattice, in cells from its corner, within the cell (column, row): smooth (Catmull-Rom), but
   // never beyond the four values around; beyond the outer ones as those. NaN in a gap.
@@ -56,7 +58,13 @@ class MapField {
 
   const MapData& data_;
   std::optional<Lattice> lattice_;
-  double spacing_ = 0;  // of points without a lattice
+  // Of points without a lattice: their spacing, how far each reaches, and those of each square so wide.
+  double spacing_ = 0;
+  double reach() const { return 0.7 * spacing_; }
+  std::pair<int64_t, int64_t> square_of(const Place& p) const {
+    return {int64_t(std::floor(p.x / reach())), int64_t(std::floor(p.y / reach()))};
+  }
+  std::map<std::pair<int64_t, int64_t>, std::vector<uint32_t>> squares_;
   MapBox box_;
 };
 
