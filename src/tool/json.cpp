@@ -3,6 +3,7 @@
 
 #include "tool/goniometer_report.h"
 #include "tool/info_report.h"
+#include "tool/json_values.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {
