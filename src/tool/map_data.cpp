@@ -184,6 +184,10 @@ std::optional<MapData> meter_map(const SensorEntry& meters, uint32_t index, cons
   }
   std::optional<MapData> data = meter_map(meters.name, points, meters.info.columns, &scene);
   if (!data) return data;
+  static constexpr const char* quantities[] = {"Illuminance",           "Cylindrical illuminance",
+                                               "Semicylindrical illuminance", "Hemispherical illuminance",
+                                               "Spherical illuminance", "Length of the light vector"};
+  data->quantity = quantities[meters.info.meter_kind];
   ups_meter_statistics s{};
   s.struct_size = sizeof s;
   check(ups_result_get_meter_statistics(result, meters.info.sensor, &s));

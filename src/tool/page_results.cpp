@@ -156,16 +156,9 @@ Column column(const Report& report, const std::string& head, const Cell& cell) {
   return c;
 }
 
-// "cylindrical" and the like; empty where all meters are planar, or the report tells no kinds.
-template <class Meters>
-std::string kind_of(const Meters& meters) {
-  if constexpr (requires { meters.kind.size(); }) return meters.kind;
-  return {};
-}
-
 Column kinds_of(const Report& report) {
   Column kinds{"Kind", {}};
-  for (const MeterReport& meters : report.meters) kinds.cells.push_back(kind_of(meters));
+  for (const MeterReport& meters : report.meters) kinds.cells.push_back(meters.kind);
   if (std::all_of(kinds.cells.begin(), kinds.cells.end(), [](const std::string& k) { return k == "planar"; }))
     for (std::string& cell : kinds.cells) cell.clear();
   return kinds;
@@ -237,7 +230,7 @@ std::string table_of(const PageInput& in, const std::string& caption, const std:
   const Report& report = in.report;
   HtmlTable table{caption, {"Set of meters"}, {}, 1};
   for (const MeterReport& meters : report.meters) {
-    const std::string kind = kind_of(meters);
+    const std::string kind = meters.kind;
     const std::string place =
         with_places ? place_of(in.scene, meters.name, kind.empty() || kind == "planar") : std::string();
     table.rows.push_back({html_text(meters.name) + (place.empty() ? "" : " <span class=\"i\">" + place + "</span>")});

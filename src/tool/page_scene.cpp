@@ -38,37 +38,21 @@ std::vector<uint8_t> bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// exposure: that the program chooses. What was chosen or asked for instead a camera's report tells, where it does.
-template <class Report>
-std::string exposure_text(const Report& camera, double exposure) {
-  const double grey = 0.26 / exposure;  // what ups_ocio shows as an 18 % grey
-  double ev100 = std::log2(grey * 100 / 12.5);
-  const char* chosen = "chosen from the picture itself";
-  std::string smoothed;
-  if constexpr (requires { camera.picture->ev100; }) {
-    if (camera.picture) {
-      ev100 = camera.picture->ev100;
-      if (camera.picture->given) chosen = "as asked for";
-      if (camera.picture->smoothed) smoothed = " Smoothed for display, for looking at alone.";
-    }
-  }
-  return format("Exposure %s: %.3g cd/m\u00b2 is shown as a middle grey (EV100 %.1f).", chosen,
-                0.125 * std::exp2(ev100), ev100) + smoothed;
+std::string exposure_text(const CameraReport::Picture& p) {
+  return format("Exposure %s: %.3g cd/m\u00b2 is shown as a middle grey (EV100 %.1f).",
+                p.given ? "as asked for" : "chosen from the picture itself", 0.125 * std::exp2(p.ev100), p.ev100) +
+         (p.smoothed ? " Smoothed for display, for looking at alone." : "");
 }
 
 std::string picture(const PageInput& in, const SensorEntry& camera) {
   const std::string path = (std::filesystem::path(in.folder) / (camera.name + ".png")).string();
   const std::vector<uint8_t> bytes = bytes_of(path);
   if (bytes.empty()) return {};
-  const auto luminance = read_image(in.result, camera, UPS_CHANNEL_LUMINANCE_RGB);
-  double exposure = 1;
-  check(ups_ocio_choose_exposure(luminance.data(), camera.info.width, camera.info.height, &exposure),
-        ups_ocio_last_error);
   const auto found = std::find_if(in.report.cameras.begin(), in.report.cameras.end(),
                                   [&](const CameraReport& c) { return c.name == camera.name; });
   const std::string caption = "<strong>" + html_text(camera.name) + "</strong>. " +
                               format("Mean luminance %.4g cd/m\u00b2. ", found->mean_luminance_cd_m2) +
-                              exposure_text(*found, exposure);
+                              (found->picture ? exposure_text(*found->picture) : "");
   return html_figure(html_image("image/png", bytes, "Rendered picture of the camera " + camera.name, camera.info.width,
                                 camera.info.height),
                      caption);

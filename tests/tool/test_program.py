@@ -195,12 +195,26 @@ class BrokenFiles(ProgramTest):
 
 
 class Render(ProgramTest):
+    def test_shares_and_ratios_that_were_asked_for(self):
+        result = self.render("--iterations", 32, "--above", 1, "--above", 1e6, "--ratio", "spot/work_plane")
+        meters = result["meters"]
+        for statistics in meters.values():
+            self.assertEqual(statistics["share_above"]["1"], {"value": 1, "low": 1, "high": 1})
+            self.assertEqual(statistics["share_above"]["1e+06"]["value"], 0)
+        ratio = result["ratios"]["spot/work_plane"]
+        self.assertAlmostEqual(ratio["value"], meters["spot"]["mean_lx"] / meters["work_plane"]["mean_lx"], delta=1e-5)
+        self.assertLessEqual(ratio["low"], ratio["value"])
+        self.assertGreaterEqual(ratio["high"], ratio["value"])
+        self.expect_failure("render", self.path("room.gltf"), "--iterations", 1, "--ratio", "spot/floor",
+                            words=["no meters of the name floor; it has work_plane, spot"])
+        self.assertIn("not two names", self.run_program("render", self.path("room.gltf"), "--ratio", "spot", code=2).stderr)
+
     def test_json(self):
         result = self.render("--iterations", 32, "--threads", 1)
         self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
                                        "seed", "flux", "dropped_samples", "work", "memory", "meters", "cameras",
                                        "convergence", "warnings", "choice", "prediction", "advice", "largest_error",
-                                       "largest_samples"})
+                                       "largest_samples", "maintenance_factor"})
         self.assertEqual(result["scene"], self.path("room.gltf"))
         self.assertEqual(result["iterations"], 32)
         self.assertEqual(result["seed"], 7)
@@ -217,9 +231,12 @@ class Render(ProgramTest):
         self.assertEqual(list(result["meters"]), ["work_plane", "spot"])
         for statistics in result["meters"].values():
             self.assertEqual(set(statistics), {"kind", "mean_lx", "min_lx", "max_lx", "uniformity",
-                                               "mean_standard_error_lx",
-                                               "mean_error_bound_lx", "percentile_5_lx", "uniformity_low",
-                                               "uniformity_high", "worst_relative_error_bound"})
+                                               "mean_standard_error_lx", "mean_error_bound_lx", "percentile_5_lx",
+                                               "uniformity_low", "uniformity_high", "worst_relative_error_bound",
+                                               "min_low_lx", "min_high_lx", "max_low_lx", "max_high_lx", "diversity",
+                                               "diversity_low", "diversity_high", "percentiles_lx"})
+            self.assertEqual(set(statistics["percentiles_lx"]), {"5", "50", "95"})
+            self.assertEqual(set(statistics["percentiles_lx"]["50"]), {"value", "low", "high"})
             if statistics["uniformity_low"] >= 0:
                 self.assertLessEqual(statistics["uniformity_low"], statistics["uniformity"])
                 self.assertGreaterEqual(statistics["uniformity_high"], statistics["uniformity_low"])
