@@ -244,13 +244,6 @@ TEST_F(LitFloor, CellsByAllTechniques) {
   add_meters(true, 0.8);
   expect({.method = UPS_METHOD_UPS}, "all");
 }
-// A surface hides half of the ball within which photons are merged.
-TEST_F(LitFloor, PointsOnTheFloorByEyePathsAndByMerging) {
-  add_meters(false, 0);
-  expect({.method = UPS_METHOD_PATH_TRACING}, "eye paths");
-  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging", true);
-}
-
 // ---- a closed white room ----
 
 // A sphere whose wall emits and reflects: L is the same from everywhere, E / (pi L) = 1, but 3/4 of a dome, and no
