@@ -873,10 +873,11 @@ namespace Ups
         public TextureId NormalTexture;
         public TextureId AlphaTexture;
         public int Priority;
-        public uint PaneAngleCount;
         internal float* PaneAngleDeg;
         internal float* PaneTransmittance;
         internal float* PaneReflectance;
+        public uint PaneAngleCount;
+        public uint Reserved;
         /// <summary>With the library's defaults.</summary>
         public static MaterialDesc Create()
         {

@@ -50,12 +50,13 @@ typedef struct ups_material_desc {
                                                    * coincide, the medium of the highest counts; at equal priority
                                                    * that of the instance of smallest volume. A solid is an instance
                                                    * whose mesh is closed, its front outwards, without holes. */
-  uint32_t pane_angle_count;                      /* GLAZING, 2..9001: what the pane lets through and reflects by angle of
-                                                   * incidence, instead of transmittance_rgb; 0: none */
+  /* GLAZING: what the pane lets through and reflects by angle of incidence, instead of transmittance_rgb. */
   const float *pane_angle_deg;                    /* ascending from 0 to 90; straight lines between */
   const float *pane_transmittance;                /* [0, 1], directional-hemispherical, reflections within included */
   const float *pane_reflectance;                  /* the same, together at most 1; NULL: a clear pane's of `ior`, less
                                                    * where the two would exceed 1 */
+  uint32_t pane_angle_count;                      /* 2..9001; 0: none */
+  uint32_t reserved;                              /* 0 */
 } ups_material_desc;
 
 /* Both sides of every surface block and scatter light; only emission has a side: front is counter-clockwise. */

@@ -177,6 +177,7 @@ MaterialDescription Description::checked(const ups_material_desc& d) const {
   check::colour(d.absorption_per_m_rgb, 0, INFINITY, "absorption_per_m_rgb");
   check::range(double(d.metallic), 0, 1, "metallic");
   check_emission_and_alpha(d);
+  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
   check_material_textures(d);
   MaterialDescription material{d, read_pane(d)};
   material.pane_angle_deg = material.pane_transmittance = material.pane_reflectance = nullptr;

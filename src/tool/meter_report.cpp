@@ -65,9 +65,11 @@ std::vector<RatioReport> read_ratios(const LoadedScene& scene, const ups_result*
 
 std::string to_text(const MeterReport& meters) {
   const ups_meter_statistics& s = meters.statistics;
+  const std::string kind = meters.kind == "planar" ? "" : " (" + meters.kind + ")";
   std::string text =
-      format("meters %s%s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, diversity %.3f%s, worst error %s\n",
-             meters.name.c_str(), meters.kind == "planar" ? "" : (" (" + meters.kind + ")").c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity,
+      format("meters %s%s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, diversity %.3f%s, "
+             "worst error %s\n",
+             meters.name.c_str(), kind.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity,
              interval_text({s.uniformity, s.uniformity_low, s.uniformity_high}, "%.3f").c_str(), s.diversity,
              interval_text({s.diversity, s.diversity_low, s.diversity_high}, "%.3f").c_str(),
              percent_text(s.worst_relative_error_bound).c_str());

@@ -266,7 +266,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
   add_separation(*command, options.desc,
                  ": with --out, a table NAME_luminaires.csv of what each contributes to each meter");
   command->add_option("--above", options.questions.above, "The share of each set's meters with at least so many lx")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->type_name("LX");
   command
       ->add_option_function<std::vector<std::string>>(
@@ -279,12 +279,12 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->check(CLI::Validator(
           [](const std::string& text) {
             const size_t slash = text.find('/');
-            return slash > 0 && slash + 1 < text.size() && text.find('/', slash + 1) == std::string::npos
+            return slash != std::string::npos && slash > 0 && slash + 1 < text.size() && text.find('/', slash + 1) == std::string::npos
                        ? std::string()
                        : text + " is not two names such as task/surround";
           },
           ""))
-      ->expected(1)
+      ->allow_extra_args(false)
       ->type_name("A/B");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
       ->type_name("DIR");

@@ -164,7 +164,8 @@ internal static partial class BindingTest
                 Expect(curve.Length == 1 && curve[0].Iterations == 16 && curve[0].Rays > 0, "the curve");
                 var foretold = result.Predict(0.01);
                 Expect(foretold.LimitedBy == Limit.Noise && foretold.Iterations == 16, "the prediction");
-                Expect(result.LargestError().Sensor.V == meters.V, "the worst meter");
+                var worst = result.LargestError().Sensor.V;
+                Expect(worst == meters.V || worst == vectors.V, "the worst meter");
                 var largest = result.LargestSamples(eye);
                 Expect(largest.Length > 0 && largest[0].Walk == Walk.Eye, "the samples that weigh most");
                 using (var path = scene.Replay(Iterations(16), largest[0]))

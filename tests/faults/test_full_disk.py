@@ -41,7 +41,7 @@ class FullDisk(faults.FaultTest):
         scene, _ = self.write_scene()
         out = self.folder / "disk"
         out.mkdir()
-        if not mount_small_disk(out, 1024):
+        if not mount_small_disk(out, 2560):
             self.skipTest("this user cannot mount a small disk; the limit of file sizes stands for it")
         self.addCleanup(subprocess.run, ["umount", str(out)], timeout=20)
         self.run_program(self.command(scene, out, size="60x40"))

@@ -119,6 +119,7 @@ class Replay {
     in.recorder = &recorder_;
     IterationTally tally;
     tally.pixels.resize(1), tally.illuminance.resize(1), tally.splats.resize(1);
+    tally.first_hits.resize(1), tally.first_ids.resize(1);
     for (const MeterSet& set : scene.meter_sets) tally.meters.emplace_back(set.meters.size());
     tally.landings.resize(scene.meter_sets.size());
     tally.separated.resize(scene.meter_sets.size());

@@ -1,5 +1,6 @@
 // Do the intervals of a set's extremes, uniformity, diversity, percentiles and shares above a threshold cover the true
-// values, whatever the field and however the meters' noise goes together? And do the signs of heavy tails stay quiet for Gaussian noise?
+// values, whatever the field and however the meters' noise goes together? And do the signs of heavy tails stay quiet for
+// Gaussian noise?
 #include "render/meter_ratios.h"
 
 #include <gtest/gtest.h>

@@ -194,7 +194,7 @@ TEST(Prepare, LuminairesShareTheirProfile) {
   const auto s = t.build();
   EXPECT_EQ(s->emitters.size(), size_t(count));
   EXPECT_EQ(s->emitter_of_opening.size(), size_t(count));
-  EXPECT_EQ(profile.use_count(), 1 + 2 * count);  // the emitters hold the same one
+  EXPECT_EQ(profile.use_count(), 1 + 3 * count);  // the emitters hold the same one, and the list of what emits
   const auto odd = std::count_if(s->warnings.begin(), s->warnings.end(),
                                  [](const std::string& w) { return w.find("odd") != w.npos; });
   EXPECT_EQ(odd, 1) << "a profile's warnings are told once";

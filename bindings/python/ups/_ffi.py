@@ -465,10 +465,11 @@ class MaterialDesc(Structure):
         ("normal_texture", TextureId),
         ("alpha_texture", TextureId),
         ("priority", c_int32),
-        ("pane_angle_count", c_uint32),
         ("pane_angle_deg", POINTER(c_float)),
         ("pane_transmittance", POINTER(c_float)),
         ("pane_reflectance", POINTER(c_float)),
+        ("pane_angle_count", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
