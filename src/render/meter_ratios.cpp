@@ -25,10 +25,7 @@ Quantity meter_of(const MeterBatches& meters, size_t m) {
 }
 
 double error_of_mean(const double* batches, uint32_t used) {
-  double sum = 0, square = 0;
-  for (uint32_t b = 0; b < used; ++b) sum += batches[b];
-  for (uint32_t b = 0; b < used; ++b) square += std::pow(batches[b] - sum / used, 2);
-  return std::sqrt(square / (double(used) * (used - 1)));
+  return ups::error_of_mean(used, 1, [&](uint32_t b) { return batches[b]; });
 }
 
 Ratio ratio_of(const Quantity& x, const Quantity& y, uint32_t used) {

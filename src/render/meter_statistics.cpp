@@ -22,18 +22,6 @@ void MeterBatches::add(const Meter& meter, const double* batch, const double* bi
 
 namespace {
 
-// Of the mean of batches, about the mean of each half of them (even, odd): s^2 of so many less `means` degrees.
-template <class Value>
-double error_of_mean(uint32_t used, uint32_t means, const Value& value) {
-  double square = 0;
-  for (uint32_t half = 0; half < means; ++half) {
-    double sum = 0, count = 0;
-    for (uint32_t b = half; b < used; b += means) sum += value(b), ++count;
-    for (uint32_t b = half; b < used; b += means) square += std::pow(value(b) - sum / count, 2);
-  }
-  return std::sqrt(square / (double(used) * (used - means)));
-}
-
 std::vector<uint32_t> order_by(const std::vector<double>& values) {
   std::vector<uint32_t> order(values.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -42,12 +30,12 @@ std::vector<uint32_t> order_by(const std::vector<double>& values) {
   return order;
 }
 
-// Indices in order of what all batches of one half say.
-std::vector<uint32_t> order_by_half(const MeterBatches& meters, uint32_t half) {
+// What all batches of one half say of each meter.
+std::vector<double> sums_of_half(const MeterBatches& meters, uint32_t half) {
   std::vector<double> sums(meters.count());
   for (size_t m = 0; m < sums.size(); ++m)
     for (uint32_t b = half; b < meters.used(); b += 2) sums[m] += double(meters.batch(m, b));
-  return order_by(sums);
+  return sums;
 }
 
 // The mean of the meters at ranks [begin, end), chosen by one half of the batches and read by the other, and how far
@@ -131,13 +119,8 @@ Interval minimum_interval(const MeterBatches& meters) {
   double low = INFINITY, least = INFINITY;
   std::vector<uint32_t> first[2];  // of each half
   for (uint32_t half = 0; half < 2; ++half) {
-    double least_sum = INFINITY;
-    for (uint32_t m = 0; m < meters.count(); ++m) {
-      double sum = 0;
-      for (uint32_t b = half; b < meters.used(); b += 2) sum += double(meters.batch(m, b));
-      if (sum < least_sum) least_sum = sum, first[half] = {m};
-    }
-    if (first[half].empty()) first[half] = {0};
+    const std::vector<double> sums = sums_of_half(meters, half);
+    first[half] = {uint32_t(std::min_element(sums.begin(), sums.end()) - sums.begin())};
   }
   for (size_t m = 0; m < meters.count(); ++m) {
     low = std::min(low, meters.value(m) - meters.bound(m));
@@ -147,54 +130,54 @@ Interval minimum_interval(const MeterBatches& meters) {
   return {low, std::max(least, high.value + high.above)};
 }
 
-MeterRanks::MeterRanks(const MeterBatches& meters) : lower_(meters), upper_(meters.negative()) {}
-
-MeterRanks::Half::Half(MeterBatches of) : meters(std::move(of)) {
+LowerRanks::LowerRanks(MeterBatches of) : meters_(std::move(of)) {
   std::vector<double> values;
-  for (size_t m = 0; m < meters.count(); ++m) values.push_back(meters.value(m));
-  all = order_by(values);
-  for (uint32_t half = 0; half < 2; ++half) by_half[half] = order_by_half(meters, half);
+  for (size_t m = 0; m < count(); ++m) values.push_back(meters_.value(m));
+  all_ = order_by(values);
+  for (uint32_t half = 0; half < 2; ++half) by_half_[half] = order_by(sums_of_half(meters_, half));
 }
 
 // As a minimum, but that noise averages over all meters whose readings it can exchange: those within a standard error.
-Interval MeterRanks::Half::interval(size_t rank) const {
-  if (rank == 0) return minimum_interval(meters);
-  if (meters.used() < min_batches_of_interval) return {};
-  const size_t count = meters.count();
-  const double value = meters.value(all[rank]);
+Interval LowerRanks::interval(size_t rank) const {
+  if (rank == 0) return minimum_interval(meters_);
+  if (meters_.used() < min_batches_of_interval) return {};
+  const size_t count = this->count();
+  const double value = this->value(rank);
   double square = 0;
   const size_t reach = std::max<size_t>(1, count / 40), first = rank - std::min(rank, reach),
                last = std::min(count - 1, rank + reach);
   for (size_t i = first; i <= last; ++i)
-    square += std::pow(meters.standard_error(all[i]), 2) / double(last - first + 1);
+    square += std::pow(meters_.standard_error(all_[i]), 2) / double(last - first + 1);
   const double noise = std::sqrt(square);
   size_t begin = rank, end = rank + 1;
-  while (begin > 0 && value - meters.value(all[begin - 1]) <= noise) --begin;
-  while (end < count && meters.value(all[end]) - value <= noise) ++end;
+  while (begin > 0 && value - meters_.value(all_[begin - 1]) <= noise) --begin;
+  while (end < count && meters_.value(all_[end]) - value <= noise) ++end;
 
   double batches[batch_count] = {}, offset = 0, bias_error = 0;
   for (size_t i = begin; i < end; ++i) {
-    const uint32_t m = all[i];
+    const uint32_t m = all_[i];
     const double part = 1 / double(end - begin);
-    offset += part * meters.offset(m);
-    bias_error += part * meters.bias_error(m);
-    for (uint32_t b = 0; b < meters.used(); ++b) batches[b] += part * double(meters.batch(m, b));
+    offset += part * meters_.offset(m);
+    bias_error += part * meters_.bias_error(m);
+    for (uint32_t b = 0; b < meters_.used(); ++b) batches[b] += part * double(meters_.batch(m, b));
   }
-  const double own = error_of_mean(meters.used(), 1, [&](uint32_t b) { return batches[b]; });
-  const double below = offset + t_quantile(meters.used()) * std::hypot(own, bias_error);
-  const CrossReading cross = cross_reading(meters, by_half, begin, end);
+  const double own = error_of_mean(meters_.used(), 1, [&](uint32_t b) { return batches[b]; });
+  const double below = offset + t_quantile(meters_.used()) * std::hypot(own, bias_error);
+  const CrossReading cross = cross_reading(meters_, by_half_, begin, end);
   return {std::min(value - below, cross.value - cross.above), std::max(value + below, cross.value + cross.above)};
 }
+
+MeterRanks::MeterRanks(const MeterBatches& meters) : lower_(meters), upper_(meters.negative()) {}
 
 Interval MeterRanks::interval(size_t rank) const {
   if (2 * rank < count()) return lower_.interval(rank);
   const Interval i = upper_.interval(count() - 1 - rank);
-  return lower_.meters.used() < min_batches_of_interval ? i : Interval{-i.high, -i.low};
+  return lower_.used() < min_batches_of_interval ? i : Interval{-i.high, -i.low};
 }
 
 double MeterRanks::share_above(double threshold) const {
   size_t above = 0;
-  for (size_t m = 0; m < count(); ++m) above += lower_.meters.value(m) >= threshold;
+  for (size_t m = 0; m < count(); ++m) above += lower_.value(m) >= threshold;
   return double(above) / double(count());
 }
 
@@ -213,7 +196,7 @@ size_t MeterRanks::first_rank(double threshold, double Interval::*end) const {
 
 // True values whose interval lies above are surely above; those whose interval lies below surely are not.
 Interval MeterRanks::share_above_interval(double threshold) const {
-  if (lower_.meters.used() < min_batches_of_interval) return {};
+  if (lower_.used() < min_batches_of_interval) return {};
   const auto share = [&](size_t first) { return double(count() - first) / double(count()); };
   return {share(first_rank(threshold, &Interval::low)), share(first_rank(threshold, &Interval::high))};
 }
@@ -221,8 +204,7 @@ Interval MeterRanks::share_above_interval(double threshold) const {
 namespace {
 
 Interval fifth_percentile(const MeterBatches& meters) {
-  const MeterRanks ranks(meters);
-  return ranks.interval(ranks.rank_at(0.05));
+  return LowerRanks(meters).interval(rank_at(meters.count(), 0.05));
 }
 
 void add_intervals(const MeterBatches& meters, ups_meter_statistics& s) {

@@ -59,28 +59,37 @@ inline constexpr uint32_t min_batches_of_interval = 6;
 // 95 %, of the least true value.
 Interval minimum_interval(const MeterBatches& meters);
 
-// The true values in ascending order, of which noise hides who is where.
+// The true values in ascending order, of which noise hides who is where: the lower half of them.
+class LowerRanks {
+ public:
+  explicit LowerRanks(MeterBatches of);
+  size_t count() const { return meters_.count(); }
+  uint32_t used() const { return meters_.used(); }
+  double value(size_t rank) const { return meters_.value(all_[rank]); }
+  Interval interval(size_t rank) const;  // 95 %; of the upper half the negative meters' ranks tell more
+
+ private:
+  MeterBatches meters_;
+  std::vector<uint32_t> all_, by_half_[2];  // in ascending order of all batches, of the even and of the odd ones
+};
+
+// All of them.
 class MeterRanks {
  public:
   explicit MeterRanks(const MeterBatches& meters);
-  size_t count() const { return lower_.meters.count(); }
-  double value(size_t rank) const { return lower_.meters.value(lower_.all[rank]); }
+  size_t count() const { return lower_.count(); }
+  double value(size_t rank) const { return lower_.value(rank); }
   Interval interval(size_t rank) const;  // 95 %; rank < count()
-  size_t rank_at(double share) const { return std::min(count() - 1, size_t(share * double(count()))); }
   // Of the true values at least as large as the threshold: their share, and its 95 % interval.
   double share_above(double threshold) const;
   Interval share_above_interval(double threshold) const;
 
  private:
-  struct Half {  // asked for ranks of the lower half alone
-    explicit Half(MeterBatches of);
-    Interval interval(size_t rank) const;
-    MeterBatches meters;
-    std::vector<uint32_t> all, by_half[2];  // in ascending order of all batches, of the even and of the odd ones
-  };
   size_t first_rank(double threshold, double Interval::*end) const;
-  Half lower_, upper_;  // upper_: of the negative
+  LowerRanks lower_, upper_;  // upper_: of the negative
 };
+// Of so many: the rank that a share of them is below.
+inline size_t rank_at(size_t count, double share) { return std::min(count - 1, size_t(share * double(count))); }
 
 // All but the relative errors, of so many passes. known: the spread of the mean's batches is its error.
 ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passes, bool known);

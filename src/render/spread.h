@@ -58,6 +58,19 @@ Spread spread(const T* sums, uint32_t samples, size_t stride = 1) {
   return s;
 }
 
+// Standard error of the mean of batches, value(b) each, about the mean of each of `means` interleaved parts of them: s^2
+// of so many less `means` degrees.
+template <class Value>
+double error_of_mean(uint32_t used, uint32_t means, const Value& value) {
+  double square = 0;
+  for (uint32_t part = 0; part < means; ++part) {
+    double sum = 0, count = 0;
+    for (uint32_t b = part; b < used; b += means) sum += value(b), ++count;
+    for (uint32_t b = part; b < used; b += means) square += std::pow(value(b) - sum / count, 2);
+  }
+  return std::sqrt(square / (double(used) * (used - means)));
+}
+
 // |b| + t sqrt(s^2 + s_b^2): the two are uncorrelated, as the bias estimate's kernel is orthogonal to the value's.
 // -1: not known.
 inline float error_bound(const Spread& value, const Spread& bias, uint32_t samples) {

@@ -66,7 +66,7 @@ Coverage coverage_of(const Field& field, double common, std::mt19937_64& random)
     c.percentile += holds(s.percentile_5_low_lx, s.percentile_5_high_lx, fifth) / double(repetitions);
     c.diversity += holds(s.diversity_low, s.diversity_high, least / most) / double(repetitions);
     const MeterRanks ranks(meters);
-    const auto at = [&](double share) { return ranks.interval(ranks.rank_at(share)); };
+    const auto at = [&](double share) { return ranks.interval(rank_at(ranks.count(), share)); };
     c.median += holds(at(0.5).low, at(0.5).high, median) / double(repetitions);
     c.high += holds(at(0.9).low, at(0.9).high, high) / double(repetitions);
     const Interval share = ranks.share_above_interval(threshold);
