@@ -1,5 +1,6 @@
 #include "photometry/ugr.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace photometry {
@@ -13,6 +14,11 @@ double glare_term(const GlareSource& s) {
 
 double ugr(double sum_of_terms, double background_cd_m2) {
   return 8 * std::log10(0.25 / background_cd_m2 * sum_of_terms);
+}
+
+double great_glare_rating(double ugr, double coverage, double direct_lx, double indirect_lx) {
+  const double share = coverage > 0 ? std::max(0.0, 1.18 - 0.18 / std::min(coverage, 1.0)) : 0;
+  return ugr + share * 8 * std::log10(2.55 * (1 + direct_lx / 220) / (1 + direct_lx / indirect_lx));
 }
 
 }  // namespace photometry

@@ -341,6 +341,7 @@ namespace Ups
         LargeSource = 4,
         PointSource = 8,
         UnratedSource = 16,
+        Fixture = 32,
     }
 
     [Flags]
@@ -1797,7 +1798,7 @@ namespace Ups
         public uint StructSize;
         public GlareMetric Metric;
         public PositionIndex PositionIndex;
-        public uint Reserved;
+        public float CeilingAreaM2;
         public Double12 ToWorld;
         /// <summary>With the library's defaults.</summary>
         public static ObserverDesc Create()
@@ -1821,6 +1822,10 @@ namespace Ups
         public float BackgroundStandardErrorCdM2;
         public float BackgroundErrorBoundCdM2;
         public uint SourceCount;
+        public float CeilingCoverage;
+        public float Ggr;
+        public float GgrLow;
+        public float GgrHigh;
         internal static ObserverReading Sized()
         {
             return new ObserverReading { StructSize = (uint)sizeof(ObserverReading) };

@@ -83,7 +83,7 @@ typedef struct ups_observer_desc {
   uint32_t struct_size;
   ups_glare_metric metric;
   ups_position_index position_index;
-  uint32_t reserved;     /* 0 */
+  float ceiling_area_m2; /* of the room, for the rating of large sources; 0: the scene's extent in x times y */
   double to_world[12];   /* looks along local -Z, local +Y is up; scale is ignored */
 } ups_observer_desc;
 UPS_API void ups_observer_desc_init(ups_observer_desc *desc, uint32_t struct_size);
@@ -93,9 +93,12 @@ UPS_API ups_status ups_scene_add_observer(ups_scene *scene, const ups_observer_d
 enum {
   UPS_OBSERVER_NO_SOURCE = 1,        /* no source of glare is visible: no rating */
   UPS_OBSERVER_NO_BACKGROUND = 2,    /* no indirect light was found at the eye: no rating */
-  UPS_OBSERVER_LARGE_SOURCE = 4,     /* a source above 0.1 sr, for which UGR is too low (CIE 147); rated as others */
+  UPS_OBSERVER_LARGE_SOURCE = 4,     /* a source above 0.1 sr, for which UGR is too low; rated as others. See ggr */
   UPS_OBSERVER_POINT_SOURCE = 8,     /* a source without extent, rated as a small one */
-  UPS_OBSERVER_UNRATED_SOURCE = 16   /* a directional light or the rays of a file: in no rating */
+  UPS_OBSERVER_UNRATED_SOURCE = 16,  /* a directional light or the rays of a file: in no rating */
+  UPS_OBSERVER_FIXTURE = 32          /* a fixture is in view: what its own reflectors, lenses and covers send counts as
+                                      * background, so the rating is too low. Measure it with a goniometer and place
+                                      * that profile */
 };
 /* UGR = 8 log10(0.25 / L_b * sum of L^2 w / p^2). L_b is the eye's indirect illuminance over pi, without what comes
  * straight from sources. Sources are luminaires and lights, each by its intensity over the area of its opening as the
@@ -111,6 +114,11 @@ typedef struct ups_observer_reading {
   float background_cd_m2;
   float background_standard_error_cd_m2, background_error_bound_cd_m2; /* the latter 95 %, bias too; -1: not known */
   uint32_t source_count;            /* that count in the rating */
+  float ceiling_coverage;           /* 0 to 1: the area of sources above 1.5 m^2, as seen from below, over the
+                                     * ceiling's; 0: none is in view */
+  float ggr;                        /* the rating with such sources by CIE 147: from coverages of 0.15 on above UGR's
+                                     * where much light falls straight on the eye; -1 where ceiling_coverage is 0 */
+  float ggr_low, ggr_high;          /* 95 %, noise and bias; -1: not known, or ggr_high without an end */
 } ups_observer_reading;
 /* reading->struct_size must be set. */
 UPS_API ups_status ups_result_get_observer(const ups_result *result, ups_sensor_id observer,

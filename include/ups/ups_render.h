@@ -186,7 +186,7 @@ typedef struct ups_meter_statistics {
   /* 95 % intervals of the true values, noise and bias; -1: not known (fewer than 6 iterations). The least of noisy
    * readings is biased low, the largest high: an interval need not lie evenly about its value. */
   double min_low_lx, min_high_lx, max_low_lx, max_high_lx, uniformity_low, uniformity_high;
-  double percentile_5_lx;        /* 5 % of the meters are below */
+  double percentile_5_lx;        /* 5 % of the meters are below; of those on a surface 5 % of their area */
   double percentile_5_low_lx, percentile_5_high_lx;
   double diversity;              /* min / max (EN 12193's U1); 0 where the maximum is 0 */
   double diversity_low, diversity_high;

@@ -11,7 +11,8 @@ typedef struct ups_interval {
   double value, low, high;
 } ups_interval;
 
-/* lx: `share` (0 to 1) of the set's meters are below. 0: the least, 0.5: the median, 1: the largest. */
+/* lx: `share` (0 to 1) of the set's meters are below. 0: the least, 0.5: the median, 1: the largest. Here and in shares
+ * each meter counts the same, one on a surface (a triangle, a texel) by its area. */
 UPS_API ups_status ups_result_get_meter_percentile(const ups_result *result, ups_sensor_id sensor, double share,
                                                    ups_interval *out);
 /* 0 to 1: the share of the set's meters with at least threshold_lx, a finite number. */

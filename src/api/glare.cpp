@@ -91,6 +91,7 @@ uint32_t flags_of(const SeenGlare& glare) {
     if (is_large(s)) flags |= UPS_OBSERVER_LARGE_SOURCE;
     if (s.glare.luminance_cd_m2 < 0) flags |= UPS_OBSERVER_POINT_SOURCE;
   }
+  if (glare.has_fixture) flags |= UPS_OBSERVER_FIXTURE;
   return flags | (glare.has_unrated ? uint32_t(UPS_OBSERVER_UNRATED_SOURCE) : 0);
 }
 
@@ -107,13 +108,30 @@ void rate(const SeenGlare& glare, ups_observer_reading& out) {
   if (bound < background) out.ugr_high = out.ugr + float(away(background / (background - bound)));
 }
 
+// d(2.55 (1 + Ed / 220) / (1 + Ed / Ei)) has the sign of Ei - 220 for Ed: the ends are among the corners of both errors.
+void rate_large(const ups_meter_part_reading& direct, double coverage, ups_observer_reading& out) {
+  out.ceiling_coverage = float(coverage);
+  const double background = double(out.background_cd_m2), ed = double(direct.illuminance_lx);
+  const auto rating = [&](double ugr, double direct_lx, double background_cd_m2) {
+    return float(photometry::great_glare_rating(ugr, coverage, direct_lx, double(pi) * background_cd_m2));
+  };
+  out.ggr = rating(double(out.ugr), ed, background);
+  const double bound = double(out.background_error_bound_cd_m2), direct_bound = double(direct.error_bound_lx);
+  if (!(bound >= 0 && direct_bound >= 0)) return;
+  out.ggr_low = INFINITY, out.ggr_high = bound < background ? -INFINITY : -1;
+  for (const double d : {std::max(0.0, ed - direct_bound), ed + direct_bound}) {
+    out.ggr_low = std::min(out.ggr_low, rating(double(out.ugr_low), d, background + bound));
+    if (bound < background) out.ggr_high = std::max(out.ggr_high, rating(double(out.ugr_high), d, background - bound));
+  }
+}
+
 ups_observer_reading reading_of(const RenderResult& r, size_t observer) {
   const SeenGlare& glare = (*r.glare)[observer];
   const MeterSetReading& eye = r.meter_sets[r.scene->observers[observer].meter_set];
   const ups_meter_part_reading& indirect = eye.parts[UPS_LIGHT_PART_INDIRECT][0];
   const auto luminance_of = [](float lx) { return lx >= 0 ? float(double(lx) / double(pi)) : -1; };
   ups_observer_reading out{};
-  out.ugr = out.ugr_standard_error = out.ugr_low = out.ugr_high = -1;
+  out.ugr = out.ugr_standard_error = out.ugr_low = out.ugr_high = out.ggr = out.ggr_low = out.ggr_high = -1;
   out.flags = flags_of(glare);
   out.source_count = uint32_t(glare.sources.size());
   out.background_cd_m2 = luminance_of(indirect.illuminance_lx);
@@ -122,7 +140,9 @@ ups_observer_reading reading_of(const RenderResult& r, size_t observer) {
   // What is left where all light comes straight is rounding.
   const double least = 1e-6 * double(eye.meters[0].illuminance_lx) / double(pi);
   if (!(double(out.background_cd_m2) > least)) out.flags |= UPS_OBSERVER_NO_BACKGROUND;
-  if (!(out.flags & (UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_NO_BACKGROUND))) rate(glare, out);
+  if (out.flags & (UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_NO_BACKGROUND)) return out;
+  rate(glare, out);
+  if (glare.ceiling_coverage > 0) rate_large(eye.parts[UPS_LIGHT_PART_DIRECT][0], glare.ceiling_coverage, out);
   return out;
 }
 

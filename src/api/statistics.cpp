@@ -30,7 +30,7 @@ ups_status ups_result_get_meter_percentile(const ups_result* result, ups_sensor_
     *out = {-1, -1, -1};
     if (meters.count() == 0) return;
     const MeterRanks ranks(meters);
-    const size_t rank = rank_at(ranks.count(), share);
+    const size_t rank = ranks.rank_at(share);
     *out = interval_of(ranks.value(rank), ranks.interval(rank), INFINITY);
   });
 }

@@ -120,7 +120,7 @@ Accumulator::Choices Accumulator::choose_discs(size_t set) const {
       choices[m] = rings_[set].choose(m * rows, rings, visits(m), told);
       if (!alone) continue;
       const MeterRings::Photons p = rings_[set].read(m * rows, rings, choices[m], visits(m));
-      own[m] = {spread(p.bias.data(), visits(m)), p.lx, p.mean_radius2};
+      own[m] = {spread(p.bias.data(), visits(m)), p.lx, p.bias_scale};
     }
     if (alone) neighbours = neighbour_curvatures(own);
   }

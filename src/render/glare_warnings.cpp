@@ -20,10 +20,14 @@ std::string glare_warnings(const Snapshot& scene, uint32_t observer_id, const Se
             (count > 1 ? " and " + std::to_string(count - 1) + " more" : "") + what + "\n";
   };
   worst([](const SeenSource& s) { return s.glare.solid_angle_sr > photometry::large_source_sr; },
-        ": seen under more than 0.1 sr, for which UGR is not made and too low; rated like the others (CIE 147 has "
-        "formulas for large sources, which are not built)");
+        ": seen under more than 0.1 sr, for which UGR is not made and too low; rated like the others (the rating by "
+        "CIE 147, ggr, is for those above 1.5 m2)");
   worst([](const SeenSource& s) { return s.glare.luminance_cd_m2 < 0; },
         ": light comes from a point, so there is no luminance: rated as a small source, by its intensity (CIE 147)");
+  if (glare.has_fixture)
+    text += who + "fixtures are in view: of them only light straight from their emitters counts as glare, what their "
+                  "reflectors, lenses and covers send as background, so that the rating is too low; a profile measured "
+                  "by the goniometer, placed instead, is rated as a whole\n";
   if (glare.has_unrated)
     text += who + "parallel light and luminaires that emit the rays of a file have no part in its rating\n";
   return text;

@@ -1,5 +1,6 @@
 // See meter_rings.h. Of discs out to ring k: plain, the mean; fourth, the fit of E + a r^2 at the centre, whose bias is
-// of fourth order. Their difference estimates the bias of the former. Both are linear in the rings' fluxes.
+// of fourth order. Their difference estimates the bias of the former. Both are linear in the rings' fluxes. Of half
+// discs, which lean, E + a r: read r^(1/2) for r below.
 #include "render/meter_rings.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ struct BiasKernel {
   explicit BiasKernel(const Rings& rings) {
     double m0 = 0, m1 = 0, m2 = 0;
     for (uint32_t k = 0; k < rings.count; ++k) {
-      const double a = rings.area[k], u = rings.radius2[k];
+      const double a = rings.area[k], u = rings.bias_scale[k];
       m0 += a, m1 += a * u, m2 += a * u * u;
       const double determinant = m0 * m2 - m1 * m1;
       if (!(determinant > 1e-9 * m0 * m2)) continue;  // one ring: no bias is seen
@@ -43,7 +44,7 @@ struct BiasKernel {
     }
   }
   double at(const Rings& rings, uint32_t disc, uint32_t ring) const {
-    return ring <= disc ? alpha[disc] + beta[disc] * rings.radius2[ring] : 0.0;
+    return ring <= disc ? alpha[disc] + beta[disc] * rings.bias_scale[ring] : 0.0;
   }
 };
 
@@ -51,7 +52,7 @@ struct BiasKernel {
 
 // Of discs out to each ring, for one visit.
 struct MeterRings::Sums {
-  double area[max_rings], flux[max_rings], square[max_rings], mean_radius2[max_rings];
+  double area[max_rings], flux[max_rings], square[max_rings], bias_scale[max_rings];
   double of_ring[max_rings], square_of_ring[max_rings];
   uint64_t count[max_rings];
   uint32_t max_ring;
@@ -128,8 +129,8 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
       count += count_[(row * halves + half) * rings_ + k];
     }
     s.area[k] = area += rings.area[k];
-    moment += rings.area[k] * rings.radius2[k];
-    s.mean_radius2[k] = area > 0 ? moment / area : 0;
+    moment += rings.area[k] * rings.bias_scale[k];
+    s.bias_scale[k] = area > 0 ? moment / area : 0;
     s.flux[k] = flux += s.of_ring[k];
     s.square[k] = square += s.square_of_ring[k];
     s.count[k] = count;
@@ -156,7 +157,7 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
   uint32_t last = std::max(first, widest);
   while (last > first && !(rings.area[last] > 0)) --last;
   for (uint32_t k = 0; k <= last; ++k) {
-    const double u = rings.radius2[k], alpha = kernel.alpha[k], beta = kernel.beta[k];
+    const double u = rings.bias_scale[k], alpha = kernel.alpha[k], beta = kernel.beta[k];
     b1 += u * s.of_ring[k], q1 += u * s.square_of_ring[k], q2 += u * u * s.square_of_ring[k];
     if (k < first) continue;
     const double bias = alpha * s.flux[k] + beta * b1,
@@ -170,14 +171,14 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
     if (k > first && bias * bias > 16 * of_noise && bias * bias > 4 * noise2[k]) last = k;
   }
   uint32_t chosen = last;
-  double least = INFINITY, curved = 0;  // of wider discs: bias^2 / r^4
+  double least = INFINITY, curved = 0;  // of wider discs: bias^2 / scale^2
   const RingProfile profile = s.profile(rings, lx);
   for (uint32_t k = last + 1; k-- > first;) {
-    const double r4 = rings.radius2[k] * rings.radius2[k];
-    curved = std::max(curved, bias2[k] / r4);
-    const double scale = s.mean(last) * s.mean_radius2[k], own = told.curvature.share_of_own(scale, bias_noise2[k]),
+    const double scale2 = rings.bias_scale[k] * rings.bias_scale[k];
+    curved = std::max(curved, bias2[k] / scale2);
+    const double scale = s.mean(last) * s.bias_scale[k], own = told.curvature.share_of_own(scale, bias_noise2[k]),
                  curvature = told.curvature.mean * scale;
-    double bias = own * std::max(bias2[k], 0.5 * curved * r4) + (1 - own) * curvature * curvature;
+    double bias = own * std::max(bias2[k], 0.5 * curved * scale2) + (1 - own) * curvature * curvature;
     if (told.steps && noise2[k] + bias < least) {
       const StepBias b = told.steps(profile, k);
       bias = std::max(bias, lx * lx * (std::max(0.0, b.mean * b.mean - 2 * b.told_variance) + b.own_variance));
@@ -196,7 +197,7 @@ MeterRings::Dependence MeterRings::dependence(size_t row, const Sums& s, const R
   Dependence own, out;
   double mean[batch_count] = {}, first[batch_count] = {}, bias[batch_count] = {}, q1 = 0, q2 = 0;
   for (uint32_t k = 0; k < rings.count; ++k) {
-    const double u = rings.radius2[k], alpha = kernel.alpha[k], beta = kernel.beta[k];
+    const double u = rings.bias_scale[k], alpha = kernel.alpha[k], beta = kernel.beta[k];
     q1 += u * s.square_of_ring[k], q2 += u * u * s.square_of_ring[k];
     for (uint32_t b = 0; b < batch_count; ++b) {
       mean[b] += flux(row, b, k), first[b] += u * flux(row, b, k);
@@ -283,7 +284,7 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   // in is the variance of the halves' mean by that choice. Twice the noise is taken off: it had its part in the choice.
   if (p.halves_differ)
     p.choice_variance = 0.25 * s.bias2_between(std::max(choice[0], choice[1]), std::min(choice[0], choice[1]), 2);
-  p.mean_radius2 = share * s.mean_radius2[choice[0]] + (1 - share) * s.mean_radius2[choice[1]];
+  p.bias_scale = share * s.bias_scale[choice[0]] + (1 - share) * s.bias_scale[choice[1]];
 
   const double t = t_quantile(std::max(visits, min_batches));
   constexpr uint64_t few = 8;

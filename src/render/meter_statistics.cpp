@@ -38,18 +38,17 @@ std::vector<double> sums_of_half(const MeterBatches& meters, uint32_t half) {
   return sums;
 }
 
-// The mean of the meters at ranks [begin, end), chosen by one half of the batches and read by the other, and how far
-// its limits are from it.
+// The mean of the meters that each half of the batches chose, read by the other half, and how far its limits are from it.
 struct CrossReading {
   double value, above;
 };
-CrossReading cross_reading(const MeterBatches& meters, const std::vector<uint32_t> (&by_half)[2], size_t begin,
-                           size_t end) {
+CrossReading cross_reading(const MeterBatches& meters, const std::span<const uint32_t> (&chosen)[2]) {
   double batches[batch_count] = {}, offset = 0, bias_error = 0;
-  const double share = 1 / double(end - begin);
   for (uint32_t half = 0; half < 2; ++half) {
-    for (size_t i = begin; i < end; ++i) {
-      const uint32_t m = by_half[half][i];
+    double weights = 0;
+    for (const uint32_t m : chosen[half]) weights += meters.weight(m);
+    for (const uint32_t m : chosen[half]) {
+      const double share = meters.weight(m) / weights;
       offset += 0.5 * share * meters.offset(m);
       bias_error += 0.5 * share * meters.bias_error(m);
       for (uint32_t b = 1 - half; b < meters.used(); b += 2) batches[b] += share * double(meters.batch(m, b));
@@ -117,53 +116,96 @@ MeterBatches MeterBatches::negative() const {
 Interval minimum_interval(const MeterBatches& meters) {
   if (meters.count() == 0 || meters.used() < min_batches_of_interval) return {};
   double low = INFINITY, least = INFINITY;
-  std::vector<uint32_t> first[2];  // of each half
+  uint32_t first[2];  // of each half
   for (uint32_t half = 0; half < 2; ++half) {
     const std::vector<double> sums = sums_of_half(meters, half);
-    first[half] = {uint32_t(std::min_element(sums.begin(), sums.end()) - sums.begin())};
+    first[half] = uint32_t(std::min_element(sums.begin(), sums.end()) - sums.begin());
   }
   for (size_t m = 0; m < meters.count(); ++m) {
     low = std::min(low, meters.value(m) - meters.bound(m));
     least = std::min(least, meters.value(m));
   }
-  const CrossReading high = cross_reading(meters, first, 0, 1);
+  const CrossReading high = cross_reading(meters, {{&first[0], 1}, {&first[1], 1}});
   return {low, std::max(least, high.value + high.above)};
+}
+
+LowerRanks::Order::Order(const MeterBatches& of, const std::vector<double>& values) : meters(order_by(values)) {
+  double sum = 0;
+  for (const uint32_t m : meters) up_to.push_back(sum += of.weight(m));
+}
+
+size_t LowerRanks::Order::rank_above(double weight) const {
+  const size_t rank = size_t(std::upper_bound(up_to.begin(), up_to.end(), weight) - up_to.begin());
+  return std::min(rank, meters.size() - 1);
+}
+
+// From the meter that the weight `begin` reaches into to that which `end` does, one at least.
+std::span<const uint32_t> LowerRanks::Order::between(double begin, double end) const {
+  const size_t first = rank_above(begin),
+               last = size_t(std::lower_bound(up_to.begin(), up_to.end(), end) - up_to.begin());
+  return {&meters[first], std::max(std::min(last, meters.size() - 1), first) - first + 1};
 }
 
 LowerRanks::LowerRanks(MeterBatches of) : meters_(std::move(of)) {
   std::vector<double> values;
   for (size_t m = 0; m < count(); ++m) values.push_back(meters_.value(m));
-  all_ = order_by(values);
-  for (uint32_t half = 0; half < 2; ++half) by_half_[half] = order_by(sums_of_half(meters_, half));
+  all_ = {meters_, values};
+  for (uint32_t half = 0; half < 2; ++half) by_half_[half] = {meters_, sums_of_half(meters_, half)};
+}
+
+size_t LowerRanks::rank_at(double share) const { return all_.rank_above(share * all_.up_to.back()); }
+
+// Standard error of a reading there.
+double LowerRanks::noise_at(size_t rank) const {
+  double square = 0;
+  const size_t reach = std::max<size_t>(1, count() / 40), first = rank - std::min(rank, reach),
+               last = std::min(count() - 1, rank + reach);
+  for (size_t i = first; i <= last; ++i)
+    square += std::pow(meters_.standard_error(all_.meters[i]), 2) / double(last - first + 1);
+  return std::sqrt(square);
+}
+
+// A meter that noise may have put on the wrong side moves the rank by its weight.
+Interval LowerRanks::interval(size_t rank) const {
+  Interval out = interval_at(rank);
+  if (meters_.used() < min_batches_of_interval) return out;
+  const double noise = 2 * noise_at(rank), value = this->value(rank),
+               middle = 0.5 * (all_.up_to_rank(rank) + all_.up_to[rank]);
+  double heaviest = 0;
+  const auto look = [&](size_t i) { heaviest = std::max(heaviest, meters_.weight(all_.meters[i])); };
+  for (size_t i = rank + 1; i < count() && this->value(i) - value <= noise; ++i) look(i);
+  for (size_t i = rank; i-- > 0 && value - this->value(i) <= noise;) look(i);
+  if (!(heaviest > 0)) return out;
+  for (const double sign : {-1, 1}) {
+    const Interval beside = interval_at(all_.rank_above(middle + sign * heaviest));
+    out = {std::min(out.low, beside.low), std::max(out.high, beside.high)};
+  }
+  return out;
 }
 
 // As a minimum, but that noise averages over all meters whose readings it can exchange: those within a standard error.
-Interval LowerRanks::interval(size_t rank) const {
+Interval LowerRanks::interval_at(size_t rank) const {
   if (rank == 0) return minimum_interval(meters_);
   if (meters_.used() < min_batches_of_interval) return {};
   const size_t count = this->count();
-  const double value = this->value(rank);
-  double square = 0;
-  const size_t reach = std::max<size_t>(1, count / 40), first = rank - std::min(rank, reach),
-               last = std::min(count - 1, rank + reach);
-  for (size_t i = first; i <= last; ++i)
-    square += std::pow(meters_.standard_error(all_[i]), 2) / double(last - first + 1);
-  const double noise = std::sqrt(square);
+  const double value = this->value(rank), noise = noise_at(rank);
   size_t begin = rank, end = rank + 1;
-  while (begin > 0 && value - meters_.value(all_[begin - 1]) <= noise) --begin;
-  while (end < count && meters_.value(all_[end]) - value <= noise) ++end;
+  while (begin > 0 && value - this->value(begin - 1) <= noise) --begin;
+  while (end < count && this->value(end) - value <= noise) ++end;
 
   double batches[batch_count] = {}, offset = 0, bias_error = 0;
+  const double before = all_.up_to_rank(begin), up_to = all_.up_to_rank(end);
   for (size_t i = begin; i < end; ++i) {
-    const uint32_t m = all_[i];
-    const double part = 1 / double(end - begin);
+    const uint32_t m = all_.meters[i];
+    const double part = meters_.weight(m) / (up_to - before);
     offset += part * meters_.offset(m);
     bias_error += part * meters_.bias_error(m);
     for (uint32_t b = 0; b < meters_.used(); ++b) batches[b] += part * double(meters_.batch(m, b));
   }
   const double own = error_of_mean(meters_.used(), 1, [&](uint32_t b) { return batches[b]; });
   const double below = offset + t_quantile(meters_.used()) * std::hypot(own, bias_error);
-  const CrossReading cross = cross_reading(meters_, by_half_, begin, end);
+  const CrossReading cross =
+      cross_reading(meters_, {by_half_[0].between(before, up_to), by_half_[1].between(before, up_to)});
   return {std::min(value - below, cross.value - cross.above), std::max(value + below, cross.value + cross.above)};
 }
 
@@ -176,9 +218,9 @@ Interval MeterRanks::interval(size_t rank) const {
 }
 
 double MeterRanks::share_above(double threshold) const {
-  size_t above = 0;
-  for (size_t m = 0; m < count(); ++m) above += lower_.value(m) >= threshold;
-  return double(above) / double(count());
+  size_t first = 0;
+  while (first < count() && value(first) < threshold) ++first;
+  return lower_.share_from(first);
 }
 
 // The first rank whose interval's end is not below the threshold; intervals rise with the rank.
@@ -197,19 +239,15 @@ size_t MeterRanks::first_rank(double threshold, double Interval::*end) const {
 // True values whose interval lies above are surely above; those whose interval lies below surely are not.
 Interval MeterRanks::share_above_interval(double threshold) const {
   if (lower_.used() < min_batches_of_interval) return {};
-  const auto share = [&](size_t first) { return double(count() - first) / double(count()); };
-  return {share(first_rank(threshold, &Interval::low)), share(first_rank(threshold, &Interval::high))};
+  return {lower_.share_from(first_rank(threshold, &Interval::low)),
+          lower_.share_from(first_rank(threshold, &Interval::high))};
 }
 
 namespace {
 
-Interval fifth_percentile(const MeterBatches& meters) {
-  return LowerRanks(meters).interval(rank_at(meters.count(), 0.05));
-}
-
-void add_intervals(const MeterBatches& meters, ups_meter_statistics& s) {
+void add_intervals(const MeterBatches& meters, const LowerRanks& ranks, ups_meter_statistics& s) {
   const auto positive = [](Interval i) { return Interval{std::max(0.0, i.low), std::max(0.0, i.high)}; };
-  const Interval least = positive(minimum_interval(meters)), fifth = positive(fifth_percentile(meters)),
+  const Interval least = positive(minimum_interval(meters)), fifth = positive(ranks.interval(ranks.rank_at(0.05))),
                  most = minimum_interval(meters.negative());
   s.min_low_lx = least.low, s.min_high_lx = least.high;
   s.max_low_lx = std::max(0.0, -most.high), s.max_high_lx = -most.low;
@@ -252,9 +290,10 @@ ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passe
   s.max_lx = *std::max_element(values.begin(), values.end());
   s.uniformity = s.mean_lx > 0 ? s.min_lx / s.mean_lx : 0;
   s.diversity = s.max_lx > 0 ? s.min_lx / s.max_lx : 0;
-  s.percentile_5_lx = quantile(values, 0.05);
+  const LowerRanks ranks(meters);
+  s.percentile_5_lx = ranks.value(ranks.rank_at(0.05));
   add_mean(meters, passes, known, s);
-  if (meters.used() >= min_batches_of_interval) add_intervals(meters, s);
+  if (meters.used() >= min_batches_of_interval) add_intervals(meters, ranks, s);
   return s;
 }
 

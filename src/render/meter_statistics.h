@@ -1,6 +1,7 @@
 // What can be said of a set of meters as a whole: its mean, extremes, uniformity and fifth percentile, with 95 %
 // intervals. Meters share light paths, so aggregates have batches of their own. Called by the accumulator.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "render/spread.h"
@@ -16,7 +17,7 @@ class MeterBatches {
     double value;
     Spread bias;
     double unfound;  // bound on light that few paths have found; 0: the batches know the error
-    double weight = 1;  // in the mean
+    double weight = 1;  // in the mean and in percentiles: an area, or all alike
   };
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);
@@ -26,6 +27,7 @@ class MeterBatches {
   size_t count() const { return meters_.size(); }
   uint32_t used() const { return used_; }
   double value(size_t m) const { return meters_[m].value; }
+  double weight(size_t m) const { return meters_[m].weight; }
   float batch(size_t m, uint32_t b) const { return batches_[m * used_ + b]; }
   double standard_error(size_t m) const;
   // 95 %, noise and bias, or unfound.
@@ -65,12 +67,25 @@ class LowerRanks {
   explicit LowerRanks(MeterBatches of);
   size_t count() const { return meters_.count(); }
   uint32_t used() const { return meters_.used(); }
-  double value(size_t rank) const { return meters_.value(all_[rank]); }
+  double value(size_t rank) const { return meters_.value(all_.meters[rank]); }
+  size_t rank_at(double share) const;  // that this share of the weight is below
+  double share_from(size_t rank) const { return 1 - all_.up_to_rank(rank) / all_.up_to.back(); }  // of the weight
   Interval interval(size_t rank) const;  // 95 %; of the upper half the negative meters' ranks tell more
 
  private:
+  double noise_at(size_t rank) const;
+  Interval interval_at(size_t rank) const;
+  struct Order {
+    std::vector<uint32_t> meters;  // ascending
+    std::vector<double> up_to;     // by rank, the weight of it and those before
+    Order() = default;
+    Order(const MeterBatches& of, const std::vector<double>& values);
+    double up_to_rank(size_t rank) const { return rank > 0 ? up_to[rank - 1] : 0; }
+    size_t rank_above(double weight) const;
+    std::span<const uint32_t> between(double begin, double end) const;
+  };
   MeterBatches meters_;
-  std::vector<uint32_t> all_, by_half_[2];  // in ascending order of all batches, of the even and of the odd ones
+  Order all_, by_half_[2];  // by all batches, by the even and by the odd ones
 };
 
 // All of them.
@@ -79,8 +94,9 @@ class MeterRanks {
   explicit MeterRanks(const MeterBatches& meters);
   size_t count() const { return lower_.count(); }
   double value(size_t rank) const { return lower_.value(rank); }
+  size_t rank_at(double share) const { return lower_.rank_at(share); }
   Interval interval(size_t rank) const;  // 95 %; rank < count()
-  // Of the true values at least as large as the threshold: their share, and its 95 % interval.
+  // Of the true values at least as large as the threshold: their share by weight, and its 95 % interval.
   double share_above(double threshold) const;
   Interval share_above_interval(double threshold) const;
 
@@ -88,9 +104,6 @@ class MeterRanks {
   size_t first_rank(double threshold, double Interval::*end) const;
   LowerRanks lower_, upper_;  // upper_: of the negative
 };
-// Of so many: the rank that a share of them is below.
-inline size_t rank_at(size_t count, double share) { return std::min(count - 1, size_t(share * double(count))); }
-
 // All but the relative errors, of so many passes. known: the spread of the mean's batches is its error.
 ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passes, bool known);
 

@@ -93,7 +93,7 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
   // so large beside the reading's own, whose photons are stratified, that it could not tell. Nor is bias known better
   // than its model: a fit of even curvature sees three fifths of a slope's, so 95 % are taken to be within two thirds.
   const bool noise = offset <= 2 * bias.standard_error,
-             once = noise && photons.mean_radius2 > 0 && bias.standard_error < 3 * e.standard_error;
+             once = noise && photons.bias_scale > 0 && bias.standard_error < 3 * e.standard_error;
   const double t = noise ? t_quantile(visits, offset, e.standard_error) : t_quantile(visits),
                model = 0.31 * offset,
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * bias.standard_error, t * model);

@@ -25,7 +25,7 @@ struct Pooled {
 
 // Of meters with discs of similar size: a disc is narrow where light is not like its neighbours'.
 bool alike(const OwnBias& a, const OwnBias& b) {
-  return b.mean_radius2 <= 2.1 * a.mean_radius2 && a.mean_radius2 <= 2.1 * b.mean_radius2;
+  return b.bias_scale <= 2.1 * a.bias_scale && a.bias_scale <= 2.1 * b.bias_scale;
 }
 
 // between: so many standard deviations of chance, of the chi-square that tells of it, more than estimated.

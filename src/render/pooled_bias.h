@@ -7,11 +7,11 @@
 
 namespace ups {
 
-// Of a meter, estimated by itself. mean_radius2: of its disc, m2; 0: without one.
+// Of a meter, estimated by itself. bias_scale: of its disc (Rings); 0: without one.
 struct OwnBias {
   Spread bias;
-  double lx, mean_radius2;
-  double scale() const { return mean_radius2 > 0 ? lx * mean_radius2 : lx; }
+  double lx, bias_scale;
+  double scale() const { return bias_scale > 0 ? lx * bias_scale : lx; }
   bool is_beyond_doubt() const { return std::abs(bias.mean) > 2 * bias.standard_error; }
 };
 

@@ -53,7 +53,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
     bias_variance += std::pow(share * std::max(0.0, side.bias.standard_error), 2);
     out.photons.narrower += size * side.photons.narrower;
     out.photons.choice_variance += share * share * side.photons.choice_variance;
-    out.photons.mean_radius2 = std::max(out.photons.mean_radius2, side.photons.mean_radius2);
+    out.photons.bias_scale = std::max(out.photons.bias_scale, side.photons.bias_scale);
     out.photons.halves_differ |= side.photons.halves_differ;
   }
   out.bias.standard_error = std::sqrt(bias_variance);

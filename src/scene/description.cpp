@@ -454,9 +454,11 @@ ups_sensor_id Description::add_goniometer(const ups_goniometer_desc& d) {
 ups_sensor_id Description::add_observer(const ups_observer_desc& d) {
   check::enumeration(d.metric, UPS_GLARE_METRIC_UGR, "metric", "UPS_GLARE_METRIC_*");
   check::enumeration(d.position_index, UPS_POSITION_INDEX_GUTH, "position_index", "UPS_POSITION_INDEX_*");
-  check::require(d.reserved == 0, "reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  check::finite(d.ceiling_area_m2, "ceiling_area_m2");
+  check::require(d.ceiling_area_m2 >= 0, "ceiling_area_m2 is " + check::text(d.ceiling_area_m2) +
+                                             "; it must be above 0, or 0 for the scene's extent");
   check::transform(d.to_world, "to_world");
-  return {sensors_.add(ObserverDescription{to_affine(d.to_world), d.position_index})};
+  return {sensors_.add(ObserverDescription{to_affine(d.to_world), d.position_index, d.ceiling_area_m2})};
 }
 
 }  // namespace ups

@@ -89,6 +89,7 @@ struct GoniometerDescription {
 struct ObserverDescription {
   Affine to_world;
   ups_position_index position_index;
+  float ceiling_area;
 };
 
 class Description {

@@ -197,7 +197,7 @@ void Builder::add_sensors() {
       eye.positions = std::make_shared<const std::vector<Vec3d>>(1, o->to_world.column(3));
       eye.normals = {Vec3(-axes.z)};
       out_->observers.push_back({uint32_t(out_->meter_sets.size()), axes.frame(),
-                                 photometry::PositionIndex(o->position_index)});
+                                 photometry::PositionIndex(o->position_index), double(o->ceiling_area)});
       out_->observer_ids.push_back(id);
       out_->meter_sets.push_back(make_meters(eye));
       out_->meter_set_ids.push_back(id);

@@ -97,6 +97,7 @@ void Builder::add_emissive_instances() {
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     const std::string name = "instance " + std::to_string(out_->instance_ids[i]);
     out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group, -1, described.to_world});
+    out_->sources.back().of_fixture = described.of_fixture;
     bound(out_->sources.back(), corners);
     const auto index = uint32_t(emitters_.size());
     const bool both_sides = material.emits_both_sides == 1;

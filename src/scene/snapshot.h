@@ -40,6 +40,7 @@ struct Source {
   uint32_t id, group;
   int32_t light_kind = -1;  // UPS_LIGHT_* of a light
   Affine to_world{};
+  bool of_fixture = false;
   Vec3d bounds_min, bounds_max;  // world: of the opening that emits, of the surface; without extent its place
   std::shared_ptr<const photometry::Photometry> profile;  // of a luminaire
 };
@@ -49,6 +50,7 @@ struct Observer {
   uint32_t meter_set;
   Frame frame;
   photometry::PositionIndex position_index;
+  double ceiling_area;  // m^2; 0: the scene's extent
 };
 
 struct Snapshot {

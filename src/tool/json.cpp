@@ -83,15 +83,21 @@ ordered_json observer_json(const ObserverReport& observer) {
                        {"small", (s.flags & UPS_GLARE_FLAG_SMALL) != 0},
                        {"large", (s.flags & UPS_GLARE_FLAG_LARGE) != 0}});
   const bool rated = !(r.flags & (UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_NO_BACKGROUND));
-  return {{"ugr", number(r.ugr)},
-          {"ugr_standard_error", number(r.ugr_standard_error)},
-          {"ugr_low", number(r.ugr_low)},
-          {"ugr_high", number(r.ugr_high)},
-          {"background_cd_m2", number(r.background_cd_m2)},
-          {"background_standard_error_cd_m2", number(r.background_standard_error_cd_m2)},
-          {"background_error_bound_cd_m2", number(r.background_error_bound_cd_m2)},
-          {"rated", rated},
-          {"sources", sources}};
+  ordered_json all = {{"ugr", number(r.ugr)},
+                      {"ugr_standard_error", number(r.ugr_standard_error)},
+                      {"ugr_low", number(r.ugr_low)},
+                      {"ugr_high", number(r.ugr_high)},
+                      {"background_cd_m2", number(r.background_cd_m2)},
+                      {"background_standard_error_cd_m2", number(r.background_standard_error_cd_m2)},
+                      {"background_error_bound_cd_m2", number(r.background_error_bound_cd_m2)},
+                      {"rated", rated},
+                      {"sources", sources}};
+  if (r.ceiling_coverage > 0)
+    all.update({{"ceiling_coverage", number(r.ceiling_coverage)},
+                {"ggr", number(r.ggr)},
+                {"ggr_low", number(r.ggr_low)},
+                {"ggr_high", number(r.ggr_high)}});
+  return all;
 }
 
 }  // namespace

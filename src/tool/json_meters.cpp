@@ -43,7 +43,12 @@ ordered_json meters_json(const std::vector<MeterReport>& sets) {
 
 ordered_json ratios_json(const std::vector<RatioReport>& ratios) {
   ordered_json all = ordered_json::object();
-  for (const RatioReport& r : ratios) all[r.numerator + "/" + r.denominator] = interval_json(r.ratio);
+  for (const RatioReport& r : ratios) {
+    ordered_json& ratio = all[r.numerator + "/" + r.denominator] = interval_json(r.ratio);
+    if (r.points > 0)
+      ratio["meter_by_meter"] = {
+          {"count", r.points}, {"least", interval_json(r.least)}, {"greatest", interval_json(r.greatest)}};
+  }
   return all;
 }
 

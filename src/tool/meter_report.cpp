@@ -22,15 +22,28 @@ std::string kind_word(ups_meter_kind kind) {
   return words[kind];
 }
 
-ups_sensor_id set_of(const LoadedScene& scene, const std::string& name) {
+const ups_gltf_sensor_info& set_of(const LoadedScene& scene, const std::string& name) {
   std::string names;
   for (const SensorEntry& sensor : scene.sensors) {
     if (sensor.info.kind != UPS_GLTF_METERS) continue;
-    if (sensor.name == name) return sensor.info.sensor;
+    if (sensor.name == name) return sensor.info;
     names += (names.empty() ? "" : ", ") + sensor.name;
   }
   throw Failure("--ratio: the scene has no meters of the name " + name + "; it has " +
                 (names.empty() ? "none" : names));
+}
+
+// Meter by meter, least and greatest: of cylindrical over horizontal ones the modelling index.
+void read_points(const ups_result* result, const ups_gltf_sensor_info& a, const ups_gltf_sensor_info& b,
+                 RatioReport& r) {
+  if (a.meter_count != b.meter_count) return;
+  std::vector<ups_interval> points(a.meter_count);
+  check(ups_result_read_meter_ratios(result, a.sensor, b.sensor, points.data(), points.size()));
+  std::erase_if(points, [](const ups_interval& i) { return i.value < 0; });
+  if (points.empty()) return;
+  const auto [least, greatest] = std::minmax_element(
+      points.begin(), points.end(), [](const ups_interval& i, const ups_interval& j) { return i.value < j.value; });
+  r.points = points.size(), r.least = *least, r.greatest = *greatest;
 }
 
 }  // namespace
@@ -57,7 +70,9 @@ std::vector<RatioReport> read_ratios(const LoadedScene& scene, const ups_result*
   std::vector<RatioReport> ratios;
   for (const auto& [numerator, denominator] : questions.ratios) {
     RatioReport r{numerator, denominator, {}};
-    check(ups_result_get_meter_ratio(result, set_of(scene, numerator), set_of(scene, denominator), &r.ratio));
+    const ups_gltf_sensor_info &a = set_of(scene, numerator), &b = set_of(scene, denominator);
+    check(ups_result_get_meter_ratio(result, a.sensor, b.sensor, &r.ratio));
+    read_points(result, a, b, r);
     ratios.push_back(r);
   }
   return ratios;
@@ -80,8 +95,12 @@ std::string to_text(const MeterReport& meters) {
 }
 
 std::string to_text(const RatioReport& r) {
-  return format("ratio %s / %s: %.4g%s\n", r.numerator.c_str(), r.denominator.c_str(), r.ratio.value,
-                interval_text(r.ratio, "%.4g").c_str());
+  std::string text = format("ratio %s / %s: %.4g%s", r.numerator.c_str(), r.denominator.c_str(), r.ratio.value,
+                            interval_text(r.ratio, "%.4g").c_str());
+  if (r.points > 0)
+    text += format("; meter by meter from %.4g%s to %.4g%s", r.least.value, interval_text(r.least, "%.4g").c_str(),
+                   r.greatest.value, interval_text(r.greatest, "%.4g").c_str());
+  return text + "\n";
 }
 
 }  // namespace ups::tool

@@ -28,7 +28,10 @@ struct MeterReport {
 
 struct RatioReport {
   std::string numerator, denominator;
-  ups_interval ratio;
+  ups_interval ratio;  // of the means
+  // Of sets of as many meters: the ratio meter by meter, least and greatest. Without meters to compare: points == 0.
+  size_t points = 0;
+  ups_interval least{-1, -1, -1}, greatest{-1, -1, -1};
 };
 
 MeterReport read_meter_report(const ups_result* result, const SensorEntry& set, const MeterQuestions& questions);

@@ -275,7 +275,8 @@ void add_render(CLI::App& app, RenderOptions& options) {
             for (const std::string& text : all)
               options.questions.ratios.emplace_back(text.substr(0, text.find('/')), text.substr(text.find('/') + 1));
           },
-          "The mean of the meters A over that of the meters B, by their names")
+          "The mean of the meters A over that of the meters B, by their names; of sets of as many meters the least and "
+          "greatest ratio meter by meter, too (cylindrical over horizontal: the modelling index)")
       ->check(CLI::Validator(
           [](const std::string& text) {
             const size_t slash = text.find('/');

@@ -83,6 +83,8 @@ struct LuminaireType {
 // By file and flux, in the scene's order; sources that emit nothing are left out.
 std::vector<LuminaireType> luminaire_types(const LoadedScene& scene);
 
+ups_scene_info info_of(const LoadedScene& scene);
+
 // ---- drawings
 
 Drawing plan_drawing(const PageInput& in, const std::vector<LuminaireType>& types);

@@ -16,6 +16,7 @@ std::string rating(const ups_observer_reading& r) {
   std::string text = format("%.1f", double(r.ugr));
   if (r.ugr_low != -1 && r.ugr_high != -1)
     text += format(" <span class=\"i\">%.1f to %.1f</span>", double(r.ugr_low), double(r.ugr_high));
+  if (r.ceiling_coverage > 0) text += format(" <span class=\"i\">GGR %.1f</span>", double(r.ggr));
   return text;
 }
 
@@ -41,7 +42,9 @@ std::string remarks(const Report& report) {
   const std::pair<uint32_t, const char*> all[] = {
       {UPS_OBSERVER_LARGE_SOURCE, "A source of more than 0.1 sr is in view, for which UGR is too low (CIE 147)"},
       {UPS_OBSERVER_POINT_SOURCE, "A source without extent is in view, rated as a small one (CIE 147)"},
-      {UPS_OBSERVER_UNRATED_SOURCE, "A directional light or the rays of a file are in no rating"}};
+      {UPS_OBSERVER_UNRATED_SOURCE, "A directional light or the rays of a file are in no rating"},
+      {UPS_OBSERVER_FIXTURE,
+       "A fixture is in view, whose own reflectors, lenses and covers count as background: the rating is too low"}};
   std::vector<std::string> items;
   for (const auto& [flag, words] : all) {
     std::string names;
@@ -65,7 +68,7 @@ Section glare_section(const PageInput& in) {
           html_table(table, "Glare ratings") + remarks(in.report) +
               "<p>Unified glare rating of CIE 117 from the eye's place and line of sight; the background is the "
               "indirect light at the eye. Steps that people tell apart: 10, 13, 16, 19, 22, 25, 28; less is "
-              "better.</p>\n"};
+              "better. GGR is the rating of CIE 147 where sources above 1.5\u00a0m\u00b2 are in view.</p>\n"};
 }
 
 }  // namespace ups::tool

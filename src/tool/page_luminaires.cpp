@@ -71,7 +71,16 @@ double power_w(const LuminaireType& type, const ProfileReport& report) {
   return as_filed && report.info.input_power_w > 0 ? report.info.input_power_w : -1;
 }
 
-std::string schedule(const std::vector<LuminaireType>& types) {
+// In all, and of the scene's extent seen from above, which is the room's where nothing stands outside it.
+std::string connected_load(const ups_scene_info& scene, double power_w) {
+  const double area = (scene.bounds_max_m[0] - scene.bounds_min_m[0]) * (scene.bounds_max_m[1] - scene.bounds_min_m[1]);
+  std::string text = format("<p>Connected load: %.5g W", power_w);
+  if (area > 0 && std::isfinite(area))
+    text += format(", %.3g W/m\u00b2 of the scene's extent in plan, %.4g m\u00b2", power_w / area, area);
+  return text + ".</p>\n";
+}
+
+std::string schedule(const std::vector<LuminaireType>& types, const ups_scene_info& scene) {
   HtmlTable table{"Luminaires <span class=\"soft\">as they are dimmed in the scene</span>",
                   {"Type", "Luminaire", "Count", "Flux of each, lm", "Flux of all, lm"}, {}, 2};
   double flux = 0, power = 0;
@@ -105,7 +114,7 @@ std::string schedule(const std::vector<LuminaireType>& types) {
     if (with_power) table.rows.back().push_back(all_powers ? format("%.3g", flux / power) : "");
   }
   return html_table(table, "Schedule of luminaires") +
-         (all_powers && with_power ? format("<p>Connected load: %.5g W.</p>\n", power) : "");
+         (all_powers && with_power ? connected_load(scene, power) : "");
 }
 
 // With the flux that it has in the scene: a rating rises by 8 log10 of it.
@@ -223,9 +232,9 @@ std::vector<LuminaireType> luminaire_types(const LoadedScene& scene) {
   return types;
 }
 
-Section luminaires_section(const PageInput&, const std::vector<LuminaireType>& types) {
+Section luminaires_section(const PageInput& in, const std::vector<LuminaireType>& types) {
   if (types.empty()) return {};
-  return {"luminaires", "Luminaires", schedule(types) + diagrams(types) + places(types)};
+  return {"luminaires", "Luminaires", schedule(types, info_of(in.scene)) + diagrams(types) + places(types)};
 }
 
 }  // namespace ups::tool

@@ -103,9 +103,7 @@ std::vector<double> meter_places(const LoadedScene& scene, uint32_t index) {
 
 // Of the geometry, and of all luminaires and meters that have a place: a scene may have no surfaces.
 Bounds bounds_of(const PageInput& in, const std::vector<LuminaireType>& types) {
-  ups_scene_info info{};
-  info.struct_size = sizeof info;
-  check(ups_scene_get_info(in.scene.scene.get(), &info));
+  const ups_scene_info info = info_of(in.scene);
   Bounds b;
   std::copy(info.bounds_min_m, info.bounds_min_m + 3, b.low);
   std::copy(info.bounds_max_m, info.bounds_max_m + 3, b.high);

@@ -12,13 +12,6 @@
 namespace ups::tool {
 namespace {
 
-ups_scene_info info_of(const LoadedScene& scene) {
-  ups_scene_info info{};
-  info.struct_size = sizeof info;
-  check(ups_scene_get_info(scene.scene.get(), &info));
-  return info;
-}
-
 std::string wide_figure(const std::string& svg, const std::string& label, const std::string& caption,
                         const char* style = "wide") {
   return html_figure("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" + html_text(label) + "\">\n" +
@@ -59,6 +52,13 @@ std::string picture(const PageInput& in, const SensorEntry& camera) {
 }
 
 }  // namespace
+
+ups_scene_info info_of(const LoadedScene& scene) {
+  ups_scene_info info{};
+  info.struct_size = sizeof info;
+  check(ups_scene_get_info(scene.scene.get(), &info));
+  return info;
+}
 
 Section scene_section(const PageInput& in, const std::vector<LuminaireType>& types) {
   const ups_scene_info info = info_of(in.scene);

@@ -137,6 +137,8 @@ std::string observer_text(const ObserverReport& observer) {
   else
     text += format("UGR %.1f", r.ugr) +
             (r.ugr_low == -1 || r.ugr_high == -1 ? "" : format(" (%.1f to %.1f)", r.ugr_low, r.ugr_high));
+  if (r.ceiling_coverage > 0)
+    text += format(", GGR %.1f (CIE 147: large sources over %.0f %% of the ceiling)", r.ggr, 100 * r.ceiling_coverage);
   text += r.background_cd_m2 < 0 ? ", background unknown" : format(", background %.4g cd/m^2", r.background_cd_m2);
   if (observer.sources.empty()) return text + "\n";
   const GlareSourceReport& worst = observer.sources[0];

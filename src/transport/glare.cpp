@@ -47,13 +47,17 @@ struct Eye {
     return out;
   }
 
+  double index_of(const Vec3& direction) const {
+    const Vec3 local = observer.frame.to_local(direction);
+    return photometry::position_index(observer.position_index, double(local.x), double(local.y), -double(local.z));
+  }
+  bool is_in_view(const Emitter& emitter) const { return index_of(emitter.center() - meter.p) >= 0; }
+
   bool see(uint32_t index, SeenSource& out) const {
     const Emitter& emitter = scene.emitters[index];
     Sight sight;
     if (!emitter.seen_from(meter.p, sight)) return false;
-    const Vec3 local = observer.frame.to_local(sight.direction);
-    out.glare.position_index = photometry::position_index(observer.position_index, double(local.x), double(local.y),
-                                                          -double(local.z));
+    out.glare.position_index = index_of(sight.direction);
     if (out.glare.position_index < 0) return false;
     int side = emitter.is_delta() ? 1 : 8;
     Look look = look_at(emitter, side);
@@ -76,6 +80,30 @@ struct Eye {
   }
 };
 
+// As the floor far below sees it.
+double area_from_below(const Emitter& emitter) {
+  const double away = 1000 * double(emitter.radius());
+  Sight sight;
+  if (!(away > 0) || !emitter.seen_from(emitter.center() - Vec3(0, 0, float(away)), sight)) return 0;
+  return sight.solid_angle_sr * away * away;
+}
+
+// CIE 147's CC. The sources behind the eye cover the ceiling, too.
+double ceiling_coverage(const Snapshot& scene, const Observer& observer, const std::vector<SeenSource>& seen) {
+  const auto is_large = [](double area_m2) { return area_m2 > photometry::large_source_m2; };
+  const auto looks_large = [&](const SeenSource& s) {
+    return is_large(area_from_below(scene.emitters[s.emitter])) ||
+           is_large(s.glare.solid_angle_sr * s.glare.distance_m * s.glare.distance_m);
+  };
+  if (std::none_of(seen.begin(), seen.end(), looks_large)) return 0;
+  double area = 0;
+  for (size_t i = 0; i < scene.emitters.size(); ++i)
+    if (const double own = area_from_below(scene.emitters[i]); is_large(own)) area += own;
+  const Vec3 extent = scene.raytracer->bounds_max() - scene.raytracer->bounds_min();
+  const double ceiling = observer.ceiling_area > 0 ? observer.ceiling_area : double(extent.x) * double(extent.y);
+  return ceiling > 0 ? std::min(1.0, area / ceiling) : 0;
+}
+
 }  // namespace
 
 SeenGlare find_glare(const Snapshot& scene, const Observer& observer, ThreadPool& pool, const StopSignal& stop) {
@@ -90,12 +118,14 @@ SeenGlare find_glare(const Snapshot& scene, const Observer& observer, ThreadPool
   for (size_t i = 0; i < all.size(); ++i) {
     const EmitterKind kind = scene.emitters[i].kind();
     out.has_unrated |= kind == EmitterKind::directional || kind == EmitterKind::rays;
+    out.has_fixture |= scene.sources[scene.source_of_emitter[i]].of_fixture && eye.is_in_view(scene.emitters[i]);
     if (!is_seen[i]) continue;
     out.sources.push_back(all[i]);
     out.sum += all[i].term;
     variance += all[i].term_error * all[i].term_error;
   }
   out.sum_error = std::sqrt(variance);
+  out.ceiling_coverage = ceiling_coverage(scene, observer, out.sources);
   std::stable_sort(out.sources.begin(), out.sources.end(),
                    [](const SeenSource& a, const SeenSource& b) { return a.term > b.term; });
   return out;

@@ -19,7 +19,9 @@ struct SeenSource {
 struct SeenGlare {
   std::vector<SeenSource> sources;  // with a term above 0, the largest first
   double sum = 0, sum_error = 0;    // of the terms
+  double ceiling_coverage = 0;      // by large sources (CIE 147); 0 where none is seen
   bool has_unrated = false;         // sources without a luminance or intensity: parallel light, rays of a file
+  bool has_fixture = false;         // one in view, whose own optics are no source
 };
 
 // From fixed places of each emitter. Ends early, with what was found, where `stop` was set.

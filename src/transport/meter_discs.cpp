@@ -18,11 +18,13 @@ Rings MeterDiscs::rings(uint32_t m, float min_radius) const {
   uint32_t ending[max_rings + 1] = {}, seen = sectors_;  // sectors before a ring; that reach it
   for (uint32_t i = 0; i < sectors_; ++i) ++ending[limits_[size_t(m) * sectors_ + i]];
   double inner = 0;
+  const bool halved = !height_.empty() && std::isfinite(height_[m]);
   for (uint32_t k = 0; k < rings_; ++k) {
     seen -= ending[k];
     const double outer = std::ldexp(double(radius_[m]) * radius_[m], int(k + 1) - int(rings_));
     r.area[k] = 3.14159265358979323846 * (outer - inner) * (sectors_ ? double(seen) / sectors_ : 1.0);
     r.radius2[k] = 0.5 * (outer + inner);
+    r.bias_scale[k] = halved ? 2.0 / 3 * (std::pow(outer, 1.5) - std::pow(inner, 1.5)) / (outer - inner) : r.radius2[k];
     if (outer < double(min_radius) * min_radius && k + 1 < rings_) r.narrowest = k + 1;
     inner = outer;
   }

@@ -19,6 +19,8 @@ struct Rings {
   uint32_t narrowest = 0;  // the outermost of the narrowest disc that coordinates resolve
   double area[max_rings] = {};     // m2, what is seen
   double radius2[max_rings] = {};  // m2, mean over the ring
+  // What the bias is proportional to where light changes evenly: r^2, of half discs r, as means over the ring.
+  double bias_scale[max_rings] = {};
 };
 
 class MeterDiscs {

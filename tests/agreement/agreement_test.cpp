@@ -166,9 +166,9 @@ class PointLitDiffuseRoom : public ::testing::Test {
 
 TEST_F(PointLitDiffuseRoom, CellsAgree) {
   const Sensor cells =
-      scene.add_cells(grid(0), std::vector<P3>(16, {0, 0, 1}), std::vector<P3>(16, {1, 0, 0}), 0.3, 0.3);
+      scene.add_cells(grid(0), std::vector<P3>(16, {0, 0, 1}), std::vector<P3>(16, {1, 0, 0}), 0.5, 0.5);
   std::vector<Trial> trials;
-  for (const ups_method m : cell_methods) trials.push_back(trial(m, 128, 1u << 15));
+  for (const ups_method m : cell_methods) trials.push_back(trial(m, 96, 1u << 14));
   expect_agreement(scene, cells, trials, 0.015);
 }
 

@@ -106,6 +106,7 @@ class LitFloor : public ::testing::Test {
   std::vector<Set> sets;
   static constexpr int grid = 64;  // points of the integrals along a side
   std::vector<double> floor_lx;
+  bool on_floor = false;
 
   void SetUp() override {
     scene.add(lamp, emitter(luminance));
@@ -115,16 +116,19 @@ class LitFloor : public ::testing::Test {
           luminance * polygon_irradiance_factor(lamp.vertices, {at(i / grid), at(i % grid), 0}, {0, 0, 1}));
   }
   static double at(int i) { return -2 + 4 * (i + 0.5) / grid; }
-  // Sixteen of each kind, some way off the middle.
+  // Over a quarter of the floor, apart, as what each sees is noise of its own then: 64 points of each kind, 16 cells.
   void add_meters(bool cells, double height) {
+    on_floor = height == 0;
     const P3 n = height > 0 ? normalize({0.5, 0.25, 0.8}) : P3{0, 0, 1};
-    for (int i = 0; i < 16; ++i) {
-      centers.push_back({0.7 + 0.13 * (i % 4), -0.8 + 0.13 * (i / 4), height});
+    const int side_count = cells ? 4 : 8;
+    const double apart = 1.6 / side_count;
+    for (int i = 0; i < side_count * side_count; ++i) {
+      centers.push_back({0.2 + apart * (i % side_count), -1.4 + apart * (i / side_count), height});
       normals.push_back(n);
       tangents.push_back(normalize(cross(n, {0.2, 1, 0.1})));
     }
     for (const ups_meter_kind kind : all_kinds) {
-      if (kind == UPS_METER_SEMICYLINDRICAL && height == 0) continue;
+      if (height == 0 && (kind == UPS_METER_SEMICYLINDRICAL || kind == UPS_METER_VECTOR)) continue;
       scene.set_meter_kind(kind);
       const Sensor s = cells ? scene.add_cells(centers, normals, tangents, side, side)
                              : scene.add_meters(centers, normals);
@@ -162,20 +166,16 @@ class LitFloor : public ::testing::Test {
       if (p.z > 0) add({at(i / grid), at(i % grid), 0}, {0, 0, 1}, rho / pi_d * floor_lx[size_t(i)], area);
     }
     // A meter on the floor sees it fill its lower hemisphere, all of one luminance: that of the point.
-    if (p.z == 0 && kind != UPS_METER_PLANAR && kind != UPS_METER_HEMISPHERICAL) {
-      const double l = rho / pi_d * luminance * polygon_irradiance_factor(lamp.vertices, p, {0, 0, 1});
-      if (kind == UPS_METER_VECTOR)
-        sum.z -= pi_d * l;
-      else
-        sum.x += pi_d / 2 * l;
-    }
+    if (p.z == 0 && (kind == UPS_METER_CYLINDRICAL || kind == UPS_METER_SPHERICAL))
+      sum.x += pi_d / 2 * rho / pi_d * luminance * polygon_irradiance_factor(lamp.vertices, p, {0, 0, 1});
     return sum;
   }
 
   // Within 0.3 %. Noise of a set's mean is brought below 0.1 %, so that an error of 0.6 % is found in 99 cases of 100;
   // of a vector's components, too, over its length. P(|t_15| > 3) = 0.9 % for each comparison at the limit of noise.
   // Connections and landings are noisier, 0.2 %: an error of 0.9 % is found in 99 cases of 100 of connections, where
-  // P(|t_15| > 1.5) is 15 %, but seeds are fixed; of landings, whose weight is that of one over a cosine, within 0.6 %.
+  // P(|t_15| > 1.5) is 15 %, but seeds are fixed; of landings, whose weight is that of one over a cosine, within 0.6 %;
+  // on the floor discs across the light are halved, so that merging there is off by 2 %: as much as the bound says.
   // light_alone: light paths do the work.
   void expect(RenderOptions options, const std::string& what, bool light_alone = false, double noise = 0.001,
               double tolerance = 0.003) {
@@ -195,7 +195,9 @@ class LitFloor : public ::testing::Test {
       EXPECT_FALSE(is_noisy(s)) << of << ": " << result.statistics(s.meters).mean_standard_error_lx;
       const double size = s.length;
       if (s.kind != UPS_METER_VECTOR) {
-        EXPECT_NEAR(result.statistics(s.meters).mean_lx, size, tolerance * size) << of;
+        const ups_meter_statistics mean = result.statistics(s.meters);
+        EXPECT_NEAR(mean.mean_lx, size, on_floor ? mean.mean_error_bound_lx : tolerance * size) << of;
+        EXPECT_LE(mean.mean_error_bound_lx, 0.04 * size) << of;
         continue;
       }
       const auto vectors = result.vectors(s.meters);
@@ -244,6 +246,16 @@ TEST_F(LitFloor, CellsByAllTechniques) {
   add_meters(true, 0.8);
   expect({.method = UPS_METHOD_UPS}, "all");
 }
+// What lies on the floor sees it as near as can be: all photons of its lower half land at its foot.
+TEST_F(LitFloor, PointsOnTheFloorByMerging) {
+  add_meters(false, 0);
+  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging on the floor", true, 0.002);
+}
+TEST_F(LitFloor, PointsOnTheFloorByAllTechniques) {
+  add_meters(false, 0);
+  expect({.method = UPS_METHOD_UPS}, "all on the floor", false, 0.002);
+}
+
 // ---- a closed white room ----
 
 // A sphere whose wall emits and reflects: L is the same from everywhere, E / (pi L) = 1, but 3/4 of a dome, and no

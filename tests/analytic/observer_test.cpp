@@ -171,6 +171,28 @@ TEST(Observer, PanesWeaken) {
   EXPECT_EQ(s.visible_share, 1);
 }
 
+// A luminous ceiling of 4 x 3 m: GGR by the eye's own direct and indirect illuminance.
+TEST(Observer, LuminousCeilingsAreRatedByCie147) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), matte(0.4));
+  scene.add(quad({0, 0, 2.49}, {0, 3, 0}, {4, 0, 0}), emitter(200));
+  const Sensor eye = scene.add_observer({2, 0.3, 1.2}, {0, 1, 0}),
+               wide = scene.add_observer({2, 0.3, 1.2}, {0, 1, 0}, UPS_POSITION_INDEX_TABLE, 24);
+  const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 64});
+  for (const auto& [observer, coverage] : {std::pair(eye, 1.0), std::pair(wide, 0.5)}) {
+    const ups_observer_reading r = result.observer(observer);
+    const ups_meter_reading lx = result.readings(observer)[0];
+    EXPECT_EQ(r.flags, uint32_t(UPS_OBSERVER_LARGE_SOURCE));
+    EXPECT_NEAR(r.ceiling_coverage, coverage, 1e-3);
+    const double share = 1.18 - 0.18 / double(r.ceiling_coverage),
+                 factor = 2.55 * (1 + lx.direct_lx / 220) / (1 + lx.direct_lx / lx.indirect_lx);
+    EXPECT_NEAR(r.ggr, r.ugr + share * 8 * std::log10(factor), 1e-3);
+    EXPECT_LT(r.ggr_low, r.ggr);
+    EXPECT_GT(r.ggr_high, r.ggr);
+    EXPECT_LT(r.ggr_high - r.ggr_low, 0.5);
+  }
+}
+
 TEST(Observer, WithoutSourcesThereIsNoRating) {
   SphereRoom room;
   const Profile lamp = profile_of(room.scene.context(), {0, 90, 180}, std::vector<float>(3, float(intensity)),

@@ -83,16 +83,16 @@ TEST(Projections, LightFromTheHalfSpaceIsWhatAMeterReads) {
   Scene scene;
   scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.6));
   scene.add(quad({1.5, 1, 2.99}, {0, 1.2, 0}, {1.2, 0, 0}), emitter(500, 0.3));
-  const Sensor meter = scene.add_meters({place}, ahead);
+  const Sensor meter = scene.add_meters({place}, ahead);  // rendered alone: an image's sum is far less noisy
+  const ups_meter_reading reading = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 512}).readings(meter)[0];
+  ASSERT_LT(reading.standard_error_lx, 0.002 * reading.illuminance_lx);
   std::vector<Sensor> cameras;
   for (const ups_projection p : projections)
-    cameras.push_back(scene.add_camera(place, ahead, side, side, 1.2, false, p));
+    if (p != UPS_PERSPECTIVE) cameras.push_back(scene.add_camera(place, ahead, side, side, 1.2, false, p));
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING}) {
-    const Result result = scene.render({.method = method, .iterations = 96});
-    const auto reading = result.readings(meter)[0];
-    ASSERT_LT(reading.standard_error_lx, 0.004 * reading.illuminance_lx);
-    for (size_t c = 1; c < cameras.size(); ++c) {
-      const std::vector<float> rgb = result.image(cameras[c]).luminance;
+    const Result result = scene.render({.method = method, .iterations = 24});
+    for (size_t c = 1; c <= cameras.size(); ++c) {
+      const std::vector<float> rgb = result.image(cameras[c - 1]).luminance;
       double lx = 0;
       for (uint32_t y = 0; y < side; ++y)
         for (uint32_t x = 0; x < side; ++x)

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fixture.h"
+#include "fixture_scene.h"
 
 namespace ups_test {
 namespace {
@@ -95,8 +95,10 @@ TEST_F(Glare, ObserversAreChecked) {
   d.to_world[3] = std::numeric_limits<double>::quiet_NaN();
   expect_error(ups_scene_add_observer(scene, &d, &id), UPS_ERROR_INVALID_ARGUMENT, {"to_world"});
   d = make(&ups_observer_desc_init);
-  d.reserved = 1;
-  expect_error(ups_scene_add_observer(scene, &d, &id), UPS_ERROR_INVALID_ARGUMENT, {"reserved"});
+  for (const float area : {-1.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    d.ceiling_area_m2 = area;
+    expect_error(ups_scene_add_observer(scene, &d, &id), UPS_ERROR_INVALID_ARGUMENT, {"ceiling_area_m2"});
+  }
 }
 
 TEST_F(Glare, ReadingsAreOfObserversAlone) {
@@ -123,6 +125,32 @@ TEST_F(Glare, ReadingsAreOfObserversAlone) {
   ups_result_destroy(result);
   EXPECT_OK(ups_scene_remove_sensor(scene, eye));
   EXPECT_OK(ups_scene_commit(scene));
+}
+
+// A spotlight in view and one behind the eye, which looks along -z. Of the one its cup is no source of its own.
+TEST_F(Fixtures, InViewOfAnObserverAreToldOf) {
+  auto emitter = cob(0.01, 1000);
+  auto cup_desc = cup();
+  EXPECT_OK(ups_fixture_add_emitter(fixture, &emitter, nullptr));
+  EXPECT_OK(ups_fixture_add_reflector(fixture, &cup_desc, nullptr));
+  auto d = make(&ups_observer_desc_init);
+  ups_sensor_id eye{};
+  EXPECT_OK(ups_scene_add_observer(scene, &d, &eye));
+  auto render = make(&ups_render_desc_init);
+  render.iteration_count = 2;
+  for (const double z : {3.0, -3.0}) {
+    place(0, 0, z);
+    EXPECT_OK(ups_scene_commit(scene));
+    ups_result* result = nullptr;
+    EXPECT_OK(ups_render(scene, &render, &result));
+    auto reading = sized<ups_observer_reading>();
+    EXPECT_OK(ups_result_get_observer(result, eye, &reading));
+    EXPECT_EQ((reading.flags & UPS_OBSERVER_FIXTURE) != 0, z < 0) << z;
+    char text[4096];
+    EXPECT_OK(ups_result_get_text(result, UPS_TEXT_WARNINGS, text, sizeof text, nullptr));
+    EXPECT_EQ(std::string(text).find("fixtures are in view") != std::string::npos, z < 0) << text;
+    ups_result_destroy(result);
+  }
 }
 
 }  // namespace

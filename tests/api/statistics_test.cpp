@@ -24,7 +24,7 @@ struct Room {
     floor = scene.add_meters(points, {0, 0, 1});
     wall = scene.add_meters(on_wall, {0, 1, 0});
   }
-  Result render(uint32_t iterations = 64) { return scene.render({.iterations = iterations}); }
+  Result render(uint32_t iterations = 64) { return scene.render({.iterations = iterations, .light_paths = 1u << 12}); }
 };
 
 using Read = ups_status (*)(const ups_result*, ups_sensor_id, double, ups_interval*);

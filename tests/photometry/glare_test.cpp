@@ -73,6 +73,25 @@ TEST(PositionIndex, ClosedFormAtKnownPlaces) {
   EXPECT_NEAR(guth(0.5, 1e-9), position_index(PositionIndex::guth, 0.5, -1e-9, 1), 0.02);
 }
 
+TEST(GreatGlareRating, ByHand) {
+  // A ceiling that is all luminous: 8 log10(2.55 * 2 / 5) more.
+  EXPECT_NEAR(great_glare_rating(18, 1, 220, 55), 18 + 8 * std::log10(1.02), 1e-12);
+  EXPECT_NEAR(great_glare_rating(18, 7, 220, 55), 18 + 8 * std::log10(1.02), 1e-12);
+  EXPECT_NEAR(great_glare_rating(18, 0.36, 220, 55), 18 + 0.68 * 8 * std::log10(1.02), 1e-12);
+  for (const double coverage : {0.0, 0.1, 0.18 / 1.18}) EXPECT_NEAR(great_glare_rating(18, coverage, 500, 50), 18, 1e-12);
+}
+
+// A luminous ceiling over a floor of reflectance 0.25: half of E falls on the eye straight, an eighth from the floor.
+// CIE 147 allows 300, 600, 1000 and 1600 lx for ratings of 13, 16, 19 and 22.
+TEST(GreatGlareRating, RisesAsTheLimitsOfLuminousCeilings) {
+  const auto rating = [](double lx) {
+    const double luminance = lx / 3.14159265358979323846, background = lx / 8 / 3.14159265358979323846;
+    return great_glare_rating(ugr(luminance * luminance, background), 1, lx / 2, lx / 8);
+  };
+  const double lx[] = {300, 600, 1000, 1600};
+  for (int i = 1; i < 4; ++i) EXPECT_NEAR(rating(lx[i]) - rating(300), 3 * i, 0.7) << lx[i];
+}
+
 TEST(Ugr, ByHand) {
   // 1000 cd/m2 of 0.01 sr at p = 2 before 10 cd/m2: 8 log10(0.025 * 2500).
   GlareSource s{1000, 0.01, 40, 2, 2};

@@ -21,7 +21,24 @@ struct Field {
   const char* name;
   size_t meters;
   std::function<double(size_t)> truth;  // in standard errors of a reading, about 200
+  std::function<double(size_t)> weight = [](size_t) { return 1.0; };
 };
+
+struct Weighted {
+  double value, weight;
+};
+// Of the weight, the share of values from `threshold` on; and the value that a share of it is below.
+double share_from(const std::vector<Weighted>& all, double threshold) {
+  double sum = 0, above = 0;
+  for (const Weighted& w : all) sum += w.weight, above += w.value >= threshold ? w.weight : 0;
+  return above / sum;
+}
+double weighted_quantile(std::vector<Weighted> all, double share) {
+  std::sort(all.begin(), all.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+  for (const Weighted& w : all)
+    if (1 - share_from(all, std::nextafter(w.value, INFINITY)) > share + 1e-12) return w.value;
+  return all.back().value;
+}
 
 struct Coverage {
   double minimum = 0, maximum = 0, uniformity = 0, diversity = 0, percentile = 0, median = 0, high = 0, share = 0,
@@ -35,29 +52,30 @@ Coverage coverage_of(const Field& field, double common, std::mt19937_64& random)
   std::normal_distribution<double> normal;
   std::vector<double> truth;
   for (size_t m = 0; m < field.meters; ++m) truth.push_back(200 + field.truth(m));
-  std::vector<double> sorted = truth;
+  std::vector<Weighted> all;
+  for (size_t m = 0; m < field.meters; ++m) all.push_back({truth[m], field.weight(m)});
   const double least = *std::min_element(truth.begin(), truth.end()),
-               most = *std::max_element(truth.begin(), truth.end()), fifth = quantile(sorted, 0.05),
-               median = quantile(sorted, 0.5), high = quantile(sorted, 0.9);
+               most = *std::max_element(truth.begin(), truth.end()), fifth = weighted_quantile(all, 0.05),
+               median = weighted_quantile(all, 0.5), high = weighted_quantile(all, 0.9);
   // A threshold within the noise of many meters, where there are many alike.
   const double threshold = median + 0.7;
-  const double true_share = double(std::count_if(truth.begin(), truth.end(), [&](double e) { return e >= threshold; })) /
-                            double(truth.size());
-  double true_mean = 0;
-  for (const double e : truth) true_mean += e / double(truth.size());
+  const double true_share = share_from(all, threshold);
+  double true_mean = 0, weights = 0;
+  for (const Weighted& w : all) true_mean += w.weight * w.value, weights += w.weight;
+  true_mean /= weights;
   Coverage c;
   for (int r = 0; r < repetitions; ++r) {
     double shared[batch_count], batch[batch_count], value;
     const double no_bias[batch_count] = {};
     for (double& s : shared) s = 4 * std::sqrt(common) * normal(random);
     MeterBatches meters(batch_count);
-    for (const double e : truth) {
+    for (const Weighted& w : all) {
       value = 0;
       for (uint32_t b = 0; b < batch_count; ++b) {
-        batch[b] = e + shared[b] + 4 * std::sqrt(1 - common) * normal(random);
+        batch[b] = w.value + shared[b] + 4 * std::sqrt(1 - common) * normal(random);
         value += batch[b] / batch_count;
       }
-      meters.add({value, {0, 0}, 0}, batch, no_bias);
+      meters.add({value, {0, 0}, 0, w.weight}, batch, no_bias);
     }
     const ups_meter_statistics s = meter_statistics(meters, 3 * batch_count, true);
     c.minimum += holds(s.min_low_lx, s.min_high_lx, least) / double(repetitions);
@@ -66,7 +84,7 @@ Coverage coverage_of(const Field& field, double common, std::mt19937_64& random)
     c.percentile += holds(s.percentile_5_low_lx, s.percentile_5_high_lx, fifth) / double(repetitions);
     c.diversity += holds(s.diversity_low, s.diversity_high, least / most) / double(repetitions);
     const MeterRanks ranks(meters);
-    const auto at = [&](double share) { return ranks.interval(rank_at(ranks.count(), share)); };
+    const auto at = [&](double share) { return ranks.interval(ranks.rank_at(share)); };
     c.median += holds(at(0.5).low, at(0.5).high, median) / double(repetitions);
     c.high += holds(at(0.9).low, at(0.9).high, high) / double(repetitions);
     const Interval share = ranks.share_above_interval(threshold);
@@ -96,7 +114,12 @@ TEST(MeterStatistics, IntervalsCoverTheTruth) {
                           {"slope", 100, [](size_t m) { return 0.5 * double(m); }},
                           {"slope, steep", 25, [](size_t m) { return 4.0 * double(m); }},
                           {"corner", 60, [](size_t m) { return m < 6 ? 0.0 : 20; }},
-                          {"one alone", 60, [](size_t m) { return m < 1 ? 0.0 : 10; }}};
+                          {"one alone", 60, [](size_t m) { return m < 1 ? 0.0 : 10; }},
+                          {"slope of areas", 100, [](size_t m) { return 0.5 * double(m); },
+                           [](size_t m) { return m % 7 == 3 ? 12 : 0.5 + double(m % 3); }},
+                          {"steps", 60, [](size_t m) { return m < 20 ? 0.0 : double(m % 20); }},
+                          {"one large area", 60, [](size_t m) { return m < 20 ? 0.0 : double(m % 20); },
+                           [](size_t m) { return m == 30 ? 40.0 : 1; }}};
   std::mt19937_64 random(11);
   for (const Field& f : fields)
     for (const double common : {0.0, 0.6}) {

@@ -71,7 +71,7 @@ TEST(PooledBias, AMeterThatSeemsToKnowAllButExactlyUpsetsNoOther) {
 
 TEST(PooledBias, ANarrowDiscIsNotToldByWideOnes) {
   Row row(0, 0);
-  row.own[200].mean_radius2 = r2 / 4;
+  row.own[200].bias_scale = r2 / 4;
   row.pool();
   EXPECT_EQ(row.pooled[200].mean, row.own[200].bias.mean);
   EXPECT_EQ(row.pooled[200].standard_error, 1);

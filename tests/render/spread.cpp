@@ -58,7 +58,7 @@ TEST(MeterRings, StateTheNoiseOfChoosing) {
   Rings rings;
   rings.count = 2;
   rings.area[0] = rings.area[1] = 1;
-  rings.radius2[0] = 0.5, rings.radius2[1] = 1.5;
+  rings.radius2[0] = rings.bias_scale[0] = 0.5, rings.radius2[1] = rings.bias_scale[1] = 1.5;
   MeterRings sums(1, 2, false);
   const auto landing = [](uint8_t ring, double lm) { return MeterLanding{0, 0, ring, false, 0, 0, lm}; };
   for (uint32_t b = 0; b < batch_count; ++b) {

@@ -242,9 +242,10 @@ class Scene {
 
   // An eye, the world's up above it; its meter is among the sensors.
   Sensor add_observer(const P3& position, const P3& direction,
-                      ups_position_index index = UPS_POSITION_INDEX_TABLE) {
+                      ups_position_index index = UPS_POSITION_INDEX_TABLE, float ceiling_area_m2 = 0) {
     auto d = make_desc<ups_observer_desc>(ups_observer_desc_init);
     d.position_index = index;
+    d.ceiling_area_m2 = ceiling_area_m2;
     const auto m = facing(position, direction);
     std::copy(m.begin(), m.end(), d.to_world);
     Sensor s{{0}, 1, 0, 0};

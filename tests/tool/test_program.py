@@ -205,9 +205,33 @@ class Render(ProgramTest):
         self.assertAlmostEqual(ratio["value"], meters["spot"]["mean_lx"] / meters["work_plane"]["mean_lx"], delta=1e-5)
         self.assertLessEqual(ratio["low"], ratio["value"])
         self.assertGreaterEqual(ratio["high"], ratio["value"])
+        self.assertNotIn("meter_by_meter", ratio)  # 1 meter, 8 meters
         self.expect_failure("render", self.path("room.gltf"), "--iterations", 1, "--ratio", "spot/floor",
                             words=["no meters of the name floor; it has work_plane, spot"])
         self.assertIn("not two names", self.run_program("render", self.path("room.gltf"), "--ratio", "spot", code=2).stderr)
+
+    def test_the_modelling_index_meter_by_meter(self):
+        scene = room()
+        upright = json.loads(json.dumps(scene["nodes"][2]))
+        upright["name"] = "upright"
+        upright["extras"]["ups"]["meters"]["kind"] = "cylindrical"
+        scene["scenes"][0]["nodes"].append(len(scene["nodes"]))
+        scene["nodes"].append(upright)
+        out, path = self.path("out"), self.write("modelling.gltf", scene)
+        run = self.run_program("render", path, "--iterations", 64, "--seed", 1, "--out", out, "--json",
+                               "--ratio", "upright/work_plane")
+        def table(name):
+            with open(os.path.join(out, name + ".csv")) as file:
+                return [float(row["illuminance_lx"]) for row in csv.DictReader(file)]
+        points = [a / b for a, b in zip(table("upright"), table("work_plane"))]
+        told = json.loads(run.stdout)["ratios"]["upright/work_plane"]["meter_by_meter"]
+        self.assertEqual(told["count"], 8)
+        for end, value in (("least", min(points)), ("greatest", max(points))):
+            self.assertAlmostEqual(told[end]["value"], value, delta=1e-5)
+            self.assertLess(told[end]["low"], value)
+            self.assertGreater(told[end]["high"], value)
+        self.assertIn("meter by meter from", self.run_program("render", path, "--iterations", 16, "--ratio",
+                                                              "upright/work_plane").stdout)
 
     def test_json(self):
         result = self.render("--iterations", 32, "--threads", 1)

@@ -298,6 +298,7 @@ class Observer(enum.IntFlag):
     LARGE_SOURCE = 4
     POINT_SOURCE = 8
     UNRATED_SOURCE = 16
+    FIXTURE = 32
 
 
 class GlareFlag(enum.IntFlag):
@@ -1183,7 +1184,7 @@ class ObserverDesc(Structure):
         ("struct_size", c_uint32),
         ("metric", c_int32),
         ("position_index", c_int32),
-        ("reserved", c_uint32),
+        ("ceiling_area_m2", c_float),
         ("to_world", c_double * 12),
     ]
 
@@ -1200,6 +1201,10 @@ class ObserverReading(Structure):
         ("background_standard_error_cd_m2", c_float),
         ("background_error_bound_cd_m2", c_float),
         ("source_count", c_uint32),
+        ("ceiling_coverage", c_float),
+        ("ggr", c_float),
+        ("ggr_low", c_float),
+        ("ggr_high", c_float),
     ]
 
 

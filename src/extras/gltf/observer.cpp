@@ -4,13 +4,14 @@
 namespace ups::gltf {
 
 void Importer::add_observer(const JsonReader& words, const std::string& node_name, const Affine& frame) {
-  words.allow_only({"name", "metric", "position_index"});
+  words.allow_only({"name", "metric", "position_index", "ceiling_area_m2"});
   if (words.text("metric", "ugr") != "ugr") words.fail("metric", "must be ugr");
   ups_observer_desc desc;
   ups_observer_desc_init(&desc, sizeof desc);
   const std::string index = words.text("position_index", "table");
   if (index != "table" && index != "guth") words.fail("position_index", "must be table or guth");
   desc.position_index = index == "guth" ? UPS_POSITION_INDEX_GUTH : UPS_POSITION_INDEX_TABLE;
+  desc.ceiling_area_m2 = float(words.number("ceiling_area_m2", 0, 0, 1e12));
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
   Sensor sensor{};
   check(ups_scene_add_observer(scene_, &desc, &sensor.info.sensor), words.where());
