@@ -15,6 +15,7 @@
 #include "render/radius_notice.h"
 #include "render/reading_warnings.h"
 #include "scene/scene_bytes.h"
+#include "scene/searched.h"
 
 namespace ups {
 
@@ -335,7 +336,7 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
     r->goniometers.back().info.absorbed_flux_lm = r->info.absorbed_flux_lm;
   }
   r->accuracy = accuracy();
-  r->warnings = lines(scene_->warnings) + lines(method_.warnings);
+  r->warnings = notices_ + lines(known_warnings(*scene_)) + lines(scene_->warnings) + lines(method_.warnings);
   add_warnings(*r);
   r->effects = scene_->effects.text;
   r->techniques = method_.text;
