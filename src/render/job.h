@@ -66,6 +66,7 @@ class RenderJob {
   using Clock = StopSignal::Clock;
   void run();
   void iterate();
+  void take_threads();
   void make_integrator();
   void take_memory();
   void prepare();
