@@ -55,6 +55,8 @@ def _licence(file):
 
 def copy_dependencies(folder, licences):
     """Beside the libraries in `folder`, which then find one another there and nowhere else."""
+    if not shutil.which("patchelf"):
+        raise SystemExit("UPS_BUNDLE=1 needs patchelf (Debian: patchelf)")
     own = sorted(folder.iterdir())
     for name, file in sorted(_dependencies(own).items()):
         owner, text = _licence(file)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import ups
 
-SIZE = np.array([5.0, 4.0, 2.8])
+SIZE = (5.0, 4.0, 2.8)
 DOWNLIGHT_IES = b"""IESNA:LM-63-2002
 TILT=NONE
 1 -1 1 10 1 1 2 0 0 0
@@ -21,7 +21,7 @@ TILT=NONE
 """
 
 
-def add_box(scene: ups.Scene, size: np.ndarray) -> None:
+def add_box(scene: ups.Scene, size: tuple[float, float, float]) -> None:
     corners = np.array([[(c >> axis & 1) * size[axis] for axis in range(3)] for c in range(8)])
     for reflectance, quads in ((0.2, [(0, 1, 3, 2)]), (0.7, [(4, 6, 7, 5)]),  # floor, ceiling, walls
                                (0.5, [(0, 4, 5, 1), (1, 5, 7, 3), (3, 7, 6, 2), (2, 6, 4, 0)])):

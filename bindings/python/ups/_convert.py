@@ -177,8 +177,14 @@ def read_array(cls: type[ctypes.Structure], function: Callable[..., int], *argum
     check(function(*arguments, None, 0, byref(needed)))
     out = np.empty(needed.value, dtype=dtype_of(cls))
     if len(out):
-        check(function(*arguments, address(out, cls), len(out), byref(needed)))
+        check(function(*arguments, target(out, cls), len(out), byref(needed)))
     return out
+
+
+def target(out: NDArray[Any], ctype: Any) -> Any:
+    """Where the library writes: the memory of a contiguous array. A microsecond faster than address; as bytes, because
+    NumPy writes out what a record array's buffer consists of each time that it is asked for."""
+    return ctype.from_buffer(out.view(np.uint8)) if out.size else None
 
 
 def output(out: NDArray[Any] | None, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._convert import address, as_array, lib
+from ._convert import address, as_array, lib, target
 from ._ffi import PositionIndex
 from ._status import check
 
@@ -23,7 +23,7 @@ def position_index(directions: ArrayLike, kind: PositionIndex = PositionIndex.TA
     """In each direction of an (n, 3) array, in the eye's frame, which looks along -Z, +Y up; -1: not a source there."""
     d = as_array(directions, np.float32, (-1, 3), "directions")
     out = np.empty(len(d), dtype=np.float32)
-    check(lib.ups_glare_get_position_index(kind, address(d, ctypes.c_float), len(d), address(out, ctypes.c_float)))
+    check(lib.ups_glare_get_position_index(kind, address(d, ctypes.c_float), len(d), target(out, ctypes.c_float)))
     return out
 
 

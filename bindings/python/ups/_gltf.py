@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _ffi
-from ._convert import address, describe, read_text
+from ._convert import describe, read_text, target
 from ._core import Context, Handle
 from ._ffi import GltfLayout, GltfSensorKind, SensorId, SourceKind
 from ._library import load
@@ -85,8 +85,8 @@ class GltfImport(Handle):
         Scene.meter_places."""
         count = max(sensor.info.meter_count, 1)
         positions, normals = np.empty((count, 3)), np.empty((count, 3), np.float32)
-        _check(self._lib.ups_gltf_read_meters(self, self.sensors.index(sensor), address(positions, ctypes.c_double),
-                                              address(normals, ctypes.c_float), count))
+        _check(self._lib.ups_gltf_read_meters(self, self.sensors.index(sensor), target(positions, ctypes.c_double),
+                                              target(normals, ctypes.c_float), count))
         return positions, normals
 
     def source_name(self, kind: SourceKind, id: int) -> str:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, describe, read_text
+from ._convert import address, as_array, describe, read_text, target
 from ._core import Handle
 from ._library import load
 from ._status import check
@@ -70,7 +70,7 @@ class ExrImage(Handle):
 
     def __getitem__(self, channel: str) -> NDArray[np.float32]:
         out = np.empty(self.shape, np.float32)
-        _check_exr(self._lib.ups_exr_read_channel(self, channel.encode(), address(out, ctypes.c_float), out.size))
+        _check_exr(self._lib.ups_exr_read_channel(self, channel.encode(), target(out, ctypes.c_float), out.size))
         return out
 
     def rgb(self, prefix: str = "") -> NDArray[np.float32]:
@@ -136,5 +136,5 @@ def smooth(luminance_rgb: ArrayLike, standard_error_rgb: ArrayLike, albedo_rgb: 
             fields[name] = address(as_array(values, np.float32, shape, name), ctypes.c_float)
     out = np.empty_like(a)
     desc = describe(_ffi.OcioSmoothDesc, fields, lib)
-    _check_ocio(lib.ups_ocio_smooth(byref(desc), address(out, ctypes.c_float)))
+    _check_ocio(lib.ups_ocio_smooth(byref(desc), target(out, ctypes.c_float)))
     return out

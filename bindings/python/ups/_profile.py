@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, describe, lib, read_bytes, read_info, read_text
+from ._convert import address, as_array, describe, lib, read_bytes, read_info, read_text, target
 from ._core import Context, Handle, create
 from ._ffi import ProfileFormat, ProfileText
 from ._status import check
@@ -117,7 +117,7 @@ class Profile(Handle):
     def _eval(self, function: Callable[..., int], directions: ArrayLike) -> NDArray[np.float32]:
         d = as_array(directions, np.float32, (-1, 3), "directions")
         out = np.empty(len(d), dtype=np.float32)
-        check(function(self, address(d, ctypes.c_float), len(d), address(out, ctypes.c_float)))
+        check(function(self, address(d, ctypes.c_float), len(d), target(out, ctypes.c_float)))
         return out
 
     def intensity_cd(self, directions: ArrayLike) -> NDArray[np.float32]:
@@ -133,7 +133,7 @@ class Profile(Handle):
         gamma = as_array(gamma_deg, np.float32, (-1,), "gamma_deg")
         out = np.empty(max(len(gamma) - 1, 0), dtype=np.float64)
         check(lib.ups_profile_get_zonal_flux(self, address(gamma, ctypes.c_float), len(gamma),
-                                             address(out, ctypes.c_double)))
+                                             target(out, ctypes.c_double)))
         return out
 
     def beam(self, c_deg: float = 0, fraction: float = 0.5) -> _ffi.ProfileBeam:

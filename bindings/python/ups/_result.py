@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple
 import numpy as np
 
 from . import _ffi
-from ._convert import address, dtype_of, lib, output, read_array, read_count, read_info, read_text
+from ._convert import dtype_of, lib, output, read_array, read_count, read_info, read_text, target
 from ._core import Handle, create
 from ._ffi import Channel, Contribution, LightPart, ResultText, SensorId
 from ._profile import Profile
@@ -61,26 +61,26 @@ class Result(Handle):
         no path has found, or few, has standard error -1 beside a positive bound; both are -1 where nothing is known
         yet."""
         out = output(out, self._shape(sensor, 1, "a set of meters"), dtype_of(_ffi.MeterReading))
-        check(lib.ups_result_read_meters(self, sensor, address(out, _ffi.MeterReading), len(out)))
+        check(lib.ups_result_read_meters(self, sensor, target(out, _ffi.MeterReading), len(out)))
         return out
 
     def vectors(self, sensor: SensorId) -> NDArray[np.void]:
         """Of meters of kind MeterKind.VECTOR: a record array with the fields vector_lx, standard_error_lx and
         error_bound_lx, three numbers each, x, y and z of the world. meters() has the vectors' lengths."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=dtype_of(_ffi.VectorReading))
-        check(lib.ups_result_read_vectors(self, sensor, address(out, _ffi.VectorReading), len(out)))
+        check(lib.ups_result_read_vectors(self, sensor, target(out, _ffi.VectorReading), len(out)))
         return out
 
     def meter_part(self, sensor: SensorId, part: LightPart) -> NDArray[np.void]:
         """The LightPart.DIRECT or INDIRECT light of each meter, with errors of its own: as ups_meter_part_reading."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=dtype_of(_ffi.MeterPartReading))
-        check(lib.ups_result_read_meter_part(self, sensor, part, address(out, _ffi.MeterPartReading), len(out)))
+        check(lib.ups_result_read_meter_part(self, sensor, part, target(out, _ffi.MeterPartReading), len(out)))
         return out
 
     def meter_flags(self, sensor: SensorId) -> NDArray[np.uint32]:
         """Reading.EXACT, UNKNOWN, FEW_PATHS, SINGLE_PATH, HEAVY_TAIL of each meter, or-ed in an array of integers."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.uint32)
-        check(lib.ups_result_read_meter_flags(self, sensor, address(out, ctypes.c_uint32), len(out)))
+        check(lib.ups_result_read_meter_flags(self, sensor, target(out, ctypes.c_uint32), len(out)))
         return out
 
     def statistics(self, sensor: SensorId) -> _ffi.MeterStatistics:
@@ -107,7 +107,7 @@ class Result(Handle):
         """Meter by meter: a record array with the fields value, low, high. Of cylindrical meters over horizontal ones at
         the same places: the modelling index."""
         out = np.empty(self._shape(numerator, 1, "a set of meters"), dtype=dtype_of(_ffi.Interval))
-        check(lib.ups_result_read_meter_ratios(self, numerator, denominator, address(out, _ffi.Interval), len(out)))
+        check(lib.ups_result_read_meter_ratios(self, numerator, denominator, target(out, _ffi.Interval), len(out)))
         return out
 
     def sources(self) -> list[_ffi.SourceInfo]:
@@ -122,7 +122,7 @@ class Result(Handle):
         shape = len(self.sources()), *self._shape(sensor, 1, "a set of meters")
         out = np.empty(shape, dtype=dtype_of(_ffi.MeterReading))
         for source, row in enumerate(out):
-            check(lib.ups_result_read_source_meters(self, source, sensor, address(row, _ffi.MeterReading), len(row)))
+            check(lib.ups_result_read_source_meters(self, source, sensor, target(row, _ffi.MeterReading), len(row)))
         return out
 
     def observer(self, sensor: SensorId) -> _ffi.ObserverReading:
@@ -142,15 +142,15 @@ class Result(Handle):
         """A record array (planes C, gammas) with a field for each of ups_intensity_reading: intensity_cd, ..."""
         info = self.goniometer_info(sensor)
         out = np.empty((info.c_count, info.gamma_count), dtype=dtype_of(_ffi.IntensityReading))
-        check(lib.ups_result_read_goniometer(self, sensor, address(out, _ffi.IntensityReading), out.size))
+        check(lib.ups_result_read_goniometer(self, sensor, target(out, _ffi.IntensityReading), out.size))
         return out
 
     def goniometer_angles(self, sensor: SensorId) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """(c_deg, gamma_deg) of the readings: two arrays (planes C,), (gammas,)."""
         info = self.goniometer_info(sensor)
         c, gamma = np.empty(info.c_count, np.float32), np.empty(info.gamma_count, np.float32)
-        check(lib.ups_result_get_goniometer_angles(self, sensor, address(c, ctypes.c_float), len(c),
-                                                   address(gamma, ctypes.c_float), len(gamma)))
+        check(lib.ups_result_get_goniometer_angles(self, sensor, target(c, ctypes.c_float), len(c),
+                                                   target(gamma, ctypes.c_float), len(gamma)))
         return c, gamma
 
     def goniometer_beam(self, sensor: SensorId, c_deg: float = 0, fraction: float = 0.5) -> _ffi.GoniometerBeam:
@@ -168,7 +168,7 @@ class Result(Handle):
         is the image's top. The camera's layers (add_camera(layers=Layer.ALBEDO | Layer.DEPTH)) are channels too."""
         shape = self._shape(camera, 2, "a camera")
         out = output(out, shape if channel in SINGLE_CHANNELS else shape + (3,), np.float32)
-        check(lib.ups_result_read_image(self, camera, channel, address(out, ctypes.c_float), 0, out.nbytes))
+        check(lib.ups_result_read_image(self, camera, channel, target(out, ctypes.c_float), 0, out.nbytes))
         return out
 
     def techniques(self, camera: SensorId) -> list[_ffi.TechniqueInfo]:
@@ -182,7 +182,7 @@ class Result(Handle):
                         contribution: Contribution = Contribution.WEIGHTED) -> NDArray[np.float32]:
         """(height, width, 3) of the technique with that index in techniques()."""
         out = np.empty(self._shape(camera, 2, "a camera") + (3,), dtype=np.float32)
-        check(lib.ups_result_read_technique(self, camera, index, contribution, address(out, ctypes.c_float), 0,
+        check(lib.ups_result_read_technique(self, camera, index, contribution, target(out, ctypes.c_float), 0,
                                             out.nbytes))
         return out
 

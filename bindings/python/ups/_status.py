@@ -10,6 +10,9 @@ from ._ffi import Status
 from ._library import load
 
 
+_OK = Status.OK
+
+
 class Error(Exception):
     """A failed call: `status` says which kind, the message what was wrong, where, and what would be right."""
 
@@ -26,6 +29,8 @@ class Error(Exception):
 
 def check(status: int, library: str = "ups") -> Status:
     """Failures are negative; TIMEOUT and CANCELLED are answers. Each library has messages of its own."""
+    if status == 0:
+        return _OK
     if status < 0:
         last_error = getattr(load(library), "ups_last_error" if library == "ups" else f"{library}_last_error")
         raise Error(Status(status), last_error().decode("utf-8", "replace"))
