@@ -81,23 +81,6 @@ def python_struct(api, struct):
     return out + ["    ]", ""]
 
 
-PYTHON_ID = '''
-class Id:
-    """What the ids of things have in common: equal where they are of one kind and name the same thing."""
-    v: int
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Id) and type(other) is type(self) and other.v == self.v
-
-    def __hash__(self) -> int:
-        return hash((type(self), self.v))
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}({self.v})"
-
-'''
-
-
 def python_integer(api, parameter):
     """Whether a program's own number may go there; sizes and counts are those of arrays."""
     t = parameter.type
@@ -121,12 +104,11 @@ def python_source(api):
     out = ['"""The C API of UPS as ctypes. Written by bindings/generate.py from include/ups; do not edit."""',
            "from __future__ import annotations", "", "import enum",
            "from ctypes import (POINTER, Array, Structure, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint8,",
-           "                    c_uint32, c_uint64, c_void_p)", "from typing import Any", "",
+           "                    c_uint32, c_uint64, c_void_p)", "from typing import Any", "", "from ._id import Id", "",
            f"HEADER_VERSION = ({v['MAJOR']}, {v['MINOR']}, {v['PATCH']})", ""]
     for enum in api.enums:
         out += ["", f"class {enum_name(enum)}(enum.{'IntEnum' if enum.name else 'IntFlag'}):"]
         out += [f"    {name} = {value}" for name, value in enum_members(enum)] + [""]
-    out += PYTHON_ID.splitlines()
     for struct in api.structs:
         out += python_struct(api, struct)
     out += ["", "# Of each library: result and parameters of each function, and which are integers that need a check.",

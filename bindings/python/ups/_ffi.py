@@ -6,6 +6,8 @@ from ctypes import (POINTER, Array, Structure, c_char_p, c_double, c_float, c_in
                     c_uint32, c_uint64, c_void_p)
 from typing import Any
 
+from ._id import Id
+
 HEADER_VERSION = (0, 1, 0)
 
 
@@ -324,20 +326,6 @@ class GltfLayout(enum.IntEnum):
     LINE = 3
     SURFACE = 4
     LIGHTMAP = 5
-
-
-class Id:
-    """What the ids of things have in common: equal where they are of one kind and name the same thing."""
-    v: int
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Id) and type(other) is type(self) and other.v == self.v
-
-    def __hash__(self) -> int:
-        return hash((type(self), self.v))
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}({self.v})"
 
 
 class TextureId(Id, Structure):
