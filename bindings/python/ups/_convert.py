@@ -205,6 +205,6 @@ def output(out: NDArray[Any] | None, shape: tuple[int, ...], dtype: Any) -> NDAr
     if out is None:
         return np.empty(shape, dtype=dtype)
     if out.shape != shape or out.dtype != dtype or not out.flags.c_contiguous or not out.flags.writeable:
-        raise ValueError(f"out: expected a writeable, contiguous array of shape {shape} and type {np.dtype(dtype)}, got "
-                         f"{out.shape} and {out.dtype}")
+        raise ValueError(f"out: expected a writeable, contiguous array of shape {shape} and type {np.dtype(dtype)}, "
+                         f"got {out.shape} and {out.dtype}")
     return out

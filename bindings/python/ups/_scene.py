@@ -52,8 +52,8 @@ class Scene(Handle):
 
     def import_gltf(self, path: str | os.PathLike[str],
                     **fields: Unpack[_fields.GltfImportDescFields]) -> GltfImport:
-        """Adds all of a glTF file (.gltf, .glb): surfaces, materials, luminaires, sensors, which have their names in the
-        answer. After an error the scene holds part of the file: close it."""
+        """Adds all of a glTF file (.gltf, .glb): surfaces, materials, luminaires, sensors, which have their names in
+        the answer. After an error the scene holds part of the file: close it."""
         return GltfImport(self._context, self, self._shapes, path, fields)
 
     def add_texture(self, texels: ArrayLike) -> TextureId:
@@ -70,13 +70,14 @@ class Scene(Handle):
         """pane_*: of a pane measured by angle, three arrays of one length."""
         panes = {"pane_angle_deg": pane_angle_deg, "pane_transmittance": pane_transmittance,
                  "pane_reflectance": pane_reflectance}
-        return self._add(lib.ups_scene_add_material, MaterialId, describe(_ffi.MaterialDesc, material_fields({**panes, **fields})))
+        desc = describe(_ffi.MaterialDesc, material_fields({**panes, **fields}))
+        return self._add(lib.ups_scene_add_material, MaterialId, desc)
 
     def add_mesh(self, positions_m: ArrayLike, indices: ArrayLike, material: MaterialId,
                  normals: ArrayLike | None = None, uvs: ArrayLike | None = None,
                  tangents: ArrayLike | None = None) -> MeshId:
-        """positions_m and normals (n, 3), uvs (n, 2), tangents (n, 4); indices (triangles, 3), counter-clockwise. Floats of
-        32 bits are read where they are, from columns of a larger array too; anything else is copied."""
+        """positions_m and normals (n, 3), uvs (n, 2), tangents (n, 4); indices (triangles, 3), counter-clockwise.
+        Floats of 32 bits are read where they are, from columns of a larger array too; anything else is copied."""
         fields = mesh_fields(positions_m, indices, normals=normals, uvs=uvs, tangents=tangents, material=material)
         return self._add(lib.ups_scene_add_mesh, MeshId, describe(_ffi.MeshDesc, fields))
 
@@ -242,9 +243,9 @@ class Scene(Handle):
         return ReplayedPath(create(lib.ups_replay, self, byref(desc), byref(own)))
 
     def render(self, progress: Watcher = False, **fields: Unpack[_fields.RenderDescFields]) -> Result:
-        """Blocks until a limit or the target is met; progress: as of Job.watch. Ctrl-C ends it: the result has what whole
-        iterations have found, with its errors, and is `interrupted`. A second Ctrl-C, or one before the first iteration
-        is done, raises KeyboardInterrupt."""
+        """Blocks until a limit or the target is met; progress: as of Job.watch. Ctrl-C ends it: the result has what
+        whole iterations have found, with its errors, and is `interrupted`. A second Ctrl-C, or one before the first
+        iteration is done, raises KeyboardInterrupt."""
         return render(self.start(**fields), progress)
 
     def start(self, **fields: Unpack[_fields.RenderDescFields]) -> Job:
