@@ -58,7 +58,8 @@ def test_arrays_are_read_where_they_are():
     vertices = np.zeros((4, 8), np.float32)  # positions, normals and uvs of each vertex together
     vertices[:, :3], vertices[:, 5] = SQUARE, 1
     indices = np.array([(0, 1, 2), (0, 2, 3)], np.uint32)
-    desc = _convert.describe_mesh(vertices[:, :3], indices, normals=vertices[:, 3:6], uvs=vertices[:, 6:])
+    desc = _convert.describe(_ffi.MeshDesc, _convert.mesh_fields(vertices[:, :3], indices, normals=vertices[:, 3:6],
+                                                                 uvs=vertices[:, 6:]))
     start = vertices.ctypes.data
     assert [ctypes.addressof(p.contents) - start for p in (desc.positions_m, desc.normals, desc.uvs)] == [0, 12, 24]
     assert {desc.position_stride_bytes, desc.normal_stride_bytes, desc.uv_stride_bytes} == {32}
@@ -75,6 +76,19 @@ def test_a_mesh_of_interleaved_vertices_is_the_same_mesh(context):
         scene.commit()
         found.append((list(scene.info.bounds_max_m), scene.section((0.5, 0.5, 0), (1, 0, 0)).tobytes()))
     assert found[0] == found[1] == found[2] and found[0][0] == [1, 1, 0]
+
+
+def test_counts_are_those_of_the_arrays(context):
+    """More would be read from beyond them."""
+    scene = ups.Scene(context)
+    instance = scene.add_instance(scene.add_mesh(SQUARE, [(0, 1, 2)], scene.add_material()))
+    for add in (lambda: scene.add_meters([(0, 0, 1)], (0, 0, 1), count=1000),
+                lambda: scene.add_surface_meters([instance], instance_count=9),
+                lambda: scene.add_lightmap([instance], 4, 4, instance_count=9),
+                lambda: ups.Profile.from_table(context, [0], [0, 90], [[1, 1]], gamma_count=100),
+                lambda: ups.Profile.parse(context, b"IES", size=1000)):
+        with pytest.raises(TypeError, match="(count|size): is told by the other arguments"):
+            add()
 
 
 def test_results_go_where_the_caller_wants_them(context):

@@ -89,9 +89,15 @@ def _as_field(kind: Any, value: Any, name: str) -> Any:
 def describe(cls: type[Info], fields: Mapping[str, Any], library: Any = lib) -> Info:
     """A C description with the library's defaults, then with `fields`."""
     desc = cls()
-    desc.inputs = fields  # a C field lets go of the array or the struct that it points to; this holds them
     getattr(library, _ffi.INIT[cls])(byref(desc), ctypes.sizeof(desc))
-    known: dict[str, Any] = {f[0]: f[1] for f in cls._fields_}
+    assign(desc, fields)
+    return desc
+
+
+def assign(desc: ctypes.Structure, fields: Mapping[str, Any]) -> None:
+    """Errors: TypeError for what is no field, or of a wrong type; ValueError for a wrong shape or range."""
+    desc.inputs = fields  # a C field lets go of the array or the struct that it points to; this holds them
+    known: dict[str, Any] = {f[0]: f[1] for f in desc._fields_}
     for name, value in fields.items():
         if name not in known or name == "struct_size" or name.startswith("reserved"):
             names = [n for n in known if n != "struct_size" and not n.startswith("reserved")]
@@ -101,15 +107,22 @@ def describe(cls: type[Info], fields: Mapping[str, Any], library: Any = lib) -> 
         except TypeError as error:
             text = str(error)
             raise TypeError(text if text.startswith(name) else f"{name}: {text}") from None
-    return desc
 
 
-def describe_mesh(positions_m: ArrayLike, indices: ArrayLike, **optional: Any) -> _ffi.MeshDesc:
+def merged(own: Mapping[str, Any], fields: Mapping[str, Any]) -> dict[str, Any]:
+    """A caller's fields beside those that the method sets by itself: a count is an array's, whatever is said."""
+    if both := [name for name in fields if name in own]:
+        raise TypeError(f"{both[0]}: is told by the other arguments")
+    return {**own, **fields}
+
+
+def mesh_fields(positions_m: ArrayLike, indices: ArrayLike, **optional: Any) -> dict[str, Any]:
     """Positions (n, 3), indices (triangles, 3); optional: normals (n, 3), uvs (n, 2), tangents (n, 4), material."""
     p, stride = as_rows(positions_m, 3, "positions_m")
     i = as_array(indices, np.uint32, (-1, 3), "indices")
-    fields = {"vertex_count": len(p), "triangle_count": len(i), "positions_m": address(p, ctypes.c_float),
-              "position_stride_bytes": stride, "indices": address(i, ctypes.c_uint32)}
+    fields: dict[str, Any] = {
+        "vertex_count": len(p), "triangle_count": len(i), "positions_m": address(p, ctypes.c_float),
+        "position_stride_bytes": stride, "indices": address(i, ctypes.c_uint32)}
     widths = {"normals": 3, "uvs": 2, "tangents": 4}
     for name, values in optional.items():
         if name in widths and values is not None:
@@ -118,10 +131,10 @@ def describe_mesh(positions_m: ArrayLike, indices: ArrayLike, **optional: Any) -
             fields[name[:-1] + "_stride_bytes"] = stride
             values = address(rows, ctypes.c_float)
         fields[name] = values
-    return describe(_ffi.MeshDesc, fields)
+    return fields
 
 
-def describe_material(fields: Mapping[str, Any]) -> _ffi.MaterialDesc:
+def material_fields(fields: Mapping[str, Any]) -> dict[str, Any]:
     """pane_angle_deg, pane_transmittance and pane_reflectance, of a pane measured by angle: arrays of one length."""
     values = dict(fields)
     for name in ("pane_angle_deg", "pane_transmittance", "pane_reflectance"):
@@ -131,7 +144,7 @@ def describe_material(fields: Mapping[str, Any]) -> _ffi.MaterialDesc:
                 raise ValueError(f"{name}: expected as many values as the others have, "
                                  f"{values['pane_angle_count']}, got {len(array)}")
             values[name] = address(array, ctypes.c_float)
-    return describe(_ffi.MaterialDesc, values)
+    return values
 
 
 # ---- from the library's answers to Python values

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, describe, describe_material, describe_mesh, lib, read_info
+from ._convert import address, as_array, describe, lib, material_fields, mesh_fields, read_info
 from ._core import Context, Handle, create
 from ._status import check
 
@@ -42,7 +42,7 @@ class Fixture(Handle):
     def _add(self, function: Callable[..., int], cls: type[ctypes.Structure], fields: dict[str, Any],
              material: Mapping[str, Any] | None = None) -> _ffi.FixturePartId:
         if material is not None:
-            fields["material"] = ctypes.pointer(describe_material(material))
+            fields["material"] = ctypes.pointer(describe(_ffi.MaterialDesc, material_fields(material)))
         desc, out = describe(cls, fields), _ffi.FixturePartId()
         check(function(self, byref(desc), byref(out)))
         return out
@@ -72,7 +72,7 @@ class Fixture(Handle):
                  material: Mapping[str, Any] | None = None,
                  **fields: Unpack[_fields.FixturePartDescFields]) -> _ffi.FixturePartId:
         """positions_m and normals (n, 3); indices (triangles, 3), counter-clockwise."""
-        mesh = ctypes.pointer(describe_mesh(positions_m, indices, normals=normals))
+        mesh = ctypes.pointer(describe(_ffi.MeshDesc, mesh_fields(positions_m, indices, normals=normals)))
         return self._add(lib.ups_fixture_add_part, _ffi.FixturePartDesc, {**fields, "mesh": mesh}, material)
 
     @property

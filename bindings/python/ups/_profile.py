@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, describe, lib, read_bytes, read_info, read_text, target
+from ._convert import address, as_array, describe, lib, merged, read_bytes, read_info, read_text, target
 from ._core import Context, Handle, create
 from ._ffi import ProfileFormat, ProfileText
 from ._status import check
@@ -44,11 +44,12 @@ class Profile(Handle):
         """From the bytes of a photometric file. tilt_file: the bytes of the file that its TILT= names, see there;
         fields, of ups_profile_parse_desc: tilt_deg, lamp_set."""
         data = bytes(data)
-        own: dict[str, Any] = {"format": format, **fields, "bytes": ctypes.cast(ctypes.c_char_p(data), ctypes.c_void_p), "size": len(data)}
+        own: dict[str, Any] = {"format": format, "bytes": ctypes.cast(ctypes.c_char_p(data), ctypes.c_void_p),
+                               "size": len(data)}
         if tilt_file is not None:
             tilt_file = bytes(tilt_file)
             own.update(tilt_file=ctypes.cast(ctypes.c_char_p(tilt_file), ctypes.c_void_p), tilt_file_size=len(tilt_file))
-        desc = describe(_ffi.ProfileParseDesc, own)
+        desc = describe(_ffi.ProfileParseDesc, merged(own, fields))
         return cls(create(lib.ups_profile_parse_with, context, byref(desc)))
 
     @classmethod
@@ -58,9 +59,9 @@ class Profile(Handle):
         the input power."""
         c, gamma = as_array(c_deg, np.float32, (-1,), "c_deg"), as_array(gamma_deg, np.float32, (-1,), "gamma_deg")
         table = as_array(intensity_cd, np.float32, (len(c), len(gamma)), "intensity_cd")
-        desc = describe(_ffi.ProfileDesc, {
-            "c_count": len(c), "gamma_count": len(gamma), "c_deg": address(c, ctypes.c_float),
-            "gamma_deg": address(gamma, ctypes.c_float), "intensity_cd": address(table, ctypes.c_float), **fields})
+        own = {"c_count": len(c), "gamma_count": len(gamma), "c_deg": address(c, ctypes.c_float),
+               "gamma_deg": address(gamma, ctypes.c_float), "intensity_cd": address(table, ctypes.c_float)}
+        desc = describe(_ffi.ProfileDesc, merged(own, fields))
         return cls(create(lib.ups_profile_create, context, byref(desc)))
 
     @property

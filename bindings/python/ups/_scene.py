@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any, Callable, SupportsIndex, TypeVar
 import numpy as np
 
 from . import _ffi
-from ._convert import (address, as_array, as_matrix, describe, describe_material, describe_mesh, dtype_of, lib,
-                       read_array, read_count, read_info, read_text)
+from ._convert import (address, as_array, as_matrix, describe, dtype_of, lib, material_fields, merged,
+                       mesh_fields, read_array, read_count, read_info, read_text)
 from ._core import Context, Handle, create
 from ._ffi import (FixtureId, FixturePartId, InstanceId, LuminaireId, MaterialId, MeshId, SceneText, SensorId,
                    TextureId)
@@ -70,15 +70,15 @@ class Scene(Handle):
         """pane_*: of a pane measured by angle, three arrays of one length."""
         panes = {"pane_angle_deg": pane_angle_deg, "pane_transmittance": pane_transmittance,
                  "pane_reflectance": pane_reflectance}
-        return self._add(lib.ups_scene_add_material, MaterialId, describe_material({**panes, **fields}))
+        return self._add(lib.ups_scene_add_material, MaterialId, describe(_ffi.MaterialDesc, material_fields({**panes, **fields})))
 
     def add_mesh(self, positions_m: ArrayLike, indices: ArrayLike, material: MaterialId,
                  normals: ArrayLike | None = None, uvs: ArrayLike | None = None,
                  tangents: ArrayLike | None = None) -> MeshId:
         """positions_m and normals (n, 3), uvs (n, 2), tangents (n, 4); indices (triangles, 3), counter-clockwise. Floats of
         32 bits are read where they are, from columns of a larger array too; anything else is copied."""
-        desc = describe_mesh(positions_m, indices, normals=normals, uvs=uvs, tangents=tangents, material=material)
-        return self._add(lib.ups_scene_add_mesh, MeshId, desc)
+        fields = mesh_fields(positions_m, indices, normals=normals, uvs=uvs, tangents=tangents, material=material)
+        return self._add(lib.ups_scene_add_mesh, MeshId, describe(_ffi.MeshDesc, fields))
 
     def add_instance(self, mesh: MeshId, **fields: Unpack[_fields.InstanceDescFields]) -> InstanceId:
         desc = describe(_ffi.InstanceDesc, {"mesh": mesh, **fields})
@@ -118,10 +118,9 @@ class Scene(Handle):
         t = None
         if tangents is not None:
             t = as_array(np.broadcast_to(np.asarray(tangents, np.float32), p.shape), np.float32, (-1, 3), "tangents")
-        desc = describe(_ffi.MeterDesc, {"positions_m": address(p, ctypes.c_double),
-                                         "normals": address(n, ctypes.c_float), "count": len(p), **fields})
-        if t is not None:
-            desc.tangents = address(t, ctypes.c_float)
+        own = {"positions_m": address(p, ctypes.c_double), "normals": address(n, ctypes.c_float),
+               "tangents": address(t, ctypes.c_float), "count": len(p)}
+        desc = describe(_ffi.MeterDesc, merged(own, fields))
         sensor = self._add(lib.ups_scene_add_meters, SensorId, desc)
         self._shapes[sensor.v] = (len(p),)
         return sensor
@@ -129,8 +128,7 @@ class Scene(Handle):
     def _add_on(self, function: Callable[..., int], desc_type: Any, instances: Sequence[InstanceId],
                 fields: dict[str, Any]) -> SensorId:
         ids = (InstanceId * len(instances))(*instances)
-        desc = describe(desc_type, {"instance_count": len(ids), **fields})
-        desc.instances = ids
+        desc = describe(desc_type, merged({"instance_count": len(ids), "instances": ids}, fields))
         return self._add(function, SensorId, desc)
 
     def add_surface_meters(self, instances: Sequence[InstanceId],
@@ -167,7 +165,7 @@ class Scene(Handle):
 
     def set_material(self, material: MaterialId, **fields: Any) -> None:
         """The arguments of add_material; those that are not given take the library's defaults."""
-        check(lib.ups_scene_set_material(self, material, byref(describe_material(fields))))
+        check(lib.ups_scene_set_material(self, material, byref(describe(_ffi.MaterialDesc, material_fields(fields)))))
 
     def set_transform(self, instance: InstanceId, to_world: ArrayLike) -> None:
         check(lib.ups_scene_set_transform(self, instance, address(as_matrix(to_world, "to_world"), ctypes.c_double)))
