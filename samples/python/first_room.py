@@ -38,7 +38,8 @@ def main() -> None:
         for x, y in [(1.25, 1), (3.75, 1), (1.25, 3), (3.75, 3)]:
             scene.add_luminaire(profile, to_world=ups.translation(x, y, SIZE[2] - 0.05))
         points, grid = ups.en12464_grid([(0, 0), (5, 0), (5, 4), (0, 4)])
-        meters = scene.add_meters(np.column_stack([points["x_m"], points["y_m"], np.full(len(points), 0.75)]), (0, 0, 1))
+        places = np.column_stack([points["x_m"], points["y_m"], np.full(len(points), 0.75)])
+        meters = scene.add_meters(places, normals=(0, 0, 1))
         view = [[1, 0, 0, SIZE[0] / 2], [0, 0, -1, 0.1], [0, 1, 0, 1.5]]  # from a wall's middle along +Y, +Z up
         camera = scene.add_camera(64, 48, to_world=view, vertical_fov_rad=1.2)
         scene.commit()
@@ -48,7 +49,8 @@ def main() -> None:
               f"uniformity {statistics.uniformity:.2f} (95 %: {statistics.uniformity_low:.2f} to "
               f"{statistics.uniformity_high:.2f})")
         luminance = result.image(camera)
-        ups.write_exr(folder / "room.exr", {name: luminance[..., i] for i, name in enumerate("RGB")}, {"unit": "cd/m^2"})
+        channels = {name: luminance[..., i] for i, name in enumerate("RGB")}
+        ups.write_exr(folder / "room.exr", channels, {"unit": "cd/m^2"})
         ups.write_png(folder / "room.png", luminance)
 
 

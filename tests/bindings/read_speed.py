@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""What do 10,000 readings and a 4K image cost from Python, beside what they cost from C? Both read into the same memory, in
-turns, in one process; the shortest of many turns counts. Fails where both reads together take Python more than 2 %
-longer. One call costs Python about 2 us more than C, whatever it reads, so that of the readings alone, which take 10 us,
-it is more than 2 %. Half a minute, on a machine that does nothing else, with 4 GB free; needs numpy and a C compiler:
+"""What do 10,000 readings and a 4K image cost from Python, beside what they cost from C? Both read into the same
+memory, in turns, in one process; the shortest of many turns counts. Fails where both reads together take Python more
+than 2 % longer. One call costs Python about 2 us more than C, whatever it reads, so that of the readings alone, which
+take 10 us, it is more than 2 %. Half a minute, on a machine that does nothing else, with 4 GB free; needs numpy and a
+C compiler:
 
     tests/bindings/read_speed.py build/release
 """
@@ -35,7 +36,8 @@ def c_calls(library):
 
 def rendered(ups, np):
     scene = ups.Scene(ups.Context())
-    floor = scene.add_mesh([(-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0)], [(0, 1, 2), (0, 2, 3)], scene.add_material())
+    square = [(-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0)]
+    floor = scene.add_mesh(square, [(0, 1, 2), (0, 2, 3)], scene.add_material())
     scene.add_instance(floor)
     scene.add_light(intensity_rgb=(100, 100, 100), to_world=ups.translation(0, 0, 2.5))
     i = np.arange(METERS)

@@ -69,8 +69,8 @@ def test_a_broken_gltf_file_says_where(context, tmp_path):
 def test_exr_channels_come_back_bit_by_bit(tmp_path):
     image = np.random.default_rng(1).random((5, 7, 3), np.float32)
     planes = {name: image[..., i] for i, name in enumerate("RGB")}  # strided: not copied
-    ups.write_exr(tmp_path / "a.exr", {**planes, "depth.Z": image[::-1, ::-1, 0], "double.Y": image[..., 1].astype(float)},
-                  {"unit": "cd/m^2"})
+    more = {"depth.Z": image[::-1, ::-1, 0], "double.Y": image[..., 1].astype(float)}
+    ups.write_exr(tmp_path / "a.exr", {**planes, **more}, {"unit": "cd/m^2"})
     with ups.read_exr(tmp_path / "a.exr") as read:
         assert read.shape == (5, 7) and set(read.channels) == {"R", "G", "B", "depth.Z", "double.Y"}
         assert np.array_equal(read.rgb(), image) and np.array_equal(read["depth.Z"], image[::-1, ::-1, 0])
@@ -105,7 +105,8 @@ def test_smoothing_takes_noise_and_keeps_light():
     random = np.random.default_rng(2)
     noisy = random.normal(100, 20, (24, 24, 3)).astype(np.float32)
     depth, normal = np.full((24, 24), 2.0), np.broadcast_to((0, 0, 1), (24, 24, 3))
-    smoothed = ups.smooth(noisy, np.full(noisy.shape, 20), albedo_rgb=np.full(noisy.shape, 0.5), normal=normal, depth=depth)
+    albedo = np.full(noisy.shape, 0.5)
+    smoothed = ups.smooth(noisy, np.full(noisy.shape, 20), albedo_rgb=albedo, normal=normal, depth=depth)
     assert smoothed.std() < noisy.std() / 3 and smoothed.mean() == pytest.approx(noisy.mean(), rel=0.02)
     with pytest.raises(ValueError, match="depth: expected an array of shape"):
         ups.smooth(noisy, noisy, depth=noisy)

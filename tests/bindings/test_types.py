@@ -36,7 +36,8 @@ def test_mypy_finds_no_mistake_of_ours_and_each_of_theirs(tmp_path):
     asked = subprocess.run([sys.executable, "-m", "mypy", "--config-file", ROOT / "bindings/python/pyproject.toml",
                             "--cache-dir", tmp_path, "--no-error-summary", ROOT / "bindings/python/ups",
                             ROOT / "samples/python/first_room.py", program],
-                           capture_output=True, text=True, cwd=tmp_path, env={"MYPYPATH": str(ROOT / "bindings/python")})
+                           capture_output=True, text=True, cwd=tmp_path,
+                           env={"MYPYPATH": str(ROOT / "bindings/python")})
     assert asked.stderr == ""
     found = {}
     for line in asked.stdout.splitlines():

@@ -1,6 +1,7 @@
 """Images in files: OpenEXR with numbers, PNG for looking at. Need the libraries ups_exr and ups_ocio.
 
-Used by programs: ups.read_exr, ups.write_exr, ups.write_png, ups.write_false_color_png, ups.choose_exposure, ups.smooth.
+Used by programs: ups.read_exr, ups.write_exr, ups.write_png, ups.write_false_color_png, ups.choose_exposure,
+ups.smooth.
 """
 from __future__ import annotations
 
@@ -95,17 +96,18 @@ def _as_picture(values: ArrayLike, name: str) -> NDArray[np.float32]:
 
 
 def choose_exposure(luminance_rgb: ArrayLike) -> float:
-    """The factor from luminance (height, width, 3), cd/m^2, to what the view transform shows; always the same of the same
-    image."""
+    """The factor from luminance (height, width, 3), cd/m^2, to what the view transform shows; always the same of the
+    same image."""
     a, out = _as_picture(luminance_rgb, "luminance_rgb"), ctypes.c_double()
     _check_ocio(load("ups_ocio").ups_ocio_choose_exposure(address(a, ctypes.c_float), a.shape[1], a.shape[0],
                                                           byref(out)))
     return out.value
 
 
-def write_png(path: str | os.PathLike[str], luminance_rgb: ArrayLike, exposure: float = 0, smoothed: bool = False) -> None:
-    """Luminance (height, width, 3), cd/m^2, through the ACES view for an sRGB display. exposure: a factor, 0: chosen from
-    the image; the file says which. smoothed: the picture says that it is."""
+def write_png(path: str | os.PathLike[str], luminance_rgb: ArrayLike, exposure: float = 0,
+              smoothed: bool = False) -> None:
+    """Luminance (height, width, 3), cd/m^2, through the ACES view for an sRGB display. exposure: a factor, 0: chosen
+    from the image; the file says which. smoothed: the picture says that it is."""
     a, lib = _as_picture(luminance_rgb, "luminance_rgb"), load("ups_ocio")
     desc = describe(_ffi.OcioPictureDesc, {"width": a.shape[1], "height": a.shape[0], "smoothed": smoothed,
                                            "luminance_rgb": address(a, ctypes.c_float), "exposure": exposure}, lib)
@@ -130,8 +132,9 @@ def smooth(luminance_rgb: ArrayLike, standard_error_rgb: ArrayLike, albedo_rgb: 
     (height, width, 3) each, depth (height, width). Takes about 10 s a million pixels."""
     a, lib = _as_picture(luminance_rgb, "luminance_rgb"), load("ups_ocio")
     fields: dict[str, Any] = {"width": a.shape[1], "height": a.shape[0], "luminance_rgb": address(a, ctypes.c_float)}
-    for name, values, shape in (("standard_error_rgb", standard_error_rgb, a.shape), ("albedo_rgb", albedo_rgb, a.shape),
-                                ("normal", normal, a.shape), ("depth", depth, a.shape[:2])):
+    for name, values, shape in (("standard_error_rgb", standard_error_rgb, a.shape),
+                                ("albedo_rgb", albedo_rgb, a.shape), ("normal", normal, a.shape),
+                                ("depth", depth, a.shape[:2])):
         if values is not None:
             fields[name] = address(as_array(values, np.float32, shape, name), ctypes.c_float)
     out = np.empty_like(a)

@@ -83,7 +83,7 @@ def render(job: Job, progress: Watcher) -> Result:
         try:
             result = job.result()
         except Error as error:
-            if interrupted and error.status == Status.ERROR_INVALID_STATE:  # before the first iteration: nothing to keep
+            if interrupted and error.status == Status.ERROR_INVALID_STATE:  # before the first iteration
                 raise KeyboardInterrupt from None
             raise
     result.interrupted = interrupted

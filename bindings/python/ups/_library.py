@@ -1,8 +1,8 @@
-"""Which libups and which extras are used, and how their functions look to ctypes. The core is loaded when the package is
-imported, an extra when something first needs it.
+"""Which libups and which extras are used, and how their functions look to ctypes. The core is loaded when the package
+is imported, an extra when something first needs it.
 
-Looked for in this order: UPS_LIBRARY (the core's file, or the folders that hold the libraries, separated as in PATH), the
-folder `lib` of this package, which wheels have, the system.
+Looked for in this order: UPS_LIBRARY (the core's file, or the folders that hold the libraries, separated as in PATH),
+the folder `lib` of this package, which wheels have, the system.
 """
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def load(library: str = "ups") -> Any:
             continue
         _bind(loaded, name, library)
         return loaded
-    raise ImportError(f"lib{library} was not found; set UPS_LIBRARY to the file of libups or to the folders that hold it "
-                      "and its extras. Tried: " + "; ".join(tried))
+    raise ImportError(f"lib{library} was not found; set UPS_LIBRARY to the file of libups or to the folders that hold "
+                      "it and its extras. Tried: " + "; ".join(tried))
 
 
 def _bind(loaded: Any, name: str, library: str) -> None:

@@ -48,7 +48,8 @@ class Profile(Handle):
                                "size": len(data)}
         if tilt_file is not None:
             tilt_file = bytes(tilt_file)
-            own.update(tilt_file=ctypes.cast(ctypes.c_char_p(tilt_file), ctypes.c_void_p), tilt_file_size=len(tilt_file))
+            own.update(tilt_file=ctypes.cast(ctypes.c_char_p(tilt_file), ctypes.c_void_p),
+                       tilt_file_size=len(tilt_file))
         desc = describe(_ffi.ProfileParseDesc, merged(own, fields))
         return cls(create(lib.ups_profile_parse_with, context, byref(desc)))
 

@@ -58,8 +58,8 @@ def picture(luminance_rgb: ArrayLike, exposure: float = 0, ax: Axes | None = Non
 def false_color(values: ArrayLike, unit: str = "lx", scale: tuple[float, float] | None = None, log: bool = False,
                 first_row_at_bottom: bool = False, ax: Axes | None = None) -> Axes:
     """Values (rows, columns) with a scale: illuminance or luminance of an image, or a grid of meters with its
-    first_row_at_bottom. Below 0 or not finite: not known, grey, as is 0 with log. scale: its ends; None: 0 (with log the
-    least) to the 99th percentile."""
+    first_row_at_bottom. Below 0 or not finite: not known, grey, as is 0 with log. scale: its ends; None: 0 (with log
+    the least) to the 99th percentile."""
     a = _known(values, (-1, -1), "values")
     if log:
         a[a == 0] = np.nan
@@ -93,8 +93,8 @@ def _on_lattice(x: NDArray[np.float64], y: NDArray[np.float64], values: NDArray[
 def isolux(positions_m: ArrayLike, illuminance_lx: ArrayLike, levels: Sequence[float] | int | None = None,
            filled: bool = True, ax: Axes | None = None) -> Axes:
     """Lines of equal illuminance over x and y, from meters at positions (n, 3). levels: in lx, ascending, or about how
-    many; None: chosen. Meters whose value is not known (< 0) are left out. Between meters that stand in rows along the axes
-    it is linear within each cell of four, elsewhere within triangles."""
+    many; None: chosen. Meters whose value is not known (< 0) are left out. Between meters that stand in rows along the
+    axes it is linear within each cell of four, elsewhere within triangles."""
     p = as_array(positions_m, np.float64, (-1, 3), "positions_m")
     values = _known(illuminance_lx, (len(p),), "illuminance_lx")
     ax = _axes(ax)
@@ -129,9 +129,10 @@ def plan(scene: Scene, height_m: float, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def polar(profile: Profile, planes_deg: Sequence[float] = (0, 90), per_klm: bool = False, ax: Axes | None = None) -> Axes:
-    """Luminous intensity in each plane C / C + 180 over gamma, 0 downwards, C to the right. per_klm: of 1000 lm. An `ax` of
-    the caller's must be polar."""
+def polar(profile: Profile, planes_deg: Sequence[float] = (0, 90), per_klm: bool = False,
+          ax: Axes | None = None) -> Axes:
+    """Luminous intensity in each plane C / C + 180 over gamma, 0 downwards, C to the right. per_klm: of 1000 lm. An
+    `ax` of the caller's must be polar."""
     ax = _axes(ax, projection="polar")
     gamma = np.radians(np.linspace(-180, 180, 721))
     factor = 1000 / profile.info.flux_lm if per_klm else 1
