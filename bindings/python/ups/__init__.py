@@ -20,8 +20,10 @@ from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, 
                    FixtureId, FixturePartId, GlareFlag, GlareMetric, GltfLayout, GltfSensorKind, InstanceId, JobState,
                    Layer, LightKind, LightPart, Limit, LogLevel, LuminaireId, MaterialId, MaterialModel, MeshId,
                    MeterKind, Method, Observer, OpeningShape, PathEvent, Perturbation, PhotometricType, Photons,
-                   PositionIndex, ProfileFormat, ProfileSymmetry, Progress, Projection, Reading, ReflectorProfile,
-                   ResultText, SceneText, SensorId, Separation, SourceKind, Status, Technique, TextureId, Walk)
+                   PositionIndex, Priority, ProfileFormat, ProfileSymmetry, Progress, Projection, Reading,
+                   ReflectorProfile, ResultText, SceneText, SensorId, Separation, SourceKind, Status, Technique,
+                   TextureId, Walk)
+from ._edits import CommitJob
 from ._fixture import Fixture
 from ._glare import position_index, ugr
 from ._gltf import GltfImport, GltfSensor
@@ -33,16 +35,17 @@ from ._result import ReplayedPath, Result
 from ._scene import Scene
 from ._status import Error
 
-__all__ = ["AlphaMode", "Channel", "CollimatorWall", "Context", "Contribution", "Criterion", "Effect", "EmitterShape",
-           "Error", "ExrImage", "Finish", "Fixture", "FixtureId", "FixturePartId", "GlareFlag", "GlareMetric",
-           "GltfImport", "GltfLayout", "GltfSensor", "GltfSensorKind", "InstanceId", "Job", "JobState", "Layer",
-           "LightKind", "LightPart", "Limit", "LogLevel", "LuminaireId", "MaterialId", "MaterialModel", "MeshId",
-           "MeterKind", "Method", "Observer", "OpeningShape", "PathEvent", "Perturbation", "PhotometricType",
-           "Photons", "PositionIndex", "Profile", "ProfileFormat", "ProfileSymmetry", "Progress", "Projection",
-           "Reading", "ReflectorProfile", "ReplayedPath", "Result", "ResultText", "Scene", "SceneText", "SensorId",
-           "Separation", "SourceKind", "Status", "Technique", "TextureId", "Walk", "choose_exposure", "en12464_grid",
-           "position_index", "read_exr", "smooth", "translation", "ugr", "version", "write_exr",
+__all__ = ["AlphaMode", "Channel", "CollimatorWall", "CommitJob", "Context", "Contribution", "Criterion", "Effect",
+           "EmitterShape", "Error", "ExrImage", "Finish", "Fixture", "FixtureId", "FixturePartId", "GlareFlag",
+           "GlareMetric", "GltfImport", "GltfLayout", "GltfSensor", "GltfSensorKind", "InstanceId", "Job", "JobState",
+           "Layer", "LightKind", "LightPart", "Limit", "LogLevel", "LuminaireId", "MaterialId", "MaterialModel",
+           "MeshId", "MeterKind", "Method", "Observer", "OpeningShape", "PathEvent", "Perturbation", "PhotometricType",
+           "Photons", "PositionIndex", "Priority", "Profile", "ProfileFormat", "ProfileSymmetry", "Progress",
+           "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "Result", "ResultText", "Scene", "SceneText",
+           "SensorId", "Separation", "SourceKind", "Status", "Technique", "TextureId", "Walk", "choose_exposure",
+           "en12464_grid", "position_index", "read_exr", "smooth", "translation", "ugr", "version", "write_exr",
            "write_false_color_png", "write_png"]
 
-for _class in (Context, Error, ExrImage, Fixture, GltfImport, GltfSensor, Job, Profile, ReplayedPath, Result, Scene):
+for _class in (CommitJob, Context, Error, ExrImage, Fixture, GltfImport, GltfSensor, Job, Profile, ReplayedPath, Result,
+               Scene):
     _class.__module__ = __name__  # tracebacks say ups.Error, the name that programs know

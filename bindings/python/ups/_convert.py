@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from ctypes import byref
 from typing import TYPE_CHECKING, Any, Callable, TypeVar
 
@@ -109,11 +109,50 @@ def assign(desc: ctypes.Structure, fields: Mapping[str, Any]) -> None:
             raise TypeError(text if text.startswith(name) else f"{name}: {text}") from None
 
 
-def merged(own: Mapping[str, Any], fields: Mapping[str, Any]) -> dict[str, Any]:
+def merged(own: Mapping[str, Any], fields: Mapping[str, Any], counts: Iterable[str] = ()) -> dict[str, Any]:
     """A caller's fields beside those that the method sets by itself: a count is an array's, whatever is said."""
-    if both := [name for name in fields if name in own]:
-        raise TypeError(f"{both[0]}: is told by the other arguments")
+    for name in fields:
+        if name in own or name in counts:
+            raise TypeError(f"{name}: is told by the other arguments")
     return {**own, **fields}
+
+
+def texture_fields(texels: ArrayLike) -> dict[str, Any]:
+    """Texels (height, width) or (height, width, channels)."""
+    t = np.ascontiguousarray(texels, dtype=np.float32)
+    t = as_array(t[:, :, None] if t.ndim == 2 else t, np.float32, (-1, -1, -1), "texels")
+    return {"width": t.shape[1], "height": t.shape[0], "channel_count": t.shape[2],
+            "texels": address(t, ctypes.c_float)}
+
+
+def meter_fields(positions_m: ArrayLike, normals: ArrayLike, tangents: ArrayLike | None) -> dict[str, Any]:
+    """All three (n, 3); one normal or tangent may stand for all meters."""
+    p = as_array(positions_m, np.float64, (-1, 3), "positions_m")
+    fields: dict[str, Any] = {"positions_m": address(p, ctypes.c_double), "count": len(p)}
+    for name, values in (("normals", normals), ("tangents", tangents)):
+        fields[name] = None
+        if values is not None:
+            a = as_array(np.broadcast_to(np.asarray(values, np.float32), p.shape), np.float32, (-1, 3), name)
+            fields[name] = address(a, ctypes.c_float)
+    return fields
+
+
+def instance_fields(instances: Sequence[_ffi.InstanceId]) -> dict[str, Any]:
+    return {"instance_count": len(instances), "instances": (_ffi.InstanceId * len(instances))(*instances)}
+
+
+def angle_fields(c_deg: ArrayLike | None, gamma_deg: ArrayLike | None,
+                 fields: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Of a goniometer: (what says its angles, the other fields). c_count and gamma_count alone: equal steps."""
+    own: dict[str, Any] = {}
+    rest = dict(fields)
+    for name, values in (("c", c_deg), ("gamma", gamma_deg)):
+        if values is not None:
+            angles = as_array(values, np.float32, (-1,), f"{name}_deg")
+            own.update({f"{name}_deg": address(angles, ctypes.c_float), f"{name}_count": len(angles)})
+        elif f"{name}_count" in rest:
+            own.update({f"{name}_deg": None, f"{name}_count": rest.pop(f"{name}_count")})
+    return own, rest
 
 
 def mesh_fields(positions_m: ArrayLike, indices: ArrayLike, **optional: Any) -> dict[str, Any]:

@@ -235,6 +235,8 @@ class RenderDescFields(TypedDict, total=False):
     flux_paths: SupportsIndex
     target_criterion: SupportsIndex
     memory_limit_bytes: SupportsIndex
+    thread_limit: SupportsIndex
+    priority: SupportsIndex
 
 
 class ObserverDescFields(TypedDict, total=False):

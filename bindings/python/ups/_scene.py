@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Any, Callable, SupportsIndex, TypeVar
 import numpy as np
 
 from . import _ffi
-from ._convert import (address, as_array, as_matrix, describe, dtype_of, lib, material_fields, merged,
-                       mesh_fields, read_array, read_count, read_info, read_text)
-from ._core import Context, Handle, create
+from ._convert import (address, angle_fields, as_array, describe, dtype_of, instance_fields, lib, material_fields,
+                       merged, mesh_fields, meter_fields, read_array, read_count, read_info, read_text, texture_fields)
+from ._core import Context, create
+from ._edits import CommitJob, Edits
 from ._ffi import (FixtureId, FixturePartId, InstanceId, LuminaireId, MaterialId, MeshId, SceneText, SensorId,
                    TextureId)
 from ._fixture import Fixture
@@ -37,13 +38,14 @@ if TYPE_CHECKING:
 AnyId = TypeVar("AnyId", bound=ctypes.Structure)
 
 
-class Scene(Handle):
+class Scene(Edits):
     """Description of what there is. add_* return ids of this scene; changes take effect at the next commit."""
 
     def __init__(self, context: Context):
         super().__init__(create(lib.ups_scene_create, context), lib.ups_scene_destroy)
         self._context = context
         self._shapes: Shapes = {}
+        self._committed: Shapes = {}
 
     def _add(self, function: Callable[..., int], id_type: type[AnyId], desc: ctypes.Structure) -> AnyId:
         out = id_type()
@@ -58,11 +60,7 @@ class Scene(Handle):
 
     def add_texture(self, texels: ArrayLike) -> TextureId:
         """Of shape (height, width) or (height, width, channels); linear; row 0 first."""
-        t = np.ascontiguousarray(texels, dtype=np.float32)
-        t = as_array(t[:, :, None] if t.ndim == 2 else t, np.float32, (-1, -1, -1), "texels")
-        desc = describe(_ffi.TextureDesc, {"width": t.shape[1], "height": t.shape[0], "channel_count": t.shape[2],
-                                           "texels": address(t, ctypes.c_float)})
-        return self._add(lib.ups_scene_add_texture, TextureId, desc)
+        return self._add(lib.ups_scene_add_texture, TextureId, describe(_ffi.TextureDesc, texture_fields(texels)))
 
     def add_material(self, pane_angle_deg: ArrayLike | None = None, pane_transmittance: ArrayLike | None = None,
                      pane_reflectance: ArrayLike | None = None,
@@ -114,23 +112,14 @@ class Scene(Handle):
     def add_meters(self, positions_m: ArrayLike, normals: ArrayLike, tangents: ArrayLike | None = None,
                    **fields: Unpack[_fields.MeterDescFields]) -> SensorId:
         """All three (n, 3); one normal may stand for all meters. Readings keep the order. kind: a MeterKind."""
-        p = as_array(positions_m, np.float64, (-1, 3), "positions_m")
-        n = as_array(np.broadcast_to(np.asarray(normals, np.float32), p.shape), np.float32, (-1, 3), "normals")
-        t = None
-        if tangents is not None:
-            t = as_array(np.broadcast_to(np.asarray(tangents, np.float32), p.shape), np.float32, (-1, 3), "tangents")
-        own = {"positions_m": address(p, ctypes.c_double), "normals": address(n, ctypes.c_float),
-               "tangents": address(t, ctypes.c_float), "count": len(p)}
-        desc = describe(_ffi.MeterDesc, merged(own, fields))
+        desc = describe(_ffi.MeterDesc, merged(meter_fields(positions_m, normals, tangents), fields))
         sensor = self._add(lib.ups_scene_add_meters, SensorId, desc)
-        self._shapes[sensor.v] = (len(p),)
+        self._shapes[sensor.v] = (desc.count,)
         return sensor
 
     def _add_on(self, function: Callable[..., int], desc_type: Any, instances: Sequence[InstanceId],
                 fields: dict[str, Any]) -> SensorId:
-        ids = (InstanceId * len(instances))(*instances)
-        desc = describe(desc_type, merged({"instance_count": len(ids), "instances": ids}, fields))
-        return self._add(function, SensorId, desc)
+        return self._add(function, SensorId, describe(desc_type, merged(instance_fields(instances), fields)))
 
     def add_surface_meters(self, instances: Sequence[InstanceId],
                            **fields: Unpack[_fields.SurfaceMetersDescFields]) -> SensorId:
@@ -151,12 +140,8 @@ class Scene(Handle):
                        **fields: Unpack[_fields.GoniometerDescFields]) -> SensorId:
         """Light that leaves the scene, by direction. Angles ascending, of shape (n,); or equal steps, so many as the
         fields c_count and gamma_count say."""
-        own: dict[str, Any] = {**fields}
-        for name, values in (("c", c_deg), ("gamma", gamma_deg)):
-            if values is not None:
-                angles = as_array(values, np.float32, (-1,), f"{name}_deg")
-                own.update({f"{name}_deg": address(angles, ctypes.c_float), f"{name}_count": len(angles)})
-        return self._add(lib.ups_scene_add_goniometer, SensorId, describe(_ffi.GoniometerDesc, own))
+        own, rest = angle_fields(c_deg, gamma_deg, fields)
+        return self._add(lib.ups_scene_add_goniometer, SensorId, describe(_ffi.GoniometerDesc, {**own, **rest}))
 
     def add_observer(self, **fields: Unpack[_fields.ObserverDescFields]) -> SensorId:
         """An eye whose glare is rated; its meter's readings are those of a set of one."""
@@ -164,41 +149,25 @@ class Scene(Handle):
         self._shapes[sensor.v] = (1,)
         return sensor
 
-    def set_material(self, material: MaterialId, **fields: Any) -> None:
-        """The arguments of add_material; those that are not given take the library's defaults."""
-        check(lib.ups_scene_set_material(self, material, byref(describe(_ffi.MaterialDesc, material_fields(fields)))))
-
-    def set_transform(self, instance: InstanceId, to_world: ArrayLike) -> None:
-        check(lib.ups_scene_set_transform(self, instance, address(as_matrix(to_world, "to_world"), ctypes.c_double)))
-
-    def set_dimming(self, luminaire: LuminaireId, dimming: float) -> None:
-        check(lib.ups_scene_set_dimming(self, luminaire, dimming))
-
-    def set_maintenance_factor(self, factor: float) -> None:
-        """Multiplies the flux of every luminaire and fixture: above 0, at most 1."""
-        check(lib.ups_scene_set_maintenance_factor(self, factor))
-
-    def set_fixture_transform(self, fixture: FixtureId, to_world: ArrayLike) -> None:
-        matrix = address(as_matrix(to_world, "to_world"), ctypes.c_double)
-        check(lib.ups_scene_set_fixture_transform(self, fixture, matrix))
-
-    def set_fixture_dimming(self, fixture: FixtureId, dimming: float) -> None:
-        check(lib.ups_scene_set_fixture_dimming(self, fixture, dimming))
-
-    def remove_instance(self, instance: InstanceId) -> None:
-        check(lib.ups_scene_remove_instance(self, instance))
-
-    def remove_luminaire(self, luminaire: LuminaireId) -> None:
-        check(lib.ups_scene_remove_luminaire(self, luminaire))
-
-    def remove_fixture(self, fixture: FixtureId) -> None:
-        check(lib.ups_scene_remove_fixture(self, fixture))
-
-    def remove_sensor(self, sensor: SensorId) -> None:
-        check(lib.ups_scene_remove_sensor(self, sensor))
-
     def commit(self) -> None:
         check(lib.ups_scene_commit(self))
+        self._keep(dict(self._shapes))
+
+    def _keep(self, shapes: Shapes) -> None:
+        """Of the sensors as they are rendered: edits of their sizes wait for the next commit."""
+        self._committed = shapes
+
+    def start_commit(self) -> CommitJob:
+        """A commit of the scene as it is now, by itself: edits go on meanwhile and belong to the next one. Its watch,
+        wait and poll tell of its end; the scene renders as before until then. One at a time."""
+        return CommitJob(create(lib.ups_scene_start_commit, self), dict(self._shapes), self._keep)
+
+    @property
+    def is_dirty(self) -> bool:
+        """Whether there are edits that no commit has taken, or there was no commit."""
+        out = ctypes.c_int32()
+        check(lib.ups_scene_is_dirty(self, byref(out)))
+        return bool(out.value)
 
     @property
     def info(self) -> _ffi.SceneInfo:
@@ -251,7 +220,7 @@ class Scene(Handle):
     def start(self, **fields: Unpack[_fields.RenderDescFields]) -> Job:
         """The same as a Job, which can be watched and cancelled."""
         desc = describe(_ffi.RenderDesc, fields)
-        return Job(create(lib.ups_job_start, self, byref(desc)), dict(self._shapes))
+        return Job(create(lib.ups_job_start, self, byref(desc)), dict(self._committed))
 
     def estimate_memory(self, **fields: Unpack[_fields.RenderDescFields]) -> _ffi.MemoryEstimate:
         """What a render with these fields will take, as ups_memory_estimate: scene_bytes, working_bytes, light_bytes,
