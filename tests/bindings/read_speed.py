@@ -3,7 +3,7 @@
 memory, in turns, in one process; the shortest of many turns counts. Fails where both reads together take Python more
 than 2 % longer. One call costs Python about 2 us more than C, whatever it reads, so that of the readings alone, which
 take 10 us, it is more than 2 %. Half a minute, on a machine that does nothing else, with 4 GB free; needs numpy and a
-C compiler:
+C compiler. A busy machine varies by more than is measured:
 
     tests/bindings/read_speed.py build/release
 """

@@ -24,7 +24,7 @@ with scene.start(iteration_count=4) as job:
     reveal_type(job.poll().fraction)  # E: builtins.float
     result = job.result()
 result.meters("desk")  # E: Argument 1 to "meters"
-reveal_type(result.image(scene.add_camera(4, 4)))  # E: numpy.ndarray[Any, numpy.dtype[numpy.floating
+reveal_type(result.image(scene.add_camera(4, 4)))  # E: numpy.dtype[numpy.float
 reveal_type(result.info.elapsed_s)  # E: builtins.float
 reveal_type(ups.read_exr("a.exr").channels)  # E: builtins.list[builtins.str]
 '''
@@ -38,7 +38,9 @@ def test_mypy_finds_no_mistake_of_ours_and_each_of_theirs(tmp_path):
                             ROOT / "samples/python/first_room.py", program],
                            capture_output=True, text=True, cwd=tmp_path,
                            env={"MYPYPATH": str(ROOT / "bindings/python")})
-    assert asked.stderr == ""
+    # Later versions of mypy warn that what the configuration asks for is on anyway.
+    complaints = [line for line in asked.stderr.splitlines() if "already enabled" not in line]
+    assert complaints == []
     found = {}
     for line in asked.stdout.splitlines():
         match = re.fullmatch(r"mistakes\.py:(\d+): (?:error|note): (.*)", line)
