@@ -1,6 +1,8 @@
 // UPS for C#: what is there to light and to measure: materials, meshes, luminaires, fixtures, sensors; commit, render.
 // Programs use Scene; see Ups.cs.
 using System;
+using System.Threading;
+using System.Threading.Tasks;
 
 namespace Ups
 {
@@ -12,9 +14,9 @@ namespace Ups
         public Scene(Context context) { Library.Check(Native.ups_scene_create(context.Handle, out Handle)); }
 
         /// <summary>Texels linear, row 0 first; 1, 3 or 4 channels.</summary>
-        public TextureId AddTexture(int width, int height, int channels, float[] texels)
+        public TextureId AddTexture(int width, int height, int channels, ReadOnlySpan<float> texels)
         {
-            Elements.Expect(texels, (long)width * height * channels, "texels");
+            Elements.Expect(texels.Length, (long)width * height * channels, "texels");
             var desc = TextureDesc.Create();
             desc.Width = (uint)width;
             desc.Height = (uint)height;
@@ -36,10 +38,12 @@ namespace Ups
         }
 
         /// <summary>Positions, normals xyz; uvs; tangents xyzw; three indices a triangle, counter-clockwise.</summary>
-        public MeshId AddMesh(float[] positionsM, uint[] indices, MaterialId material, float[] normals = null,
-                              float[] uvs = null, float[] tangents = null)
+        public MeshId AddMesh(ReadOnlySpan<float> positionsM, ReadOnlySpan<uint> indices, MaterialId material,
+                              ReadOnlySpan<float> normals = default,
+                              ReadOnlySpan<float> uvs = default,
+                              ReadOnlySpan<float> tangents = default)
         {
-            var desc = Elements.Mesh(positionsM, indices, normals, uvs, tangents);
+            var desc = Elements.Mesh(positionsM.Length, indices.Length, normals.Length, uvs.Length, tangents.Length);
             desc.Material = material;
             MeshId id;
             fixed (float* p = positionsM, n = normals, t = uvs, g = tangents)
@@ -104,17 +108,17 @@ namespace Ups
 
         /// <summary>Positions, normals, tangents xyz. With tangents and cell sides: means over rectangles.
         /// A footprint: means over discs of that diameter.</summary>
-        public SensorId AddMeters(double[] positionsM, float[] normals, float[] tangents = null, float cellWidthM = 0,
-                                  float cellHeightM = 0, float footprintM = 0,
-                                  MeterKind kind = MeterKind.Planar)
+        public SensorId AddMeters(ReadOnlySpan<double> positionsM, ReadOnlySpan<float> normals,
+                                  ReadOnlySpan<float> tangents = default, float cellWidthM = 0,
+                                  float cellHeightM = 0, float footprintM = 0, MeterKind kind = MeterKind.Planar)
         {
             var desc = MeterDesc.Create();
             desc.Kind = kind;
-            desc.Count = Elements.Count(positionsM, 3, "positionsM");
+            desc.Count = Elements.Count(positionsM.Length, 3, "positionsM");
             desc.CellSizeM = new[] { cellWidthM, cellHeightM };
             desc.FootprintM = footprintM;
-            Elements.Expect(normals, 3L * desc.Count, "normals");
-            if (tangents != null) Elements.Expect(tangents, 3L * desc.Count, "tangents");
+            Elements.Expect(normals.Length, 3L * desc.Count, "normals");
+            Elements.ExpectIfAny(tangents.Length, 3L * desc.Count, "tangents");
             SensorId id;
             fixed (double* p = positionsM)
             fixed (float* n = normals, t = tangents)
@@ -128,7 +132,7 @@ namespace Ups
         }
 
         /// <summary>One planar meter for each triangle of the instances, counted through them.</summary>
-        public SensorId AddSurfaceMeters(InstanceId[] instances, bool back = false)
+        public SensorId AddSurfaceMeters(ReadOnlySpan<InstanceId> instances, bool back = false)
         {
             var desc = SurfaceMetersDesc.Create();
             desc.InstanceCount = (uint)instances.Length;
@@ -143,7 +147,7 @@ namespace Ups
         }
 
         /// <summary>One planar meter for each texel of the instances' UVs, row 0 at v = 0 first.</summary>
-        public SensorId AddLightmap(InstanceId[] instances, uint width, uint height, bool back = false)
+        public SensorId AddLightmap(ReadOnlySpan<InstanceId> instances, uint width, uint height, bool back = false)
         {
             var desc = LightmapDesc.Create();
             desc.InstanceCount = (uint)instances.Length;
@@ -180,10 +184,11 @@ namespace Ups
 
         /// <summary>Light that leaves the scene, by direction. Without angles: equal steps, desc.CCount and GammaCount
         /// of them.</summary>
-        public SensorId AddGoniometer(GoniometerDesc desc, float[] cDeg = null, float[] gammaDeg = null)
+        public SensorId AddGoniometer(GoniometerDesc desc, ReadOnlySpan<float> cDeg = default,
+                                      ReadOnlySpan<float> gammaDeg = default)
         {
-            if (cDeg != null) desc.CCount = (uint)cDeg.Length;
-            if (gammaDeg != null) desc.GammaCount = (uint)gammaDeg.Length;
+            if (!cDeg.IsEmpty) desc.CCount = (uint)cDeg.Length;
+            if (!gammaDeg.IsEmpty) desc.GammaCount = (uint)gammaDeg.Length;
             SensorId id;
             fixed (float* c = cDeg, gamma = gammaDeg)
             {
@@ -200,16 +205,16 @@ namespace Ups
         }
 
         /// <summary>Twelve values, 3x4, row-major, object to world.</summary>
-        public void SetTransform(InstanceId id, double[] toWorld)
+        public void SetTransform(InstanceId id, ReadOnlySpan<double> toWorld)
         {
-            Elements.Expect(toWorld, 12, "toWorld");
+            Elements.Expect(toWorld.Length, 12, "toWorld");
             fixed (double* m = toWorld) Library.Check(Native.ups_scene_set_transform(Handle, id, m));
         }
 
         /// <summary>Twelve values, 3x4, row-major, fixture to world: a rotation and a translation.</summary>
-        public void SetTransform(FixtureId id, double[] toWorld)
+        public void SetTransform(FixtureId id, ReadOnlySpan<double> toWorld)
         {
-            Elements.Expect(toWorld, 12, "toWorld");
+            Elements.Expect(toWorld.Length, 12, "toWorld");
             fixed (double* m = toWorld) Library.Check(Native.ups_scene_set_fixture_transform(Handle, id, m));
         }
 
@@ -256,18 +261,18 @@ namespace Ups
         public string Text(SceneText topic)
         {
             return Library.Text((p, capacity, needed) =>
-                Native.ups_scene_get_text(Handle, topic, p, capacity, needed)) ?? "";
+                Native.ups_scene_get_text(Handle, topic, p, capacity, needed));
         }
 
         /// <summary>Where a plane cuts the committed scene's surfaces.</summary>
-        public Segment[] Section(double[] pointM, double[] normal)
+        public Segment[] Section(ReadOnlySpan<double> pointM, ReadOnlySpan<double> normal)
         {
             return Segments((p, n, s, capacity, needed) =>
                 Native.ups_scene_read_section(Handle, p, n, s, capacity, needed), pointM, normal);
         }
 
         /// <summary>Edges of surfaces that are seen beneath a plane, as ups_scene_read_outlines.</summary>
-        public Segment[] Outlines(double[] pointM, double[] normal, double depthM = double.PositiveInfinity)
+        public Segment[] Outlines(ReadOnlySpan<double> pointM, ReadOnlySpan<double> normal, double depthM = double.PositiveInfinity)
         {
             return Segments((p, n, s, capacity, needed) =>
                 Native.ups_scene_read_outlines(Handle, p, n, depthM, s, capacity, needed), pointM, normal);
@@ -276,10 +281,10 @@ namespace Ups
         private delegate Status ReadSegments(double* point, double* normal, Segment* segments, UIntPtr capacity,
             UIntPtr* needed);
 
-        private static Segment[] Segments(ReadSegments read, double[] pointM, double[] normal)
+        private static Segment[] Segments(ReadSegments read, ReadOnlySpan<double> pointM, ReadOnlySpan<double> normal)
         {
-            Elements.Expect(pointM, 3, "pointM");
-            Elements.Expect(normal, 3, "normal");
+            Elements.Expect(pointM.Length, 3, "pointM");
+            Elements.Expect(normal.Length, 3, "normal");
             UIntPtr needed;
             fixed (double* p = pointM, n = normal)
             {
@@ -337,6 +342,20 @@ namespace Ups
             JobHandle job;
             Library.Check(Native.ups_job_start(Handle, &desc, out job));
             return new Job(job);
+        }
+
+        /// <summary>As Start, Job.WaitAsync and Job.Result in one. Cancelled, the task throws
+        /// OperationCanceledException and what was found is lost; to keep it, use these three. What Start refuses is thrown
+        /// at once. The scene may be changed and disposed of as soon as this returns.</summary>
+        public Task<Result> RenderAsync(RenderDesc desc, CancellationToken cancel = default)
+        {
+            return Waiting.Finish(Start(desc), Waiting.Nobody, cancel);
+        }
+
+        public Task<Result> RenderAsync(RenderDesc desc, IProgress<Progress> progress, CancellationToken cancel = default)
+        {
+            if (progress == null) throw new ArgumentNullException("progress");
+            return Waiting.Finish(Start(desc), progress, cancel);
         }
 
         /// <summary>What such a render will take; takes as long as its preparations.</summary>
