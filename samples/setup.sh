@@ -9,7 +9,7 @@ set -euo pipefail
 run_packages=(cmake ninja-build g++ pkgconf libembree-dev libtbb-dev libopenexr-dev libimath-dev libopencolorio-dev
   libtinygltf-dev libstb-dev nlohmann-json3-dev libcli11-dev libcairo2-dev python3-numpy)
 report_packages=(python3-matplotlib)
-test_packages=(libgtest-dev python3-pytest mono-mcs mono-runtime abigail-tools clang libclang-rt-dev)
+test_packages=(libgtest-dev python3-pytest mono-mcs mono-runtime patchelf abigail-tools clang libclang-rt-dev)
 optional_packages=() # installed with the others where there is such a package: Ubuntu has no chromium
 benchmark_packages=(libbenchmark-dev)
 

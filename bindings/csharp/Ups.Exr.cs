@@ -1,5 +1,5 @@
-// UPS for C#: float images with named channels in OpenEXR files. Programs use ExrLayer, Exr.Write and ExrImage; see Ups.cs.
-// The library is libups_exr, loaded at first use.
+// UPS for C#: float images with named channels in OpenEXR files. Programs use ExrLayer, Exr and ExrImage; see
+// Ups.cs. The library is libups_exr, loaded at first use.
 using System;
 using System.Collections.Generic;
 using System.Runtime.InteropServices;

@@ -17,8 +17,8 @@ namespace Ups
             return status;
         }
 
-        /// <summary>Adds everything in the file (.gltf, .glb) to the scene, which the caller commits. After an error the
-        /// scene holds part of the file: dispose of it.</summary>
+        /// <summary>Adds everything in the file (.gltf, .glb) to the scene, which the caller commits. After an error
+        /// the scene holds part of the file: dispose of it.</summary>
         public static GltfImport File(Context context, string path, Scene scene)
         {
             return File(context, path, scene, GltfImportDesc.Create());

@@ -1,6 +1,6 @@
-// UPS for C#: how are the native libraries called here? The raw layer has their names on Linux, which Mono and .NET find
-// by themselves: beside the program, in a NuGet package, on the system's paths. Of other systems, which were never tried,
-// .NET learns the names here; the assembly for .NET Standard knows Linux alone.
+// UPS for C#: how are the native libraries called here? The raw layer has their names on Linux, which Mono and .NET
+// find by themselves: beside the program, in a NuGet package, on the system's paths. Of other systems, which were never
+// tried, .NET learns the names here; the assembly for .NET Standard knows Linux alone.
 #if NET8_0_OR_GREATER
 using System;
 using System.Reflection;

@@ -109,8 +109,8 @@ namespace Ups
             return smooth;
         }
 
-        /// <summary>Values by colour beside a labelled scale; below 0 or not finite: not known, grey. title, unit: ASCII.
-        /// Both ends of the scale 0: chosen from the values.</summary>
+        /// <summary>Values by colour beside a labelled scale; below 0 or not finite: not known, grey. title, unit:
+        /// ASCII. Both ends of the scale 0: chosen from the values.</summary>
         public static void WriteFalseColor(string path, ReadOnlySpan<float> values, int columns, int rows,
                                            string title = "", string unit = "lx", double scaleMin = 0,
                                            double scaleMax = 0, bool firstRowAtBottom = false)
@@ -122,7 +122,8 @@ namespace Ups
             desc.FirstRowAtBottom = firstRowAtBottom ? 1 : 0;
             desc.ScaleMin = scaleMin;
             desc.ScaleMax = scaleMax;
-            fixed (byte* p = Library.Utf8(path, "path"), t = Library.Utf8(title, "title"), u = Library.Utf8(unit, "unit"))
+            fixed (byte* p = Library.Utf8(path, "path"), t = Library.Utf8(title, "title"),
+                   u = Library.Utf8(unit, "unit"))
             fixed (float* v = values)
             {
                 desc.Values = v;

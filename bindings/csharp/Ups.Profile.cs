@@ -12,7 +12,8 @@ namespace Ups
         internal Profile(ProfileHandle handle) { Handle = handle; }
 
         /// <summary>From the bytes of a photometric file.</summary>
-        public static Profile Parse(Context context, ReadOnlySpan<byte> bytes, ProfileFormat format = ProfileFormat.Auto)
+        public static Profile Parse(Context context, ReadOnlySpan<byte> bytes,
+                                    ProfileFormat format = ProfileFormat.Auto)
         {
             var desc = ProfileParseDesc.Create();
             desc.Format = format;
@@ -189,7 +190,8 @@ namespace Ups
     public static unsafe class Glare
     {
         /// <summary>For directions xyz in the eye's frame, which looks along -Z, +Y up; -1: not a source there.</summary>
-        public static float[] PositionIndex(ReadOnlySpan<float> directions, PositionIndex kind = Ups.PositionIndex.Table)
+        public static float[] PositionIndex(ReadOnlySpan<float> directions,
+                                            PositionIndex kind = Ups.PositionIndex.Table)
         {
             var values = new float[Elements.Count(directions.Length, 3, "directions")];
             fixed (float* d = directions, v = values)

@@ -272,7 +272,8 @@ namespace Ups
         }
 
         /// <summary>Edges of surfaces that are seen beneath a plane, as ups_scene_read_outlines.</summary>
-        public Segment[] Outlines(ReadOnlySpan<double> pointM, ReadOnlySpan<double> normal, double depthM = double.PositiveInfinity)
+        public Segment[] Outlines(ReadOnlySpan<double> pointM, ReadOnlySpan<double> normal,
+                                  double depthM = double.PositiveInfinity)
         {
             return Segments((p, n, s, capacity, needed) =>
                 Native.ups_scene_read_outlines(Handle, p, n, depthM, s, capacity, needed), pointM, normal);
@@ -345,14 +346,15 @@ namespace Ups
         }
 
         /// <summary>As Start, Job.WaitAsync and Job.Result in one. Cancelled, the task throws
-        /// OperationCanceledException and what was found is lost; to keep it, use these three. What Start refuses is thrown
-        /// at once. The scene may be changed and disposed of as soon as this returns.</summary>
+        /// OperationCanceledException and what was found is lost; to keep it, use these three. What Start refuses is
+        /// thrown at once. The scene may be changed and disposed of as soon as this returns.</summary>
         public Task<Result> RenderAsync(RenderDesc desc, CancellationToken cancel = default)
         {
             return Waiting.Finish(Start(desc), Waiting.Nobody, cancel);
         }
 
-        public Task<Result> RenderAsync(RenderDesc desc, IProgress<Progress> progress, CancellationToken cancel = default)
+        public Task<Result> RenderAsync(RenderDesc desc, IProgress<Progress> progress,
+                                        CancellationToken cancel = default)
         {
             if (progress == null) throw new ArgumentNullException("progress");
             return Waiting.Finish(Start(desc), progress, cancel);
