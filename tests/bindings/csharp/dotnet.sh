@@ -14,10 +14,10 @@ root=$(cd "$here/../../.." && pwd)
 skip() { echo "SKIPPED: $*"; exit 77; }
 
 command -v dotnet >/dev/null || skip "no .NET SDK: dotnet is not on PATH"
-sdk=$(dotnet --version) || skip "dotnet has no SDK"
-[ "${sdk%%.*}" -ge 8 ] || skip "the .NET SDK is $sdk, and 8 is needed"
 mkdir -p "$work"
 if [ ! -w "${HOME:-/nonexistent}" ]; then export HOME=$work/home; mkdir -p "$HOME"; fi
+sdk=$(dotnet --version) || skip "dotnet has no SDK"
+[ "${sdk%%.*}" -ge 8 ] || skip "the .NET SDK is $sdk, and 8 is needed"
 export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1 NuGetAudit=false MSBUILDDISABLENODEREUSE=1
 
 # quietly COMMAND...: what it prints is shown when it fails.
