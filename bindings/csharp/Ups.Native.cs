@@ -231,6 +231,12 @@ namespace Ups
         Median = 4,
     }
 
+    public enum Priority : int
+    {
+        Normal = 0,
+        Low = 1,
+    }
+
     public enum JobState : int
     {
         Running = 0,
@@ -1398,6 +1404,8 @@ namespace Ups
         public Criterion TargetCriterion;
         public uint Reserved2;
         public ulong MemoryLimitBytes;
+        public uint ThreadLimit;
+        public Priority Priority;
         /// <summary>With the library's defaults.</summary>
         public static RenderDesc Create()
         {
@@ -2147,13 +2155,57 @@ namespace Ups
         internal static extern Status ups_scene_add_luminaire(SceneHandle scene, LuminaireDesc* desc, LuminaireId*
             @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_texture(SceneHandle scene, TextureId id, TextureDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_material(SceneHandle scene, MaterialId id, MaterialDesc* desc);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_mesh(SceneHandle scene, MeshId id, MeshDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_mesh_vertices(SceneHandle scene, MeshId id, float* positions_m,
+            float* normals, uint vertex_count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_instance(SceneHandle scene, InstanceId id, InstanceDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_transform(SceneHandle scene, InstanceId id, double* to_world);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_light(SceneHandle scene, LuminaireId id, LightDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_luminaire(SceneHandle scene, LuminaireId id, LuminaireDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_luminaire_transform(SceneHandle scene, LuminaireId id, double*
+            to_world);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_dimming(SceneHandle scene, LuminaireId id, float dimming);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_maintenance_factor(SceneHandle scene, double factor);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_texture(SceneHandle scene, TextureId id, TextureDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_read_texture(SceneHandle scene, TextureId id, float* texels, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_material(SceneHandle scene, MaterialId id, MaterialDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_mesh(SceneHandle scene, MeshId id, MeshDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_instance(SceneHandle scene, InstanceId id, InstanceDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_light(SceneHandle scene, LuminaireId id, LightDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_luminaire(SceneHandle scene, LuminaireId id, LuminaireDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_luminaire_profile(SceneHandle scene, LuminaireId id, out
+            ProfileHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_dimming(SceneHandle scene, LuminaireId id, float* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_maintenance_factor(SceneHandle scene, double* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_remove_texture(SceneHandle scene, TextureId id);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_remove_material(SceneHandle scene, MaterialId id);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_remove_mesh(SceneHandle scene, MeshId id);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_remove_instance(SceneHandle scene, InstanceId id);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -2162,6 +2214,10 @@ namespace Ups
         internal static extern Status ups_scene_remove_sensor(SceneHandle scene, SensorId id);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_commit(SceneHandle scene);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_start_commit(SceneHandle scene, out JobHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_is_dirty(SceneHandle scene, int* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_get_info(SceneHandle scene, SceneInfo* info);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -2212,6 +2268,10 @@ namespace Ups
         internal static extern Status ups_scene_get_fixture_instance(SceneHandle scene, FixtureId id, FixturePartId
             part, InstanceId* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_fixture(SceneHandle scene, FixtureId id, FixtureInstanceDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_fixture(SceneHandle scene, FixtureId id, FixtureInstanceDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_fixture_dimming(SceneHandle scene, FixtureId id, float dimming);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_set_fixture_transform(SceneHandle scene, FixtureId id, double*
@@ -2235,6 +2295,28 @@ namespace Ups
             @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_add_lightmap(SceneHandle scene, LightmapDesc* desc, SensorId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_camera(SceneHandle scene, SensorId id, CameraDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_meters(SceneHandle scene, SensorId id, MeterDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_surface_meters(SceneHandle scene, SensorId id, SurfaceMetersDesc*
+            desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_lightmap(SceneHandle scene, SensorId id, LightmapDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_goniometer(SceneHandle scene, SensorId id, GoniometerDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_camera(SceneHandle scene, SensorId id, CameraDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_meters(SceneHandle scene, SensorId id, MeterDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_surface_meters(SceneHandle scene, SensorId id, SurfaceMetersDesc*
+            desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_lightmap(SceneHandle scene, SensorId id, LightmapDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_goniometer(SceneHandle scene, SensorId id, GoniometerDesc* desc);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_read_meter_places(SceneHandle scene, SensorId meters, MeterPlace*
             places, UIntPtr capacity, UIntPtr* needed);
@@ -2400,6 +2482,10 @@ namespace Ups
         internal static extern void ups_observer_desc_init(ObserverDesc* desc, uint struct_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_add_observer(SceneHandle scene, ObserverDesc* desc, SensorId* @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_set_observer(SceneHandle scene, SensorId id, ObserverDesc* desc);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_get_observer(SceneHandle scene, SensorId id, ObserverDesc* desc);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_observer(ResultHandle result, SensorId observer, ObserverReading*
             reading);

@@ -25,6 +25,20 @@
  *     every call computes with C's default environment and gives the caller its own back.
  *   - 64-bit targets only, so every struct has one layout and no hidden padding.
  *   - Destroying children and parents may happen in any order: a child keeps what it needs alive.
+ *
+ * Which calls may run at once, on any threads
+ *                          with others on the same handle           with others on its children, its parent
+ *   ups_context            all                                      all
+ *   ups_profile            all                                      all
+ *   ups_fixture            const ones; else one call at a time      ups_scene_add_fixture reads it
+ *   ups_scene              const ones, which ups_render and         all: its jobs and results are on their own, and go on
+ *                          ups_job_start are; else one at a time    with what was committed when they started
+ *   ups_job, ups_result    all                                      all
+ *   without a handle       all: ups_last_error is each thread's own
+ * A _destroy comes last: nothing else may run on that handle, or come after. Const calls are those whose handle is const
+ * in the declaration. Two renders of one scene at once share its build and the context's threads; each finds the same
+ * bits as alone. A commit, too, may run beside renders that were started before: by ups_scene_start_commit beside edits
+ * and new renders of the scene as well.
  */
 #ifndef UPS_BASE_H
 #define UPS_BASE_H
@@ -69,7 +83,7 @@ enum {
 
 typedef struct ups_context ups_context; /* threads and log; thread-safe */
 typedef struct ups_profile ups_profile; /* one luminous intensity distribution; immutable, thread-safe */
-typedef struct ups_scene ups_scene;     /* description; one thread at a time */
+typedef struct ups_scene ups_scene;     /* description; many threads read, or one changes it */
 typedef struct ups_job ups_job;         /* a render on the library's own threads; thread-safe */
 typedef struct ups_result ups_result;   /* what a render has found so far: immutable, any thread */
 

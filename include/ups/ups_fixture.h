@@ -222,7 +222,9 @@ UPS_API ups_status ups_scene_add_fixture(ups_scene *scene, const ups_fixture *fi
  * had no such part when it was placed. */
 UPS_API ups_status ups_scene_get_fixture_instance(const ups_scene *scene, ups_fixture_id id, ups_fixture_part_id part,
                                                   ups_instance_id *out);
-/* Changes take effect at the next commit. */
+/* Edits, by the rules of ups_scene.h. */
+UPS_API ups_status ups_scene_set_fixture(ups_scene *scene, ups_fixture_id id, const ups_fixture_instance_desc *desc);
+UPS_API ups_status ups_scene_get_fixture(const ups_scene *scene, ups_fixture_id id, ups_fixture_instance_desc *desc);
 UPS_API ups_status ups_scene_set_fixture_dimming(ups_scene *scene, ups_fixture_id id, float dimming);
 UPS_API ups_status ups_scene_set_fixture_transform(ups_scene *scene, ups_fixture_id id, const double to_world[12]);
 UPS_API ups_status ups_scene_remove_fixture(ups_scene *scene, ups_fixture_id id);

@@ -88,6 +88,9 @@ typedef struct ups_observer_desc {
 } ups_observer_desc;
 UPS_API void ups_observer_desc_init(ups_observer_desc *desc, uint32_t struct_size);
 UPS_API ups_status ups_scene_add_observer(ups_scene *scene, const ups_observer_desc *desc, ups_sensor_id *out);
+/* By the rules of ups_scene.h. */
+UPS_API ups_status ups_scene_set_observer(ups_scene *scene, ups_sensor_id id, const ups_observer_desc *desc);
+UPS_API ups_status ups_scene_get_observer(const ups_scene *scene, ups_sensor_id id, ups_observer_desc *desc);
 
 /* What an observer's rating leaves out or stands on, bit by bit. */
 enum {

@@ -57,6 +57,10 @@ enum {
   UPS_CRITERION_MEDIAN = 4
 };
 
+/* LOW: the operating system runs its threads when nothing else on the machine wants the processor (Linux: nice 19). */
+typedef int32_t ups_priority;
+enum { UPS_PRIORITY_NORMAL = 0, UPS_PRIORITY_LOW = 1 };
+
 typedef struct ups_render_desc {
   uint32_t struct_size;
   ups_method method;
@@ -94,6 +98,10 @@ typedef struct ups_render_desc {
   uint64_t memory_limit_bytes;        /* that the committed scene and the render may take together, as
                                        * ups_memory_estimate counts them; 0: what the machine has free and the process's
                                        * control groups leave, which is never exceeded either */
+  uint32_t thread_limit;              /* at most so many processors at a time; 0, or more than the context's threads:
+                                       * all of these. With it, or with a low priority, the job has threads of its own
+                                       * beside the context's, which other jobs keep to themselves. */
+  ups_priority priority;
 } ups_render_desc; /* at least one of time limit, target, iteration count must be set */
 
 typedef int32_t ups_job_state;
@@ -257,7 +265,8 @@ UPS_API ups_status ups_scene_estimate_memory(const ups_scene *scene, const ups_r
  * than expected; the message says what is wanted and what would be right. As a guide: a camera takes up to 300 bytes a
  * pixel, 60 at first and 12 more with each of the first 16 visits of all pixels (`illuminance`: 80 more;
  * technique_images: 96 more for each image), a meter up to 6000, of many meters and where no photons are merged less,
- * for each source of `separation` 5000 more. */
+ * for each source of `separation` 5000 more. Where the scene has edits that were not committed, it is rendered as it was
+ * at the last commit; UPS_TEXT_WARNINGS says so. */
 UPS_API ups_status ups_render(const ups_scene *scene, const ups_render_desc *desc, ups_result **out);
 
 /* The same, without blocking: start, then poll or wait from any thread. Where it is clear at once that too much memory

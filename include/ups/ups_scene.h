@@ -128,20 +128,89 @@ UPS_API ups_status ups_scene_add_instance(ups_scene *scene, const ups_instance_d
 UPS_API ups_status ups_scene_add_light(ups_scene *scene, const ups_light_desc *desc, ups_luminaire_id *out);
 UPS_API ups_status ups_scene_add_luminaire(ups_scene *scene, const ups_luminaire_desc *desc, ups_luminaire_id *out);
 
-/* Changes take effect at the next commit. */
+/* ---- edits ----
+ * What was added can be set, asked for and removed; its id stays. Edits take effect at the next commit.
+ *
+ * ups_scene_set_X takes a whole desc as ups_scene_add_X does, with the same errors; where it fails nothing has changed.
+ * ups_scene_get_X gives the desc as it stands, edits that were not committed included: desc->struct_size must be set, at
+ * most that many bytes are written. Its arrays are the scene's own: they may be read, and handed to ups_scene_set_X,
+ * until that thing is set or removed or the scene is destroyed. So an edit of one field is get, change, set.
+ * ups_scene_remove_X gives the memory back, at the latest when the last render and result of earlier commits is gone.
+ * The id is never handed out again: who uses it is told that it was removed (UPS_ERROR_INVALID_ARGUMENT). What others
+ * still need is not removed: INVALID_ARGUMENT names the first of them. */
+UPS_API ups_status ups_scene_set_texture(ups_scene *scene, ups_texture_id id, const ups_texture_desc *desc);
 UPS_API ups_status ups_scene_set_material(ups_scene *scene, ups_material_id id, const ups_material_desc *desc);
+/* Vertices, triangles and material. Not of a fixture's curved parts. */
+UPS_API ups_status ups_scene_set_mesh(ups_scene *scene, ups_mesh_id id, const ups_mesh_desc *desc);
+/* The vertices alone, as many as the mesh has: positions_m 3 * vertex_count, tight; normals the same, or NULL: as they
+ * are. */
+UPS_API ups_status ups_scene_set_mesh_vertices(ups_scene *scene, ups_mesh_id id, const float *positions_m,
+                                               const float *normals, uint32_t vertex_count);
+/* Not of a fixture's parts, which ups_scene_set_fixture places. */
+UPS_API ups_status ups_scene_set_instance(ups_scene *scene, ups_instance_id id, const ups_instance_desc *desc);
 UPS_API ups_status ups_scene_set_transform(ups_scene *scene, ups_instance_id id, const double to_world[12]);
+/* Keeps the dimming. An id of a luminaire is refused, as that of a light by ups_scene_set_luminaire. */
+UPS_API ups_status ups_scene_set_light(ups_scene *scene, ups_luminaire_id id, const ups_light_desc *desc);
+/* desc->profile NULL: the one that the luminaire has. */
+UPS_API ups_status ups_scene_set_luminaire(ups_scene *scene, ups_luminaire_id id, const ups_luminaire_desc *desc);
+/* Both: of a luminaire or a light. Dimming needs no new render where `separation` tells sources apart (ups_render.h). */
+UPS_API ups_status ups_scene_set_luminaire_transform(ups_scene *scene, ups_luminaire_id id, const double to_world[12]);
 UPS_API ups_status ups_scene_set_dimming(ups_scene *scene, ups_luminaire_id id, float dimming);
 /* Multiplies the flux of every luminaire and fixture, so that all readings are maintained ones (EN 12464-1; CIE 97):
  * above 0, at most 1, at first 1. Lights and emitting surfaces keep theirs, of which a warning tells. */
 UPS_API ups_status ups_scene_set_maintenance_factor(ups_scene *scene, double factor);
+
+/* desc->texels is NULL: ups_scene_read_texture has them. */
+UPS_API ups_status ups_scene_get_texture(const ups_scene *scene, ups_texture_id id, ups_texture_desc *desc);
+/* width * height * channel_count floats, tight. *needed gets their number; BUFFER_TOO_SMALL where capacity is less.
+ * texels may be NULL with capacity 0. */
+UPS_API ups_status ups_scene_read_texture(const ups_scene *scene, ups_texture_id id, float *texels, size_t capacity,
+                                          size_t *needed);
+UPS_API ups_status ups_scene_get_material(const ups_scene *scene, ups_material_id id, ups_material_desc *desc);
+UPS_API ups_status ups_scene_get_mesh(const ups_scene *scene, ups_mesh_id id, ups_mesh_desc *desc);
+UPS_API ups_status ups_scene_get_instance(const ups_scene *scene, ups_instance_id id, ups_instance_desc *desc);
+UPS_API ups_status ups_scene_get_light(const ups_scene *scene, ups_luminaire_id id, ups_light_desc *desc);
+/* desc->profile is NULL: ups_scene_get_luminaire_profile has it. color_rgb has luminance 1. */
+UPS_API ups_status ups_scene_get_luminaire(const ups_scene *scene, ups_luminaire_id id, ups_luminaire_desc *desc);
+/* A handle of its own to the same profile; the caller owns *out. */
+UPS_API ups_status ups_scene_get_luminaire_profile(const ups_scene *scene, ups_luminaire_id id, ups_profile **out);
+UPS_API ups_status ups_scene_get_dimming(const ups_scene *scene, ups_luminaire_id id, float *out);
+UPS_API ups_status ups_scene_get_maintenance_factor(const ups_scene *scene, double *out);
+
+/* Fails where a material has the texture, a mesh the material, an instance the mesh; a set of meters on surfaces fails
+ * at the next commit where one of its instances was removed. */
+UPS_API ups_status ups_scene_remove_texture(ups_scene *scene, ups_texture_id id);
+UPS_API ups_status ups_scene_remove_material(ups_scene *scene, ups_material_id id);
+UPS_API ups_status ups_scene_remove_mesh(ups_scene *scene, ups_mesh_id id);
 UPS_API ups_status ups_scene_remove_instance(ups_scene *scene, ups_instance_id id);
-UPS_API ups_status ups_scene_remove_luminaire(ups_scene *scene, ups_luminaire_id id);
+UPS_API ups_status ups_scene_remove_luminaire(ups_scene *scene, ups_luminaire_id id); /* or light */
 UPS_API ups_status ups_scene_remove_sensor(ups_scene *scene, ups_sensor_id id);
 
-/* Validates, analyses which effects the scene can show, builds what rendering reads.
- * Renders already running keep the earlier build. */
+/* ---- commit ---- */
+
+/* Validates, analyses which effects the scene can show, builds what rendering reads. Renders already running keep the
+ * earlier build. Only what the edits since the last commit touch is built anew, with the same bits as if all were:
+ *   nothing changed              nothing
+ *   dimming, colour, flux        the emitters, and the choice among them
+ *   luminaires and lights moved  the same, and where their light arrives first
+ *   sensors                      those that were set
+ *   an instance moved            where it is: the index of its own triangles, with those of small neighbours, and the one
+ *                                above all; where light arrives first, and what lies on surfaces, is found again
+ *   a mesh                       its index, and what a moved instance wants
+ *   a material, a texture        its tables; geometry where it begins to have holes or to emit
+ * What reaches beyond all else, so that the scene's size leaves its power of two, may move the centre that coordinates
+ * count from: then all is built. Warnings that need a search of all surfaces (triangles that lie on one another or have
+ * no area, glass that overlaps, light that is swallowed) are found at the first commit, and after edits of the geometry
+ * when somebody reads the scene's or a result's warnings; the log has those of the first commit alone. */
 UPS_API ups_status ups_scene_commit(ups_scene *scene);
+/* The same on a thread of the library: poll, wait for, cancel and destroy the job as a render's (ups_render.h);
+ * ups_progress.fraction tells how far it is, iterations_done stays 0, and the functions that ask for a render's findings
+ * answer INVALID_STATE. It commits the scene as it is at this call; edits go on meanwhile and belong to the next commit.
+ * The scene renders as before until the job has ended OK; cancelled or failed it stays so. One at a time:
+ * INVALID_STATE while another commit of the scene runs. Destroying the scene or the job cancels it. */
+UPS_API ups_status ups_scene_start_commit(ups_scene *scene, ups_job **out);
+/* 1: there are edits that no commit has taken, or there was none; 0: what renders is what was described. */
+UPS_API ups_status ups_scene_is_dirty(const ups_scene *scene, int32_t *out);
 
 /* Bit set. A bit that is clear is an effect that this scene cannot show, and that no time is spent on. */
 enum {

@@ -166,6 +166,20 @@ UPS_API ups_status ups_scene_add_meters(ups_scene *scene, const ups_meter_desc *
 UPS_API ups_status ups_scene_add_surface_meters(ups_scene *scene, const ups_surface_meters_desc *desc,
                                                 ups_sensor_id *out);
 UPS_API ups_status ups_scene_add_lightmap(ups_scene *scene, const ups_lightmap_desc *desc, ups_sensor_id *out);
+/* Edits of sensors, by the rules of ups_scene.h; an id stays of the kind that it was added as. What is got of surface
+ * meters and lightmaps still names instances that were removed meanwhile. */
+UPS_API ups_status ups_scene_set_camera(ups_scene *scene, ups_sensor_id id, const ups_camera_desc *desc);
+UPS_API ups_status ups_scene_set_meters(ups_scene *scene, ups_sensor_id id, const ups_meter_desc *desc);
+UPS_API ups_status ups_scene_set_surface_meters(ups_scene *scene, ups_sensor_id id,
+                                                const ups_surface_meters_desc *desc);
+UPS_API ups_status ups_scene_set_lightmap(ups_scene *scene, ups_sensor_id id, const ups_lightmap_desc *desc);
+UPS_API ups_status ups_scene_set_goniometer(ups_scene *scene, ups_sensor_id id, const ups_goniometer_desc *desc);
+UPS_API ups_status ups_scene_get_camera(const ups_scene *scene, ups_sensor_id id, ups_camera_desc *desc);
+UPS_API ups_status ups_scene_get_meters(const ups_scene *scene, ups_sensor_id id, ups_meter_desc *desc);
+UPS_API ups_status ups_scene_get_surface_meters(const ups_scene *scene, ups_sensor_id id,
+                                                ups_surface_meters_desc *desc);
+UPS_API ups_status ups_scene_get_lightmap(const ups_scene *scene, ups_sensor_id id, ups_lightmap_desc *desc);
+UPS_API ups_status ups_scene_get_goniometer(const ups_scene *scene, ups_sensor_id id, ups_goniometer_desc *desc);
 /* Of the meters of a committed scene, as many as its readings: triangles, texels, whether valid or not. *needed gets
  * their number; BUFFER_TOO_SMALL where capacity is less. places may be NULL with capacity 0. */
 UPS_API ups_status ups_scene_read_meter_places(const ups_scene *scene, ups_sensor_id meters, ups_meter_place *places,

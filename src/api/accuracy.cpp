@@ -10,7 +10,7 @@ using namespace ups::api;
 
 namespace {
 
-Accuracy accuracy_of(const ups_job* job) { return require(job, "job").job->accuracy(); }
+Accuracy accuracy_of(const ups_job* job) { return render_of(job).accuracy(); }
 
 ups_prediction predict(const Accuracy& accuracy, double relative_error) {
   if (!(relative_error > 0) || !std::isfinite(relative_error))

@@ -158,6 +158,17 @@ ups_status ups_scene_get_fixture_instance(const ups_scene* scene, ups_fixture_id
   });
 }
 
+ups_status ups_scene_set_fixture(ups_scene* scene, ups_fixture_id id, const ups_fixture_instance_desc* desc) {
+  return guard(__func__, [&] {
+    PlacedFixtures& fixtures = require(scene, "scene").fixtures;
+    fixtures.set(id, read_desc(desc, &ups_fixture_instance_desc_init));
+  });
+}
+
+ups_status ups_scene_get_fixture(const ups_scene* scene, ups_fixture_id id, ups_fixture_instance_desc* desc) {
+  return guard(__func__, [&] { write_info(desc, require(scene, "scene").fixtures.get(id), "desc"); });
+}
+
 ups_status ups_scene_set_fixture_dimming(ups_scene* scene, ups_fixture_id id, float dimming) {
   return guard(__func__, [&] { require(scene, "scene").fixtures.set_dimming(id, dimming); });
 }

@@ -10,9 +10,8 @@
 #include "base/parallel.h"
 #include "fixture/placed.h"
 #include "photometry/photometry.h"
-#include "render/method.h"
+#include "render/commit.h"
 #include "scene/description.h"
-#include "scene/snapshot.h"
 #include "ups/ups.h"
 
 namespace ups {
@@ -104,19 +103,22 @@ struct ups_scene {
   ups::api::Owner<ups_scene> owner;
   std::shared_ptr<ups::ContextCore> context;
   ups::Description description{std::make_shared<const ups::SceneTag>()};
-  std::shared_ptr<const ups::Snapshot> snapshot;  // of the last commit; null before
-  ups::MethodChoice method{};                     // that UPS_METHOD_AUTO stands for on it
+  std::shared_ptr<ups::SceneBuilds> builds = std::make_shared<ups::SceneBuilds>();
   ups::PlacedFixtures fixtures{description};
+
+  bool is_dirty() const {
+    const auto build = builds->last();
+    return !build || build->revision != description.revision();
+  }
 };
 
 namespace ups::api {
 
-// One that was committed.
-inline const ups_scene& committed(const ups_scene* scene) {
-  const ups_scene& s = require(scene, "scene");
-  if (!s.snapshot)
-    throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
-  return s;
+// What the last commit has built.
+inline std::shared_ptr<const SceneBuild> committed(const ups_scene* scene) {
+  auto build = require(scene, "scene").builds->last();
+  if (!build) throw Error(UPS_ERROR_INVALID_STATE, "the scene was never committed; call ups_scene_commit first");
+  return build;
 }
 
 }  // namespace ups::api

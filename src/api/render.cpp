@@ -13,11 +13,17 @@ using namespace ups::api;
 namespace {
 
 std::unique_ptr<ups_job> start(const ups_scene* scene, const ups_render_desc* desc) {
-  const ups_scene& s = committed(scene);
+  const auto build = committed(scene);
   auto job = std::make_unique<ups_job>();
-  job->context = s.context;
-  job->job = std::make_unique<RenderJob>(s.snapshot, read_desc(desc, &ups_render_desc_init), s.context->pool);
-  job->job->start();
+  job->context = scene->context;
+  job->render = std::make_unique<RenderJob>(build->snapshot, read_desc(desc, &ups_render_desc_init),
+                                            scene->context->pool);
+  if (build->revision != scene->description.revision()) {
+    const char* text = "the scene has edits that were not committed: this is the scene of the last commit";
+    job->render->add_notice(text);
+    scene->context->log(UPS_LOG_WARNING, std::string("render: ") + text);
+  }
+  job->render->start();
   return job;
 }
 
@@ -146,9 +152,9 @@ ups_status ups_render(const ups_scene* scene, const ups_render_desc* desc, ups_r
     const auto job = start(scene, desc);
     std::string message;
     ups_status status;
-    while ((status = job->job->wait(UINT32_MAX, message)) == UPS_TIMEOUT) {}
+    while ((status = job->render->wait(UINT32_MAX, message)) == UPS_TIMEOUT) {}
     if (status < 0) throw Error(status, message);
-    *out = wrap(job->job->result());
+    *out = wrap(job->render->result());
   });
 }
 
@@ -160,26 +166,31 @@ ups_status ups_job_start(const ups_scene* scene, const ups_render_desc* desc, up
 }
 
 ups_status ups_job_poll(const ups_job* job, ups_progress* progress) {
-  return guard(__func__, [&] { write_info(progress, require(job, "job").job->progress(), "progress"); });
+  return guard(__func__, [&] {
+    const ups_job& j = require(job, "job");
+    write_info(progress, j.commit ? j.commit->progress() : j.render->progress(), "progress");
+  });
 }
 
 ups_status ups_job_wait(const ups_job* job, uint32_t timeout_ms) {
   return guard(__func__, [&]() -> ups_status {
     std::string message;
-    const ups_status status = require(job, "job").job->wait(timeout_ms, message);
+    const ups_job& j = require(job, "job");
+    const ups_status status = j.commit ? j.commit->wait(timeout_ms, message) : j.render->wait(timeout_ms, message);
     if (status < 0) throw Error(status, message);
     return status;
   });
 }
 
 void ups_job_cancel(ups_job* job) {
-  if (job && job->owner.is_ours()) job->job->cancel();
+  if (!job || !job->owner.is_ours()) return;
+  job->commit ? job->commit->cancel() : job->render->cancel();
 }
 
 ups_status ups_job_result(const ups_job* job, ups_result** out) {
   return guard(__func__, [&] {
     require(out, "out");
-    *out = wrap(require(job, "job").job->result());
+    *out = wrap(render_of(job).result());
   });
 }
 

@@ -8,7 +8,8 @@
 struct ups_job {
   ups::api::Owner<ups_job> owner;
   std::shared_ptr<ups::ContextCore> context;  // keeps threads and log alive
-  std::unique_ptr<ups::RenderJob> job;
+  std::unique_ptr<ups::RenderJob> render;     // this,
+  std::unique_ptr<ups::CommitJob> commit;     // or this
 };
 
 struct ups_result {
@@ -17,6 +18,12 @@ struct ups_result {
 };
 
 namespace ups::api {
+
+inline const RenderJob& render_of(const ups_job* job) {
+  const ups_job& j = require(job, "job");
+  if (!j.render) throw Error(UPS_ERROR_INVALID_STATE, "the job is a commit, which finds no light: ask a render's job");
+  return *j.render;
+}
 
 inline const RenderResult& data_of(const ups_result* result) { return *require(result, "result").data; }
 

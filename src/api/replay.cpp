@@ -27,17 +27,18 @@ ups_status ups_result_read_largest_samples(const ups_result* result, ups_sensor_
 
 ups_status ups_replay(const ups_scene* scene, const ups_render_desc* desc, const ups_sample* sample, ups_path** out) {
   return guard(__func__, [&] {
-    const ups_scene& s = committed(scene);
+    const auto build = committed(scene);
+    const uint32_t tag = build->snapshot->tag->bits();
     ups_sample own = require(sample, "sample");
     require(out, "out");
     ups_render_desc render = read_desc(desc, &ups_render_desc_init);
     render.iteration_count = 1;
     render.time_limit_s = 0, render.target_relative_error = 0, render.flux_paths = 0;
-    own.sensor.v = own_number_of(own.sensor.v, s.snapshot->tag->bits(), "sensor");
-    PathReplay data = RenderJob(s.snapshot, render, s.context->pool).replay(own);
+    own.sensor.v = own_number_of(own.sensor.v, tag, "sensor");
+    PathReplay data = RenderJob(build->snapshot, render, scene->context->pool).replay(own);
     for (ups_path_vertex& v : data.vertices)
-      if (v.instance.v) v.instance.v |= s.snapshot->tag->bits();
-    for (ups_path_contribution& c : data.contributions) c.source |= s.snapshot->tag->bits();
+      if (v.instance.v) v.instance.v |= tag;
+    for (ups_path_contribution& c : data.contributions) c.source |= tag;
     *out = new ups_path{.data = std::move(data)};
   });
 }

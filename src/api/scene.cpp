@@ -1,10 +1,11 @@
-// ups_scene.h: defaults of the descs, what is added to a scene, commit, and what can be asked afterwards.
+// ups_scene.h: defaults of the descs, what is added to a scene, commit, and what can be asked afterwards; for edits see
+// edits.cpp.
 #include "api/desc.h"
-#include "api/handles.h"
+#include "api/render_handles.h"
 #include "base/text.h"
 #include "scene/check.h"
 #include "scene/outlines.h"
-#include "scene/prepare.h"
+#include "scene/searched.h"
 #include "scene/section.h"
 
 using namespace ups;
@@ -32,11 +33,6 @@ ups_status add(const char* function, ups_scene* scene, const Desc* desc, void (*
   });
 }
 
-template <class Change>
-ups_status change(const char* function, ups_scene* scene, const Change& body) {
-  return guard(function, [&] { body(require(scene, "scene").description); });
-}
-
 ups_scene_info info_of(const Snapshot& s, const MethodChoice& method) {
   ups_scene_info info{};
   info.maintenance_factor = s.maintenance_factor;
@@ -53,6 +49,11 @@ ups_scene_info info_of(const Snapshot& s, const MethodChoice& method) {
   const Vec3d low = Vec3d(s.raytracer->bounds_min()) + s.origin, high = Vec3d(s.raytracer->bounds_max()) + s.origin;
   for (int i = 0; i < 3; ++i) info.bounds_min_m[i] = low[i], info.bounds_max_m[i] = high[i];
   return info;
+}
+
+void log_warnings(ContextCore& context, const SceneBuild& build) {
+  for (const auto& texts : {known_warnings(*build.snapshot), build.snapshot->warnings})
+    for (const std::string& warning : texts) context.log(UPS_LOG_WARNING, "scene: " + warning);
 }
 
 // As callers give it.
@@ -152,64 +153,52 @@ ups_status ups_scene_add_luminaire(ups_scene* scene, const ups_luminaire_desc* d
   });
 }
 
-ups_status ups_scene_set_material(ups_scene* scene, ups_material_id id, const ups_material_desc* desc) {
-  return change(__func__, scene, [&](Description& d) { d.set_material(id, read_desc(desc, &ups_material_desc_init)); });
-}
-
-ups_status ups_scene_set_transform(ups_scene* scene, ups_instance_id id, const double to_world[12]) {
-  return change(__func__, scene, [&](Description& d) {
-    check::pointer(to_world, "to_world");
-    double copy[12];
-    std::copy(to_world, to_world + 12, copy);
-    d.set_transform(id, copy);
-  });
-}
-
-ups_status ups_scene_set_dimming(ups_scene* scene, ups_luminaire_id id, float dimming) {
-  return change(__func__, scene, [&](Description& d) { d.set_dimming(id, dimming); });
-}
-
-ups_status ups_scene_set_maintenance_factor(ups_scene* scene, double factor) {
-  return change(__func__, scene, [&](Description& d) { d.set_maintenance_factor(factor); });
-}
-
-ups_status ups_scene_remove_instance(ups_scene* scene, ups_instance_id id) {
-  return change(__func__, scene, [&](Description& d) { d.remove_instance(id); });
-}
-
-ups_status ups_scene_remove_luminaire(ups_scene* scene, ups_luminaire_id id) {
-  return change(__func__, scene, [&](Description& d) { d.remove_luminaire(id); });
-}
-
-ups_status ups_scene_remove_sensor(ups_scene* scene, ups_sensor_id id) {
-  return change(__func__, scene, [&](Description& d) { d.remove_sensor(id); });
-}
-
 ups_status ups_scene_commit(ups_scene* scene) {
   return guard(__func__, [&] {
     ups_scene& s = require(scene, "scene");
-    std::shared_ptr<const Snapshot> snapshot = prepare(s.description, *s.context->pool);
-    MethodChoice method = choose_method(*snapshot, {.method = UPS_METHOD_AUTO});
-    for (const std::string& warning : snapshot->warnings) s.context->log(UPS_LOG_WARNING, "scene: " + warning);
-    s.snapshot = std::move(snapshot);
-    s.method = std::move(method);
+    Monitor monitor;
+    const auto build = s.builds->commit(s.description, *s.context->pool, monitor);
+    if (build) log_warnings(*s.context, *build);
+  });
+}
+
+ups_status ups_scene_start_commit(ups_scene* scene, ups_job** out) {
+  return guard(__func__, [&] {
+    ups_scene& s = require(scene, "scene");
+    require(out, "out");
+    auto job = std::make_unique<ups_job>();
+    job->context = s.context;
+    job->commit = std::make_unique<CommitJob>(s.builds, s.description, s.context->pool,
+                                              [context = s.context](const SceneBuild& b) { log_warnings(*context, b); });
+    *out = job.release();
+  });
+}
+
+ups_status ups_scene_is_dirty(const ups_scene* scene, int32_t* out) {
+  return guard(__func__, [&] {
+    const ups_scene& s = require(scene, "scene");
+    require(out, "out") = s.is_dirty();
   });
 }
 
 ups_status ups_scene_get_info(const ups_scene* scene, ups_scene_info* info) {
   return guard(__func__, [&] {
-    write_info(info, info_of(*committed(scene).snapshot, scene->method), "info");
+    const auto build = committed(scene);
+    write_info(info, info_of(*build->snapshot, build->method), "info");
   });
 }
 
 ups_status ups_scene_get_text(const ups_scene* scene, ups_scene_text topic, char* text, size_t capacity,
                               size_t* needed) {
   return guard(__func__, [&] {
-    const Snapshot& s = *committed(scene).snapshot;
+    const auto build = committed(scene);
+    const Snapshot& s = *build->snapshot;
     check::enumeration(topic, UPS_SCENE_TEXT_TECHNIQUES, "topic", "UPS_SCENE_TEXT_*");
-    const std::string from = topic == UPS_SCENE_TEXT_WARNINGS  ? lines(s.warnings) + lines(scene->method.warnings)
+    const std::string from = topic == UPS_SCENE_TEXT_WARNINGS
+                                 ? lines(searched_warnings(s, *scene->context->pool)) + lines(s.warnings) +
+                                       lines(build->method.warnings)
                              : topic == UPS_SCENE_TEXT_EFFECTS ? s.effects.text
-                                                               : scene->method.text;
+                                                               : build->method.text;
     copy_text(from, text, capacity, needed);
   });
 }
@@ -217,7 +206,8 @@ ups_status ups_scene_get_text(const ups_scene* scene, ups_scene_text topic, char
 ups_status ups_scene_read_section(const ups_scene* scene, const double point_m[3], const double normal[3],
                                   ups_segment* segments, size_t capacity, size_t* needed) {
   return guard(__func__, [&] {
-    const Snapshot& s = *committed(scene).snapshot;
+    const auto build = committed(scene);
+    const Snapshot& s = *build->snapshot;
     const Plane plane(point_m, normal);
     const std::vector<ups_segment> all = section(s, plane.point, plane.normal);
     copy_array(all.size(), segments, capacity, needed, "segments", [&](size_t i) { return all[i]; });
@@ -227,7 +217,8 @@ ups_status ups_scene_read_section(const ups_scene* scene, const double point_m[3
 ups_status ups_scene_read_outlines(const ups_scene* scene, const double point_m[3], const double normal[3],
                                    double depth_m, ups_segment* segments, size_t capacity, size_t* needed) {
   return guard(__func__, [&] {
-    const Snapshot& s = *committed(scene).snapshot;
+    const auto build = committed(scene);
+    const Snapshot& s = *build->snapshot;
     const Plane plane(point_m, normal);
     if (!(depth_m > 0)) fail_argument("depth_m is " + check::text(depth_m) + "; it must be > 0");
     const std::vector<ups_segment> all = outlines(s, plane.point, plane.normal, depth_m);

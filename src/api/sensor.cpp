@@ -129,7 +129,8 @@ ups_status ups_scene_add_lightmap(ups_scene* scene, const ups_lightmap_desc* des
 ups_status ups_scene_read_meter_places(const ups_scene* scene, ups_sensor_id meters, ups_meter_place* places,
                                        size_t capacity, size_t* needed) {
   return guard(__func__, [&] {
-    const Snapshot& s = *committed(scene).snapshot;
+    const auto build = committed(scene);
+    const Snapshot& s = *build->snapshot;
     const uint32_t number = own_number_of(meters.v, s.tag->bits(), "sensor");
     const auto at = std::find(s.meter_set_ids.begin(), s.meter_set_ids.end(), number);
     if (at == s.meter_set_ids.end())

@@ -31,12 +31,13 @@ void copy(const Vec3d& from, double (&to)[3]) {
 }  // namespace
 
 ups_status ups_scene_get_source_count(const ups_scene* scene, uint32_t* out) {
-  return guard(__func__, [&] { require(out, "out") = uint32_t(committed(scene).snapshot->sources.size()); });
+  return guard(__func__, [&] { require(out, "out") = uint32_t(committed(scene)->snapshot->sources.size()); });
 }
 
 ups_status ups_scene_get_source(const ups_scene* scene, uint32_t index, ups_scene_source* source) {
   return guard(__func__, [&] {
-    const Snapshot& s = *committed(scene).snapshot;
+    const auto build = committed(scene);
+    const Snapshot& s = *build->snapshot;
     const Source& from = source_at(s, index);
     ups_scene_source info{};
     info.kind = from.kind;
@@ -54,7 +55,8 @@ ups_status ups_scene_get_source(const ups_scene* scene, uint32_t index, ups_scen
 ups_status ups_scene_get_source_profile(const ups_scene* scene, uint32_t index, ups_profile** out) {
   return guard(__func__, [&] {
     require(out, "out");
-    const Source& source = source_at(*committed(scene).snapshot, index);
+    const auto build = committed(scene);
+    const Source& source = source_at(*build->snapshot, index);
     if (!source.profile)
       fail_argument("source " + std::to_string(index) + " is no luminaire, so it has no profile");
     auto profile = std::make_unique<ups_profile>();

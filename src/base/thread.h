@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <string>
@@ -40,6 +41,10 @@ class SignalsBlocked {
  private:
   sigset_t before_;
 };
+
+// Of the calling thread and those that it starts from now on: they run when nothing else wants the processor. There is no
+// way back without privileges.
+inline void lower_priority() { setpriority(PRIO_PROCESS, 0, 19); }  // of Linux, where 0 is the calling thread
 
 // body() on a thread named "ups/<role>", cut to the 15 characters that Linux shows.
 template <class Body>

@@ -56,6 +56,7 @@ bool is_finite(const Vec3T<T>& a) {
 // 3x4, row-major, object to world, as in the C API.
 struct Affine {
   double m[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  bool operator==(const Affine&) const = default;
 
   Vec3d point(const Vec3d& p) const {
     return {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],

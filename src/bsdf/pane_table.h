@@ -10,9 +10,13 @@ class PaneTable {
  public:
   // angle_deg: ascending from 0 to 90; reflectance: empty: as Fresnel's.
   PaneTable(std::vector<float> angle_deg, std::vector<float> transmittance, std::vector<float> reflectance)
-      : angle_(std::move(angle_deg)), transmittance_(std::move(transmittance)), reflectance_(std::move(reflectance)) {
+      : angle_deg_(std::move(angle_deg)), angle_(angle_deg_), transmittance_(std::move(transmittance)), reflectance_(std::move(reflectance)) {
     for (float& a : angle_) a *= 3.14159265f / 180;
   }
+  // As they were given.
+  const std::vector<float>& angle_deg() const { return angle_deg_; }
+  const std::vector<float>& transmittance() const { return transmittance_; }
+  const std::vector<float>& reflectance() const { return reflectance_; }
   bool has_reflectance() const { return !reflectance_.empty(); }
   bool transmits() const { return any(transmittance_); }
   bool reflects() const { return any(reflectance_); }
@@ -30,7 +34,7 @@ class PaneTable {
   static bool any(const std::vector<float>& values) {
     return std::any_of(values.begin(), values.end(), [](float v) { return v > 0; });
   }
-  std::vector<float> angle_, transmittance_, reflectance_;  // rad
+  std::vector<float> angle_deg_, angle_, transmittance_, reflectance_;  // angle_: rad
 };
 
 }  // namespace ups

@@ -17,6 +17,11 @@ class AreaEmitter : public Emitter {
   // Triangles in the order of the mesh (a hit's primitive is an index into them), counter-clockwise seen from the side
   // that emits; both_sides: the back emits as well, with the same radiance, cd/m^2.
   AreaEmitter(std::vector<EmitterTriangle> triangles, const Rgb& radiance, bool both_sides, uint32_t instance);
+  // The same triangles with other light.
+  AreaEmitter(const AreaEmitter& shape, const Rgb& radiance, bool both_sides) : AreaEmitter(shape) {
+    radiance_ = radiance, both_sides_ = both_sides;
+  }
+  bool emits_both_sides() const { return both_sides_; }
 
   EmitterKind kind() const override { return EmitterKind::area; }
   bool is_delta() const override { return false; }

@@ -8,7 +8,7 @@ constexpr float least_exposed = 0.01f;  // behind glass, which the probe may hav
 
 }  // namespace
 
-EmitterSet::EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std::vector<float>& exposed)
+EmitterSet::EmitterSet(std::vector<std::shared_ptr<const Emitter>> emitters, const std::vector<float>& exposed)
     : emitters_(std::move(emitters)) {
   std::vector<double> flux;
   std::vector<LightTree::Entry> direct;

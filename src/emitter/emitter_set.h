@@ -1,5 +1,6 @@
 // All emitters of a scene, and the choice among them for light paths and for next-event estimation.
 #pragma once
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -14,13 +15,18 @@ class EmitterSet {
   EmitterSet() = default;
   // exposed: of each emitter, the share of its flux that reaches a surface where next-event estimation can pick it, in
   // [0, 1]; empty: all. A lamp behind a lens has none, and choosing it there is wasted. Only choose_direct uses it.
-  explicit EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std::vector<float>& exposed = {});
+  explicit EmitterSet(std::vector<std::shared_ptr<const Emitter>> emitters, const std::vector<float>& exposed = {});
+  explicit EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std::vector<float>& exposed = {})
+      : EmitterSet(std::vector<std::shared_ptr<const Emitter>>(std::make_move_iterator(emitters.begin()),
+                                                               std::make_move_iterator(emitters.end())),
+                   exposed) {}
 
   // Whether `exposed` makes a difference for so many emitters.
   static bool uses_exposed(size_t count) { return count > 1 && count <= LightTree::max_listed; }
 
   size_t size() const { return emitters_.size(); }
   const Emitter& operator[](size_t i) const { return *emitters_[i]; }
+  const std::shared_ptr<const Emitter>& shared(size_t i) const { return emitters_[i]; }
   double flux_lm() const { return flux_lm_; }
   size_t bytes() const;
 
@@ -34,7 +40,7 @@ class EmitterSet {
   float direct_probability(const Receiver& receiver, size_t i) const { return direct_.probability(receiver, i); }
 
  private:
-  std::vector<std::unique_ptr<Emitter>> emitters_;
+  std::vector<std::shared_ptr<const Emitter>> emitters_;
   DiscreteDistribution by_flux_;
   double flux_lm_ = 0;
   LightTree direct_;

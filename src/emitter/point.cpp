@@ -130,8 +130,10 @@ bool SpotEmitter::emission_square(const Vec3&, uint32_t, const Vec3& direction, 
   return true;
 }
 
-DirectionalEmitter::DirectionalEmitter(const Vec3& direction, const Rgb& illuminance, float scene_radius)
-    : frame_(normalize(direction)), illuminance_(illuminance), scene_radius_(scene_radius) {}
+DirectionalEmitter::DirectionalEmitter(const Vec3& direction, const Rgb& illuminance, float scene_radius,
+                                       const Vec3& scene_center)
+    : frame_(normalize(direction)), illuminance_(illuminance), scene_radius_(scene_radius),
+      scene_center_(scene_center) {}
 
 double DirectionalEmitter::flux_lm() const { return luminance(flux_rgb()); }
 Rgb DirectionalEmitter::flux_rgb() const { return illuminance_ * (pi * scene_radius_ * scene_radius_); }
@@ -141,7 +143,7 @@ Rgb DirectionalEmitter::flux_rgb() const { return illuminance_ * (pi * scene_rad
 Outline DirectionalEmitter::outline() const {
   const float distance = 1000 * scene_radius_;
   Outline out;
-  out.center = frame_.n * -distance;
+  out.center = scene_center_ + frame_.n * -distance;
   out.half = Vec3(scene_radius_, scene_radius_, scene_radius_);
   out.intensity = luminance(illuminance_) * distance * distance;
   return out;
@@ -151,7 +153,7 @@ bool DirectionalEmitter::sample_emission(const Vec2& u_position, const Vec2&, Em
   if (is_black(illuminance_) || !(scene_radius_ > 0)) return false;
   const Vec2 disc = square_to_disc(u_position);
   out = {};
-  out.p = (frame_.s * disc.x + frame_.t * disc.y - frame_.n) * scene_radius_;
+  out.p = scene_center_ + (frame_.s * disc.x + frame_.t * disc.y - frame_.n) * scene_radius_;
   out.n = frame_.n;
   out.direction = frame_.n;
   out.flux = flux_rgb();
@@ -174,7 +176,8 @@ bool DirectionalEmitter::sample_direct(const Vec3& reference, const Vec2&, Direc
 }
 
 bool DirectionalEmitter::emission_square(const Vec3& p, uint32_t, const Vec3&, Vec2& u) const {
-  const Vec2 disc{dot(p, frame_.s) / scene_radius_, dot(p, frame_.t) / scene_radius_};
+  const Vec3 from = p - scene_center_;
+  const Vec2 disc{dot(from, frame_.s) / scene_radius_, dot(from, frame_.t) / scene_radius_};
   if (!(disc.x * disc.x + disc.y * disc.y <= 1)) return false;
   u = disc_to_square(disc);
   return true;

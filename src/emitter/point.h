@@ -66,18 +66,18 @@ class SpotEmitter : public PunctualEmitter {
   double solid_angle_;  // integral of the attenuation over directions, sr
 };
 
-// Parallel light of the given illuminance, lx, on a plane across it. Light paths start on a disc behind the scene,
-// whose centre is the origin; the disc's area density stands for the position, both densities of the direction are 1.
+// Parallel light of the given illuminance, lx, on a plane across it. Light paths start on a disc behind the scene; its
+// area density stands for the position, both densities of the direction are 1.
 class DirectionalEmitter : public Emitter {
  public:
   // direction: of travel.
-  DirectionalEmitter(const Vec3& direction, const Rgb& illuminance, float scene_radius);
+  DirectionalEmitter(const Vec3& direction, const Rgb& illuminance, float scene_radius, const Vec3& scene_center = {});
   EmitterKind kind() const override { return EmitterKind::directional; }
   bool is_delta() const override { return true; }
   bool is_directional() const override { return true; }
   double flux_lm() const override;
   Rgb flux_rgb() const override;
-  Vec3 center() const override { return {}; }
+  Vec3 center() const override { return scene_center_; }
   float radius() const override { return scene_radius_; }
   Outline outline() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
@@ -91,6 +91,7 @@ class DirectionalEmitter : public Emitter {
   Frame frame_;  // n: direction of travel
   Rgb illuminance_;
   float scene_radius_;
+  Vec3 scene_center_;
 };
 
 }  // namespace ups

@@ -15,13 +15,19 @@
 #include <cstdio>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "base/floating_point.h"
+#include "base/monitor.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
-namespace ups::embree {
+namespace ups {
+
+struct SurfaceTexturing;
+
+namespace embree {
 
 #if UPS_EMBREE_MAJOR >= 4
 using PlainContext = RTCRayQueryContext;
@@ -30,13 +36,18 @@ inline void init(PlainContext& context) { rtcInitRayQueryContext(&context); }
 using PlainContext = RTCIntersectContext;
 inline void init(PlainContext& context) { rtcInitIntersectContext(&context); }
 #endif
-// Every query of this folder has one. User geometry must call the filter of its query itself.
+// Every query of this folder has one. User geometry must call the filter of its query itself. texturing: by
+// Mesh::material, of meshes with holes.
 struct QueryContext : PlainContext {
   RTCFilterFunctionN filter_of_all = nullptr;
+  const SurfaceTexturing* texturing = nullptr;
   QueryContext() { init(*this); }
 };
 inline RTCFilterFunctionN filter_of(const PlainContext* context) {
   return static_cast<const QueryContext*>(context)->filter_of_all;
+}
+inline const SurfaceTexturing* texturing_of(const PlainContext* context) {
+  return static_cast<const QueryContext*>(context)->texturing;
 }
 
 #if UPS_EMBREE_MAJOR >= 4
@@ -112,10 +123,13 @@ class Device {
   // Of trees and what they are built from, without buffers that are shared with it.
   size_t bytes() const { return size_t(std::max<ssize_t>(0, bytes_.load(std::memory_order_relaxed))); }
 
+  // Throws what went wrong since the last time.
   void check() {
     const std::lock_guard lock(mutex_);
-    if (code_ == RTC_ERROR_NONE) return;
-    const ups_status status = code_ == RTC_ERROR_OUT_OF_MEMORY ? UPS_ERROR_OUT_OF_MEMORY : UPS_ERROR_INTERNAL;
+    const RTCError code = std::exchange(code_, RTC_ERROR_NONE);
+    if (code == RTC_ERROR_NONE) return;
+    if (code == RTC_ERROR_CANCELLED) throw Cancelled();
+    const ups_status status = code == RTC_ERROR_OUT_OF_MEMORY ? UPS_ERROR_OUT_OF_MEMORY : UPS_ERROR_INTERNAL;
     throw Error(status, std::string("Embree: ") + message_);
   }
 
@@ -155,19 +169,27 @@ class Scene {
   // Takes over the geometry's one reference.
   void attach(RTCGeometry geometry, uint32_t id) {
     rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene_, geometry, id);
+    attach_shared(geometry, id);
     rtcReleaseGeometry(geometry);
     device_->check();
   }
-  // Embree builds in the arena of its caller: a device's own thread setting would change the whole process.
-  void commit(ThreadPool& pool) {
+  // One that was committed, and has an owner.
+  void attach_shared(RTCGeometry geometry, uint32_t id) { rtcAttachGeometryByID(scene_, geometry, id); }
+  // Embree builds in the arena of its caller: a device's own thread setting would change the whole process. monitor may
+  // be null; throws Cancelled.
+  void commit(ThreadPool& pool, Monitor* monitor = nullptr) {
+    if (monitor) rtcSetSceneProgressMonitorFunction(scene_, &Scene::on_progress, monitor);
     pool.run_tasks([&] { rtcCommitScene(scene_); });  // which masks traps
+    if (monitor) rtcSetSceneProgressMonitorFunction(scene_, nullptr, nullptr);
     device_->check();
   }
 
  private:
+  static bool on_progress(void* monitor, double) { return !static_cast<Monitor*>(monitor)->is_cancelled(); }
+
   Device* device_;
   RTCScene scene_;
 };
 
-}  // namespace ups::embree
+}  // namespace embree
+}  // namespace ups

@@ -8,205 +8,52 @@
 #include <utility>
 
 #include "base/per_thread.h"
-#include "geometry/box.h"
-#include "geometry/traced_mesh.h"
+#include "geometry/raytracer_impl.h"
 
 namespace ups {
 namespace {
 
-// Of (|p| + longest edge): rounding of p, of the vertices, and of Embree's own distance to the plane (tests/geometry
-// has boxes at several scales and offsets, and counts hits of the surface that a ray has just left).
-constexpr float gamma_error = 16 * 0x1p-24f;
-// Embree takes rays into an instance's frame in float. Where that would lose many digits the instance is baked: a
-// transform that stretches one way more than another by max_stretch, or a translation beyond max_reach times the
-// scene's extent.
-constexpr double max_stretch = 4, max_reach = 4;
 constexpr float min_side_cosine = 1e-3f;
 
-// ---- building ----
-
-// Points of the surface, among them those that lie farthest along the axes that `to` leads to.
-template <class Visit>
-void each_extreme(const Mesh& mesh, const Affine& to, const Visit& visit) {
-  if (!mesh.revolution) {
-    for (const Vec3& p : mesh.positions) visit(Vec3d(p));
-    return;
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3d row(to.m[4 * axis], to.m[4 * axis + 1], to.m[4 * axis + 2]);
-    visit(farthest(*mesh.revolution, row)), visit(farthest(*mesh.revolution, -row));
-  }
-}
-
-// Largest over smallest stretch, at most: product of the Frobenius norms of the matrix and its inverse.
-double stretch(const Affine& m) {
-  double forward = 0, cofactor = 0;
-  for (int c = 0; c < 3; ++c) {
-    forward += length2(m.column(c));
-    cofactor += length2(cross(m.column((c + 1) % 3), m.column((c + 2) % 3)));
-  }
-  const double det = std::abs(m.determinant());
-  return det > 0 ? std::sqrt(forward * cofactor) / (3 * det) : std::numeric_limits<double>::infinity();
-}
-
-// Which instances Embree is given as triangles of the scene; the others share their mesh.
-std::vector<bool> choose_baked(const std::vector<Raytracer::Instance>& instances, const std::vector<Box>& boxes) {
-  std::vector<size_t> uses(boxes.size());
-  double scene_extent = 0;
-  for (const auto& i : instances) {
-    ++uses[i.mesh];
-    const Box box = boxes[i.mesh].transformed(i.to_scene);
-    scene_extent = std::max({scene_extent, max_abs(box.lower), max_abs(box.upper)});
-  }
-  std::vector<bool> baked;
-  for (const auto& i : instances)
-    baked.push_back(uses[i.mesh] == 1 || stretch(i.to_scene) > max_stretch ||
-                    max_abs(i.to_scene.column(3)) > max_reach * scene_extent);
-  return baked;
-}
-
 }  // namespace
-
-Box bounding_box(const Mesh& mesh) {
-  Box box;
-  each_extreme(mesh, Affine{}, [&](const Vec3d& p) { box.grow(p); });
-  return box;
-}
-
-size_t Mesh::bytes() const {
-  return sizeof *this + positions.capacity() * sizeof(Vec3) + normals.capacity() * sizeof(Vec3) +
-         uvs.capacity() * sizeof(Vec2) + tangents.capacity() * sizeof(float) + indices.capacity() * sizeof(uint32_t) +
-         (revolution ? revolution->bands.capacity() * sizeof(RevolutionBand) : 0);
-}
-
-struct Raytracer::Impl {
-  struct Placed {
-    uint32_t traced;  // index
-    bool baked;
-    Affine to_scene;
-    double side;                      // -1: the transform mirrors, so that winding and front part
-    NormalMatrix normals;             // of to_scene
-    float error_offset, error_scale;  // error = gamma * (error_scale * (|p| + edge) + error_offset)
-  };
-  const std::vector<SurfaceTexturing>* texturing;
-  std::vector<std::unique_ptr<TracedMesh>> traced;
-  std::vector<Placed> placed;
-  embree::Device device;
-  std::vector<std::unique_ptr<embree::Scene>> instanced;
-  std::unique_ptr<embree::Scene> top;
-  size_t triangles = 0;
-  Box bounds;
-
-  Triangle triangle(const Placed& instance, uint32_t primitive) const {
-    Triangle t = traced[instance.traced]->triangle(primitive);
-    if (!instance.baked)
-      for (Vec3d& p : t.p) p = instance.to_scene.point(p);
-    return t;
-  }
-  void grow_bounds(const Placed& instance, const Box& mesh_box) {
-    if (bounds.holds(mesh_box.transformed(instance.to_scene))) return;
-    each_extreme(*traced[instance.traced]->source, instance.to_scene,
-                 [&](const Vec3d& p) { bounds.grow(Vec3d(Vec3(instance.to_scene.point(p)))); });
-  }
-  void place_baked(const Mesh& mesh, uint32_t id, Placed instance) {
-    instance.traced = uint32_t(traced.size());
-    instance.baked = true;
-    traced.push_back(make_traced_mesh(mesh, *texturing, &instance.to_scene));
-    attach(device, *top, *traced.back(), id);
-    placed.push_back(instance);
-  }
-  void place_instanced(RTCScene scene, uint32_t mesh, uint32_t id, Placed instance) {
-    instance.traced = mesh;
-    // Embree takes rays to the object's frame in float: it loses digits of the translation, and more where stretched.
-    const Affine& m = instance.to_scene;
-    instance.error_scale = float(2 * std::max(1.0, stretch(m)));
-    instance.error_offset = instance.error_scale * float(max_abs(m.column(3)));
-    float columns[12];
-    for (int c = 0; c < 4; ++c)
-      for (int r = 0; r < 3; ++r) columns[3 * c + r] = float(m.m[4 * r + c]);
-    RTCGeometry handle = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-    device.check();
-    rtcSetGeometryInstancedScene(handle, scene);
-    rtcSetGeometryTransform(handle, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
-    top->attach(handle, id);
-    placed.push_back(instance);
-  }
-  // Embree's distance along a ray that runs nearly within the triangle's plane can be anything (its issue 387), and the
-  // barycentrics of a thin triangle off by centimetres: float areas of slivers. Does nothing to others.
-  void refine(const Vec3& ng, const Vec3& o, const Vec3& d, Hit& hit) const {
-    const Placed& instance = placed[hit.instance];
-    const TracedMesh& mesh = *traced[instance.traced];
-    if (mesh.source->revolution || !(mesh.has_thin || grazes(instance, ng, d))) return;
-    const Triangle met = triangle(instance, hit.primitive);
-    double weights[3], t, sum = 0;
-    constexpr double outside = 1e-2;  // beyond that the ray runs so close to the plane that no answer is better
-    const bool told = meet_plane(met, Vec3d(o), Vec3d(d), weights, t) && t > 0 &&
-                      std::all_of(weights, weights + 3, [](double w) { return w >= -outside && w <= 1 + outside; });
-    if (!told) {
-      const Vec3d named = met.sum({1.0 - hit.u - hit.v, double(hit.u), double(hit.v)});
-      hit.t = std::max(float(dot(named - Vec3d(o), Vec3d(d))), std::numeric_limits<float>::min());
-      return;
-    }
-    for (double& w : weights) sum += w = std::clamp(w, 0.0, 1.0);
-    hit.t = float(t);
-    hit.u = float(weights[1] / sum);
-    hit.v = float(weights[2] / sum);
-  }
-  static bool grazes(const Placed& instance, const Vec3& ng, const Vec3& d) {
-    constexpr float grazing = 1e-3f;
-    const Vec3 n = instance.baked ? ng : Vec3(normalize(instance.normals * Vec3d(ng)));
-    const float along = dot(n, d);
-    return along * along < grazing * grazing * dot(n, n);
-  }
-  Hit to_hit(const RTCHit& hit, float t, const Vec3& o, const Vec3& d) const;
-  void place_on_revolution(const Placed& instance, const Revolution& revolution, SurfacePoint& point) const;
-  bool normal_at(const Placed& instance, const SurfacePoint& point, const Triangle& triangle, Vec3& out) const;
-};
-
-Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-                     const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, bool finds_all)
-    : impl_(std::make_unique<Impl>()) {
-  Impl& impl = *impl_;
-  impl.texturing = &texturing;
-  impl.top = std::make_unique<embree::Scene>(impl.device, finds_all);
-  std::vector<Box> boxes;
-  for (const auto& mesh : meshes) boxes.push_back(bounding_box(*mesh));
-  const std::vector<bool> baked = choose_baked(instances, boxes);
-  std::vector<std::pair<RTCScene, uint32_t>> shared(meshes.size());  // a mesh's own scene, and its index in traced
-  for (size_t i = 0; i < instances.size(); ++i) {
-    const Instance& instance = instances[i];
-    const Mesh& mesh = *meshes[instance.mesh];
-    const double side = instance.to_scene.determinant() < 0 ? -1 : 1;
-    const Impl::Placed placed{0, false, instance.to_scene, side, NormalMatrix(instance.to_scene), 0, 1};
-    if (baked[i]) {
-      impl.place_baked(mesh, uint32_t(i), placed);
-    } else {
-      auto& [scene, index] = shared[instance.mesh];
-      if (!scene) {
-        index = uint32_t(impl.traced.size());
-        impl.traced.push_back(make_traced_mesh(mesh, texturing, nullptr));
-        impl.instanced.push_back(std::make_unique<embree::Scene>(impl.device, finds_all));
-        attach(impl.device, *impl.instanced.back(), *impl.traced.back(), 0);
-        impl.instanced.back()->commit(pool);
-        scene = *impl.instanced.back();
-      }
-      impl.place_instanced(scene, index, uint32_t(i), placed);
-    }
-    impl.grow_bounds(impl.placed.back(), boxes[instance.mesh]);
-    impl.triangles += mesh.triangle_count();
-  }
-  impl.top->commit(pool);
-}
 
 Raytracer::~Raytracer() = default;
 
 // ---- rays ----
 
+bool Raytracer::Impl::grazes(const Placed& instance, const Vec3& ng, const Vec3& d) {
+  constexpr float grazing = 1e-3f;
+  const Vec3 n = instance.baked ? ng : Vec3(normalize(instance.normals * Vec3d(ng)));
+  const float along = dot(n, d);
+  return along * along < grazing * grazing * dot(n, n);
+}
+
+// Embree's distance along a ray that runs nearly within the triangle's plane can be anything (its issue 387), and the
+// barycentrics of a thin triangle off by centimetres: float areas of slivers. Does nothing to others.
+void Raytracer::Impl::refine(const Vec3& ng, const Vec3& o, const Vec3& d, Hit& hit) const {
+  const Placed& instance = placed[hit.instance];
+  const TracedMesh& mesh = *traced[instance.traced];
+  if (mesh.source->revolution || !(mesh.has_thin || grazes(instance, ng, d))) return;
+  const Triangle met = triangle(instance, hit.primitive);
+  double weights[3], t, sum = 0;
+  constexpr double outside = 1e-2;  // beyond that the ray runs so close to the plane that no answer is better
+  const bool told = meet_plane(met, Vec3d(o), Vec3d(d), weights, t) && t > 0 &&
+                    std::all_of(weights, weights + 3, [](double w) { return w >= -outside && w <= 1 + outside; });
+  if (!told) {
+    const Vec3d named = met.sum({1.0 - hit.u - hit.v, double(hit.u), double(hit.v)});
+    hit.t = std::max(float(dot(named - Vec3d(o), Vec3d(d))), std::numeric_limits<float>::min());
+    return;
+  }
+  for (double& w : weights) sum += w = std::clamp(w, 0.0, 1.0);
+  hit.t = float(t);
+  hit.u = float(weights[1] / sum);
+  hit.v = float(weights[2] / sum);
+}
+
 Hit Raytracer::Impl::to_hit(const RTCHit& from, float t, const Vec3& o, const Vec3& d) const {
-  const bool baked = from.instID[0] == RTC_INVALID_GEOMETRY_ID;
   Hit hit;
   hit.t = t;
-  hit.instance = baked ? from.geomID : from.instID[0];
+  hit.instance = instance_of(from);
   hit.primitive = traced[placed[hit.instance].traced]->primitive(from.primID);
   hit.u = from.u;
   hit.v = from.v;
@@ -216,6 +63,7 @@ Hit Raytracer::Impl::to_hit(const RTCHit& from, float t, const Vec3& o, const Ve
 
 bool Raytracer::intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) const {
   embree::QueryContext context;
+  context.texturing = impl_->texturing.data();
   RTCRayHit query;
   query.ray = embree::make_ray(o, d, tmax);
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -252,6 +100,7 @@ void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
   static const PerThread<AllHits> kept;
   AllHits& all = kept.get();
   all.context = {};
+  all.context.texturing = impl_->texturing.data();
   all.found.clear();
   all.out_of_memory = false;
   RTCRayHit query;
@@ -272,6 +121,7 @@ void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
 
 bool Raytracer::occluded(const Vec3& o, const Vec3& d, float tmax) const {
   embree::QueryContext context;
+  context.texturing = impl_->texturing.data();
   RTCRay ray = embree::make_ray(o, d, tmax);
   embree::occluded(*impl_->top, context, ray);
   return ray.tfar < 0;
@@ -299,7 +149,7 @@ bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& poin
                                 Vec3& out) const {
   const Mesh& mesh = *traced[instance.traced]->source;
   const uint32_t* i = &mesh.indices[3 * size_t(point.primitive)];
-  const Texture* bumps = mesh.material < texturing->size() ? (*texturing)[mesh.material].normal : nullptr;
+  const Texture* bumps = mesh.material < texturing.size() ? texturing[mesh.material].normal : nullptr;
   if (mesh.normals.empty() && !bumps) return false;
   Vec3d n(point.ng);
   if (!mesh.normals.empty()) {
@@ -313,7 +163,7 @@ bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& poin
   Vec3d tangent, bitangent;
   if (bumps && tangents_at(mesh, i, point, instance.to_scene, instance.side, triangle, n, tangent, bitangent)) {
     const Rgb texel = bumps->rgb(point.uv);
-    const double scale = (*texturing)[mesh.material].normal_scale;
+    const double scale = texturing[mesh.material].normal_scale;
     n = tangent * ((2.0 * texel.r - 1) * scale) + bitangent * ((2.0 * texel.g - 1) * scale) + n * (2.0 * texel.b - 1);
     const double size = length(n);
     if (!(size > 0)) return false;
@@ -387,7 +237,7 @@ void Raytracer::each_triangle(const std::function<void(const Vec3d (&)[3])>& vis
 }
 
 size_t Raytracer::bytes() const {
-  size_t sum = impl_->device.bytes() + impl_->placed.capacity() * sizeof(Impl::Placed);
+  size_t sum = impl_->device->bytes() + impl_->placed.capacity() * sizeof(Impl::Placed);
   for (const auto& traced : impl_->traced) sum += traced->bytes();
   return sum;
 }

@@ -34,19 +34,26 @@ struct SurfaceTexturing {
   enum { opaque, mask, blend } alpha_mode = opaque;
   const Texture* normal = nullptr;
   float normal_scale = 1;
+  bool operator==(const SurfaceTexturing&) const = default;
 };
+
+class Monitor;
 
 class Raytracer {
  public:
   struct Instance {
     uint32_t mesh;
-    Affine to_scene;  // object to the scene's own origin
+    Affine to_scene;      // object to the scene's own origin
+    uint32_t number = 0;  // that it keeps while others come and go; ascending
+    bool operator==(const Instance&) const = default;
   };
-  // The meshes and texturing must outlive the ray tracer. texturing is indexed by Mesh::material.
+  // texturing is indexed by Mesh::material; its textures must outlive the ray tracer.
   // finds_all: intersect_all() may be asked, which costs the others a little.
-  // Throws Error (OUT_OF_MEMORY, INTERNAL with Embree's message).
+  // earlier: what is the same in it is shared; null: none. Rays find the same with it and without.
+  // Throws Error (OUT_OF_MEMORY, INTERNAL with Embree's message), and Cancelled where there is a monitor.
   Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
-            const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, bool finds_all = false);
+            const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, bool finds_all = false,
+            const Raytracer* earlier = nullptr, Monitor* monitor = nullptr);
   ~Raytracer();
   Raytracer(const Raytracer&) = delete;
   Raytracer& operator=(const Raytracer&) = delete;
@@ -65,13 +72,15 @@ class Raytracer {
   bool visible(const SurfacePoint& a, const Vec3& b, float b_error) const;
 
   size_t triangle_count() const;  // instances expanded
-  size_t bytes() const;           // without the meshes
+  size_t bytes() const;           // without the meshes; with what is left of earlier ones that share parts
+  size_t shared_parts(const Raytracer& earlier) const;  // meshes that both have, for tests
   // Vertices of each, in the scene's frame; of a surface of revolution those of its mesh.
   void each_triangle(const std::function<void(const Vec3d (&)[3])>& visit) const;
   Vec3 bounds_min() const;
   Vec3 bounds_max() const;
 
  private:
+  friend class RaytracerBuild;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

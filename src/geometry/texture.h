@@ -16,6 +16,11 @@ class Texture {
   float last(const Vec2& uv) const;  // alpha of 4-channel textures
   float min_first() const { return min_first_; }
   bool coloured() const { return coloured_; }
+  uint32_t width() const { return width_; }
+  uint32_t height() const { return height_; }
+  uint32_t channels() const { return channels_; }
+  size_t texel_count() const { return size_t(width_) * height_ * channels_; }  // all channels
+  float texel(size_t i) const { return indices_.empty() ? texels_[i] : values_[indices_[i]]; }  // as they were given
   size_t bytes() const {
     return sizeof *this + (texels_.capacity() + values_.capacity()) * sizeof(float) + indices_.capacity();
   }

@@ -82,8 +82,8 @@ constexpr double thin_share = 1e-3;
 
 uint64_t bits_of(float a, float b) { return uint64_t(std::bit_cast<uint32_t>(a)) << 32 | std::bit_cast<uint32_t>(b); }
 
-bool is_hole(const TracedMesh& mesh, uint32_t primitive, const RTCRay& ray, float u, float v) {
-  const SurfaceTexturing& t = *mesh.texturing;
+bool is_hole(const TracedMesh& mesh, const SurfaceTexturing& t, uint32_t primitive, const RTCRay& ray, float u,
+             float v) {
   const float texel = t.alpha ? t.alpha->last(uv_at(*mesh.source, primitive, u, v)) : 1.0f;
   const float alpha = texel * t.alpha_factor;
   if (t.alpha_mode == SurfaceTexturing::mask) return alpha < t.alpha_cutoff;
@@ -123,8 +123,9 @@ void filter(const RTCFilterFunctionNArguments* args) {
   const RTCRay& ray = *reinterpret_cast<const RTCRay*>(args->ray);
   const RTCHit& hit = *reinterpret_cast<const RTCHit*>(args->hit);
   const uint32_t primitive = mesh.primitive(hit.primID);
+  const SurfaceTexturing* texturing = mesh.has_holes ? embree::texturing_of(args->context) : nullptr;
   const bool reject = (mesh.has_thin && is_false_hit(mesh.triangle(primitive), ray)) ||
-                      (mesh.texturing && is_hole(mesh, primitive, ray, hit.u, hit.v));
+                      (texturing && is_hole(mesh, texturing[mesh.source->material], primitive, ray, hit.u, hit.v));
   if (reject) args->valid[0] = 0;
 }
 
@@ -155,14 +156,34 @@ Facet facet_of(const Triangle& triangle) {
   return {Vec3(area_normal / area), float(edge), float(area / edge * (1 - 0x1p-20))};
 }
 
+RTCGeometry make_geometry(TracedMesh& mesh) {
+  if (mesh.source->revolution) return make_revolution_geometry(mesh);
+  const std::vector<uint32_t>& indices = mesh.complete ? mesh.source->indices : mesh.indices;
+  if (indices.empty()) return nullptr;
+  RTCGeometry triangles = rtcNewGeometry(*mesh.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  mesh.device->check();
+  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
+                             sizeof(Vec3), mesh.positions.size() - 1);
+  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0,
+                             3 * sizeof(uint32_t), indices.size() / 3);
+  rtcSetGeometryUserData(triangles, &mesh);
+  if (mesh.has_holes || mesh.has_thin) {
+    rtcSetGeometryIntersectFilterFunction(triangles, &filter);
+    rtcSetGeometryOccludedFilterFunction(triangles, &filter);
+  }
+  return triangles;
+}
+
 }  // namespace
 
-std::unique_ptr<TracedMesh> make_traced_mesh(const Mesh& mesh, const std::vector<SurfaceTexturing>& texturing,
-                                             const Affine* bake) {
-  auto traced = std::make_unique<TracedMesh>();
-  traced->source = &mesh;
-  if (mesh.material < texturing.size() && texturing[mesh.material].alpha_mode != SurfaceTexturing::opaque)
-    traced->texturing = &texturing[mesh.material];
+std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<embree::Device> device,
+                                                   std::shared_ptr<const Mesh> source, bool has_holes,
+                                                   const Affine* bake) {
+  auto traced = std::make_shared<TracedMesh>();
+  const Mesh& mesh = *source;
+  traced->device = std::move(device);
+  traced->source = std::move(source);
+  traced->has_holes = has_holes;
   traced->positions.reserve(mesh.positions.size() + 1);
   for (const Vec3& p : mesh.positions) traced->positions.push_back(bake ? Vec3(bake->point(Vec3d(p))) : p);
   traced->positions.emplace_back();
@@ -175,25 +196,10 @@ std::unique_ptr<TracedMesh> make_traced_mesh(const Mesh& mesh, const std::vector
     for (size_t i = 0; i < mesh.triangle_count(); ++i)
       traced->facets.push_back(facet_of(traced->triangle(uint32_t(i))));
   }
+  traced->geometry = make_geometry(*traced);
+  if (traced->geometry) rtcCommitGeometry(traced->geometry);
+  traced->device->check();
   return traced;
-}
-
-void attach(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id) {
-  if (mesh.source->revolution) return attach_revolution(device, scene, mesh, id);
-  const std::vector<uint32_t>& indices = mesh.complete ? mesh.source->indices : mesh.indices;
-  if (indices.empty()) return;
-  RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  device.check();
-  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
-                             sizeof(Vec3), mesh.positions.size() - 1);
-  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0,
-                             3 * sizeof(uint32_t), indices.size() / 3);
-  rtcSetGeometryUserData(triangles, &mesh);
-  if (mesh.texturing || mesh.has_thin) {
-    rtcSetGeometryIntersectFilterFunction(triangles, &filter);
-    rtcSetGeometryOccludedFilterFunction(triangles, &filter);
-  }
-  scene.attach(triangles, id);
 }
 
 }  // namespace ups

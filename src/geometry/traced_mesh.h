@@ -28,9 +28,12 @@ struct Facet {
   float low_height;    // above the longest edge, rounded down
 };
 
+// Immutable once made: the scenes of several builds may have it.
 struct TracedMesh {
-  const Mesh* source = nullptr;
-  const SurfaceTexturing* texturing = nullptr;
+  std::shared_ptr<embree::Device> device;
+  std::shared_ptr<const Mesh> source;
+  bool has_holes = false;            // rays ask the texturing of its material
+  RTCGeometry geometry = nullptr;    // null: no triangle has an area
   std::vector<Vec3> positions;       // one more than used: Embree reads 16 bytes at a time
   bool complete = true;              // every triangle has an area; else these are the ones that do:
   std::vector<uint32_t> primitives;  // their numbers in the mesh
@@ -45,6 +48,12 @@ struct TracedMesh {
   Affine to_frame, from_frame;
   std::vector<Piece> pieces;
 
+  TracedMesh() = default;
+  ~TracedMesh() {
+    if (geometry) rtcReleaseGeometry(geometry);
+  }
+  TracedMesh(const TracedMesh&) = delete;
+  TracedMesh& operator=(const TracedMesh&) = delete;
   size_t bytes() const {
     return sizeof *this + positions.capacity() * sizeof(Vec3) + facets.capacity() * sizeof(Facet) +
            (primitives.capacity() + indices.capacity()) * sizeof(uint32_t) + pieces.capacity() * sizeof(Piece);
@@ -74,12 +83,10 @@ void keep_off_edges(const Triangle& triangle, double area, double longest_edge, 
 // Interpolated texture coordinates; 0 where the mesh has none.
 Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v);
 
-// bake: the transform of the only instance; null: the mesh stays in its own frame. The mesh and the texturing outlive
-// it.
-std::unique_ptr<TracedMesh> make_traced_mesh(const Mesh& mesh, const std::vector<SurfaceTexturing>& texturing,
-                                             const Affine* bake);
-// Embree reads the mesh's own buffers as long as the scene lives.
-void attach(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id);
-void attach_revolution(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id);
+// bake: the transform of the only instance; null: the mesh stays in its own frame.
+std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<embree::Device> device,
+                                                   std::shared_ptr<const Mesh> mesh, bool has_holes,
+                                                   const Affine* bake);
+RTCGeometry make_revolution_geometry(TracedMesh& mesh);
 
 }  // namespace ups

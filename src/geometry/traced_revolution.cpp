@@ -85,20 +85,20 @@ void occlude_one(const RTCOccludedFunctionNArguments* args) {
 
 }  // namespace
 
-void attach_revolution(embree::Device& device, embree::Scene& scene, TracedMesh& mesh, uint32_t id) {
+RTCGeometry make_revolution_geometry(TracedMesh& mesh) {
   const Revolution& shape = *mesh.source->revolution;
   for (uint32_t band = 0; band < shape.bands.size(); ++band) {
     const uint32_t sectors = sector_count(shape.bands[band]);
     for (uint32_t sector = 0; sector < sectors; ++sector) mesh.pieces.push_back({band, sector, sectors});
   }
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  device.check();
+  RTCGeometry geometry = rtcNewGeometry(*mesh.device, RTC_GEOMETRY_TYPE_USER);
+  mesh.device->check();
   rtcSetGeometryUserPrimitiveCount(geometry, unsigned(mesh.pieces.size()));
   rtcSetGeometryUserData(geometry, &mesh);
   rtcSetGeometryBoundsFunction(geometry, &bounds, &mesh);
   rtcSetGeometryIntersectFunction(geometry, &intersect_one);
   rtcSetGeometryOccludedFunction(geometry, &occlude_one);
-  scene.attach(geometry, id);
+  return geometry;
 }
 
 }  // namespace ups

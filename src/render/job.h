@@ -45,6 +45,8 @@ class RenderJob {
   RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_desc& desc, std::shared_ptr<ThreadPool> pool);
   ~RenderJob();  // cancels and joins
 
+  // A warning of its results; before start().
+  void add_notice(const std::string& text) { notices_ += text + "\n"; }
   // Throws Error where it is clear that too much memory is wanted.
   void start();
   // In place of start(): what it would take.
@@ -64,6 +66,7 @@ class RenderJob {
   using Clock = StopSignal::Clock;
   void run();
   void iterate();
+  void take_threads();
   void make_integrator();
   void take_memory();
   void prepare();
@@ -82,6 +85,7 @@ class RenderJob {
   std::shared_ptr<const Snapshot> scene_;
   ups_render_desc desc_;
   std::shared_ptr<ThreadPool> pool_;
+  std::string notices_;
   MethodChoice method_;
   AllowedMemory allowed_;
   MemoryBudget memory_;  // of light paths

@@ -1,11 +1,13 @@
 // The making of a snapshot from a description, for prepare.cpp (surfaces, sensors, media), prepare_meters.cpp,
 // prepare_sources.cpp (what emits) and prepare_warnings.cpp.
 #pragma once
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/monitor.h"
 #include "base/parallel.h"
 #include "emitter/emitter.h"
 #include "emitter/rays.h"
@@ -36,33 +38,47 @@ void in_context(const std::string& name, const Build& build) {
 
 class Builder {
  public:
-  Builder(const Description& description, ThreadPool& threads)
-      : in_(description), threads_(threads), out_(std::make_shared<Snapshot>()) {}
+  Builder(const Description& description, ThreadPool& threads, const Snapshot* earlier, Monitor& monitor)
+      : in_(description), threads_(threads), earlier_(earlier), monitor_(monitor),
+        out_(std::make_shared<Snapshot>()) {}
 
   std::shared_ptr<const Snapshot> build();
 
  private:
   void place();
+  const Box& mesh_box(uint32_t mesh);
   void add_materials();
+  bool scatters_as_before(uint32_t material) const;
   void add_geometry();
+  bool is_same_instance(size_t i) const;
+  bool has_same_origin() const { return max_abs(earlier_->origin - out_->origin) == 0; }
   void add_emissive_instances();
-  void bound(Source& source, const std::vector<Vec3>& corners) const;
+  void add_panes();
+  void bound(Source& source, const Mesh& mesh, const Affine& to_scene) const;  // in the scene's frame
   void add_sources();
-  void add_light(const std::string& name, const LightDescription& light, float dimming);
-  void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming);
+  void add_light(const std::string& name, const LightDescription& light, const SourceDescription& source);
+  void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, const SourceDescription& source);
   float opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const;
   std::shared_ptr<const RaySet> rays_of(const LuminaireDescription& luminaire);
-  void add_rays(const std::string& name, const LuminaireDescription& luminaire, const Rgb& scale);
-  // size: of Snapshot::emitter_sizes.
-  bool add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe, float size = 0);
+  void add_rays(const std::string& name, const LuminaireDescription& luminaire, const SourceDescription& source,
+                const Rgb& scale);
+  using UnitEmitter = std::function<std::unique_ptr<Emitter>()>;
+  // size: of Snapshot::emitter_sizes. unit: the same emitter of another flux, which no dimming changes.
+  bool add_emitter(const std::string& name, std::shared_ptr<const Emitter> emitter, UnitEmitter unit, const Vec3& front,
+                   const EmitterProbe& probe, float size = 0);
+  // What is known of the source that was begun last; null: it was not there, or stood elsewhere.
+  const EmitterProbe* known_probe(const SourceDescription& source) const;
+  EmitterProbe probe_of(const SourceDescription& source, const std::function<EmitterProbe()>& find);
+  void find_exposed();
+  void find_concentration();
   void add_sensors();
+  void add_meter_set(uint32_t id, const std::function<MeterSet()>& make);
   MeterSet make_meters(const MetersDescription& meters) const;
   MeterSet make_surface_meters(uint32_t id, const SurfaceMetersDescription& meters);
   void find_media();
+  bool sensors_are_same() const;
   void add_warnings();
-  void warn_of_overlaps();
-  void warn_of_triangles();
-  void warn_of_swallowed_light();
+  void share_searches();
   void warn_of_unit();
   void warn_of_maintenance();
 
@@ -80,10 +96,16 @@ class Builder {
 
   const Description& in_;
   ThreadPool& threads_;
+  const Snapshot* earlier_;  // may be null
+  Monitor& monitor_;
   std::shared_ptr<Snapshot> out_;
-  std::vector<Raytracer::Instance> instances_;
-  std::vector<std::unique_ptr<Emitter>> emitters_;
-  std::vector<Vec3> emitter_probes_;  // a point of each, off any surface
+  // As in the earlier build: the ray tracer; that, and how surfaces scatter; that, and where errors end.
+  bool same_geometry_ = false, same_surfaces_ = false, same_places_ = false;
+  bool same_emitters_ = false;  // they stand where they stood
+  std::map<std::pair<ups_source_kind, uint32_t>, size_t> earlier_emitter_;  // index, by source
+  std::vector<std::shared_ptr<const Emitter>> emitters_;
+  std::vector<UnitEmitter> unit_emitters_;
+  std::vector<Vec3> emitter_fronts_;  // a point of each, off any surface
   std::vector<DiscIndex::Disc> openings_;
   uint32_t unmaintained_ = 0;  // lamps that are no luminaires
   std::map<const photometry::Photometry*, std::shared_ptr<const RaySet>> ray_sets_;  // one a profile

@@ -2,7 +2,7 @@
 // order in which they were added: what messages name it by. The bits above are the scene's tag, so that another scene
 // refuses the id. Used by scene/description.h and the API.
 #pragma once
-#include <optional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +42,8 @@ inline uint32_t own_number_of(uint32_t id, uint32_t tag_bits, const char* noun) 
   return number;
 }
 
-// Things by number, and by id. A number that was removed never comes back.
+// Things by number, and by id. A number that was removed never comes back, and keeps a null pointer alone. Things are
+// immutable and shared with copies of the table: whoever holds one knows by its address that it was not set since.
 template <class T>
 class IdTable {
  public:
@@ -51,8 +52,12 @@ class IdTable {
   uint32_t add(T item) {
     if (items_.size() >= max_id_number)
       throw Error(UPS_ERROR_UNSUPPORTED, "a scene holds at most " + std::to_string(max_id_number) + " of a kind");
-    items_.emplace_back(std::move(item));
-    return uint32_t(items_.size()) | tag_bits_;
+    items_.push_back(std::make_shared<const T>(std::move(item)));
+    return id_of(uint32_t(items_.size()));
+  }
+  void set(uint32_t id, T item, const char* noun) {
+    get(id, noun);
+    items_[number_of(id) - 1] = std::make_shared<const T>(std::move(item));
   }
   void remove(uint32_t id, const char* noun) {
     get(id, noun);
@@ -66,10 +71,12 @@ class IdTable {
     if (!items_[number - 1]) fail_argument(std::string(noun) + " id " + std::to_string(number) + " was removed");
     return *items_[number - 1];
   }
-  T& get(uint32_t id, const char* noun) { return const_cast<T&>(std::as_const(*this).get(id, noun)); }
+  uint32_t id_of(uint32_t number) const { return number ? number | tag_bits_ : 0; }
+  uint32_t last_number() const { return uint32_t(items_.size()); }
   bool holds(uint32_t number) const { return number > 0 && number <= items_.size() && items_[number - 1]; }
   // By number, of a thing that is there.
   const T& at(uint32_t number) const { return *items_[number - 1]; }
+  const std::shared_ptr<const T>& shared(uint32_t number) const { return items_[number - 1]; }
   // visit(number, item) in the order of numbers.
   template <class Visit>
   void each(const Visit& visit) const {
@@ -79,7 +86,7 @@ class IdTable {
 
  private:
   uint32_t tag_bits_;
-  std::vector<std::optional<T>> items_;
+  std::vector<std::shared_ptr<const T>> items_;
 };
 
 }  // namespace ups

@@ -44,6 +44,8 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
 
 namespace {
 
+constexpr uint64_t max_surface_triangles = 16'777'216;
+
 using Corners = std::array<Vec3d, 3>;
 
 Vec3d area_normal(const Corners& c) { return cross(c[1] - c[0], c[2] - c[0]) * 0.5; }
@@ -51,15 +53,25 @@ Vec3d area_normal(const Corners& c) { return cross(c[1] - c[0], c[2] - c[0]) * 0
 // A surface's triangles, counted through its instances, as their meters see them: counter-clockwise from their side.
 class Surface {
  public:
-  Surface(const Snapshot& scene, const std::vector<Raytracer::Instance>& placed, const SurfaceMetersDescription& in)
-      : scene_(scene), placed_(placed), back_(in.back) {
-    for (const uint32_t number : in.instances) {
+  Surface(const Snapshot& scene, const SurfaceMetersDescription& in)
+      : scene_(scene), placed_(scene.instances), back_(in.back) {
+    uint64_t triangles = 0;
+    for (const ups_instance_id id : in.instances) {
+      const uint32_t number = number_of(id.v);
       const auto at = std::lower_bound(scene.instance_ids.begin(), scene.instance_ids.end(), number);
       if (at == scene.instance_ids.end() || *at != number)
         fail_argument("measures instance " + std::to_string(number) +
                       ", which was removed; remove the sensor too, or add it anew with an instance of the scene");
       instances_.push_back(uint32_t(at - scene.instance_ids.begin()));
-      ends_.push_back(count() + uint32_t(mesh(instances_.size() - 1).triangle_count()));
+      const Mesh& shown = mesh(instances_.size() - 1);  // another, perhaps, than when the sensor was added
+      check::require(in.width == 0 || !shown.uvs.empty(), "measures instance " + std::to_string(number) +
+                                                              ", whose mesh has no uvs any more; a lightmap needs them");
+      check::require(!shown.revolution, "measures instance " + std::to_string(number) +
+                                            ", which has become a curved part of a fixture");
+      triangles += shown.triangle_count();
+      check::require(triangles <= max_surface_triangles || in.width > 0,
+                     "measures more than " + std::to_string(max_surface_triangles) + " triangles");
+      ends_.push_back(uint32_t(triangles));
     }
   }
   uint32_t count() const { return ends_.empty() ? 0 : ends_.back(); }
@@ -187,7 +199,7 @@ std::string texel_text(uint32_t texel, uint32_t width) {
 }  // namespace
 
 MeterSet Builder::make_surface_meters(uint32_t id, const SurfaceMetersDescription& in) {
-  const Surface surface(*out_, instances_, in);
+  const Surface surface(*out_, in);
   std::vector<float> errors(surface.count());
   parallel_for(threads_, errors.size(), [&](size_t t) {
     const Corners c = surface.corners(uint32_t(t));
@@ -221,12 +233,13 @@ MeterSet Builder::make_surface_meters(uint32_t id, const SurfaceMetersDescriptio
   MeterSet set = meters.take(true);
   check::require(!set.meters.empty(), "no texel of the lightmap has anything in it; the UVs must lie in the unit square");
   const std::string name = "lightmap " + std::to_string(id) + ": ";
+  std::vector<std::string>& warnings = out_->sensor_warnings[id];
   if (missing > 1e-5 * whole)
-    warn(name + check::text(missing) + " of " + check::text(whole) + " m^2 of the surface is not measured: " +
+    warnings.push_back(name + check::text(missing) + " of " + check::text(whole) + " m^2 of the surface is not measured: " +
          (cut.flat() ? std::to_string(cut.flat()) + " of its triangles have no area in UV, or it" : "it") +
          " lies outside the unit square of the UVs");
   if (const LightmapCut::Overlaps& o = cut.overlaps(); o.texels > 0)
-    warn(name + "different triangles overlap in " + std::to_string(o.texels) + " of its texels, such as " +
+    warnings.push_back(name + "different triangles overlap in " + std::to_string(o.texels) + " of its texels, such as " +
          texel_text(o.texel, in.width) + " (triangles " + std::to_string(o.first) + " and " + std::to_string(o.second) +
          "): each such reading is the mean over all of them; UVs of their own would keep them apart");
   return set;

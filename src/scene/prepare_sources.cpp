@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "bsdf/material.h"
 #include "emitter/area.h"
 #include "emitter/point.h"
 #include "emitter/profile.h"
@@ -32,6 +33,42 @@ Vec3d opening_reach(const LuminaireDescription& luminaire) {
   return {half(0), half(1), half(2)};
 }
 
+// At the same place and of the same shape, whatever its flux, colour and group.
+bool stands_as(const SourceDescription& a, const SourceDescription& b) {
+  if (a.kind.index() != b.kind.index()) return false;
+  if (const auto* light = std::get_if<LightDescription>(&a.kind)) {
+    const auto& other = std::get<LightDescription>(b.kind);
+    return light->kind == other.kind && light->to_world == other.to_world &&
+           light->inner_cone_rad == other.inner_cone_rad && light->outer_cone_rad == other.outer_cone_rad;
+  }
+  const auto &one = std::get<LuminaireDescription>(a.kind), &other = std::get<LuminaireDescription>(b.kind);
+  return one.profile == other.profile && one.use_opening == other.use_opening && one.to_world == other.to_world;
+}
+
+std::vector<EmitterTriangle> emitting_triangles(const Mesh& mesh, const Affine& to_scene) {
+  const bool mirrored = to_scene.determinant() < 0;
+  const auto corner = [&](size_t i) { return Vec3(to_scene.point(Vec3d(mesh.positions[mesh.indices[i]]))); };
+  std::vector<EmitterTriangle> triangles;
+  triangles.reserve(mesh.triangle_count());
+  for (size_t t = 0; t < mesh.indices.size(); t += 3) {
+    EmitterTriangle triangle{corner(t), corner(t + 1), corner(t + 2)};
+    if (mirrored) std::swap(triangle.p1, triangle.p2);  // keeps the front in front
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+// None that is all mirror or clear glass, here or there.
+bool all_surfaces_scatter(const Snapshot& scene) {
+  for (size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    if (!scene.material_used[m]) continue;
+    const bool uniform = !material.roughness_texture && !material.metallic_texture && !material.reflectance_texture;
+    if (!uniform || !Bsdf(material, {}).has_continuous()) return false;
+  }
+  return true;
+}
+
 Source source_of(const SourceDescription& from, uint32_t id) {
   Source source{UPS_SOURCE_LUMINAIRE, id, from.group};
   Vec3d reach;
@@ -51,10 +88,9 @@ Source source_of(const SourceDescription& from, uint32_t id) {
 
 }  // namespace
 
-// corners: in the scene's frame.
-void Builder::bound(Source& source, const std::vector<Vec3>& corners) const {
-  for (size_t i = 0; i < corners.size(); ++i) {
-    const Vec3d p = Vec3d(corners[i]) + out_->origin;
+void Builder::bound(Source& source, const Mesh& mesh, const Affine& to_scene) const {
+  for (size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3d p = Vec3d(Vec3(to_scene.point(Vec3d(mesh.positions[i])))) + out_->origin;
     Vec3d &low = source.bounds_min, &high = source.bounds_max;
     low = i == 0 ? p : Vec3d(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
     high = i == 0 ? p : Vec3d(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
@@ -62,12 +98,15 @@ void Builder::bound(Source& source, const std::vector<Vec3>& corners) const {
 }
 
 // Of the source that was begun last.
-bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emitter, const Vec3& probe, float size) {
+bool Builder::add_emitter(const std::string& name, std::shared_ptr<const Emitter> emitter, UnitEmitter unit,
+                          const Vec3& front, const EmitterProbe& probe, float size) {
   if (!(emitter->flux_lm() > 0)) return false;
   // Beyond it illuminance near by, or its square, would leave the range of a float.
   if (!(emitter->flux_lm() <= 1e20)) fail_argument("emits more than 1e20 lm");
   emitters_.push_back(std::move(emitter));
-  emitter_probes_.push_back(probe);
+  unit_emitters_.push_back(std::move(unit));
+  emitter_fronts_.push_back(front);
+  out_->emitter_probes.push_back(probe);
   out_->emitter_names.push_back(name);
   out_->emitter_sizes.push_back(size);
   out_->source_of_emitter.push_back(uint32_t(out_->sources.size() - 1));
@@ -75,34 +114,47 @@ bool Builder::add_emitter(const std::string& name, std::unique_ptr<Emitter> emit
 }
 
 void Builder::add_emissive_instances() {
-  out_->emitter_of_instance.assign(instances_.size(), none);
-  for (uint32_t i = 0; i < instances_.size(); ++i) {
-    const Mesh& mesh = *out_->meshes[instances_[i].mesh];
+  const std::vector<Raytracer::Instance>& instances = out_->instances;
+  for (size_t e = 0; earlier_ && e < earlier_->emitters.size(); ++e) {
+    const Source& source = earlier_->sources[earlier_->source_of_emitter[e]];
+    earlier_emitter_[{source.kind, source.id}] = e;
+  }
+  same_emitters_ = same_places_;
+  out_->emitter_of_instance.assign(instances.size(), none);
+  for (uint32_t i = 0; i < instances.size(); ++i) {
+    const Mesh& mesh = *out_->meshes[instances[i].mesh];
     const ups_material_desc& material = in_.materials().at(mesh.material + 1);
     const InstanceDescription& described = in_.instances().at(out_->instance_ids[i]);
     const Rgb radiance = to_rgb(material.luminance_cd_m2) *
                          (described.of_fixture ? float(in_.maintenance_factor()) : 1.0f);
     if (is_black(radiance)) continue;
     unmaintained_ += !described.of_fixture;
-    const Affine& m = instances_[i].to_scene;
-    std::vector<Vec3> corners;
-    for (const Vec3& p : mesh.positions) corners.push_back(Vec3(m.point(Vec3d(p))));
-    const bool mirrored = m.determinant() < 0;
-    std::vector<EmitterTriangle> triangles;
-    for (size_t t = 0; t < mesh.indices.size(); t += 3) {
-      EmitterTriangle triangle{corners[mesh.indices[t]], corners[mesh.indices[t + 1]], corners[mesh.indices[t + 2]]};
-      if (mirrored) std::swap(triangle.p1, triangle.p2);  // keeps the front in front
-      triangles.push_back(triangle);
+    const bool both_sides = material.emits_both_sides == 1;
+    const auto known = is_same_instance(i) ? earlier_emitter_.find({UPS_SOURCE_INSTANCE, out_->instance_ids[i]})
+                                           : earlier_emitter_.end();
+    std::shared_ptr<const AreaEmitter> emitter;
+    EmitterProbe probe;
+    if (known == earlier_emitter_.end()) {
+      emitter = std::make_shared<const AreaEmitter>(emitting_triangles(mesh, instances[i].to_scene), radiance,
+                                                    both_sides, i);
+      same_emitters_ = false;
+    } else {
+      const auto& as_before = static_cast<const AreaEmitter&>(earlier_->emitters[known->second]);
+      emitter = std::make_shared<const AreaEmitter>(as_before, radiance, both_sides);
+      const bool shines_as_before = same_places_ && as_before.emits_both_sides() == both_sides;
+      if (shines_as_before) probe = earlier_->emitter_probes[known->second];
+      same_emitters_ = same_emitters_ && shines_as_before;
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     const std::string name = "instance " + std::to_string(out_->instance_ids[i]);
     out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group, -1, described.to_world});
-    bound(out_->sources.back(), corners);
+    bound(out_->sources.back(), mesh, instances[i].to_scene);
     const auto index = uint32_t(emitters_.size());
-    const bool both_sides = material.emits_both_sides == 1;
+    const UnitEmitter unit = [emitter, both_sides] {
+      return std::make_unique<AreaEmitter>(*emitter, Rgb(1), both_sides);
+    };
     in_context(name, [&] {
-      if (!add_emitter(name, std::make_unique<AreaEmitter>(std::move(triangles), radiance, both_sides, i),
-                       s.ray_origin(s.ng)))
+      if (!add_emitter(name, emitter, unit, s.ray_origin(s.ng), probe))
         return warn_of(out_->sources.back(), "a luminance but no area: nothing is emitted");
       out_->emitter_of_instance[i] = index;
       ++out_->emissive_instance_count;
@@ -116,45 +168,81 @@ void Builder::add_sources() {
     out_->sources.push_back(source_of(source, id));
     in_context(name, [&] {
       if (const auto* light = std::get_if<LightDescription>(&source.kind))
-        add_light(name, *light, source.dimming);
+        add_light(name, *light, source);
       else
-        add_luminaire(name, std::get<LuminaireDescription>(source.kind), source.dimming);
+        add_luminaire(name, std::get<LuminaireDescription>(source.kind), source);
     });
   });
+  same_emitters_ = same_emitters_ && earlier_->emitter_names == out_->emitter_names;
 }
 
-void Builder::add_light(const std::string& name, const LightDescription& light, float dimming) {
+const EmitterProbe* Builder::known_probe(const SourceDescription& source) const {
+  const uint32_t id = out_->sources.back().id;
+  const auto known = earlier_emitter_.find({UPS_SOURCE_LUMINAIRE, id});
+  if (!same_places_ || known == earlier_emitter_.end()) return nullptr;
+  return stands_as(source, earlier_->described->sources().at(id)) ? &earlier_->emitter_probes[known->second] : nullptr;
+}
+
+EmitterProbe Builder::probe_of(const SourceDescription& source, const std::function<EmitterProbe()>& find) {
+  const EmitterProbe* known = known_probe(source);
+  same_emitters_ = same_emitters_ && known;
+  return known ? *known : find();
+}
+
+// Of those for which it makes a difference. Where every surface that light meets has a lobe that next-event estimation
+// can pick it up from, it is all of it.
+void Builder::find_exposed() {
+  std::vector<float> exposed;
+  if (EmitterSet::uses_exposed(emitters_.size())) {
+    const bool all = all_surfaces_scatter(*out_);
+    parallel_for(threads_, emitters_.size(), [&](size_t e) {
+      float& share = out_->emitter_probes[e].exposed;
+      if (all)
+        share = 1;
+      else if (share < 0)
+        share = exposed_share(*out_, *unit_emitters_[e]());
+    });
+    for (const EmitterProbe& probe : out_->emitter_probes) exposed.push_back(probe.exposed);
+  }
+  out_->emitters = EmitterSet(std::move(emitters_), exposed);
+}
+
+void Builder::add_light(const std::string& name, const LightDescription& light, const SourceDescription& source) {
   ++out_->light_count;
   unmaintained_ += light.kind != UPS_LIGHT_DIRECTIONAL;
-  const Rgb intensity = light.intensity * dimming;
+  const Rgb intensity = light.intensity * source.dimming;
   if (is_black(intensity)) return;
   const Vec3 axis = -Axes(light.to_world).frame().n;
-  const Vec3 p = off_surface(*out_, to_scene(light.to_world.column(3)), axis);
-  if (light.kind == UPS_LIGHT_POINT)
-    add_emitter(name, std::make_unique<PointEmitter>(p, intensity, free_error(p)), p);
-  else if (light.kind == UPS_LIGHT_SPOT)
-    add_emitter(
-        name,
-        std::make_unique<SpotEmitter>(p, axis, intensity, light.inner_cone_rad, light.outer_cone_rad, free_error(p)),
-        p);
-  else {
-    // Light paths start on a disc that covers the scene, and those of meters' discs that reach beyond it.
-    const float radius = out_->radius > 0 ? out_->radius * (1 + largest_meter_disc) : 1.0f;
-    add_emitter(name, std::make_unique<DirectionalEmitter>(axis, intensity, radius), axis * -out_->radius);
-  }
+  const EmitterProbe probe = probe_of(source, [&] {
+    EmitterProbe found;
+    found.place = off_surface(*out_, to_scene(light.to_world.column(3)), axis);
+    return found;
+  });
+  const Vec3 p = probe.place;
+  // Light paths start on a disc that covers the scene, and those of meters' discs that reach beyond it.
+  const float radius = out_->radius > 0 ? out_->radius * (1 + largest_meter_disc) : 1.0f;
+  const auto make = [=, centre = out_->centre](const Rgb& of) -> std::unique_ptr<Emitter> {
+    if (light.kind == UPS_LIGHT_POINT) return std::make_unique<PointEmitter>(p, of, free_error(p));
+    if (light.kind == UPS_LIGHT_SPOT)
+      return std::make_unique<SpotEmitter>(p, axis, of, light.inner_cone_rad, light.outer_cone_rad, free_error(p));
+    return std::make_unique<DirectionalEmitter>(axis, of, radius, centre);
+  };
+  const Vec3 front = light.kind == UPS_LIGHT_DIRECTIONAL ? out_->centre - axis * out_->radius : p;
+  add_emitter(name, make(intensity), [make] { return make(Rgb(1)); }, front, probe);
 }
 
-void Builder::add_luminaire(const std::string& name, const LuminaireDescription& luminaire, float dimming) {
+void Builder::add_luminaire(const std::string& name, const LuminaireDescription& luminaire,
+                            const SourceDescription& source) {
   ++out_->luminaire_count;
   for (const std::string& text : luminaire.profile->warnings) warn_of(out_->sources.back(), text);
   const photometry::Opening& opening = luminaire.profile->opening;
   const double file_flux = photometry::flux_lm(*luminaire.profile);
   if (!(file_flux > 0)) return warn_of(out_->sources.back(), "the profile has no flux: nothing is emitted");
   const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / file_flux : 1;
-  const Rgb scale = luminaire.color * float(double(dimming) * double(luminaire.intensity_scale) * to_flux *
+  const Rgb scale = luminaire.color * float(double(source.dimming) * double(luminaire.intensity_scale) * to_flux *
                                             in_.maintenance_factor());
   if (is_black(scale)) return;
-  if (luminaire.use_opening && !luminaire.profile->rays.empty()) return add_rays(name, luminaire, scale);
+  if (luminaire.use_opening && !luminaire.profile->rays.empty()) return add_rays(name, luminaire, source, scale);
   const std::shared_ptr<const photometry::Distribution> distribution(luminaire.profile,
                                                                      &luminaire.profile->distribution);
   const Frame frame = Axes(luminaire.to_world).frame();
@@ -164,12 +252,28 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   if (!luminaire.use_opening || !has_area) {
     if (luminaire.use_opening && opening.shape != photometry::OpeningShape::point)
       warn_of(out_->sources.back(), "the opening has a single extent, so no area: light comes from a point");
-    const Vec3 q = off_surface(*out_, p, nadir);
-    add_emitter(name, std::make_unique<ProfilePointEmitter>(distribution, frame, q, scale, free_error(q)), q, size);
+    const EmitterProbe probe = probe_of(source, [&] {
+      EmitterProbe found;
+      found.place = off_surface(*out_, p, nadir);
+      return found;
+    });
+    const Vec3 q = probe.place;
+    const auto make = [=](const Rgb& of) {
+      return std::make_unique<ProfilePointEmitter>(distribution, frame, q, of, free_error(q));
+    };
+    add_emitter(name, make(scale), [make] { return make(Rgb(1)); }, q, probe, size);
     return;
   }
-  const float error = opening_error(p, frame, opening);
-  auto emitter = std::make_unique<ProfileOpeningEmitter>(distribution, frame, p, opening, scale, error);
+  const EmitterProbe probe = probe_of(source, [&] {
+    EmitterProbe found;
+    found.error = opening_error(p, frame, opening);
+    return found;
+  });
+  const float error = probe.error;
+  const auto make = [=, opening = opening](const Rgb& of) {
+    return std::make_unique<ProfileOpeningEmitter>(distribution, frame, p, opening, of, error);
+  };
+  auto emitter = make(scale);
   // Where its rays start, and where walks run into it. A body is found by the ball around it (a disc without normal).
   const DiscIndex::Disc disc =
       emitter->is_flat()
@@ -177,7 +281,7 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
           : DiscIndex::Disc{p, Vec3(), emitter->circumscribed_radius() + 4 * error};
   const Vec3 front = emitter->is_flat() ? disc.center : p + nadir * (0.5f * opening.size_m[2] + 2 * error);
   const auto index = uint32_t(emitters_.size());
-  if (!add_emitter(name, std::move(emitter), front, size)) return;
+  if (!add_emitter(name, std::move(emitter), [make] { return make(Rgb(1)); }, front, probe, size)) return;
   openings_.push_back(disc);
   out_->emitter_of_opening.push_back(index);
 }
@@ -207,17 +311,27 @@ std::shared_ptr<const RaySet> Builder::rays_of(const LuminaireDescription& lumin
   return set;
 }
 
-void Builder::add_rays(const std::string& name, const LuminaireDescription& luminaire, const Rgb& scale) {
+void Builder::add_rays(const std::string& name, const LuminaireDescription& luminaire, const SourceDescription& source,
+                       const Rgb& scale) {
   const auto rays = rays_of(luminaire);
   warn_of(out_->sources.back(),
           "the light is the " + std::to_string(rays->size()) +
               " rays of a file, a sample with a noise of its own that no reported error contains: about 1 / sqrt(n) " +
               "where n of them arrive, " + check::text(100 / std::sqrt(rays->effective_size())) + " % where all do");
   const Frame frame = Axes(luminaire.to_world).frame();
-  auto emitter = std::make_unique<RayEmitter>(rays, frame, to_scene(luminaire.to_world.column(3)), scale);
+  const Vec3 p = to_scene(luminaire.to_world.column(3));
+  const auto make = [=](const Rgb& of) { return std::make_unique<RayEmitter>(rays, frame, p, of); };
+  auto emitter = make(scale);
   EmissionSample start;
   if (!emitter->sample_emission({0.5f, 0}, {}, start)) return;
-  add_emitter(name, std::move(emitter), start.p + start.n * (2 * start.error));
+  add_emitter(name, std::move(emitter), [make] { return make(Rgb(1)); }, start.p + start.n * (2 * start.error),
+              probe_of(source, [] { return EmitterProbe{}; }));
+}
+
+// Read where it decides, see render/method.h: where eye paths reach all light, and nothing focuses it.
+void Builder::find_concentration() {
+  if (out_->effects.path_tracing_complete && !out_->effects.sharp_caster)
+    out_->effects.concentration = first_light_concentration(*out_, out_->emitter_probes, threads_);
 }
 
 }  // namespace ups

@@ -132,7 +132,7 @@ double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t ray
 
 }  // namespace
 
-float first_light_concentration(const Snapshot& scene, ThreadPool& pool) {
+float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>& probes, ThreadPool& pool) {
   constexpr double least_share = 1e-4;  // of all flux
   constexpr size_t few = 64, most = 1024;
   const size_t count = scene.emitters.size(), stride = (count + most - 1) / most;  // beyond, every other stands for all
@@ -142,8 +142,11 @@ float first_light_concentration(const Snapshot& scene, ThreadPool& pool) {
   std::vector<double> found(stride ? (count + stride - 1) / stride : 0);
   parallel_for(pool, found.size(), [&](size_t i) {
     const Emitter& emitter = scene.emitters[i * stride];
-    if (emitter.flux_lm() >= std::min(least_share, 0.1 / double(count)) * total)
-      found[i] = concentration(scene, emitter, rays);
+    if (!(emitter.flux_lm() >= std::min(least_share, 0.1 / double(count)) * total)) return;
+    EmitterProbe& probe = probes[i * stride];
+    if (probe.concentration_rays != rays) probe.concentration = concentration(scene, emitter, rays);
+    probe.concentration_rays = rays;
+    found[i] = probe.concentration;
   });
   return found.empty() ? 0 : float(*std::max_element(found.begin(), found.end()));
 }

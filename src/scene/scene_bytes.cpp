@@ -39,8 +39,10 @@ size_t bytes_of_profiles(const EmitterSet& emitters) {
 
 size_t bytes_of(const Snapshot& scene) {
   size_t sum = of_scene + scene.raytracer->bytes() + scene.emitters.bytes() + bytes_of_profiles(scene.emitters);
-  for (const auto& mesh : scene.meshes) sum += mesh->bytes();
-  for (const auto& texture : scene.textures) sum += texture->bytes();
+  if (scene.described) {  // what no instance shows is kept, too
+    scene.described->meshes().each([&](uint32_t, const Mesh& mesh) { sum += mesh.bytes(); });
+    scene.described->textures().each([&](uint32_t, const TextureDescription& t) { sum += t.texture->bytes(); });
+  }
   if (scene.openings) sum += scene.openings->bytes();
   for (const MeterSet& s : scene.meter_sets)
     sum += s.bytes() + (s.positions ? s.positions->size() * of_position : 0);

@@ -1,11 +1,14 @@
 // What rendering reads: an immutable build of a scene. Made by scene/prepare, shared by every render that started from
-// it. Coordinates are floats relative to `origin`, the centre of the scene,
-// so that a building far from zero keeps its precision.
+// it. Coordinates are floats relative to `origin`, near the centre of the scene, so that a building far from zero keeps
+// its precision. A later build shares the parts that are the same.
 #pragma once
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
+#include "base/shared_list.h"
 #include "bsdf/material.h"
 #include "emitter/emitter_set.h"
 #include "geometry/raytracer.h"
@@ -51,18 +54,43 @@ struct Observer {
   photometry::PositionIndex position_index;
 };
 
+// What probe rays have told of an emitter: it holds as long as emitter and surfaces stay where they are.
+struct EmitterProbe {
+  Vec3 place;                 // of a source without extent, off the surface that it lies on
+  float error = 0;            // of an opening's surface
+  float exposed = -1;         // share of its light, see scene/probe.h; < 0: not asked for
+  double concentration = -1;  // the same
+  uint32_t concentration_rays = 0;
+};
+
+// Warnings that take long to find: once, for all builds in which they are the same.
+struct SearchedWarnings {
+  std::mutex mutex;
+  bool known = false;
+  std::vector<std::string> texts;
+};
+
+class Description;
+
 struct Snapshot {
   std::shared_ptr<const SceneTag> tag;  // of the ids that the program has; all below are without it
+  std::shared_ptr<const Description> described;  // what this is a build of
+  // Multiples of a power of two near the scene's size, which is `extent`: the next build has seldom another.
   Vec3d origin;
-  float radius = 0;  // of the bounding sphere of geometry, emitters and sensors about the origin
+  double extent = 0;
+  Vec3 centre;       // of the bounding sphere of geometry, emitters and sensors
+  float radius = 0;  // of it
 
+  // Those that were removed have left gaps: null, materials as they come.
   std::vector<std::shared_ptr<const Texture>> textures;
   std::vector<Material> materials;              // by SurfacePoint::material
   std::vector<SurfaceTexturing> texturing;      // by the same index
   std::vector<bool> material_used;              // by the same index: some instance bears it
   std::vector<std::shared_ptr<const Mesh>> meshes;
-  std::unique_ptr<Raytracer> raytracer;         // never null; may hold no triangle
-  std::vector<uint32_t> instance_ids;           // by SurfacePoint::instance
+  std::vector<Box> mesh_boxes;                  // of the vertices; empty: no instance shows it
+  std::shared_ptr<const Raytracer> raytracer;   // never null; may hold no triangle
+  std::vector<Raytracer::Instance> instances;   // by SurfacePoint::instance
+  std::vector<uint32_t> instance_ids;           // by the same index
 
   EmitterSet emitters;
   std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": by their numbers
@@ -70,11 +98,12 @@ struct Snapshot {
   std::vector<Source> sources;                  // all, in the order of their kinds and ids
   std::vector<uint32_t> source_of_emitter;      // index into sources
   std::vector<uint32_t> emitter_of_instance;    // none: does not emit
-  std::unique_ptr<DiscIndex> openings;          // null without luminous openings
+  std::vector<EmitterProbe> emitter_probes;     // by index in emitters
+  std::shared_ptr<const DiscIndex> openings;    // null without luminous openings
   std::vector<uint32_t> emitter_of_opening;     // by DiscIndex::Crossing::disc (what surrounds it)
 
   std::vector<Camera> cameras;
-  std::vector<MeterSet> meter_sets;
+  SharedList<MeterSet> meter_sets;
   std::vector<Goniometer> goniometers;
   std::vector<uint32_t> camera_ids, meter_set_ids, goniometer_ids;  // numbers of each
   std::vector<Observer> observers;
@@ -85,13 +114,16 @@ struct Snapshot {
   Media media;
   // What free-standing things lie in, as found by a probe ray at commit: indices into media_stacks, 0: air.
   std::vector<MediaStack> media_stacks;
+  size_t sensor_media_count = 0;  // of them, those before what emitters alone lie in
   std::vector<uint32_t> media_of_camera;
   std::vector<std::vector<uint32_t>> media_of_meter;
   std::vector<uint32_t> media_of_emitter;
 
   SceneEffects effects;
   double maintenance_factor = 1;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings;            // but for those of `searched`
+  std::map<uint32_t, std::vector<std::string>> sensor_warnings;  // the part of them that a sensor has, by its number
+  std::shared_ptr<SearchedWarnings> surface_search, light_search;  // see scene/searched.h
   uint64_t pixel_count() const {
     uint64_t n = 0;
     for (const Camera& c : cameras) n += c.pixel_count();

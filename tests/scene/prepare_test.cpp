@@ -69,18 +69,21 @@ struct Things {
   }
 };
 
-TEST(Prepare, OriginIsTheCentre) {
+// A quarter of the power of two above the scene's extent, 4 m, is the grid that it lies on.
+TEST(Prepare, OriginIsNearTheCentre) {
   Things t;
   t.box(t.material(UPS_MATERIAL_MATTE), {5e5, 1e5, 0}, {5e5 + 10, 1e5 + 6, 3});
   t.meter({5e5 + 1, 1e5 + 1, 0.8}, {0, 0, 1});
   t.point_light({5e5 + 5, 1e5 + 3, 5});  // above the box
   const auto s = t.build();
-  EXPECT_EQ(s->origin.x, 5e5 + 5);
-  EXPECT_EQ(s->origin.y, 1e5 + 3);
-  EXPECT_EQ(s->origin.z, 2.5);
+  EXPECT_EQ(s->extent, 16);
+  EXPECT_EQ(s->origin.x, 5e5 + 4);
+  EXPECT_EQ(s->origin.y, 1e5 + 4);
+  EXPECT_EQ(s->origin.z, 4);
+  EXPECT_LT(length(s->centre - Vec3(1, -1, -1.5f)), 1e-6f);
   EXPECT_NEAR(s->radius, std::sqrt(25 + 9 + 6.25), 1e-4);
-  EXPECT_LT(length(s->meter_sets[0].meters[0].p - Vec3(-4, -2, -1.7f)), 1e-6f);
-  EXPECT_LT(length(s->raytracer->bounds_min() - Vec3(-5, -3, -2.5f)), 1e-6f);
+  EXPECT_LT(length(s->meter_sets[0].meters[0].p - Vec3(-3, -3, -3.2f)), 1e-6f);
+  EXPECT_LT(length(s->raytracer->bounds_min() - Vec3(-4, -4, -4)), 1e-6f);
   EXPECT_EQ(s->emitters.size(), 1u);
   EXPECT_EQ(s->meter_set_ids[0], 1u);
 }

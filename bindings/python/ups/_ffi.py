@@ -204,6 +204,11 @@ class Criterion(enum.IntEnum):
     MEDIAN = 4
 
 
+class Priority(enum.IntEnum):
+    NORMAL = 0
+    LOW = 1
+
+
 class JobState(enum.IntEnum):
     RUNNING = 0
     FINISHED = 1
@@ -827,6 +832,8 @@ class RenderDesc(Structure):
         ("target_criterion", c_int32),
         ("reserved2", c_uint32),
         ("memory_limit_bytes", c_uint64),
+        ("thread_limit", c_uint32),
+        ("priority", c_int32),
     ]
 
 
@@ -1261,14 +1268,36 @@ PROTOTYPES = {
     "ups_scene_add_instance": (c_int32, [c_void_p, POINTER(InstanceDesc), POINTER(InstanceId)]),
     "ups_scene_add_light": (c_int32, [c_void_p, POINTER(LightDesc), POINTER(LuminaireId)]),
     "ups_scene_add_luminaire": (c_int32, [c_void_p, POINTER(LuminaireDesc), POINTER(LuminaireId)]),
+    "ups_scene_set_texture": (c_int32, [c_void_p, TextureId, POINTER(TextureDesc)]),
     "ups_scene_set_material": (c_int32, [c_void_p, MaterialId, POINTER(MaterialDesc)]),
+    "ups_scene_set_mesh": (c_int32, [c_void_p, MeshId, POINTER(MeshDesc)]),
+    "ups_scene_set_mesh_vertices": (c_int32, [c_void_p, MeshId, POINTER(c_float), POINTER(c_float), c_uint32]),
+    "ups_scene_set_instance": (c_int32, [c_void_p, InstanceId, POINTER(InstanceDesc)]),
     "ups_scene_set_transform": (c_int32, [c_void_p, InstanceId, POINTER(c_double)]),
+    "ups_scene_set_light": (c_int32, [c_void_p, LuminaireId, POINTER(LightDesc)]),
+    "ups_scene_set_luminaire": (c_int32, [c_void_p, LuminaireId, POINTER(LuminaireDesc)]),
+    "ups_scene_set_luminaire_transform": (c_int32, [c_void_p, LuminaireId, POINTER(c_double)]),
     "ups_scene_set_dimming": (c_int32, [c_void_p, LuminaireId, c_float]),
     "ups_scene_set_maintenance_factor": (c_int32, [c_void_p, c_double]),
+    "ups_scene_get_texture": (c_int32, [c_void_p, TextureId, POINTER(TextureDesc)]),
+    "ups_scene_read_texture": (c_int32, [c_void_p, TextureId, POINTER(c_float), c_size_t, POINTER(c_size_t)]),
+    "ups_scene_get_material": (c_int32, [c_void_p, MaterialId, POINTER(MaterialDesc)]),
+    "ups_scene_get_mesh": (c_int32, [c_void_p, MeshId, POINTER(MeshDesc)]),
+    "ups_scene_get_instance": (c_int32, [c_void_p, InstanceId, POINTER(InstanceDesc)]),
+    "ups_scene_get_light": (c_int32, [c_void_p, LuminaireId, POINTER(LightDesc)]),
+    "ups_scene_get_luminaire": (c_int32, [c_void_p, LuminaireId, POINTER(LuminaireDesc)]),
+    "ups_scene_get_luminaire_profile": (c_int32, [c_void_p, LuminaireId, POINTER(c_void_p)]),
+    "ups_scene_get_dimming": (c_int32, [c_void_p, LuminaireId, POINTER(c_float)]),
+    "ups_scene_get_maintenance_factor": (c_int32, [c_void_p, POINTER(c_double)]),
+    "ups_scene_remove_texture": (c_int32, [c_void_p, TextureId]),
+    "ups_scene_remove_material": (c_int32, [c_void_p, MaterialId]),
+    "ups_scene_remove_mesh": (c_int32, [c_void_p, MeshId]),
     "ups_scene_remove_instance": (c_int32, [c_void_p, InstanceId]),
     "ups_scene_remove_luminaire": (c_int32, [c_void_p, LuminaireId]),
     "ups_scene_remove_sensor": (c_int32, [c_void_p, SensorId]),
     "ups_scene_commit": (c_int32, [c_void_p]),
+    "ups_scene_start_commit": (c_int32, [c_void_p, POINTER(c_void_p)]),
+    "ups_scene_is_dirty": (c_int32, [c_void_p, POINTER(c_int32)]),
     "ups_scene_get_info": (c_int32, [c_void_p, POINTER(SceneInfo)]),
     "ups_scene_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
     "ups_scene_read_section": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double), POINTER(Segment), c_size_t,
@@ -1291,6 +1320,8 @@ PROTOTYPES = {
     "ups_fixture_get_info": (c_int32, [c_void_p, POINTER(FixtureInfo)]),
     "ups_scene_add_fixture": (c_int32, [c_void_p, c_void_p, POINTER(FixtureInstanceDesc), POINTER(FixtureId)]),
     "ups_scene_get_fixture_instance": (c_int32, [c_void_p, FixtureId, FixturePartId, POINTER(InstanceId)]),
+    "ups_scene_set_fixture": (c_int32, [c_void_p, FixtureId, POINTER(FixtureInstanceDesc)]),
+    "ups_scene_get_fixture": (c_int32, [c_void_p, FixtureId, POINTER(FixtureInstanceDesc)]),
     "ups_scene_set_fixture_dimming": (c_int32, [c_void_p, FixtureId, c_float]),
     "ups_scene_set_fixture_transform": (c_int32, [c_void_p, FixtureId, POINTER(c_double)]),
     "ups_scene_remove_fixture": (c_int32, [c_void_p, FixtureId]),
@@ -1302,6 +1333,16 @@ PROTOTYPES = {
     "ups_scene_add_meters": (c_int32, [c_void_p, POINTER(MeterDesc), POINTER(SensorId)]),
     "ups_scene_add_surface_meters": (c_int32, [c_void_p, POINTER(SurfaceMetersDesc), POINTER(SensorId)]),
     "ups_scene_add_lightmap": (c_int32, [c_void_p, POINTER(LightmapDesc), POINTER(SensorId)]),
+    "ups_scene_set_camera": (c_int32, [c_void_p, SensorId, POINTER(CameraDesc)]),
+    "ups_scene_set_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterDesc)]),
+    "ups_scene_set_surface_meters": (c_int32, [c_void_p, SensorId, POINTER(SurfaceMetersDesc)]),
+    "ups_scene_set_lightmap": (c_int32, [c_void_p, SensorId, POINTER(LightmapDesc)]),
+    "ups_scene_set_goniometer": (c_int32, [c_void_p, SensorId, POINTER(GoniometerDesc)]),
+    "ups_scene_get_camera": (c_int32, [c_void_p, SensorId, POINTER(CameraDesc)]),
+    "ups_scene_get_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterDesc)]),
+    "ups_scene_get_surface_meters": (c_int32, [c_void_p, SensorId, POINTER(SurfaceMetersDesc)]),
+    "ups_scene_get_lightmap": (c_int32, [c_void_p, SensorId, POINTER(LightmapDesc)]),
+    "ups_scene_get_goniometer": (c_int32, [c_void_p, SensorId, POINTER(GoniometerDesc)]),
     "ups_scene_read_meter_places": (c_int32, [c_void_p, SensorId, POINTER(MeterPlace), c_size_t, POINTER(c_size_t)]),
     "ups_en12464_desc_init": (None, [POINTER(En12464Desc), c_uint32]),
     "ups_en12464_grid": (c_int32, [POINTER(En12464Desc), POINTER(En12464Info), POINTER(En12464Point), c_size_t,
@@ -1372,6 +1413,8 @@ PROTOTYPES = {
     "ups_profile_get_utilisation": (c_int32, [c_void_p, POINTER(UtilisationTable)]),
     "ups_observer_desc_init": (None, [POINTER(ObserverDesc), c_uint32]),
     "ups_scene_add_observer": (c_int32, [c_void_p, POINTER(ObserverDesc), POINTER(SensorId)]),
+    "ups_scene_set_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverDesc)]),
+    "ups_scene_get_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverDesc)]),
     "ups_result_get_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverReading)]),
     "ups_result_get_glare_source": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(GlareSource)]),
 }

@@ -1,0 +1,256 @@
+// See raytracer_impl.h: which instances are baked, which of them are grouped, and what of an earlier build stays.
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "base/monitor.h"
+#include "geometry/raytracer_impl.h"
+
+namespace ups {
+namespace {
+
+// Embree takes rays into an instance's frame in float. Where that would lose many digits the instance is baked: a
+// transform that stretches one way more than another by max_stretch, or a translation beyond max_reach times the
+// scene's extent.
+constexpr double max_stretch = 4, max_reach = 4;
+// Of baked triangles: how many are in one index, at most; where there are more, in each group's, unless it is one
+// mesh. Groups do not reach across blocks of so many instance numbers, so that who removes an instance touches few.
+constexpr size_t flat_triangles = 1 << 16, group_triangles = 1 << 15;
+constexpr uint32_t group_block = 64;
+
+// Points of the surface, among them those that lie farthest along the axes that `to` leads to.
+template <class Visit>
+void each_extreme(const Mesh& mesh, const Affine& to, const Visit& visit) {
+  if (!mesh.revolution) {
+    for (const Vec3& p : mesh.positions) visit(Vec3d(p));
+    return;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3d row(to.m[4 * axis], to.m[4 * axis + 1], to.m[4 * axis + 2]);
+    visit(farthest(*mesh.revolution, row)), visit(farthest(*mesh.revolution, -row));
+  }
+}
+
+// Largest over smallest stretch, at most: product of the Frobenius norms of the matrix and its inverse.
+double stretch(const Affine& m) {
+  double forward = 0, cofactor = 0;
+  for (int c = 0; c < 3; ++c) {
+    forward += length2(m.column(c));
+    cofactor += length2(cross(m.column((c + 1) % 3), m.column((c + 2) % 3)));
+  }
+  const double det = std::abs(m.determinant());
+  return det > 0 ? std::sqrt(forward * cofactor) / (3 * det) : std::numeric_limits<double>::infinity();
+}
+
+// Which instances Embree is given as triangles of the scene; the others share their mesh.
+std::vector<bool> choose_baked(const std::vector<Raytracer::Instance>& instances, const std::vector<Box>& boxes) {
+  std::vector<size_t> uses(boxes.size());
+  double scene_extent = 0;
+  for (const auto& i : instances) {
+    ++uses[i.mesh];
+    const Box box = boxes[i.mesh].transformed(i.to_scene);
+    scene_extent = std::max({scene_extent, max_abs(box.lower), max_abs(box.upper)});
+  }
+  std::vector<bool> baked;
+  for (const auto& i : instances)
+    baked.push_back(uses[i.mesh] == 1 || stretch(i.to_scene) > max_stretch ||
+                    max_abs(i.to_scene.column(3)) > max_reach * scene_extent);
+  return baked;
+}
+
+}  // namespace
+
+Box bounding_box(const Mesh& mesh) {
+  Box box;
+  each_extreme(mesh, Affine{}, [&](const Vec3d& p) { box.grow(p); });
+  return box;
+}
+
+size_t Mesh::bytes() const {
+  return sizeof *this + positions.capacity() * sizeof(Vec3) + normals.capacity() * sizeof(Vec3) +
+         uvs.capacity() * sizeof(Vec2) + tangents.capacity() * sizeof(float) + indices.capacity() * sizeof(uint32_t) +
+         (revolution ? revolution->bands.capacity() * sizeof(RevolutionBand) : 0);
+}
+
+// Makes an Impl, with what an earlier one has.
+class RaytracerBuild {
+ public:
+  using Impl = Raytracer::Impl;
+  using Instance = Raytracer::Instance;
+  using Traced = std::shared_ptr<const TracedMesh>;
+
+  RaytracerBuild(Impl& out, const Impl* earlier, const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                 const std::vector<Instance>& instances, ThreadPool& pool, Monitor* monitor)
+      : out_(out), earlier_(earlier), meshes_(meshes), instances_(instances), pool_(pool), monitor_(monitor) {}
+
+  void run() {
+    out_.device = earlier_ ? earlier_->device : std::make_shared<embree::Device>();
+    out_.top = std::make_unique<embree::Scene>(*out_.device, out_.finds_all);
+    const std::vector<Box> boxes = mesh_boxes();
+    const std::vector<bool> baked = choose_baked(instances_, boxes);
+    size_t baked_triangles = 0, all = 0;
+    for (size_t i = 0; i < instances_.size(); ++i) {
+      all += mesh_of(i).triangle_count();
+      if (baked[i]) baked_triangles += mesh_of(i).triangle_count();
+    }
+    out_.triangles = all;
+    for (size_t i = 0; i < instances_.size(); ++i) {
+      place(i, baked[i]);
+      if (baked[i] && baked_triangles <= flat_triangles)
+        attach(*out_.top, *traced_of(i), uint32_t(i));
+      else if (baked[i])
+        add_to_group(i);
+      else
+        attach_part(shared_part(traced_of(i)), uint32_t(i), out_.placed[i].to_scene);
+      grow_bounds(out_.placed[i], boxes[instances_[i].mesh]);
+      report(all);
+    }
+    end_group();
+    for (size_t g = 0; g < groups_.size(); ++g) {
+      attach_part(part_of(groups_[g]), uint32_t(instances_.size() + g), Affine{});
+      report(all);
+    }
+    out_.device->check();
+    out_.top->commit(pool_, monitor_);
+  }
+
+ private:
+  const Mesh& mesh_of(size_t instance) const { return *meshes_[instances_[instance].mesh]; }
+  const Traced& traced_of(size_t instance) const { return out_.traced[out_.placed[instance].traced]; }
+
+  // Only of meshes that an instance shows.
+  std::vector<Box> mesh_boxes() {
+    std::vector<Box> boxes(meshes_.size());
+    for (const Instance& i : instances_) {
+      Box& box = boxes[i.mesh];
+      if (!box.empty()) continue;
+      const Mesh* mesh = meshes_[i.mesh].get();
+      const auto known = earlier_ ? earlier_->boxes.find(mesh) : std::map<const Mesh*, Box>::const_iterator();
+      box = earlier_ && known != earlier_->boxes.end() ? known->second : bounding_box(*mesh);
+      out_.boxes[mesh] = box;
+    }
+    return boxes;
+  }
+
+  void place(size_t i, bool baked) {
+    const Affine& to_scene = instances_[i].to_scene;
+    const double side = to_scene.determinant() < 0 ? -1 : 1;
+    Impl::Placed placed{0, baked, to_scene, side, NormalMatrix(to_scene), 0, 1};
+    if (!baked) {
+      // Embree takes rays to the object's frame in float: it loses digits of the translation, and more where stretched.
+      placed.error_scale = float(2 * std::max(1.0, stretch(to_scene)));
+      placed.error_offset = placed.error_scale * float(max_abs(to_scene.column(3)));
+    }
+    const uint32_t material = mesh_of(i).material;
+    const bool has_holes =
+        material < out_.texturing.size() && out_.texturing[material].alpha_mode != SurfaceTexturing::opaque;
+    const Impl::Key key{meshes_[instances_[i].mesh].get(), has_holes, baked, to_scene};
+    Traced& traced = out_.made_of[key];
+    if (!traced) {
+      if (earlier_)
+        if (const auto known = earlier_->made_of.find(key); known != earlier_->made_of.end()) traced = known->second;
+      if (!traced)
+        traced = make_traced_mesh(out_.device, meshes_[instances_[i].mesh], has_holes, baked ? &to_scene : nullptr);
+      out_.traced.push_back(traced);
+      index_[traced.get()] = uint32_t(out_.traced.size() - 1);
+    }
+    placed.traced = index_[traced.get()];
+    out_.placed.push_back(placed);
+  }
+
+  static void attach(embree::Scene& scene, const TracedMesh& mesh, uint32_t id) {
+    if (mesh.geometry) scene.attach_shared(mesh.geometry, id);
+  }
+
+  std::shared_ptr<const Impl::Part> shared_part(const Traced& mesh) { return part_of({mesh}); }
+
+  // What has these meshes, in this order.
+  std::shared_ptr<const Impl::Part> part_of(const std::vector<Traced>& meshes) {
+    std::shared_ptr<const Impl::Part>& part = out_.part_of[meshes];
+    if (part) return part;
+    if (earlier_ && earlier_->finds_all == out_.finds_all)
+      if (const auto known = earlier_->part_of.find(meshes); known != earlier_->part_of.end()) part = known->second;
+    if (!part) {
+      auto made = std::make_shared<Impl::Part>(out_.device, out_.finds_all);
+      made->meshes = meshes;
+      for (size_t k = 0; k < meshes.size(); ++k) attach(made->scene, *meshes[k], uint32_t(k));
+      made->scene.commit(pool_, monitor_);
+      part = std::move(made);
+    }
+    out_.parts.push_back(part);
+    for (const Traced& mesh : meshes) done_ += mesh->source->triangle_count();
+    return part;
+  }
+
+  void attach_part(const std::shared_ptr<const Impl::Part>& part, uint32_t id, const Affine& to_scene) {
+    float columns[12];
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 3; ++r) columns[3 * c + r] = float(to_scene.m[4 * r + c]);
+    RTCGeometry handle = rtcNewGeometry(*out_.device, RTC_GEOMETRY_TYPE_INSTANCE);
+    out_.device->check();
+    rtcSetGeometryInstancedScene(handle, part->scene);
+    rtcSetGeometryTransform(handle, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+    out_.top->attach(handle, id);
+  }
+
+  void add_to_group(size_t i) {
+    const size_t count = mesh_of(i).triangle_count();
+    const uint32_t block = instances_[i].number / group_block;
+    if (!group_.empty() && (block != group_block_ || in_group_ + count > group_triangles)) end_group();
+    group_block_ = block;
+    in_group_ += count;
+    group_.push_back(traced_of(i));
+    group_members_.push_back(uint32_t(i));
+  }
+  void end_group() {
+    if (group_.empty()) return;
+    groups_.push_back(std::exchange(group_, {}));
+    out_.members.push_back(std::exchange(group_members_, {}));
+    in_group_ = 0;
+  }
+
+  void grow_bounds(const Impl::Placed& instance, const Box& mesh_box) {
+    if (out_.bounds.holds(mesh_box.transformed(instance.to_scene))) return;
+    each_extreme(*out_.traced[instance.traced]->source, instance.to_scene,
+                 [&](const Vec3d& p) { out_.bounds.grow(Vec3d(Vec3(instance.to_scene.point(p)))); });
+  }
+
+  void report(size_t all) const {
+    if (!monitor_) return;
+    monitor_->check();
+    monitor_->report(float(done_) / float(std::max<size_t>(1, all)));
+  }
+
+  Impl& out_;
+  const Impl* earlier_;
+  const std::vector<std::shared_ptr<const Mesh>>& meshes_;
+  const std::vector<Instance>& instances_;
+  ThreadPool& pool_;
+  Monitor* monitor_;
+  size_t done_ = 0;  // triangles of parts
+  std::map<const TracedMesh*, uint32_t> index_;
+  std::vector<std::vector<Traced>> groups_;
+  std::vector<Traced> group_;
+  std::vector<uint32_t> group_members_;
+  uint32_t group_block_ = 0;
+  size_t in_group_ = 0;
+};
+
+Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
+                     const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, bool finds_all,
+                     const Raytracer* earlier, Monitor* monitor)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->finds_all = finds_all;
+  impl_->texturing = texturing;
+  RaytracerBuild(*impl_, earlier ? earlier->impl_.get() : nullptr, meshes, instances, pool, monitor).run();
+}
+
+size_t Raytracer::shared_parts(const Raytracer& earlier) const {
+  size_t count = 0;
+  for (const auto& mesh : impl_->traced)
+    count += std::find(earlier.impl_->traced.begin(), earlier.impl_->traced.end(), mesh) != earlier.impl_->traced.end();
+  return count;
+}
+
+}  // namespace ups
