@@ -118,7 +118,6 @@ int main(int argc, char **argv) {
   render.method = UPS_METHOD_UPS;
   render.iteration_count = 8;
   render.seed = 20;
-  render.light_paths_per_iteration = 2048;
   check(ups_render(scene, &render, &result));
   check(ups_result_read_meters(result, meters, readings, METERS));
   check(ups_result_read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB, image, 0, sizeof image));

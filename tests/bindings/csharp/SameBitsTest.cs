@@ -79,7 +79,6 @@ public sealed class SameBitsTest
             render.Method = Method.Ups;
             render.IterationCount = 8;
             render.Seed = 20;
-            render.LightPathsPerIteration = 2048;
             using (var result = scene.Render(render))
             {
                 var readings = result.Meters(meters);
