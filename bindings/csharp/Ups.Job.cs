@@ -5,7 +5,8 @@ using System.Threading.Tasks;
 
 namespace Ups
 {
-    /// <summary>A render on the library's own threads; any thread may call. Disposing of it cancels it.</summary>
+    /// <summary>A render or a commit on the library's own threads; any thread may call. Disposing of it cancels
+    /// it.</summary>
     public sealed unsafe class Job : IDisposable
     {
         internal readonly JobHandle Handle;
@@ -125,13 +126,14 @@ namespace Ups
             }
         }
 
-        internal static async Task<Result> Finish(Job job, IProgress<Progress> progress, CancellationToken cancel)
+        internal static async Task<T> Finish<T>(Job job, IProgress<Progress> progress, Func<Job, T> result,
+                                                CancellationToken cancel)
         {
             using (job)
             {
                 if (await job.WaitAsync(progress, cancel).ConfigureAwait(false) == Status.Cancelled)
                     throw new OperationCanceledException(cancel);
-                return job.Result();
+                return result(job);
             }
         }
     }

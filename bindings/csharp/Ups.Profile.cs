@@ -189,7 +189,8 @@ namespace Ups
     /// <summary>How much a source dazzles: position indices and UGR by hand.</summary>
     public static unsafe class Glare
     {
-        /// <summary>For directions xyz in the eye's frame, which looks along -Z, +Y up; -1: not a source there.</summary>
+        /// <summary>For directions xyz in the eye's frame, which looks along -Z, +Y up; -1: not a source
+        /// there.</summary>
         public static float[] PositionIndex(ReadOnlySpan<float> directions,
                                             PositionIndex kind = Ups.PositionIndex.Table)
         {

@@ -1,9 +1,9 @@
 // UPS for C#: illuminance and luminance by Unified Path Sampling. Programs use the classes of this file and of
-// Ups.Profile.cs, Ups.Fixture.cs, Ups.Scene.cs, Ups.Job.cs, Ups.Result.cs, and for files those of Ups.Gltf.cs,
-// Ups.Exr.cs, Ups.Png.cs; they call the raw layer in Ups.Native.cs, where the descriptions (MaterialDesc.Create() and so on) and
-// enumerations stand too. Names, units and defaults are those of the C headers, where each function and field is
-// described. The libraries are loaded by their versioned names, libups.so.0.1, so that a program runs where no
-// development files are.
+// Ups.Profile.cs, Ups.Fixture.cs, Ups.Scene.cs (with Ups.Sensors.cs and Ups.Commit.cs), Ups.Job.cs, Ups.Result.cs (with
+// Ups.Images.cs), and for files those of Ups.Gltf.cs, Ups.Exr.cs, Ups.Png.cs; they call the raw layer in Ups.Native.cs,
+// where the descriptions (MaterialDesc.Create() and so on) and enumerations stand too. Names, units and defaults are those
+// of the C headers, where each function and field is described. The libraries are loaded by their versioned names,
+// libups.so.0.1, so that a program runs where no development files are.
 //
 // Arrays go in and out as spans, to which arrays convert by themselves: nothing is copied on the way. An empty span (or
 // null) is an array that is left out. No reference is null anywhere, neither given nor returned.
@@ -101,18 +101,15 @@ namespace Ups
     /// <summary>Arrays that C keeps inside a struct, and checks of those that it is given.</summary>
     internal static unsafe class Elements
     {
+        /// <summary>Null: an array that there is not, which is empty.</summary>
         internal static float[] Copy(float* p, int count)
         {
-            var values = new float[count];
-            Marshal.Copy((IntPtr)p, values, 0, count);
-            return values;
+            return new ReadOnlySpan<float>(p, p == null ? 0 : count).ToArray();
         }
 
         internal static double[] Copy(double* p, int count)
         {
-            var values = new double[count];
-            Marshal.Copy((IntPtr)p, values, 0, count);
-            return values;
+            return new ReadOnlySpan<double>(p, p == null ? 0 : count).ToArray();
         }
 
         internal static void Set(float* p, int count, ReadOnlySpan<float> values, string name)
