@@ -1,5 +1,6 @@
 // UPS for C#: what is there to light and what lights it: textures, materials, meshes, instances, luminaires, fixtures;
-// set and removed by ids that stay. Programs use Scene, whose other parts are Ups.Sensors.cs, Ups.Commit.cs; see Ups.cs.
+// set and removed by ids that stay. Programs use Scene; Ups.Sensors.cs and Ups.Commit.cs have its other parts. See
+// Ups.cs.
 using System;
 
 namespace Ups
@@ -20,7 +21,8 @@ namespace Ups
     }
 
     /// <summary>Description of what there is; many threads read, or one changes it. Edits take effect at the next
-    /// Commit. Set... take all of a thing anew, Get... tell how it stands, edits that were not committed included.</summary>
+    /// Commit. Set... take all of a thing anew, Get... tell how it stands, edits that were not committed
+    /// included.</summary>
     public sealed unsafe partial class Scene : IDisposable
     {
         internal readonly SceneHandle Handle;

@@ -1,5 +1,5 @@
-// Are things that were added set, asked for and removed from C#, and are commits that are awaited commits? What each edit
-// does to the light is tested with the library; here that everything arrives, and comes back.
+// Are things that were added set, asked for and removed from C#, and do awaited commits commit? What each edit does to
+// the light is tested with the library; here that everything arrives, and comes back.
 using System;
 using System.Linq;
 using System.Threading;
@@ -150,8 +150,9 @@ public sealed class EditsTest : IDisposable
         set.Normals = new float[] { 0, 0, 1, 0, 0, 1 };
         set.FootprintM = 0.5f;
         scene.SetMeters(meters, set);
-        Assert.True(scene.GetMeters(meters).PositionsM.SequenceEqual(set.PositionsM) &&
-                    scene.GetMeters(meters).FootprintM == 0.5f && scene.GetMeters(meters).Tangents.Length == 0, "meters");
+        var now = scene.GetMeters(meters);
+        Assert.True(now.PositionsM.SequenceEqual(set.PositionsM) && now.FootprintM == 0.5f && now.Tangents.Length == 0,
+                    "meters");
 
         var camera = CameraDesc.Create();
         camera.Width = camera.Height = 4;
@@ -168,8 +169,8 @@ public sealed class EditsTest : IDisposable
         Assert.True(scene.GetSurfaceMeters(triangles, out back)[0].V == instance.V && back, "surface meters");
         var texels = scene.AddLightmap(new[] { instance }, 2, 2);
         scene.SetLightmap(texels, new[] { instance }, 4, 3);
-        Assert.True(scene.GetLightmap(texels, out width, out height, out back).Length == 1 && width == 4 && height == 3 &&
-                    !back, "a lightmap");
+        Assert.Equal(instance.V, scene.GetLightmap(texels, out width, out height, out back).Single().V);
+        Assert.True(width == 4 && height == 3 && !back, "a lightmap");
 
         var observer = ObserverDesc.Create();
         var watcher = scene.AddObserver(observer);
@@ -178,7 +179,8 @@ public sealed class EditsTest : IDisposable
         Assert.Equal(1.5, scene.GetObserver(watcher).ToWorld[3]);
 
         float[] c, gamma;
-        var sphere = scene.AddGoniometer(GoniometerDesc.Create(), new float[] { 0, 90, 180, 270 }, new float[] { 0, 90, 180 });
+        var sphere = scene.AddGoniometer(GoniometerDesc.Create(), new float[] { 0, 90, 180, 270 },
+                                         new float[] { 0, 90, 180 });
         var desc = scene.GetGoniometer(sphere, out c, out gamma);
         Assert.Equal(new float[] { 0, 90, 180 }, gamma);
         gamma[1] = 60;
