@@ -42,7 +42,10 @@ def own_libraries(build):
 
 def needed_by(library):
     """Name and path of each library that the loader finds for it, the system's own left out."""
-    for name, path in re.findall(r"^\s*(\S+) => (.*?) \(0x", run("ldd", library), flags=re.M):
+    printed = run("ldd", library)
+    if missing := re.findall(r"^\s*(\S+) => not found", printed, flags=re.M):
+        sys.exit(f"pack: {library} needs {', '.join(missing)}, not found")
+    for name, path in re.findall(r"^\s*(\S+) => (.*?) \(0x", printed, flags=re.M):
         if not SYSTEM.match(name):
             yield name, Path(path)
             allocator = Path(path).parent / "libtbbmalloc.so.2"  # oneTBB loads it by itself, where it is

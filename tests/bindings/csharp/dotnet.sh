@@ -18,7 +18,8 @@ mkdir -p "$work"
 if [ ! -w "${HOME:-/nonexistent}" ]; then export HOME=$work/home; mkdir -p "$HOME"; fi
 sdk=$(dotnet --version) || skip "dotnet has no SDK"
 [ "${sdk%%.*}" -ge 8 ] || skip "the .NET SDK is $sdk, and 8 is needed"
-export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1 NuGetAudit=false MSBUILDDISABLENODEREUSE=1
+export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1 NuGetAudit=false
+export MSBUILDDISABLENODEREUSE=1  # no process outlives the test
 
 # quietly COMMAND...: what it prints is shown when it fails.
 quietly() {
@@ -33,7 +34,7 @@ quietly() {
 run_xunit() {
   quietly dotnet build "$here/Tests.csproj" -c Release -warnaserror --artifacts-path "$work/artifacts" \
     "-p:UpsExtras=$extras"
-  dotnet test "$here/Tests.csproj" -c Release --no-build --artifacts-path "$work/artifacts"
+  dotnet test "$work/artifacts/bin/Tests/release/Tests.dll"
 }
 
 # The program's folder: a project, a list of sources that holds the package's folder alone, and the sample.
@@ -50,6 +51,8 @@ XML
   <PropertyGroup>
     <OutputType>Exe</OutputType>
     <TargetFramework>net$(BundledNETCoreAppTargetFrameworkVersion)</TargetFramework>
+    <Nullable>enable</Nullable>
+    <TreatWarningsAsErrors>true</TreatWarningsAsErrors>
   </PropertyGroup>
   <ItemGroup><PackageReference Include="Ups" Version="*" /></ItemGroup>
 </Project>
