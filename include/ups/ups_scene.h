@@ -135,7 +135,7 @@ UPS_API ups_status ups_scene_add_luminaire(ups_scene *scene, const ups_luminaire
  * ups_scene_get_X gives the desc as it stands, edits that were not committed included: desc->struct_size must be set, at
  * most that many bytes are written. Its arrays are the scene's own: they may be read, and handed to ups_scene_set_X,
  * until that thing is set or removed or the scene is destroyed. So an edit of one field is get, change, set.
- * ups_scene_remove_X gives the memory back, at the latest when the last render and result of earlier commits is gone.
+ * ups_scene_remove_X gives the memory back: after the next commit, once no render and no result of earlier ones is left.
  * The id is never handed out again: who uses it is told that it was removed (UPS_ERROR_INVALID_ARGUMENT). What others
  * still need is not removed: INVALID_ARGUMENT names the first of them. */
 UPS_API ups_status ups_scene_set_texture(ups_scene *scene, ups_texture_id id, const ups_texture_desc *desc);
@@ -207,7 +207,7 @@ UPS_API ups_status ups_scene_commit(ups_scene *scene);
  * ups_progress.fraction tells how far it is, iterations_done stays 0, and the functions that ask for a render's findings
  * answer INVALID_STATE. It commits the scene as it is at this call; edits go on meanwhile and belong to the next commit.
  * The scene renders as before until the job has ended OK; cancelled or failed it stays so. One at a time:
- * INVALID_STATE while another commit of the scene runs. Destroying the scene or the job cancels it. */
+ * INVALID_STATE while another commit of the scene runs. Destroying the job cancels it. */
 UPS_API ups_status ups_scene_start_commit(ups_scene *scene, ups_job **out);
 /* 1: there are edits that no commit has taken, or there was none; 0: what renders is what was described. */
 UPS_API ups_status ups_scene_is_dirty(const ups_scene *scene, int32_t *out);

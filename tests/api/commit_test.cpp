@@ -211,6 +211,9 @@ TEST_F(Commit, RandomEditsGiveTheSceneThatIsBuiltAnew) {
   EXPECT_OK(ups_scene_commit(whole.scene));
   EXPECT_TRUE(edited.render() == whole.render());
   EXPECT_EQ(texts(edited), texts(whole));
+  EditedRoom copy(edited, EditedRoom::Copied{});
+  EXPECT_OK(ups_scene_commit(copy.scene));
+  EXPECT_TRUE(edited.render() == copy.render());
 }
 
 TEST_F(Commit, IsDirtyUntilCommitted) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <cstring>
+#include <map>
 
 #include "fixture.h"
 
@@ -22,7 +23,7 @@ struct Readings {
 
 template <class Desc>
 Desc sized() {
-  Desc d;
+  Desc d{};
   d.struct_size = sizeof d;
   return d;
 }
@@ -38,6 +39,19 @@ class EditedRoom {
  public:
   explicit EditedRoom(ups_context* context) : context_(context) {
     EXPECT_OK(ups_scene_create(context, &scene));
+    furnish();
+  }
+  // Built anew from what the getters tell of another; its ids are others.
+  struct Copied {};
+  EditedRoom(const EditedRoom& from, Copied) : context_(from.context_) {
+    EXPECT_OK(ups_scene_create(context_, &scene));
+    copy(from);
+  }
+  ~EditedRoom() { ups_scene_destroy(scene); }
+  EditedRoom(const EditedRoom&) = delete;
+  EditedRoom& operator=(const EditedRoom&) = delete;
+
+  void furnish() {
     const float texels[4] = {0, 1, 1, 0.25f};
     auto t = make(&ups_texture_desc_init);
     t.width = t.height = 2, t.channel_count = 1, t.texels = texels;
@@ -60,9 +74,6 @@ class EditedRoom {
     add_luminaires();
     add_sensors();
   }
-  ~EditedRoom() { ups_scene_destroy(scene); }
-  EditedRoom(const EditedRoom&) = delete;
-  EditedRoom& operator=(const EditedRoom&) = delete;
 
   ups_material_id add(const ups_material_desc& d) {
     ups_material_id id{};
@@ -139,6 +150,81 @@ class EditedRoom {
   ups_sensor_id camera{}, meters{}, surface{};
 
  private:
+  // Numbers count from 1; what was removed is left out.
+  template <class Id, class Desc, class Add>
+  std::map<uint32_t, Id> copy_all(const EditedRoom& from, Id any,
+                                  ups_status (*get)(const ups_scene*, Id, Desc*), const Add& add) {
+    std::map<uint32_t, Id> copied{{0, Id{}}};
+    Desc d = sized<Desc>();
+    for (uint32_t number = 1; number < 100; ++number) {
+      const Id id{(any.v & 0xff000000) | number};
+      if (get(from.scene, id, &d) == UPS_OK) EXPECT_OK(add(id, d, &copied[id.v]));
+    }
+    return copied;
+  }
+  void copy(const EditedRoom& from) {
+    const auto textures = copy_all(from, from.texture, &ups_scene_get_texture,
+                                   [&](ups_texture_id id, ups_texture_desc& d, ups_texture_id* out) {
+      std::vector<float> texels(d.width * d.height * d.channel_count);
+      EXPECT_OK(ups_scene_read_texture(from.scene, id, texels.data(), texels.size(), nullptr));
+      d.texels = texels.data();
+      return ups_scene_add_texture(scene, &d, out);
+    });
+    const auto materials = copy_all(from, from.wall, &ups_scene_get_material,
+                                    [&](ups_material_id, ups_material_desc& d, ups_material_id* out) {
+      for (ups_texture_id* t : {&d.reflectance_texture, &d.roughness_texture, &d.metallic_texture, &d.normal_texture,
+                                &d.alpha_texture})
+        *t = textures.at(t->v);
+      return ups_scene_add_material(scene, &d, out);
+    });
+    const auto meshes = copy_all(from, from.box, &ups_scene_get_mesh,
+                                 [&](ups_mesh_id, ups_mesh_desc& d, ups_mesh_id* out) {
+      d.material = materials.at(d.material.v);
+      return ups_scene_add_mesh(scene, &d, out);
+    });
+    const auto instances = copy_all(from, from.room, &ups_scene_get_instance,
+                                    [&](ups_instance_id, ups_instance_desc& d, ups_instance_id* out) {
+      d.mesh = meshes.at(d.mesh.v);
+      return ups_scene_add_instance(scene, &d, out);
+    });
+    copy_luminaires(from);
+    auto c = sized<ups_camera_desc>();
+    EXPECT_OK(ups_scene_get_camera(from.scene, from.camera, &c));
+    EXPECT_OK(ups_scene_add_camera(scene, &c, &camera));
+    auto m = sized<ups_meter_desc>();
+    EXPECT_OK(ups_scene_get_meters(from.scene, from.meters, &m));
+    EXPECT_OK(ups_scene_add_meters(scene, &m, &meters));
+    auto s = sized<ups_surface_meters_desc>();
+    EXPECT_OK(ups_scene_get_surface_meters(from.scene, from.surface, &s));
+    const ups_instance_id measured = instances.at(s.instances[0].v);
+    s.instances = &measured;
+    EXPECT_OK(ups_scene_add_surface_meters(scene, &s, &surface));
+    double factor = 0;
+    EXPECT_OK(ups_scene_get_maintenance_factor(from.scene, &factor));
+    EXPECT_OK(ups_scene_set_maintenance_factor(scene, factor));
+  }
+  // In the order of their numbers, which lights and luminaires share.
+  void copy_luminaires(const EditedRoom& from) {
+    for (uint32_t number = 1; number < 100; ++number) {
+      const ups_luminaire_id id{(from.opening.v & 0xff000000) | number};
+      auto l = sized<ups_luminaire_desc>();
+      auto light = sized<ups_light_desc>();
+      ups_luminaire_id out{};
+      float dimming = 0;
+      if (ups_scene_get_dimming(from.scene, id, &dimming) != UPS_OK) continue;
+      if (ups_scene_get_light(from.scene, id, &light) == UPS_OK) {
+        EXPECT_OK(ups_scene_add_light(scene, &light, &out));
+        EXPECT_OK(ups_scene_set_dimming(scene, out, dimming));
+        continue;
+      }
+      ups_profile* profile = nullptr;
+      EXPECT_OK(ups_scene_get_luminaire(from.scene, id, &l));
+      EXPECT_OK(ups_scene_get_luminaire_profile(from.scene, id, &profile));
+      l.profile = profile;
+      EXPECT_OK(ups_scene_add_luminaire(scene, &l, &out));
+      ups_profile_destroy(profile);
+    }
+  }
   void add_luminaires() {
     const float c = 0, gamma[3] = {0, 60, 90}, intensity[3] = {900, 400, 0};
     auto p = make(&ups_profile_desc_init);

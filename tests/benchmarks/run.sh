@@ -31,3 +31,6 @@ python3 tests/benchmarks/throughput.py --ups build/benchmarks/bin/ups "${of_rend
 
 step "Run build/benchmarks/bin/ups_benchmarks ${of_parts[*]}"
 build/benchmarks/bin/ups_benchmarks "${of_parts[@]}"
+
+step "Run build/benchmarks/bin/ups_commit_benchmark"
+build/benchmarks/bin/ups_commit_benchmark
