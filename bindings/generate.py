@@ -20,7 +20,7 @@ HERE = Path(__file__).resolve().parent
 CTYPES = {"void": None, "char": "c_char", "float": "c_float", "double": "c_double", "size_t": "c_size_t",
           "int32_t": "c_int32", "uint8_t": "c_uint8", "uint32_t": "c_uint32", "uint64_t": "c_uint64"}
 CSHARP = {"void": "void", "char": "byte", "float": "float", "double": "double", "size_t": "UIntPtr", "int32_t": "int",
-          "uint32_t": "uint", "uint64_t": "ulong"}
+          "uint8_t": "byte", "uint32_t": "uint", "uint64_t": "ulong"}
 
 
 def pascal(name):
@@ -197,7 +197,8 @@ def csharp_array(kind, count):
             "    }",
             f"    public {kind}[] ToArray() {{ {pin} return Elements.Copy(p, {count}); }}",
             f"    public static implicit operator {kind}[]({name} from) {{ return from.ToArray(); }}",
-            f"    public static implicit operator {name}({kind}[] from)", "    {",
+            f"    public static implicit operator {name}({kind}[] from) {{ return new ReadOnlySpan<{kind}>(from); }}",
+            f"    public static implicit operator {name}(ReadOnlySpan<{kind}> from)", "    {",
             f"        var to = new {name}();",
             f'        Elements.Set(to.values_, {count}, from, "{name}");',
             "        return to;", "    }",
@@ -208,7 +209,9 @@ def csharp_array(kind, count):
 
 def csharp_struct(api, struct):
     name = pascal(struct.name)
-    out = ["[StructLayout(LayoutKind.Sequential)]", f"public unsafe struct {name}", "{"]
+    of_addresses = all(f.type.pointers or f.name.endswith("_bytes") for f in struct.fields)
+    out = ["[StructLayout(LayoutKind.Sequential)]",
+           f"{'internal' if of_addresses else 'public'} unsafe struct {name}", "{"]
     for f in struct.fields:
         kind = csharp_value_type(api, f.type, in_struct=True)
         if not f.type.count:
@@ -224,6 +227,11 @@ def csharp_struct(api, struct):
         out += [f"    internal static {name} Sized()", "    {",
                 f"        return new {name} {{ StructSize = (uint)sizeof({name}) }};", "    }"]
     return out + ["}", ""]
+
+
+def csharp_library(library):
+    """The constant with the file name of a library: Library of the core, GltfLibrary."""
+    return ("" if library == "ups" else pascal(library)) + "Library"
 
 
 def csharp_parameter(api, p, destroys):
@@ -251,14 +259,18 @@ def csharp_source(api):
         body += [f"public sealed class {name}Handle : NativeHandle", "{",
                  f"    protected override bool ReleaseHandle() {{ Native.{handle}_destroy(handle); return true; }}",
                  "}", ""]
-    soname = f"libups.so.{v['MAJOR']}" + (f".{v['MINOR']}" if v["MAJOR"] == 0 else "")
-    body += ["internal static unsafe class Native", "{", f'    private const string Library = "{soname}";',
-             f"    internal const uint HeaderVersion = {v['MAJOR'] * 10000 + v['MINOR'] * 100 + v['PATCH']};", ""]
+    abi = f"{v['MAJOR']}" + (f".{v['MINOR']}" if v["MAJOR"] == 0 else "")
+    body += ["internal static unsafe class Native", "{"]
+    for library in ("ups", *(Path(h).stem for h in c_header.EXTRA_HEADERS)):
+        body.append(f'    private const string {csharp_library(library)} = "lib{library}.so.{abi}";')
+    body += [f"    internal const uint HeaderVersion = {v['MAJOR'] * 10000 + v['MINOR'] * 100 + v['PATCH']};", ""]
     for f in api.functions:
         destroys = any(f.name == h + "_destroy" for h in api.handles)
         returns = "IntPtr" if f.returns.pointers else csharp_value_type(api, f.returns, in_struct=False)
         parameters = ", ".join(csharp_parameter(api, p, destroys) for p in f.parameters)
-        body.append("    [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]")
+        library = "ups" if f.header in c_header.CORE_HEADERS else Path(f.header).stem
+        body.append(f"    [DllImport({csharp_library(library)}, CallingConvention = CallingConvention.Cdecl, "
+                    "ExactSpelling = true)]")
         line = f"    internal static extern {returns} {f.name}({parameters});"
         body += [line] if len(line) <= 116 else textwrap.wrap(line, 116, subsequent_indent=" " * 8)
     body += ["}"]
@@ -268,11 +280,10 @@ def csharp_source(api):
 
 def main():
     include = HERE.parent / "include" / "ups"
-    api = c_header.parse_headers(include)
-    with_extras = c_header.parse_headers(include, c_header.CORE_HEADERS + c_header.EXTRA_HEADERS)
+    api = c_header.parse_headers(include, c_header.CORE_HEADERS + c_header.EXTRA_HEADERS)
     stale = 0
-    for path, text in ((HERE / "python" / "ups" / "_ffi.py", python_source(with_extras)),
-                       (HERE / "python" / "ups" / "_fields.py", python_fields_source(with_extras)),
+    for path, text in ((HERE / "python" / "ups" / "_ffi.py", python_source(api)),
+                       (HERE / "python" / "ups" / "_fields.py", python_fields_source(api)),
                        (HERE / "csharp" / "Ups.Native.cs", csharp_source(api))):
         if sys.argv[1:] == ["--check"]:
             committed = path.read_text(encoding="utf-8") if path.exists() else ""

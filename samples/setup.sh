@@ -33,6 +33,17 @@ if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   exit 1
 fi
 
+# The NuGet packages that the tests of the C# binding restore, where there is a .NET SDK: they need no network afterwards.
+fetch_nuget_packages() {
+  command -v dotnet >/dev/null || { echo "setup: no .NET SDK: the tests of the C# binding run on Mono alone"; return; }
+  local work
+  work=$(mktemp -d)
+  dotnet restore "$(dirname "${BASH_SOURCE[0]}")/../tests/bindings/csharp/Tests.csproj" -p:NuGetAudit=false \
+    --artifacts-path "$work" >"$work/log" 2>&1 || { cat "$work/log"; echo "setup: the tests of C# on .NET will be skipped"; }
+  rm -rf "$work"
+}
+if [ "$1" = test ]; then fetch_nuget_packages; fi
+
 missing=()
 for package in "${wanted[@]}"; do
   state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
