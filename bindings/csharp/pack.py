@@ -6,14 +6,12 @@
 BUILD: build/release; FOLDER: where Ups.VERSION.nupkg goes; DIR: where dotnet builds, else a temporary folder.
 
 In the package: the assemblies, runtimes/linux-x64/native with libups, the extras that were built and what they need
-(Embree, oneTBB, OpenEXR, OpenColorIO ...), and licences/ with the terms of those as the system's packages state them. The
-C and C++ run-time libraries are the system's: the package runs where they are as new as where it was built. Libraries for
-other platforms go into a folder that UPS_RUNTIMES names, RID/native, and are taken along.
-Needs the .NET SDK and patchelf.
+(Embree, oneTBB, OpenEXR, OpenColorIO ...), and licences/ with the terms of those as the system's packages state them. zlib
+and the C and C++ run time are the system's: the package runs where they are as new as where it was built. Libraries for
+other platforms are taken along from a folder that UPS_RUNTIMES names: RID/native. Needs the .NET SDK and patchelf.
 """
 import argparse
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -21,7 +19,8 @@ import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|util|gcc_s|stdc\+\+))\.so\.\d+$")
+sys.path.insert(0, str(HERE.parent / "python"))
+import bundle  # noqa: E402
 
 
 def run(*command):
@@ -31,47 +30,15 @@ def run(*command):
     return done.stdout
 
 
-def own_libraries(build):
-    """SONAME's file of the core and of each extra that was built."""
-    found = sorted((build / "src").glob("api/libups.so.*.*")) + sorted((build / "src").glob("extras/*/libups_*.so.*.*"))
-    found = [p for p in found if re.search(r"\.so\.\d+\.\d+$", p.name)]
-    if not any(p.name.startswith("libups.so") for p in found):
+def copy_own(build, folder):
+    """The core and each extra that was built, by their SONAMEs."""
+    links = [*(build / "src").glob("api/libups.so.*.*"), *(build / "src").glob("extras/*/libups_*.so.*.*")]
+    links = [p for p in links if p.is_symlink()]
+    if not any(p.name.startswith("libups.so") for p in links):
         sys.exit(f"pack: no src/api/libups.so.* in {build}: build it first (cmake --build)")
-    return found
-
-
-def needed_by(library):
-    """Name and path of each library that the loader finds for it, the system's own left out."""
-    printed = run("ldd", library)
-    if missing := re.findall(r"^\s*(\S+) => not found", printed, flags=re.M):
-        sys.exit(f"pack: {library} needs {', '.join(missing)}, not found")
-    for name, path in re.findall(r"^\s*(\S+) => (.*?) \(0x", printed, flags=re.M):
-        if not SYSTEM.match(name):
-            yield name, Path(path)
-            allocator = Path(path).parent / "libtbbmalloc.so.2"  # oneTBB loads it by itself, where it is
-            if name.startswith("libtbb.") and allocator.exists():
-                yield allocator.name, allocator
-
-
-def copy_libraries(build, folder):
-    """Copies all into one folder, where they find each other. Returns the sources of what is not UPS."""
     folder.mkdir(parents=True)
-    others = {}
-    for library in own_libraries(build):
-        others.update((name, path) for name, path in needed_by(library) if not name.startswith("libups"))
-        shutil.copy(library, folder / library.name)
-        # RPATH, not RUNPATH: it holds for what these libraries need in turn, which have none.
-        run("patchelf", "--force-rpath", "--set-rpath", "$ORIGIN", folder / library.name)
-    for name, path in others.items():
-        shutil.copy(path.resolve(), folder / name)
-    return others.values()
-
-
-def copy_licences(libraries, folder):
-    folder.mkdir()
-    for library in libraries:
-        owner = run("dpkg", "-S", f"*/{library.resolve().name}").split(":")[0]
-        shutil.copy(Path("/usr/share/doc") / owner / "copyright", folder / f"{owner}.txt")
+    for link in links:
+        shutil.copy(link, folder / link.name)
 
 
 def main():
@@ -80,18 +47,19 @@ def main():
     parser.add_argument("folder", type=Path)
     parser.add_argument("--artifacts", type=Path)
     options = parser.parse_args()
-    for tool in ("dotnet", "patchelf", "dpkg"):
-        if not shutil.which(tool):
-            sys.exit(f"pack: {tool} not found")
+    if not shutil.which("dotnet"):
+        sys.exit("pack: no .NET SDK: dotnet is not on PATH")
     with tempfile.TemporaryDirectory() as temporary:
         work = Path(temporary)
         runtimes = work / "runtimes"
         if "UPS_RUNTIMES" in os.environ:
             shutil.copytree(os.environ["UPS_RUNTIMES"], runtimes)
-        others = copy_libraries(options.build.resolve(), runtimes / "linux-x64" / "native")
-        copy_licences(others, work / "licences")
+        copy_own(options.build.resolve(), runtimes / "linux-x64" / "native")
+        (work / "licences").mkdir()
+        bundle.copy_dependencies(runtimes / "linux-x64" / "native", work / "licences")
         run("dotnet", "pack", HERE / "Ups.csproj", "-c", "Release", "-o", options.folder.resolve(),
-            "--artifacts-path", options.artifacts or work / "artifacts", f"-p:UpsRuntimes={runtimes}", f"-p:UpsLicences={work / 'licences'}")
+            "--artifacts-path", options.artifacts or work / "artifacts", f"-p:UpsRuntimes={runtimes}",
+            f"-p:UpsLicences={work / 'licences'}")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-"""Which files a wheel has beside the Python ones: this project's libraries, and on demand those that they need.
+"""Which libraries a wheel or a NuGet package has inside: this project's, and those that they need.
 
-Called by setup.py.
+Called by setup.py and by ../csharp/pack.py.
 """
 import re
 import shutil
@@ -49,14 +49,14 @@ def _licence(file):
             owner = asked.stdout.split(":")[0]
     copyright = Path("/usr/share/doc") / (owner or "") / "copyright"
     if not owner or not copyright.is_file():
-        raise SystemExit(f"no licence is known of {file}, which the wheel would have inside: not from a Debian package")
+        raise SystemExit(f"no licence is known of {file}, which would go inside: not from a Debian package")
     return owner, copyright
 
 
 def copy_dependencies(folder, licences):
     """Beside the libraries in `folder`, which then find one another there and nowhere else."""
     if not shutil.which("patchelf"):
-        raise SystemExit("UPS_BUNDLE=1 needs patchelf (Debian: patchelf)")
+        raise SystemExit("the libraries that go inside need patchelf (Debian: patchelf)")
     own = sorted(folder.iterdir())
     for name, file in sorted(_dependencies(own).items()):
         owner, text = _licence(file)
