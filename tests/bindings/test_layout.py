@@ -60,6 +60,14 @@ def test_each_function_is_called_by_a_class(folder, call):
     assert functions - called == left_out
 
 
+def test_each_function_of_the_extras_is_called_in_csharp():
+    extras = c_header.parse_headers(ROOT / "include" / "ups", c_header.CORE_HEADERS + c_header.EXTRA_HEADERS)
+    functions = {f.name for f in extras.functions if f.header in c_header.EXTRA_HEADERS}
+    assert len(functions) > 30
+    text = "".join(p.read_text(encoding="utf-8") for p in (ROOT / "bindings" / "csharp").glob("*.cs"))
+    assert {f for f in functions if f"Native.{f}(" not in text} == set()
+
+
 @pytest.mark.parametrize("text", ["typedef void (*ups_callback)(void);", "enum { UPS_A };",
                                   "typedef struct { int bits : 3; } ups_b;", "UPS_API int (*ups_f(void))(int);"])
 def test_a_header_in_another_style_is_refused(tmp_path, text):
