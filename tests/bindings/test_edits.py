@@ -50,6 +50,7 @@ def test_meshes(context):
     got = scene.get_mesh(ids["mesh"])
     assert np.array_equal(got.arrays["positions_m"], moved) and got.arrays["indices"].tolist() == [[0, 1, 2], [0, 2, 3]]
     assert got.arrays["uvs"].shape == (4, 2) and "normals" not in got.arrays and got.material == ids["material"]
+    got.arrays["positions_m"][:] = moved  # the caller's own, not the scene's
     scene.set_mesh(ids["mesh"], moved[:3], [(0, 1, 2)])
     with pytest.raises(ups.Error):
         scene.set_mesh_vertices(ids["mesh"], moved)  # one more than it has now
@@ -92,6 +93,7 @@ def test_sensors_on_surfaces_and_by_direction(context):
     scene.set_observer(eye, to_world=ups.translation(0, 0, 1.5))
     surface, goniometer = scene.get_surface_meters(triangles), scene.get_goniometer(directions)
     assert surface.back == 1 and surface.instances[0] == ids["instance"]
+    assert surface.arrays["instances"]["v"].tolist() == [ids["instance"].v]
     assert (scene.get_lightmap(texels).width, scene.get_lightmap(texels).height) == (4, 3)
     assert goniometer.arrays["c_deg"].tolist() == [0, 90, 180, 270] and goniometer.gamma_count == 5
     assert scene.get_observer(eye).to_world[11] == 1.5

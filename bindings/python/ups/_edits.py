@@ -75,9 +75,7 @@ class Edits(Handle):
         for name, (count, width) in _ARRAYS.get(cls, {}).items():
             pointer, n = getattr(desc, name), getattr(desc, count)
             if pointer and n:
-                shape = (n,) if width == 1 else (n, width)
-                arrays[name] = np.frombuffer(ctypes.string_at(pointer, n * width * ctypes.sizeof(pointer._type_)),
-                                             dtype=np.dtype(pointer._type_)).reshape(shape)
+                arrays[name] = np.ctypeslib.as_array(pointer, (n,) if width == 1 else (n, width)).copy()
                 setattr(desc, name, address(arrays[name], pointer._type_))
         desc.arrays = arrays
         return desc
