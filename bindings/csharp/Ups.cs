@@ -2,8 +2,8 @@
 // Ups.Profile.cs, Ups.Fixture.cs, Ups.Scene.cs (with Ups.Sensors.cs and Ups.Commit.cs), Ups.Job.cs, Ups.Result.cs (with
 // Ups.Images.cs), and for files those of Ups.Gltf.cs, Ups.Exr.cs, Ups.Png.cs; they call the raw layer in Ups.Native.cs,
 // where the descriptions (MaterialDesc.Create() and so on) and enumerations stand too. Names, units and defaults are
-// those of the C headers, where each function and field is described. The libraries are loaded by their versioned names,
-// libups.so.0.1, so that a program runs where no development files are.
+// those of the C headers, where each function and field is described. The libraries are loaded by their versioned
+// names, libups.so.0.1, so that a program runs where no development files are.
 //
 // Arrays go in and out as spans, to which arrays convert by themselves: nothing is copied on the way. An empty span (or
 // null) is an array that is left out. No reference is null anywhere, neither given nor returned.

@@ -1,6 +1,7 @@
 // What a CAD program does with a scene that it keeps: an L-shaped room, ten luminaires, two grids, a camera. One
 // luminaire is moved, dimmed, aimed and removed; each is one call and a commit, where a program that describes all anew
-// makes eighteen. Prints what either takes, and fails where the light of the edited scene has not the same bits as that of a new one.
+// makes eighteen. Prints what either takes, and fails where the light of the edited scene has not the same
+// bits as that of a new one.
 //
 //   mcs -unsafe -langversion:latest -out:Edits.exe samples/csharp/Edits.cs bindings/csharp/*.cs
 //   LD_LIBRARY_PATH=build/release/src/api mono Edits.exe
@@ -126,7 +127,7 @@ internal static class Edits
         {
             var described = watch.Elapsed.TotalMilliseconds;
             var same = readings.SequenceEqual(Render(anew, other, out imageAnew)) && image.SequenceEqual(imageAnew);
-            Console.WriteLine("{0,-7} {1} calls, {2:0.0} ms; anew {3} calls, {4:0.0} ms; {5,6:0.0} lx, {6,6:0.0} lx; {7}",
+            Console.WriteLine("{0,-7} {1} calls, {2:0.0} ms; anew {3}, {4:0.0} ms; {5,6:0.0} lx, {6,6:0.0} lx; {7}",
                               what, Room.CallsOfAnEdit, edited, Room.CallsOfANewScene, described,
                               readings[7].IlluminanceLx, readings[27].IlluminanceLx,
                               same ? "the same bits" : "OTHER BITS");

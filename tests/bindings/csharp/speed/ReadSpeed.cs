@@ -95,11 +95,11 @@ internal static unsafe class ReadSpeed
             {
                 var readingsAt = (IntPtr)r;
                 var imageAt = (IntPtr)v;
+                var bytes = (UIntPtr)(sizeof(float) * (ulong)image.Length);
                 Compare("10,000 meters", 200, 100, () => read_meters_s(address, meters, (MeterReading*)readingsAt,
                                                                        (UIntPtr)MeterCount, 100),
                         () => result.ReadMeters(meters, readings));
-                Compare("3840 x 2160 image", 200, 1, () => read_image_s(address, camera, (float*)imageAt,
-                                                                      (UIntPtr)(sizeof(float) * (ulong)image.Length), 1),
+                Compare("3840 x 2160 image", 200, 1, () => read_image_s(address, camera, (float*)imageAt, bytes, 1),
                         () => result.ReadImage(camera, Channel.LuminanceRgb, image));
                 var watch = Stopwatch.StartNew();
                 for (var i = 0; i < 10; ++i) result.Meters(meters);

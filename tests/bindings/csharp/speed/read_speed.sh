@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures reading from C# against reading from C, on .NET where there is an SDK and on Mono where there is one; a minute,
-# on a machine that does nothing else, with 4 GB free:
+# Measures reading from C# against reading from C, on .NET where there is an SDK and on Mono where it is; a minute, on a
+# machine that does nothing else, with 4 GB free:
 #
 #   tests/bindings/csharp/speed/read_speed.sh build/release
 set -euo pipefail
