@@ -9,7 +9,8 @@ set -euo pipefail
 run_packages=(cmake ninja-build g++ pkgconf libembree-dev libtbb-dev libopenexr-dev libimath-dev libopencolorio-dev
   libtinygltf-dev libstb-dev nlohmann-json3-dev libcli11-dev libcairo2-dev python3-numpy)
 report_packages=(python3-matplotlib)
-test_packages=(libgtest-dev python3-pytest mono-mcs mono-runtime abigail-tools clang libclang-rt-dev)
+test_packages=(libgtest-dev python3-pytest mypy python3-ipykernel python3-nbclient python3-pip python3-setuptools
+  python3-wheel python3-venv patchelf mono-mcs mono-runtime abigail-tools clang libclang-rt-dev)
 optional_packages=() # installed with the others where there is such a package: Ubuntu has no chromium
 benchmark_packages=(libbenchmark-dev)
 
@@ -31,6 +32,17 @@ if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup: this is not Debian or Ubuntu; install the equivalents of: ${wanted[*]}" >&2
   exit 1
 fi
+
+# The NuGet packages that the tests of the C# binding restore, where there is a .NET SDK: they need no network afterwards.
+fetch_nuget_packages() {
+  command -v dotnet >/dev/null || { echo "setup: no .NET SDK: the tests of the C# binding run on Mono alone"; return; }
+  local work
+  work=$(mktemp -d)
+  dotnet restore "$(dirname "${BASH_SOURCE[0]}")/../tests/bindings/csharp/Tests.csproj" -p:NuGetAudit=false \
+    --artifacts-path "$work" >"$work/log" 2>&1 || { cat "$work/log"; echo "setup: the tests of C# on .NET will be skipped"; }
+  rm -rf "$work"
+}
+if [ "$1" = test ]; then fetch_nuget_packages; fi
 
 missing=()
 for package in "${wanted[@]}"; do

@@ -20,12 +20,13 @@ namespace Ups
         }
 
         /// <summary>profileRzM: radius and z of each point of a Polyline.</summary>
-        public FixturePartId AddReflector(ReflectorDesc desc, double[] profileRzM = null, MaterialDesc? material = null)
+        public FixturePartId AddReflector(ReflectorDesc desc, ReadOnlySpan<double> profileRzM = default,
+                                          MaterialDesc? material = null)
         {
             FixturePartId id;
             var custom = material.GetValueOrDefault();
             desc.Material = material.HasValue ? &custom : null;
-            desc.ProfilePointCount = profileRzM == null ? 0 : Elements.Count(profileRzM, 2, "profileRzM");
+            desc.ProfilePointCount = Elements.Count(profileRzM.Length, 2, "profileRzM");
             fixed (double* points = profileRzM)
             {
                 desc.ProfileRzM = points;
@@ -44,12 +45,13 @@ namespace Ups
         }
 
         /// <summary>wallRzM: radius and z of each point of a Polyline.</summary>
-        public FixturePartId AddCollimator(CollimatorDesc desc, double[] wallRzM = null, MaterialDesc? material = null)
+        public FixturePartId AddCollimator(CollimatorDesc desc, ReadOnlySpan<double> wallRzM = default,
+                                          MaterialDesc? material = null)
         {
             FixturePartId id;
             var custom = material.GetValueOrDefault();
             desc.Material = material.HasValue ? &custom : null;
-            desc.WallPointCount = wallRzM == null ? 0 : Elements.Count(wallRzM, 2, "wallRzM");
+            desc.WallPointCount = Elements.Count(wallRzM.Length, 2, "wallRzM");
             fixed (double* points = wallRzM)
             {
                 desc.WallRzM = points;
@@ -59,13 +61,14 @@ namespace Ups
         }
 
         /// <summary>Positions, normals xyz; three indices a triangle, counter-clockwise.</summary>
-        public FixturePartId AddPart(FixturePartDesc desc, float[] positionsM, uint[] indices, float[] normals = null,
+        public FixturePartId AddPart(FixturePartDesc desc, ReadOnlySpan<float> positionsM, ReadOnlySpan<uint> indices,
+                                     ReadOnlySpan<float> normals = default,
                                      MaterialDesc? material = null)
         {
             FixturePartId id;
             var custom = material.GetValueOrDefault();
             desc.Material = material.HasValue ? &custom : null;
-            var mesh = Elements.Mesh(positionsM, indices, normals, null, null);
+            var mesh = Elements.Mesh(positionsM.Length, indices.Length, normals.Length, 0, 0);
             fixed (float* p = positionsM, n = normals)
             fixed (uint* i = indices)
             {

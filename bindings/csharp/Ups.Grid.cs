@@ -5,19 +5,25 @@ namespace Ups
 {
     public static unsafe class En12464Grid
     {
-        /// <summary>The grid's points in a polygon: x, y of its corners, and of each hole's.</summary>
-        public static En12464Point[] In(double[] cornersM, double[][] holesM, double borderM, out En12464Info info)
+        /// <summary>In a polygon without holes.</summary>
+        public static En12464Point[] In(ReadOnlySpan<double> cornersM, double borderM, out En12464Info info)
         {
-            holesM = holesM ?? new double[0][];
+            return In(cornersM, new double[0][], borderM, out info);
+        }
+
+        /// <summary>The grid's points in a polygon: x, y of its corners, and of each hole's.</summary>
+        public static En12464Point[] In(ReadOnlySpan<double> cornersM, double[][] holesM, double borderM,
+                                        out En12464Info info)
+        {
             var desc = En12464Desc.Create();
-            desc.CornerCount = Elements.Count(cornersM, 2, "cornersM");
+            desc.CornerCount = Elements.Count(cornersM.Length, 2, "cornersM");
             desc.HoleCount = (uint)holesM.Length;
             desc.BorderM = borderM;
             var counts = new uint[holesM.Length];
             var all = new System.Collections.Generic.List<double>();
             for (int h = 0; h < holesM.Length; ++h)
             {
-                counts[h] = Elements.Count(holesM[h], 2, "holesM[" + h + "]");
+                counts[h] = Elements.Count(holesM[h].Length, 2, "holesM[" + h + "]");
                 all.AddRange(holesM[h]);
             }
             var found = En12464Info.Sized();

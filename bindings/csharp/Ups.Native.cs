@@ -359,6 +359,24 @@ namespace Ups
         Hidden = 8,
     }
 
+    public enum GltfSensorKind : int
+    {
+        Camera = 0,
+        Meters = 1,
+        Goniometer = 2,
+        Observer = 3,
+    }
+
+    public enum GltfLayout : int
+    {
+        Points = 0,
+        Grid = 1,
+        En12464 = 2,
+        Line = 3,
+        Surface = 4,
+        Lightmap = 5,
+    }
+
     /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct Double2 : IEnumerable<double>
@@ -372,7 +390,8 @@ namespace Ups
         }
         public double[] ToArray() { fixed (double* p = values_) return Elements.Copy(p, 2); }
         public static implicit operator double[](Double2 from) { return from.ToArray(); }
-        public static implicit operator Double2(double[] from)
+        public static implicit operator Double2(double[] from) { return new ReadOnlySpan<double>(from); }
+        public static implicit operator Double2(ReadOnlySpan<double> from)
         {
             var to = new Double2();
             Elements.Set(to.values_, 2, from, "Double2");
@@ -395,7 +414,8 @@ namespace Ups
         }
         public double[] ToArray() { fixed (double* p = values_) return Elements.Copy(p, 3); }
         public static implicit operator double[](Double3 from) { return from.ToArray(); }
-        public static implicit operator Double3(double[] from)
+        public static implicit operator Double3(double[] from) { return new ReadOnlySpan<double>(from); }
+        public static implicit operator Double3(ReadOnlySpan<double> from)
         {
             var to = new Double3();
             Elements.Set(to.values_, 3, from, "Double3");
@@ -418,7 +438,8 @@ namespace Ups
         }
         public double[] ToArray() { fixed (double* p = values_) return Elements.Copy(p, 4); }
         public static implicit operator double[](Double4 from) { return from.ToArray(); }
-        public static implicit operator Double4(double[] from)
+        public static implicit operator Double4(double[] from) { return new ReadOnlySpan<double>(from); }
+        public static implicit operator Double4(ReadOnlySpan<double> from)
         {
             var to = new Double4();
             Elements.Set(to.values_, 4, from, "Double4");
@@ -441,7 +462,8 @@ namespace Ups
         }
         public double[] ToArray() { fixed (double* p = values_) return Elements.Copy(p, 12); }
         public static implicit operator double[](Double12 from) { return from.ToArray(); }
-        public static implicit operator Double12(double[] from)
+        public static implicit operator Double12(double[] from) { return new ReadOnlySpan<double>(from); }
+        public static implicit operator Double12(ReadOnlySpan<double> from)
         {
             var to = new Double12();
             Elements.Set(to.values_, 12, from, "Double12");
@@ -464,7 +486,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 2); }
         public static implicit operator float[](Float2 from) { return from.ToArray(); }
-        public static implicit operator Float2(float[] from)
+        public static implicit operator Float2(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float2(ReadOnlySpan<float> from)
         {
             var to = new Float2();
             Elements.Set(to.values_, 2, from, "Float2");
@@ -487,7 +510,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 3); }
         public static implicit operator float[](Float3 from) { return from.ToArray(); }
-        public static implicit operator Float3(float[] from)
+        public static implicit operator Float3(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float3(ReadOnlySpan<float> from)
         {
             var to = new Float3();
             Elements.Set(to.values_, 3, from, "Float3");
@@ -510,7 +534,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 4); }
         public static implicit operator float[](Float4 from) { return from.ToArray(); }
-        public static implicit operator Float4(float[] from)
+        public static implicit operator Float4(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float4(ReadOnlySpan<float> from)
         {
             var to = new Float4();
             Elements.Set(to.values_, 4, from, "Float4");
@@ -533,7 +558,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 5); }
         public static implicit operator float[](Float5 from) { return from.ToArray(); }
-        public static implicit operator Float5(float[] from)
+        public static implicit operator Float5(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float5(ReadOnlySpan<float> from)
         {
             var to = new Float5();
             Elements.Set(to.values_, 5, from, "Float5");
@@ -556,7 +582,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 10); }
         public static implicit operator float[](Float10 from) { return from.ToArray(); }
-        public static implicit operator Float10(float[] from)
+        public static implicit operator Float10(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float10(ReadOnlySpan<float> from)
         {
             var to = new Float10();
             Elements.Set(to.values_, 10, from, "Float10");
@@ -579,7 +606,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 15); }
         public static implicit operator float[](Float15 from) { return from.ToArray(); }
-        public static implicit operator Float15(float[] from)
+        public static implicit operator Float15(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float15(ReadOnlySpan<float> from)
         {
             var to = new Float15();
             Elements.Set(to.values_, 15, from, "Float15");
@@ -602,7 +630,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 19); }
         public static implicit operator float[](Float19 from) { return from.ToArray(); }
-        public static implicit operator Float19(float[] from)
+        public static implicit operator Float19(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float19(ReadOnlySpan<float> from)
         {
             var to = new Float19();
             Elements.Set(to.values_, 19, from, "Float19");
@@ -625,7 +654,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 30); }
         public static implicit operator float[](Float30 from) { return from.ToArray(); }
-        public static implicit operator Float30(float[] from)
+        public static implicit operator Float30(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float30(ReadOnlySpan<float> from)
         {
             var to = new Float30();
             Elements.Set(to.values_, 30, from, "Float30");
@@ -648,7 +678,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 95); }
         public static implicit operator float[](Float95 from) { return from.ToArray(); }
-        public static implicit operator Float95(float[] from)
+        public static implicit operator Float95(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float95(ReadOnlySpan<float> from)
         {
             var to = new Float95();
             Elements.Set(to.values_, 95, from, "Float95");
@@ -671,7 +702,8 @@ namespace Ups
         }
         public float[] ToArray() { fixed (float* p = values_) return Elements.Copy(p, 100); }
         public static implicit operator float[](Float100 from) { return from.ToArray(); }
-        public static implicit operator Float100(float[] from)
+        public static implicit operator Float100(float[] from) { return new ReadOnlySpan<float>(from); }
+        public static implicit operator Float100(ReadOnlySpan<float> from)
         {
             var to = new Float100();
             Elements.Set(to.values_, 100, from, "Float100");
@@ -1861,6 +1893,127 @@ namespace Ups
         }
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct GltfImportDesc
+    {
+        public uint StructSize;
+        public uint CameraWidth;
+        public uint CameraHeight;
+        public uint Reserved;
+        public int AllowOutside;
+        public uint CameraLayers;
+        /// <summary>With the library's defaults.</summary>
+        public static GltfImportDesc Create()
+        {
+            var d = new GltfImportDesc();
+            Native.ups_gltf_import_desc_init(&d, (uint)sizeof(GltfImportDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct GltfSensorInfo
+    {
+        public uint StructSize;
+        public GltfSensorKind Kind;
+        public SensorId Sensor;
+        public uint Width;
+        public uint Height;
+        public int Illuminance;
+        public uint MeterCount;
+        public uint Columns;
+        public uint Rows;
+        public uint Reserved;
+        public GltfLayout Layout;
+        public Float2 CellSizeM;
+        public Float3 CellSide;
+        public MeterKind MeterKind;
+        public Projection Projection;
+        public uint Layers;
+        internal static GltfSensorInfo Sized()
+        {
+            return new GltfSensorInfo { StructSize = (uint)sizeof(GltfSensorInfo) };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ExrChannel
+    {
+        internal byte* Name;
+        internal float* Data;
+        public UIntPtr PixelStrideBytes;
+        public UIntPtr RowStrideBytes;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ExrAttribute
+    {
+        internal byte* Name;
+        internal byte* Value;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct OcioPictureDesc
+    {
+        public uint StructSize;
+        public uint Width;
+        public uint Height;
+        public int Smoothed;
+        internal float* LuminanceRgb;
+        public double Exposure;
+        public int ExposureChosen;
+        public uint Reserved;
+        /// <summary>With the library's defaults.</summary>
+        public static OcioPictureDesc Create()
+        {
+            var d = new OcioPictureDesc();
+            Native.ups_ocio_picture_desc_init(&d, (uint)sizeof(OcioPictureDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct OcioSmoothDesc
+    {
+        public uint StructSize;
+        public uint Width;
+        public uint Height;
+        public uint Reserved;
+        internal float* LuminanceRgb;
+        internal float* StandardErrorRgb;
+        internal float* AlbedoRgb;
+        internal float* Normal;
+        internal float* Depth;
+        /// <summary>With the library's defaults.</summary>
+        public static OcioSmoothDesc Create()
+        {
+            var d = new OcioSmoothDesc();
+            Native.ups_ocio_smooth_desc_init(&d, (uint)sizeof(OcioSmoothDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct OcioFalseColorDesc
+    {
+        public uint StructSize;
+        public uint Columns;
+        public uint Rows;
+        public int FirstRowAtBottom;
+        internal float* Values;
+        internal byte* Title;
+        internal byte* Unit;
+        public double ScaleMin;
+        public double ScaleMax;
+        /// <summary>With the library's defaults.</summary>
+        public static OcioFalseColorDesc Create()
+        {
+            var d = new OcioFalseColorDesc();
+            Native.ups_ocio_false_color_desc_init(&d, (uint)sizeof(OcioFalseColorDesc));
+            return d;
+        }
+    }
+
     public sealed class ContextHandle : NativeHandle
     {
         protected override bool ReleaseHandle() { Native.ups_context_destroy(handle); return true; }
@@ -1896,9 +2049,22 @@ namespace Ups
         protected override bool ReleaseHandle() { Native.ups_path_destroy(handle); return true; }
     }
 
+    public sealed class GltfImportHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_gltf_import_destroy(handle); return true; }
+    }
+
+    public sealed class ExrImageHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle() { Native.ups_exr_image_destroy(handle); return true; }
+    }
+
     internal static unsafe class Native
     {
         private const string Library = "libups.so.0.1";
+        private const string GltfLibrary = "libups_gltf.so.0.1";
+        private const string ExrLibrary = "libups_exr.so.0.1";
+        private const string OcioLibrary = "libups_ocio.so.0.1";
         internal const uint HeaderVersion = 100;
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -2331,5 +2497,82 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_glare_source(ResultHandle result, SensorId observer, uint index,
             GlareSource* source);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_gltf_import_desc_init(GltfImportDesc* desc, uint struct_size);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_gltf_import_file(ContextHandle context, byte* path, GltfImportDesc* desc,
+            SceneHandle scene, out GltfImportHandle @out);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_gltf_import_destroy(IntPtr import_result);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_gltf_get_sensor_count(GltfImportHandle import_result, uint* @out);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_gltf_get_sensor(GltfImportHandle import_result, uint index, GltfSensorInfo*
+            info);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_gltf_get_sensor_name(GltfImportHandle import_result, uint index, byte* text,
+            UIntPtr capacity, UIntPtr* needed);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_gltf_get_source_name(GltfImportHandle import_result, SourceKind kind, uint id,
+            byte* text, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_gltf_get_source_file(GltfImportHandle import_result, SourceKind kind, uint id,
+            byte* text, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_gltf_read_meters(GltfImportHandle import_result, uint index, double*
+            positions_m, float* normals, UIntPtr count);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_gltf_get_warnings(GltfImportHandle import_result, byte* text, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern IntPtr ups_gltf_last_error();
+        [DllImport(ExrLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_exr_write(byte* path, uint width, uint height, ExrChannel* channels, uint
+            channel_count, ExrAttribute* attributes, uint attribute_count);
+        [DllImport(ExrLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_exr_read(byte* path, out ExrImageHandle @out);
+        [DllImport(ExrLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_exr_image_destroy(IntPtr image);
+        [DllImport(ExrLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_exr_get_size(ExrImageHandle image, uint* width, uint* height);
+        [DllImport(ExrLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_exr_get_channel_count(ExrImageHandle image, uint* @out);
+        [DllImport(ExrLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_exr_get_channel_name(ExrImageHandle image, uint index, byte* text, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(ExrLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_exr_get_attribute(ExrImageHandle image, byte* name, byte* text, UIntPtr
+            capacity, UIntPtr* needed);
+        [DllImport(ExrLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_exr_read_channel(ExrImageHandle image, byte* name, float* @out, UIntPtr
+            count);
+        [DllImport(ExrLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern IntPtr ups_exr_last_error();
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_ocio_choose_exposure(float* luminance_rgb, uint width, uint height, double*
+            @out);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_ocio_get_ev100(double exposure, double* @out);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_ocio_get_exposure(double ev100, double* @out);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_ocio_write_png(byte* path, float* luminance_rgb, uint width, uint height,
+            double exposure);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_ocio_picture_desc_init(OcioPictureDesc* desc, uint struct_size);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_ocio_write_picture_png(byte* path, OcioPictureDesc* desc);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_ocio_smooth_desc_init(OcioSmoothDesc* desc, uint struct_size);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_ocio_smooth(OcioSmoothDesc* desc, float* out_rgb);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_ocio_false_color_desc_init(OcioFalseColorDesc* desc, uint struct_size);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_ocio_write_false_color_png(byte* path, OcioFalseColorDesc* desc);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_ocio_write_pixels_png(byte* path, byte* rgb, uint width, uint height);
+        [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern IntPtr ups_ocio_last_error();
     }
 }

@@ -1,7 +1,6 @@
 // UPS for C#: what does a luminaire send where: distributions from files and tables, queried and written.
 // Programs use Profile; see Ups.cs.
 using System;
-using System.Text;
 
 namespace Ups
 {
@@ -13,7 +12,8 @@ namespace Ups
         internal Profile(ProfileHandle handle) { Handle = handle; }
 
         /// <summary>From the bytes of a photometric file.</summary>
-        public static Profile Parse(Context context, byte[] bytes, ProfileFormat format = ProfileFormat.Auto)
+        public static Profile Parse(Context context, ReadOnlySpan<byte> bytes,
+                                    ProfileFormat format = ProfileFormat.Auto)
         {
             var desc = ProfileParseDesc.Create();
             desc.Format = format;
@@ -21,34 +21,35 @@ namespace Ups
         }
 
         /// <summary>With a tilt or a lamp set; tiltFile: the bytes of the file that its TILT= names.</summary>
-        public static Profile Parse(Context context, byte[] bytes, ProfileParseDesc desc, byte[] tiltFile = null)
+        public static Profile Parse(Context context, ReadOnlySpan<byte> bytes, ProfileParseDesc desc,
+                                    ReadOnlySpan<byte> tiltFile = default)
         {
-            if (bytes == null) throw new ArgumentNullException("bytes");
             ProfileHandle handle;
             fixed (byte* p = bytes, tilt = tiltFile)
             {
                 desc.Bytes = p;
                 desc.Size = (UIntPtr)bytes.Length;
                 desc.TiltFile = tilt;
-                desc.TiltFileSize = (UIntPtr)(tiltFile == null ? 0 : tiltFile.Length);
+                desc.TiltFileSize = (UIntPtr)tiltFile.Length;
                 Library.Check(Native.ups_profile_parse_with(context.Handle, &desc, out handle));
             }
             return new Profile(handle);
         }
 
         /// <summary>From intensities of each plane C, gamma fastest.</summary>
-        public static Profile FromTable(Context context, float[] cDeg, float[] gammaDeg, float[] intensityCd)
+        public static Profile FromTable(Context context, ReadOnlySpan<float> cDeg, ReadOnlySpan<float> gammaDeg,
+                                        ReadOnlySpan<float> intensityCd)
         {
             return FromTable(context, cDeg, gammaDeg, intensityCd, ProfileDesc.Create());
         }
 
         /// <summary>desc: ProfileDesc.Create(), then the luminous opening and the input power.</summary>
-        public static Profile FromTable(Context context, float[] cDeg, float[] gammaDeg, float[] intensityCd,
-                                        ProfileDesc desc)
+        public static Profile FromTable(Context context, ReadOnlySpan<float> cDeg, ReadOnlySpan<float> gammaDeg,
+                                        ReadOnlySpan<float> intensityCd, ProfileDesc desc)
         {
-            desc.CCount = Elements.Count(cDeg, 1, "cDeg");
-            desc.GammaCount = Elements.Count(gammaDeg, 1, "gammaDeg");
-            Elements.Expect(intensityCd, (long)desc.CCount * desc.GammaCount, "intensityCd");
+            desc.CCount = Elements.Count(cDeg.Length, 1, "cDeg");
+            desc.GammaCount = Elements.Count(gammaDeg.Length, 1, "gammaDeg");
+            Elements.Expect(intensityCd.Length, (long)desc.CCount * desc.GammaCount, "intensityCd");
             ProfileHandle handle;
             fixed (float* c = cDeg, gamma = gammaDeg, intensity = intensityCd)
             {
@@ -73,27 +74,24 @@ namespace Ups
         public string Text(ProfileText topic)
         {
             return Library.Text((p, capacity, needed) =>
-                Native.ups_profile_get_text(Handle, topic, p, capacity, needed)) ?? "";
+                Native.ups_profile_get_text(Handle, topic, p, capacity, needed));
         }
 
         /// <summary>Values of a keyword, in any case: a line each where there are several, "" where none.</summary>
         public string Keyword(string name)
         {
-            if (name == null) throw new ArgumentNullException("name");
-            var bytes = Encoding.UTF8.GetBytes(name + "\0");
+            var bytes = Library.Utf8(name, "name");
             return Library.Text((p, capacity, needed) =>
             {
                 fixed (byte* n = bytes) return Native.ups_profile_get_keyword(Handle, n, p, capacity, needed);
-            }) ?? "";
+            });
         }
 
         /// <summary>A copy in which the keyword has this value alone, for Write.</summary>
         public Profile WithKeyword(string name, string value)
         {
-            if (name == null) throw new ArgumentNullException("name");
-            if (value == null) throw new ArgumentNullException("value");
             ProfileHandle handle;
-            fixed (byte* n = Encoding.UTF8.GetBytes(name + "\0"), v = Encoding.UTF8.GetBytes(value + "\0"))
+            fixed (byte* n = Library.Utf8(name, "name"), v = Library.Utf8(value, "value"))
                 Library.Check(Native.ups_profile_with_keyword(Handle, n, v, out handle));
             return new Profile(handle);
         }
@@ -110,39 +108,41 @@ namespace Ups
         /// <summary>The bytes of a file, IesLm63 or Eulumdat, of the same distribution.</summary>
         public byte[] Write(ProfileFormat format = ProfileFormat.IesLm63)
         {
-            return Library.Bytes((p, capacity, needed) =>
-                Native.ups_profile_write(Handle, format, p, capacity, needed));
+            byte[] bytes;
+            Library.TryBytes((p, capacity, needed) => Native.ups_profile_write(Handle, format, p, capacity, needed),
+                             Library.Check, out bytes);
+            return bytes;
         }
 
         /// <summary>What the file that Write makes does not hold as the profile has it, a line each.</summary>
         public string WriteWarnings(ProfileFormat format = ProfileFormat.IesLm63)
         {
             return Library.Text((p, capacity, needed) =>
-                Native.ups_profile_get_write_warnings(Handle, format, p, capacity, needed)) ?? "";
+                Native.ups_profile_get_write_warnings(Handle, format, p, capacity, needed));
         }
 
         /// <summary>cd, for directions xyz in the profile's frame: nadir -Z, C0 +X, C90 +Y.</summary>
-        public float[] IntensityCd(float[] directions)
+        public float[] IntensityCd(ReadOnlySpan<float> directions)
         {
-            var values = new float[Elements.Count(directions, 3, "directions")];
+            var values = new float[Elements.Count(directions.Length, 3, "directions")];
             fixed (float* d = directions, v = values)
                 Library.Check(Native.ups_profile_eval(Handle, d, (UIntPtr)values.Length, v));
             return values;
         }
 
         /// <summary>cd/m^2, mean of the opening seen from directions xyz; below 0: a point, or an edge.</summary>
-        public float[] LuminanceCdM2(float[] directions)
+        public float[] LuminanceCdM2(ReadOnlySpan<float> directions)
         {
-            var values = new float[Elements.Count(directions, 3, "directions")];
+            var values = new float[Elements.Count(directions.Length, 3, "directions")];
             fixed (float* d = directions, v = values)
                 Library.Check(Native.ups_profile_get_luminance(Handle, d, (UIntPtr)values.Length, v));
             return values;
         }
 
         /// <summary>lm between each two of the ascending angles, in [0, 180]: one value less.</summary>
-        public double[] ZonalFluxLm(float[] gammaDeg)
+        public double[] ZonalFluxLm(ReadOnlySpan<float> gammaDeg)
         {
-            var values = new double[Math.Max(0, (int)Elements.Count(gammaDeg, 1, "gammaDeg") - 1)];
+            var values = new double[Math.Max(0, (int)Elements.Count(gammaDeg.Length, 1, "gammaDeg") - 1)];
             fixed (float* g = gammaDeg)
             fixed (double* v = values)
                 Library.Check(Native.ups_profile_get_zonal_flux(Handle, g, (UIntPtr)gammaDeg.Length, v));
@@ -189,21 +189,24 @@ namespace Ups
     /// <summary>How much a source dazzles: position indices and UGR by hand.</summary>
     public static unsafe class Glare
     {
-        /// <summary>For directions xyz in the eye's frame, which looks along -Z, +Y up; -1: not a source there.</summary>
-        public static float[] PositionIndex(float[] directions, PositionIndex kind = Ups.PositionIndex.Table)
+        /// <summary>For directions xyz in the eye's frame, which looks along -Z, +Y up; -1: not a source
+        /// there.</summary>
+        public static float[] PositionIndex(ReadOnlySpan<float> directions,
+                                            PositionIndex kind = Ups.PositionIndex.Table)
         {
-            var values = new float[Elements.Count(directions, 3, "directions")];
+            var values = new float[Elements.Count(directions.Length, 3, "directions")];
             fixed (float* d = directions, v = values)
                 Library.Check(Native.ups_glare_get_position_index(kind, d, (UIntPtr)values.Length, v));
             return values;
         }
 
         /// <summary>Of sources by three arrays of one length; -1: none of them counts.</summary>
-        public static float Ugr(float[] luminanceCdM2, float[] solidAngleSr, float[] positionIndex, double backgroundCdM2)
+        public static float Ugr(ReadOnlySpan<float> luminanceCdM2, ReadOnlySpan<float> solidAngleSr,
+                                ReadOnlySpan<float> positionIndex, double backgroundCdM2)
         {
-            var count = Elements.Count(luminanceCdM2, 1, "luminanceCdM2");
-            Elements.Expect(solidAngleSr, count, "solidAngleSr");
-            Elements.Expect(positionIndex, count, "positionIndex");
+            var count = Elements.Count(luminanceCdM2.Length, 1, "luminanceCdM2");
+            Elements.Expect(solidAngleSr.Length, count, "solidAngleSr");
+            Elements.Expect(positionIndex.Length, count, "positionIndex");
             float ugr;
             fixed (float* l = luminanceCdM2, w = solidAngleSr, p = positionIndex)
                 Library.Check(Native.ups_glare_get_ugr(l, w, p, (UIntPtr)count, backgroundCdM2, &ugr));

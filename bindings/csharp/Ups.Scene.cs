@@ -1,47 +1,153 @@
-// UPS for C#: what is there to light and to measure: materials, meshes, luminaires, fixtures, sensors; commit, render.
-// Programs use Scene; see Ups.cs.
+// UPS for C#: what is there to light and what lights it: textures, materials, meshes, instances, luminaires, fixtures;
+// set and removed by ids that stay. Programs use Scene; Ups.Sensors.cs and Ups.Commit.cs have its other parts. See
+// Ups.cs.
 using System;
 
 namespace Ups
 {
-    /// <summary>Description of what there is; one thread at a time. Changes take effect at the next Commit.</summary>
-    public sealed unsafe class Scene : IDisposable
+    /// <summary>What a pane does by the angle of incidence, degrees, ascending. All empty: by its index of refraction;
+    /// Reflectance alone may be empty too.</summary>
+    public sealed class PaneTable
+    {
+        public float[] AngleDeg = new float[0], Transmittance = new float[0], Reflectance = new float[0];
+    }
+
+    /// <summary>A mesh as Scene.GetMesh finds it, copied; arrays that it has not are empty.</summary>
+    public sealed class MeshArrays
+    {
+        public float[] PositionsM = new float[0], Normals = new float[0], Uvs = new float[0], Tangents = new float[0];
+        public uint[] Indices = new uint[0];
+        public MaterialId Material;
+    }
+
+    /// <summary>Description of what there is; many threads read, or one changes it. Edits take effect at the next
+    /// Commit. Set... take all of a thing anew, Get... tell how it stands, edits that were not committed
+    /// included.</summary>
+    public sealed unsafe partial class Scene : IDisposable
     {
         internal readonly SceneHandle Handle;
 
         public Scene(Context context) { Library.Check(Native.ups_scene_create(context.Handle, out Handle)); }
 
         /// <summary>Texels linear, row 0 first; 1, 3 or 4 channels.</summary>
-        public TextureId AddTexture(int width, int height, int channels, float[] texels)
+        public TextureId AddTexture(int width, int height, int channels, ReadOnlySpan<float> texels)
         {
-            Elements.Expect(texels, (long)width * height * channels, "texels");
+            TextureId id;
+            PutTexture(width, height, channels, texels, &id, default);
+            return id;
+        }
+
+        public void SetTexture(TextureId id, int width, int height, int channels, ReadOnlySpan<float> texels)
+        {
+            PutTexture(width, height, channels, texels, null, id);
+        }
+
+        // Put...: what is added becomes *added; else that of the id is set.
+        private void PutTexture(int width, int height, int channels, ReadOnlySpan<float> texels, TextureId* added,
+                                TextureId id)
+        {
+            Elements.Expect(texels.Length, (long)width * height * channels, "texels");
             var desc = TextureDesc.Create();
             desc.Width = (uint)width;
             desc.Height = (uint)height;
             desc.ChannelCount = (uint)channels;
-            TextureId id;
             fixed (float* t = texels)
             {
                 desc.Texels = t;
-                Library.Check(Native.ups_scene_add_texture(Handle, &desc, &id));
+                Library.Check(added != null ? Native.ups_scene_add_texture(Handle, &desc, added)
+                                            : Native.ups_scene_set_texture(Handle, id, &desc));
             }
+        }
+
+        /// <summary>Width, Height and ChannelCount; the values are Texels().</summary>
+        public TextureDesc GetTexture(TextureId id)
+        {
+            var desc = TextureDesc.Create();
+            Library.Check(Native.ups_scene_get_texture(Handle, id, &desc));
+            return desc;
+        }
+
+        public float[] Texels(TextureId id)
+        {
+            UIntPtr needed;
+            Library.Check(Native.ups_scene_read_texture(Handle, id, null, UIntPtr.Zero, &needed));
+            var texels = new float[(int)needed];
+            fixed (float* t = texels) Library.Check(Native.ups_scene_read_texture(Handle, id, t, needed, &needed));
+            return texels;
+        }
+
+        public MaterialId AddMaterial(MaterialDesc desc) { return AddMaterial(desc, new PaneTable()); }
+
+        /// <summary>Of model Glazing, measured by angle.</summary>
+        public MaterialId AddMaterial(MaterialDesc desc, PaneTable pane)
+        {
+            MaterialId id;
+            PutMaterial(desc, pane, &id, default);
             return id;
         }
 
-        public MaterialId AddMaterial(MaterialDesc desc)
+        public void SetMaterial(MaterialId id, MaterialDesc desc) { SetMaterial(id, desc, new PaneTable()); }
+
+        public void SetMaterial(MaterialId id, MaterialDesc desc, PaneTable pane) { PutMaterial(desc, pane, null, id); }
+
+        private void PutMaterial(MaterialDesc desc, PaneTable pane, MaterialId* added, MaterialId id)
         {
-            MaterialId id;
-            Library.Check(Native.ups_scene_add_material(Handle, &desc, &id));
-            return id;
+            Elements.Expect(pane.Transmittance.Length, pane.AngleDeg.Length, "Transmittance");
+            Elements.ExpectIfAny(pane.Reflectance.Length, pane.AngleDeg.Length, "Reflectance");
+            desc.PaneAngleCount = (uint)pane.AngleDeg.Length;
+            fixed (float* a = pane.AngleDeg, t = pane.Transmittance, r = pane.Reflectance)
+            {
+                desc.PaneAngleDeg = a;
+                desc.PaneTransmittance = t;
+                desc.PaneReflectance = r;
+                Library.Check(added != null ? Native.ups_scene_add_material(Handle, &desc, added)
+                                            : Native.ups_scene_set_material(Handle, id, &desc));
+            }
+        }
+
+        public MaterialDesc GetMaterial(MaterialId id)
+        {
+            PaneTable pane;
+            return GetMaterial(id, out pane);
+        }
+
+        /// <summary>pane: to hand to SetMaterial with the rest.</summary>
+        public MaterialDesc GetMaterial(MaterialId id, out PaneTable pane)
+        {
+            var desc = MaterialDesc.Create();
+            Library.Check(Native.ups_scene_get_material(Handle, id, &desc));
+            var count = (int)desc.PaneAngleCount;
+            pane = new PaneTable { AngleDeg = Elements.Copy(desc.PaneAngleDeg, count),
+                                   Transmittance = Elements.Copy(desc.PaneTransmittance, count),
+                                   Reflectance = Elements.Copy(desc.PaneReflectance, count) };
+            GC.KeepAlive(this);  // the arrays were the scene's
+            desc.PaneAngleDeg = desc.PaneTransmittance = desc.PaneReflectance = null;
+            return desc;
         }
 
         /// <summary>Positions, normals xyz; uvs; tangents xyzw; three indices a triangle, counter-clockwise.</summary>
-        public MeshId AddMesh(float[] positionsM, uint[] indices, MaterialId material, float[] normals = null,
-                              float[] uvs = null, float[] tangents = null)
+        public MeshId AddMesh(ReadOnlySpan<float> positionsM, ReadOnlySpan<uint> indices, MaterialId material,
+                              ReadOnlySpan<float> normals = default, ReadOnlySpan<float> uvs = default,
+                              ReadOnlySpan<float> tangents = default)
         {
-            var desc = Elements.Mesh(positionsM, indices, normals, uvs, tangents);
-            desc.Material = material;
             MeshId id;
+            PutMesh(positionsM, indices, material, normals, uvs, tangents, &id, default);
+            return id;
+        }
+
+        public void SetMesh(MeshId id, ReadOnlySpan<float> positionsM, ReadOnlySpan<uint> indices, MaterialId material,
+                            ReadOnlySpan<float> normals = default, ReadOnlySpan<float> uvs = default,
+                            ReadOnlySpan<float> tangents = default)
+        {
+            PutMesh(positionsM, indices, material, normals, uvs, tangents, null, id);
+        }
+
+        private void PutMesh(ReadOnlySpan<float> positionsM, ReadOnlySpan<uint> indices, MaterialId material,
+                             ReadOnlySpan<float> normals, ReadOnlySpan<float> uvs, ReadOnlySpan<float> tangents,
+                             MeshId* added, MeshId id)
+        {
+            var desc = Elements.Mesh(positionsM.Length, indices.Length, normals.Length, uvs.Length, tangents.Length);
+            desc.Material = material;
             fixed (float* p = positionsM, n = normals, t = uvs, g = tangents)
             fixed (uint* i = indices)
             {
@@ -50,9 +156,33 @@ namespace Ups
                 desc.Uvs = t;
                 desc.Tangents = g;
                 desc.Indices = i;
-                Library.Check(Native.ups_scene_add_mesh(Handle, &desc, &id));
+                Library.Check(added != null ? Native.ups_scene_add_mesh(Handle, &desc, added)
+                                            : Native.ups_scene_set_mesh(Handle, id, &desc));
             }
-            return id;
+        }
+
+        /// <summary>The vertices alone, as many as the mesh has; without normals these stay.</summary>
+        public void SetMeshVertices(MeshId id, ReadOnlySpan<float> positionsM, ReadOnlySpan<float> normals = default)
+        {
+            var count = Elements.Count(positionsM.Length, 3, "positionsM");
+            Elements.ExpectIfAny(normals.Length, positionsM.Length, "normals");
+            fixed (float* p = positionsM, n = normals)
+                Library.Check(Native.ups_scene_set_mesh_vertices(Handle, id, p, n, count));
+        }
+
+        public MeshArrays GetMesh(MeshId id)
+        {
+            var desc = MeshDesc.Create();
+            Library.Check(Native.ups_scene_get_mesh(Handle, id, &desc));
+            var vertices = (int)desc.VertexCount;
+            var indices = new ReadOnlySpan<uint>(desc.Indices, 3 * (int)desc.TriangleCount).ToArray();
+            var mesh = new MeshArrays { PositionsM = Elements.Copy(desc.PositionsM, 3 * vertices),
+                                        Normals = Elements.Copy(desc.Normals, 3 * vertices),
+                                        Uvs = Elements.Copy(desc.Uvs, 2 * vertices),
+                                        Tangents = Elements.Copy(desc.Tangents, 4 * vertices), Indices = indices,
+                                        Material = desc.Material };
+            GC.KeepAlive(this);  // the arrays were the scene's
+            return mesh;
         }
 
         public InstanceId AddInstance(InstanceDesc desc)
@@ -62,6 +192,18 @@ namespace Ups
             return id;
         }
 
+        public void SetInstance(InstanceId id, InstanceDesc desc)
+        {
+            Library.Check(Native.ups_scene_set_instance(Handle, id, &desc));
+        }
+
+        public InstanceDesc GetInstance(InstanceId id)
+        {
+            var desc = InstanceDesc.Create();
+            Library.Check(Native.ups_scene_get_instance(Handle, id, &desc));
+            return desc;
+        }
+
         public LuminaireId AddLight(LightDesc desc)
         {
             LuminaireId id;
@@ -69,22 +211,69 @@ namespace Ups
             return id;
         }
 
+        /// <summary>Of a light, not of a luminaire; keeps the dimming.</summary>
+        public void SetLight(LuminaireId id, LightDesc desc)
+        {
+            Library.Check(Native.ups_scene_set_light(Handle, id, &desc));
+        }
+
+        public LightDesc GetLight(LuminaireId id)
+        {
+            var desc = LightDesc.Create();
+            Library.Check(Native.ups_scene_get_light(Handle, id, &desc));
+            return desc;
+        }
+
         /// <summary>desc: LuminaireDesc.Create(), then the place and what differs from the defaults.</summary>
         public LuminaireId AddLuminaire(Profile profile, LuminaireDesc desc)
         {
             LuminaireId id;
+            PutLuminaire(profile, desc, &id, default);
+            return id;
+        }
+
+        /// <summary>With the profile that it has.</summary>
+        public void SetLuminaire(LuminaireId id, LuminaireDesc desc)
+        {
+            desc.Profile = IntPtr.Zero;
+            Library.Check(Native.ups_scene_set_luminaire(Handle, id, &desc));
+        }
+
+        public void SetLuminaire(LuminaireId id, Profile profile, LuminaireDesc desc)
+        {
+            PutLuminaire(profile, desc, null, id);
+        }
+
+        private void PutLuminaire(Profile profile, LuminaireDesc desc, LuminaireId* added, LuminaireId id)
+        {
             var held = false;
             try
             {
                 profile.Handle.DangerousAddRef(ref held);
                 desc.Profile = profile.Handle.DangerousGetHandle();
-                Library.Check(Native.ups_scene_add_luminaire(Handle, &desc, &id));
+                Library.Check(added != null ? Native.ups_scene_add_luminaire(Handle, &desc, added)
+                                            : Native.ups_scene_set_luminaire(Handle, id, &desc));
             }
             finally
             {
                 if (held) profile.Handle.DangerousRelease();
             }
-            return id;
+        }
+
+        /// <summary>All but its profile, which is LuminaireProfile().</summary>
+        public LuminaireDesc GetLuminaire(LuminaireId id)
+        {
+            var desc = LuminaireDesc.Create();
+            Library.Check(Native.ups_scene_get_luminaire(Handle, id, &desc));
+            return desc;
+        }
+
+        /// <summary>The caller disposes of it.</summary>
+        public Profile LuminaireProfile(LuminaireId id)
+        {
+            ProfileHandle profile;
+            Library.Check(Native.ups_scene_get_luminaire_profile(Handle, id, out profile));
+            return new Profile(profile);
         }
 
         /// <summary>Places a fixture as it is now, which may be changed or disposed of afterwards.</summary>
@@ -95,138 +284,16 @@ namespace Ups
             return id;
         }
 
-        public SensorId AddCamera(CameraDesc desc)
+        public void SetFixture(FixtureId id, FixtureInstanceDesc desc)
         {
-            SensorId id;
-            Library.Check(Native.ups_scene_add_camera(Handle, &desc, &id));
-            return id;
+            Library.Check(Native.ups_scene_set_fixture(Handle, id, &desc));
         }
 
-        /// <summary>Positions, normals, tangents xyz. With tangents and cell sides: means over rectangles.
-        /// A footprint: means over discs of that diameter.</summary>
-        public SensorId AddMeters(double[] positionsM, float[] normals, float[] tangents = null, float cellWidthM = 0,
-                                  float cellHeightM = 0, float footprintM = 0,
-                                  MeterKind kind = MeterKind.Planar)
+        public FixtureInstanceDesc GetFixture(FixtureId id)
         {
-            var desc = MeterDesc.Create();
-            desc.Kind = kind;
-            desc.Count = Elements.Count(positionsM, 3, "positionsM");
-            desc.CellSizeM = new[] { cellWidthM, cellHeightM };
-            desc.FootprintM = footprintM;
-            Elements.Expect(normals, 3L * desc.Count, "normals");
-            if (tangents != null) Elements.Expect(tangents, 3L * desc.Count, "tangents");
-            SensorId id;
-            fixed (double* p = positionsM)
-            fixed (float* n = normals, t = tangents)
-            {
-                desc.PositionsM = p;
-                desc.Normals = n;
-                desc.Tangents = t;
-                Library.Check(Native.ups_scene_add_meters(Handle, &desc, &id));
-            }
-            return id;
-        }
-
-        /// <summary>One planar meter for each triangle of the instances, counted through them.</summary>
-        public SensorId AddSurfaceMeters(InstanceId[] instances, bool back = false)
-        {
-            var desc = SurfaceMetersDesc.Create();
-            desc.InstanceCount = (uint)instances.Length;
-            desc.Back = back ? 1 : 0;
-            SensorId id;
-            fixed (InstanceId* i = instances)
-            {
-                desc.Instances = i;
-                Library.Check(Native.ups_scene_add_surface_meters(Handle, &desc, &id));
-            }
-            return id;
-        }
-
-        /// <summary>One planar meter for each texel of the instances' UVs, row 0 at v = 0 first.</summary>
-        public SensorId AddLightmap(InstanceId[] instances, uint width, uint height, bool back = false)
-        {
-            var desc = LightmapDesc.Create();
-            desc.InstanceCount = (uint)instances.Length;
-            desc.Width = width;
-            desc.Height = height;
-            desc.Back = back ? 1 : 0;
-            SensorId id;
-            fixed (InstanceId* i = instances)
-            {
-                desc.Instances = i;
-                Library.Check(Native.ups_scene_add_lightmap(Handle, &desc, &id));
-            }
-            return id;
-        }
-
-        /// <summary>What each meter of the committed scene measures.</summary>
-        public MeterPlace[] MeterPlaces(SensorId meters)
-        {
-            UIntPtr needed;
-            Library.Check(Native.ups_scene_read_meter_places(Handle, meters, null, UIntPtr.Zero, &needed));
-            var places = new MeterPlace[(int)needed];
-            fixed (MeterPlace* p = places)
-                Library.Check(Native.ups_scene_read_meter_places(Handle, meters, p, needed, &needed));
-            return places;
-        }
-
-        /// <summary>An eye whose glare is rated; its meter's readings are those of a set of one.</summary>
-        public SensorId AddObserver(ObserverDesc desc)
-        {
-            SensorId id;
-            Library.Check(Native.ups_scene_add_observer(Handle, &desc, &id));
-            return id;
-        }
-
-        /// <summary>Light that leaves the scene, by direction. Without angles: equal steps, desc.CCount and GammaCount
-        /// of them.</summary>
-        public SensorId AddGoniometer(GoniometerDesc desc, float[] cDeg = null, float[] gammaDeg = null)
-        {
-            if (cDeg != null) desc.CCount = (uint)cDeg.Length;
-            if (gammaDeg != null) desc.GammaCount = (uint)gammaDeg.Length;
-            SensorId id;
-            fixed (float* c = cDeg, gamma = gammaDeg)
-            {
-                desc.CDeg = c;
-                desc.GammaDeg = gamma;
-                Library.Check(Native.ups_scene_add_goniometer(Handle, &desc, &id));
-            }
-            return id;
-        }
-
-        public void SetMaterial(MaterialId id, MaterialDesc desc)
-        {
-            Library.Check(Native.ups_scene_set_material(Handle, id, &desc));
-        }
-
-        /// <summary>Twelve values, 3x4, row-major, object to world.</summary>
-        public void SetTransform(InstanceId id, double[] toWorld)
-        {
-            Elements.Expect(toWorld, 12, "toWorld");
-            fixed (double* m = toWorld) Library.Check(Native.ups_scene_set_transform(Handle, id, m));
-        }
-
-        /// <summary>Twelve values, 3x4, row-major, fixture to world: a rotation and a translation.</summary>
-        public void SetTransform(FixtureId id, double[] toWorld)
-        {
-            Elements.Expect(toWorld, 12, "toWorld");
-            fixed (double* m = toWorld) Library.Check(Native.ups_scene_set_fixture_transform(Handle, id, m));
-        }
-
-        public void SetDimming(LuminaireId id, float dimming)
-        {
-            Library.Check(Native.ups_scene_set_dimming(Handle, id, dimming));
-        }
-
-        public void SetDimming(FixtureId id, float dimming)
-        {
-            Library.Check(Native.ups_scene_set_fixture_dimming(Handle, id, dimming));
-        }
-
-        /// <summary>Multiplies the flux of every luminaire and fixture: above 0, at most 1.</summary>
-        public void SetMaintenanceFactor(double factor)
-        {
-            Library.Check(Native.ups_scene_set_maintenance_factor(Handle, factor));
+            var desc = FixtureInstanceDesc.Create();
+            Library.Check(Native.ups_scene_get_fixture(Handle, id, &desc));
+            return desc;
         }
 
         /// <summary>The instance that a part of a placed fixture became.</summary>
@@ -237,115 +304,64 @@ namespace Ups
             return instance;
         }
 
+        /// <summary>Twelve values, 3x4, row-major, object to world.</summary>
+        public void SetTransform(InstanceId id, ReadOnlySpan<double> toWorld)
+        {
+            Elements.Expect(toWorld.Length, 12, "toWorld");
+            fixed (double* m = toWorld) Library.Check(Native.ups_scene_set_transform(Handle, id, m));
+        }
+
+        /// <summary>Of a luminaire or a light.</summary>
+        public void SetTransform(LuminaireId id, ReadOnlySpan<double> toWorld)
+        {
+            Elements.Expect(toWorld.Length, 12, "toWorld");
+            fixed (double* m = toWorld) Library.Check(Native.ups_scene_set_luminaire_transform(Handle, id, m));
+        }
+
+        /// <summary>Twelve values, 3x4, row-major, fixture to world: a rotation and a translation.</summary>
+        public void SetTransform(FixtureId id, ReadOnlySpan<double> toWorld)
+        {
+            Elements.Expect(toWorld.Length, 12, "toWorld");
+            fixed (double* m = toWorld) Library.Check(Native.ups_scene_set_fixture_transform(Handle, id, m));
+        }
+
+        public void SetDimming(LuminaireId id, float dimming)
+        {
+            Library.Check(Native.ups_scene_set_dimming(Handle, id, dimming));
+        }
+
+        public float GetDimming(LuminaireId id)
+        {
+            float dimming;
+            Library.Check(Native.ups_scene_get_dimming(Handle, id, &dimming));
+            return dimming;
+        }
+
+        public void SetDimming(FixtureId id, float dimming)
+        {
+            Library.Check(Native.ups_scene_set_fixture_dimming(Handle, id, dimming));
+        }
+
+        /// <summary>Multiplies the flux of every luminaire and fixture: above 0, at most 1.</summary>
+        public double MaintenanceFactor
+        {
+            get
+            {
+                double factor;
+                Library.Check(Native.ups_scene_get_maintenance_factor(Handle, &factor));
+                return factor;
+            }
+            set { Library.Check(Native.ups_scene_set_maintenance_factor(Handle, value)); }
+        }
+
+        // What others still need is not removed: the exception names the first of them.
+        public void Remove(TextureId id) { Library.Check(Native.ups_scene_remove_texture(Handle, id)); }
+        public void Remove(MaterialId id) { Library.Check(Native.ups_scene_remove_material(Handle, id)); }
+        public void Remove(MeshId id) { Library.Check(Native.ups_scene_remove_mesh(Handle, id)); }
         public void Remove(InstanceId id) { Library.Check(Native.ups_scene_remove_instance(Handle, id)); }
         public void Remove(LuminaireId id) { Library.Check(Native.ups_scene_remove_luminaire(Handle, id)); }
         public void Remove(FixtureId id) { Library.Check(Native.ups_scene_remove_fixture(Handle, id)); }
         public void Remove(SensorId id) { Library.Check(Native.ups_scene_remove_sensor(Handle, id)); }
-        public void Commit() { Library.Check(Native.ups_scene_commit(Handle)); }
-
-        public SceneInfo Info
-        {
-            get
-            {
-                var info = SceneInfo.Sized();
-                Library.Check(Native.ups_scene_get_info(Handle, &info));
-                return info;
-            }
-        }
-
-        public string Text(SceneText topic)
-        {
-            return Library.Text((p, capacity, needed) =>
-                Native.ups_scene_get_text(Handle, topic, p, capacity, needed)) ?? "";
-        }
-
-        /// <summary>Where a plane cuts the committed scene's surfaces.</summary>
-        public Segment[] Section(double[] pointM, double[] normal)
-        {
-            return Segments((p, n, s, capacity, needed) =>
-                Native.ups_scene_read_section(Handle, p, n, s, capacity, needed), pointM, normal);
-        }
-
-        /// <summary>Edges of surfaces that are seen beneath a plane, as ups_scene_read_outlines.</summary>
-        public Segment[] Outlines(double[] pointM, double[] normal, double depthM = double.PositiveInfinity)
-        {
-            return Segments((p, n, s, capacity, needed) =>
-                Native.ups_scene_read_outlines(Handle, p, n, depthM, s, capacity, needed), pointM, normal);
-        }
-
-        private delegate Status ReadSegments(double* point, double* normal, Segment* segments, UIntPtr capacity,
-            UIntPtr* needed);
-
-        private static Segment[] Segments(ReadSegments read, double[] pointM, double[] normal)
-        {
-            Elements.Expect(pointM, 3, "pointM");
-            Elements.Expect(normal, 3, "normal");
-            UIntPtr needed;
-            fixed (double* p = pointM, n = normal)
-            {
-                Library.Check(read(p, n, null, UIntPtr.Zero, &needed));
-                var segments = new Segment[(int)needed];
-                fixed (Segment* s = segments)
-                    Library.Check(read(p, n, s, needed, &needed));
-                return segments;
-            }
-        }
-
-        /// <summary>Each luminaire, light and emissive instance of the committed scene: what it is, where, its
-        /// flux.</summary>
-        public SceneSource[] Sources()
-        {
-            uint count;
-            Library.Check(Native.ups_scene_get_source_count(Handle, &count));
-            var all = new SceneSource[count];
-            for (uint i = 0; i < count; ++i)
-            {
-                var source = Ups.SceneSource.Sized();
-                Library.Check(Native.ups_scene_get_source(Handle, i, &source));
-                all[i] = source;
-            }
-            return all;
-        }
-
-        /// <summary>The profile of a luminaire, by its index in Sources().</summary>
-        public Profile SourceProfile(int index)
-        {
-            ProfileHandle profile;
-            Library.Check(Native.ups_scene_get_source_profile(Handle, (uint)index, out profile));
-            return new Profile(profile);
-        }
-
-        /// <summary>Traces one of Result.LargestSamples again; desc: that of the render that it is of.</summary>
-        public ReplayedPath Replay(RenderDesc desc, Sample sample)
-        {
-            PathHandle path;
-            Library.Check(Native.ups_replay(Handle, &desc, &sample, out path));
-            return new ReplayedPath(path);
-        }
-
-        /// <summary>Blocks until a limit or the target is met.</summary>
-        public Result Render(RenderDesc desc)
-        {
-            ResultHandle result;
-            Library.Check(Native.ups_render(Handle, &desc, out result));
-            return new Result(result);
-        }
-
-        /// <summary>The same as a job, which can be watched and cancelled.</summary>
-        public Job Start(RenderDesc desc)
-        {
-            JobHandle job;
-            Library.Check(Native.ups_job_start(Handle, &desc, out job));
-            return new Job(job);
-        }
-
-        /// <summary>What such a render will take; takes as long as its preparations.</summary>
-        public MemoryEstimate EstimateMemory(RenderDesc desc)
-        {
-            var estimate = MemoryEstimate.Sized();
-            Library.Check(Native.ups_scene_estimate_memory(Handle, &desc, &estimate));
-            return estimate;
-        }
 
         public void Dispose() { Handle.Dispose(); }
     }

@@ -1,15 +1,20 @@
 // UPS for C#: illuminance and luminance by Unified Path Sampling. Programs use the classes of this file and of
-// Ups.Profile.cs, Ups.Fixture.cs, Ups.Scene.cs, Ups.Result.cs; they call the raw layer in Ups.Native.cs, where the
-// descriptions (MaterialDesc.Create() and so on) and enumerations stand too. Names, units and defaults are those of the
-// C headers, where each function and field is described. The library is loaded by its versioned name, libups.so.0.1, so
-// that a program runs where no development files are.
+// Ups.Profile.cs, Ups.Fixture.cs, Ups.Scene.cs (with Ups.Sensors.cs and Ups.Commit.cs), Ups.Job.cs, Ups.Result.cs (with
+// Ups.Images.cs), and for files those of Ups.Gltf.cs, Ups.Exr.cs, Ups.Png.cs; they call the raw layer in Ups.Native.cs,
+// where the descriptions (MaterialDesc.Create() and so on) and enumerations stand too. Names, units and defaults are
+// those of the C headers, where each function and field is described. The libraries are loaded by their versioned
+// names, libups.so.0.1, so that a program runs where no development files are.
+//
+// Arrays go in and out as spans, to which arrays convert by themselves: nothing is copied on the way. An empty span (or
+// null) is an array that is left out. No reference is null anywhere, neither given nor returned.
 //
 // Arrays inside a description are set by element, desc.ToWorld[3] = 2.5, or whole, desc.ToWorld = new double[12]. As of
 // any struct, that needs a variable: an element of what a property returns would be set in a copy, which is an error to
 // the compiler (CS1612; Mono's mcs misses it).
 //
 // Every failure throws UpsException. Everything that owns something is IDisposable; any order of disposal is right.
-// Language level: C# 6, .NET Framework 4.5 (Mono) and later; compile with -unsafe.
+// Language level: C# 7.3, for .NET by way of Ups.csproj and for Mono by mcs -unsafe -langversion:latest, of the same
+// files. Mono's compiler has no C# 8, so nullable references are annotated by having none.
 using System;
 using System.Runtime.InteropServices;
 using System.Text;
@@ -48,6 +53,14 @@ namespace Ups
             return status;
         }
 
+        /// <summary>As C wants it: with a final zero, and none before.</summary>
+        internal static byte[] Utf8(string text, string name)
+        {
+            if (text == null) throw new ArgumentNullException(name);
+            if (text.IndexOf('\0') >= 0) throw new ArgumentException("a zero character within the text", name);
+            return Encoding.UTF8.GetBytes(text + "\0");
+        }
+
         internal static unsafe string Utf8(IntPtr zeroTerminated)
         {
             var p = (byte*)zeroTerminated;
@@ -60,52 +73,55 @@ namespace Ups
 
         internal unsafe delegate Status TextCall(byte* text, UIntPtr capacity, UIntPtr* needed);
 
-        /// <summary>The two calls that every text takes: its size, then its bytes. Null: there is none.</summary>
-        internal static unsafe byte[] Bytes(TextCall call)
+        internal delegate Status Checked(Status status);
+
+        /// <summary>The two calls that every text takes: its size, then its bytes without the final zero. False: there
+        /// is none.</summary>
+        internal static unsafe bool TryBytes(TextCall call, Checked check, out byte[] bytes)
         {
             UIntPtr needed;
-            Check(call(null, UIntPtr.Zero, &needed));
-            if (needed == UIntPtr.Zero) return null;
-            var bytes = new byte[(int)needed];
-            fixed (byte* p = bytes) Check(call(p, needed, &needed));
-            Array.Resize(ref bytes, bytes.Length - 1);  // the final zero
-            return bytes;
+            check(call(null, UIntPtr.Zero, &needed));
+            bytes = new byte[(int)needed];
+            if (bytes.Length == 0) return false;
+            fixed (byte* p = bytes) check(call(p, needed, &needed));
+            Array.Resize(ref bytes, bytes.Length - 1);
+            return true;
         }
 
-        internal static string Text(TextCall call)
+        internal static string Text(TextCall call) { return Text(call, Check); }
+
+        internal static string Text(TextCall call, Checked check)
         {
-            var bytes = Bytes(call);
-            return bytes == null ? null : Encoding.UTF8.GetString(bytes);
+            byte[] bytes;
+            TryBytes(call, check, out bytes);
+            return Encoding.UTF8.GetString(bytes);
         }
     }
 
     /// <summary>Arrays that C keeps inside a struct, and checks of those that it is given.</summary>
     internal static unsafe class Elements
     {
+        /// <summary>Null: an array that there is not, which is empty.</summary>
         internal static float[] Copy(float* p, int count)
         {
-            var values = new float[count];
-            Marshal.Copy((IntPtr)p, values, 0, count);
-            return values;
+            return new ReadOnlySpan<float>(p, p == null ? 0 : count).ToArray();
         }
 
         internal static double[] Copy(double* p, int count)
         {
-            var values = new double[count];
-            Marshal.Copy((IntPtr)p, values, 0, count);
-            return values;
+            return new ReadOnlySpan<double>(p, p == null ? 0 : count).ToArray();
         }
 
-        internal static void Set(float* p, int count, float[] values, string name)
+        internal static void Set(float* p, int count, ReadOnlySpan<float> values, string name)
         {
-            Expect(values, count, name);
-            Marshal.Copy(values, 0, (IntPtr)p, count);
+            Expect(values.Length, count, name);
+            values.CopyTo(new Span<float>(p, count));
         }
 
-        internal static void Set(double* p, int count, double[] values, string name)
+        internal static void Set(double* p, int count, ReadOnlySpan<double> values, string name)
         {
-            Expect(values, count, name);
-            Marshal.Copy(values, 0, (IntPtr)p, count);
+            Expect(values.Length, count, name);
+            values.CopyTo(new Span<double>(p, count));
         }
 
         internal static int Index(int index, int count)
@@ -114,32 +130,34 @@ namespace Ups
             return index;
         }
 
-        internal static void Expect(Array values, long count, string name)
+        internal static void Expect(int length, long count, string name)
         {
-            if (values == null) throw new ArgumentNullException(name);
-            if (values.Length != count)
-                throw new ArgumentException("expected " + count + " values, got " + values.Length, name);
+            if (length != count) throw new ArgumentException("expected " + count + " values, got " + length, name);
+        }
+
+        /// <summary>Of an array that may be left out.</summary>
+        internal static void ExpectIfAny(int length, long count, string name)
+        {
+            if (length != 0) Expect(length, count, name);
         }
 
         /// <summary>The number of elements of `width` values each.</summary>
-        internal static uint Count(Array values, int width, string name)
+        internal static uint Count(int length, int width, string name)
         {
-            if (values == null) throw new ArgumentNullException(name);
-            if (values.Length % width != 0)
-                throw new ArgumentException("expected a multiple of " + width + " values, got " + values.Length, name);
-            return (uint)(values.Length / width);
+            if (length % width != 0)
+                throw new ArgumentException("expected a multiple of " + width + " values, got " + length, name);
+            return (uint)(length / width);
         }
 
         /// <summary>Counts of a mesh's arrays; the caller pins them.</summary>
-        internal static MeshDesc Mesh(float[] positionsM, uint[] indices, float[] normals, float[] uvs,
-                                      float[] tangents)
+        internal static MeshDesc Mesh(int positions, int indices, int normals, int uvs, int tangents)
         {
             var desc = MeshDesc.Create();
-            desc.VertexCount = Count(positionsM, 3, "positionsM");
+            desc.VertexCount = Count(positions, 3, "positionsM");
             desc.TriangleCount = Count(indices, 3, "indices");
-            if (normals != null) Expect(normals, 3L * desc.VertexCount, "normals");
-            if (uvs != null) Expect(uvs, 2L * desc.VertexCount, "uvs");
-            if (tangents != null) Expect(tangents, 4L * desc.VertexCount, "tangents");
+            ExpectIfAny(normals, 3L * desc.VertexCount, "normals");
+            ExpectIfAny(uvs, 2L * desc.VertexCount, "uvs");
+            ExpectIfAny(tangents, 4L * desc.VertexCount, "tangents");
             return desc;
         }
     }
@@ -166,19 +184,21 @@ namespace Ups
             }
         }
 
-        /// <summary>Takes the oldest log message; null when there is none.</summary>
-        public string PopLog(out LogLevel level)
+        /// <summary>Takes the oldest log message; false when there is none.</summary>
+        public bool TryPopLog(out string message, out LogLevel level)
         {
             var taken = LogLevel.Info;
-            var text = Library.Text((p, capacity, needed) =>
+            byte[] bytes;
+            var found = Library.TryBytes((p, capacity, needed) =>
             {
                 LogLevel l;
                 var status = Native.ups_context_pop_log(Handle, p, capacity, needed, &l);
                 if (status == Status.Ok && p != null) taken = l;
                 return status;
-            });
+            }, Library.Check, out bytes);
+            message = Encoding.UTF8.GetString(bytes);
             level = taken;
-            return text;
+            return found;
         }
 
         public void Dispose() { Handle.Dispose(); }

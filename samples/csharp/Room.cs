@@ -1,6 +1,6 @@
 // The room of samples/c in C#: a job whose progress is shown, then the same render in one call: the same bits.
 //
-//   mcs -unsafe -out:Room.exe samples/csharp/Room.cs bindings/csharp/*.cs
+//   mcs -unsafe -langversion:latest -out:Room.exe samples/csharp/Room.cs bindings/csharp/*.cs
 //   LD_LIBRARY_PATH=build/release/src/api mono Room.exe [iterations]
 using System;
 using System.Globalization;

@@ -1,7 +1,12 @@
 """The C API of UPS as ctypes. Written by bindings/generate.py from include/ups; do not edit."""
+from __future__ import annotations
+
 import enum
-from ctypes import (POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint32,
-                    c_uint64, c_void_p)
+from ctypes import (POINTER, Array, Structure, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint8,
+                    c_uint32, c_uint64, c_void_p)
+from typing import Any
+
+from ._id import Id
 
 HEADER_VERSION = (0, 1, 0)
 
@@ -313,43 +318,67 @@ class GlareFlag(enum.IntFlag):
     HIDDEN = 8
 
 
-class TextureId(Structure):
+class GltfSensorKind(enum.IntEnum):
+    CAMERA = 0
+    METERS = 1
+    GONIOMETER = 2
+    OBSERVER = 3
+
+
+class GltfLayout(enum.IntEnum):
+    POINTS = 0
+    GRID = 1
+    EN12464 = 2
+    LINE = 3
+    SURFACE = 4
+    LIGHTMAP = 5
+
+
+class TextureId(Id, Structure):
+    v: int
     _fields_ = [
         ("v", c_uint32),
     ]
 
 
-class MaterialId(Structure):
+class MaterialId(Id, Structure):
+    v: int
     _fields_ = [
         ("v", c_uint32),
     ]
 
 
-class MeshId(Structure):
+class MeshId(Id, Structure):
+    v: int
     _fields_ = [
         ("v", c_uint32),
     ]
 
 
-class InstanceId(Structure):
+class InstanceId(Id, Structure):
+    v: int
     _fields_ = [
         ("v", c_uint32),
     ]
 
 
-class LuminaireId(Structure):
+class LuminaireId(Id, Structure):
+    v: int
     _fields_ = [
         ("v", c_uint32),
     ]
 
 
-class SensorId(Structure):
+class SensorId(Id, Structure):
+    v: int
     _fields_ = [
         ("v", c_uint32),
     ]
 
 
 class ContextDesc(Structure):
+    struct_size: int
+    thread_count: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("thread_count", c_int32),
@@ -357,6 +386,17 @@ class ContextDesc(Structure):
 
 
 class ProfileDesc(Structure):
+    struct_size: int
+    c_count: int
+    gamma_count: int
+    reserved: int
+    c_deg: Any
+    gamma_deg: Any
+    intensity_cd: Any
+    opening_shape: int
+    opening_m: Array[c_float]
+    opening_axis: int
+    input_power_w: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("c_count", c_uint32),
@@ -373,6 +413,14 @@ class ProfileDesc(Structure):
 
 
 class ProfileParseDesc(Structure):
+    struct_size: int
+    format: int
+    bytes: Any
+    size: int
+    tilt_file: Any
+    tilt_file_size: int
+    tilt_deg: float
+    lamp_set: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("format", c_int32),
@@ -386,6 +434,29 @@ class ProfileParseDesc(Structure):
 
 
 class ProfileInfo(Structure):
+    struct_size: int
+    warning_count: int
+    flux_lm: float
+    interpolated_flux_lm: float
+    rated_flux_lm: float
+    input_power_w: float
+    peak_cd: float
+    peak_c_deg: float
+    peak_gamma_deg: float
+    opening_m: Array[c_float]
+    opening_shape: int
+    symmetry: int
+    c_count: int
+    gamma_count: int
+    photometric_type: int
+    ray_count: int
+    up_flux_lm: float
+    down_flux_lm: float
+    light_output_ratio: float
+    beam_angle_deg: Array[c_float]
+    field_angle_deg: Array[c_float]
+    opening_axis: int
+    lamp_set_count: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("warning_count", c_uint32),
@@ -414,6 +485,12 @@ class ProfileInfo(Structure):
 
 
 class ProfileBeam(Structure):
+    struct_size: int
+    peak_cd: float
+    peak_deg: float
+    from_deg: float
+    to_deg: float
+    angle_deg: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("peak_cd", c_float),
@@ -425,6 +502,13 @@ class ProfileBeam(Structure):
 
 
 class ProfileLampSet(Structure):
+    struct_size: int
+    count: int
+    flux_lm: float
+    input_power_w: float
+    colour_temperature_k: float
+    colour_rendering_index: float
+    chosen: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("count", c_int32),
@@ -437,6 +521,12 @@ class ProfileLampSet(Structure):
 
 
 class TextureDesc(Structure):
+    struct_size: int
+    width: int
+    height: int
+    channel_count: int
+    texels: Any
+    row_stride_bytes: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("width", c_uint32),
@@ -448,6 +538,33 @@ class TextureDesc(Structure):
 
 
 class MaterialDesc(Structure):
+    struct_size: int
+    model: int
+    reflectance_rgb: Array[c_float]
+    transmittance_rgb: Array[c_float]
+    roughness: float
+    ior: float
+    ior_rgb: Array[c_float]
+    ior_k_rgb: Array[c_float]
+    absorption_per_m_rgb: Array[c_float]
+    metallic: float
+    alpha_mode: int
+    alpha: float
+    alpha_cutoff: float
+    luminance_cd_m2: Array[c_float]
+    emits_both_sides: int
+    normal_scale: float
+    reflectance_texture: TextureId
+    roughness_texture: TextureId
+    metallic_texture: TextureId
+    normal_texture: TextureId
+    alpha_texture: TextureId
+    priority: int
+    pane_angle_deg: Any
+    pane_transmittance: Any
+    pane_reflectance: Any
+    pane_angle_count: int
+    reserved: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("model", c_int32),
@@ -480,6 +597,19 @@ class MaterialDesc(Structure):
 
 
 class MeshDesc(Structure):
+    struct_size: int
+    vertex_count: int
+    triangle_count: int
+    material: MaterialId
+    positions_m: Any
+    position_stride_bytes: int
+    normals: Any
+    normal_stride_bytes: int
+    uvs: Any
+    uv_stride_bytes: int
+    tangents: Any
+    tangent_stride_bytes: int
+    indices: Any
     _fields_ = [
         ("struct_size", c_uint32),
         ("vertex_count", c_uint32),
@@ -498,6 +628,11 @@ class MeshDesc(Structure):
 
 
 class InstanceDesc(Structure):
+    struct_size: int
+    mesh: MeshId
+    to_world: Array[c_double]
+    group: int
+    reserved: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("mesh", MeshId),
@@ -508,6 +643,13 @@ class InstanceDesc(Structure):
 
 
 class LightDesc(Structure):
+    struct_size: int
+    kind: int
+    to_world: Array[c_double]
+    intensity_rgb: Array[c_float]
+    inner_cone_rad: float
+    outer_cone_rad: float
+    group: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_int32),
@@ -520,6 +662,16 @@ class LightDesc(Structure):
 
 
 class LuminaireDesc(Structure):
+    struct_size: int
+    use_opening: int
+    profile: Any
+    to_world: Array[c_double]
+    color_rgb: Array[c_float]
+    flux_lm: float
+    dimming: float
+    intensity_scale: float
+    group: int
+    reserved: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("use_opening", c_int32),
@@ -535,6 +687,20 @@ class LuminaireDesc(Structure):
 
 
 class SceneInfo(Structure):
+    struct_size: int
+    effects: int
+    techniques: int
+    method: int
+    triangle_count: int
+    luminaire_count: int
+    light_count: int
+    emissive_instance_count: int
+    meter_count: int
+    pixel_count: int
+    emitted_flux_lm: float
+    bounds_min_m: Array[c_double]
+    bounds_max_m: Array[c_double]
+    maintenance_factor: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("effects", c_uint32),
@@ -554,25 +720,40 @@ class SceneInfo(Structure):
 
 
 class Segment(Structure):
+    from_m: Array[c_double]
+    to_m: Array[c_double]
     _fields_ = [
         ("from_m", c_double * 3),
         ("to_m", c_double * 3),
     ]
 
 
-class FixturePartId(Structure):
+class FixturePartId(Id, Structure):
+    v: int
     _fields_ = [
         ("v", c_uint32),
     ]
 
 
-class FixtureId(Structure):
+class FixtureId(Id, Structure):
+    v: int
     _fields_ = [
         ("v", c_uint32),
     ]
 
 
 class FixtureEmitterDesc(Structure):
+    struct_size: int
+    shape: int
+    to_fixture: Array[c_double]
+    radius_m: float
+    width_m: float
+    length_m: float
+    chord_tolerance_m: float
+    flux_lm: float
+    color_rgb: Array[c_float]
+    reflectance: float
+    reserved: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("shape", c_int32),
@@ -589,6 +770,27 @@ class FixtureEmitterDesc(Structure):
 
 
 class ReflectorDesc(Structure):
+    struct_size: int
+    profile: int
+    to_fixture: Array[c_double]
+    focal_length_m: float
+    semi_axis_m: float
+    half_distance_m: float
+    inner_radius_m: float
+    aperture_radius_m: float
+    depth_m: float
+    profile_rz_m: Any
+    profile_point_count: int
+    smooth: int
+    facets_around: int
+    facets_along: int
+    chord_tolerance_m: float
+    normal_tolerance_rad: float
+    finish: int
+    finish_reflectance: float
+    finish_transmittance: float
+    finish_roughness: float
+    material: Any
     _fields_ = [
         ("struct_size", c_uint32),
         ("profile", c_int32),
@@ -615,6 +817,24 @@ class ReflectorDesc(Structure):
 
 
 class LensDesc(Structure):
+    struct_size: int
+    finish: int
+    to_fixture: Array[c_double]
+    radius_m: float
+    thickness_m: float
+    entry_radius_m: float
+    entry_conic: float
+    entry_coefficients: Array[c_double]
+    exit_radius_m: float
+    exit_conic: float
+    exit_coefficients: Array[c_double]
+    chord_tolerance_m: float
+    normal_tolerance_rad: float
+    facets_around: int
+    finish_roughness: float
+    finish_absorption_per_m: float
+    finish_ior: float
+    material: Any
     _fields_ = [
         ("struct_size", c_uint32),
         ("finish", c_int32),
@@ -638,6 +858,30 @@ class LensDesc(Structure):
 
 
 class CollimatorDesc(Structure):
+    struct_size: int
+    finish: int
+    to_fixture: Array[c_double]
+    cavity_radius_m: float
+    cavity_depth_m: float
+    lens_radius_m: float
+    lens_conic: float
+    wall: int
+    smooth: int
+    wall_thickness_m: float
+    wall_focal_length_m: float
+    height_m: float
+    wall_rz_m: Any
+    wall_point_count: int
+    facets_around: int
+    exit_radius_m: float
+    exit_conic: float
+    chord_tolerance_m: float
+    normal_tolerance_rad: float
+    exit_facets_along: int
+    finish_roughness: float
+    finish_absorption_per_m: float
+    finish_ior: float
+    material: Any
     _fields_ = [
         ("struct_size", c_uint32),
         ("finish", c_int32),
@@ -667,6 +911,17 @@ class CollimatorDesc(Structure):
 
 
 class FixturePartDesc(Structure):
+    struct_size: int
+    finish: int
+    to_fixture: Array[c_double]
+    mesh: Any
+    finish_reflectance: float
+    finish_transmittance: float
+    finish_roughness: float
+    finish_absorption_per_m: float
+    finish_ior: float
+    reserved: float
+    material: Any
     _fields_ = [
         ("struct_size", c_uint32),
         ("finish", c_int32),
@@ -683,6 +938,11 @@ class FixturePartDesc(Structure):
 
 
 class FixtureInfo(Structure):
+    struct_size: int
+    part_count: int
+    triangle_count: int
+    flux_lm: float
+    emitter_area_m2: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("part_count", c_uint32),
@@ -693,6 +953,11 @@ class FixtureInfo(Structure):
 
 
 class FixtureInstanceDesc(Structure):
+    struct_size: int
+    dimming: float
+    to_world: Array[c_double]
+    flux_lm: float
+    group: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("dimming", c_float),
@@ -703,6 +968,15 @@ class FixtureInstanceDesc(Structure):
 
 
 class CameraDesc(Structure):
+    struct_size: int
+    projection: int
+    width: int
+    height: int
+    to_world: Array[c_double]
+    vertical_fov_rad: float
+    illuminance: int
+    layers: int
+    reserved: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("projection", c_int32),
@@ -717,6 +991,16 @@ class CameraDesc(Structure):
 
 
 class MeterDesc(Structure):
+    struct_size: int
+    kind: int
+    positions_m: Any
+    normals: Any
+    tangents: Any
+    cell_size_m: Array[c_float]
+    count: int
+    reserved: int
+    footprint_m: float
+    reserved_2: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_int32),
@@ -732,6 +1016,11 @@ class MeterDesc(Structure):
 
 
 class SurfaceMetersDesc(Structure):
+    struct_size: int
+    instance_count: int
+    instances: Any
+    back: int
+    reserved: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("instance_count", c_uint32),
@@ -742,6 +1031,13 @@ class SurfaceMetersDesc(Structure):
 
 
 class LightmapDesc(Structure):
+    struct_size: int
+    instance_count: int
+    instances: Any
+    width: int
+    height: int
+    back: int
+    reserved: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("instance_count", c_uint32),
@@ -754,6 +1050,14 @@ class LightmapDesc(Structure):
 
 
 class En12464Desc(Structure):
+    struct_size: int
+    corner_count: int
+    corners_m: Any
+    hole_corners_m: Any
+    hole_corner_counts: Any
+    hole_count: int
+    reserved: int
+    border_m: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("corner_count", c_uint32),
@@ -767,6 +1071,13 @@ class En12464Desc(Structure):
 
 
 class En12464Info(Structure):
+    struct_size: int
+    columns: int
+    rows: int
+    point_count: int
+    origin_m: Array[c_double]
+    cell_m: Array[c_double]
+    largest_spacing_m: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("columns", c_uint32),
@@ -779,6 +1090,10 @@ class En12464Info(Structure):
 
 
 class En12464Point(Structure):
+    x_m: float
+    y_m: float
+    column: int
+    row: int
     _fields_ = [
         ("x_m", c_double),
         ("y_m", c_double),
@@ -788,6 +1103,11 @@ class En12464Point(Structure):
 
 
 class MeterPlace(Structure):
+    position_m: Array[c_double]
+    normal: Array[c_float]
+    area_m2: float
+    valid: int
+    triangle: int
     _fields_ = [
         ("position_m", c_double * 3),
         ("normal", c_float * 3),
@@ -798,6 +1118,15 @@ class MeterPlace(Structure):
 
 
 class GoniometerDesc(Structure):
+    struct_size: int
+    symmetry: int
+    c_deg: Any
+    gamma_deg: Any
+    c_count: int
+    gamma_count: int
+    to_world: Array[c_double]
+    opening_shape: int
+    opening_m: Array[c_float]
     _fields_ = [
         ("struct_size", c_uint32),
         ("symmetry", c_int32),
@@ -812,6 +1141,28 @@ class GoniometerDesc(Structure):
 
 
 class RenderDesc(Structure):
+    struct_size: int
+    method: int
+    seed: int
+    time_limit_s: float
+    target_relative_error: float
+    merge_radius_m: float
+    iteration_count: int
+    max_path_length: int
+    light_paths_per_iteration: int
+    techniques: int
+    radius_alpha: float
+    glossy_alpha: float
+    perturbation: int
+    technique_images: int
+    separation: int
+    reserved: int
+    flux_paths: int
+    target_criterion: int
+    reserved2: int
+    memory_limit_bytes: int
+    thread_limit: int
+    priority: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("method", c_int32),
@@ -839,6 +1190,14 @@ class RenderDesc(Structure):
 
 
 class Progress(Structure):
+    struct_size: int
+    state: int
+    elapsed_s: float
+    remaining_s: float
+    iterations_done: int
+    fraction: float
+    worst_relative_error: float
+    median_relative_error: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("state", c_int32),
@@ -852,6 +1211,25 @@ class Progress(Structure):
 
 
 class ResultInfo(Structure):
+    struct_size: int
+    iterations: int
+    elapsed_s: float
+    rays: int
+    light_paths: int
+    eye_paths: int
+    merges: int
+    connections: int
+    emitted_flux_lm: float
+    absorbed_flux_lm: float
+    escaped_flux_lm: float
+    seed: int
+    dropped_samples: int
+    method: int
+    techniques: int
+    effects: int
+    threads: int
+    flux_balance_standard_error_lm: float
+    maintenance_factor: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("iterations", c_uint32),
@@ -876,6 +1254,12 @@ class ResultInfo(Structure):
 
 
 class MeterReading(Structure):
+    illuminance_lx: float
+    standard_error_lx: float
+    bias_lx: float
+    error_bound_lx: float
+    direct_lx: float
+    indirect_lx: float
     _fields_ = [
         ("illuminance_lx", c_float),
         ("standard_error_lx", c_float),
@@ -887,6 +1271,9 @@ class MeterReading(Structure):
 
 
 class VectorReading(Structure):
+    vector_lx: Array[c_float]
+    standard_error_lx: Array[c_float]
+    error_bound_lx: Array[c_float]
     _fields_ = [
         ("vector_lx", c_float * 3),
         ("standard_error_lx", c_float * 3),
@@ -895,6 +1282,10 @@ class VectorReading(Structure):
 
 
 class MeterPartReading(Structure):
+    illuminance_lx: float
+    standard_error_lx: float
+    bias_lx: float
+    error_bound_lx: float
     _fields_ = [
         ("illuminance_lx", c_float),
         ("standard_error_lx", c_float),
@@ -904,6 +1295,13 @@ class MeterPartReading(Structure):
 
 
 class ConvergencePoint(Structure):
+    elapsed_s: float
+    iterations: int
+    reserved: int
+    median_relative_error: float
+    p95_relative_error: float
+    worst_relative_error: float
+    bias_share: float
     _fields_ = [
         ("elapsed_s", c_double),
         ("iterations", c_uint32),
@@ -916,6 +1314,30 @@ class ConvergencePoint(Structure):
 
 
 class MeterStatistics(Structure):
+    struct_size: int
+    count: int
+    mean_lx: float
+    min_lx: float
+    max_lx: float
+    uniformity: float
+    mean_standard_error_lx: float
+    median_relative_error_bound: float
+    p95_relative_error_bound: float
+    worst_relative_error_bound: float
+    mean_bias_lx: float
+    mean_error_bound_lx: float
+    min_low_lx: float
+    min_high_lx: float
+    max_low_lx: float
+    max_high_lx: float
+    uniformity_low: float
+    uniformity_high: float
+    percentile_5_lx: float
+    percentile_5_low_lx: float
+    percentile_5_high_lx: float
+    diversity: float
+    diversity_low: float
+    diversity_high: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("count", c_uint32),
@@ -945,6 +1367,19 @@ class MeterStatistics(Structure):
 
 
 class CurvePoint(Structure):
+    struct_size: int
+    iterations: int
+    elapsed_s: float
+    median_relative_error: float
+    p95_relative_error: float
+    worst_relative_error: float
+    mean_relative_error: float
+    bias_share: float
+    reserved: int
+    rays: int
+    light_paths: int
+    eye_paths: int
+    resident_bytes: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("iterations", c_uint32),
@@ -963,6 +1398,12 @@ class CurvePoint(Structure):
 
 
 class Prediction(Structure):
+    struct_size: int
+    limited_by: int
+    seconds: float
+    seconds_low: float
+    seconds_high: float
+    iterations: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("limited_by", c_int32),
@@ -974,6 +1415,13 @@ class Prediction(Structure):
 
 
 class LargestError(Structure):
+    struct_size: int
+    sensor: SensorId
+    index: int
+    relative_error: float
+    bias_share: float
+    reserved: int
+    position_m: Array[c_double]
     _fields_ = [
         ("struct_size", c_uint32),
         ("sensor", SensorId),
@@ -986,6 +1434,14 @@ class LargestError(Structure):
 
 
 class MemoryEstimate(Structure):
+    struct_size: int
+    reserved: int
+    scene_bytes: int
+    working_bytes: int
+    light_bytes: int
+    result_bytes: int
+    peak_bytes: int
+    allowed_bytes: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -999,6 +1455,11 @@ class MemoryEstimate(Structure):
 
 
 class SensorChoice(Structure):
+    struct_size: int
+    techniques: int
+    light_paths_per_iteration: int
+    photons: int
+    predicted_gain: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("techniques", c_uint32),
@@ -1009,6 +1470,11 @@ class SensorChoice(Structure):
 
 
 class SourceInfo(Structure):
+    struct_size: int
+    kind: int
+    id: int
+    reserved: int
+    flux_lm: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_int32),
@@ -1019,6 +1485,16 @@ class SourceInfo(Structure):
 
 
 class SceneSource(Structure):
+    struct_size: int
+    kind: int
+    id: int
+    group: int
+    light_kind: int
+    reserved: int
+    flux_lm: float
+    to_world: Array[c_double]
+    bounds_min_m: Array[c_double]
+    bounds_max_m: Array[c_double]
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_int32),
@@ -1034,6 +1510,19 @@ class SceneSource(Structure):
 
 
 class GoniometerInfo(Structure):
+    struct_size: int
+    c_count: int
+    gamma_count: int
+    reserved: int
+    flux_lm: float
+    flux_standard_error_lm: float
+    outside_flux_lm: float
+    emitted_flux_lm: float
+    absorbed_flux_lm: float
+    light_output_ratio: float
+    light_output_ratio_standard_error: float
+    worst_relative_error_bound: float
+    median_relative_error_bound: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("c_count", c_uint32),
@@ -1052,6 +1541,10 @@ class GoniometerInfo(Structure):
 
 
 class IntensityReading(Structure):
+    intensity_cd: float
+    standard_error_cd: float
+    bias_cd: float
+    error_bound_cd: float
     _fields_ = [
         ("intensity_cd", c_float),
         ("standard_error_cd", c_float),
@@ -1061,6 +1554,12 @@ class IntensityReading(Structure):
 
 
 class GoniometerBeam(Structure):
+    struct_size: int
+    angle_deg: float
+    standard_error_deg: float
+    bias_deg: float
+    low_deg: float
+    high_deg: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("angle_deg", c_float),
@@ -1072,6 +1571,11 @@ class GoniometerBeam(Structure):
 
 
 class TechniqueInfo(Structure):
+    struct_size: int
+    technique: int
+    light_vertices: int
+    eye_vertices: int
+    edges: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("technique", c_uint32),
@@ -1082,6 +1586,15 @@ class TechniqueInfo(Structure):
 
 
 class Sample(Structure):
+    seed: int
+    sensor: SensorId
+    index: int
+    iteration: int
+    walk: int
+    path: int
+    value: float
+    share: float
+    reserved: int
     _fields_ = [
         ("seed", c_uint64),
         ("sensor", SensorId),
@@ -1096,6 +1609,11 @@ class Sample(Structure):
 
 
 class PathInfo(Structure):
+    struct_size: int
+    walks: int
+    value: float
+    contributions: int
+    reserved: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("walks", c_uint32),
@@ -1106,6 +1624,15 @@ class PathInfo(Structure):
 
 
 class PathVertex(Structure):
+    position_m: Array[c_double]
+    normal: Array[c_float]
+    throughput: float
+    pdf: float
+    pdf_reverse: float
+    survival: float
+    walk: int
+    instance: InstanceId
+    event: int
     _fields_ = [
         ("position_m", c_double * 3),
         ("normal", c_float * 3),
@@ -1120,6 +1647,18 @@ class PathVertex(Structure):
 
 
 class PathContribution(Structure):
+    from_m: Array[c_double]
+    to_m: Array[c_double]
+    value: float
+    weight: float
+    technique: int
+    edges: int
+    light_vertices: int
+    walk: int
+    light_path: int
+    source_kind: int
+    source: int
+    reserved: int
     _fields_ = [
         ("from_m", c_double * 3),
         ("to_m", c_double * 3),
@@ -1137,6 +1676,9 @@ class PathContribution(Structure):
 
 
 class Interval(Structure):
+    value: float
+    low: float
+    high: float
     _fields_ = [
         ("value", c_double),
         ("low", c_double),
@@ -1145,6 +1687,13 @@ class Interval(Structure):
 
 
 class UgrTable(Structure):
+    struct_size: int
+    lamp_flux_lm: float
+    room_across_h: Array[c_float]
+    room_along_h: Array[c_float]
+    reflectances: Array[c_float]
+    crosswise: Array[c_float]
+    endwise: Array[c_float]
     _fields_ = [
         ("struct_size", c_uint32),
         ("lamp_flux_lm", c_float),
@@ -1157,6 +1706,22 @@ class UgrTable(Structure):
 
 
 class DataSheet(Structure):
+    struct_size: int
+    flux_code: Array[c_float]
+    luminance_cd_m2: Array[c_float]
+    highest_luminance_cd_m2: float
+    highest_luminance_c_deg: float
+    highest_luminance_gamma_deg: float
+    spacing_criterion: Array[c_float]
+    nema_horizontal: int
+    nema_vertical: int
+    front_lm: Array[c_float]
+    back_lm: Array[c_float]
+    up_lm: Array[c_float]
+    backlight_rating: int
+    uplight_rating: int
+    glare_rating: int
+    bug_type_v: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("flux_code", c_float * 5),
@@ -1178,6 +1743,10 @@ class DataSheet(Structure):
 
 
 class UtilisationTable(Structure):
+    struct_size: int
+    room_index: Array[c_float]
+    reflectances: Array[c_float]
+    factors: Array[c_float]
     _fields_ = [
         ("struct_size", c_uint32),
         ("room_index", c_float * 10),
@@ -1187,6 +1756,11 @@ class UtilisationTable(Structure):
 
 
 class ObserverDesc(Structure):
+    struct_size: int
+    metric: int
+    position_index: int
+    reserved: int
+    to_world: Array[c_double]
     _fields_ = [
         ("struct_size", c_uint32),
         ("metric", c_int32),
@@ -1197,6 +1771,16 @@ class ObserverDesc(Structure):
 
 
 class ObserverReading(Structure):
+    struct_size: int
+    flags: int
+    ugr: float
+    ugr_standard_error: float
+    ugr_low: float
+    ugr_high: float
+    background_cd_m2: float
+    background_standard_error_cd_m2: float
+    background_error_bound_cd_m2: float
+    source_count: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("flags", c_uint32),
@@ -1216,6 +1800,18 @@ class ObserverReading(Structure):
 
 
 class GlareSource(Structure):
+    struct_size: int
+    kind: int
+    id: int
+    flags: int
+    luminance_cd_m2: float
+    solid_angle_sr: float
+    intensity_cd: float
+    distance_m: float
+    visible_share: float
+    position_index: float
+    share: float
+    direction: Array[c_float]
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_int32),
@@ -1232,200 +1828,403 @@ class GlareSource(Structure):
     ]
 
 
-# Result and parameters of each function.
-PROTOTYPES = {
-    "ups_version": (c_uint32, []),
-    "ups_status_name": (c_char_p, [c_int32]),
-    "ups_last_error": (c_char_p, []),
-    "ups_context_desc_init": (None, [POINTER(ContextDesc), c_uint32]),
-    "ups_context_create": (c_int32, [POINTER(ContextDesc), POINTER(c_void_p)]),
-    "ups_context_destroy": (None, [c_void_p]),
-    "ups_context_get_thread_count": (c_int32, [c_void_p, POINTER(c_int32)]),
-    "ups_context_pop_log": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t), POINTER(c_int32)]),
-    "ups_profile_desc_init": (None, [POINTER(ProfileDesc), c_uint32]),
-    "ups_profile_create": (c_int32, [c_void_p, POINTER(ProfileDesc), POINTER(c_void_p)]),
-    "ups_profile_parse": (c_int32, [c_void_p, c_void_p, c_size_t, c_int32, POINTER(c_void_p)]),
-    "ups_profile_parse_desc_init": (None, [POINTER(ProfileParseDesc), c_uint32]),
-    "ups_profile_parse_with": (c_int32, [c_void_p, POINTER(ProfileParseDesc), POINTER(c_void_p)]),
-    "ups_profile_write": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
-    "ups_profile_get_write_warnings": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
-    "ups_profile_get_info": (c_int32, [c_void_p, POINTER(ProfileInfo)]),
-    "ups_profile_get_lamp_set": (c_int32, [c_void_p, c_uint32, POINTER(ProfileLampSet)]),
-    "ups_profile_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
-    "ups_profile_get_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, c_size_t, POINTER(c_size_t)]),
-    "ups_profile_with_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, POINTER(c_void_p)]),
-    "ups_profile_eval": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)]),
-    "ups_profile_get_luminance": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)]),
-    "ups_profile_get_zonal_flux": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_double)]),
-    "ups_profile_get_beam": (c_int32, [c_void_p, c_float, c_float, POINTER(ProfileBeam)]),
-    "ups_profile_destroy": (None, [c_void_p]),
-    "ups_texture_desc_init": (None, [POINTER(TextureDesc), c_uint32]),
-    "ups_material_desc_init": (None, [POINTER(MaterialDesc), c_uint32]),
-    "ups_mesh_desc_init": (None, [POINTER(MeshDesc), c_uint32]),
-    "ups_instance_desc_init": (None, [POINTER(InstanceDesc), c_uint32]),
-    "ups_light_desc_init": (None, [POINTER(LightDesc), c_uint32]),
-    "ups_luminaire_desc_init": (None, [POINTER(LuminaireDesc), c_uint32]),
-    "ups_scene_create": (c_int32, [c_void_p, POINTER(c_void_p)]),
-    "ups_scene_destroy": (None, [c_void_p]),
-    "ups_scene_add_texture": (c_int32, [c_void_p, POINTER(TextureDesc), POINTER(TextureId)]),
-    "ups_scene_add_material": (c_int32, [c_void_p, POINTER(MaterialDesc), POINTER(MaterialId)]),
-    "ups_scene_add_mesh": (c_int32, [c_void_p, POINTER(MeshDesc), POINTER(MeshId)]),
-    "ups_scene_add_instance": (c_int32, [c_void_p, POINTER(InstanceDesc), POINTER(InstanceId)]),
-    "ups_scene_add_light": (c_int32, [c_void_p, POINTER(LightDesc), POINTER(LuminaireId)]),
-    "ups_scene_add_luminaire": (c_int32, [c_void_p, POINTER(LuminaireDesc), POINTER(LuminaireId)]),
-    "ups_scene_set_texture": (c_int32, [c_void_p, TextureId, POINTER(TextureDesc)]),
-    "ups_scene_set_material": (c_int32, [c_void_p, MaterialId, POINTER(MaterialDesc)]),
-    "ups_scene_set_mesh": (c_int32, [c_void_p, MeshId, POINTER(MeshDesc)]),
-    "ups_scene_set_mesh_vertices": (c_int32, [c_void_p, MeshId, POINTER(c_float), POINTER(c_float), c_uint32]),
-    "ups_scene_set_instance": (c_int32, [c_void_p, InstanceId, POINTER(InstanceDesc)]),
-    "ups_scene_set_transform": (c_int32, [c_void_p, InstanceId, POINTER(c_double)]),
-    "ups_scene_set_light": (c_int32, [c_void_p, LuminaireId, POINTER(LightDesc)]),
-    "ups_scene_set_luminaire": (c_int32, [c_void_p, LuminaireId, POINTER(LuminaireDesc)]),
-    "ups_scene_set_luminaire_transform": (c_int32, [c_void_p, LuminaireId, POINTER(c_double)]),
-    "ups_scene_set_dimming": (c_int32, [c_void_p, LuminaireId, c_float]),
-    "ups_scene_set_maintenance_factor": (c_int32, [c_void_p, c_double]),
-    "ups_scene_get_texture": (c_int32, [c_void_p, TextureId, POINTER(TextureDesc)]),
-    "ups_scene_read_texture": (c_int32, [c_void_p, TextureId, POINTER(c_float), c_size_t, POINTER(c_size_t)]),
-    "ups_scene_get_material": (c_int32, [c_void_p, MaterialId, POINTER(MaterialDesc)]),
-    "ups_scene_get_mesh": (c_int32, [c_void_p, MeshId, POINTER(MeshDesc)]),
-    "ups_scene_get_instance": (c_int32, [c_void_p, InstanceId, POINTER(InstanceDesc)]),
-    "ups_scene_get_light": (c_int32, [c_void_p, LuminaireId, POINTER(LightDesc)]),
-    "ups_scene_get_luminaire": (c_int32, [c_void_p, LuminaireId, POINTER(LuminaireDesc)]),
-    "ups_scene_get_luminaire_profile": (c_int32, [c_void_p, LuminaireId, POINTER(c_void_p)]),
-    "ups_scene_get_dimming": (c_int32, [c_void_p, LuminaireId, POINTER(c_float)]),
-    "ups_scene_get_maintenance_factor": (c_int32, [c_void_p, POINTER(c_double)]),
-    "ups_scene_remove_texture": (c_int32, [c_void_p, TextureId]),
-    "ups_scene_remove_material": (c_int32, [c_void_p, MaterialId]),
-    "ups_scene_remove_mesh": (c_int32, [c_void_p, MeshId]),
-    "ups_scene_remove_instance": (c_int32, [c_void_p, InstanceId]),
-    "ups_scene_remove_luminaire": (c_int32, [c_void_p, LuminaireId]),
-    "ups_scene_remove_sensor": (c_int32, [c_void_p, SensorId]),
-    "ups_scene_commit": (c_int32, [c_void_p]),
-    "ups_scene_start_commit": (c_int32, [c_void_p, POINTER(c_void_p)]),
-    "ups_scene_is_dirty": (c_int32, [c_void_p, POINTER(c_int32)]),
-    "ups_scene_get_info": (c_int32, [c_void_p, POINTER(SceneInfo)]),
-    "ups_scene_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
-    "ups_scene_read_section": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double), POINTER(Segment), c_size_t,
-        POINTER(c_size_t)]),
-    "ups_scene_read_outlines": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double), c_double, POINTER(Segment),
-        c_size_t, POINTER(c_size_t)]),
-    "ups_fixture_emitter_desc_init": (None, [POINTER(FixtureEmitterDesc), c_uint32]),
-    "ups_reflector_desc_init": (None, [POINTER(ReflectorDesc), c_uint32]),
-    "ups_lens_desc_init": (None, [POINTER(LensDesc), c_uint32]),
-    "ups_collimator_desc_init": (None, [POINTER(CollimatorDesc), c_uint32]),
-    "ups_fixture_part_desc_init": (None, [POINTER(FixturePartDesc), c_uint32]),
-    "ups_fixture_instance_desc_init": (None, [POINTER(FixtureInstanceDesc), c_uint32]),
-    "ups_fixture_create": (c_int32, [c_void_p, POINTER(c_void_p)]),
-    "ups_fixture_destroy": (None, [c_void_p]),
-    "ups_fixture_add_emitter": (c_int32, [c_void_p, POINTER(FixtureEmitterDesc), POINTER(FixturePartId)]),
-    "ups_fixture_add_reflector": (c_int32, [c_void_p, POINTER(ReflectorDesc), POINTER(FixturePartId)]),
-    "ups_fixture_add_lens": (c_int32, [c_void_p, POINTER(LensDesc), POINTER(FixturePartId)]),
-    "ups_fixture_add_collimator": (c_int32, [c_void_p, POINTER(CollimatorDesc), POINTER(FixturePartId)]),
-    "ups_fixture_add_part": (c_int32, [c_void_p, POINTER(FixturePartDesc), POINTER(FixturePartId)]),
-    "ups_fixture_get_info": (c_int32, [c_void_p, POINTER(FixtureInfo)]),
-    "ups_scene_add_fixture": (c_int32, [c_void_p, c_void_p, POINTER(FixtureInstanceDesc), POINTER(FixtureId)]),
-    "ups_scene_get_fixture_instance": (c_int32, [c_void_p, FixtureId, FixturePartId, POINTER(InstanceId)]),
-    "ups_scene_set_fixture": (c_int32, [c_void_p, FixtureId, POINTER(FixtureInstanceDesc)]),
-    "ups_scene_get_fixture": (c_int32, [c_void_p, FixtureId, POINTER(FixtureInstanceDesc)]),
-    "ups_scene_set_fixture_dimming": (c_int32, [c_void_p, FixtureId, c_float]),
-    "ups_scene_set_fixture_transform": (c_int32, [c_void_p, FixtureId, POINTER(c_double)]),
-    "ups_scene_remove_fixture": (c_int32, [c_void_p, FixtureId]),
-    "ups_camera_desc_init": (None, [POINTER(CameraDesc), c_uint32]),
-    "ups_meter_desc_init": (None, [POINTER(MeterDesc), c_uint32]),
-    "ups_surface_meters_desc_init": (None, [POINTER(SurfaceMetersDesc), c_uint32]),
-    "ups_lightmap_desc_init": (None, [POINTER(LightmapDesc), c_uint32]),
-    "ups_scene_add_camera": (c_int32, [c_void_p, POINTER(CameraDesc), POINTER(SensorId)]),
-    "ups_scene_add_meters": (c_int32, [c_void_p, POINTER(MeterDesc), POINTER(SensorId)]),
-    "ups_scene_add_surface_meters": (c_int32, [c_void_p, POINTER(SurfaceMetersDesc), POINTER(SensorId)]),
-    "ups_scene_add_lightmap": (c_int32, [c_void_p, POINTER(LightmapDesc), POINTER(SensorId)]),
-    "ups_scene_set_camera": (c_int32, [c_void_p, SensorId, POINTER(CameraDesc)]),
-    "ups_scene_set_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterDesc)]),
-    "ups_scene_set_surface_meters": (c_int32, [c_void_p, SensorId, POINTER(SurfaceMetersDesc)]),
-    "ups_scene_set_lightmap": (c_int32, [c_void_p, SensorId, POINTER(LightmapDesc)]),
-    "ups_scene_set_goniometer": (c_int32, [c_void_p, SensorId, POINTER(GoniometerDesc)]),
-    "ups_scene_get_camera": (c_int32, [c_void_p, SensorId, POINTER(CameraDesc)]),
-    "ups_scene_get_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterDesc)]),
-    "ups_scene_get_surface_meters": (c_int32, [c_void_p, SensorId, POINTER(SurfaceMetersDesc)]),
-    "ups_scene_get_lightmap": (c_int32, [c_void_p, SensorId, POINTER(LightmapDesc)]),
-    "ups_scene_get_goniometer": (c_int32, [c_void_p, SensorId, POINTER(GoniometerDesc)]),
-    "ups_scene_read_meter_places": (c_int32, [c_void_p, SensorId, POINTER(MeterPlace), c_size_t, POINTER(c_size_t)]),
-    "ups_en12464_desc_init": (None, [POINTER(En12464Desc), c_uint32]),
-    "ups_en12464_grid": (c_int32, [POINTER(En12464Desc), POINTER(En12464Info), POINTER(En12464Point), c_size_t,
-        POINTER(c_size_t)]),
-    "ups_goniometer_desc_init": (None, [POINTER(GoniometerDesc), c_uint32]),
-    "ups_scene_add_goniometer": (c_int32, [c_void_p, POINTER(GoniometerDesc), POINTER(SensorId)]),
-    "ups_render_desc_init": (None, [POINTER(RenderDesc), c_uint32]),
-    "ups_scene_estimate_memory": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(MemoryEstimate)]),
-    "ups_render": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
-    "ups_job_start": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)]),
-    "ups_job_poll": (c_int32, [c_void_p, POINTER(Progress)]),
-    "ups_job_wait": (c_int32, [c_void_p, c_uint32]),
-    "ups_job_get_prediction": (c_int32, [c_void_p, c_double, POINTER(Prediction)]),
-    "ups_job_get_memory_estimate": (c_int32, [c_void_p, POINTER(MemoryEstimate)]),
-    "ups_job_get_curve_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
-    "ups_job_get_curve_point": (c_int32, [c_void_p, c_uint32, POINTER(CurvePoint)]),
-    "ups_job_get_largest_error": (c_int32, [c_void_p, POINTER(LargestError)]),
-    "ups_job_cancel": (None, [c_void_p]),
-    "ups_job_result": (c_int32, [c_void_p, POINTER(c_void_p)]),
-    "ups_job_destroy": (None, [c_void_p]),
-    "ups_result_get_info": (c_int32, [c_void_p, POINTER(ResultInfo)]),
-    "ups_result_get_choice": (c_int32, [c_void_p, SensorId, POINTER(SensorChoice)]),
-    "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t]),
-    "ups_result_read_vectors": (c_int32, [c_void_p, SensorId, POINTER(VectorReading), c_size_t]),
-    "ups_result_read_meter_part": (c_int32, [c_void_p, SensorId, c_int32, POINTER(MeterPartReading), c_size_t]),
-    "ups_result_read_meter_flags": (c_int32, [c_void_p, SensorId, POINTER(c_uint32), c_size_t]),
-    "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)]),
-    "ups_result_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
-    "ups_result_get_source": (c_int32, [c_void_p, c_uint32, POINTER(SourceInfo)]),
-    "ups_result_read_source_meters": (c_int32, [c_void_p, c_uint32, SensorId, POINTER(MeterReading), c_size_t]),
-    "ups_scene_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
-    "ups_scene_get_source": (c_int32, [c_void_p, c_uint32, POINTER(SceneSource)]),
-    "ups_scene_get_source_profile": (c_int32, [c_void_p, c_uint32, POINTER(c_void_p)]),
-    "ups_result_get_goniometer_info": (c_int32, [c_void_p, SensorId, POINTER(GoniometerInfo)]),
-    "ups_result_read_goniometer": (c_int32, [c_void_p, SensorId, POINTER(IntensityReading), c_size_t]),
-    "ups_result_get_goniometer_angles": (c_int32, [c_void_p, SensorId, POINTER(c_float), c_size_t, POINTER(c_float),
-        c_size_t]),
-    "ups_result_get_goniometer_beam": (c_int32, [c_void_p, SensorId, c_float, c_float, POINTER(GoniometerBeam)]),
-    "ups_result_get_goniometer_profile": (c_int32, [c_void_p, SensorId, POINTER(c_void_p)]),
-    "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t]),
-    "ups_result_get_technique_count": (c_int32, [c_void_p, SensorId, POINTER(c_uint32)]),
-    "ups_result_get_technique": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(TechniqueInfo)]),
-    "ups_result_read_technique": (c_int32, [c_void_p, SensorId, c_uint32, c_int32, POINTER(c_float), c_size_t,
-        c_size_t]),
-    "ups_result_read_convergence": (c_int32, [c_void_p, POINTER(ConvergencePoint), c_size_t, POINTER(c_size_t)]),
-    "ups_result_get_prediction": (c_int32, [c_void_p, c_double, POINTER(Prediction)]),
-    "ups_result_get_curve_count": (c_int32, [c_void_p, POINTER(c_uint32)]),
-    "ups_result_get_curve_point": (c_int32, [c_void_p, c_uint32, POINTER(CurvePoint)]),
-    "ups_result_get_largest_error": (c_int32, [c_void_p, POINTER(LargestError)]),
-    "ups_result_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)]),
-    "ups_result_destroy": (None, [c_void_p]),
-    "ups_result_read_largest_samples": (c_int32, [c_void_p, SensorId, POINTER(Sample), c_size_t, POINTER(c_size_t)]),
-    "ups_replay": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(Sample), POINTER(c_void_p)]),
-    "ups_path_destroy": (None, [c_void_p]),
-    "ups_path_get_info": (c_int32, [c_void_p, POINTER(PathInfo)]),
-    "ups_path_read_vertices": (c_int32, [c_void_p, POINTER(PathVertex), c_size_t, POINTER(c_size_t)]),
-    "ups_path_read_contributions": (c_int32, [c_void_p, POINTER(PathContribution), c_size_t, POINTER(c_size_t)]),
-    "ups_path_get_text": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)]),
-    "ups_result_get_meter_percentile": (c_int32, [c_void_p, SensorId, c_double, POINTER(Interval)]),
-    "ups_result_get_meter_share": (c_int32, [c_void_p, SensorId, c_double, POINTER(Interval)]),
-    "ups_result_get_meter_ratio": (c_int32, [c_void_p, SensorId, SensorId, POINTER(Interval)]),
-    "ups_result_read_meter_ratios": (c_int32, [c_void_p, SensorId, SensorId, POINTER(Interval), c_size_t]),
-    "ups_glare_get_position_index": (c_int32, [c_int32, POINTER(c_float), c_size_t, POINTER(c_float)]),
-    "ups_glare_get_ugr": (c_int32, [POINTER(c_float), POINTER(c_float), POINTER(c_float), c_size_t, c_double,
-        POINTER(c_float)]),
-    "ups_profile_get_ugr_table": (c_int32, [c_void_p, POINTER(UgrTable)]),
-    "ups_profile_get_data_sheet": (c_int32, [c_void_p, c_float, POINTER(DataSheet)]),
-    "ups_profile_get_utilisation": (c_int32, [c_void_p, POINTER(UtilisationTable)]),
-    "ups_observer_desc_init": (None, [POINTER(ObserverDesc), c_uint32]),
-    "ups_scene_add_observer": (c_int32, [c_void_p, POINTER(ObserverDesc), POINTER(SensorId)]),
-    "ups_scene_set_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverDesc)]),
-    "ups_scene_get_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverDesc)]),
-    "ups_result_get_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverReading)]),
-    "ups_result_get_glare_source": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(GlareSource)]),
+class GltfImportDesc(Structure):
+    struct_size: int
+    camera_width: int
+    camera_height: int
+    reserved: int
+    allow_outside: int
+    camera_layers: int
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("camera_width", c_uint32),
+        ("camera_height", c_uint32),
+        ("reserved", c_uint32),
+        ("allow_outside", c_int32),
+        ("camera_layers", c_uint32),
+    ]
+
+
+class GltfSensorInfo(Structure):
+    struct_size: int
+    kind: int
+    sensor: SensorId
+    width: int
+    height: int
+    illuminance: int
+    meter_count: int
+    columns: int
+    rows: int
+    reserved: int
+    layout: int
+    cell_size_m: Array[c_float]
+    cell_side: Array[c_float]
+    meter_kind: int
+    projection: int
+    layers: int
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("sensor", SensorId),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("illuminance", c_int32),
+        ("meter_count", c_uint32),
+        ("columns", c_uint32),
+        ("rows", c_uint32),
+        ("reserved", c_uint32),
+        ("layout", c_int32),
+        ("cell_size_m", c_float * 2),
+        ("cell_side", c_float * 3),
+        ("meter_kind", c_int32),
+        ("projection", c_int32),
+        ("layers", c_uint32),
+    ]
+
+
+class ExrChannel(Structure):
+    name: bytes | None
+    data: Any
+    pixel_stride_bytes: int
+    row_stride_bytes: int
+    _fields_ = [
+        ("name", c_char_p),
+        ("data", POINTER(c_float)),
+        ("pixel_stride_bytes", c_size_t),
+        ("row_stride_bytes", c_size_t),
+    ]
+
+
+class ExrAttribute(Structure):
+    name: bytes | None
+    value: bytes | None
+    _fields_ = [
+        ("name", c_char_p),
+        ("value", c_char_p),
+    ]
+
+
+class OcioPictureDesc(Structure):
+    struct_size: int
+    width: int
+    height: int
+    smoothed: int
+    luminance_rgb: Any
+    exposure: float
+    exposure_chosen: int
+    reserved: int
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("smoothed", c_int32),
+        ("luminance_rgb", POINTER(c_float)),
+        ("exposure", c_double),
+        ("exposure_chosen", c_int32),
+        ("reserved", c_uint32),
+    ]
+
+
+class OcioSmoothDesc(Structure):
+    struct_size: int
+    width: int
+    height: int
+    reserved: int
+    luminance_rgb: Any
+    standard_error_rgb: Any
+    albedo_rgb: Any
+    normal: Any
+    depth: Any
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("reserved", c_uint32),
+        ("luminance_rgb", POINTER(c_float)),
+        ("standard_error_rgb", POINTER(c_float)),
+        ("albedo_rgb", POINTER(c_float)),
+        ("normal", POINTER(c_float)),
+        ("depth", POINTER(c_float)),
+    ]
+
+
+class OcioFalseColorDesc(Structure):
+    struct_size: int
+    columns: int
+    rows: int
+    first_row_at_bottom: int
+    values: Any
+    title: bytes | None
+    unit: bytes | None
+    scale_min: float
+    scale_max: float
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("columns", c_uint32),
+        ("rows", c_uint32),
+        ("first_row_at_bottom", c_int32),
+        ("values", POINTER(c_float)),
+        ("title", c_char_p),
+        ("unit", c_char_p),
+        ("scale_min", c_double),
+        ("scale_max", c_double),
+    ]
+
+
+# Of each library: result and parameters of each function, and which are integers that need a check.
+PROTOTYPES: dict[str, dict[str, tuple[Any, list[Any], dict[int, str]]]] = {
+    "ups": {
+        "ups_version": (c_uint32, [], {}),
+        "ups_status_name": (c_char_p, [c_int32], {0: "status"}),
+        "ups_last_error": (c_char_p, [], {}),
+        "ups_context_desc_init": (None, [POINTER(ContextDesc), c_uint32], {}),
+        "ups_context_create": (c_int32, [POINTER(ContextDesc), POINTER(c_void_p)], {}),
+        "ups_context_destroy": (None, [c_void_p], {}),
+        "ups_context_get_thread_count": (c_int32, [c_void_p, POINTER(c_int32)], {}),
+        "ups_context_pop_log": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t), POINTER(c_int32)], {}),
+        "ups_profile_desc_init": (None, [POINTER(ProfileDesc), c_uint32], {}),
+        "ups_profile_create": (c_int32, [c_void_p, POINTER(ProfileDesc), POINTER(c_void_p)], {}),
+        "ups_profile_parse": (c_int32, [c_void_p, c_void_p, c_size_t, c_int32, POINTER(c_void_p)], {3: "format"}),
+        "ups_profile_parse_desc_init": (None, [POINTER(ProfileParseDesc), c_uint32], {}),
+        "ups_profile_parse_with": (c_int32, [c_void_p, POINTER(ProfileParseDesc), POINTER(c_void_p)], {}),
+        "ups_profile_write": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)], {1: "format"}),
+        "ups_profile_get_write_warnings": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)],
+            {1: "format"}),
+        "ups_profile_get_info": (c_int32, [c_void_p, POINTER(ProfileInfo)], {}),
+        "ups_profile_get_lamp_set": (c_int32, [c_void_p, c_uint32, POINTER(ProfileLampSet)], {1: "index"}),
+        "ups_profile_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)], {1: "topic"}),
+        "ups_profile_get_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, c_size_t, POINTER(c_size_t)], {}),
+        "ups_profile_with_keyword": (c_int32, [c_void_p, c_char_p, c_char_p, POINTER(c_void_p)], {}),
+        "ups_profile_eval": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)], {}),
+        "ups_profile_get_luminance": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_float)], {}),
+        "ups_profile_get_zonal_flux": (c_int32, [c_void_p, POINTER(c_float), c_size_t, POINTER(c_double)], {}),
+        "ups_profile_get_beam": (c_int32, [c_void_p, c_float, c_float, POINTER(ProfileBeam)], {}),
+        "ups_profile_destroy": (None, [c_void_p], {}),
+        "ups_texture_desc_init": (None, [POINTER(TextureDesc), c_uint32], {}),
+        "ups_material_desc_init": (None, [POINTER(MaterialDesc), c_uint32], {}),
+        "ups_mesh_desc_init": (None, [POINTER(MeshDesc), c_uint32], {}),
+        "ups_instance_desc_init": (None, [POINTER(InstanceDesc), c_uint32], {}),
+        "ups_light_desc_init": (None, [POINTER(LightDesc), c_uint32], {}),
+        "ups_luminaire_desc_init": (None, [POINTER(LuminaireDesc), c_uint32], {}),
+        "ups_scene_create": (c_int32, [c_void_p, POINTER(c_void_p)], {}),
+        "ups_scene_destroy": (None, [c_void_p], {}),
+        "ups_scene_add_texture": (c_int32, [c_void_p, POINTER(TextureDesc), POINTER(TextureId)], {}),
+        "ups_scene_add_material": (c_int32, [c_void_p, POINTER(MaterialDesc), POINTER(MaterialId)], {}),
+        "ups_scene_add_mesh": (c_int32, [c_void_p, POINTER(MeshDesc), POINTER(MeshId)], {}),
+        "ups_scene_add_instance": (c_int32, [c_void_p, POINTER(InstanceDesc), POINTER(InstanceId)], {}),
+        "ups_scene_add_light": (c_int32, [c_void_p, POINTER(LightDesc), POINTER(LuminaireId)], {}),
+        "ups_scene_add_luminaire": (c_int32, [c_void_p, POINTER(LuminaireDesc), POINTER(LuminaireId)], {}),
+        "ups_scene_set_texture": (c_int32, [c_void_p, TextureId, POINTER(TextureDesc)], {}),
+        "ups_scene_set_material": (c_int32, [c_void_p, MaterialId, POINTER(MaterialDesc)], {}),
+        "ups_scene_set_mesh": (c_int32, [c_void_p, MeshId, POINTER(MeshDesc)], {}),
+        "ups_scene_set_mesh_vertices": (c_int32, [c_void_p, MeshId, POINTER(c_float), POINTER(c_float), c_uint32],
+            {4: "vertex_count"}),
+        "ups_scene_set_instance": (c_int32, [c_void_p, InstanceId, POINTER(InstanceDesc)], {}),
+        "ups_scene_set_transform": (c_int32, [c_void_p, InstanceId, POINTER(c_double)], {}),
+        "ups_scene_set_light": (c_int32, [c_void_p, LuminaireId, POINTER(LightDesc)], {}),
+        "ups_scene_set_luminaire": (c_int32, [c_void_p, LuminaireId, POINTER(LuminaireDesc)], {}),
+        "ups_scene_set_luminaire_transform": (c_int32, [c_void_p, LuminaireId, POINTER(c_double)], {}),
+        "ups_scene_set_dimming": (c_int32, [c_void_p, LuminaireId, c_float], {}),
+        "ups_scene_set_maintenance_factor": (c_int32, [c_void_p, c_double], {}),
+        "ups_scene_get_texture": (c_int32, [c_void_p, TextureId, POINTER(TextureDesc)], {}),
+        "ups_scene_read_texture": (c_int32, [c_void_p, TextureId, POINTER(c_float), c_size_t, POINTER(c_size_t)], {}),
+        "ups_scene_get_material": (c_int32, [c_void_p, MaterialId, POINTER(MaterialDesc)], {}),
+        "ups_scene_get_mesh": (c_int32, [c_void_p, MeshId, POINTER(MeshDesc)], {}),
+        "ups_scene_get_instance": (c_int32, [c_void_p, InstanceId, POINTER(InstanceDesc)], {}),
+        "ups_scene_get_light": (c_int32, [c_void_p, LuminaireId, POINTER(LightDesc)], {}),
+        "ups_scene_get_luminaire": (c_int32, [c_void_p, LuminaireId, POINTER(LuminaireDesc)], {}),
+        "ups_scene_get_luminaire_profile": (c_int32, [c_void_p, LuminaireId, POINTER(c_void_p)], {}),
+        "ups_scene_get_dimming": (c_int32, [c_void_p, LuminaireId, POINTER(c_float)], {}),
+        "ups_scene_get_maintenance_factor": (c_int32, [c_void_p, POINTER(c_double)], {}),
+        "ups_scene_remove_texture": (c_int32, [c_void_p, TextureId], {}),
+        "ups_scene_remove_material": (c_int32, [c_void_p, MaterialId], {}),
+        "ups_scene_remove_mesh": (c_int32, [c_void_p, MeshId], {}),
+        "ups_scene_remove_instance": (c_int32, [c_void_p, InstanceId], {}),
+        "ups_scene_remove_luminaire": (c_int32, [c_void_p, LuminaireId], {}),
+        "ups_scene_remove_sensor": (c_int32, [c_void_p, SensorId], {}),
+        "ups_scene_commit": (c_int32, [c_void_p], {}),
+        "ups_scene_start_commit": (c_int32, [c_void_p, POINTER(c_void_p)], {}),
+        "ups_scene_is_dirty": (c_int32, [c_void_p, POINTER(c_int32)], {}),
+        "ups_scene_get_info": (c_int32, [c_void_p, POINTER(SceneInfo)], {}),
+        "ups_scene_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)], {1: "topic"}),
+        "ups_scene_read_section": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double), POINTER(Segment), c_size_t,
+            POINTER(c_size_t)], {}),
+        "ups_scene_read_outlines": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double), c_double,
+            POINTER(Segment), c_size_t, POINTER(c_size_t)], {}),
+        "ups_fixture_emitter_desc_init": (None, [POINTER(FixtureEmitterDesc), c_uint32], {}),
+        "ups_reflector_desc_init": (None, [POINTER(ReflectorDesc), c_uint32], {}),
+        "ups_lens_desc_init": (None, [POINTER(LensDesc), c_uint32], {}),
+        "ups_collimator_desc_init": (None, [POINTER(CollimatorDesc), c_uint32], {}),
+        "ups_fixture_part_desc_init": (None, [POINTER(FixturePartDesc), c_uint32], {}),
+        "ups_fixture_instance_desc_init": (None, [POINTER(FixtureInstanceDesc), c_uint32], {}),
+        "ups_fixture_create": (c_int32, [c_void_p, POINTER(c_void_p)], {}),
+        "ups_fixture_destroy": (None, [c_void_p], {}),
+        "ups_fixture_add_emitter": (c_int32, [c_void_p, POINTER(FixtureEmitterDesc), POINTER(FixturePartId)], {}),
+        "ups_fixture_add_reflector": (c_int32, [c_void_p, POINTER(ReflectorDesc), POINTER(FixturePartId)], {}),
+        "ups_fixture_add_lens": (c_int32, [c_void_p, POINTER(LensDesc), POINTER(FixturePartId)], {}),
+        "ups_fixture_add_collimator": (c_int32, [c_void_p, POINTER(CollimatorDesc), POINTER(FixturePartId)], {}),
+        "ups_fixture_add_part": (c_int32, [c_void_p, POINTER(FixturePartDesc), POINTER(FixturePartId)], {}),
+        "ups_fixture_get_info": (c_int32, [c_void_p, POINTER(FixtureInfo)], {}),
+        "ups_scene_add_fixture": (c_int32, [c_void_p, c_void_p, POINTER(FixtureInstanceDesc), POINTER(FixtureId)], {}),
+        "ups_scene_get_fixture_instance": (c_int32, [c_void_p, FixtureId, FixturePartId, POINTER(InstanceId)], {}),
+        "ups_scene_set_fixture": (c_int32, [c_void_p, FixtureId, POINTER(FixtureInstanceDesc)], {}),
+        "ups_scene_get_fixture": (c_int32, [c_void_p, FixtureId, POINTER(FixtureInstanceDesc)], {}),
+        "ups_scene_set_fixture_dimming": (c_int32, [c_void_p, FixtureId, c_float], {}),
+        "ups_scene_set_fixture_transform": (c_int32, [c_void_p, FixtureId, POINTER(c_double)], {}),
+        "ups_scene_remove_fixture": (c_int32, [c_void_p, FixtureId], {}),
+        "ups_camera_desc_init": (None, [POINTER(CameraDesc), c_uint32], {}),
+        "ups_meter_desc_init": (None, [POINTER(MeterDesc), c_uint32], {}),
+        "ups_surface_meters_desc_init": (None, [POINTER(SurfaceMetersDesc), c_uint32], {}),
+        "ups_lightmap_desc_init": (None, [POINTER(LightmapDesc), c_uint32], {}),
+        "ups_scene_add_camera": (c_int32, [c_void_p, POINTER(CameraDesc), POINTER(SensorId)], {}),
+        "ups_scene_add_meters": (c_int32, [c_void_p, POINTER(MeterDesc), POINTER(SensorId)], {}),
+        "ups_scene_add_surface_meters": (c_int32, [c_void_p, POINTER(SurfaceMetersDesc), POINTER(SensorId)], {}),
+        "ups_scene_add_lightmap": (c_int32, [c_void_p, POINTER(LightmapDesc), POINTER(SensorId)], {}),
+        "ups_scene_set_camera": (c_int32, [c_void_p, SensorId, POINTER(CameraDesc)], {}),
+        "ups_scene_set_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterDesc)], {}),
+        "ups_scene_set_surface_meters": (c_int32, [c_void_p, SensorId, POINTER(SurfaceMetersDesc)], {}),
+        "ups_scene_set_lightmap": (c_int32, [c_void_p, SensorId, POINTER(LightmapDesc)], {}),
+        "ups_scene_set_goniometer": (c_int32, [c_void_p, SensorId, POINTER(GoniometerDesc)], {}),
+        "ups_scene_get_camera": (c_int32, [c_void_p, SensorId, POINTER(CameraDesc)], {}),
+        "ups_scene_get_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterDesc)], {}),
+        "ups_scene_get_surface_meters": (c_int32, [c_void_p, SensorId, POINTER(SurfaceMetersDesc)], {}),
+        "ups_scene_get_lightmap": (c_int32, [c_void_p, SensorId, POINTER(LightmapDesc)], {}),
+        "ups_scene_get_goniometer": (c_int32, [c_void_p, SensorId, POINTER(GoniometerDesc)], {}),
+        "ups_scene_read_meter_places": (c_int32, [c_void_p, SensorId, POINTER(MeterPlace), c_size_t, POINTER(c_size_t)],
+            {}),
+        "ups_en12464_desc_init": (None, [POINTER(En12464Desc), c_uint32], {}),
+        "ups_en12464_grid": (c_int32, [POINTER(En12464Desc), POINTER(En12464Info), POINTER(En12464Point), c_size_t,
+            POINTER(c_size_t)], {}),
+        "ups_goniometer_desc_init": (None, [POINTER(GoniometerDesc), c_uint32], {}),
+        "ups_scene_add_goniometer": (c_int32, [c_void_p, POINTER(GoniometerDesc), POINTER(SensorId)], {}),
+        "ups_render_desc_init": (None, [POINTER(RenderDesc), c_uint32], {}),
+        "ups_scene_estimate_memory": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(MemoryEstimate)], {}),
+        "ups_render": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)], {}),
+        "ups_job_start": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(c_void_p)], {}),
+        "ups_job_poll": (c_int32, [c_void_p, POINTER(Progress)], {}),
+        "ups_job_wait": (c_int32, [c_void_p, c_uint32], {1: "timeout_ms"}),
+        "ups_job_get_prediction": (c_int32, [c_void_p, c_double, POINTER(Prediction)], {}),
+        "ups_job_get_memory_estimate": (c_int32, [c_void_p, POINTER(MemoryEstimate)], {}),
+        "ups_job_get_curve_count": (c_int32, [c_void_p, POINTER(c_uint32)], {}),
+        "ups_job_get_curve_point": (c_int32, [c_void_p, c_uint32, POINTER(CurvePoint)], {1: "index"}),
+        "ups_job_get_largest_error": (c_int32, [c_void_p, POINTER(LargestError)], {}),
+        "ups_job_cancel": (None, [c_void_p], {}),
+        "ups_job_result": (c_int32, [c_void_p, POINTER(c_void_p)], {}),
+        "ups_job_destroy": (None, [c_void_p], {}),
+        "ups_result_get_info": (c_int32, [c_void_p, POINTER(ResultInfo)], {}),
+        "ups_result_get_choice": (c_int32, [c_void_p, SensorId, POINTER(SensorChoice)], {}),
+        "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t], {}),
+        "ups_result_read_vectors": (c_int32, [c_void_p, SensorId, POINTER(VectorReading), c_size_t], {}),
+        "ups_result_read_meter_part": (c_int32, [c_void_p, SensorId, c_int32, POINTER(MeterPartReading), c_size_t],
+            {2: "part"}),
+        "ups_result_read_meter_flags": (c_int32, [c_void_p, SensorId, POINTER(c_uint32), c_size_t], {}),
+        "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)], {}),
+        "ups_result_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)], {}),
+        "ups_result_get_source": (c_int32, [c_void_p, c_uint32, POINTER(SourceInfo)], {1: "index"}),
+        "ups_result_read_source_meters": (c_int32, [c_void_p, c_uint32, SensorId, POINTER(MeterReading), c_size_t],
+            {1: "source"}),
+        "ups_scene_get_source_count": (c_int32, [c_void_p, POINTER(c_uint32)], {}),
+        "ups_scene_get_source": (c_int32, [c_void_p, c_uint32, POINTER(SceneSource)], {1: "index"}),
+        "ups_scene_get_source_profile": (c_int32, [c_void_p, c_uint32, POINTER(c_void_p)], {1: "index"}),
+        "ups_result_get_goniometer_info": (c_int32, [c_void_p, SensorId, POINTER(GoniometerInfo)], {}),
+        "ups_result_read_goniometer": (c_int32, [c_void_p, SensorId, POINTER(IntensityReading), c_size_t], {}),
+        "ups_result_get_goniometer_angles": (c_int32, [c_void_p, SensorId, POINTER(c_float), c_size_t, POINTER(c_float),
+            c_size_t], {}),
+        "ups_result_get_goniometer_beam": (c_int32, [c_void_p, SensorId, c_float, c_float, POINTER(GoniometerBeam)],
+            {}),
+        "ups_result_get_goniometer_profile": (c_int32, [c_void_p, SensorId, POINTER(c_void_p)], {}),
+        "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t],
+            {2: "channel"}),
+        "ups_result_get_technique_count": (c_int32, [c_void_p, SensorId, POINTER(c_uint32)], {}),
+        "ups_result_get_technique": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(TechniqueInfo)], {2: "index"}),
+        "ups_result_read_technique": (c_int32, [c_void_p, SensorId, c_uint32, c_int32, POINTER(c_float), c_size_t,
+            c_size_t], {2: "index", 3: "contribution"}),
+        "ups_result_read_convergence": (c_int32, [c_void_p, POINTER(ConvergencePoint), c_size_t, POINTER(c_size_t)],
+            {}),
+        "ups_result_get_prediction": (c_int32, [c_void_p, c_double, POINTER(Prediction)], {}),
+        "ups_result_get_curve_count": (c_int32, [c_void_p, POINTER(c_uint32)], {}),
+        "ups_result_get_curve_point": (c_int32, [c_void_p, c_uint32, POINTER(CurvePoint)], {1: "index"}),
+        "ups_result_get_largest_error": (c_int32, [c_void_p, POINTER(LargestError)], {}),
+        "ups_result_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)], {1: "topic"}),
+        "ups_result_destroy": (None, [c_void_p], {}),
+        "ups_result_read_largest_samples": (c_int32, [c_void_p, SensorId, POINTER(Sample), c_size_t, POINTER(c_size_t)],
+            {}),
+        "ups_replay": (c_int32, [c_void_p, POINTER(RenderDesc), POINTER(Sample), POINTER(c_void_p)], {}),
+        "ups_path_destroy": (None, [c_void_p], {}),
+        "ups_path_get_info": (c_int32, [c_void_p, POINTER(PathInfo)], {}),
+        "ups_path_read_vertices": (c_int32, [c_void_p, POINTER(PathVertex), c_size_t, POINTER(c_size_t)], {}),
+        "ups_path_read_contributions": (c_int32, [c_void_p, POINTER(PathContribution), c_size_t, POINTER(c_size_t)],
+            {}),
+        "ups_path_get_text": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)], {}),
+        "ups_result_get_meter_percentile": (c_int32, [c_void_p, SensorId, c_double, POINTER(Interval)], {}),
+        "ups_result_get_meter_share": (c_int32, [c_void_p, SensorId, c_double, POINTER(Interval)], {}),
+        "ups_result_get_meter_ratio": (c_int32, [c_void_p, SensorId, SensorId, POINTER(Interval)], {}),
+        "ups_result_read_meter_ratios": (c_int32, [c_void_p, SensorId, SensorId, POINTER(Interval), c_size_t], {}),
+        "ups_glare_get_position_index": (c_int32, [c_int32, POINTER(c_float), c_size_t, POINTER(c_float)], {0: "kind"}),
+        "ups_glare_get_ugr": (c_int32, [POINTER(c_float), POINTER(c_float), POINTER(c_float), c_size_t, c_double,
+            POINTER(c_float)], {}),
+        "ups_profile_get_ugr_table": (c_int32, [c_void_p, POINTER(UgrTable)], {}),
+        "ups_profile_get_data_sheet": (c_int32, [c_void_p, c_float, POINTER(DataSheet)], {}),
+        "ups_profile_get_utilisation": (c_int32, [c_void_p, POINTER(UtilisationTable)], {}),
+        "ups_observer_desc_init": (None, [POINTER(ObserverDesc), c_uint32], {}),
+        "ups_scene_add_observer": (c_int32, [c_void_p, POINTER(ObserverDesc), POINTER(SensorId)], {}),
+        "ups_scene_set_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverDesc)], {}),
+        "ups_scene_get_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverDesc)], {}),
+        "ups_result_get_observer": (c_int32, [c_void_p, SensorId, POINTER(ObserverReading)], {}),
+        "ups_result_get_glare_source": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(GlareSource)], {2: "index"}),
+    },
+    "ups_gltf": {
+        "ups_gltf_import_desc_init": (None, [POINTER(GltfImportDesc), c_uint32], {}),
+        "ups_gltf_import_file": (c_int32, [c_void_p, c_char_p, POINTER(GltfImportDesc), c_void_p, POINTER(c_void_p)],
+            {}),
+        "ups_gltf_import_destroy": (None, [c_void_p], {}),
+        "ups_gltf_get_sensor_count": (c_int32, [c_void_p, POINTER(c_uint32)], {}),
+        "ups_gltf_get_sensor": (c_int32, [c_void_p, c_uint32, POINTER(GltfSensorInfo)], {1: "index"}),
+        "ups_gltf_get_sensor_name": (c_int32, [c_void_p, c_uint32, c_char_p, c_size_t, POINTER(c_size_t)],
+            {1: "index"}),
+        "ups_gltf_get_source_name": (c_int32, [c_void_p, c_int32, c_uint32, c_char_p, c_size_t, POINTER(c_size_t)],
+            {1: "kind", 2: "id"}),
+        "ups_gltf_get_source_file": (c_int32, [c_void_p, c_int32, c_uint32, c_char_p, c_size_t, POINTER(c_size_t)],
+            {1: "kind", 2: "id"}),
+        "ups_gltf_read_meters": (c_int32, [c_void_p, c_uint32, POINTER(c_double), POINTER(c_float), c_size_t],
+            {1: "index"}),
+        "ups_gltf_get_warnings": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)], {}),
+        "ups_gltf_last_error": (c_char_p, [], {}),
+    },
+    "ups_exr": {
+        "ups_exr_write": (c_int32, [c_char_p, c_uint32, c_uint32, POINTER(ExrChannel), c_uint32, POINTER(ExrAttribute),
+            c_uint32], {1: "width", 2: "height", 4: "channel_count", 6: "attribute_count"}),
+        "ups_exr_read": (c_int32, [c_char_p, POINTER(c_void_p)], {}),
+        "ups_exr_image_destroy": (None, [c_void_p], {}),
+        "ups_exr_get_size": (c_int32, [c_void_p, POINTER(c_uint32), POINTER(c_uint32)], {}),
+        "ups_exr_get_channel_count": (c_int32, [c_void_p, POINTER(c_uint32)], {}),
+        "ups_exr_get_channel_name": (c_int32, [c_void_p, c_uint32, c_char_p, c_size_t, POINTER(c_size_t)],
+            {1: "index"}),
+        "ups_exr_get_attribute": (c_int32, [c_void_p, c_char_p, c_char_p, c_size_t, POINTER(c_size_t)], {}),
+        "ups_exr_read_channel": (c_int32, [c_void_p, c_char_p, POINTER(c_float), c_size_t], {}),
+        "ups_exr_last_error": (c_char_p, [], {}),
+    },
+    "ups_ocio": {
+        "ups_ocio_choose_exposure": (c_int32, [POINTER(c_float), c_uint32, c_uint32, POINTER(c_double)],
+            {1: "width", 2: "height"}),
+        "ups_ocio_get_ev100": (c_int32, [c_double, POINTER(c_double)], {}),
+        "ups_ocio_get_exposure": (c_int32, [c_double, POINTER(c_double)], {}),
+        "ups_ocio_write_png": (c_int32, [c_char_p, POINTER(c_float), c_uint32, c_uint32, c_double],
+            {2: "width", 3: "height"}),
+        "ups_ocio_picture_desc_init": (None, [POINTER(OcioPictureDesc), c_uint32], {}),
+        "ups_ocio_write_picture_png": (c_int32, [c_char_p, POINTER(OcioPictureDesc)], {}),
+        "ups_ocio_smooth_desc_init": (None, [POINTER(OcioSmoothDesc), c_uint32], {}),
+        "ups_ocio_smooth": (c_int32, [POINTER(OcioSmoothDesc), POINTER(c_float)], {}),
+        "ups_ocio_false_color_desc_init": (None, [POINTER(OcioFalseColorDesc), c_uint32], {}),
+        "ups_ocio_write_false_color_png": (c_int32, [c_char_p, POINTER(OcioFalseColorDesc)], {}),
+        "ups_ocio_write_pixels_png": (c_int32, [c_char_p, POINTER(c_uint8), c_uint32, c_uint32],
+            {2: "width", 3: "height"}),
+        "ups_ocio_last_error": (c_char_p, [], {}),
+    },
 }
 
 # Function that fills each description with its defaults.
-INIT = {
+INIT: dict[Any, str] = {
     ContextDesc: "ups_context_desc_init",
     ProfileDesc: "ups_profile_desc_init",
     ProfileParseDesc: "ups_profile_parse_desc_init",
@@ -1449,4 +2248,8 @@ INIT = {
     GoniometerDesc: "ups_goniometer_desc_init",
     RenderDesc: "ups_render_desc_init",
     ObserverDesc: "ups_observer_desc_init",
+    GltfImportDesc: "ups_gltf_import_desc_init",
+    OcioPictureDesc: "ups_ocio_picture_desc_init",
+    OcioSmoothDesc: "ups_ocio_smooth_desc_init",
+    OcioFalseColorDesc: "ups_ocio_false_color_desc_init",
 }

@@ -2,16 +2,25 @@
 
 Used by programs, as ups.en12464_grid.
 """
+from __future__ import annotations
+
 import ctypes
+from collections.abc import Sequence
 from ctypes import byref
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from . import _ffi
-from ._core import address, as_array, check, describe, lib, read_array
+from ._convert import address, as_array, describe, lib, read_array
+from ._status import check
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 
-def en12464_grid(polygon_m, holes_m=(), border_m=0.5):
+def en12464_grid(polygon_m: ArrayLike, holes_m: Sequence[ArrayLike] = (),
+                 border_m: float = 0.5) -> tuple[NDArray[np.void], _ffi.En12464Info]:
     """The grid's points in a polygon (n, 2), holes likewise, as (points, info): a record array with the fields of
     ups_en12464_point, and ups_en12464_info."""
     corners = as_array(polygon_m, np.float64, (-1, 2), "polygon_m")

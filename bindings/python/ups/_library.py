@@ -1,53 +1,78 @@
-"""Which libups is used, and how its functions look to ctypes. Called once, when the package is imported.
+"""Which libups and which extras are used, and how their functions look to ctypes. The core is loaded when the package
+is imported, an extra when something first needs it.
 
-Looked for in this order: UPS_LIBRARY (a file, or a folder that holds it), this package's own folder, the system.
+Looked for in this order: UPS_LIBRARY (the core's file, or the folders that hold the libraries, separated as in PATH),
+the folder `lib` of this package, which wheels have, the system.
 """
+from __future__ import annotations
+
 import ctypes
 import ctypes.util
+import functools
 import os
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from . import _ffi
+from ._numbers import checked
 
 _MAJOR, _MINOR, _ = _ffi.HEADER_VERSION
-# The SONAME first: a program without the development files has nothing else.
-_NAMES = (f"libups.so.{_MAJOR}.{_MINOR}" if _MAJOR == 0 else f"libups.so.{_MAJOR}", "libups.so")
 
 
-def _in_folder(folder):
-    return [str(folder / name) for name in _NAMES if (folder / name).exists()]
+def _names(library: str) -> tuple[str, str]:
+    """The SONAME first: a program without the development files has nothing else."""
+    return (f"lib{library}.so.{_MAJOR}.{_MINOR}" if _MAJOR == 0 else f"lib{library}.so.{_MAJOR}", f"lib{library}.so")
 
 
-def _candidates():
-    chosen = os.environ.get("UPS_LIBRARY")
-    if chosen:  # a wrong choice is an error and never a silent fall back to another library
-        yield from (_in_folder(Path(chosen)) or [str(Path(chosen) / _NAMES[0])]) if os.path.isdir(chosen) else [chosen]
+def _in_folder(folder: Path, library: str) -> list[str]:
+    return [str(folder / name) for name in _names(library) if (folder / name).exists()]
+
+
+def _chosen(places: str, library: str) -> list[str]:
+    """By UPS_LIBRARY: a wrong choice is an error and never a silent fall back to another library."""
+    if os.path.isfile(places) and library == "ups":
+        return [places]
+    folders = [Path(p).parent if os.path.isfile(p) else Path(p) for p in places.split(os.pathsep) if p]
+    found = [file for folder in folders for file in _in_folder(folder, library)]
+    return found or [str(folders[0] / _names(library)[0]) if folders else places]
+
+
+def _candidates(library: str) -> Iterator[str]:
+    places = os.environ.get("UPS_LIBRARY")
+    if places:
+        yield from _chosen(places, library)
         return
-    yield from _in_folder(Path(__file__).resolve().parent)
-    yield from _NAMES
-    found = ctypes.util.find_library("ups")
+    yield from _in_folder(Path(__file__).resolve().parent / "lib", library)
+    yield from _names(library)
+    found = ctypes.util.find_library(library)
     if found:
         yield found
 
 
-def load():
+@functools.cache
+def load(library: str = "ups") -> Any:
+    """Errors: ImportError, which says where it was looked for."""
     tried = []
-    for name in _candidates():
+    for name in _candidates(library):
         try:
-            library = ctypes.CDLL(name)
+            loaded = ctypes.CDLL(name)
         except OSError as error:
             tried.append(str(error))
             continue
-        _bind(library, name)
-        return library
-    raise ImportError("libups was not found; set UPS_LIBRARY to the file or to its folder. Tried: " + "; ".join(tried))
+        _bind(loaded, name, library)
+        return loaded
+    raise ImportError(f"lib{library} was not found; set UPS_LIBRARY to the file of libups or to the folders that hold "
+                      "it and its extras. Tried: " + "; ".join(tried))
 
 
-def _bind(library, name):
-    for function, (result, parameters) in _ffi.PROTOTYPES.items():
+def _bind(loaded: Any, name: str, library: str) -> None:
+    for function, (result, parameters, integers) in _ffi.PROTOTYPES[library].items():
         try:
-            f = getattr(library, function)
+            f = getattr(loaded, function)
         except AttributeError:
             raise ImportError(f"{name} has no {function}: it is older than this package, which needs UPS "
                               + ".".join(map(str, _ffi.HEADER_VERSION))) from None
         f.restype, f.argtypes = result, parameters
+        if integers:
+            setattr(loaded, function, checked(f, integers))

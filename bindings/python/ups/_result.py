@@ -1,76 +1,46 @@
-"""What has a render found: jobs that are watched, readings, images, sources apart, measured distributions.
+"""What has a render found: readings, images, sources apart, measured distributions; and paths traced again.
 
-Used by programs, as ups.Job and ups.Result, which Scene.start and Scene.render make.
+Used by programs, as ups.Result, which Scene.render and Job.result make.
 """
+from __future__ import annotations
+
 import ctypes
 from ctypes import byref
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple
 
 import numpy as np
 
 from . import _ffi
-from ._core import Handle, address, check, create, lib, read_array, read_info, read_text
-from ._ffi import Channel, Contribution, ResultText, Status
+from ._convert import dtype_of, lib, output, read_array, read_count, read_info, read_text, target
+from ._core import Handle, create
+from ._ffi import Channel, Contribution, LightPart, ResultText, SensorId
 from ._profile import Profile
+from ._status import check
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+# Of each sensor's results: (height, width) or (count,); None: what a surface's statistics tell.
+Shapes = Dict[int, Optional[Tuple[int, ...]]]
+
+SINGLE_CHANNELS = (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR, Channel.BIAS, Channel.ERROR_BOUND,
+                   Channel.DEPTH, Channel.ID)
 
 
-def read_curve(count_of, point_of, owner):
-    count = ctypes.c_uint32()
-    check(count_of(owner, byref(count)))
-    return [read_info(_ffi.CurvePoint, point_of, owner, i) for i in range(count.value)]
-
-
-class Job(Handle):
-    """A render on the library's own threads; any thread may call. Closing it cancels it."""
-
-    def __init__(self, pointer, shapes):
-        super().__init__(pointer, lib.ups_job_destroy)
-        self._shapes = shapes
-
-    def poll(self):
-        return read_info(_ffi.Progress, lib.ups_job_poll, self)
-
-    def wait(self, timeout_s=None):
-        """Status.OK, TIMEOUT or CANCELLED; raises the job's own error. Without a timeout, an interrupt gets through."""
-        if timeout_s is not None:
-            return check(lib.ups_job_wait(self, min(max(0, round(timeout_s * 1000)), 0xFFFFFFFF)))
-        while True:
-            status = check(lib.ups_job_wait(self, 100))
-            if status != Status.TIMEOUT:
-                return status
-
-    def predict(self, relative_error):
-        """When the error by target_criterion is so small, of all looks at it so far, as ups_prediction: seconds from
-        the start, seconds_low, seconds_high (95 %; -1: never at this rate), limited_by, iterations."""
-        return read_info(_ffi.Prediction, lib.ups_job_get_prediction, self, relative_error)
-
-    def curve(self):
-        """What accuracy cost so far: a ups_curve_point of each look at the error."""
-        return read_curve(lib.ups_job_get_curve_count, lib.ups_job_get_curve_point, self)
-
-    def largest_error(self):
-        """The meter that had it at the last look, as ups_largest_error."""
-        return read_info(_ffi.LargestError, lib.ups_job_get_largest_error, self)
-
-    def memory(self):
-        """What the render takes, as estimated once it was prepared: ups_memory_estimate."""
-        return read_info(_ffi.MemoryEstimate, lib.ups_job_get_memory_estimate, self)
-
-    def cancel(self):
-        lib.ups_job_cancel(self)
-
-    def result(self):
-        """What is there after the last whole iteration."""
-        return Result(create(lib.ups_job_result, self), self._shapes)
+def read_curve(count_of: Callable[..., int], point_of: Callable[..., int], owner: Handle) -> list[_ffi.CurvePoint]:
+    return [read_info(_ffi.CurvePoint, point_of, owner, i) for i in range(read_count(count_of, owner))]
 
 
 class Result(Handle):
-    """What a render has found so far; immutable."""
+    """What a render has found so far; immutable. interrupted: Ctrl-C ended it before a limit or the target. The arrays
+    that reading methods return are new ones, or `out`, where the library writes into the caller's own."""
 
-    def __init__(self, pointer, shapes):
+    def __init__(self, pointer: ctypes.c_void_p, shapes: Shapes):
         super().__init__(pointer, lib.ups_result_destroy)
         self._shapes = shapes
+        self.interrupted = False
 
-    def _shape(self, sensor, dimensions, what):
+    def _shape(self, sensor: SensorId, dimensions: int, what: str) -> tuple[int, ...]:
         shape = self._shapes.get(sensor.v, ())
         if shape is None:
             shape = (self.statistics(sensor).count,)
@@ -79,189 +49,187 @@ class Result(Handle):
         return shape
 
     @property
-    def info(self):
+    def info(self) -> _ffi.ResultInfo:
         return read_info(_ffi.ResultInfo, lib.ups_result_get_info, self)
 
-    def choice(self, sensor):
+    def choice(self, sensor: SensorId) -> _ffi.SensorChoice:
         """How the light of a camera, a meter set or a goniometer is found, as ups_sensor_choice."""
         return read_info(_ffi.SensorChoice, lib.ups_result_get_choice, self, sensor)
 
-    def meters(self, sensor):
+    def meters(self, sensor: SensorId, out: NDArray[np.void] | None = None) -> NDArray[np.void]:
         """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ... Light that
         no path has found, or few, has standard error -1 beside a positive bound; both are -1 where nothing is known
         yet."""
-        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterReading))
-        check(lib.ups_result_read_meters(self, sensor, address(out, _ffi.MeterReading), len(out)))
+        out = output(out, self._shape(sensor, 1, "a set of meters"), dtype_of(_ffi.MeterReading))
+        check(lib.ups_result_read_meters(self, sensor, target(out, _ffi.MeterReading), len(out)))
         return out
 
-    def vectors(self, sensor):
+    def vectors(self, sensor: SensorId) -> NDArray[np.void]:
         """Of meters of kind MeterKind.VECTOR: a record array with the fields vector_lx, standard_error_lx and
         error_bound_lx, three numbers each, x, y and z of the world. meters() has the vectors' lengths."""
-        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.VectorReading))
-        check(lib.ups_result_read_vectors(self, sensor, address(out, _ffi.VectorReading), len(out)))
+        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=dtype_of(_ffi.VectorReading))
+        check(lib.ups_result_read_vectors(self, sensor, target(out, _ffi.VectorReading), len(out)))
         return out
 
-    def meter_part(self, sensor, part):
+    def meter_part(self, sensor: SensorId, part: LightPart) -> NDArray[np.void]:
         """The LightPart.DIRECT or INDIRECT light of each meter, with errors of its own: as ups_meter_part_reading."""
-        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.dtype(_ffi.MeterPartReading))
-        check(lib.ups_result_read_meter_part(self, sensor, part, address(out, _ffi.MeterPartReading), len(out)))
+        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=dtype_of(_ffi.MeterPartReading))
+        check(lib.ups_result_read_meter_part(self, sensor, part, target(out, _ffi.MeterPartReading), len(out)))
         return out
 
-    def meter_flags(self, sensor):
+    def meter_flags(self, sensor: SensorId) -> NDArray[np.uint32]:
         """Reading.EXACT, UNKNOWN, FEW_PATHS, SINGLE_PATH, HEAVY_TAIL of each meter, or-ed in an array of integers."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.uint32)
-        check(lib.ups_result_read_meter_flags(self, sensor, address(out, ctypes.c_uint32), len(out)))
+        check(lib.ups_result_read_meter_flags(self, sensor, target(out, ctypes.c_uint32), len(out)))
         return out
 
-    def statistics(self, sensor):
+    def statistics(self, sensor: SensorId) -> _ffi.MeterStatistics:
         return read_info(_ffi.MeterStatistics, lib.ups_result_get_meter_statistics, self, sensor)
 
-    def percentile(self, sensor, share):
+    def percentile(self, sensor: SensorId, share: float) -> _ffi.Interval:
         """A ups_interval (value, low, high), lx: `share` (0 to 1) of the meters are below. 0.5: the median."""
         return self._interval(lib.ups_result_get_meter_percentile, sensor, share)
 
-    def share_above(self, sensor, threshold_lx):
+    def share_above(self, sensor: SensorId, threshold_lx: float) -> _ffi.Interval:
         """A ups_interval, 0 to 1: of the meters with at least so much."""
         return self._interval(lib.ups_result_get_meter_share, sensor, threshold_lx)
 
-    def ratio(self, numerator, denominator):
+    def ratio(self, numerator: SensorId, denominator: SensorId) -> _ffi.Interval:
         """A ups_interval: the mean of one set of meters over that of another; -1 where it is not known."""
         return self._interval(lib.ups_result_get_meter_ratio, numerator, denominator)
 
-    def _interval(self, function, *arguments):
+    def _interval(self, function: Callable[..., int], *arguments: Any) -> _ffi.Interval:
         out = _ffi.Interval()
         check(function(self, *arguments, byref(out)))
         return out
 
-    def ratios(self, numerator, denominator):
+    def ratios(self, numerator: SensorId, denominator: SensorId) -> NDArray[np.void]:
         """Meter by meter: a record array with the fields value, low, high. Of cylindrical meters over horizontal ones at
         the same places: the modelling index."""
-        out = np.empty(self._shape(numerator, 1, "a set of meters"), dtype=np.dtype(_ffi.Interval))
-        check(lib.ups_result_read_meter_ratios(self, numerator, denominator, address(out, _ffi.Interval), len(out)))
+        out = np.empty(self._shape(numerator, 1, "a set of meters"), dtype=dtype_of(_ffi.Interval))
+        check(lib.ups_result_read_meter_ratios(self, numerator, denominator, target(out, _ffi.Interval), len(out)))
         return out
 
-    def sources(self):
+    def sources(self) -> list[_ffi.SourceInfo]:
         """A ups_source_info of each source that `separation` in the render's description tells apart, else empty: kind,
         id (of a luminaire or instance, or the group), flux_lm."""
-        count = ctypes.c_uint32()
-        check(lib.ups_result_get_source_count(self, byref(count)))
-        return [read_info(_ffi.SourceInfo, lib.ups_result_get_source, self, i) for i in range(count.value)]
+        count = read_count(lib.ups_result_get_source_count, self)
+        return [read_info(_ffi.SourceInfo, lib.ups_result_get_source, self, i) for i in range(count)]
 
-    def source_meters(self, sensor):
+    def source_meters(self, sensor: SensorId) -> NDArray[np.void]:
         """What each source contributes to each meter: a record array (sources, meters), rows in the order of sources(),
         fields as of meters(), to whose illuminance the rows add up."""
         shape = len(self.sources()), *self._shape(sensor, 1, "a set of meters")
-        out = np.empty(shape, dtype=np.dtype(_ffi.MeterReading))
+        out = np.empty(shape, dtype=dtype_of(_ffi.MeterReading))
         for source, row in enumerate(out):
-            check(lib.ups_result_read_source_meters(self, source, sensor, address(row, _ffi.MeterReading), len(row)))
+            check(lib.ups_result_read_source_meters(self, source, sensor, target(row, _ffi.MeterReading), len(row)))
         return out
 
-    def observer(self, sensor):
+    def observer(self, sensor: SensorId) -> _ffi.ObserverReading:
         """UGR with its error and background, as ups_observer_reading."""
         return read_info(_ffi.ObserverReading, lib.ups_result_get_observer, self, sensor)
 
-    def glare_sources(self, sensor):
+    def glare_sources(self, sensor: SensorId) -> list[_ffi.GlareSource]:
         """The sources of an observer's rating, the worst first, each as ups_glare_source."""
         return [read_info(_ffi.GlareSource, lib.ups_result_get_glare_source, self, sensor, i)
                 for i in range(self.observer(sensor).source_count)]
 
-    def goniometer_info(self, sensor):
+    def goniometer_info(self, sensor: SensorId) -> _ffi.GoniometerInfo:
         """Flux, light output ratio and accuracy, as ups_goniometer_info."""
         return read_info(_ffi.GoniometerInfo, lib.ups_result_get_goniometer_info, self, sensor)
 
-    def goniometer(self, sensor):
+    def goniometer(self, sensor: SensorId) -> NDArray[np.void]:
         """A record array (planes C, gammas) with a field for each of ups_intensity_reading: intensity_cd, ..."""
         info = self.goniometer_info(sensor)
-        out = np.empty((info.c_count, info.gamma_count), dtype=np.dtype(_ffi.IntensityReading))
-        check(lib.ups_result_read_goniometer(self, sensor, address(out, _ffi.IntensityReading), out.size))
+        out = np.empty((info.c_count, info.gamma_count), dtype=dtype_of(_ffi.IntensityReading))
+        check(lib.ups_result_read_goniometer(self, sensor, target(out, _ffi.IntensityReading), out.size))
         return out
 
-    def goniometer_angles(self, sensor):
+    def goniometer_angles(self, sensor: SensorId) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """(c_deg, gamma_deg) of the readings: two arrays (planes C,), (gammas,)."""
         info = self.goniometer_info(sensor)
         c, gamma = np.empty(info.c_count, np.float32), np.empty(info.gamma_count, np.float32)
-        check(lib.ups_result_get_goniometer_angles(self, sensor, address(c, ctypes.c_float), len(c),
-                                                   address(gamma, ctypes.c_float), len(gamma)))
+        check(lib.ups_result_get_goniometer_angles(self, sensor, target(c, ctypes.c_float), len(c),
+                                                   target(gamma, ctypes.c_float), len(gamma)))
         return c, gamma
 
-    def goniometer_beam(self, sensor, c_deg=0, fraction=0.5):
+    def goniometer_beam(self, sensor: SensorId, c_deg: float = 0, fraction: float = 0.5) -> _ffi.GoniometerBeam:
         """The beam angle (fraction 0.5) or field angle (0.1) in the plane C / C + 180 with its error, as
         ups_goniometer_beam."""
         return read_info(_ffi.GoniometerBeam, lib.ups_result_get_goniometer_beam, self, sensor, c_deg, fraction)
 
-    def goniometer_profile(self, sensor):
+    def goniometer_profile(self, sensor: SensorId) -> Profile:
         """The distribution as a Profile: for luminaires, and to write a photometric file."""
         return Profile(create(lib.ups_result_get_goniometer_profile, self, sensor))
 
-    def image(self, camera, channel=Channel.LUMINANCE_RGB):
+    def image(self, camera: SensorId, channel: Channel = Channel.LUMINANCE_RGB,
+              out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
         """(height, width, 3), or (height, width) for ILLUMINANCE and its error, BIAS, ERROR_BOUND, DEPTH and ID; row 0
         is the image's top. The camera's layers (add_camera(layers=Layer.ALBEDO | Layer.DEPTH)) are channels too."""
         shape = self._shape(camera, 2, "a camera")
-        single = (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR, Channel.BIAS, Channel.ERROR_BOUND,
-                  Channel.DEPTH, Channel.ID)
-        out = np.empty(shape if channel in single else shape + (3,), dtype=np.float32)
-        check(lib.ups_result_read_image(self, camera, channel, address(out, ctypes.c_float), 0, out.nbytes))
+        out = output(out, shape if channel in SINGLE_CHANNELS else shape + (3,), np.float32)
+        check(lib.ups_result_read_image(self, camera, channel, target(out, ctypes.c_float), 0, out.nbytes))
         return out
 
-    def techniques(self, camera):
+    def techniques(self, camera: SensorId) -> list[_ffi.TechniqueInfo]:
         """A ups_technique_info of each technique that has an image; empty without technique_images in the render's
         description. The position in the list is the index for technique_image()."""
-        count = ctypes.c_uint32()
+        count, function = ctypes.c_uint32(), lib.ups_result_get_technique
         check(lib.ups_result_get_technique_count(self, camera, byref(count)))
-        function = lib.ups_result_get_technique
         return [read_info(_ffi.TechniqueInfo, function, self, camera, i) for i in range(count.value)]
 
-    def technique_image(self, camera, index, contribution=Contribution.WEIGHTED):
+    def technique_image(self, camera: SensorId, index: int,
+                        contribution: Contribution = Contribution.WEIGHTED) -> NDArray[np.float32]:
         """(height, width, 3) of the technique with that index in techniques()."""
         out = np.empty(self._shape(camera, 2, "a camera") + (3,), dtype=np.float32)
-        check(lib.ups_result_read_technique(self, camera, index, contribution, address(out, ctypes.c_float), 0,
+        check(lib.ups_result_read_technique(self, camera, index, contribution, target(out, ctypes.c_float), 0,
                                             out.nbytes))
         return out
 
-    def predict(self, relative_error):
+    def predict(self, relative_error: float) -> _ffi.Prediction:
         """As Job.predict."""
         return read_info(_ffi.Prediction, lib.ups_result_get_prediction, self, relative_error)
 
-    def curve(self):
+    def curve(self) -> list[_ffi.CurvePoint]:
         """What accuracy cost: a ups_curve_point of each look at the error: time, errors, rays, paths, memory."""
         return read_curve(lib.ups_result_get_curve_count, lib.ups_result_get_curve_point, self)
 
-    def largest_error(self):
+    def largest_error(self) -> _ffi.LargestError:
         """The meter that had it at the last look, as ups_largest_error."""
         return read_info(_ffi.LargestError, lib.ups_result_get_largest_error, self)
 
-    def convergence(self):
+    def convergence(self) -> NDArray[np.void]:
         """The part of curve() that there has always been: a record array with a field for each of
         ups_convergence_point."""
         return read_array(_ffi.ConvergencePoint, lib.ups_result_read_convergence, self)
 
-    def largest_samples(self, sensor):
+    def largest_samples(self, sensor: SensorId) -> NDArray[np.void]:
         """The samples that weigh most in a camera's image or a set of meters, the largest share first: a record array
         with a field for each of ups_sample. Scene.replay traces one of them again."""
         return read_array(_ffi.Sample, lib.ups_result_read_largest_samples, self, sensor)
 
-    def text(self, topic=ResultText.WARNINGS):
+    def text(self, topic: ResultText = ResultText.WARNINGS) -> str:
         return read_text(lib.ups_result_get_text, self, topic)
 
 
 class ReplayedPath(Handle):
     """A sample of a render, traced again by Scene.replay."""
 
-    def __init__(self, pointer):
+    def __init__(self, pointer: ctypes.c_void_p):
         super().__init__(pointer, lib.ups_path_destroy)
 
     @property
-    def info(self):
+    def info(self) -> _ffi.PathInfo:
         return read_info(_ffi.PathInfo, lib.ups_path_get_info, self)
 
-    def vertices(self):
+    def vertices(self) -> NDArray[np.void]:
         """Walk by walk: a record array with a field for each of ups_path_vertex."""
         return read_array(_ffi.PathVertex, lib.ups_path_read_vertices, self)
 
-    def contributions(self):
+    def contributions(self) -> NDArray[np.void]:
         """The largest first: a record array with a field for each of ups_path_contribution."""
         return read_array(_ffi.PathContribution, lib.ups_path_read_contributions, self)
 
-    def text(self):
+    def text(self) -> str:
         """All that is known of the path, for people."""
         return read_text(lib.ups_path_get_text, self)

@@ -1,24 +1,21 @@
-// Does the C# binding work? Layout against tests/abi/layout.txt (the argument), values in and out, errors, lifetimes.
-// LightTest.cs has the rest of the class. A program without a test framework: prints each failed check and exits with
-// their number.
+// Does the C# binding work? Layout against tests/abi/layout.txt (which UPS_LAYOUT names), values in and out, errors,
+// lifetimes. LightTest.cs has the rest of the class. Run by xunit on .NET (Tests.csproj) and by MonoRunner.cs on Mono.
 using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Reflection;
 using System.Runtime.InteropServices;
 using Ups;
+using Xunit;
 
-internal static partial class BindingTest
+public sealed partial class BindingTest : IDisposable
 {
     private const BindingFlags EveryField = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
-    private static int failures_;
+    private readonly Context context = new Context(2);
 
-    private static void Expect(bool condition, string what)
-    {
-        if (condition) return;
-        ++failures_;
-        Console.WriteLine("FAILED: " + what);
-    }
+    public void Dispose() { context.Dispose(); }
+
+    private static void Expect(bool condition, string what) { Assert.True(condition, what); }
 
     private static void ExpectNear(double value, double expected, double relative, string what)
     {
@@ -41,7 +38,8 @@ internal static partial class BindingTest
     /// <summary>to_world, ToWorld and the fixed buffer toWorld_ are one name.</summary>
     private static string Plain(string name) { return name.Replace("_", "").ToLowerInvariant(); }
 
-    private static void TestLayout(string path)
+    [Fact]
+    public void TestLayout()
     {
         var types = new Dictionary<string, Type>();
         foreach (var type in typeof(MeshDesc).Assembly.GetTypes())
@@ -49,7 +47,7 @@ internal static partial class BindingTest
         Type current = null;
         var fields = new Dictionary<string, FieldInfo>();
         int structs = 0, enumerators = 0;
-        foreach (var line in File.ReadAllLines(path))
+        foreach (var line in File.ReadAllLines(Environment.GetEnvironmentVariable("UPS_LAYOUT")))
         {
             var words = line.Split(new[] { ' ' }, StringSplitOptions.RemoveEmptyEntries);
             if (line.StartsWith("UPS_"))
@@ -107,7 +105,20 @@ internal static partial class BindingTest
         return desc;
     }
 
-    private static void TestValues(Context context)
+    [Fact]
+    public void TestContext()
+    {
+        Expect(context.ThreadCount == 2, "threads");
+        string message;
+        LogLevel level;
+        Expect(!context.TryPopLog(out message, out level) && message == "", "an empty log");
+        using (var crowded = new Context(1000))
+            Expect(crowded.TryPopLog(out message, out level) && level == LogLevel.Info && message.Length > 20,
+                   "a log of threads beyond the processors: " + message);
+    }
+
+    [Fact]
+    public void TestValues()
     {
         var intensities = new float[19];
         var gammas = new float[19];
@@ -200,7 +211,8 @@ internal static partial class BindingTest
     }
 
     /// <summary>Arrays inside a struct: by element, whole, as an array; each write reaches the library.</summary>
-    private static void TestArrays(Context context)
+    [Fact]
+    public void TestArrays()
     {
         var light = LightDesc.Create();
         light.ToWorld[3] = 2.5;
@@ -248,7 +260,8 @@ internal static partial class BindingTest
         }
     }
 
-    private static void TestErrors(Context context)
+    [Fact]
+    public void TestErrors()
     {
         ExpectStatus(Status.ErrorInvalidArgument, "thread_count", () => new Context(-1), "negative thread count");
         ExpectStatus(Status.ErrorParse, "", () => Profile.Parse(context, new byte[] { 65, 66 }, ProfileFormat.IesLm63),
@@ -268,9 +281,9 @@ internal static partial class BindingTest
         }
     }
 
-    private static void TestJobsAndLifetimes()
+    [Fact]
+    public void TestJobsAndLifetimes()
     {
-        var context = new Context(2);
         SensorId meters;
         LuminaireId light;
         var scene = LampOverFloor(context, 0.8f, out meters, out light);
@@ -295,7 +308,8 @@ internal static partial class BindingTest
         Expect(result.Meters(meters)[0].IlluminanceLx >= 99.9, "a result outlives its job");
     }
 
-    private static void TestMeterShapes(Context context)
+    [Fact]
+    public void TestMeterShapes()
     {
         using (var scene = new Scene(context))
         {
@@ -316,32 +330,9 @@ internal static partial class BindingTest
         }
         En12464Info info;
         var hole = new double[] { 5, 1, 6, 1, 6, 2, 5, 2 };
-        var points = En12464Grid.In(new double[] { 0, 0, 11, 0, 11, 3, 0, 3 }, null, 0.5, out info);
+        var points = En12464Grid.In(new double[] { 0, 0, 11, 0, 11, 3, 0, 3 }, 0.5, out info);
         Expect(info.Columns == 31 && info.Rows == 7 && points.Length == 217, "the grid of EN 12464-1");
         points = En12464Grid.In(new double[] { 0, 0, 11, 0, 11, 3, 0, 3 }, new[] { hole }, 0.5, out info);
         Expect(points.Length == info.PointCount && points.Length < 217, "a grid with a hole");
-    }
-
-    private static int Main(string[] arguments)
-    {
-        TestLayout(arguments[0]);
-        using (var context = new Context(2))
-        {
-            Expect(context.ThreadCount == 2, "threads");
-            LogLevel level;
-            Expect(context.PopLog(out level) == null, "an empty log");
-            TestValues(context);
-            TestArrays(context);
-            TestProfiles(context);
-            TestGlare(context);
-            TestGoniometer(context);
-            TestFixtureParts(context);
-            TestPlacements(context);
-            TestMeterShapes(context);
-            TestErrors(context);
-        }
-        TestJobsAndLifetimes();
-        Console.WriteLine(failures_ == 0 ? "all checks passed" : failures_ + " checks failed");
-        return failures_;
     }
 }

@@ -1,12 +1,14 @@
-// Do the C# binding's profiles, fixtures, goniometers and sources work, against light that is known? Called by Main in
+// Do the C# binding's profiles, fixtures, goniometers and sources work, against light that is known? The rest of
 // BindingTest.cs. Seeds are fixed; deviations are held against the reported standard errors.
 using System;
 using System.Text;
 using Ups;
+using Xunit;
 
-internal static partial class BindingTest
+public sealed partial class BindingTest
 {
-    private static void TestProfiles(Context context)
+    [Fact]
+    public void TestProfiles()
     {
         const string ies = "IESNA:LM-63-2002\n[MANUFAC] maker\n[OTHER] first\n[OTHER] second\nTILT=hid.tlt\n" +
                            "2 500 1 3 1 1 2 0.2 0.4 0\n1 1 25\n0 60 90\n0\n100 40 0\n";
@@ -54,7 +56,8 @@ internal static partial class BindingTest
     }
 
     // 450 cd towards the eye from a panel of 0.3 m, 2 m ahead and 1 m up, above a white floor.
-    private static void TestGlare(Context context)
+    [Fact]
+    public void TestGlare()
     {
         var rectangle = ProfileDesc.Create();
         rectangle.OpeningShape = OpeningShape.Rectangle;
@@ -140,7 +143,8 @@ internal static partial class BindingTest
         }
     }
 
-    private static void TestGoniometer(Context context)
+    [Fact]
+    public void TestGoniometer()
     {
         SensorId sensor;
         using (var fixture = Emitter(context))
@@ -164,7 +168,8 @@ internal static partial class BindingTest
         }
     }
 
-    private static void TestFixtureParts(Context context)
+    [Fact]
+    public void TestFixtureParts()
     {
         var black = MaterialDesc.Create();
         black.ReflectanceRgb = new float[3];
@@ -213,7 +218,8 @@ internal static partial class BindingTest
         }
     }
 
-    private static void TestPlacements(Context context)
+    [Fact]
+    public void TestPlacements()
     {
         using (var scene = new Scene(context))
         using (var fixture = Emitter(context))

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""What do 10,000 readings and a 4K image cost from Python, beside what they cost from C? Both read into the same
+memory, in turns, in one process; the shortest of many turns counts. Fails where both reads together take Python more
+than 2 % longer. One call costs Python about 2 us more than C, whatever it reads, so that of the readings alone, which
+take 10 us, it is more than 2 %. Half a minute, on a machine that does nothing else, with 4 GB free; needs numpy and a
+C compiler. A busy machine varies by more than is measured:
+
+    tests/bindings/read_speed.py build/release
+"""
+import ctypes
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+METERS, WIDTH, HEIGHT = 10000, 3840, 2160
+
+
+def c_calls(library):
+    """The loops in C, on the same libups."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = f"{folder}/libread_speed.so"
+        subprocess.run(["cc", "-O2", "-std=gnu99", "-shared", "-fPIC", f"-I{ROOT}/include",
+                        HERE / "csharp" / "speed" / "read_speed.c", "-o", file, f"-L{library}", "-lups"], check=True)
+        loaded = ctypes.CDLL(file)
+    for name in ("read_meters_s", "read_image_s"):
+        function = getattr(loaded, name)
+        function.restype = ctypes.c_double
+        function.argtypes = [ctypes.c_void_p, ctypes.c_uint32, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int]
+    return loaded
+
+
+def rendered(ups, np):
+    scene = ups.Scene(ups.Context())
+    square = [(-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0)]
+    floor = scene.add_mesh(square, [(0, 1, 2), (0, 2, 3)], scene.add_material())
+    scene.add_instance(floor)
+    scene.add_light(intensity_rgb=(100, 100, 100), to_world=ups.translation(0, 0, 2.5))
+    i = np.arange(METERS)
+    meters = scene.add_meters(np.column_stack([0.02 * (i % 100), 0.02 * (i // 100), np.full(METERS, 0.5)]), (0, 0, 1))
+    camera = scene.add_camera(WIDTH, HEIGHT, to_world=ups.translation(0, 0, 2))
+    scene.commit()
+    return scene.render(method=ups.Method.PATH_TRACING, iteration_count=1), meters, camera
+
+
+def compare(what, turns, calls, in_c, in_python):
+    """Seconds of a call: (C, Python)."""
+    best = [float("inf")] * 2
+    for _ in range(turns):
+        took = in_c(calls)
+        assert took >= 0, f"{what}: a call from C failed"
+        start = time.perf_counter()
+        for _ in range(calls):
+            in_python()
+        best = [min(best[0], took), min(best[1], time.perf_counter() - start)]
+    over = best[1] / best[0] - 1
+    print(f"{what}: C {1e6 * best[0] / calls:.2f} us, Python {1e6 * best[1] / calls:.2f} us, {over:+.2%}")
+    return best[0] / calls, best[1] / calls
+
+
+def main():
+    library = Path(sys.argv[1], "src", "api").resolve() if len(sys.argv) == 2 else sys.exit(__doc__)
+    os.environ["UPS_LIBRARY"] = str(library)
+    sys.path.insert(0, str(ROOT / "bindings" / "python"))
+    import numpy as np
+    import ups
+    c = c_calls(library)
+    result, meters, camera = rendered(ups, np)
+    handle = result._as_parameter_
+    readings, image = result.meters(meters), result.image(camera)
+    compare("10,000 readings, a new array each", 400, 20,
+            lambda n: c.read_meters_s(handle, meters.v, readings.ctypes.data, METERS, n), lambda: result.meters(meters))
+    reads = [compare("10,000 readings", 400, 20,
+                     lambda n: c.read_meters_s(handle, meters.v, readings.ctypes.data, METERS, n),
+                     lambda: result.meters(meters, out=readings)),
+             compare("4K image", 40, 2,
+                     lambda n: c.read_image_s(handle, camera.v, image.ctypes.data, image.nbytes, n),
+                     lambda: result.image(camera, out=image))]
+    in_c, in_python = map(sum, zip(*reads))
+    print(f"both: {in_python / in_c - 1:+.2%}")
+    sys.exit(0 if in_python <= 1.02 * in_c else 1)
+
+
+if __name__ == "__main__":
+    main()

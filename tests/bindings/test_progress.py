@@ -1,0 +1,132 @@
+"""How far a render is, on a terminal, in a file, in a notebook; and does Ctrl-C keep what there is? Programs run by
+themselves here, as people run them."""
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+
+import nbclient
+import nbformat
+import pytest
+import ups
+from rooms import box
+
+IMPORTS = "import ups, os, signal, sys, threading\nfrom rooms import box\nscene, meters = box(ups.Context(2))\n"
+
+
+def start(program, **streams):
+    path = os.pathsep.join([os.path.dirname(__file__), os.environ["PYTHONPATH"]])
+    return subprocess.Popen([sys.executable, "-c", IMPORTS + textwrap.dedent(program)], text=True,
+                            env={**os.environ, "PYTHONPATH": path}, **streams)
+
+
+def output(program):
+    """What a program wrote that ran to its end: (standard output, errors)."""
+    out, err = start(program, stdout=subprocess.PIPE, stderr=subprocess.PIPE).communicate(timeout=60)
+    return out, err
+
+
+def test_a_terminal_has_a_bar_that_is_written_over():
+    master, slave = pty.openpty()
+    process = start("scene.render(time_limit_s=0.5, progress=True)", stderr=slave)
+    os.close(slave)
+    shown = b""
+    try:
+        while part := os.read(master, 4096):
+            shown += part
+    except OSError:  # the other end is closed
+        pass
+    assert process.wait(60) == 0
+    lines = shown.decode().split("\r")
+    bars = [re.fullmatch(r"\[(#*) *\] (\d+)%, (\d+) iterations.*", line.rstrip()) for line in lines if "[" in line]
+    assert len(bars) >= 3 and all(bars)
+    percents = [int(bar[2]) for bar in bars]
+    assert percents == sorted(percents) and percents[-1] == 100 and len(bars[-1][1]) == 30
+    assert shown.endswith(b"\r\n") and shown.count(b"\n") == 1
+
+
+def test_a_file_gets_a_line_now_and_then(monkeypatch, capsys, context):
+    scene, _ = box(context)
+    monkeypatch.setattr(ups._progress, "_LINE_INTERVAL_S", 0.2)
+    scene.render(time_limit_s=0.7, progress=True)
+    lines = capsys.readouterr().err.splitlines()
+    assert 2 <= len(lines) <= 4 and all(re.match(r"\d+%, \d+ iterations", line) for line in lines)
+    scene.render(time_limit_s=0.3)
+    assert capsys.readouterr() == ("", "")
+
+
+def test_a_function_is_told(context):
+    scene, _ = box(context)
+    seen = []
+    result = scene.render(time_limit_s=0.5, progress=lambda p: seen.append((p.iterations_done, p.fraction, p.state)))
+    assert len(seen) >= 3 and seen == sorted(seen) and seen[-1][0] == result.info.iterations
+    assert seen[-1][2] == ups.JobState.FINISHED and not result.interrupted
+    with pytest.raises(ZeroDivisionError):
+        scene.render(time_limit_s=60, progress=lambda p: 1 / 0)
+
+
+def test_a_notebook_replaces_one_output():
+    cell = nbformat.v4.new_code_cell("result = scene.render(time_limit_s=1, progress=True)\nresult.info.iterations")
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(
+        f"import sys; sys.path.insert(0, {os.path.dirname(__file__)!r})\n" + IMPORTS), cell])
+    nbclient.NotebookClient(notebook, timeout=60, kernel_name="python3").execute()
+    shown, answer = notebook.cells[1].outputs
+    assert shown.output_type == "display_data" and answer.output_type == "execute_result"
+    iterations = int(answer.data["text/plain"])
+    assert shown.data["text/plain"].startswith(f"100%, {iterations} iterations")
+    assert shown.data["text/html"].startswith('<progress max="1" value="1.000"></progress> 100%')
+
+
+def test_ctrl_c_keeps_the_results_so_far():
+    process = start("""
+        result = scene.render(time_limit_s=600, seed=5, progress=lambda p: print(p.iterations_done, flush=True))
+        kept = result.info.iterations
+        again = scene.render(iteration_count=kept, seed=5)
+        print("kept", kept > 0, result.interrupted, again.interrupted,
+              result.meters(meters).tobytes() == again.meters(meters).tobytes())
+        """, stdout=subprocess.PIPE)
+    while int(process.stdout.readline()) == 0:
+        pass
+    process.send_signal(signal.SIGINT)
+    rest = process.communicate(timeout=60)[0]
+    assert process.returncode == 0 and rest.splitlines()[-1] == "kept True True False True"
+
+
+def test_ctrl_c_before_there_is_anything_is_an_interrupt(context, monkeypatch):
+    scene, _ = box(context)
+    fired = []
+
+    def interrupt(job, timeout_s=None):  # as if it came while the first slice of time is waited for
+        if not fired:
+            fired.append(job.poll().iterations_done)
+            raise KeyboardInterrupt
+        return wait(job, timeout_s)
+
+    wait = ups.Job.wait
+    monkeypatch.setattr(ups.Job, "wait", interrupt)
+    monkeypatch.setattr(ups.Job, "result", lambda job: (_ for _ in ()).throw(
+        ups.Error(ups.Status.ERROR_INVALID_STATE, "no iteration is done")))
+    with pytest.raises(KeyboardInterrupt):
+        scene.render(time_limit_s=60)
+    assert fired
+
+
+def test_a_second_ctrl_c_is_raised(context, monkeypatch):
+    scene, _ = box(context)
+    monkeypatch.setattr(ups.Job, "wait", lambda job, timeout_s=None: (_ for _ in ()).throw(KeyboardInterrupt))
+    with pytest.raises(KeyboardInterrupt):
+        scene.render(time_limit_s=60)
+
+
+def test_other_threads_render_meanwhile(context):
+    scene, meters = box(context)
+    found = []
+    thread = threading.Thread(target=lambda: found.append(scene.render(iteration_count=4, seed=1).meters(meters)))
+    thread.start()
+    own = scene.render(iteration_count=4, seed=1).meters(meters)
+    thread.join()
+    assert found[0].tobytes() == own.tobytes()

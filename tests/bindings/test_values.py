@@ -1,0 +1,142 @@
+"""What goes into C descriptions and comes out: integers within their C range, arrays without copies, ids, panes."""
+import ctypes
+import pickle
+
+import numpy as np
+import pytest
+import ups
+from rooms import box
+from ups import _convert, _ffi
+
+SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+
+
+@pytest.mark.parametrize("fields, text", [
+    ({"iteration_count": -1}, "iteration_count: expected an integer from 0 to 4294967295, got -1"),
+    ({"iteration_count": 2**32 + 1}, "iteration_count: expected an integer from 0 to 4294967295, got 4294967297"),
+    ({"seed": 2**64}, "seed: .* to 18446744073709551615"),
+    ({"method": 2**31}, "method: .* from -2147483648 to 2147483647")])
+def test_an_integer_that_c_would_cut_off_is_refused(context, fields, text):
+    scene, _ = box(context)
+    with pytest.raises(ValueError, match=text):
+        scene.start(**{"iteration_count": 1, **fields})
+
+
+def test_what_is_no_integer_is_refused(context):
+    scene, meters = box(context)
+    with pytest.raises(TypeError, match="iteration_count: expected an integer, got 1.5"):
+        scene.start(iteration_count=1.5)
+    with pytest.raises(TypeError, match="target_relative_error: .*"):
+        scene.start(target_relative_error="small")
+    with pytest.raises(TypeError, match="no_such_field"):
+        scene.start(no_such_field=1)
+    with pytest.raises(TypeError, match="unknown field 'struct_size'"):
+        scene.start(struct_size=4)
+    result = scene.render(iteration_count=np.int64(1), seed=np.uint8(3), max_path_length=True)
+    assert (result.info.seed, result.info.iterations) == (3, 1)
+
+
+def test_integers_of_calls_are_checked_too(context):
+    scene, meters = box(context)
+    with pytest.raises(ValueError, match="index: expected an integer from 0 to 4294967295, got -1"):
+        scene.source_profile(-1)
+    with pytest.raises(ValueError, match="part: "):
+        scene.render(iteration_count=1).meter_part(meters, 2**32)
+    with pytest.raises(ValueError, match="thread_count: "):
+        ups.Context(2**31)
+
+
+@pytest.mark.parametrize("indices, error", [([(0, 1, -1)], ValueError), ([(0, 1, 2**32)], ValueError),
+                                            ([(0, 1, 2.5)], TypeError)])
+def test_indices_are_not_cut_off_either(context, indices, error):
+    scene = ups.Scene(context)
+    with pytest.raises(error, match="indices: expected integers"):
+        scene.add_mesh(SQUARE, indices, scene.add_material())
+
+
+def test_arrays_are_read_where_they_are():
+    vertices = np.zeros((4, 8), np.float32)  # positions, normals and uvs of each vertex together
+    vertices[:, :3], vertices[:, 5] = SQUARE, 1
+    indices = np.array([(0, 1, 2), (0, 2, 3)], np.uint32)
+    desc = _convert.describe(_ffi.MeshDesc, _convert.mesh_fields(vertices[:, :3], indices, normals=vertices[:, 3:6],
+                                                                 uvs=vertices[:, 6:]))
+    start = vertices.ctypes.data
+    assert [ctypes.addressof(p.contents) - start for p in (desc.positions_m, desc.normals, desc.uvs)] == [0, 12, 24]
+    assert {desc.position_stride_bytes, desc.normal_stride_bytes, desc.uv_stride_bytes} == {32}
+    assert ctypes.addressof(desc.indices.contents) == indices.ctypes.data
+
+
+def test_a_mesh_of_interleaved_vertices_is_the_same_mesh(context):
+    vertices = np.zeros((4, 8))
+    vertices[:, :3] = SQUARE
+    found = []
+    for positions in (vertices[:, :3], vertices.astype(np.float32)[:, :3], vertices[::-1, :3][::-1].astype(np.float32)):
+        scene = ups.Scene(context)
+        scene.add_instance(scene.add_mesh(positions, [(0, 1, 2), (0, 2, 3)], scene.add_material()))
+        scene.commit()
+        found.append((list(scene.info.bounds_max_m), scene.section((0.5, 0.5, 0), (1, 0, 0)).tobytes()))
+    assert found[0] == found[1] == found[2] and found[0][0] == [1, 1, 0]
+
+
+def test_counts_are_those_of_the_arrays(context):
+    """More would be read from beyond them."""
+    scene = ups.Scene(context)
+    instance = scene.add_instance(scene.add_mesh(SQUARE, [(0, 1, 2)], scene.add_material()))
+    for add in (lambda: scene.add_meters([(0, 0, 1)], (0, 0, 1), count=1000),
+                lambda: scene.add_surface_meters([instance], instance_count=9),
+                lambda: scene.add_lightmap([instance], 4, 4, instance_count=9),
+                lambda: ups.Profile.from_table(context, [0], [0, 90], [[1, 1]], gamma_count=100),
+                lambda: ups.Profile.parse(context, b"IES", size=1000)):
+        with pytest.raises(TypeError, match="(count|size): is told by the other arguments"):
+            add()
+
+
+def test_results_go_where_the_caller_wants_them(context):
+    scene, meters = box(context)
+    camera = scene.add_camera(3, 2, vertical_fov_rad=1, to_world=ups.translation(2, 2, 2))
+    scene.commit()
+    result = scene.render(iteration_count=4)
+    readings, image = result.meters(meters), result.image(camera)
+    ours, ours_too = np.zeros_like(readings), np.zeros_like(image)
+    assert result.meters(meters, out=ours) is ours and ours.tobytes() == readings.tobytes()
+    assert result.image(camera, out=ours_too) is ours_too and np.array_equal(image, ours_too) and image.max() > 0
+    for out in (np.zeros((2, 3, 3)), np.zeros((3, 2, 3), np.float32), np.zeros((4, 3, 3), np.float32)[::2]):
+        with pytest.raises(ValueError, match="out: expected a writeable, contiguous array"):
+            result.image(camera, out=out)
+    ours.flags.writeable = False
+    with pytest.raises(ValueError, match="out:"):
+        result.meters(meters, out=ours)
+
+
+def test_ids_are_equal_where_they_name_the_same(context):
+    scene, meters = box(context)
+    assert meters == ups.SensorId(meters.v) and hash(meters) == hash(ups.SensorId(meters.v))
+    assert meters != ups.MeshId(meters.v) and meters != meters.v and meters != ups.SensorId(0)
+    assert repr(ups.SensorId(7)) == "SensorId(7)"
+    with pytest.raises(TypeError, match="mesh: "):
+        scene.add_instance(meters)
+
+
+def test_an_error_survives_another_process():
+    error = pickle.loads(pickle.dumps(ups.Error(ups.Status.ERROR_PARSE, "line 3")))
+    assert error.status == ups.Status.ERROR_PARSE and str(error) == "ERROR_PARSE: line 3"
+
+
+def test_a_pane_measured_by_angle(context):
+    scene = ups.Scene(context)
+    pane = dict(model=ups.MaterialModel.GLAZING, pane_angle_deg=[0, 45, 90], pane_transmittance=[0.8, 0.7, 0])
+    scene.set_material(scene.add_material(pane_reflectance=[0.1, 0.15, 1], **pane), pane_reflectance=[0.2] * 3, **pane)
+    with pytest.raises(ValueError, match="pane_reflectance: expected as many values as the others have, 3, got 2"):
+        scene.add_material(pane_reflectance=[0.1, 1], **pane)
+
+
+def test_keyword_types_know_every_field():
+    """A TypedDict that lacks a field would let a type checker refuse a right program."""
+    from ups import _fields
+    own = {"ReflectorDesc": {"material"}, "MaterialDesc": set()}
+    for cls in _ffi.INIT:
+        plain = {n for n, kind in cls._fields_ if not hasattr(kind, "contents") and kind not in (ctypes.c_void_p,
+                 ctypes.c_char_p) and n != "struct_size" and not n.startswith("reserved")}
+        missing = plain - set(getattr(_fields, cls.__name__ + "Fields").__annotations__)
+        assert all(n.endswith("count") or n in ("width", "height", "mesh", "size", "format", "tilt_file_size")
+                   for n in missing - own.get(cls.__name__, set())), (cls.__name__, missing)
