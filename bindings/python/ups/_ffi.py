@@ -1759,7 +1759,7 @@ class ObserverDesc(Structure):
     struct_size: int
     metric: int
     position_index: int
-    reserved: int
+    ceiling_area_m2: float
     to_world: Array[c_double]
     _fields_ = [
         ("struct_size", c_uint32),
@@ -1781,6 +1781,10 @@ class ObserverReading(Structure):
     background_standard_error_cd_m2: float
     background_error_bound_cd_m2: float
     source_count: int
+    ceiling_coverage: float
+    ggr: float
+    ggr_low: float
+    ggr_high: float
     _fields_ = [
         ("struct_size", c_uint32),
         ("flags", c_uint32),

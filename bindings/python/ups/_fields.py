@@ -242,6 +242,7 @@ class RenderDescFields(TypedDict, total=False):
 class ObserverDescFields(TypedDict, total=False):
     metric: SupportsIndex
     position_index: SupportsIndex
+    ceiling_area_m2: SupportsFloat
     to_world: ArrayLike
 
 
