@@ -123,6 +123,8 @@ class Device {
   // Of trees and what they are built from, without buffers that are shared with it.
   size_t bytes() const { return size_t(std::max<ssize_t>(0, bytes_.load(std::memory_order_relaxed))); }
 
+  // Once anything went wrong: exhausted memory in a build may leave it in disorder. What it has built stands.
+  bool is_spoiled() const { return spoiled_.load(); }
   // Throws what went wrong since the last time.
   void check() {
     const std::lock_guard lock(mutex_);
@@ -137,6 +139,7 @@ class Device {
   static void on_error(void* self, RTCError code, const char* text) {
     Device& device = *static_cast<Device*>(self);
     const std::lock_guard lock(device.mutex_);
+    device.spoiled_.store(true);
     if (device.code_ != RTC_ERROR_NONE) return;
     device.code_ = code;
     std::snprintf(device.message_, sizeof device.message_, "%s", text ? text : "unknown error");
@@ -145,6 +148,7 @@ class Device {
     static_cast<Device*>(self)->bytes_.fetch_add(bytes, std::memory_order_relaxed);
     return true;
   }
+  std::atomic<bool> spoiled_{false};
   std::atomic<ssize_t> bytes_{0};  // before the device, which tells of its end
   RTCDevice device_;
   std::mutex mutex_;
@@ -169,12 +173,15 @@ class Scene {
   // Takes over the geometry's one reference.
   void attach(RTCGeometry geometry, uint32_t id) {
     rtcCommitGeometry(geometry);
-    attach_shared(geometry, id);
+    rtcAttachGeometryByID(scene_, geometry, id);
     rtcReleaseGeometry(geometry);
     device_->check();
   }
   // One that was committed, and has an owner.
-  void attach_shared(RTCGeometry geometry, uint32_t id) { rtcAttachGeometryByID(scene_, geometry, id); }
+  void attach_shared(RTCGeometry geometry, uint32_t id) {
+    rtcAttachGeometryByID(scene_, geometry, id);
+    device_->check();
+  }
   // Embree builds in the arena of its caller: a device's own thread setting would change the whole process. monitor may
   // be null; throws Cancelled.
   void commit(ThreadPool& pool, Monitor* monitor = nullptr) {

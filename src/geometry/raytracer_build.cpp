@@ -85,16 +85,24 @@ class RaytracerBuild {
       : out_(out), earlier_(earlier), meshes_(meshes), instances_(instances), pool_(pool), monitor_(monitor) {}
 
   void run() {
-    out_.device = earlier_ ? earlier_->device : std::make_shared<embree::Device>();
-    out_.top = std::make_unique<embree::Scene>(*out_.device, out_.finds_all);
     const std::vector<Box> boxes = mesh_boxes();
     const std::vector<bool> baked = choose_baked(instances_, boxes);
-    size_t baked_triangles = 0, all = 0;
+    size_t baked_triangles = 0, instanced_triangles = 0, all = 0;
+    std::vector<bool> counted(meshes_.size());
     for (size_t i = 0; i < instances_.size(); ++i) {
-      all += mesh_of(i).triangle_count();
-      if (baked[i]) baked_triangles += mesh_of(i).triangle_count();
+      const size_t count = mesh_of(i).triangle_count();
+      all += count;
+      if (baked[i])
+        baked_triangles += count;
+      else if (!counted[instances_[i].mesh])
+        instanced_triangles += count, counted[instances_[i].mesh] = true;
     }
     out_.triangles = all;
+    // A small scene is built as quickly as it is searched for what stays; and Embree, where its memory runs out, has
+    // least to leave behind in a device of its own.
+    if (baked_triangles + instanced_triangles <= flat_triangles) earlier_ = nullptr;
+    out_.device = earlier_ ? earlier_->device : std::make_shared<embree::Device>();
+    out_.top = std::make_unique<embree::Scene>(*out_.device, out_.finds_all);
     for (size_t i = 0; i < instances_.size(); ++i) {
       place(i, baked[i]);
       if (baked[i] && baked_triangles <= flat_triangles)
@@ -111,7 +119,6 @@ class RaytracerBuild {
       attach_part(part_of(groups_[g]), uint32_t(instances_.size() + g), Affine{});
       report(all);
     }
-    out_.device->check();
     out_.top->commit(pool_, monitor_);
   }
 
@@ -243,7 +250,8 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
     : impl_(std::make_unique<Impl>()) {
   impl_->finds_all = finds_all;
   impl_->texturing = texturing;
-  RaytracerBuild(*impl_, earlier ? earlier->impl_.get() : nullptr, meshes, instances, pool, monitor).run();
+  const bool shares = earlier && !earlier->impl_->device->is_spoiled();
+  RaytracerBuild(*impl_, shares ? earlier->impl_.get() : nullptr, meshes, instances, pool, monitor).run();
 }
 
 size_t Raytracer::shared_parts(const Raytracer& earlier) const {
