@@ -16,7 +16,7 @@ namespace {
 constexpr double max_stretch = 4, max_reach = 4;
 // Of baked triangles: how many are in one index, at most; where there are more, in each group's, unless it is one
 // mesh. Groups do not reach across blocks of so many instance numbers, so that who removes an instance touches few.
-constexpr size_t flat_triangles = 1 << 16, group_triangles = 1 << 15;
+constexpr size_t flat_triangles = 1 << 18, group_triangles = 1 << 15;
 constexpr uint32_t group_block = 64;
 
 // Points of the surface, among them those that lie farthest along the axes that `to` leads to.

@@ -179,10 +179,10 @@ TEST_F(Commit, EachEditGivesTheBitsOfAFullBuild) {
   }
 }
 
-// Above 65536 triangles meshes are indexed in groups.
+// Above 262,144 triangles meshes are indexed in groups.
 TEST_F(Commit, EditsOfALargeSceneGiveTheBitsOfAFullBuild) {
   const auto furnish = [](EditedRoom& r) {
-    r.add_instance(r.add_sheet(r.wall, 190, 3.9f), 0.05, 0.05, 0.005);
+    r.add_instance(r.add_sheet(r.wall, 380, 3.9f), 0.05, 0.05, 0.005);
     for (int i = 0; i < 70; ++i) r.add_instance(r.add_box(r.red, 0, 0.05f), 0.1 + 0.05 * i, 3.5, 0.1 + 0.02 * i);
   };
   EditedRoom edited(context), whole(context);
