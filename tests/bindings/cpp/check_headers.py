@@ -30,7 +30,7 @@ def main():
             assert not errors, f"{compiler} {standard}:\n{errors}"
         for flags, message in ((["-std=c++14"], "ups.hpp needs C++17"),
                                (["-std=c++17", "-fno-exceptions"], "ups.hpp reports failures by exceptions")):
-            errors = compile_text(compiler, "#include <ups/ups.hpp>\n", *flags)
+            errors = compile_text(compiler, "#include <ups/ups.hpp>\n", *flags, "-E", "-o", "/dev/null")
             assert message in errors, f"{compiler} {flags}: expected '{message}', got:\n{errors}"
     code = "\n".join(re.sub("//.*", "", header.read_text()) for header in HEADERS)
     exported = (ROOT / "src/api/exports.txt").read_text().split()
