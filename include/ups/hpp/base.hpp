@@ -85,20 +85,20 @@ struct Destroy {
   void operator()(ups_path *p) const noexcept { ups_path_destroy(p); }
 };
 
-// What a C function writes to its last argument.
-template <typename T, typename Function, typename... Arguments>
+// What a C function writes to its last argument. Here and below Check throws what it fails with; an extra has its own.
+template <typename T, ups_status (*Check)(ups_status) = check, typename Function, typename... Arguments>
 T value(Function function, Arguments... arguments) {
   T out{};
-  check(function(arguments..., &out));
+  Check(function(arguments..., &out));
   return out;
 }
 
 // The same, of a struct that says its size.
-template <typename T, typename Function, typename... Arguments>
+template <typename T, ups_status (*Check)(ups_status) = check, typename Function, typename... Arguments>
 T sized(Function function, Arguments... arguments) {
   T out{};
   out.struct_size = sizeof out;
-  check(function(arguments..., &out));
+  Check(function(arguments..., &out));
   return out;
 }
 
@@ -111,18 +111,18 @@ std::vector<T> all(Count count, Function function, Arguments... arguments) {
 }
 
 // What is asked for by two calls: how much there is, then all of it.
-template <typename T, typename Function, typename... Arguments>
+template <typename T, ups_status (*Check)(ups_status) = check, typename Function, typename... Arguments>
 std::vector<T> list(Function function, Arguments... arguments) {
   std::size_t needed = 0;
-  check(function(arguments..., static_cast<T *>(nullptr), std::size_t{0}, &needed));
+  Check(function(arguments..., static_cast<T *>(nullptr), std::size_t{0}, &needed));
   std::vector<T> out(needed);
-  if (needed != 0) check(function(arguments..., out.data(), out.size(), &needed));
+  if (needed != 0) Check(function(arguments..., out.data(), out.size(), &needed));
   return out;
 }
 
-template <typename Function, typename... Arguments>
+template <ups_status (*Check)(ups_status) = check, typename Function, typename... Arguments>
 std::string text(Function function, Arguments... arguments) {
-  const std::vector<char> all = list<char>(function, arguments...);  // the final zero is among them
+  const std::vector<char> all = list<char, Check>(function, arguments...);  // the final zero is among them
   return all.empty() ? std::string() : std::string(all.data(), all.size() - 1);
 }
 
@@ -152,7 +152,7 @@ const T *optional_array(Span<const T> array, std::size_t wanted, const char *wha
 }  // namespace detail
 
 // A C handle and its destruction.
-template <typename T>
+template <typename T, typename Destroy = detail::Destroy>
 class Handle {
  public:
   explicit Handle(T *owned) noexcept : owned_(owned) {}
@@ -161,7 +161,7 @@ class Handle {
   explicit operator bool() const noexcept { return owned_ != nullptr; }
 
  private:
-  std::unique_ptr<T, detail::Destroy> owned_;
+  std::unique_ptr<T, Destroy> owned_;
 };
 
 // Of the library that is loaded: major * 10000 + minor * 100 + patch.

@@ -10,6 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "samples/cpp/edits.cpp"
+EXTRAS = "#include <ups/ups_exr.hpp>\n#include <ups/ups_gltf.hpp>\n"
 HEADERS = sorted((ROOT / "include/ups/hpp").glob("*.hpp")) + [ROOT / "include/ups/ups.hpp"]
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wold-style-cast", "-Werror"]
 
@@ -26,7 +27,7 @@ def main():
     assert len(HEADERS) > 5 and len(sys.argv) > 1
     for compiler in sys.argv[1:]:
         for standard in ("-std=c++17", "-std=c++20"):
-            errors = compile_text(compiler, PROGRAM.read_text(), standard, *WARNINGS)
+            errors = compile_text(compiler, EXTRAS + PROGRAM.read_text(), standard, *WARNINGS)
             assert not errors, f"{compiler} {standard}:\n{errors}"
         for flags, message in ((["-std=c++14"], "ups.hpp needs C++17"),
                                (["-std=c++17", "-fno-exceptions"], "ups.hpp reports failures by exceptions")):
