@@ -131,7 +131,7 @@ inline std::uint32_t count(std::size_t values, std::size_t per, const char *what
   if (values % per != 0)
     throw Error(UPS_ERROR_INVALID_ARGUMENT, std::string(what) + ": " + std::to_string(values) +
                                                 " values; expected a multiple of " + std::to_string(per));
-  if (values / per > std::numeric_limits<std::uint32_t>::max())
+  if (values / per > UINT32_MAX)
     throw Error(UPS_ERROR_INVALID_ARGUMENT, std::string(what) + ": more than 2^32 - 1 elements");
   return static_cast<std::uint32_t>(values / per);
 }

@@ -19,7 +19,7 @@ class Job : public Handle<ups_job> {
   // UPS_OK, UPS_CANCELLED, or UPS_TIMEOUT where it goes on; a job that failed throws its error. Less than 0 ms: 0; more
   // than 2^32 - 1: so many.
   ups_status wait(std::chrono::milliseconds timeout) const {
-    constexpr std::chrono::milliseconds::rep most = std::numeric_limits<std::uint32_t>::max();
+    constexpr std::chrono::milliseconds::rep most = UINT32_MAX;
     const auto ms = timeout.count() < 0 ? 0 : timeout.count() > most ? most : timeout.count();
     return check(ups_job_wait(get(), static_cast<std::uint32_t>(ms)));
   }
