@@ -15,10 +15,10 @@
 // Rules, beside those of ups_base.h
 //   - A class is a C handle, a method the C function without its prefix: Scene::set_dimming is ups_scene_set_dimming.
 //     What it does, its units, ranges and errors are told there. What C writes to its last argument is returned; two
-//     functions that ask for a count and for one of them are one that returns all. Ids, enumerators and plain structs are
-//     C's own.
-//   - XDesc is ups_x_desc, filled with the defaults; constructors take what a program nearly always sets. Its arrays are
-//     the caller's: they must be there until the call that takes the desc.
+//     functions that ask for a count and for one of them are one that returns all. Ids, enumerators and plain structs
+//     are C's own.
+//   - XDesc is ups_x_desc, filled with the defaults; constructors take what a program nearly always sets. Its arrays
+//     are the caller's: they must be there until the call that takes the desc.
 //   - Handles are moved, never copied, and freed by their destructors, in any order. Of one that was moved from every
 //     method that can fail throws Error of UPS_ERROR_INVALID_ARGUMENT, as the library refuses NULL. get() lends the C
 //     handle, for any C function; release() gives it up.

@@ -1,5 +1,5 @@
-// UPS extra for C++17: float images with named channels in OpenEXR files. Link the library ups_exr; errors name statuses by
-// the core library. Over ups_exr.h, by the rules of ups.hpp.
+// UPS extra for C++17: float images with named channels in OpenEXR files, over ups_exr.h, by the rules of ups.hpp. Link
+// the library ups_exr, and the core, which names the statuses of errors.
 #ifndef UPS_EXR_HPP
 #define UPS_EXR_HPP
 

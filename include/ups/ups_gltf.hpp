@@ -1,5 +1,5 @@
-// UPS extra for C++17: a glTF 2.0 file becomes the content of a scene. Link the library ups_gltf. Over ups_gltf.h, by the
-// rules of ups.hpp.
+// UPS extra for C++17: a glTF 2.0 file becomes the content of a scene, over ups_gltf.h, by the rules of ups.hpp. Link
+// the library ups_gltf, and the core.
 #ifndef UPS_GLTF_HPP
 #define UPS_GLTF_HPP
 
@@ -34,8 +34,8 @@ struct GltfMeters {
 class GltfImport : public Handle<ups_gltf_import, detail::DestroyGltf> {
  public:
   using Handle::Handle;
-  // ups_gltf_import_file: adds all that is in the file, of a path in UTF-8, to the scene. Where it throws the scene holds
-  // part of it.
+  // ups_gltf_import_file: adds all that is in the file, of a path in UTF-8, to the scene. Where it throws the scene
+  // holds part of it.
   GltfImport(const Context &context, const std::string &path, Scene &scene, const GltfImportDesc &desc = {})
       : Handle(detail::value<ups_gltf_import *, detail::check_gltf>(ups_gltf_import_file, context.get(), path.c_str(),
                                                                     &desc, scene.get())) {}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs a build into a temporary prefix, moves the prefix, and builds the C and the C++ program in consumer/ against
-# it twice: with CMake's find_package(ups) and with pkg-config. All programs must run and print the version that was installed,
-# and so must the program `ups` where it was built.
+# it twice: with CMake's find_package(ups) and with pkg-config. All programs must run and print the version that was
+# installed, and so must the program `ups` where it was built.
 # Called by ctest, with CMAKE, PKG_CONFIG, GENERATOR, CC, CXX and FLAGS set: run.sh BUILD LIBDIR VERSION
 set -euo pipefail
 build=$1 libdir=$2 version=$3
@@ -33,7 +33,8 @@ read -ra flags <<<"$("$PKG_CONFIG" --cflags --libs ups)"
 "$CC" $FLAGS -std=c99 -pedantic -Wall -Wextra -Werror "$here/consumer/main.c" "${flags[@]}" -o "$work/with_pkgconfig"
 LD_LIBRARY_PATH=$work/prefix/$libdir expect "$work/with_pkgconfig" pkg-config
 # shellcheck disable=SC2086
-"$CXX" $FLAGS -std=c++17 -pedantic -Wall -Wextra -Werror "$here/consumer/main.cpp" "${flags[@]}" -o "$work/with_pkgconfig"
+"$CXX" $FLAGS -std=c++17 -pedantic -Wall -Wextra -Werror "$here/consumer/main.cpp" "${flags[@]}" \
+  -o "$work/with_pkgconfig"
 LD_LIBRARY_PATH=$work/prefix/$libdir expect "$work/with_pkgconfig" "pkg-config, C++"
 
 program=$work/prefix/bin/ups

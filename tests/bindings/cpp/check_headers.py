@@ -12,7 +12,8 @@ ROOT = Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "samples/cpp/edits.cpp"
 EXTRAS = "#include <ups/ups_exr.hpp>\n#include <ups/ups_gltf.hpp>\n"
 HEADERS = sorted((ROOT / "include/ups/hpp").glob("*.hpp")) + [ROOT / "include/ups/ups.hpp"]
-WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wold-style-cast", "-Werror"]
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wold-style-cast",
+            "-Werror"]
 
 
 def compile_text(compiler, text, *flags):

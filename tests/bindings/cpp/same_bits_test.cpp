@@ -1,5 +1,5 @@
-// Does a render in C++ have the same bits as in C? UPS_SAME_BITS names the file that same_bits.c wrote, of the scene that
-// is described there and here.
+// Does a render in C++ have the same bits as in C? UPS_SAME_BITS names the file that same_bits.c wrote, of the scene
+// that is described there and here.
 #include <array>
 #include <cstdlib>
 #include <cstring>

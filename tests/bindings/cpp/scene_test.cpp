@@ -159,7 +159,8 @@ TEST(Edits, OfSensors) {
   scene.commit();
   EXPECT_EQ(scene.read_meter_places(surface).size(), 12u);
   EXPECT_EQ(scene.read_meter_places(lightmap).size(), 32u);
-  for (const auto sensor : {room.camera, room.meters, surface, lightmap, goniometer, observer}) scene.remove_sensor(sensor);
+  for (const auto sensor : {room.camera, room.meters, surface, lightmap, goniometer, observer})
+    scene.remove_sensor(sensor);
   expect_removed([&] { scene.get_camera(room.camera); });
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {"directions", "6 values; expected 12"},
                [&] { ups::MeterDesc(room.points, {room.up.data(), 6}); });
