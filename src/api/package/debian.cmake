@@ -27,31 +27,28 @@ function(ups_package component name section description)
   string(TOUPPER CPACK_DEBIAN_${component} package)
   set(${package}_PACKAGE_NAME ${name} PARENT_SCOPE)
   set(${package}_PACKAGE_SECTION ${section} PARENT_SCOPE)
-  set(${package}_DESCRIPTION "${PROJECT_DESCRIPTION} - ${description}" PARENT_SCOPE)
+  set(${package}_DESCRIPTION "${description}" PARENT_SCOPE)
   install(FILES copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
 
 set(same_version "libups0 (= ${PROJECT_VERSION})")
-ups_package(runtime libups0 libs "libraries
- The core and what reads and writes glTF, OpenEXR and PNG, each with a C interface.")
+ups_package(runtime libups0 libs "The libraries: the core and what reads and writes glTF, OpenEXR and PNG, each with a C interface.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_GENERATE_SHLIBS ON)
 # oneTBB loads it where it is there, and takes memory from it: see ups_base.h on exhausted memory.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libtbbmalloc2)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers)
 
 # Its pkg-config files of the extras, and its static libraries, need the others' development files.
-ups_package(development libups-dev libdevel "development files
- Headers, CMake and pkg-config files, static libraries, the sources of the C# binding, samples.")
+ups_package(development libups-dev libdevel "Development files: headers, CMake and pkg-config files, static libraries, the sources of the C# binding, samples.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "${same_version}, libembree-dev, libtbb-dev, libtinygltf-dev, libopenexr-dev, libopencolorio-dev")
 
-ups_package(tools ups-tools science "program
- Renders glTF scenes with photometric files: tables, maps, images and a report.")
+ups_package(tools ups-tools science "The program ups, which renders glTF scenes with photometric files: tables, maps, images and a report.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${same_version}")
 
-ups_package(python python3-ups python "Python package
- The module ups, with numpy arrays.")
+ups_package(python python3-ups python "The Python package ups, with numpy arrays.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version}, python3 (>= 3.11), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
