@@ -34,10 +34,15 @@ endfunction()
 set(same_version "libups0 (= ${PROJECT_VERSION})")
 ups_package(runtime libups0 libs "The libraries: the core and what reads and writes glTF, OpenEXR and PNG, each with a C interface.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_GENERATE_SHLIBS ON)
 # oneTBB loads it where it is there, and takes memory from it: see ups_base.h on exhausted memory.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libtbbmalloc2)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers)
+# What a package depends on whose programs are linked with the libraries.
+set(shlibs)
+foreach(library ${libraries})
+  string(APPEND shlibs "lib${library} ${UPS_SOVERSION} libups0 (>= ${PROJECT_VERSION})\n")
+endforeach()
+file(CONFIGURE OUTPUT shlibs CONTENT "${shlibs}")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers ${CMAKE_CURRENT_BINARY_DIR}/shlibs)
 
 # Its pkg-config files of the extras, and its static libraries, need the others' development files.
 ups_package(development libups-dev libdevel "Development files: headers, CMake and pkg-config files, static libraries, the sources of the C# binding, samples.")
