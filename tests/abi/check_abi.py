@@ -5,8 +5,8 @@
     tests/abi/check_abi.py defaults --write --library build/release/src/api/libups.so      after a default changed
     tests/abi/check_abi.py baseline --write      after any change; a breaking one also needs a new SONAME
 
-exports   the library's dynamic symbols, src/api/exports.txt and the functions that the headers declare are the same, and
-          all symbols have the version of the SONAME
+exports   the library's dynamic symbols, src/api/exports.txt and the functions that the headers declare are the same,
+          and all symbols have the version of the SONAME
 headers   every public header compiles alone, as strict C99 without hidden padding and as C++17
 layout    size and offset of every struct and field, and the value of every enumerator, are those of layout.txt
 defaults  every field of every *_desc that its *_init fills is that of defaults.txt
@@ -146,7 +146,8 @@ def default_lines(api, struct):
         elif api.struct(kind):
             pattern, value = "%u", f"(unsigned){value}.v"
         else:
-            pattern, value = ("%llu", f"(unsigned long long){value}") if kind[0] in "us" else ("%lld", f"(long long){value}")
+            sign = "unsigned " if kind[0] in "us" else ""  # uint32_t, size_t
+            pattern, value = "%llu" if sign else "%lld", f"({sign}long long){value}"
         yield f'  printf("  {field.name}");'
         yield f'  for (int i = 0; i < {max(1, field.type.count)}; ++i) printf(" {pattern}", {value});'
         yield '  printf("\\n");'

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Do programs that were compiled with an earlier version of the same SONAME still run? Run by ctest, a subcommand a question;
-what they were compiled with is frozen in released/VERSION/ups/ups.h:
+"""Do programs that were compiled with an earlier version of the same SONAME still run? Run by ctest, a subcommand a
+question; what they were compiled with is frozen in released/VERSION/ups/ups.h:
 
-released  every function of then has its signature; every field its offset and size, every enumerator its value; structs
-          grew at their end alone, and only those that begin with struct_size
-clients   the program beside that header, and one that has every *_init fill a struct of then, are compiled with it, linked
-          with a library of then (empty functions, no versions of symbols) and run with this one
+released  every function of then has its signature; every field its offset and size, every enumerator its value;
+          structs grew at their end alone, and only those that begin with struct_size
+clients   the program beside that header, and one that has every *_init fill a struct of then, are compiled with it,
+          linked with a library of then (empty functions, no versions of symbols) and run with this one
 """
 import argparse
 import os
@@ -86,7 +86,8 @@ def check_released(arguments):
 
 def initialiser(api):
     """A program that has every *_init fill a struct of the size of then, and looks at the bytes behind it."""
-    lines = ["#include <stdio.h>", "#include <string.h>", "#include <ups/ups.h>", "int main(void) {", "int failures = 0;"]
+    lines = ["#include <stdio.h>", "#include <string.h>", "#include <ups/ups.h>", "int main(void) {",
+             "int failures = 0;"]
     for f in api.functions:
         if f.name.endswith("_init"):
             struct = f.parameters[0].type.name
@@ -103,8 +104,8 @@ def initialiser(api):
 
 def build_client(arguments, source, folder, library):
     program = source.with_suffix("")
-    run(arguments.cc, "-std=c99", "-Wall", "-Wextra", "-Werror", *arguments.flags.split(), "-I", folder, source, library,
-        "-o", program)
+    run(arguments.cc, "-std=c99", "-Wall", "-Wextra", "-Werror", *arguments.flags.split(), "-I", folder, source,
+        library, "-o", program)
     if "UPS_" in run("readelf", "--version-info", program):
         raise SystemExit(f"{source.name} asks for versions of symbols, as programs of then did not")
     return program

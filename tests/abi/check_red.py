@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Does each check of the ABI notice what it is there for? Run by ctest: check_red.py --library libups.so [--cc CC]
 
-In a scratch copy of the headers and the checks one thing is changed at a time, in a header, in the list of exports or in what
-the library does; the checks that have to fail must, and say why. All must pass before.
+In a scratch copy of the headers and the checks one thing is changed at a time, in a header, in the list of exports or
+in what the library does; the checks that have to fail must, and say why. That they pass without is what they are run for
+by themselves.
 """
 import argparse
 import os
@@ -127,12 +128,6 @@ def main():
     parser.add_argument("--library", required=True)
     parser.add_argument("--cc", default="cc")
     arguments = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        scratch = Scratch(folder, arguments)
-        for question in ("exports", "headers", "layout", "defaults", "baseline", "released", "clients"):
-            code, said = scratch.ask(question)
-            if code not in (0, check_abi.SKIPPED):
-                sys.exit(f"nothing was changed, but {question} fails:\n{said}")
     for what, (change, noticed) in (CHANGES | BEHAVIOURS).items():
         with tempfile.TemporaryDirectory() as folder:
             scratch = Scratch(folder, arguments)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The archive for those who ship their own program (make_bundle.py), opened in a folder of another name: programs are built
-# against it with pkg-config and moved, with its libraries, to where a vendor would put them. Every library that they load
-# has to be from there, but for the C and C++ run time and zlib.
+# The archive for those who ship their own program (make_bundle.py), opened in a folder of another name: programs are
+# built against it with pkg-config, its libraries copied to where a vendor would put them. Every library that they load has
+# to be from there, but for the C and C++ run time and zlib.
 # Called by ctest, with PKG_CONFIG and CC set: bundle.sh BUILD PYTHON
 set -euo pipefail
 build=$1 python=$2

@@ -1,6 +1,6 @@
 # `cpack --config build/release/CPackConfig.cmake` makes four Debian packages: libups0 (the libraries), libups-dev,
-# ups-tools (the program) and python3-ups. What they depend on is what they were built with: build on the release that they
-# are for. A build configured with CMAKE_INSTALL_PREFIX=/usr has its libraries where Debian has those of the architecture.
+# ups-tools (the program) and python3-ups. What they depend on is what they were built with: build on the release that
+# they are for. A build configured with CMAKE_INSTALL_PREFIX=/usr has its libraries in Debian's folder of the architecture.
 set(UPS_PACKAGE_CONTACT "UPS, a local build <root@localhost>" CACHE STRING "Maintainer that the packages name")
 
 set(CPACK_GENERATOR DEB)
@@ -32,7 +32,8 @@ function(ups_package component name section description)
 endfunction()
 
 set(same_version "libups0 (= ${PROJECT_VERSION})")
-ups_package(runtime libups0 libs "The libraries: the core and what reads and writes glTF, OpenEXR and PNG, each with a C interface.")
+ups_package(runtime libups0 libs "The libraries: the core and what reads and writes glTF,
+ OpenEXR and PNG, each with a C interface.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 # oneTBB loads it where it is there, and takes memory from it: see ups_base.h on exhausted memory.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libtbbmalloc2)
@@ -45,11 +46,13 @@ file(CONFIGURE OUTPUT shlibs CONTENT "${shlibs}")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers ${CMAKE_CURRENT_BINARY_DIR}/shlibs)
 
 # Its pkg-config files of the extras, and its static libraries, need the others' development files.
-ups_package(development libups-dev libdevel "Development files: headers, CMake and pkg-config files, static libraries, the sources of the C# binding, samples.")
+ups_package(development libups-dev libdevel "Development files: headers, CMake and pkg-config
+ files, static libraries, the sources of the C# binding, samples.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "${same_version}, libembree-dev, libtbb-dev, libtinygltf-dev, libopenexr-dev, libopencolorio-dev")
 
-ups_package(tools ups-tools science "The program ups, which renders glTF scenes with photometric files: tables, maps, images and a report.")
+ups_package(tools ups-tools science "The program ups, which renders glTF scenes with photometric
+ files: tables, maps, images and a report.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${same_version}")
 

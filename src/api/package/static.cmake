@@ -1,5 +1,6 @@
-# libups.a and one for each extra: the objects of the shared library and all that is inside it in one archive. Nothing is
-# compiled for them. A program that is linked with one is linked with Embree, oneTBB and so on itself.
+# libups.a and one for each extra: the objects of the shared library and all that is inside it in one archive. Nothing
+# is compiled for them. A program that is linked with one is linked with Embree, oneTBB and so on itself; a shared
+# library that is exports the API as its own, unless it is linked with -Wl,--exclude-libs,ALL.
 find_package(embree NAMES embree4 embree REQUIRED)
 set(embree_library embree${EMBREE_VERSION_MAJOR})
 set(static_dependencies)

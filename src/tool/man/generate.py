@@ -35,7 +35,8 @@ def say(program, *arguments):
 
 
 def escaped(text):
-    text = text.replace("\\", "\\e").replace("-", "\\-").replace("`", "\\(ga").replace("^", "\\(ha").replace("'", "\\(aq")
+    for character, name in (("\\", "\\e"), ("-", "\\-"), ("`", "\\(ga"), ("^", "\\(ha"), ("'", "\\(aq")):
+        text = text.replace(character, name)
     return re.sub(r"^([.])", r"\\&\1", text)
 
 
