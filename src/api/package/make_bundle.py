@@ -72,7 +72,7 @@ def main():
         add_dependencies(prefix)
         name = f"ups-{version(prefix)}-linux-{platform.machine()}"
         options.folder.mkdir(parents=True, exist_ok=True)
-        with tarfile.open(options.folder / f"{name}.tar.gz", "w:gz", compresslevel=6) as archive:
+        with tarfile.open(options.folder / f"{name}.tar.gz", "w:gz", compresslevel=4) as archive:
             archive.add(prefix, name)
     print(options.folder / f"{name}.tar.gz")
 
