@@ -1,7 +1,7 @@
 # `cpack --config build/release/CPackConfig.cmake` makes four Debian packages: libups0 (the libraries), libups-dev,
 # ups-tools (the program) and python3-ups. What they depend on is what they were built with: build on the release that
 # they are for. A build configured with CMAKE_INSTALL_PREFIX=/usr has its libraries in Debian's folder of the architecture.
-set(UPS_PACKAGE_CONTACT "UPS, a local build <root@localhost>" CACHE STRING "Maintainer that the packages name")
+set(UPS_PACKAGE_CONTACT "UPS local build <root@localhost>" CACHE STRING "Maintainer that the packages name")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ups)
