@@ -56,6 +56,7 @@ def main():
             shutil.copytree(os.environ["UPS_RUNTIMES"], runtimes)
         copy_own(options.build.resolve(), runtimes / "linux-x64" / "native")
         (work / "licences").mkdir()
+        shutil.copy(HERE.parents[1] / "src/api/package/THIRD-PARTY.md", work / "licences")
         bundle.copy_dependencies(runtimes / "linux-x64" / "native", work / "licences")
         run("dotnet", "pack", HERE / "Ups.csproj", "-c", "Release", "-o", options.folder.resolve(),
             "--artifacts-path", options.artifacts or work / "artifacts", f"-p:UpsRuntimes={runtimes}",

@@ -71,6 +71,7 @@ class BuildWithLibraries(build_py):
                            stdout=subprocess.DEVNULL)
             bundle.copy_own(Path(prefix), libraries)
         self.copy_file(str(PROJECT / "LICENSE"), str(licences / "UPS"))
+        self.copy_file(str(PROJECT / "src/api/package/THIRD-PARTY.md"), str(licences))
         if BUNDLED:
             bundle.copy_dependencies(libraries, licences)
 

@@ -2,11 +2,14 @@
 """Does the ABI stay what it was? Run by ctest, a subcommand a question; and by hand to accept a change:
 
     tests/abi/check_abi.py layout --write        after a struct changed
+    tests/abi/check_abi.py defaults --write --library build/release/src/api/libups.so      after a default changed
     tests/abi/check_abi.py baseline --write      after any change; a breaking one also needs a new SONAME
 
-exports   the library's dynamic symbols, src/api/exports.txt and the functions that the headers declare are the same
+exports   the library's dynamic symbols, src/api/exports.txt and the functions that the headers declare are the same,
+          and all symbols have the version of the SONAME
 headers   every public header compiles alone, as strict C99 without hidden padding and as C++17
 layout    size and offset of every struct and field, and the value of every enumerator, are those of layout.txt
+defaults  every field of every *_desc that its *_init fills is that of defaults.txt
 baseline  libabigail finds no difference to baseline.abi. It reads a library of empty functions made from the headers,
           types and signatures without any C++; `exports` ties the real library to the same headers. Exit code 77:
           skipped.
@@ -28,8 +31,8 @@ import c_header  # noqa: E402
 SKIPPED = 77
 
 
-def run(*command, cwd=None):
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, cwd=cwd)
+def run(*command, cwd=None, env=None):
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, cwd=cwd, env=env)
     if done.returncode:
         sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
     return done.stdout
@@ -41,21 +44,40 @@ def compare(name, committed, found, advice):
         sys.exit("\n".join(difference) + f"\n{advice}")
 
 
+def abi_version(api):
+    """What programs and library must agree in: before 1.0 the minor version, too."""
+    major, minor = api.version["MAJOR"], api.version["MINOR"]
+    return f"0.{minor}" if major == 0 else str(major)
+
+
+def soname(api):
+    return f"libups.so.{abi_version(api)}"
+
+
+def symbol_version(api):
+    return f"UPS_{abi_version(api)}"
+
+
 # ---- exports
 
 
 def check_exports(arguments):
-    symbols = set()
+    api = c_header.parse_headers(INCLUDE / "ups")
+    symbols, unversioned = set(), set()
     for line in run("nm", "-D", "--defined-only", "--format=posix", arguments.library).splitlines():
         name, kind = line.split()[:2]
         if kind != "A":  # the names of symbol versions
             symbols.add(name.split("@")[0])
+            if name.split("@")[-1] != symbol_version(api):
+                unversioned.add(name)
     listed = (ROOT / "src/api/exports.txt").read_text(encoding="utf-8").split()
-    declared = [f.name for f in c_header.parse_headers(INCLUDE / "ups").functions]
+    declared = [f.name for f in api.functions]
     if len(set(listed)) != len(listed):
         sys.exit("src/api/exports.txt lists a function twice")
     compare("src/api/exports.txt", sorted(listed), sorted(declared), "The headers declare something else.")
     compare("src/api/exports.txt", sorted(listed), sorted(symbols), "The library exports something else.")
+    if unversioned:
+        sys.exit(f"not of version {symbol_version(api)}: {' '.join(sorted(unversioned))}")
     print(f"{len(listed)} functions are declared, listed and exported")
 
 
@@ -78,9 +100,8 @@ def check_headers(arguments):
 # ---- layout
 
 
-def measure_layout(cc):
+def measure_layout(cc, api, include):
     """A line for each struct with its size, field with its offset and size, enumerator with its value."""
-    api = c_header.parse_headers(INCLUDE / "ups")
     lines = ["#include <stdio.h>", "#include <ups/ups.h>", "int main(void) {"]
     for s in api.structs:
         lines.append(f'printf("{s.name} %zu\\n", sizeof({s.name}));')
@@ -93,12 +114,12 @@ def measure_layout(cc):
     with tempfile.TemporaryDirectory() as folder:
         source = Path(folder, "layout.c")
         source.write_text("\n".join(lines))
-        run(cc, "-std=c99", "-I", INCLUDE, source, "-o", source.with_suffix(""))
+        run(cc, "-std=c99", "-I", include, source, "-o", source.with_suffix(""))
         return run(source.with_suffix("")).splitlines()
 
 
 def check_layout(arguments):
-    found = measure_layout(arguments.cc)
+    found = measure_layout(arguments.cc, c_header.parse_headers(INCLUDE / "ups"), INCLUDE)
     if arguments.write:
         (HERE / "layout.txt").write_text("\n".join(found) + "\n")
         return
@@ -109,6 +130,58 @@ def check_layout(arguments):
     print(f"{len(found)} sizes, offsets and values are those of layout.txt")
 
 
+# ---- defaults
+
+
+def default_lines(api, struct):
+    """C that prints the fields of the variable d, a line each; the elements of an array in one."""
+    for field in struct.fields[1:]:
+        kind = api.aliases.get(field.type.name, field.type.name)
+        index = "[i]" if field.type.count else ""
+        value = f"d.{field.name}{index}"
+        if field.type.pointers:
+            pattern, value = "%s", f'{value} ? "set" : "NULL"'
+        elif kind in ("float", "double"):
+            pattern, value = ("%.9g" if kind == "float" else "%.17g"), f"(double){value}"
+        elif api.struct(kind):
+            pattern, value = "%u", f"(unsigned){value}.v"
+        else:
+            sign = "unsigned " if kind[0] in "us" else ""  # uint32_t, size_t
+            pattern, value = "%llu" if sign else "%lld", f"({sign}long long){value}"
+        yield f'  printf("  {field.name}");'
+        yield f'  for (int i = 0; i < {max(1, field.type.count)}; ++i) printf(" {pattern}", {value});'
+        yield '  printf("\\n");'
+
+
+def measure_defaults(arguments):
+    api = c_header.parse_headers(INCLUDE / "ups")
+    lines = ["#include <stdio.h>", "#include <ups/ups.h>", "int main(void) {"]
+    for f in api.functions:
+        if f.name.endswith("_init"):
+            struct = api.struct(f.parameters[0].type.name)
+            lines += [f"{{ {struct.name} d;", f"  {f.name}(&d, sizeof d);", f'  puts("{struct.name}");',
+                      *default_lines(api, struct), "}"]
+    lines.append("return 0; }")
+    library = Path(arguments.library).resolve()
+    with tempfile.TemporaryDirectory() as folder:
+        source = Path(folder, "defaults.c")
+        source.write_text("\n".join(lines))
+        run(arguments.cc, "-std=c99", *arguments.flags.split(), "-I", INCLUDE, source, library,
+            f"-Wl,-rpath,{library.parent}", "-o", source.with_suffix(""))
+        return run(source.with_suffix("")).splitlines()
+
+
+def check_defaults(arguments):
+    found = measure_defaults(arguments)
+    if arguments.write:
+        (HERE / "defaults.txt").write_text("\n".join(found) + "\n")
+        return
+    compare("tests/abi/defaults.txt", (HERE / "defaults.txt").read_text().splitlines(), found,
+            "Defaults changed, by which programs get other results without being compiled anew.\n"
+            "To accept: tests/abi/check_abi.py defaults --write --library LIBRARY")
+    print(f"{len(found)} structs and defaults are those of defaults.txt")
+
+
 # ---- baseline
 
 
@@ -117,15 +190,16 @@ def declaration(v):
     return "const " + star if v.type.const else star
 
 
-def build_empty_library(cc, folder):
+def build_empty_library(cc, api, include, folder, soname=None):
     lines = ["#include <ups/ups.h>"]
-    for f in c_header.parse_headers(INCLUDE / "ups").functions:
+    for f in api.functions:
         returns = declaration(c_header.Variable(f.name, f.returns))
         parameters = ", ".join(map(declaration, f.parameters)) or "void"
         body = "" if f.returns == c_header.Type("void", False, 0, 0) else "return 0; "
         lines.append(f"{returns}({parameters}) {{ {body}}}")
     Path(folder, "ups.c").write_text("\n".join(lines) + "\n")
-    run(cc, "-std=c99", "-g", "-w", "-shared", "-fPIC", "-I", INCLUDE, "ups.c", "-o", "libups.so", cwd=folder)
+    name = [f"-Wl,-soname,{soname}"] if soname else []
+    run(cc, "-std=c99", "-g", "-w", "-shared", "-fPIC", *name, "-I", include, "ups.c", "-o", "libups.so", cwd=folder)
     return Path(folder, "libups.so")
 
 
@@ -135,7 +209,7 @@ def check_baseline(arguments):
         sys.exit(SKIPPED)
     baseline = HERE / "baseline.abi"
     with tempfile.TemporaryDirectory() as folder:
-        library = build_empty_library(arguments.cc, folder)
+        library = build_empty_library(arguments.cc, c_header.parse_headers(INCLUDE / "ups"), INCLUDE, folder)
         if arguments.write:
             run("abidw", "--no-show-locs", "--no-corpus-path", "--no-comp-dir-path", "--no-architecture", library,
                 "--out-file", baseline)
@@ -150,11 +224,12 @@ def check_baseline(arguments):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("question", choices=("exports", "headers", "layout", "baseline"))
-    parser.add_argument("--library", help="libups.so, for exports")
+    parser.add_argument("question", choices=("exports", "headers", "layout", "defaults", "baseline"))
+    parser.add_argument("--library", help="libups.so, for exports and defaults")
     parser.add_argument("--cc", default="cc", help="C compiler")
     parser.add_argument("--cxx", default="c++", help="C++ compiler")
-    parser.add_argument("--write", action="store_true", help="layout, baseline: write the committed file")
+    parser.add_argument("--flags", default="", help="of the C compiler for programs that use the library")
+    parser.add_argument("--write", action="store_true", help="layout, defaults, baseline: write the committed file")
     arguments = parser.parse_args()
     globals()["check_" + arguments.question](arguments)
 

@@ -46,7 +46,7 @@ def main():
         assert all(OF_THE_SYSTEM.fullmatch(name) for name in outside), outside
         assert any(n.startswith("libembree") for n in own) and any(n.startswith("libtbbmalloc") for n in own), own
         licences = {p.name for p in (package / "licences").iterdir()}
-        assert {"UPS", "libtbb12"} < licences and any(n.startswith("libembree") for n in licences), licences
+        assert {"UPS", "THIRD-PARTY.md", "libtbb12"} < licences and any(n.startswith("libembree") for n in licences), licences
         assert all((package / "licences" / n).stat().st_size > 500 for n in licences)
     else:
         assert any(n.startswith("libembree") for n in outside) and not any(n.startswith("libembree") for n in own)

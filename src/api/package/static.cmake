@@ -1,0 +1,43 @@
+# libups.a and one for each extra: the objects of the shared library and all that is inside it in one archive. Nothing
+# is compiled for them. A program that is linked with one is linked with Embree, oneTBB and so on itself; a shared
+# library that is exports the API as its own, unless it is linked with -Wl,--exclude-libs,ALL.
+find_package(embree NAMES embree4 embree REQUIRED)
+set(embree_library embree${EMBREE_VERSION_MAJOR})
+set(static_dependencies)
+if(NOT UPS_BUILD_STATIC)
+  return()
+endif()
+
+function(ups_static_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 this "" "" "TARGETS;LINK")
+  list(TRANSFORM this_TARGETS REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")
+  add_library(${name}_static STATIC ${this_TARGETS})
+  string(REPLACE "ups_" "" exported ${name}_static)
+  if(name STREQUAL "ups")
+    set(exported ups_static)
+  endif()
+  set_target_properties(${name}_static PROPERTIES OUTPUT_NAME ${name} LINKER_LANGUAGE CXX EXPORT_NAME ${exported})
+  target_include_directories(${name}_static INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_definitions(${name}_static INTERFACE UPS_STATIC)
+  target_link_libraries(${name}_static INTERFACE ${this_LINK} stdc++ m)
+  install(TARGETS ${name}_static EXPORT ups_static_targets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+endfunction()
+
+list(APPEND static_dependencies embree TBB)
+set(layers render transport fixture scene sensor emitter bsdf geometry base photometry)
+list(TRANSFORM layers PREPEND ups_)
+ups_static_library(ups TARGETS ups ${layers} LINK $<INSTALL_INTERFACE:embree> $<INSTALL_INTERFACE:TBB::tbb>)
+if(TARGET ups_gltf)
+  list(APPEND static_dependencies TinyGLTF)
+  ups_static_library(ups_gltf TARGETS ups_gltf_objects LINK ups_static $<INSTALL_INTERFACE:TinyGLTF::TinyGLTF>)
+endif()
+if(TARGET ups_exr)
+  list(APPEND static_dependencies OpenEXR)
+  ups_static_library(ups_exr TARGETS ups_exr LINK $<INSTALL_INTERFACE:OpenEXR::OpenEXR>)
+endif()
+if(TARGET ups_ocio)
+  ups_static_library(ups_ocio TARGETS ups_ocio LINK OpenColorIO)
+endif()
+install(EXPORT ups_static_targets FILE upsStaticTargets.cmake NAMESPACE ups:: DESTINATION ${package_dir}
+        COMPONENT development)
