@@ -1,6 +1,5 @@
 // All emitters of a scene, and the choice among them for light paths and for next-event estimation.
 #pragma once
-#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -16,10 +15,6 @@ class EmitterSet {
   // exposed: of each emitter, the share of its flux that reaches a surface where next-event estimation can pick it, in
   // [0, 1]; empty: all. A lamp behind a lens has none, and choosing it there is wasted. Only choose_direct uses it.
   explicit EmitterSet(std::vector<std::shared_ptr<const Emitter>> emitters, const std::vector<float>& exposed = {});
-  explicit EmitterSet(std::vector<std::unique_ptr<Emitter>> emitters, const std::vector<float>& exposed = {})
-      : EmitterSet(std::vector<std::shared_ptr<const Emitter>>(std::make_move_iterator(emitters.begin()),
-                                                               std::make_move_iterator(emitters.end())),
-                   exposed) {}
 
   // Whether `exposed` makes a difference for so many emitters.
   static bool uses_exposed(size_t count) { return count > 1 && count <= LightTree::max_listed; }

@@ -86,7 +86,7 @@ class MeterRings {
     uint8_t largest_batch = 0;                // that with paths.largest
     SampleOrigin largest;                     // the same
     double choice_variance = 0;               // lx2, of the reading by which discs were chosen
-    double bias_scale = 0;                  // of the discs: light that changes evenly is biased in proportion
+    double bias_scale = 0;                    // of the discs: light that changes evenly is biased in proportion
     double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
     bool halves_differ = false;  // in their discs
   };

@@ -283,14 +283,12 @@ ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passe
   s.min_low_lx = s.min_high_lx = s.max_low_lx = s.max_high_lx = s.uniformity_low = s.uniformity_high = -1;
   s.percentile_5_low_lx = s.percentile_5_high_lx = s.diversity_low = s.diversity_high = -1;
   if (meters.count() == 0) return s;
-  std::vector<double> values;
-  for (size_t m = 0; m < meters.count(); ++m) values.push_back(meters.value(m));
+  const LowerRanks ranks(meters);
   s.mean_lx = meters.mean();
-  s.min_lx = *std::min_element(values.begin(), values.end());
-  s.max_lx = *std::max_element(values.begin(), values.end());
+  s.min_lx = ranks.value(0);
+  s.max_lx = ranks.value(meters.count() - 1);
   s.uniformity = s.mean_lx > 0 ? s.min_lx / s.mean_lx : 0;
   s.diversity = s.max_lx > 0 ? s.min_lx / s.max_lx : 0;
-  const LowerRanks ranks(meters);
   s.percentile_5_lx = ranks.value(ranks.rank_at(0.05));
   add_mean(meters, passes, known, s);
   if (meters.used() >= min_batches_of_interval) add_intervals(meters, ranks, s);

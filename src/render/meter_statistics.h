@@ -73,8 +73,6 @@ class LowerRanks {
   Interval interval(size_t rank) const;  // 95 %; of the upper half the negative meters' ranks tell more
 
  private:
-  double noise_at(size_t rank) const;
-  Interval interval_at(size_t rank) const;
   struct Order {
     std::vector<uint32_t> meters;  // ascending
     std::vector<double> up_to;     // by rank, the weight of it and those before
@@ -84,6 +82,9 @@ class LowerRanks {
     size_t rank_above(double weight) const;
     std::span<const uint32_t> between(double begin, double end) const;
   };
+  double noise_at(size_t rank) const;
+  Interval interval_at(size_t rank) const;
+
   MeterBatches meters_;
   Order all_, by_half_[2];  // by all batches, by the even and by the odd ones
 };
@@ -104,6 +105,7 @@ class MeterRanks {
   size_t first_rank(double threshold, double Interval::*end) const;
   LowerRanks lower_, upper_;  // upper_: of the negative
 };
+
 // All but the relative errors, of so many passes. known: the spread of the mean's batches is its error.
 ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passes, bool known);
 

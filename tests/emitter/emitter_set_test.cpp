@@ -16,7 +16,7 @@ constexpr double false_alarm = 1e-4;
 // Lengths scaled, as are areas and the sun's disc; radiance and illuminance stay, points' intensities grow with them.
 EmitterSet mixed_set(float scale = 1) {
   const float s2 = scale * scale;
-  std::vector<std::unique_ptr<Emitter>> e;
+  std::vector<std::shared_ptr<const Emitter>> e;
   e.push_back(std::make_unique<PointEmitter>(Vec3(0, 0, 3) * scale, Rgb(0), 0.0f));  // dark, first
   e.push_back(std::make_unique<PointEmitter>(Vec3(2, 0, 3) * scale, Rgb(10) * s2, 0.0f));
   e.push_back(std::make_unique<PointEmitter>(Vec3(-20, 5, 3) * scale, Rgb(100) * s2, 0.0f));
@@ -29,7 +29,7 @@ EmitterSet mixed_set(float scale = 1) {
 
 EmitterSet many_points(int n) {
   Random random(30);
-  std::vector<std::unique_ptr<Emitter>> e;
+  std::vector<std::shared_ptr<const Emitter>> e;
   for (int i = 0; i < n; ++i) {
     const Vec3 p = random.in_box(10);
     e.push_back(std::make_unique<PointEmitter>(p, Rgb(random()), 0.0f));
@@ -86,7 +86,7 @@ std::shared_ptr<const RaySet> ray_set() {
 TEST(EmitterSet, LooksAtNoRays) {
   for (int points : {2, 100}) {
     Random random(40);
-    std::vector<std::unique_ptr<Emitter>> with, without;
+    std::vector<std::shared_ptr<const Emitter>> with, without;
     with.push_back(std::make_unique<RayEmitter>(ray_set(), Frame(), Vec3(1, 2, 3), Rgb(1)));
     for (int i = 0; i < points; ++i) {
       const Vec3 p = random.in_box(5);
@@ -105,7 +105,7 @@ TEST(EmitterSet, LooksAtNoRays) {
           [&](size_t i) { return all.direct_probability({p}, i); }, uint32_t(41 + points));
     }
   }
-  std::vector<std::unique_ptr<Emitter>> rays;
+  std::vector<std::shared_ptr<const Emitter>> rays;
   rays.push_back(std::make_unique<RayEmitter>(ray_set(), Frame(), Vec3(1, 2, 3), Rgb(1)));
   const EmitterSet alone(std::move(rays));
   EXPECT_EQ(alone.choose_direct({}, 0.5f).probability, 0);
@@ -156,7 +156,7 @@ TEST(EmitterSet, TheSecondNumberGoesOnWhereTheFirstEnds) {
 
 // A sheet that emits to both sides is chosen alike from both.
 TEST(EmitterSet, SheetsAreChosenFromBothSides) {
-  std::vector<std::unique_ptr<Emitter>> e;
+  std::vector<std::shared_ptr<const Emitter>> e;
   e.push_back(std::make_unique<AreaEmitter>(rectangle(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)), Rgb(5), true, 0));
   e.push_back(std::make_unique<PointEmitter>(Vec3(4, 0, 0), Rgb(5), 0.0f));
   const EmitterSet set(std::move(e));
@@ -210,7 +210,7 @@ TEST(EmitterSet, DirectPrefersTheNearAndForgetsNone) {
 
 // A lamp of a millionth of another's flux, which may be hidden: 2.5 % of the choices go by number.
 TEST(EmitterSet, DirectForgetsNoWeakOneBesideAStrongOne) {
-  std::vector<std::unique_ptr<Emitter>> e;
+  std::vector<std::shared_ptr<const Emitter>> e;
   e.push_back(std::make_unique<PointEmitter>(Vec3(2, 2, 2.5f), Rgb(1), 0.0f));
   e.push_back(std::make_unique<PointEmitter>(Vec3(6, 2, 2.5f), Rgb(1e6f), 0.0f));
   const EmitterSet set(std::move(e));
@@ -235,14 +235,14 @@ TEST(EmitterSet, DependsOnNoUnitOfLength) {
 TEST(EmitterSet, NothingAndOneAndCoincidentOnes) {
   EXPECT_EQ(EmitterSet().choose_emission(0.5f).probability, 0);
   EXPECT_EQ(EmitterSet().choose_direct({}, 0.5f).probability, 0);
-  std::vector<std::unique_ptr<Emitter>> dark;
+  std::vector<std::shared_ptr<const Emitter>> dark;
   dark.push_back(std::make_unique<PointEmitter>(Vec3(), Rgb(0), 0.0f));
   const EmitterSet dark_set(std::move(dark));
   EXPECT_EQ(dark_set.choose_emission(0.5f).probability, 0);
   EXPECT_EQ(dark_set.choose_direct({}, 0.5f).probability, 0);
   EXPECT_EQ(dark_set.direct_probability({}, 0), 0);
 
-  std::vector<std::unique_ptr<Emitter>> one, three;
+  std::vector<std::shared_ptr<const Emitter>> one, three;
   one.push_back(std::make_unique<PointEmitter>(Vec3(1, 2, 3), Rgb(1), 0.0f));
   const EmitterSet single(std::move(one));
   EXPECT_EQ(single.choose_direct({Vec3(1, 2, 3)}, 0.5f).probability, 1);

@@ -9,7 +9,7 @@ namespace ups::test {
 namespace {
 
 EmitterSet single(std::unique_ptr<Emitter> e) {
-  std::vector<std::unique_ptr<Emitter>> list;
+  std::vector<std::shared_ptr<const Emitter>> list;
   list.push_back(std::move(e));
   return EmitterSet(std::move(list));
 }
@@ -72,7 +72,7 @@ EmissionGuide trained(const EmitterSet& set, const Target& target, int n, uint32
 }
 
 TEST(Guide, WithoutTrainingNothingChanges) {
-  std::vector<std::unique_ptr<Emitter>> list;
+  std::vector<std::shared_ptr<const Emitter>> list;
   for (NamedEmitter& e : all_emitters()) list.push_back(std::move(e.emitter));
   const EmitterSet set(std::move(list));
   for (const EmissionGuide& guide : {EmissionGuide(), EmissionGuide(set, {})}) {
@@ -216,7 +216,7 @@ TEST(Guide, MeansStayAndNoiseFalls) {
 // ---- the choice of emitter ----
 
 EmitterSet points(const std::vector<float>& intensities) {
-  std::vector<std::unique_ptr<Emitter>> list;
+  std::vector<std::shared_ptr<const Emitter>> list;
   for (float i : intensities) list.push_back(std::make_unique<PointEmitter>(Vec3(), Rgb(i), 0.0f));
   return EmitterSet(std::move(list));
 }

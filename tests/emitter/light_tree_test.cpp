@@ -19,11 +19,11 @@ Frame random_frame(Random& random) {
 }
 
 // All kinds in turn, anywhere in a box of 20 m x 20 m x 20 m, in any direction.
-std::vector<std::unique_ptr<Emitter>> all_kinds(int n, uint32_t seed) {
+std::vector<std::shared_ptr<const Emitter>> all_kinds(int n, uint32_t seed) {
   Random random(seed);
   const auto distribution = up_and_down();
   const auto openings = all_openings();
-  std::vector<std::unique_ptr<Emitter>> out;
+  std::vector<std::shared_ptr<const Emitter>> out;
   for (int i = 0; i < n; ++i) {
     const Frame f = random_frame(random);
     const Vec3 p = random.in_box(10);
@@ -160,7 +160,7 @@ class Hall : public ::testing::TestWithParam<int> {
       table.push_back(j < 18 ? 1000 * std::pow(std::cos(5 * j * pi_d / 180), 4) : 0);
     }
     const auto downlight = std::make_shared<photometry::Distribution>(std::vector<double>{0}, gamma, table);
-    std::vector<std::unique_ptr<Emitter>> out;
+    std::vector<std::shared_ptr<const Emitter>> out;
     const int n = GetParam();
     for (int i = 0; i < n * n; ++i)
       out.push_back(std::make_unique<ProfilePointEmitter>(
@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Hall, ::testing::Values(3, 8, 9, 32),
 // Nothing is spent on what lies behind the receiver, nor where there is no light at all.
 TEST(LightTree, LooksAheadOnly) {
   for (int n : {10, 200}) {
-    std::vector<std::unique_ptr<Emitter>> e;
+    std::vector<std::shared_ptr<const Emitter>> e;
     for (int i = 0; i < n; ++i)
       e.push_back(std::make_unique<PointEmitter>(Vec3(float(i % 10), float(i / 10), i % 2 ? 1.0f : -1.0f), Rgb(1), 0));
     const EmitterSet set(std::move(e));
@@ -225,7 +225,7 @@ TEST(LightTree, LooksAheadOnly) {
 // Hidden ones are left to a hundredth of their part.
 TEST(LightTree, LeavesTheHiddenAside) {
   for (int n : {2, 200}) {
-    std::vector<std::unique_ptr<Emitter>> e;
+    std::vector<std::shared_ptr<const Emitter>> e;
     std::vector<float> exposed;
     for (int i = 0; i < n; ++i) {
       e.push_back(std::make_unique<PointEmitter>(Vec3(float(i % 10), float(i / 10), 5), Rgb(1), 0.0f));

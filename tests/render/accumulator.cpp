@@ -14,7 +14,7 @@ using namespace ups;
 MeterTally path(double value, double direct = 0, double bias = 0) { return MeterTally::of_path(value, direct, bias); }
 
 void add_lamp(Snapshot& scene) {
-  std::vector<std::unique_ptr<Emitter>> lamp;
+  std::vector<std::shared_ptr<const Emitter>> lamp;
   lamp.push_back(std::make_unique<PointEmitter>(Vec3(), Rgb(1.0f), 0.0f));
   scene.emitters = EmitterSet(std::move(lamp));
   scene.radius = 1;

@@ -65,7 +65,7 @@ class WrongEmitter : public PointEmitter {
 
 std::shared_ptr<Snapshot> room_with(float factor) {
   auto scene = test::room(UPS_MATERIAL_MATTE);
-  std::vector<std::unique_ptr<Emitter>> emitters;
+  std::vector<std::shared_ptr<const Emitter>> emitters;
   emitters.push_back(std::make_unique<WrongEmitter>(Rgb(100.0f), factor));
   scene->emitters = EmitterSet(std::move(emitters), {});
   return scene;

@@ -72,7 +72,7 @@ class InfiniteEmitter : public PointEmitter {
 
 TEST(Hazard02, LightPathsThatStartWithoutAFiniteFluxAreCounted) {
   const auto scene = test::room(UPS_MATERIAL_MATTE);
-  std::vector<std::unique_ptr<Emitter>> emitters;
+  std::vector<std::shared_ptr<const Emitter>> emitters;
   emitters.push_back(std::make_unique<InfiniteEmitter>(Vec3(), Rgb(1.0f), 0.0f));
   scene->emitters = EmitterSet(std::move(emitters), {});
   const IterationTally tally = run(scene, all_techniques);
@@ -94,7 +94,7 @@ class Poison {
                              &m.ior_rgb.g,      &m.ior_k_rgb.r};
     for (int i = 0; i < 1 + pick(2); ++i) *values[pick(int(std::size(values)))] = value();
     if (pick(4) > 0) return;
-    std::vector<std::unique_ptr<Emitter>> emitters;
+    std::vector<std::shared_ptr<const Emitter>> emitters;
     emitters.push_back(std::make_unique<PointEmitter>(Vec3(), Rgb(value()), 0.0f));
     scene.emitters = EmitterSet(std::move(emitters), {});
   }
