@@ -195,8 +195,8 @@ TEST_F(Images, APictureSaysItsExposureAndThatItWasSmoothed) {
   const Png said = read_png(path("p.png"));
   int white = 0;
   for (int y = 45; y < 60; ++y)
-    for (int x = 0; x < 200; ++x) white += said.at(x, y)[1] == 255;
-  EXPECT_GT(white, 100);  // dots of letters
+    for (int x = 0; x < 200; ++x) white += said.at(x, y)[1] > 128;
+  EXPECT_GT(white, 100);  // letters' strokes
   desc.smoothed = 2;
   EXPECT_EQ(ups_ocio_write_picture_png(path("q.png").c_str(), &desc), UPS_ERROR_INVALID_ARGUMENT);
   EXPECT_FALSE(std::filesystem::exists(path("q.png")));
@@ -265,18 +265,18 @@ TEST_F(Images, FalseColorSaysThatValuesExceedItsScale) {
   const auto ink_of_top_label = [&] {
     EXPECT_EQ(ups_ocio_write_false_color_png(path("f.png").c_str(), &desc), UPS_OK) << ups_ocio_last_error();
     const Png png = read_png(path("f.png"));
-    int ink = 0;
+    double ink = 0;  // pixels: letters have soft edges
     for (int y = 61; y < 77; ++y) {  // at the top of the 480 pixels of values, right of the colour bar
-      for (int x = 578; x < png.width; ++x) ink += png.at(x, y) == std::vector<int>{30, 30, 30};
+      for (int x = 578; x < png.width; ++x) ink += (255 - png.at(x, y)[1]) / 225.0;
     }
     return ink;
   };
-  const int within = ink_of_top_label();
+  const double within = ink_of_top_label();
   EXPECT_GT(within, 0);
   values[5] = 1000;  // one of 400: above the 99th percentile, so the scale still ends at 10
   EXPECT_GT(ink_of_top_label(), within + 20);
   desc.scale_max = 1000;
-  const int wide = ink_of_top_label();
+  const double wide = ink_of_top_label();
   values[5] = 10;
   EXPECT_EQ(ink_of_top_label(), wide);
 }

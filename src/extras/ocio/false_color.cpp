@@ -20,6 +20,7 @@ constexpr Color knots[] = {{68, 1, 84},    {72, 24, 106},  {71, 45, 123},  {66, 
 constexpr int knot_count = int(std::size(knots));
 
 constexpr Color background{255, 255, 255}, ink{30, 30, 30}, unknown{150, 150, 150};
+constexpr uint32_t letter_units = 7;   // a capital's height, in the picture's unit of length
 constexpr uint32_t target_size = 480;  // pixels of the longer side of an enlarged grid
 constexpr double large_share = 0.99;   // where the scale ends: a few hot pixels must not take all of it
 
@@ -74,6 +75,7 @@ void draw_values(Picture& picture, const ups_ocio_false_color_desc& desc, const 
 // largest: of the values; where it lies beyond the scale's end, the label there says "at least".
 void draw_scale(Picture& picture, const Scale& scale, double largest, const std::string& unit, uint32_t x, uint32_t y,
                 uint32_t width, uint32_t height, uint32_t size) {
+  const uint32_t letter = letter_units * size;
   for (uint32_t i = 0; i < height; ++i) {
     picture.fill(x, y + i, width, 1, false_color(height > 1 ? 1 - double(i) / (height - 1) : 0));
   }
@@ -83,12 +85,12 @@ void draw_scale(Picture& picture, const Scale& scale, double largest, const std:
     const double fraction = std::clamp((value - scale.min) / (scale.max - scale.min), 0.0, 1.0);
     const auto line = uint32_t(std::lround((1 - fraction) * (height - 1)));
     picture.fill(x + width, y + line, 3 * size, 1, ink);
-    const uint32_t half = glyph_height * size / 2;
+    const uint32_t half = letter / 2;
     std::string label = tick_label(value, scale.step);
     if (line == 0 && largest > scale.max) label.insert(label.begin(), at_least_sign);
-    draw_text(picture, label, x + width + 5 * size, y + line > half ? y + line - half : 0, size, ink);
+    draw_text(picture, label, x + width + 5 * size, y + line > half ? y + line - half : 0, letter, ink);
   }
-  draw_text(picture, unit, x, y - (glyph_height + 4) * size, size, ink);
+  draw_text(picture, unit, x, y - letter - 4 * size, letter, ink);
 }
 
 }  // namespace
@@ -135,18 +137,18 @@ Picture false_color_picture(const ups_ocio_false_color_desc& desc) {
 
   const uint32_t zoom = std::max(1u, target_size / std::max(desc.columns, desc.rows));
   const uint32_t width = desc.columns * zoom, height = desc.rows * zoom;
-  const uint32_t size = std::max(1u, std::max(width, height) / 240);  // of a letter's dot
-  const uint32_t margin = 10 * size, line = (glyph_height + 5) * size, bar = 14 * size;
+  const uint32_t size = std::max(1u, std::max(width, height) / 240);  // what all lengths are counted in
+  const uint32_t margin = 10 * size, letter = letter_units * size, line = letter + 5 * size, bar = 14 * size;
   const uint32_t top = margin + 2 * line;
   const uint32_t scale_height = std::max(height, 12 * line);
-  const uint32_t label_space = 5 * size + 10 * glyph_width * size;
+  const uint32_t label_space = 5 * size + text_width("0000000000", letter);
   const uint32_t content =
-      std::max(width + 2 * margin + bar + label_space, std::max(text_width(title, size), text_width(footer, size)));
+      std::max(width + 2 * margin + bar + label_space, std::max(text_width(title, letter), text_width(footer, letter)));
   Picture picture(2 * margin + content, top + scale_height + line + 2 * margin, background);
-  draw_text(picture, title, margin, margin, size, ink);
+  draw_text(picture, title, margin, margin, letter, ink);
   draw_values(picture, desc, scale, margin, top, zoom);
   draw_scale(picture, scale, statistics.max, unit, 3 * margin + width, top, bar, scale_height, size);
-  draw_text(picture, footer, margin, top + scale_height + margin, size, ink);
+  draw_text(picture, footer, margin, top + scale_height + margin, letter, ink);
   return picture;
 }
 

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "ocio/glyphs.h"
-
 namespace ups::ocio {
 
 using Color = std::array<uint8_t, 3>;
@@ -20,10 +18,10 @@ struct Picture {
   void fill(uint32_t x, uint32_t y, uint32_t w, uint32_t h, const Color& color);  // cut at the borders
 };
 
-// Letters of a 5x7 font, each dot a square of `size` pixels; characters that it lacks are blanks. x, y: top left.
-inline constexpr uint32_t glyph_width = 6;  // with the gap between letters
-uint32_t text_width(const std::string& text, uint32_t size);
-void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y, uint32_t size, const Color& color);
+// Printable ASCII and at_least_sign; other characters are blanks. height: of a capital, pixels. x, y: top left of it.
+inline constexpr char at_least_sign = '\1';  // that ASCII lacks
+uint32_t text_width(const std::string& text, uint32_t height);
+void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y, uint32_t height, const Color& color);
 
 // White on a dark strip along the bottom edge.
 void draw_bottom_line(Picture& picture, const std::string& text);
