@@ -128,8 +128,10 @@ void tell_selection(const Integrator& integrator, MethodChoice& method) {
     const bool camera = i < scene.cameras.size();
     const auto uses = [&](uint32_t t) { return (sensor.techniques & t) != 0; };
     constexpr const char* photons[] = {"", ", caustic photons", ", photons"};  // UPS_PHOTONS_*
+    constexpr double large = 99;  // beyond, short trials tell no more than that
     char gain[64];
-    std::snprintf(gain, sizeof gain, "predicted: %.2g times as fast as all techniques", sensor.predicted_gain);
+    std::snprintf(gain, sizeof gain, "predicted: %s%.2g times as fast as all techniques",
+                  sensor.predicted_gain > large ? "over " : "", std::min(sensor.predicted_gain, large));
     method.text += (camera ? "camera " + std::to_string(scene.camera_ids[i])
                            : "meters " + std::to_string(scene.meter_set_ids[i - scene.cameras.size()])) +
                    ": eye paths" + (uses(connect) ? ", connections" : "") + (uses(sensor_connect) ? ", splats" : "") +

@@ -57,9 +57,11 @@ std::string for_people(const PageInput& in, std::string line) {
   if (const size_t call = line.find("; see ups_"); call != std::string::npos) line.erase(call);
   constexpr uint32_t number_bits = 0xffffff;
   for (const SensorEntry& sensor : in.scene.sensors) {
-    const std::string kind = sensor.info.kind == UPS_GLTF_METERS ? "meters " : "camera ";
+    const bool observer = sensor.info.kind == UPS_GLTF_OBSERVER;  // to the library, meters at an eye
+    const std::string kind = observer || sensor.info.kind == UPS_GLTF_METERS ? "meters " : "camera ";
     const std::string number = kind + std::to_string(sensor.info.sensor.v & number_bits) + ":";
-    if (line.compare(0, number.size(), number) == 0) return line.replace(0, number.size(), kind + sensor.name + ":");
+    if (line.compare(0, number.size(), number) == 0)
+      return line.replace(0, number.size(), (observer ? "observer " : kind) + sensor.name + ":");
   }
   return line;
 }
