@@ -212,6 +212,7 @@ UPS_API ups_status ups_fixture_add_collimator(ups_fixture *fixture, const ups_co
                                               ups_fixture_part_id *out);
 UPS_API ups_status ups_fixture_add_part(ups_fixture *fixture, const ups_fixture_part_desc *desc,
                                         ups_fixture_part_id *out);
+/* info->struct_size must be set. */
 UPS_API ups_status ups_fixture_get_info(const ups_fixture *fixture, ups_fixture_info *info);
 
 /* Places a fixture: adds its parts as meshes and instances. The luminance of an emitter is its flux / (pi * the area of

@@ -73,17 +73,17 @@ UPS_API ups_status ups_gltf_get_sensor_count(const ups_gltf_import *import_resul
 UPS_API ups_status ups_gltf_get_sensor(const ups_gltf_import *import_result, uint32_t index,
                                        ups_gltf_sensor_info *info);
 /* Unique in the file and fit for a file name: [A-Za-z0-9._-], at most 200 bytes; an observer's as the file has it. Two
- * calls: text NULL and capacity 0
- * give *needed (with the final zero), then the text. */
+ * calls: text NULL and capacity 0 give *needed (with the final zero), then the text. */
 UPS_API ups_status ups_gltf_get_sensor_name(const ups_gltf_import *import_result, uint32_t index, char *text,
                                             size_t capacity, size_t *needed);
 /* Name of a source as ups_result_get_source tells it (kind, id): that of its node, unique among the file's sources by
  * _2, _3, and of [A-Za-z0-9._-], at most 200 bytes; of a node without a name "luminaire_1", "instance_1", "fixture_1",
- * counted through the file. Two calls, as above. Errors: INVALID_ARGUMENT for a group, or what the file did not add. */
+ * counted through the file. Two calls, as ups_gltf_get_sensor_name. Errors: INVALID_ARGUMENT for a group, or what the
+ * file did not add. */
 UPS_API ups_status ups_gltf_get_source_name(const ups_gltf_import *import_result, ups_source_kind kind, uint32_t id,
                                             char *text, size_t capacity, size_t *needed);
 /* The photometric file of a luminaire, as the scene file names it; empty: it has none, or it lies within the scene
- * file. Two calls and errors, as above. */
+ * file. Two calls and errors, as ups_gltf_get_source_name. */
 UPS_API ups_status ups_gltf_get_source_file(const ups_gltf_import *import_result, ups_source_kind kind, uint32_t id,
                                             char *text, size_t capacity, size_t *needed);
 /* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;
@@ -92,7 +92,8 @@ UPS_API ups_status ups_gltf_get_source_file(const ups_gltf_import *import_result
  * them once the scene is committed. */
 UPS_API ups_status ups_gltf_read_meters(const ups_gltf_import *import_result, uint32_t index, double *positions_m,
                                         float *normals, size_t count);
-/* For people, a line each: what was left out or looks wrong, each with its place. Two calls, as above. */
+/* For people, a line each: what was left out or looks wrong, each with its place. Two calls, as
+ * ups_gltf_get_sensor_name. */
 UPS_API ups_status ups_gltf_get_warnings(const ups_gltf_import *import_result, char *text, size_t capacity,
                                          size_t *needed);
 

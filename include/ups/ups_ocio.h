@@ -15,15 +15,15 @@
  * luminance_rgb: 3 floats a pixel, linear Rec.709, row 0 at the top; one that is not finite is
  * UPS_ERROR_INVALID_ARGUMENT. */
 UPS_API ups_status ups_ocio_choose_exposure(const float *luminance_rgb, uint32_t width, uint32_t height, double *out);
-/* The exposure value at ISO 100 of such a factor, and the other way round: EV100 = log2(8 L), with L = 0.26 / exposure
- * the luminance that the view shows as an 18 % grey (a reflected-light meter of K = 12.5, ISO 2720). ev100: finite,
- * within -100 and 100. */
+/* Both: the exposure value at ISO 100 of such a factor, and the other way round: EV100 = log2(8 L), with
+ * L = 0.26 / exposure the luminance that the view shows as an 18 % grey (a reflected-light meter of K = 12.5, ISO 2720).
+ * ev100: finite, within -100 and 100. */
 UPS_API ups_status ups_ocio_get_ev100(double exposure, double *out);
 UPS_API ups_status ups_ocio_get_exposure(double ev100, double *out);
 
-/* exposure as above; 0: chosen from the image. The view is OpenColorIO's built-in ACES output for SDR video, on an sRGB
- * display; no configuration file is read. The file appears whole or not at all, and links, devices and permissions are
- * kept as by ups_exr_write. */
+/* exposure: the factor of ups_ocio_choose_exposure; 0: chosen from the image. The view is OpenColorIO's built-in ACES
+ * output for SDR video, on an sRGB display; no configuration file is read. The file appears whole or not at all, and
+ * links, devices and permissions are kept as by ups_exr_write. */
 UPS_API ups_status ups_ocio_write_png(const char *path, const float *luminance_rgb, uint32_t width, uint32_t height,
                                       double exposure);
 

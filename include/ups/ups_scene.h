@@ -146,7 +146,7 @@ UPS_API ups_status ups_scene_set_mesh(ups_scene *scene, ups_mesh_id id, const up
  * are. */
 UPS_API ups_status ups_scene_set_mesh_vertices(ups_scene *scene, ups_mesh_id id, const float *positions_m,
                                                const float *normals, uint32_t vertex_count);
-/* Not of a fixture's parts, which ups_scene_set_fixture places. */
+/* Both: not of a fixture's parts, which ups_scene_set_fixture places. */
 UPS_API ups_status ups_scene_set_instance(ups_scene *scene, ups_instance_id id, const ups_instance_desc *desc);
 UPS_API ups_status ups_scene_set_transform(ups_scene *scene, ups_instance_id id, const double to_world[12]);
 /* Keeps the dimming. An id of a luminaire is refused, as that of a light by ups_scene_set_luminaire. */
@@ -177,8 +177,8 @@ UPS_API ups_status ups_scene_get_luminaire_profile(const ups_scene *scene, ups_l
 UPS_API ups_status ups_scene_get_dimming(const ups_scene *scene, ups_luminaire_id id, float *out);
 UPS_API ups_status ups_scene_get_maintenance_factor(const ups_scene *scene, double *out);
 
-/* Fails where a material has the texture, a mesh the material, an instance the mesh; a set of meters on surfaces fails
- * at the next commit where one of its instances was removed. */
+/* Each fails where something still has it: a material the texture, a mesh the material, an instance the mesh. A set of
+ * meters on surfaces fails at the next commit where one of its instances was removed. */
 UPS_API ups_status ups_scene_remove_texture(ups_scene *scene, ups_texture_id id);
 UPS_API ups_status ups_scene_remove_material(ups_scene *scene, ups_material_id id);
 UPS_API ups_status ups_scene_remove_mesh(ups_scene *scene, ups_mesh_id id);
