@@ -25,7 +25,7 @@ sys.path.insert(0, str(ROOT / "bindings"))
 import c_header  # noqa: E402
 
 FUNCTIONS = set()  # that the headers declare: their names become links
-STATUS = re.compile(r"(?<![A-Z_#])(?:UPS_ERROR_)?(INVALID_ARGUMENT|INVALID_STATE|OUT_OF_MEMORY|PARSE|UNSUPPORTED|"
+STATUS = re.compile(r"(?<![A-Za-z_#])(?:UPS_ERROR_)?(INVALID_ARGUMENT|INVALID_STATE|OUT_OF_MEMORY|PARSE|UNSUPPORTED|"
                     r"BUFFER_TOO_SMALL|IO)\b")
 
 
@@ -71,7 +71,7 @@ def marked_up(comment):
 
 class Theme:
     def __init__(self, name, title, sources):
-        self.name, self.title, self.sources, self.functions = name, title, sources, {}
+        self.name, self.title, self.sources, self.functions, self.about = name, title, sources, {}, ""
 
 
 class Facts:
@@ -85,6 +85,8 @@ def read_themes():
     for line in text[text.index("\n# "):].splitlines():
         if m := re.fullmatch(r"# (\w+) \| (.*?) \|(.*)", line):
             themes.append(Theme(m[1], m[2], m[3].split()))
+        elif m := re.fullmatch(r"about: (.*)", line):
+            themes[-1].about = m[1]
         elif m := re.fullmatch(r"(ups_\w+): (.*)", line):
             facts = Facts(m[2])
             if themes[-1].functions.setdefault(m[1], facts) is not facts:
@@ -223,7 +225,7 @@ def main():
     text = ["#include <stdint.h>", "#include <stddef.h>"]
     for theme in themes:
         said = [r for h in theme.sources for r in remarks[h]]
-        brief = escaped(rules.theme_summary(said[0])) if said else ""
+        brief = escaped(theme.about or rules.theme_summary(said[0]))
         text += [f"/** @defgroup {theme.name} {theme.title}"]
         if theme.name == "base":
             text += ["@brief What every other header needs; @ref rules \"the rules of all functions\"", "*/"]
