@@ -22,7 +22,16 @@ trap 'rm -rf "$work"' EXIT
 export UPS_DOCS_INPUT=$work/input UPS_DOCS_OUTPUT=$work UPS_DOCS_SOURCE=$here
 UPS_DOCS_VERSION=$(sed -n 's/^project(ups VERSION \([0-9.]*\) .*/\1/p' "$here/../../CMakeLists.txt")
 export UPS_DOCS_VERSION
-doxygen "$here/Doxyfile" 2>"$work/warnings" || { cat "$work/warnings" >&2; exit 1; }
+
+# What later versions call otherwise: groups are topics, and there is a dark style, which style.css does not know.
+cp "$here/Doxyfile" "$here/layout.xml" "$work"
+since() { [ "$(printf '%s\n' "$1" "$(doxygen --version)" | sort -V | head -1)" = "$1" ]; }
+if since 1.9.5; then echo "HTML_COLORSTYLE = LIGHT" >>"$work/Doxyfile"; fi
+if since 1.9.8; then
+  sed -i 's/type="modules"/type="topics"/' "$work/layout.xml"
+  sed -i 's/(modules\.html)/(topics.html)/' "$work/input/mainpage.md"
+fi
+doxygen "$work/Doxyfile" 2>"$work/warnings" || { cat "$work/warnings" >&2; exit 1; }
 if [ -s "$work/warnings" ]; then
   cat "$work/warnings" >&2
   exit 1

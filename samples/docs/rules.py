@@ -144,6 +144,8 @@ def returns(function):
         return "UPS_OK, UPS_TIMEOUT, UPS_CANCELLED, or the error that ended the job."
     if function.name == "ups_context_pop_log":
         return "UPS_OK, also where the log is empty; else a status below 0."
+    if any(p.name == "capacity" for p in function.parameters):
+        return "UPS_OK, or a status below 0; then the outputs are as they were, but for needed."
     return "UPS_OK, or a status below 0; then the outputs are as they were."
 
 
@@ -180,7 +182,7 @@ def errors(function, listed, said):
         elif t.pointers and not t.const and "capacity" not in names and p.name not in OPTIONAL and (
                 t.name != "ups_fixture_part_id"):
             wrong.append(f"{p.name} is NULL" + (", or its struct_size is not set" if _sized(t) else ""))
-        elif t.pointers and t.name == "char":
+        elif t.pointers and t.const and t.name == "char":
             wrong.append(f"{p.name} is NULL")
         elif p.name in ("index", "source") and not t.pointers:
             wrong.append(f"{p.name} is not below the count")
