@@ -50,8 +50,8 @@ def check_sources(prefix):
     for file in ("lib/python3/dist-packages/ups/__init__.py", "lib/python3/dist-packages/ups/py.typed",
                  "share/ups/csharp/Ups.csproj", "share/ups/csharp/Ups.cs", "share/doc/ups/samples/c/room.c",
                  "share/doc/ups/samples/cpp/room.cpp", "share/doc/ups/samples/csharp/Room.cs",
-                 "share/doc/ups/samples/python/room.py", "share/doc/ups/link_it_in_an_hour.md",
-                 "share/doc/ups/from_a_room_to_a_report.md", "share/doc/ups/how_sure_is_a_number.md"):
+                 "share/doc/ups/samples/python/room.py",
+                 *(f"share/doc/ups/samples/docs/{p.name}" for p in (ROOT / "samples/docs").glob("*.md"))):
         assert (prefix / file).stat().st_size or file.endswith("py.typed"), file
     headers = {p.name for p in (ROOT / "include/ups").glob("*.h*")}
     installed = {p.name for p in (prefix / "include/ups").iterdir()}
