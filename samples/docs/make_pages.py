@@ -144,9 +144,8 @@ def function_page(theme, declaration, function, facts, example):
     out += [f"- {escaped(e)}" for e in errors] if errors else ["None: it cannot fail."]
     out += ["", "@par Lifetime", escaped(facts.lifetime or rules.lifetime(function)),
             "", "@par Threads", escaped(rules.threads(function)), ""]
-    if example:
-        out += ["@par Example", f"From tests/docs/examples/{example[0]}; `check` ends the program where a call failed.",
-                "@code{.c}", example[1], "@endcode", ""]
+    out += ["@par Example", f"From tests/docs/examples/{example[0]}; `check` ends the program where a call failed.",
+            "@code{.c}", example[1], "@endcode", ""]
     see = [*facts.see, *rules.related(function)]
     out += [f"@see {', '.join(s + '()' for s in dict.fromkeys(see))}", ""] if see else []
     out += [f"@par Declared in", f"<tt>ups/{function.header}</tt>", "*/", declaration.text + ";", "/** @} */", ""]
@@ -203,6 +202,47 @@ def theme_of_types(api, themes, declared):
     return of
 
 
+def checked(api, themes, examples):
+    """Names of all functions; ends where one is in no theme, has no example, or is not declared."""
+    listed = {name for theme in themes for name in theme.functions}
+    if difference := listed ^ {f.name for f in api.functions}:
+        sys.exit(f"in functions.txt or declared, but not both: {' '.join(sorted(difference))}")
+    if missing := listed - examples.keys():
+        sys.exit(f"{len(missing)} functions without an example in {EXAMPLES}: {' '.join(sorted(missing))}")
+    if unknown := examples.keys() - listed:
+        sys.exit(f"examples of functions that are not declared: {' '.join(sorted(unknown))}")
+    return listed
+
+
+def theme_pages(themes, remarks):
+    for theme in themes:
+        said = [r for h in theme.sources for r in remarks[h]]
+        yield f"/** @defgroup {theme.name} {theme.title}"
+        if theme.name == "base":
+            yield '@brief What every other header needs; @ref rules "the rules of all functions"\n*/'
+        else:
+            yield f"@brief {escaped(theme.about or rules.theme_summary(said[0]))}\n"
+            yield "\n".join([*(marked_up(r) + "\n" for r in rules.theme_text(said)), "*/"])
+    first, *others = remarks["ups_base.h"]
+    yield "/** @page rules Rules of the API\n"
+    yield "\n".join([*(marked_up(r) + "\n" for r in rules.theme_text([first]) + others), "*/"])
+
+
+def type_pages(api, themes, declared, remarks):
+    of = theme_of_types(api, themes, declared)
+    for header, declarations in declared.items():
+        own = next(t.name for t in themes if header in t.sources)
+        common = [c for r in remarks[header] if r.startswith("Every part") for c in rules.common_fields(r)]
+        for d in declarations:
+            if d.kind == "struct":
+                users = [f.name for f in api.functions if any(p.type.name == d.name for p in f.parameters)]
+                yield struct_page(of[d.name], d, header, users, common)
+            elif d.kind == "enum":
+                yield enum_page(of[d.name] if d.name else own, d)
+            elif d.kind == "handle":
+                yield handle_page(of[d.name], d)
+
+
 def main():
     out = Path(sys.argv[1])
     out.mkdir(parents=True, exist_ok=True)
@@ -212,49 +252,14 @@ def main():
     for header in c_header.CORE_HEADERS + c_header.EXTRA_HEADERS:
         declared[header], remarks[header] = headers.read(INCLUDE / header)
     themes, examples = read_themes(), read_examples()
-    listed = {name for theme in themes for name in theme.functions}
-    if difference := listed ^ {f.name for f in api.functions}:
-        sys.exit(f"in functions.txt or declared, but not both: {' '.join(sorted(difference))}")
-    if missing := listed - examples.keys():
-        message = f"{len(missing)} functions without an example in {EXAMPLES}: {' '.join(sorted(missing))}"
-        print(message) if "--incomplete" in sys.argv else sys.exit(message)
-    if unknown := examples.keys() - listed:
-        sys.exit(f"examples of functions that are not declared: {' '.join(sorted(unknown))}")
-
-    of = theme_of_types(api, themes, declared)
-    text = ["#include <stdint.h>", "#include <stddef.h>"]
-    for theme in themes:
-        said = [r for h in theme.sources for r in remarks[h]]
-        brief = escaped(theme.about or rules.theme_summary(said[0]))
-        text += [f"/** @defgroup {theme.name} {theme.title}"]
-        if theme.name == "base":
-            text += ["@brief What every other header needs; @ref rules \"the rules of all functions\"", "*/"]
-        else:
-            text += [f"@brief {brief}" if brief else "", ""]
-            text += [*(marked_up(r) + "\n" for r in rules.theme_text(said)), "*/"]
-    rules_text = [rules.theme_text([remarks["ups_base.h"][0]])[0], *remarks["ups_base.h"][1:]]
-    text += ["/** @page rules Rules of the API", "", *(marked_up(r) + "\n" for r in rules_text), "*/"]
-    order = {name: (t, theme.functions[name]) for theme in themes for t in [theme] for name in theme.functions}
-    by_name = {}
-    for header, declarations in declared.items():
-        for d in declarations:
-            if d.kind == "function":
-                by_name[d.name] = d
-            elif d.kind == "struct":
-                users = [f.name for f in api.functions if any(p.type.name == d.name for p in f.parameters)]
-                common = [c for r in remarks[header] if r.startswith("Every part") for c in rules.common_fields(r)]
-                text.append(struct_page(of[d.name], d, header, users, common))
-            elif d.kind == "enum":
-                text.append(enum_page(of[d.name or next(iter(t.name for t in themes if header in t.sources))]
-                                      if d.name else next(t.name for t in themes if header in t.sources), d))
-            else:
-                text.append(handle_page(of[d.name], d))
-    for name, (theme, facts) in order.items():
-        text.append(function_page(theme, by_name[name], api.function(name), facts, examples.get(name)))
-    out.mkdir(parents=True, exist_ok=True)
-    text.append(cpp.page(INCLUDE, {f.name for f in api.functions}, escaped, marked_up))
-    pages.Site(ROOT, out, listed).write()
+    listed = checked(api, themes, examples)
+    by_name = {d.name: d for declarations in declared.values() for d in declarations if d.kind == "function"}
+    text = [*theme_pages(themes, remarks), *type_pages(api, themes, declared, remarks)]
+    text += [function_page(theme, by_name[name], api.function(name), facts, examples[name])
+             for theme in themes for name, facts in theme.functions.items()]
+    text.append(cpp.page(INCLUDE, listed, escaped, marked_up))
     (out / "ups.h").write_text("\n".join(text), encoding="utf-8")
+    pages.Site(ROOT, out, listed).write()
 
 
 if __name__ == "__main__":
