@@ -78,7 +78,7 @@ ups_status ups_context_create(const ups_context_desc* desc, ups_context** out) {
     if (d.thread_count < 0 || d.thread_count > max_threads)
       fail_argument("thread_count is " + std::to_string(d.thread_count) +
                     "; it must be 0 (all hardware threads) to 1024");
-    const int processors = processor_count();
+    const int processors = platform::processor_count();
     std::unique_ptr<ups_context> context(
         new ups_context{.core = std::make_shared<ContextCore>(std::min<int>(d.thread_count, processors))});
     if (d.thread_count > processors)

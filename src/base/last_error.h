@@ -1,24 +1,17 @@
 // A thread's last error, kept where exhausted memory cannot hurt: not thread_local, whose first use in a thread may
-// need memory and ends the process where there is none. Needs the standard library and POSIX alone: included by the
+// need memory and ends the process where there is none. Needs the standard library and platform/ alone: included by the
 // boundaries of the core and of the extras, each of which has one.
 #pragma once
-#include <pthread.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+
+#include "platform/thread_slot.h"
 
 namespace ups {
 
 class LastError {
  public:
-  LastError() : made_(pthread_key_create(&key_, &release) == 0) {}
-  ~LastError() {
-    if (made_) pthread_key_delete(key_);
-  }
-  LastError(const LastError&) = delete;
-  LastError& operator=(const LastError&) = delete;
-
   // Keeps "prefix: message", or the message alone where the prefix is empty. Without memory for a longer text than any
   // before the end is cut off.
   void set(const char* prefix, const char* message) noexcept {
@@ -39,7 +32,7 @@ class LastError {
 
   // Never null; empty before the first error. Valid until the thread's next error.
   const char* get() const noexcept {
-    const void* kept = made_ ? pthread_getspecific(key_) : nullptr;
+    const void* kept = slot_.is_made() ? slot_.get() : nullptr;
     if (kept == &no_memory) return no_memory;
     return kept ? static_cast<const Text*>(kept)->bytes() : "";
   }
@@ -54,18 +47,18 @@ class LastError {
 
   // This thread's text, with room for `size` bytes if there is memory; null if it never got any.
   Text* grown(size_t size) noexcept {
-    if (!made_) return nullptr;
-    void* kept = pthread_getspecific(key_);
+    if (!slot_.is_made()) return nullptr;
+    void* kept = slot_.get();
     Text* old = kept == &no_memory ? nullptr : static_cast<Text*>(kept);
     if (old && old->capacity >= size) return old;
     const size_t capacity = std::max<size_t>(size, 512);
     Text* text = static_cast<Text*>(std::malloc(sizeof(Text) + capacity));
     if (!text) {
-      if (!old) pthread_setspecific(key_, &no_memory);
+      if (!old) slot_.set(&no_memory);
       return old;
     }
     text->capacity = capacity;
-    if (pthread_setspecific(key_, text) != 0) {  // the C library had no memory for a table of many keys
+    if (!slot_.set(text)) {
       std::free(text);
       return old;
     }
@@ -85,8 +78,7 @@ class LastError {
     return start - 1 + length > size ? start - 1 : size;
   }
 
-  pthread_key_t key_;
-  const bool made_;
+  platform::ThreadSlot slot_{&release};
 };
 
 }  // namespace ups

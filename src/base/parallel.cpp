@@ -27,7 +27,7 @@ struct ThreadPool::Loop {
 };
 
 ThreadPool::ThreadPool(int thread_count)
-    : count_(thread_count > 0 ? thread_count : processor_count()), arena_(std::make_unique<TaskArena>(count_)) {
+    : count_(thread_count > 0 ? thread_count : platform::processor_count()), arena_(std::make_unique<TaskArena>(count_)) {
   workers_.reserve(size_t(count_ - 1));
   try {
     for (int i = 1; i < count_; ++i)

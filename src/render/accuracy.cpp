@@ -1,24 +1,13 @@
 // See accuracy.h.
 #include "render/accuracy.h"
 
-#include <unistd.h>
-
-#include <cstdio>
+#include "platform/memory.h"
 
 namespace ups {
 
 namespace {
 
 constexpr double horizon_s = 1e7;
-
-uint64_t resident_bytes() {
-  std::FILE* file = std::fopen("/proc/self/statm", "r");
-  if (!file) return 0;
-  unsigned long long pages = 0;
-  const bool read = std::fscanf(file, "%*s %llu", &pages) == 1;
-  std::fclose(file);
-  return read ? pages * uint64_t(sysconf(_SC_PAGESIZE)) : 0;
-}
 
 }  // namespace
 
@@ -70,7 +59,7 @@ ups_curve_point curve_point(uint32_t iterations, double elapsed_s, const WorkCou
   p.rays = work.rays;
   p.light_paths = work.light_paths;
   p.eye_paths = work.eye_paths;
-  p.resident_bytes = resident_bytes();
+  p.resident_bytes = platform::resident_bytes();
   return p;
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/machine_memory.h"
 #include "base/text.h"
 #include "base/thread.h"
+#include "platform/memory.h"
 #include "render/dropped_text.h"
 #include "render/flux_balance.h"
 #include "render/flux_pass.h"
@@ -140,7 +140,7 @@ void RenderJob::set_deadline(double share_of_tolerance, double reserved_s) {
 void RenderJob::take_threads() {
   const int all = pool_->thread_count(), limit = int(std::min<uint32_t>(desc_.thread_limit, uint32_t(all)));
   const bool low = desc_.priority == UPS_PRIORITY_LOW;
-  if (low) lower_priority();
+  if (low) platform::lower_priority();
   if (low || (limit > 0 && limit < all)) pool_ = std::make_shared<ThreadPool>(limit > 0 ? limit : all);
 }
 
@@ -152,7 +152,7 @@ void RenderJob::make_integrator() {
 
 ups_memory_estimate RenderJob::estimate() {
   allowed_ = allowed_memory(double(bytes_of(*scene_)), desc_);
-  memory_.set(whole_bytes(double(available_memory().bytes)), "");  // of its pilots
+  memory_.set(whole_bytes(double(platform::available_memory().bytes)), "");  // of its pilots
   make_integrator();
   return in_bytes(estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_), allowed_);
 }

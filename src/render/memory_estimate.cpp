@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/machine_memory.h"
+#include "platform/memory.h"
 #include "render/accumulator.h"
 #include "scene/scene_bytes.h"
 
@@ -116,7 +116,7 @@ MemoryEstimate estimate_memory(const Integrator& integrator, const ups_render_de
 }
 
 AllowedMemory allowed_memory(double scene_bytes, const ups_render_desc& desc) {
-  const AvailableMemory machine = available_memory();  // beside the scene, which is there
+  const platform::AvailableMemory machine = platform::available_memory();  // beside the scene, which is there
   AllowedMemory allowed{scene_bytes + double(machine.bytes), machine.limit};
   if (desc.memory_limit_bytes > 0 && double(desc.memory_limit_bytes) < allowed.bytes)
     allowed = {double(desc.memory_limit_bytes), "memory_limit_bytes"};

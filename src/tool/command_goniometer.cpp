@@ -1,7 +1,7 @@
 // ups goniometer: a fixture in, its luminous intensity distribution out: loads a scene, measures what leaves it, writes
 // .ies or .ldt, a table of errors and diagrams, prints the flux balance.
-#include <filesystem>
 
+#include "platform/paths.h"
 #include "tool/commands.h"
 #include "tool/goniometer_report.h"
 #include "tool/interrupt.h"
@@ -111,7 +111,7 @@ int goniometer(const GoniometerOptions& options) {
   const SensorEntry& sensor = scene.sensors[0];
   Report render = make_report(options.scene, scene, result);
   check_light(options, render.goniometers[0].info);
-  Profile profile = make_profile(result, sensor, render, std::filesystem::path(options.scene).stem().string());
+  Profile profile = make_profile(result, sensor, render, platform::stem_of(options.scene));
   for (const auto& [name, value] : options.keywords) profile = with_keyword(profile, name, value);
   const Measurement measurement =
       measure(options.out.empty() ? options.scene : options.out, sensor, result, profile.get(), std::move(render));

@@ -1,9 +1,10 @@
 // ups info: what a scene file contains and calls for, what photometric files say: a page for one file, a table for many
 // or for a folder, one JSON object for programs.
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
+#include "platform/files.h"
+#include "platform/paths.h"
 #include "tool/commands.h"
 #include "tool/handles.h"
 #include "tool/info_report.h"
@@ -14,8 +15,6 @@
 namespace ups::tool {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string sensor_text(const SensorEntry& sensor) {
   const ups_gltf_sensor_info& info = sensor.info;
@@ -79,25 +78,22 @@ InfoEntry failed(const std::string& file, const std::string& name, const std::st
 // not followed, so there is an end. A folder that cannot be read is an entry of its own.
 std::vector<InfoEntry> search(const std::string& top) {
   std::vector<InfoEntry> found;
-  std::vector<fs::path> folders = {top};
+  std::vector<std::string> folders = {top};
   while (!folders.empty()) {
-    const fs::path folder = std::move(folders.back());
+    const std::string folder = std::move(folders.back());
     folders.pop_back();
     std::error_code error;
-    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
-         entry.increment(error)) {
-      std::error_code ignored;
-      const std::string file = entry->path().string();
-      if (entry->is_directory(ignored)) {
-        if (!entry->is_symlink(ignored)) folders.push_back(entry->path());
-      } else if (photometric_format(file)) {
-        found.push_back(failed(file, entry->path().lexically_relative(top).string(), ""));
+    for (const platform::FolderEntry& entry : platform::entries_of(folder, error)) {
+      if (entry.is_folder) {
+        if (!entry.is_link) folders.push_back(entry.path);
+      } else if (photometric_format(entry.path)) {
+        found.push_back(failed(entry.path, platform::relative_to(top, entry.path), ""));
       }
     }
     if (!error) continue;
-    const std::string message = "cannot read the folder '" + folder.string() + "': " + error.message();
-    if (folder == fs::path(top)) throw Failure(message);
-    found.push_back(failed(folder.string(), folder.lexically_relative(top).string(), message));
+    const std::string message = "cannot read the folder '" + folder + "': " + platform::message_of(error);
+    if (folder == top) throw Failure(message);
+    found.push_back(failed(folder, platform::relative_to(top, folder), message));
   }
   if (found.empty())
     throw Failure("no photometric file in the folder '" + top + "': its name would end in " + known_extensions);
@@ -108,12 +104,11 @@ std::vector<InfoEntry> search(const std::string& top) {
 std::vector<InfoEntry> expand(const std::vector<std::string>& arguments) {
   std::vector<InfoEntry> entries;
   for (const std::string& argument : arguments) {
-    std::error_code error;
-    if (fs::is_directory(argument, error)) {
+    if (platform::is_folder(argument)) {
       const std::vector<InfoEntry> found = search(argument);
       entries.insert(entries.end(), found.begin(), found.end());
     } else {
-      entries.push_back(failed(argument, fs::path(argument).filename().string(), ""));
+      entries.push_back(failed(argument, platform::file_name_of(argument), ""));
     }
   }
   return entries;
@@ -145,12 +140,11 @@ std::vector<std::string> plots_of(const InfoEntry& entry, const InfoOptions& opt
   if (!several) return options.plots;
   std::vector<std::string> plots;
   for (const std::string& plot : options.plots) {
-    const fs::path out(plot);
-    std::string base = out.stem().string() + "_" + fs::path(entry.file).stem().string();
+    std::string base = platform::stem_of(plot) + "_" + platform::stem_of(entry.file);
     for (char& c : base)
       if (uint8_t(c) < 0x20) c = '_';
     const auto path_of = [&](const std::string& stem) {
-      return (out.parent_path() / (stem + out.extension().string())).string();
+      return platform::joined(platform::folder_of(plot), stem + platform::extension_of(plot));
     };
     std::string path = path_of(base);
     for (int i = 2; !taken.insert(path).second; ++i) path = path_of(base + "_" + std::to_string(i));

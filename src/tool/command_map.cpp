@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
+#include "platform/files.h"
+#include "platform/paths.h"
 #include "tool/commands.h"
 #include "tool/drawing_file.h"
 #include "tool/exr_file.h"
@@ -17,9 +17,8 @@ namespace ups::tool {
 namespace {
 
 std::string read_whole(const std::string& path) {
-  std::error_code error;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, error)) throw Failure("cannot read '" + path + "'");
+  const auto file = platform::open_to_read(path);
+  if (!file || platform::is_folder(path)) throw Failure("cannot read '" + path + "'");
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
@@ -125,8 +124,7 @@ MapData map_of_image(const MapOptions& options, const std::string& title) {
 }  // namespace
 
 int map(const MapOptions& options) {
-  const std::string title =
-      options.title.empty() ? std::filesystem::path(options.file).stem().string() : options.title;
+  const std::string title = options.title.empty() ? platform::stem_of(options.file) : options.title;
   const std::string extension = lower_extension(options.file);
   if (extension != ".csv" && extension != ".exr")
     throw Failure(options.file + ": must be a .csv table of meters or a .exr image by `ups render --out`");

@@ -1,26 +1,28 @@
-// See interrupt.h. The handler does only what a signal handler may: it sets a flag, or ends the program.
+// See interrupt.h. The handler does only what one may that comes at any time: it sets a flag, or ends the program.
 #include "tool/interrupt.h"
 
-#include <unistd.h>
-#include <csignal>
+#include <atomic>
+#include <cstdlib>
 
+#include "platform/process.h"
 #include "tool/commands.h"
 
 namespace ups::tool {
 
 namespace {
 
-volatile std::sig_atomic_t working = 0, seen = 0;
+std::atomic<bool> working = false, seen = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void on_interrupt(int) {
-  if (!working || seen) _exit(exit_interrupted);
-  seen = 1;
+void take_interrupt() {
+  if (!working || seen) std::_Exit(exit_interrupted);
+  seen = true;
 }
 
 }  // namespace
 
-void install_interrupt_handler() { std::signal(SIGINT, on_interrupt); }
-void begin_interruptible_work() { working = 1; }
-bool interrupted() { return seen != 0; }
+void install_interrupt_handler() { platform::on_interrupt(take_interrupt); }
+void begin_interruptible_work() { working = true; }
+bool interrupted() { return seen; }
 
 }  // namespace ups::tool

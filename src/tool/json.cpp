@@ -1,6 +1,5 @@
 // Reports as JSON, the program's contract with scripts.
-#include <sys/resource.h>
-
+#include "platform/memory.h"
 #include "tool/goniometer_report.h"
 #include "tool/info_report.h"
 #include "tool/json_values.h"
@@ -36,11 +35,9 @@ ordered_json worst_meter_json(const WorstMeter& worst) {
 
 // What was foretold, and the most that the program had resident, writing of files not yet among it.
 ordered_json memory_json(const ups_memory_estimate& m) {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   return {{"scene_bytes", m.scene_bytes},   {"working_bytes", m.working_bytes}, {"light_bytes", m.light_bytes},
           {"result_bytes", m.result_bytes}, {"peak_bytes", m.peak_bytes},       {"allowed_bytes", m.allowed_bytes},
-          {"resident_bytes", uint64_t(usage.ru_maxrss) * 1024}};
+          {"resident_bytes", platform::peak_resident_bytes()}};
 }
 
 ordered_json samples_json(const std::vector<SampleReport>& samples) {

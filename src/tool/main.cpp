@@ -3,7 +3,10 @@
 #include <cstdio>
 #include <exception>
 #include <sstream>
+#include <string>
+#include <vector>
 
+#include "platform/process.h"
 #include "tool/options.h"
 #include "tool/report.h"
 #include "tool/text_format.h"
@@ -67,7 +70,7 @@ int tell_usage(const CLI::App& app, const CLI::ParseError& e) {
   return code == 0 ? ups::tool::exit_done : ups::tool::exit_usage;
 }
 
-int run(int argc, char** argv) {
+int run(const std::vector<std::string>& arguments) {
   CLI::App app("Illuminance and luminance by Unified Path Sampling", "ups");
   app.set_version_flag("--version", "ups " + ups::tool::version_number());
   app.require_subcommand(1);
@@ -97,7 +100,7 @@ int run(int argc, char** argv) {
       "B\n(-1: not in the file); trimmed_...: without the 0.1 % of the pixels that differ most. mse - noise_b is the "
       "mean\nsquared error of A without the noise of the reference.");
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes the last word first
   } catch (const CLI::ParseError& e) {
     return tell_usage(app, e);
   }
@@ -107,7 +110,7 @@ int run(int argc, char** argv) {
   if (map->parsed()) return ups::tool::map(map_options);
   if (convert->parsed()) return ups::tool::convert(in, out);
   if (compare->parsed()) return ups::tool::compare(a, b, json);
-  render_options.arguments.assign(argv + 1, argv + argc);
+  render_options.arguments = arguments;
   return ups::tool::render(render_options);
 }
 
@@ -115,7 +118,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    const int code = run(argc, argv);
+    const int code = run(ups::platform::program_arguments(argc, argv));
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) {  // what did not fit its buffer may have failed before
       ups::tool::put_error("cannot write to standard output");
       return ups::tool::exit_failed;

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 
 #include "common/atomic_file.h"
+#include "platform/paths.h"
 #include "tool/csv.h"
 #include "tool/drawing_file.h"
 #include "tool/map_data.h"
@@ -325,9 +323,8 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
 }
 
 void probe_folder(const std::string& option, const std::string& folder) {
-  const extras::TemporaryFile probe(folder);
-  if (!probe.descriptor.is_open())
-    throw Failure(option + ": cannot write into the folder '" + folder + "': " + std::strerror(errno));
+  if (const std::error_code error = platform::try_folder(folder))
+    throw Failure(option + ": cannot write into the folder '" + folder + "': " + platform::message_of(error));
 }
 
 }  // namespace
@@ -343,24 +340,22 @@ std::vector<float> read_image(const ups_result* result, const SensorEntry& camer
 }
 
 void prepare_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    throw Failure("--out: cannot make the folder '" + folder + "'" + (error ? ": " + error.message() : ""));
+  const std::error_code error = platform::make_folder(folder);
+  if (error || !platform::is_folder(folder)) {
+    const std::string why = error ? ": " + platform::message_of(error) : "";
+    throw Failure("--out: cannot make the folder '" + folder + "'" + why);
   }
   probe_folder("--out", folder);
 }
 
 void prepare_file(const std::string& option, const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
+  if (platform::is_folder(path))
     throw Failure(option + ": '" + path + "' is a folder; it must be the name of a file");
-  const extras::Destination to = extras::destination_of(path);
-  if (!to.replaceable) return;
-  const std::string folder = to.folder().string();
-  if (!std::filesystem::is_directory(folder, error))
-    throw Failure(option + ": cannot write '" + path + "': there is no folder '" + folder + "'; make it first");
-  probe_folder(option, folder);
+  const std::optional<std::string> folder = platform::folder_written_in(path);
+  if (!folder) return;
+  if (!platform::is_folder(*folder))
+    throw Failure(option + ": cannot write '" + path + "': there is no folder '" + *folder + "'; make it first");
+  probe_folder(option, *folder);
 }
 
 Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result,
@@ -370,7 +365,7 @@ Written write_outputs(const std::string& folder, const LoadedScene& scene, const
   for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
     const SensorEntry& sensor = scene.sensors[i];
     if (sensor.info.kind == UPS_GLTF_OBSERVER) continue;  // its numbers are in the report
-    attempt(written, (std::filesystem::path(folder) / sensor.name).string(), [&](const std::string& base) {
+    attempt(written, platform::joined(folder, sensor.name), [&](const std::string& base) {
       if (sensor.info.kind == UPS_GLTF_CAMERA) {
         write_camera(written, base, sensor, result, map, picture, attributes);
       } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {

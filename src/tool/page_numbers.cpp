@@ -66,9 +66,9 @@ std::string date_text() {
     const long long seconds = std::strtoll(epoch, &end, 10);
     if (end != epoch && *end == '\0' && seconds >= 0) now = std::time_t(seconds);
   }
-  std::tm parts{};
+  const std::tm* parts = std::gmtime(&now);
   char text[64];
-  if (!gmtime_r(&now, &parts) || std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts) == 0) return {};
+  if (!parts || std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", parts) == 0) return {};
   return text;
 }
 

@@ -1,10 +1,10 @@
 // See page.h: what was lit: the scene in plan, section and numbers, and the cameras' pictures of it.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 
+#include "platform/files.h"
+#include "platform/paths.h"
 #include "tool/output.h"
 #include "tool/page.h"
 #include "tool/text_format.h"
@@ -27,7 +27,7 @@ std::string size_text(const ups_scene_info& info) {
 }
 
 std::vector<uint8_t> bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+  auto file = platform::open_to_read(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -38,7 +38,7 @@ std::string exposure_text(const CameraReport::Picture& p) {
 }
 
 std::string picture(const PageInput& in, const SensorEntry& camera) {
-  const std::string path = (std::filesystem::path(in.folder) / (camera.name + ".png")).string();
+  const std::string path = platform::joined(in.folder, camera.name + ".png");
   const std::vector<uint8_t> bytes = bytes_of(path);
   if (bytes.empty()) return {};
   const auto found = std::find_if(in.report.cameras.begin(), in.report.cameras.end(),

@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "common/atomic_file.h"
+#include "platform/paths.h"
 
 namespace ups::tool {
 namespace {
 
 std::string read_bytes(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) throw Failure("cannot open '" + file + "'");
+  auto in = platform::open_to_read(file);
+  if (!in || platform::is_folder(file)) throw Failure("cannot open '" + file + "'");
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
@@ -22,25 +21,6 @@ std::string text_of(const ups_profile* profile, ups_profile_text topic) {
   return read_text([&](char* to, size_t capacity, size_t* needed) {
     return ups_profile_get_text(profile, topic, to, capacity, needed);
   });
-}
-
-// The file of that name beside `file`, in any case; empty where there is none. A name with folders is taken without
-// them.
-std::string file_beside(const std::string& file, const std::string& name) {
-  const auto lower = [](std::string text) {
-    for (char& c : text)
-      if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return text;
-  };
-  const std::string wanted = lower(name.substr(name.find_last_of("/\\") + 1));
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  std::error_code error;
-  for (auto entry = std::filesystem::directory_iterator(folder.empty() ? "." : folder, error);
-       !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    if (!wanted.empty() && lower(entry->path().filename().string()) == wanted && entry->is_regular_file(error))
-      return entry->path().string();
-  }
-  return {};
 }
 
 // The one place where bytes become a profile. A TILT file that an IES file names is looked for beside it.
@@ -56,7 +36,7 @@ ups_status parse(ups_context* context, const std::string& file, const std::strin
   if (status != UPS_OK) return status;
   out.reset(profile);
   const std::string tilt_name = text_of(profile, UPS_PROFILE_TEXT_TILT_FILE);
-  const std::string tilt_file = tilt_name.empty() ? "" : file_beside(file, tilt_name);
+  const std::string tilt_file = tilt_name.empty() ? "" : platform::find_in_any_case(platform::folder_of(file), tilt_name);
   if (tilt_file.empty()) return UPS_OK;
   const std::string tilt = read_bytes(tilt_file);
   desc.tilt_file = tilt.data();
@@ -166,7 +146,7 @@ ups_profile_format format_of(const std::string& text) {
 }  // namespace
 
 std::string lower_extension(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
+  std::string extension = platform::extension_of(file);
   for (char& c : extension) {
     if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
   }
@@ -205,7 +185,7 @@ bool is_scene_file(const std::string& file) {
   const std::string extension = lower_extension(file);
   if (extension == ".gltf" || extension == ".glb") return true;
   char first[4] = {};
-  std::ifstream(file, std::ios::binary).read(first, sizeof first);
+  platform::open_to_read(file).read(first, sizeof first);
   return std::equal(first, first + 4, "glTF") || (!photometric_format(file) && first[0] == '{');
 }
 

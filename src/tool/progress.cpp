@@ -1,11 +1,11 @@
 // See progress.h: a line that is written over on a terminal, lines below one another elsewhere.
 #include "tool/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "platform/process.h"
 
 namespace ups::tool {
 
@@ -44,7 +44,7 @@ std::string progress_text(const ups_progress& progress, const std::string& foret
   return foretold.empty() ? text : text + ", " + foretold;
 }
 
-Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1), next_line_s_(line_interval_s) {}
+Progress::Progress() : terminal_(platform::standard_error_is_terminal()), next_line_s_(line_interval_s) {}
 
 void Progress::update(const ups_progress& progress, const std::string& foretold) {
   if (!terminal_) {

@@ -1,12 +1,13 @@
 // See targets.h: reading the file. Every word is checked, so that a misspelt one is told and not ignored.
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "platform/files.h"
+#include "platform/paths.h"
+#include "platform/process.h"
 #include "tool/targets.h"
 #include "tool/text_format.h"
 
@@ -14,7 +15,6 @@ namespace ups::tool {
 namespace {
 
 using Json = nlohmann::json;
-namespace fs = std::filesystem;
 
 constexpr const char* part_words = "task, surround, background, cylindrical, walls, ceiling";
 constexpr const char* parts[] = {"task", "surround", "background", "cylindrical", "walls", "ceiling"};
@@ -77,7 +77,7 @@ struct Row {
 using Rows = std::map<std::string, Row>;
 
 Json parse(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+  auto file = platform::open_to_read(path);
   if (!file) fail(path, "cannot be read; --targets wants a JSON file of targets");
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   try {
@@ -108,18 +108,17 @@ void read_rows(const Json& root, const std::string& path, Rows& rows) {
 }
 
 // Where the program's own files of targets are, installed and in the build tree alike.
-fs::path own_folder() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : (program.parent_path() / UPS_TO_TARGETS).lexically_normal();
+std::string own_folder() {
+  const std::string program = platform::program_file();
+  return program.empty() ? "" : platform::simplified(platform::joined(platform::folder_of(program), UPS_TO_TARGETS));
 }
 
 std::string find_included(const std::string& path, const std::string& name) {
-  const fs::path beside = fs::path(path).parent_path() / name, own = own_folder() / name;
-  std::error_code error;
-  for (const fs::path& candidate : {beside, own})
-    if (fs::is_regular_file(candidate, error)) return candidate.string();
-  fail(path + ": include", "there is no '" + name + "', neither beside the file nor as " + own.string());
+  const std::string beside = platform::joined(platform::folder_of(path), name),
+                    own = platform::joined(own_folder(), name);
+  for (const std::string& candidate : {beside, own})
+    if (platform::is_regular_file(candidate)) return candidate;
+  fail(path + ": include", "there is no '" + name + "', neither beside the file nor as " + own);
 }
 
 void take_row(const Json& words, const std::string& where, const Rows& rows, TargetArea& area) {

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "platform/numbers.h"
+
 namespace ups {
 
 namespace {
@@ -23,8 +25,7 @@ constexpr uint32_t goniometer_paths = 1u << 16;
 double Plan::radius2_factor(uint32_t visits, double alpha) {
   // The product of the recurrence from i = 1: Gamma(i + alpha) / (Gamma(1 + alpha) Gamma(i + 1)), i = visits + 1.
   const double i = double(visits) + 1;
-  int sign;  // lgamma() itself writes a global
-  return std::exp(lgamma_r(i + alpha, &sign) - lgamma_r(1 + alpha, &sign) - lgamma_r(i + 1, &sign));
+  return std::exp(platform::log_gamma(i + alpha) - platform::log_gamma(1 + alpha) - platform::log_gamma(i + 1));
 }
 
 Plan::AtFloor Plan::at_floor(const std::vector<float>& radii, uint32_t visits, double alpha) const {

@@ -11,7 +11,6 @@
 #include <ImfStringAttribute.h>
 
 #include <cstring>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -155,7 +154,7 @@ ups_status ups_exr_read(const char* path, ups_exr_image** out) {
   return guarded([&] {
     require(path != nullptr, "path is NULL");
     require(out != nullptr, "out is NULL");
-    if (!std::ifstream(path, std::ios::binary)) {
+    if (!ups::platform::open_to_read(path)) {
       throw Error(UPS_ERROR_IO, std::string("cannot open '") + path + "': no such file, or not readable");
     }
     auto image = std::make_unique<ups_exr_image>();

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <limits>
 
 #include "common/boundary.h"
+#include "platform/files.h"
+#include "platform/paths.h"
 
 namespace ups::gltf {
 
@@ -184,32 +185,20 @@ JsonReader Document::element(const char* array, size_t index, const std::string&
 
 namespace {
 
-Bytes read_file(const std::filesystem::path& path, const std::string& where) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    throw Error(UPS_ERROR_IO, where + ": '" + path.string() + "' is a folder, not a file");
-  }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(UPS_ERROR_IO, where + ": cannot open the file '" + path.string() + "'");
+Bytes read_file(const std::string& path, const std::string& where) {
+  if (platform::is_folder(path)) throw Error(UPS_ERROR_IO, where + ": '" + path + "' is a folder, not a file");
+  auto in = platform::open_to_read(path);
+  if (!in) throw Error(UPS_ERROR_IO, where + ": cannot open the file '" + path + "'");
   Bytes bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (in.bad()) throw Error(UPS_ERROR_IO, where + ": cannot read the file '" + path.string() + "'");
+  if (in.bad()) throw Error(UPS_ERROR_IO, where + ": cannot read the file '" + path + "'");
   return bytes;
-}
-
-// Links are followed first: what counts is where the bytes lie. A path that does not resolve is no file.
-bool lies_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
-  std::error_code error;
-  const auto root = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
-  if (error) return true;
-  const auto file = std::filesystem::weakly_canonical(path, error);
-  return error || std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
 }
 
 }  // namespace
 
-Bytes read_beside(const Document& document, const std::filesystem::path& path, const std::string& where) {
-  if (!document.allow_outside && !lies_within(path, document.folder)) {
-    throw Error(UPS_ERROR_IO, where + ": the file '" + path.string() +
+Bytes read_beside(const Document& document, const std::string& path, const std::string& where) {
+  if (!document.allow_outside && !platform::lies_within(path, document.folder)) {
+    throw Error(UPS_ERROR_IO, where + ": the file '" + path +
                                   "' lies outside the scene's folder; move it there, or allow files outside "
                                   "(--allow-outside; ups_gltf_import_desc.allow_outside)");
   }
@@ -220,7 +209,7 @@ bool is_data_uri(const std::string& uri) { return uri.rfind("data:", 0) == 0; }
 
 // RFC 2397: data:[type][;base64],data. The type does not matter here, though tinygltf decodes some alone.
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where) {
-  if (!is_data_uri(uri)) return read_beside(document, document.folder / utf8_path(percent_decoded(uri)), where);
+  if (!is_data_uri(uri)) return read_beside(document, platform::joined(document.folder, percent_decoded(uri)), where);
   const size_t comma = uri.find(',');
   if (comma == std::string::npos) fail_parse(where + ": a data URI must have a comma before its data");
   const std::string data = percent_decoded(uri.substr(comma + 1)), marker = ";base64";
@@ -234,15 +223,14 @@ Bytes read_uri(const Document& document, const std::string& uri, const std::stri
 }
 
 Document load_document(const std::string& path, bool allow_outside, std::vector<std::string>& warnings) {
-  const std::filesystem::path file_path = utf8_path(path);
-  const Bytes file = read_file(file_path, "glTF");
+  const Bytes file = read_file(path, "glTF");
   if (file.size() > std::numeric_limits<uint32_t>::max()) throw Error(UPS_ERROR_UNSUPPORTED, "larger than 4 GiB");
   const Chunks chunks =
       is_binary(file) ? chunks_of(file) : Chunks{{file.data(), file.size(), 0}, {nullptr, 0, 0}};
   const char* text = reinterpret_cast<const char*>(chunks.json.data);
 
   Document document;
-  document.folder = file_path.parent_path();
+  document.folder = platform::folder_of(path);
   document.allow_outside = allow_outside;
   document.json = parse_json(text, text + chunks.json.size);
   const JsonReader root(document.json, "the file");

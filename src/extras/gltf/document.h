@@ -4,7 +4,6 @@
 #include <tiny_gltf.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,8 +19,8 @@ struct ByteRange {
 };
 
 struct Document {
-  std::filesystem::path folder;  // that relative names in the file start from
-  bool allow_outside = false;    // of files that it names: they may lie outside that folder
+  std::string folder;          // that relative names in the file start from
+  bool allow_outside = false;  // of files that it names: they may lie outside that folder
   Json json;
   tinygltf::Model model;  // images hold their encoded bytes (PNG, JPEG), not pixels
 
@@ -35,8 +34,6 @@ Document load_document(const std::string& path, bool allow_outside, std::vector<
 
 bool is_known_extension(const std::string& name);
 
-inline std::filesystem::path utf8_path(const std::string& text) { return std::u8string(text.begin(), text.end()); }
-
 // Fills document.model from document.json, whose buffers then bear names instead of their data. binary: the chunk of a
 // .glb that is its first buffer; data is null where there is none.
 void load_model(Document& document, const ByteRange& binary, std::vector<std::string>& warnings);
@@ -47,7 +44,7 @@ std::string percent_decoded(const std::string& uri);
 // A file beside the scene, or what a data URI holds. where: who asks, for messages.
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where);
 // A file that the scene names. Throws (IO) also where it lies outside the scene's folder, unless that is allowed.
-Bytes read_beside(const Document& document, const std::filesystem::path& path, const std::string& where);
+Bytes read_beside(const Document& document, const std::string& path, const std::string& where);
 
 // Bytes of a buffer view; throws where its range is not inside its buffer.
 ByteRange buffer_view(const Document& document, int index, const std::string& where);

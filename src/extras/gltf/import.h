@@ -64,8 +64,8 @@ void read_colour_temperature(const JsonReader& reader, float (&rgb)[3]);
 struct ProfileFile {
   std::string name;  // for messages; files of one name are the same
   Bytes bytes;
-  std::filesystem::path folder;  // where its TILT file may be; empty: nowhere
-  float tilt_deg = -1;           // >= 0: with the TILT factor at this tilt
+  std::string folder;   // where its TILT file may be; empty: nowhere
+  float tilt_deg = -1;  // >= 0: with the TILT factor at this tilt
   uint32_t lamp_set = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "gltf/import.h"
+#include "platform/paths.h"
 
 namespace ups::gltf {
 
@@ -16,8 +17,9 @@ constexpr double quarter_pi = 0.78539816339744831;
 double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 // Where files beside it are looked for; a bare name lies in the working folder, not nowhere.
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+std::string folder_of(const std::string& file) {
+  const std::string folder = platform::folder_of(file);
+  return folder.empty() ? "." : folder;
 }
 
 constexpr double min_temperature = 1667, max_temperature = 25000;
@@ -106,8 +108,7 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
     const std::string uri = light.text("uri", "");
     const bool embedded = is_data_uri(uri);
     if (!embedded) where += ", file '" + uri + "'";
-    const std::filesystem::path folder =
-        embedded ? std::filesystem::path() : folder_of(document_.folder / utf8_path(percent_decoded(uri)));
+    const std::string folder = embedded ? "" : folder_of(platform::joined(document_.folder, percent_decoded(uri)));
     desc.profile = profile({embedded ? light.where() : uri, read_uri(document_, uri, where), folder}, where);
   } else {
     const int64_t view = light.integer("bufferView", 0, 0, std::numeric_limits<int32_t>::max());
@@ -137,7 +138,7 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   const std::string where = luminaire.where() + ", file '" + file + "'";
   ups_luminaire_desc desc;
   ups_luminaire_desc_init(&desc, sizeof desc);
-  const std::filesystem::path path = document_.folder / utf8_path(file);
+  const std::string path = platform::joined(document_.folder, file);
   ProfileFile source{file, read_beside(document_, path, luminaire.where()), folder_of(path)};
   if (luminaire.has("tilt_deg")) source.tilt_deg = float(luminaire.number("tilt_deg", 0, 0, 180));
   source.lamp_set = uint32_t(luminaire.integer("lamp_set", 0, 0, 999));

@@ -1,6 +1,7 @@
 // Photometric files of luminaires: each parsed once for the same tilt and lamp set, with the TILT file that an IES file
 // may name beside it. Called by light.cpp.
 #include "gltf/import.h"
+#include "platform/paths.h"
 
 namespace ups::gltf {
 
@@ -13,25 +14,6 @@ std::string core_text(const ups_profile* profile, ups_profile_text topic) {
   if (ups_profile_get_text(profile, topic, text.data(), size, &size) != UPS_OK) return {};
   text.resize(size ? size - 1 : 0);
   return text;
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  return text;
-}
-
-// The file of that name in the folder, in any case; empty where there is none. Of a name with folders the last part
-// alone: they are of the machine that wrote it.
-std::filesystem::path file_beside(const std::filesystem::path& folder, const std::string& name) {
-  const std::string wanted = lower_case(name.substr(name.find_last_of("/\\") + 1));
-  std::error_code error;
-  std::filesystem::path found;
-  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    const std::u8string file = it->path().filename().u8string();
-    if (lower_case({file.begin(), file.end()}) == wanted && (found.empty() || it->path() < found)) found = it->path();
-  }
-  return found;
 }
 
 }  // namespace
@@ -51,8 +33,8 @@ const ups_profile* Importer::profile(const ProfileFile& file, const std::string&
   check(ups_profile_parse_with(context_, &desc, &parsed), where);
   ProfilePtr profile(parsed);
   const std::string tilt_name = core_text(parsed, UPS_PROFILE_TEXT_TILT_FILE);
-  const std::filesystem::path tilt_path =
-      tilt_name.empty() || file.folder.empty() ? std::filesystem::path() : file_beside(file.folder, tilt_name);
+  const std::string tilt_path =
+      tilt_name.empty() || file.folder.empty() ? "" : platform::find_in_any_case(file.folder, tilt_name);
   if (!tilt_path.empty()) {
     const Bytes tilt = read_beside(document_, tilt_path, where);
     desc.tilt_file = tilt.data();

@@ -1,6 +1,9 @@
-// See machine_memory.h: /proc/meminfo, then each control group from the process's own up to the root of its hierarchy.
+// See memory.h: /proc/meminfo, then each control group from the process's own up to the root of its hierarchy.
 // Paths are strings: std::filesystem::path does not survive an allocation that fails.
-#include "base/machine_memory.h"
+#include "platform/memory.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <cstdio>
@@ -9,7 +12,9 @@
 #include <string_view>
 #include <vector>
 
-namespace ups {
+#include "platform/linux/machine_memory.h"
+
+namespace ups::platform {
 
 namespace {
 
@@ -131,7 +136,7 @@ void look_at_groups(const std::string& root, const Version& v, AvailableMemory& 
 
 }  // namespace
 
-AvailableMemory available_memory(const std::string& root) {
+AvailableMemory available_memory_below(const std::string& root) {
   AvailableMemory out;
   constexpr uint64_t kb = 1024;
   const std::string machine = text_of(root + "/proc/meminfo");
@@ -141,4 +146,21 @@ AvailableMemory available_memory(const std::string& root) {
   return out;
 }
 
-}  // namespace ups
+AvailableMemory available_memory() { return available_memory_below(""); }
+
+uint64_t resident_bytes() {
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  if (!file) return 0;
+  unsigned long long pages = 0;
+  const bool read = std::fscanf(file, "%*s %llu", &pages) == 1;
+  std::fclose(file);
+  return read ? pages * uint64_t(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+uint64_t peak_resident_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return uint64_t(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace ups::platform

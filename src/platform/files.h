@@ -1,0 +1,28 @@
+// Files by their names in UTF-8. How one is written: it appears whole or not at all, beside its place first and then
+// renamed. A symbolic link stays one, and the file that it leads to is replaced; a device, a pipe or an open descriptor
+// (/dev/stdout) is written to.
+#pragma once
+#include <fstream>
+#include <optional>
+#include <string>
+#include <system_error>
+
+namespace ups::platform {
+
+// Binary; not open where there is no such file or it may not be read. Some systems open folders, too.
+std::ifstream open_to_read(const std::string& path);
+
+// It is on the disk when this returns. Throws std::system_error: "cannot write 'PATH': WHY".
+void replace_file(const std::string& path, const void* bytes, size_t size);
+
+// The folder in which replace_file() makes its file; none where the path names a device or the like, which takes bytes.
+// Throws as replace_file().
+std::optional<std::string> folder_written_in(const std::string& path);
+
+// Why no file can be made in the folder: tries it, and leaves nothing.
+std::error_code try_folder(const std::string& folder);
+
+// In English or the words of the C library.
+std::string message_of(const std::error_code& error);
+
+}  // namespace ups::platform

@@ -1,0 +1,27 @@
+// See process.h: the terminal and Ctrl-C.
+#include <csignal>
+
+#include <unistd.h>
+
+#include "platform/process.h"
+
+namespace ups::platform {
+
+namespace {
+
+void (*interrupted)() = nullptr;
+
+extern "C" void on_signal(int) { interrupted(); }
+
+}  // namespace
+
+std::vector<std::string> program_arguments(int argc, char** argv) { return {argv + (argc > 0), argv + argc}; }
+
+bool standard_error_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+
+void on_interrupt(void (*handler)()) {
+  interrupted = handler;
+  std::signal(SIGINT, on_signal);
+}
+
+}  // namespace ups::platform

@@ -1,0 +1,20 @@
+// The program and its surroundings. Called by src/tool alone.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace ups::platform {
+
+// The words after the program's name, in UTF-8; lets the console show UTF-8 too, where that must be asked for.
+std::vector<std::string> program_arguments(int argc, char** argv);
+
+// Where the running program's file is; empty where that cannot be found out.
+std::string program_file();
+
+bool standard_error_is_terminal();
+
+// Ctrl-C calls this from now on, within a signal handler or on a thread of the system's: it may set lock-free atomics
+// and call std::_Exit().
+void on_interrupt(void (*handler)());
+
+}  // namespace ups::platform

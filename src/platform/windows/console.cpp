@@ -1,0 +1,45 @@
+// See process.h: the command line, the console and Ctrl-C.
+#include <cstdlib>
+
+#include "platform/process.h"
+#include "platform/windows/system.h"
+
+#include <shellapi.h>
+
+namespace ups::platform {
+
+namespace {
+
+void (*interrupted)() = nullptr;
+
+BOOL WINAPI on_event(DWORD event) {
+  if (event != CTRL_C_EVENT) return FALSE;
+  interrupted();
+  return TRUE;
+}
+
+}  // namespace
+
+// Of the system's own: argv is in the code page, which lacks most characters.
+std::vector<std::string> program_arguments(int argc, char** argv) {
+  SetConsoleOutputCP(CP_UTF8);
+  int count = 0;
+  wchar_t** const words = CommandLineToArgvW(GetCommandLineW(), &count);
+  if (!words) return {argv + (argc > 0), argv + argc};
+  std::vector<std::string> arguments;
+  for (int i = 1; i < count; ++i) arguments.push_back(utf8_of(words[i]));
+  LocalFree(words);
+  return arguments;
+}
+
+bool standard_error_is_terminal() {
+  DWORD mode = 0;
+  return GetConsoleMode(GetStdHandle(STD_ERROR_HANDLE), &mode) != 0;
+}
+
+void on_interrupt(void (*handler)()) {
+  interrupted = handler;
+  SetConsoleCtrlHandler(on_event, TRUE);
+}
+
+}  // namespace ups::platform
