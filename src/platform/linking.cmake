@@ -29,7 +29,7 @@ function(ups_stay_loaded target)
   endif()
 endfunction()
 
-# Where a library or a program that was moved looks for the others: the folder that it is in. Windows looks there anyway.
+# Where a library or a program that was moved looks for the others: the folder that it is in. Windows does that anyway.
 if(APPLE)
   set(UPS_OWN_FOLDER "@loader_path")
 else()

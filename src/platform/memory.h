@@ -10,8 +10,8 @@ struct AvailableMemory {
   std::string limit;            // what ends there, in words
 };
 
-// Of the machine, and of the groups of processes that this one is in. Asked by a render before it starts. What cannot be
-// read limits nothing.
+// Of the machine, and of the groups of processes that this one is in. Asked by a render before it starts. What cannot
+// be read limits nothing.
 AvailableMemory available_memory();
 
 // In physical memory now, and at most so far; 0 where that cannot be read.

@@ -22,7 +22,7 @@ std::string relative_to(const std::string& folder, const std::string& path);
 
 bool is_folder(const std::string& path);
 bool is_regular_file(const std::string& path);
-// Links are followed first: what counts is where the bytes lie. A path that does not resolve is no file, and lies within.
+// Links are followed first: what counts is where the bytes lie. A path that does not resolve is no file: true.
 bool lies_within(const std::string& path, const std::string& folder);
 
 // With those that it lies in; no error where it is there already.

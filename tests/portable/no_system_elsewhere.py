@@ -11,11 +11,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = r"""
-  \#\s*include\s*<(?:sys/|unistd\.h|fcntl\.h|dlfcn\.h|pthread\.h|sched\.h|signal\.h|csignal|windows\.h|mach|io\.h|dirent\.h
-    |termios\.h|poll\.h|spawn\.h|pwd\.h|filesystem|fstream)
+  \#\s*include\s*<(?:sys/|unistd\.h|fcntl\.h|dlfcn\.h|pthread\.h|sched\.h|signal\.h|csignal|windows\.h|mach|io\.h
+    |dirent\.h|termios\.h|poll\.h|spawn\.h|pwd\.h|filesystem|fstream)
   | \b(?:_WIN32|WIN32|_MSC_VER|__MINGW\w*|__APPLE__|__MACH__|__linux__|__unix__|_POSIX\w*)\b
-  | \b(?:std::filesystem|[io]?fstream\s+\w|fopen|freopen|tmpfile|gmtime_r|localtime_r|strerror_r|lgamma_r|strtok_r|isatty
-    |mmap|fork|execv\w*|popen|setenv|dlopen)\b
+  | \b(?:std::filesystem|[io]?fstream\s+\w|fopen|freopen|tmpfile|gmtime_r|localtime_r|strerror_r|lgamma_r|strtok_r
+    |isatty|mmap|fork|execv\w*|popen|setenv|dlopen)\b
   | /proc/ | /sys/fs | /dev/\w+"
 """
 BUILD = r"-Wl,|\$ORIGIN|@loader_path|--version-script|\b(?:WIN32|APPLE|UNIX|LINUX|MSVC|MINGW)\b"
@@ -29,7 +29,8 @@ def without_comments(text, is_cpp):
 
 
 def main():
-    files = [f for folder in ("include", "photometry", "src") for f in sorted((ROOT / folder).rglob("*")) if f.is_file()]
+    folders = ("include", "photometry", "src")
+    files = [f for folder in folders for f in sorted((ROOT / folder).rglob("*")) if f.is_file()]
     files = [ROOT / "CMakeLists.txt"] + [f for f in files if ROOT / "src/platform" not in f.parents]
     found, read = [], 0
     for file in files:

@@ -6,9 +6,9 @@ nothing is linked or run. Called by ctest: windows.py BUILD_FOLDER, which has co
                                                                   some minutes
 
 A compiler run costs a second for the headers alone, so many files are one: what they define without linkage under the
-same name would collide, so such files are in different ones. Where one fails, its files are compiled apart, and what
-fails then is told. Beside the sources: the public headers as C99, C++ and C++17, and whether each struct of theirs has
-the layout there that tests/abi/layout.txt tells.
+same name is renamed. Where that fails, the files in which it does are tried without the others, and at last each by
+itself: what fails then is told. Beside the sources: the public headers as C99, C++ and C++17, and whether each struct
+of theirs has the layout there that tests/abi/layout.txt tells.
 """
 import argparse
 import concurrent.futures
@@ -25,7 +25,8 @@ ROOT = Path(__file__).resolve().parents[2]
 INCLUDE = ROOT / "include"
 COMPILERS = ("x86_64-w64-mingw32-g++-posix", "x86_64-w64-mingw32-g++")  # std::thread needs the first's threads
 SYSTEM_INCLUDE = [Path("/usr/local/include"), Path("/usr/include")]  # of which these alone are not of the host's:
-DEPENDENCIES = ("embree3", "embree4", "oneapi", "tbb", "OpenEXR", "Imath", "OpenColorIO", "tiny_gltf.h", "nlohmann", "CLI")
+DEPENDENCIES = ("embree3", "embree4", "oneapi", "tbb", "OpenEXR", "Imath", "OpenColorIO", "tiny_gltf.h", "nlohmann",
+                "CLI")
 WARNINGS = ["-Wall", "-Wextra", "-Wshadow", "-Wno-missing-field-initializers", "-Werror"]
 
 
@@ -45,7 +46,8 @@ def sources():
 
 def flags_of_sources(build):
     """By file: its definitions, and the folders of headers, from how the build compiles it here."""
-    commands = {Path(c["file"]): shlex.split(c["command"]) for c in json.loads((build / "compile_commands.json").read_text())}
+    commands = json.loads((build / "compile_commands.json").read_text())
+    commands = {Path(c["file"]): shlex.split(c["command"]) for c in commands}
     flags = {}
     for file in sources():
         known = ROOT / "src/platform/paths.cpp" if "windows" in file.parts else file
@@ -53,7 +55,8 @@ def flags_of_sources(build):
             sys.exit(f"{file} is not in {build}/compile_commands.json: configure with all extras and the program")
         words = commands[known]
         definitions = tuple(w for w in words if w.startswith("-D") and not w.endswith("_EXPORTS") and w != "-DNDEBUG")
-        folders = [w[2:] for w in words if w.startswith("-I")] + [b for a, b in zip(words, words[1:]) if a == "-isystem"]
+        folders = [w[2:] for w in words if w.startswith("-I")]
+        folders += [after for word, after in zip(words, words[1:]) if word == "-isystem"]
         flags[file] = definitions, folders
     return flags
 
@@ -73,12 +76,13 @@ def include_flags(all_folders, work):
 
 class Compiler:
     def __init__(self, name, work):
-        self.name, self.work, self.includes = name, work, [f"-I{INCLUDE}"]
+        self.name, self.work, self.includes, self.runs = name, work, [f"-I{INCLUDE}"], 0
 
     def errors(self, text_or_file, *flags, language="c++"):
         """What it says; empty where it compiles."""
         name = self.name.replace("g++", "gcc") if language == "c" else self.name
         is_file = isinstance(text_or_file, Path)
+        self.runs += 1
         command = [name, "-x", language, "-fsyntax-only", "-ffp-contract=off", *self.includes, *flags,
                    str(text_or_file) if is_file else "-"]
         done = subprocess.run(command, input=None if is_file else text_or_file, capture_output=True, text=True)
@@ -86,82 +90,66 @@ class Compiler:
 
 
 def names_without_linkage(text):
-    """(namespace, name) of what stands in unnamed namespaces, roughly."""
+    """Of what stands in unnamed namespaces, roughly."""
     names, spaces = set(), []
     for line in text.splitlines():
         if re.match(r"namespace\b[^;=]*\{$", line):
             spaces.append(line)
         elif line.startswith("}  // namespace"):
             spaces = spaces[:-1]
-        elif "namespace {" in spaces and re.match(r"[A-Za-z\[]", line) and not line.startswith(("template", "using namespace")):
-            head = re.split(r"[({=;\[]", re.sub(r"\[\[.*?\]\]", "", line))[0]
-            words = re.findall(r"\w+", head.split(" : ")[0])
-            if words:
-                names.add(("".join(spaces), words[-1]))
+        elif "namespace {" in spaces and re.match(r"(?!template|static_assert|using [^=]*;)[A-Za-z\[]", line):
+            head = re.split(r"[({=;\[]", re.sub(r"\[\[.*?\]\]", "", line))[0].split(" : ")[0].strip()
+            constants = re.findall(r"(\w+)(?:\[\w*\])? = ", line) if line.startswith("const") else []
+            found = constants or re.findall(r"(?<!::)\b\w+$", head)
+            names.update(name for name in found if name != "void")
     return names
 
 
-def without_repeated_lines(text, seen):
-    """Constants that several files define alike stay in the first."""
-    lines, spaces = [], []
-    for line in text.splitlines():
-        if re.match(r"namespace\b[^;=]*\{$", line):
-            spaces.append(line)
-        elif line.startswith("}  // namespace"):
-            spaces = spaces[:-1]
-        if re.match(r"(constexpr|using) [^(){}]*;", line) and spaces:
-            key = "".join(spaces), line.split("//")[0].strip()
-            if key in seen:
-                line = ""
-            seen.add(key)
-        lines.append(line)
-    return "\n".join(lines) + "\n"
-
-
-def bundles(files):
-    """Lists of (file, text) without collisions."""
+def as_one(files):
+    """(file, text), where what has no linkage has a name of its file's own; members keep theirs."""
     out = []
-    for file in files:
+    for number, file in enumerate(files):
         text = file.read_text()
-        for bundle in out:
-            seen = set(bundle["seen"])
-            rest = without_repeated_lines(text, seen)
-            names = names_without_linkage(rest)
-            if not names & bundle["names"]:
-                bundle.update(seen=seen, names=bundle["names"] | names, files=bundle["files"] + [(file, rest)])
-                break
-        else:
-            seen = set()
-            rest = without_repeated_lines(text, seen)
-            out.append({"seen": seen, "names": names_without_linkage(rest), "files": [(file, rest)]})
-    return [b["files"] for b in out]
+        names = "|".join(sorted(names_without_linkage(text), key=len, reverse=True))
+        if names:
+            pattern, other = re.compile(rf"(?<![\w.>:])({names})\b"), rf"\1_of_{number}"
+            lines = text.split("\n")
+            text = "\n".join(s if s.startswith("#include") else pattern.sub(other, s) for s in lines)
+        out.append((file, text))
+    return out
 
 
 def check_bundle(compiler, definitions, bundle):
-    """Failures of its files. Those that it names are tried again without the others, at last each by itself."""
+    """Failures of its files. Those that it names are tried again without the others, at last each by itself; so
+    are headers that it names."""
     text = "".join(f'#line 1 "{file}"\n{rest}' for file, rest in bundle)
     said = compiler.errors(text, "-std=c++20", *definitions)
     if not said:
         return {}
-    named = [file for file, _ in bundle if re.search(rf"^{re.escape(str(file))}:\d+:\d+: (fatal )?error", said, re.M)]
+    places = {Path(place) for place in re.findall(r"^(/[^:]+):\d+:\d+: (?:fatal )?error", said, re.M)}
+    named = [file for file, _ in bundle if file in places]
+    if "fatal error" in said or not named:  # it stopped there, or does not tell where
+        named = [file for file, _ in bundle]
+    headers = places.difference(file for file, _ in bundle)
+    errors = {header: compiler.errors(header, "-std=c++20", *definitions) for header in headers}
     if 1 < len(named) < len(bundle):
-        return check_bundle(compiler, definitions, [(file, file.read_text()) for file in named])
-    errors = {file: compiler.errors(file, "-std=c++20", *definitions) for file in named or [file for file, _ in bundle]}
+        errors |= check_bundle(compiler, definitions, as_one(named))
+    else:
+        errors |= {file: compiler.errors(file, "-std=c++20", *definitions) for file in named}
     return {file: text for file, text in errors.items() if text}
 
 
 def check_sources(compiler, flags, jobs):
-    groups = {}
-    for file, (definitions, _) in flags.items():  # apart: what has names of its own for the same, and <windows.h>
-        place = next((p for p in ("photometry", "platform", "extras", "tool") if p in file.relative_to(ROOT).parts), "core")
-        groups.setdefault((place, definitions), []).append(file)
+    all_definitions = dict.fromkeys(d for definitions, _ in flags.values() for d in definitions)
+    upper = [f for f in flags if {"extras", "tool"} & set(f.parts)]  # has names of its own for what the core has
+    core = sorted((f for f in flags if f not in upper), key=lambda f: "windows" in f.parts)  # <windows.h> comes last
+    groups = [files for files in (core, upper) if files]
     failures = {}
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        runs = [pool.submit(check_bundle, compiler, definitions, bundle)
-                for (_, definitions), files in groups.items() for bundle in bundles(files)]
+        runs = [pool.submit(check_bundle, compiler, tuple(all_definitions), as_one(files)) for files in groups]
         for run in runs:
             failures.update(run.result())
-    print(f"{len(flags)} source files in {len(runs)} runs of the compiler")
+    print(f"{len(flags)} source files in {compiler.runs} runs of the compiler")
     return failures
 
 
@@ -197,7 +185,8 @@ def check_headers(compiler):
     for header in headers:
         include = f"#include <ups/{header.name}>\n"
         for library in ((), ("-DUPS_BUILD",), ("-DUPS_STATIC",)):
-            failures[f"{header.name} as C99 {library}"] = compiler.errors(include, "-std=c99", *strict, *library, language="c")
+            said = compiler.errors(include, "-std=c99", *strict, *library, language="c")
+            failures[f"{header.name} as C99 {library}"] = said
         failures[f"{header.name} as C++"] = compiler.errors(include, "-std=c++11", *strict)
     classes = sorted((INCLUDE / "ups").rglob("*.hpp"))
     everything = "".join(f"#include <{header.relative_to(INCLUDE)}>\n" for header in classes)

@@ -1,5 +1,5 @@
-// While it lives this thread takes no signals, and a thread that it starts never will: it inherits the mask. Faults stay
-// as they are.
+// While it lives this thread takes no signals, and a thread that it starts never will: it inherits the mask. Faults
+// stay as they are.
 #pragma once
 #include <pthread.h>
 #include <signal.h>
