@@ -18,8 +18,10 @@ import errors
 import page
 import plots
 
-FULL = {"seconds": 5.0, "rungs": 4, "least": 24, "reference": 12.0, "full": True}
-FAST = {"seconds": 0.3, "rungs": 2, "least": 2, "reference": 2.0, "full": False}
+FULL = {"seconds": 5.0, "rungs": 4, "least": 24, "reference": 12.0, "full": True,
+        "methods": measure.METHODS}
+FAST = {"seconds": 0.3, "rungs": 2, "least": 2, "reference": 2.0, "full": False,
+        "methods": ("auto", "ups", "pt")}
 A_RENDER = 0.25  # seconds beside its budget: start, reading the scene, files
 PICTURES = 15.0
 
@@ -41,7 +43,7 @@ def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--ups", default="build/release/bin/ups", help="the program")
     parser.add_argument("--seconds", type=float, help=f"the longest render but the references' ({FULL['seconds']:g})")
-    parser.add_argument("--fast", action="store_true", help="a minute: short renders, two values of each knob")
+    parser.add_argument("--fast", action="store_true", help="a minute: short renders, three methods, two values of each knob")
     parser.add_argument("--out", default="out/accuracy")
     arguments = parser.parse_args()
     if arguments.seconds is not None and not 0.1 <= arguments.seconds <= 1e5:
@@ -57,7 +59,7 @@ def parse():
 def expected(settings):
     """(renders, seconds)."""
     values = sum(len(k.values) if settings.full else 2 for k in measure.knobs())
-    methods = len(measure.SCENES) * len(measure.METHODS)
+    methods = len(measure.SCENES) * len(settings.methods)
     references = len(measure.SCENES) * settings.reference * settings.seconds
     candidates = methods + values + len(measure.SCENES)
     seconds = methods * sum(measure.budgets(settings)) + references + (values + 0.2 * candidates) * settings.seconds
@@ -123,14 +125,14 @@ def draw(settings, tables, curves):
     figures, panels = {}, []
     for name, (title, _, _) in measure.SCENES.items():
         rows = [r for r in tables["errors"] if r["scene"] == name]
-        of_methods = {m: [r for r in rows if r["method"] == m] for m in measure.METHODS}
+        of_methods = {m: [r for r in rows if r["method"] == m] for m in settings.methods}
         marked = [m for m, of_method in of_methods.items() if any(r["light_missing"] for r in of_method)]
         truth = {m: [(r["seconds"], r["true_p95"]) for r in of_method] for m, of_method in of_methods.items()}
         floor = next(r["stated_median"] for r in tables["references"] if r["scene"] == name)
         panels.append((title, truth, floor, marked))
         figures[f"true_{name}"] = plots.error_figure(truth, f"{title}: true error",
                                                      "95 % of the meters are within, %", floor, marked)
-        stated = {m: measure.stated(curves[name, m]) for m in measure.METHODS}
+        stated = {m: measure.stated(curves[name, m]) for m in settings.methods}
         figures[f"stated_{name}"] = plots.error_figure(stated, f"{title}: stated error",
                                                        "bound of the median meter, %", None, marked)
     for knob in measure.knobs():

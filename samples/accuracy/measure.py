@@ -56,6 +56,7 @@ class Settings:
     least: int             # iterations of the longest render, whatever they take: 16 are the first to have an error
     reference: float       # budget of the reference over that of a render
     full: bool             # every value of every knob
+    methods: tuple = METHODS
 
 
 def make_scene(settings, name, folder=None, **options):
@@ -156,7 +157,7 @@ def measure_methods(settings, scene, say):
     """Every method with every budget, each a render of its own seed: (rows, {method: curve of the longest},
     predictions)."""
     rows, curves, summaries = [], {}, {}
-    candidates = {method: Candidate(settings, scene, method, more=("--target-of", FORETOLD)) for method in METHODS}
+    candidates = {method: Candidate(settings, scene, method, more=("--target-of", FORETOLD)) for method in settings.methods}
     for k, budget in enumerate(budgets(settings)):
         for method, candidate in candidates.items():
             say(f"{scene.name}: {method}, {budget:g} s")

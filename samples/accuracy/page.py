@@ -94,7 +94,7 @@ class Report:
 
     def complete(self, scene):
         """Fixed methods that can find all the light of the scene, and their rows with the longest budget."""
-        last = {m: self.errors_of(scene, m)[-1] for m in measure.METHODS if m != "auto"}
+        last = {m: self.errors_of(scene, m)[-1] for m in self.settings.methods if m != "auto"}
         return {m: row for m, row in last.items() if not row["light_missing"]}
 
     def answer_of(self, scene):
@@ -154,7 +154,7 @@ class Report:
     def room(self, scene):
         title, words, _ = measure.SCENES[scene]
         rows = []
-        for method in measure.METHODS:
+        for method in self.settings.methods:
             last = self.errors_of(scene, method)[-1]
             star = "*" if last["light_missing"] else ""
             held = f"{100 * last['bounds_held']:.0f}&nbsp;%" if last["bounds_held"] >= 0 else "not known"
@@ -164,15 +164,15 @@ class Report:
                          f"{100 * last['mean_off']:+.2f}&nbsp;%".replace("-", "−")])
         header = ["method", *(f"time to {percent(level)} true error" for level in errors.LEVELS),
                   "true error at the end", "stated at the end", "meters whose bound holds", "mean off"]
-        seconds = [self.errors_of(scene, m)[-1]["seconds"] for m in measure.METHODS]
+        seconds = [self.errors_of(scene, m)[-1]["seconds"] for m in self.settings.methods]
         caption = (f"At the end: of the longest renders, {number(min(seconds), 2)} to {number(max(seconds), 2)} s. A "
                    "bound should hold for about 95 % of the meters. &gt;: not within the longest render; &lt;: already "
                    "in the shortest.")
-        missing = [m for m in measure.METHODS if self.errors_of(scene, m)[-1]["light_missing"]]
+        missing = [m for m in self.settings.methods if self.errors_of(scene, m)[-1]["light_missing"]]
         warning = ("" if not missing else
                    f"<p>* The program warns that {codes(missing)} cannot find all the light of this room. The "
                    "stated error knows nothing of light that is never found.</p>")
-        for method in measure.METHODS:
+        for method in self.settings.methods:
             last = self.errors_of(scene, method)[-1]
             if 0 <= last["bounds_held"] < FEW and not last["light_missing"]:
                 held = f"{100 * last['bounds_held']:.0f}&nbsp;%"
@@ -313,7 +313,8 @@ class Report:
             machine=self.machine(), answer=f"<ul>{answers}</ul>", summary_table=self.summary_table(),
             rooms="\n".join(self.room(scene) for scene in self.scenes), predictions=self.predictions(),
             knobs="\n".join(self.knob(knob) for knob in measure.knobs()), how=self.how(),
-            methods="\n".join(f"<dt><code>{m}</code></dt><dd>{text}</dd>" for m, text in METHODS.items()))
+            methods="\n".join(f"<dt><code>{m}</code></dt><dd>{text}</dd>" for m, text in METHODS.items()
+                              if m in self.settings.methods))
 
 
 def page(settings, tables, scenes, pictures):

@@ -16,7 +16,7 @@ import contextlib
 import io
 import os
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Callable, Optional
 
 import tables
@@ -52,7 +52,7 @@ class Case:
     build: Callable[[str], object]  # writes the .glb (and files it refers to beside it)
     checks: list
     methods: tuple = ("ups", "bpt", "pt")
-    fast: bool = True  # part of the set that the tests run
+    fast: tuple = ("ups", "bpt", "pt")  # the methods by which the tests run it
     options: tuple = ()  # more words for `ups render`
     iterations: object = 64  # to begin with; a number, or {method: number}
     cannot: tuple = ()  # ((method, why it cannot sample this case), ...); not in `methods`
@@ -60,6 +60,9 @@ class Case:
 
     def __post_init__(self):
         self.group = self.group or self.name
+
+    def for_tests(self):
+        return replace(self, methods=tuple(m for m in self.methods if m in self.fast))
 
     def first_iterations(self, method):
         return self.iterations.get(method, 64) if isinstance(self.iterations, dict) else self.iterations

@@ -260,9 +260,9 @@ def cases():
         plano_convex_case(True, 0.0004),
         plano_convex_case(False, 0.001),
         # Twice as fine: what the facets cost.
-        plano_convex_case(True, 0.0004, "_fine", fine=2, fast=False),
-        zone_case(True, fast=False),
-        zone_case(False, fast=False),
+        plano_convex_case(True, 0.0004, "_fine", fine=2, fast=()),
+        zone_case(True, fast=()),
+        zone_case(False, fast=()),
         case_etendue(),
         case_immersed(),
         case_plates(),

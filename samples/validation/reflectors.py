@@ -236,10 +236,10 @@ def cases():
         parabola_case("parabola_small", 0.060, 0.001, 0.05, 0.065, **small),
         collimated_case(),
         ellipse_case("ellipse", 0.05, 0.005, iterations={"bpt": 128, "pt": 128}),
-        parabola_case("parabola_40", 0.040, 0.001, 0.3, 0.06, fast=False, **small),
-        parabola_case("parabola_100", 0.100, 0.001, 0.3, 0.105, fast=False, **small),
+        parabola_case("parabola_40", 0.040, 0.001, 0.3, 0.06, fast=(), **small),
+        parabola_case("parabola_100", 0.100, 0.001, 0.3, 0.105, fast=(), **small),
         # Twice as fine: what the facets cost.
-        parabola_case("parabola_fine", 0.040, 0.008, 0.05, 0.055, on_axis=0.26, fine=2, fast=False, iterations=256),
-        ellipse_case("ellipse_fine", 0.05, 0.005, fine=2, fast=False, iterations={"bpt": 128, "pt": 128}),
-        ellipse_case("ellipse_9", 0.08, 0.002, fast=False, iterations={"bpt": 1024, "pt": 1024}),
+        parabola_case("parabola_fine", 0.040, 0.008, 0.05, 0.055, on_axis=0.26, fine=2, fast=(), iterations=256),
+        ellipse_case("ellipse_fine", 0.05, 0.005, fine=2, fast=(), iterations={"bpt": 128, "pt": 128}),
+        ellipse_case("ellipse_9", 0.08, 0.002, fast=(), iterations={"bpt": 1024, "pt": 1024}),
     ]

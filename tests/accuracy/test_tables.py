@@ -12,7 +12,7 @@ import sys
 import unittest
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-METHODS = {"auto", "ups", "bpt", "pt", "ppm", "sppm"}
+METHODS = {"auto", "ups", "pt"}
 SCENES = {"office", "atrium", "bathroom"}
 KNOBS = {"light_paths", "alpha", "threads", "meters", "pixels", "path_length"}
 WORDS = {"scene", "method", "kind", "status", "knob", "value", "limited_by", "criterion"}
