@@ -10,12 +10,8 @@ run_packages=(cmake ninja-build g++ pkgconf libembree-dev libtbb-dev libopenexr-
   libtinygltf-dev libstb-dev nlohmann-json3-dev libcli11-dev libcairo2-dev python3-numpy)
 report_packages=(python3-matplotlib)
 test_packages=(libgtest-dev python3-pytest mypy python3-ipykernel python3-nbclient python3-pip python3-setuptools
-<<<<<<< HEAD
-  python3-wheel python3-venv patchelf dpkg-dev mono-mcs mono-runtime abigail-tools clang libclang-rt-dev doxygen)
-=======
-  python3-wheel python3-venv patchelf dpkg-dev mono-mcs mono-runtime abigail-tools clang libclang-rt-dev
+  python3-wheel python3-venv patchelf dpkg-dev mono-mcs mono-runtime abigail-tools clang libclang-rt-dev doxygen
   g++-mingw-w64-x86-64-posix)
->>>>>>> 95baca6 (Keep what is the operating system's in src/platform, with branches for Windows and macOS)
 optional_packages=() # installed with the others where there is such a package: Ubuntu has no chromium
 benchmark_packages=(libbenchmark-dev)
 
