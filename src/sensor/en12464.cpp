@@ -23,7 +23,7 @@ std::string text(double value) {
   std::snprintf(buffer, sizeof buffer, "%.6g", value);
   return buffer;
 }
-std::string text(const PlanPoint& p) { return "(" + text(p.x) + ", " + text(p.y) + ")"; }
+std::string text(const PlanPoint& p) { return std::string("(").append(text(p.x)) + ", " + text(p.y) + ")"; }
 
 double turn(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);

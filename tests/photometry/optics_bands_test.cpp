@@ -47,7 +47,9 @@ void expect_bands(const Profile& profile, size_t most) {
       double distance, angle;
       miss(mesh, p, size, distance, angle);
       EXPECT_LT(distance, 1.1e-7 * size);  // what lies between the places that were tried
-      if (p.r > 1e-6 * size) EXPECT_LT(angle, 1.1e-4);
+      if (p.r > 1e-6 * size) {
+        EXPECT_LT(angle, 1.1e-4);
+      }
     }
 }
 
