@@ -281,7 +281,7 @@ def case_furnace():
     """L = Le / (1 - rho) everywhere, whatever the shape."""
     lux = math.pi * FURNACE_L / (1 - FURNACE_RHO)
     return Case("furnace", "closed furnace: all surfaces emit and reflect 0.8", build_furnace,
-                [Check("anywhere", lux, i, f"meter {i}") for i in range(4)], iterations=256)
+                [Check("anywhere", lux, i, f"meter {i}") for i in range(4)], iterations=256, fast=("ups",))
 
 
 # A closed room loses no light: with walls, things and a lamp of reflectance 1 all of it ends in the floor,
@@ -316,6 +316,6 @@ def cases():
         case_port(0.9, 0.05, fast=("ups",)), case_port(0.95, 0.02, fast=()), case_port(0.98, 0.05, fast=()),
         case_off_centre(),
         case_white_furnace(), case_furnace(),
-        case_balance("flux_balance", ("glass", "mirror", "white")),
+        case_balance("flux_balance", ("glass", "mirror", "white"), fast=("ups",)),
         case_balance("flux_balance_rough", ("rough glass", "rough metal"), fast=()),
     ]
