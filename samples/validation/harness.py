@@ -14,8 +14,10 @@ Called by validate.py; the cases are in modules of their own, e.g. cie171.py, an
 """
 import contextlib
 import io
+import math
 import os
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Callable, Optional
 
@@ -116,8 +118,17 @@ def read_meters(folder, summary):
     return sets
 
 
+def growth(rows):
+    """How many times as many iterations should make the noisiest check quiet: twice at least, 64 times at most, four
+    times where its noise is not known. Noise falls with the root of the iterations; a tenth more is for luck."""
+    noises = [r.standard_error / r.E_ref for r in rows if r.passed is not None and r.E_ref]
+    if any(n < 0 for n in noises):
+        return 4
+    return min(max(math.ceil(1.1 * (max(noises) / LARGEST_NOISE) ** 2), 2), 64)
+
+
 def run_case(renderer, case, method, out, cap):
-    """Renders with four times as many iterations until no check is too noisy; the rows of the last render."""
+    """Renders with more iterations until no check is too noisy; the rows of the last render."""
     iterations, seconds = case.first_iterations(method), 0.0
     while True:
         summary = renderer.render(method, 1, ["--iterations", str(iterations)], out)
@@ -128,9 +139,9 @@ def run_case(renderer, case, method, out, cap):
             mean, readings = sets[check.meters]
             reading = mean if check.index is None else readings[check.index]
             rows.append(judge(case, method, check, reading, summary["iterations"], seconds))
-        if all(r.passed is None or quiet(r.standard_error, r.E_ref) for r in rows) or 4 * iterations > cap:
+        if all(r.passed is None or quiet(r.standard_error, r.E_ref) for r in rows) or iterations >= cap:
             return rows
-        iterations *= 4
+        iterations = min(iterations * growth(rows), cap)
 
 
 def build(case, out):
@@ -143,14 +154,17 @@ def build(case, out):
     return folder, scene
 
 
-def run(ups, cases, methods, out, threads=0, cap=65536, report=print):
-    """The rows of all cases by the methods that can sample them. `report` gets a line of text a case and method."""
-    rows = []
+def run(ups, cases, methods, out, jobs=1, cap=65536, report=print):
+    """The rows of all cases by the methods that can sample them, so many renders at once, each on one thread: short
+    renders use two badly. `report` gets a line of text a case and method."""
+    wanted = []
     for case in cases:
         folder, scene = build(case, out)
-        renderer = Renderer(ups, scene, threads, more=case.options)
-        for method in (m for m in methods if m in case.methods):
-            done = run_case(renderer, case, method, os.path.join(folder, method), cap)
+        renderer = Renderer(ups, scene, 1, more=case.options)
+        wanted += [(renderer, case, m, os.path.join(folder, m), cap) for m in methods if m in case.methods]
+    rows = []
+    with ThreadPoolExecutor(jobs) as pool:
+        for (_, case, method, _, _), done in zip(wanted, pool.map(lambda one: run_case(*one), wanted)):
             rows += done
             report(tables.progress_line(case, method, done))
     return rows

@@ -32,7 +32,7 @@ class LastError {
 
   // Never null; empty before the first error. Valid until the thread's next error.
   const char* get() const noexcept {
-    const void* kept = slot_.is_made() ? slot_.get() : nullptr;
+    const void* kept = slot_.get();
     if (kept == &no_memory) return no_memory;
     return kept ? static_cast<const Text*>(kept)->bytes() : "";
   }
@@ -47,7 +47,6 @@ class LastError {
 
   // This thread's text, with room for `size` bytes if there is memory; null if it never got any.
   Text* grown(size_t size) noexcept {
-    if (!slot_.is_made()) return nullptr;
     void* kept = slot_.get();
     Text* old = kept == &no_memory ? nullptr : static_cast<Text*>(kept);
     if (old && old->capacity >= size) return old;

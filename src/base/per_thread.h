@@ -13,7 +13,6 @@ template <class T>
 class PerThread {
  public:
   T& get() const {
-    if (!slot_.is_made()) throw std::bad_alloc();
     if (void* kept = slot_.get()) return *static_cast<T*>(kept);
     auto fresh = std::make_unique<T>();
     if (!slot_.set(fresh.get())) throw std::bad_alloc();

@@ -13,14 +13,12 @@ class ThreadSlot {
   ThreadSlot(const ThreadSlot&) = delete;
   ThreadSlot& operator=(const ThreadSlot&) = delete;
 
-  bool is_made() const noexcept { return made_; }  // false: a process has only so many
-  // Null before the first set(). Both only of a slot that is made.
-  void* get() const noexcept;
-  bool set(const void* pointer) const noexcept;  // false: no memory for it
+  void* get() const noexcept;                    // null before the first set()
+  bool set(const void* pointer) const noexcept;  // false: no memory, or no slot: a process has only so many
 
  private:
   uintptr_t key_ = 0;
-  bool made_;
+  bool is_made_;
 };
 
 }  // namespace ups::platform

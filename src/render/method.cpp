@@ -1,6 +1,8 @@
 // See method.h: techniques of each method, UPS_METHOD_AUTO's choice, and the words of both.
 #include "render/method.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "render/coverage.h"
 #include "scene/snapshot.h"

@@ -2,11 +2,13 @@
 """Does the ABI stay what it was? Run by ctest, a subcommand a question; and by hand to accept a change:
 
     tests/abi/check_abi.py layout --write        after a struct changed
-    tests/abi/check_abi.py defaults --write --library build/release/src/api/libups.so      after a default changed
+    tests/abi/check_abi.py defaults --write --library LIBRARIES      after a default changed
     tests/abi/check_abi.py baseline --write      after any change; a breaking one also needs a new SONAME
 
-exports   the library's dynamic symbols, src/api/exports.txt and the functions that the headers declare are the same,
-          and all symbols have the version of the SONAME
+LIBRARIES: libups.so and its extras, all of a build.
+
+exports   the dynamic symbols of each library are the functions that its headers declare (those of libups stand in
+          src/api/exports.txt, too), and all have the version of the SONAME
 headers   every public header compiles alone, as strict C99 without hidden padding and as C++17
 layout    size and offset of every struct and field, and the value of every enumerator, are those of layout.txt
 defaults  every field of every *_desc that its *_init fills is that of defaults.txt
@@ -50,8 +52,8 @@ def abi_version(api):
     return f"0.{minor}" if major == 0 else str(major)
 
 
-def soname(api):
-    return f"libups.so.{abi_version(api)}"
+def soname(api, library="ups"):
+    return f"lib{library}.so.{abi_version(api)}"
 
 
 def symbol_version(api):
@@ -61,24 +63,38 @@ def symbol_version(api):
 # ---- exports
 
 
-def check_exports(arguments):
-    api = c_header.parse_headers(INCLUDE / "ups")
+def read_api():
+    return c_header.parse_headers(INCLUDE / "ups", c_header.ALL_HEADERS)
+
+
+def library_of(function):
+    return Path(function.header).stem if function.header in c_header.EXTRA_HEADERS else "ups"
+
+
+def check_library(library, declared, version):
     symbols, unversioned = set(), set()
-    for line in run("nm", "-D", "--defined-only", "--format=posix", arguments.library).splitlines():
+    for line in run("nm", "-D", "--defined-only", "--format=posix", library).splitlines():
         name, kind = line.split()[:2]
         if kind != "A":  # the names of symbol versions
             symbols.add(name.split("@")[0])
-            if name.split("@")[-1] != symbol_version(api):
+            if name.split("@")[-1] != version:
                 unversioned.add(name)
+    compare("headers", sorted(declared), sorted(symbols), f"{library} exports something else.")
+    if unversioned:
+        sys.exit(f"{library}: not of version {version}: {' '.join(sorted(unversioned))}")
+    print(f"{library}: {len(symbols)} functions are declared and exported")
+
+
+def check_exports(arguments):
+    api = read_api()
     listed = (ROOT / "src/api/exports.txt").read_text(encoding="utf-8").split()
-    declared = [f.name for f in api.functions]
     if len(set(listed)) != len(listed):
         sys.exit("src/api/exports.txt lists a function twice")
-    compare("src/api/exports.txt", sorted(listed), sorted(declared), "The headers declare something else.")
-    compare("src/api/exports.txt", sorted(listed), sorted(symbols), "The library exports something else.")
-    if unversioned:
-        sys.exit(f"not of version {symbol_version(api)}: {' '.join(sorted(unversioned))}")
-    print(f"{len(listed)} functions are declared, listed and exported")
+    compare("src/api/exports.txt", sorted(listed), sorted(f.name for f in api.functions if library_of(f) == "ups"),
+            "The headers declare something else.")
+    for library in map(Path, arguments.library):
+        name = library.name.removeprefix("lib").split(".")[0]
+        check_library(library, [f.name for f in api.functions if library_of(f) == name], symbol_version(api))
 
 
 # ---- headers
@@ -100,9 +116,15 @@ def check_headers(arguments):
 # ---- layout
 
 
+def inclusions(include):
+    """Of ups.h and the extras' headers there."""
+    extras = [name for name in c_header.EXTRA_HEADERS if Path(include, "ups", name).exists()]
+    return [f"#include <ups/{name}>" for name in ("ups.h", *extras)]
+
+
 def measure_layout(cc, api, include):
     """A line for each struct with its size, field with its offset and size, enumerator with its value."""
-    lines = ["#include <stdio.h>", "#include <ups/ups.h>", "int main(void) {"]
+    lines = ["#include <stdio.h>", *inclusions(include), "int main(void) {"]
     for s in api.structs:
         lines.append(f'printf("{s.name} %zu\\n", sizeof({s.name}));')
         for f in s.fields:
@@ -119,7 +141,7 @@ def measure_layout(cc, api, include):
 
 
 def check_layout(arguments):
-    found = measure_layout(arguments.cc, c_header.parse_headers(INCLUDE / "ups"), INCLUDE)
+    found = measure_layout(arguments.cc, read_api(), INCLUDE)
     if arguments.write:
         (HERE / "layout.txt").write_text("\n".join(found) + "\n")
         return
@@ -154,20 +176,20 @@ def default_lines(api, struct):
 
 
 def measure_defaults(arguments):
-    api = c_header.parse_headers(INCLUDE / "ups")
-    lines = ["#include <stdio.h>", "#include <ups/ups.h>", "int main(void) {"]
+    api = read_api()
+    lines = ["#include <stdio.h>", *inclusions(INCLUDE), "int main(void) {"]
     for f in api.functions:
         if f.name.endswith("_init"):
             struct = api.struct(f.parameters[0].type.name)
             lines += [f"{{ {struct.name} d;", f"  {f.name}(&d, sizeof d);", f'  puts("{struct.name}");',
                       *default_lines(api, struct), "}"]
     lines.append("return 0; }")
-    library = Path(arguments.library).resolve()
+    libraries = [Path(library).resolve() for library in arguments.library]
     with tempfile.TemporaryDirectory() as folder:
         source = Path(folder, "defaults.c")
         source.write_text("\n".join(lines))
-        run(arguments.cc, "-std=c99", *arguments.flags.split(), "-I", INCLUDE, source, library,
-            f"-Wl,-rpath,{library.parent}", "-o", source.with_suffix(""))
+        run(arguments.cc, "-std=c99", *arguments.flags.split(), "-I", INCLUDE, source, *libraries,
+            *(f"-Wl,-rpath,{library.parent}" for library in libraries), "-o", source.with_suffix(""))
         return run(source.with_suffix("")).splitlines()
 
 
@@ -178,7 +200,7 @@ def check_defaults(arguments):
         return
     compare("tests/abi/defaults.txt", (HERE / "defaults.txt").read_text().splitlines(), found,
             "Defaults changed, by which programs get other results without being compiled anew.\n"
-            "To accept: tests/abi/check_abi.py defaults --write --library LIBRARY")
+            "To accept: tests/abi/check_abi.py defaults --write --library LIBRARIES")
     print(f"{len(found)} structs and defaults are those of defaults.txt")
 
 
@@ -190,17 +212,18 @@ def declaration(v):
     return "const " + star if v.type.const else star
 
 
-def build_empty_library(cc, api, include, folder, soname=None):
-    lines = ["#include <ups/ups.h>"]
-    for f in api.functions:
+def build_empty_library(cc, functions, include, folder, name="ups", soname=None):
+    lines = inclusions(include)
+    for f in functions:
         returns = declaration(c_header.Variable(f.name, f.returns))
         parameters = ", ".join(map(declaration, f.parameters)) or "void"
         body = "" if f.returns == c_header.Type("void", False, 0, 0) else "return 0; "
         lines.append(f"{returns}({parameters}) {{ {body}}}")
-    Path(folder, "ups.c").write_text("\n".join(lines) + "\n")
-    name = [f"-Wl,-soname,{soname}"] if soname else []
-    run(cc, "-std=c99", "-g", "-w", "-shared", "-fPIC", *name, "-I", include, "ups.c", "-o", "libups.so", cwd=folder)
-    return Path(folder, "libups.so")
+    Path(folder, f"{name}.c").write_text("\n".join(lines) + "\n")
+    called = [f"-Wl,-soname,{soname}"] if soname else []
+    run(cc, "-std=c99", "-g", "-w", "-shared", "-fPIC", *called, "-I", include, f"{name}.c", "-o", f"lib{name}.so",
+        cwd=folder)
+    return Path(folder, f"lib{name}.so")
 
 
 def check_baseline(arguments):
@@ -209,7 +232,7 @@ def check_baseline(arguments):
         sys.exit(SKIPPED)
     baseline = HERE / "baseline.abi"
     with tempfile.TemporaryDirectory() as folder:
-        library = build_empty_library(arguments.cc, c_header.parse_headers(INCLUDE / "ups"), INCLUDE, folder)
+        library = build_empty_library(arguments.cc, read_api().functions, INCLUDE, folder)
         if arguments.write:
             run("abidw", "--no-show-locs", "--no-corpus-path", "--no-comp-dir-path", "--no-architecture", library,
                 "--out-file", baseline)
@@ -225,7 +248,7 @@ def check_baseline(arguments):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("question", choices=("exports", "headers", "layout", "defaults", "baseline"))
-    parser.add_argument("--library", help="libups.so, for exports and defaults")
+    parser.add_argument("--library", nargs="+", help="libups.so and its extras, for exports and defaults")
     parser.add_argument("--cc", default="cc", help="C compiler")
     parser.add_argument("--cxx", default="c++", help="C++ compiler")
     parser.add_argument("--flags", default="", help="of the C compiler for programs that use the library")

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Do programs that were compiled with an earlier version of the same SONAME still run? Run by ctest, a subcommand a
-question; what they were compiled with is frozen in released/VERSION/ups/ups.h:
+question; what they were compiled with is frozen in released/VERSION/ups:
 
 released  every function of then has its signature; every field its offset and size, every enumerator its value;
           structs grew at their end alone, and only those that begin with struct_size
 clients   the program beside that header, and one that has every *_init fill a struct of then, are compiled with it,
-          linked with a library of then (empty functions, no versions of symbols) and run with this one
+          linked with libraries of then (empty functions, no versions of symbols) and run with these
 """
 import argparse
+import itertools
 import os
 import tempfile
 from pathlib import Path
@@ -20,10 +21,10 @@ INCLUDE = check_abi.INCLUDE
 
 
 def releases():
-    """(version, folder of its header, Api) of each whose SONAME is still this one's."""
+    """(version, folder of its headers, Api) of each whose SONAME is still this one's."""
     node = check_abi.symbol_version(c_header.parse_headers(INCLUDE / "ups"))
     for folder in sorted((HERE / "released").iterdir()):
-        api = c_header.parse_headers(folder / "ups", ["ups.h"])
+        api = c_header.parse_headers(folder / "ups", ["ups.h", *c_header.EXTRA_HEADERS])
         if check_abi.symbol_version(api) == node:
             yield folder.name, folder, api
 
@@ -71,7 +72,7 @@ def changed_functions(then, now):
 
 
 def check_released(arguments):
-    now = c_header.parse_headers(INCLUDE / "ups")
+    now = check_abi.read_api()
     layout = read_layout(check_abi.measure_layout(arguments.cc, now, INCLUDE))
     for version, folder, api in releases():
         then = read_layout(check_abi.measure_layout(arguments.cc, api, folder))
@@ -84,9 +85,9 @@ def check_released(arguments):
 # ---- clients
 
 
-def initialiser(api):
+def initialiser(api, folder):
     """A program that has every *_init fill a struct of the size of then, and looks at the bytes behind it."""
-    lines = ["#include <stdio.h>", "#include <string.h>", "#include <ups/ups.h>", "int main(void) {",
+    lines = ["#include <stdio.h>", "#include <string.h>", *check_abi.inclusions(folder), "int main(void) {",
              "int failures = 0;"]
     for f in api.functions:
         if f.name.endswith("_init"):
@@ -102,24 +103,26 @@ def initialiser(api):
     return "\n".join([*lines, "return failures != 0;", "}"])
 
 
-def build_client(arguments, source, folder, library):
+def build_client(arguments, source, folder, libraries):
     program = source.with_suffix("")
     run(arguments.cc, "-std=c99", "-Wall", "-Wextra", "-Werror", *arguments.flags.split(), "-I", folder, source,
-        library, "-o", program)
+        *libraries, "-o", program)
     if "UPS_" in run("readelf", "--version-info", program):
         raise SystemExit(f"{source.name} asks for versions of symbols, as programs of then did not")
     return program
 
 
 def check_clients(arguments):
-    new = Path(arguments.library).resolve()
-    environment = dict(os.environ, LD_LIBRARY_PATH=str(new.parent))
+    folders = [str(Path(library).resolve().parent) for library in arguments.library]
+    environment = dict(os.environ, LD_LIBRARY_PATH=":".join(folders))
     for version, folder, api in releases():
         with tempfile.TemporaryDirectory() as temporary:
             work = Path(temporary)
-            old = check_abi.build_empty_library(arguments.cc, api, folder, work, soname=check_abi.soname(api))
+            old = [check_abi.build_empty_library(arguments.cc, list(functions), folder, work, name,
+                                                 check_abi.soname(api, name))
+                   for name, functions in itertools.groupby(api.functions, check_abi.library_of)]
             sources = [work / "initialiser.c", work / "client.c"]
-            sources[0].write_text(initialiser(api))
+            sources[0].write_text(initialiser(api, folder))
             sources[1].write_text((folder / "client.c").read_text())
             for source in sources:
                 program = build_client(arguments, source, folder, old)
@@ -129,7 +132,7 @@ def check_clients(arguments):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("question", choices=("released", "clients"))
-    parser.add_argument("--library", help="libups.so, for clients")
+    parser.add_argument("--library", nargs="+", help="libups.so and its extras, for clients")
     parser.add_argument("--cc", default="cc", help="C compiler")
     parser.add_argument("--flags", default="", help="of the compiler, such as the library's sanitizer")
     arguments = parser.parse_args()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does each check of the ABI notice what it is there for? Run by ctest: check_red.py --library libups.so [--cc CC]
+"""Does each check of the ABI notice what it is there for? Run by ctest: check_red.py --library LIBRARIES [--cc CC]
 
 In a scratch copy of the headers and the checks one thing is changed at a time, in a header, in the list of exports or
 in what the library does; the checks that have to fail must, and say why. That they pass without is what they are run for
@@ -23,7 +23,8 @@ class Scratch:
     """What the checks read, to be changed; the library, whose behaviour a preloaded one can change."""
 
     def __init__(self, folder, arguments):
-        self.root, self.library, self.cc = Path(folder), Path(arguments.library).resolve(), arguments.cc
+        self.root, self.cc = Path(folder), arguments.cc
+        self.libraries = [Path(library).resolve() for library in arguments.library]
         for part in ("include", "tests/abi"):
             shutil.copytree(ROOT / part, self.root / part, ignore=shutil.ignore_patterns("__pycache__"))
         for part in ("bindings/c_header.py", "src/api/exports.txt"):
@@ -33,8 +34,9 @@ class Scratch:
     def ask(self, question, library=None, preloaded=None):
         """(whether it passed, what it said)"""
         program = "check_clients.py" if question in ("released", "clients") else "check_abi.py"
-        command = [sys.executable, self.root / "tests/abi" / program, question, "--library", library or self.library,
-                   "--cc", self.cc]
+        libraries = [library] if library else self.libraries
+        command = [sys.executable, self.root / "tests/abi" / program, question, "--cc", self.cc, "--library",
+                   *libraries]
         environment = dict(os.environ, **({"LD_PRELOAD": str(preloaded)} if preloaded else {}))
         done = subprocess.run(command, capture_output=True, text=True, env=environment)
         return done.returncode, done.stdout + done.stderr
@@ -62,23 +64,32 @@ void ups_render_desc_init(ups_render_desc *desc, uint32_t struct_size) {{
         return self.root / "shim.so"
 
     def unversioned(self):
-        api = c_header.parse_headers(check_abi.INCLUDE / "ups")
+        functions = c_header.parse_headers(check_abi.INCLUDE / "ups").functions
         folder = self.root / "unversioned"
         folder.mkdir()
-        return check_abi.build_empty_library(self.cc, api, check_abi.INCLUDE, folder)
+        return check_abi.build_empty_library(self.cc, functions, check_abi.INCLUDE, folder)
 
 
 OBSERVER = "typedef struct ups_observer_desc {\n  uint32_t struct_size;\n"
 READING = "} ups_meter_part_reading;"
 VERSION = "UPS_API uint32_t ups_version(void);\n"
 NAME = "UPS_API const char *ups_status_name(ups_status status);\n"
+IMPORT = "typedef struct ups_gltf_import_desc {\n  uint32_t struct_size;\n"
+EXR_ERROR = "UPS_API const char *ups_exr_last_error(void);\n"
 BASE, RENDER, GLARE = "include/ups/ups_base.h", "include/ups/ups_render.h", "include/ups/ups_glare.h"
+GLTF, EXR = "include/ups/ups_gltf.h", "include/ups/ups_exr.h"
 
 # What is changed, how, and what each check that has to notice says of it.
 CHANGES = {
     "a field in the middle of a struct": (
         lambda s: s.edit(GLARE, OBSERVER, OBSERVER + "  float invented[2];\n"),
         {"layout": "invented", "released": "ups_observer_desc.to_world", "baseline": "invented"}),
+    "a field in the middle of a struct of an extra": (
+        lambda s: s.edit(GLTF, IMPORT, IMPORT + "  float invented[2];\n"),
+        {"layout": "invented", "released": "ups_gltf_import_desc", "baseline": "invented"}),
+    "a function that an extra does not have": (
+        lambda s: s.edit(EXR, EXR_ERROR, EXR_ERROR + "UPS_API uint32_t ups_exr_vision(void);\n"),
+        {"exports": "exports something else"}),
     "hidden padding in a struct": (
         lambda s: s.edit(GLARE, OBSERVER, OBSERVER + "  float invented;\n"), {"headers": "padding struct"}),
     "an element of arrays that grows": (
@@ -96,7 +107,7 @@ CHANGES = {
     "a function that the library does not have": (
         lambda s: (s.edit(BASE, VERSION, VERSION + "UPS_API uint32_t ups_vision(void);\n"),
                    s.edit("src/api/exports.txt", "ups_version\n", "ups_version\nups_vision\n")),
-        {"exports": "The library exports something else"}),
+        {"exports": "exports something else"}),
     "a function that is not listed": (
         lambda s: s.edit("src/api/exports.txt", "ups_version\n", ""), {"exports": "ups_version"}),
 }
@@ -125,7 +136,7 @@ def expect(what, question, answer, words):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--library", required=True)
+    parser.add_argument("--library", nargs="+", required=True)
     parser.add_argument("--cc", default="cc")
     arguments = parser.parse_args()
     for what, (change, noticed) in (CHANGES | BEHAVIOURS).items():

@@ -244,7 +244,8 @@ class Targets(ReportTest):
         self.assertIn("What troubles most", page.words())
         self.assertIn("<eye>", page.words())
         self.assertIn(f"{observer['ugr']:.1f}", page.words())
-        self.assertNotRegex(page.words(), r"meters \d+:")  # the observer's name, not its number
+        self.assertIn("observer <eye>: eye paths", page.words())  # by name: to the library, meters with a number
+        self.assertNotRegex(page.words(), r"meters \d+:")
         self.assertGreater(observer["ugr_low"], 1)
         self.assertLess(observer["ugr_low"], observer["ugr_high"])
         self.assertEqual(judge(observer["ugr_high"] + 0.001)[0], "met")

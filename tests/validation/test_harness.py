@@ -36,6 +36,19 @@ class Judging(unittest.TestCase):
         self.assertIsNone(self.passed(100, 0.01, judged=False))
 
 
+class Growing(unittest.TestCase):
+    def growth(self, *errors, reference=100.0):
+        case = Case("case", "case", None, [])
+        return harness.growth([harness.judge(case, "pt", Check("set", reference, 0), (reference, e, 0.0), 64, 1.0)
+                               for e in errors])
+
+    def test_the_noisiest_check_decides(self):
+        self.assertEqual(self.growth(0.1, 0.6), 5)  # 1.1 * (0.6 / 0.3)^2
+        self.assertEqual(self.growth(0.31), 2)
+        self.assertEqual(self.growth(30.0), 64)
+        self.assertEqual(self.growth(0.6, -1.0), 4)
+
+
 class ClosedForms(unittest.TestCase):
     def test_parallel_squares(self):
         """Of a unit square at unit distance, over its corner: (2 / (2 pi sqrt 2)) atan(1 / sqrt 2)."""

@@ -16,10 +16,7 @@ const Letter* find_letter(char letter) {
   return nullptr;
 }
 
-float advance_of(char letter) {
-  const Letter* known = find_letter(letter);
-  return known ? known->advance : blank_advance;
-}
+float advance_of(const Letter* letter) { return letter ? letter->advance : blank_advance; }
 
 float ink_at(const Letter& letter, int column, int row) {
   const char digit = coverage[letter.first + uint32_t(row * letter.width + column)];
@@ -62,7 +59,7 @@ void draw_letter(Picture& picture, const Letter& letter, float pen, float baseli
 
 uint32_t text_width(const std::string& text, uint32_t height) {
   float width = 0;
-  for (const char letter : text) width += advance_of(letter);
+  for (const char letter : text) width += advance_of(find_letter(letter));
   return uint32_t(std::ceil(width * float(height) / capital_height));
 }
 
@@ -70,9 +67,9 @@ void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y
   const float scale = float(height) / capital_height;
   float pen = float(x);
   for (const char letter : text) {
-    if (const Letter* known = find_letter(letter))
-      draw_letter(picture, *known, pen, float(y + height), scale, color);
-    pen += advance_of(letter) * scale;
+    const Letter* known = find_letter(letter);
+    if (known) draw_letter(picture, *known, pen, float(y + height), scale, color);
+    pen += advance_of(known) * scale;
   }
 }
 

@@ -7,18 +7,18 @@ namespace ups::platform {
 
 ThreadSlot::ThreadSlot(void (*release)(void*)) noexcept {
   const DWORD index = FlsAlloc(release);
-  made_ = index != FLS_OUT_OF_INDEXES;
+  is_made_ = index != FLS_OUT_OF_INDEXES;
   key_ = index;
 }
 
 ThreadSlot::~ThreadSlot() {
-  if (made_) FlsFree(DWORD(key_));
+  if (is_made_) FlsFree(DWORD(key_));
 }
 
-void* ThreadSlot::get() const noexcept { return FlsGetValue(DWORD(key_)); }
+void* ThreadSlot::get() const noexcept { return is_made_ ? FlsGetValue(DWORD(key_)) : nullptr; }
 
 bool ThreadSlot::set(const void* pointer) const noexcept {
-  return FlsSetValue(DWORD(key_), const_cast<void*>(pointer)) != 0;
+  return is_made_ && FlsSetValue(DWORD(key_), const_cast<void*>(pointer)) != 0;
 }
 
 }  // namespace ups::platform
