@@ -81,6 +81,7 @@ OF_FUNCTION = {
 }
 NOTHING = "<span></span>"  # the name says it
 OPTIONAL = ("info", "level", "needed", "normals", "positions_m")  # pointers that may be NULL
+EXTRAS = ("ups_exr.h", "ups_gltf.h", "ups_ocio.h")
 READS_SCENE = {"ups_render", "ups_job_start", "ups_replay", "ups_scene_estimate_memory"}
 
 
@@ -157,38 +158,51 @@ def split_errors(comment):
     return (comment[:m.start()] + comment[m.end():]).strip(), [" ".join(m[1].split())]
 
 
+def faults(function):
+    """(parameter, kind, when) for each INVALID_ARGUMENT that the parameters tell. kind: null; id, one that names nothing;
+    desc, without its struct_size; size, an output without; memory, of which there is none; index, beyond the last.
+    Each is tried by tests/docs/errors.py."""
+    names = {p.name for p in function.parameters}
+    rendered = any(p.type.name == "ups_result" for p in function.parameters)
+    for p in function.parameters:
+        t = p.type
+        if t.name in HANDLES and t.pointers == 1:
+            yield p, "null", f"{p.name} is NULL" + ("" if function.header in EXTRAS else
+                                                    " or of another copy of the library")
+        elif t.name.endswith("_id") and not t.pointers:
+            yield p, "id", (f"{p.name} names nothing of that kind in what was rendered" if rendered else
+                            f"{p.name} is of another scene, of another kind, or was removed")
+        elif t.name.endswith("_desc") and t.const:
+            yield p, "desc", "a field of desc is out of its range or struct_size is not set"
+        elif p.name == "capacity":
+            yield p, "memory", "capacity is not 0 and the memory is NULL"
+        elif t.pointers and not t.const and "capacity" not in names and p.name not in OPTIONAL and (
+                t.name != "ups_fixture_part_id"):
+            yield p, "null", f"{p.name} is NULL" + (", or its struct_size is not set" if _sized(t) else "")
+            if _sized(t):
+                yield p, "size", f"{p.name} is NULL, or its struct_size is not set"
+        elif t.pointers and t.const and t.name == "char":
+            yield p, "null", f"{p.name} is NULL"
+        elif p.name in ("index", "source") and not t.pointers:
+            yield p, "index", f"{p.name} is not below the count"
+
+
+def can_fail(function):
+    return function.returns.name == "ups_status" and not function.returns.pointers
+
+
 def errors(function, listed, said):
     """Lines: what the table says, what the header says, what the parameters tell."""
-    if function.returns.name != "ups_status" or function.returns.pointers:
+    if not can_fail(function):
         return
     if function.name in ("ups_job_wait",):
         yield "Those of the render or commit that the job is, such as OUT_OF_MEMORY."
     yield from (f"{status}: {when}." for status, when in listed)
     yield from (s[0].upper() + s[1:] for s in said)
-    names, wrong = {p.name for p in function.parameters}, []
-    rendered = any(p.type.name == "ups_result" for p in function.parameters)
-    for p in function.parameters:
-        t = p.type
-        if t.name in HANDLES and t.pointers == 1:
-            wrong.append(f"{p.name} is NULL" + ("" if function.header in ("ups_exr.h", "ups_gltf.h", "ups_ocio.h") else
-                                              " or of another copy of the library"))
-        elif t.name.endswith("_id") and not t.pointers:
-            wrong.append(f"{p.name} names nothing of that kind in what was rendered" if rendered else
-                         f"{p.name} is of another scene, of another kind, or was removed")
-        elif t.name.endswith("_desc") and t.const:
-            wrong.append(f"a field of desc is out of its range or struct_size is not set")
-        elif p.name == "capacity":
-            wrong.append("capacity is not 0 and the memory is NULL")
-        elif t.pointers and not t.const and "capacity" not in names and p.name not in OPTIONAL and (
-                t.name != "ups_fixture_part_id"):
-            wrong.append(f"{p.name} is NULL" + (", or its struct_size is not set" if _sized(t) else ""))
-        elif t.pointers and t.const and t.name == "char":
-            wrong.append(f"{p.name} is NULL")
-        elif p.name in ("index", "source") and not t.pointers:
-            wrong.append(f"{p.name} is not below the count")
+    wrong = [when for _, _, when in faults(function)]
     if wrong:
         yield "INVALID_ARGUMENT: " + "; ".join(dict.fromkeys(wrong)) + "."
-    if "capacity" in names and "BUFFER_TOO_SMALL" not in " ".join(said):
+    if any(p.name == "capacity" for p in function.parameters) and "BUFFER_TOO_SMALL" not in " ".join(said):
         yield "BUFFER_TOO_SMALL: there is more than capacity; needed tells how much."
     if any(p.type.name.endswith("_desc") and p.type.const for p in function.parameters):
         yield "UNSUPPORTED: desc has a field of a later version, and it is set."

@@ -119,12 +119,12 @@ def read_meters(folder, summary):
 
 
 def growth(rows):
-    """How many times as many iterations should make the noisiest check quiet: twice at least, 64 times at most, four
+    """How many times as many iterations should make the noisiest check quiet: twice at least, 8 times at most, four
     times where its noise is not known. Noise falls with the root of the iterations; a tenth more is for luck."""
     noises = [r.standard_error / r.E_ref for r in rows if r.passed is not None and r.E_ref]
     if any(n < 0 for n in noises):
         return 4
-    return min(max(math.ceil(1.1 * (max(noises) / LARGEST_NOISE) ** 2), 2), 64)
+    return min(max(math.ceil(1.1 * (max(noises) / LARGEST_NOISE) ** 2), 2), 8)
 
 
 def run_case(renderer, case, method, out, cap):

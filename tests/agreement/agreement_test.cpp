@@ -95,9 +95,9 @@ class AreaLitRoom : public ::testing::Test {
 TEST_F(AreaLitRoom, MetersAgree) {
   const Sensor meters = scene.add_meters(grid(0.9), {0, 0, 1});
   expect_agreement(scene, meters,
-                   {trial(UPS_METHOD_UPS, 192), trial(UPS_METHOD_BIDIRECTIONAL, 192),
-                    trial(UPS_METHOD_PATH_TRACING, 384),
-                    trial(UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING, 192, 1u << 15, 0.15)}, 0.015);  // next to no bias
+                   {trial(UPS_METHOD_UPS, 48), trial(UPS_METHOD_BIDIRECTIONAL, 48),
+                    trial(UPS_METHOD_PATH_TRACING, 128),
+                    trial(UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING, 112, 1u << 15, 0.15)}, 0.015);  // next to no bias
 }
 
 TEST_F(AreaLitRoom, ImagesAgree) {
@@ -136,7 +136,7 @@ class RoomOfManyPanels : public ::testing::Test {
 TEST_F(RoomOfManyPanels, MetersAgree) {
   const Sensor meters = scene.add_meters(grid(0.9), {0, 0, 1});
   expect_agreement(scene, meters,
-                   {trial(UPS_METHOD_UPS, 64), trial(UPS_METHOD_BIDIRECTIONAL, 64), trial(UPS_METHOD_PATH_TRACING, 96)},
+                   {trial(UPS_METHOD_UPS, 32), trial(UPS_METHOD_BIDIRECTIONAL, 32), trial(UPS_METHOD_PATH_TRACING, 64)},
                    0.01);
 }
 
@@ -161,7 +161,8 @@ TEST_F(PointLitDiffuseRoom, CellsAgree) {
   const Sensor cells =
       scene.add_cells(grid(0), std::vector<P3>(16, {0, 0, 1}), std::vector<P3>(16, {1, 0, 0}), 0.5, 0.5);
   std::vector<Trial> trials;
-  for (const ups_method m : cell_methods) trials.push_back(trial(m, 96, 1u << 14));
+  for (const ups_method m : cell_methods)
+    trials.push_back(trial(m, m == UPS_METHOD_LIGHT_TRACING ? 256 : m == UPS_METHOD_PATH_TRACING ? 128 : 48, 1u << 14));
   expect_agreement(scene, cells, trials, 0.015);
 }
 

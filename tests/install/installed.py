@@ -1,7 +1,7 @@
 """Does an installed UPS have what it should beside libraries that link? Called by run.sh: installed.py PREFIX LIBDIR BUILD
 
 Its licence; notices and an SPDX document that name every library that its own ones are linked with; manual pages that say
-what the program says; the bindings' and samples' sources.
+what the program says; the bindings' and samples' sources; documents whose links lead somewhere.
 """
 import json
 import re
@@ -11,6 +11,9 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.path.insert(0, str(ROOT / "samples" / "docs"))
+import pages  # noqa: E402
+
 OF_THE_SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|z|asan|ubsan|tsan)\.so\.\d+|ld-.*)")
 # Names of libraries and of what they are of, lower case.
 OF = {"tbb": "onetbb", "iex": "openexr", "ilmthread": "openexr"}
@@ -59,6 +62,17 @@ def check_sources(prefix):
     assert not list(prefix.rglob("__pycache__")) and not list(prefix.rglob("obj"))
 
 
+def check_links(prefix):
+    count = 0
+    for file in (f for f in prefix.rglob("*.md") if "dist-info" not in str(f)):
+        for _, words, target in pages.links(file.read_text(encoding="utf-8")):
+            if not pages.is_external(target):
+                count += 1
+                where = target.partition("#")[0]
+                assert not where or (file.parent / where).exists(), f"{file}: [{words}]({target}) leads nowhere"
+    assert count > 20, count
+
+
 def check_manual(prefix, build):
     program = build / "bin/ups"
     if not program.exists():
@@ -73,6 +87,7 @@ def main():
     prefix, libdir, build = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3])
     check_notices(prefix, libdir)
     check_sources(prefix)
+    check_links(prefix)
     check_manual(prefix, build)
 
 

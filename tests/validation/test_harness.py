@@ -45,7 +45,7 @@ class Growing(unittest.TestCase):
     def test_the_noisiest_check_decides(self):
         self.assertEqual(self.growth(0.1, 0.6), 5)  # 1.1 * (0.6 / 0.3)^2
         self.assertEqual(self.growth(0.31), 2)
-        self.assertEqual(self.growth(30.0), 64)
+        self.assertEqual(self.growth(30.0), 8)
         self.assertEqual(self.growth(0.6, -1.0), 4)
 
 

@@ -4,7 +4,7 @@
 #include "example.h"
 
 static const char scene_file[] =
-    "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0, \"scenes\": [{\"nodes\": [0, 1]}], \"nodes\": [\n"
+    "{\"asset\": {\"version\": \"2.0\"}, \"extensionsUsed\": [\"EXT_example\"], \"scene\": 0, \"scenes\": [{\"nodes\": [0, 1]}], \"nodes\": [\n"
     "  {\"name\": \"downlight\", \"translation\": [2, 2.5, -1.5], \"rotation\": [-0.7071068, 0, 0, 0.7071068],\n"
     "   \"extras\": {\"ups\": {\"luminaire\": {\"file\": \"example.ies\"}}}},\n"
     "  {\"name\": \"desk\", \"extras\": {\"ups\": {\"meters\": {\"points_m\": [[1, 0.75, -1], [2, 0.75, -1]],\n"

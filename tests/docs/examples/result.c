@@ -142,7 +142,10 @@ int main(void) {
   char *warnings = malloc(needed);
   check(ups_result_get_text(result, UPS_TEXT_WARNINGS, warnings, needed, NULL));
   if (warnings[0]) printf("%s\n", warnings); /* a line each: show them with the numbers */
+  char techniques[2048];
+  check(ups_result_get_text(result, UPS_TEXT_TECHNIQUES, techniques, sizeof techniques, NULL)); /* how light was found */
   /* [end] */
+  expect(techniques[0]);
   free(warnings);
   read_meters(result, meters);
   read_vectors(result, vectors);

@@ -14,8 +14,8 @@ static ups_texture_id textures(ups_scene *scene) {
   /* [end] */
 
   /* [ups_scene_set_texture] */
-  const float grey[1] = {0.5f};
-  desc.width = desc.height = 1;
+  const float grey[2] = {0.5f, 0.4f};
+  desc.height = 1;
   desc.texels = grey;
   check(ups_scene_set_texture(scene, texture, &desc)); /* materials that have it show the new one */
   /* [end] */
@@ -28,7 +28,7 @@ static ups_texture_id textures(ups_scene *scene) {
   float *texels = malloc(count * sizeof *texels);
   check(ups_scene_read_texture(scene, texture, texels, count, NULL));
   /* [end] */
-  expect(count == 1 && texels[0] == 0.5f);
+  expect(count == 2 && texels[0] == 0.5f);
   free(texels);
   return texture;
 }
