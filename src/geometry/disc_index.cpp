@@ -1,11 +1,15 @@
 // Which discs does a segment cross? Asked by light walks for meters, and by both walks for luminous openings.
 //
-// Embree only finds candidates (user geometry: its own disc shapes skip crossings near a ray's start); whether a disc
-// is crossed is decided here, in double, so that few discs and many give the same answer.
+// A tree of boxes, four to a node, finds candidates; whether a disc is crossed is decided in double, so that few discs
+// and many give the same answer. Not Embree's: this is built anew whenever the meters' radii change, and all that can
+// fail here is an allocation of its own.
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
-#include "geometry/embree.h"
+#include "base/lanes.h"
 #include "geometry/raytracer.h"
 
 namespace ups {
@@ -14,7 +18,7 @@ namespace {
 using Disc = DiscIndex::Disc;
 using Crossing = DiscIndex::Crossing;
 
-constexpr size_t brute_force_count = 4;
+constexpr size_t leaf_count = 4;  // discs of a leaf, at most: what is more can be quartered
 
 bool is_ball(const Disc& disc) { return disc.normal.x == 0 && disc.normal.y == 0 && disc.normal.z == 0; }
 
@@ -41,66 +45,130 @@ bool cross(const Disc& disc, const Vec3d& o, const Vec3d& d, float tmax, float& 
   return true;
 }
 
-struct Query {
-  embree::QueryContext context;  // first: Embree hands back a pointer to it
-  Vec3d o, d;
-  float tmax;
-  std::vector<Crossing>* out;
-  bool out_of_memory = false;
+struct Bounds {
+  float lower[3], upper[3];
+  void add(const Bounds& b) {
+    for (int a = 0; a < 3; ++a)
+      lower[a] = std::min(lower[a], b.lower[a]), upper[a] = std::max(upper[a], b.upper[a]);
+  }
 };
 
-void bounds(const RTCBoundsFunctionArguments* args) {
-  const Disc& disc = static_cast<const Disc*>(args->geometryUserPtr)[args->primID];
+Bounds bounds_of(const Disc& disc) {
   const float pad = 0x1p-21f * (max_abs(disc.center) + disc.radius);
   const auto half = [&](float n) { return disc.radius * std::sqrt(std::max(0.0f, 1 - n * n)) + pad; };
   const Vec3 h = disc.reach.x < 0 ? Vec3(half(disc.normal.x), half(disc.normal.y), half(disc.normal.z))
                                   : disc.reach + Vec3(pad, pad, pad);
   const Vec3 lower = disc.center - h, upper = disc.center + h;
-  RTCBounds& b = *args->bounds_o;
-  b.lower_x = lower.x, b.lower_y = lower.y, b.lower_z = lower.z;
-  b.upper_x = upper.x, b.upper_y = upper.y, b.upper_z = upper.z;
+  return {{lower.x, lower.y, lower.z}, {upper.x, upper.y, upper.z}};
 }
 
-// Leaves the ray as it is, so that Embree goes on to the next disc.
-void collect(const RTCOccludedFunctionNArguments* args) {
-  const Disc& disc = static_cast<const Disc*>(args->geometryUserPtr)[args->primID];
-  Query& query = *reinterpret_cast<Query*>(args->context);
-  float t;
-  if (!cross(disc, query.o, query.d, query.tmax, t)) return;
-  try {
-    query.out->push_back({args->primID, t});
-  } catch (...) {  // must not pass through Embree, which would keep it to itself
-    query.out_of_memory = true;
+// Boxes of four children, side by side to be tested at once. A child with discs is a leaf: they begin at
+// `first`; else `first` is a node.
+struct Node {
+  Float4 lower[3], upper[3];
+  uint32_t first[lane_count], discs[lane_count];
+};
+
+// A segment as the boxes are tested with: what is rounded makes them larger.
+class Segment {
+ public:
+  Segment(const Vec3& o, const Vec3& d, float tmax) : tmax_(tmax) {
+    for (int a = 0; a < 3; ++a) o_[a] = o[a], inverse_[a] = 1 / d[a];
   }
-}
+  // A bit a child. Comparisons with what is not a number, from 0 times infinity in the plane of a box's side, leave out
+  // that axis.
+  uint32_t meets(const Node& node) const {
+    Float4 near = all_lanes<Float4>(0), far = all_lanes<Float4>(tmax_);
+    for (int a = 0; a < 3; ++a) {
+      const bool down = inverse_[a] < 0;
+      const Float4 begin = ((down ? node.upper : node.lower)[a] - o_[a]) * (inverse_[a] * (1 - rounding)),
+                   end = ((down ? node.lower : node.upper)[a] - o_[a]) * (inverse_[a] * (1 + rounding));
+      near = larger(begin, near);
+      far = smaller(end, far);
+    }
+    return bits_of(near <= far);
+  }
+
+ private:
+  static constexpr float rounding = 4 * std::numeric_limits<float>::epsilon();  // of a difference and two products
+  float o_[3], inverse_[3], tmax_;
+};
+
+struct Item {
+  Bounds bounds;
+  uint32_t disc;
+  float middle(int axis) const { return bounds.lower[axis] + bounds.upper[axis]; }  // twice
+};
+
+class Builder {
+ public:
+  Builder(std::vector<Item>& items, std::vector<Node>& nodes) : items_(items), nodes_(nodes) {}
+
+  // Of items [begin, end), more than a leaf's. Returns the node's number.
+  uint32_t build(size_t begin, size_t end) {
+    const uint32_t number = uint32_t(nodes_.size());
+    nodes_.emplace_back();
+    const size_t middle = split(begin, end), cuts[] = {begin, split(begin, middle), middle, split(middle, end), end};
+    for (int i = 0; i < lane_count; ++i) {
+      const size_t count = cuts[i + 1] - cuts[i];
+      Bounds box = items_[cuts[i]].bounds;
+      for (size_t k = cuts[i] + 1; k < cuts[i + 1]; ++k) box.add(items_[k].bounds);
+      const bool leaf = count <= leaf_count;
+      const uint32_t first = leaf ? uint32_t(cuts[i]) : build(cuts[i], cuts[i + 1]);
+      Node& node = nodes_[number];
+      for (int a = 0; a < 3; ++a) node.lower[a][i] = box.lower[a], node.upper[a][i] = box.upper[a];
+      node.first[i] = first, node.discs[i] = leaf ? uint32_t(count) : 0;
+    }
+    return number;
+  }
+
+ private:
+  // At the median along the longest side of the middles' box: neither half of two or more is empty.
+  size_t split(size_t begin, size_t end) {
+    int axis = 0;
+    float longest = -1;
+    for (int a = 0; a < 3; ++a) {
+      float low = HUGE_VALF, high = -HUGE_VALF;
+      for (size_t k = begin; k < end; ++k)
+        low = std::min(low, items_[k].middle(a)), high = std::max(high, items_[k].middle(a));
+      if (high - low > longest) longest = high - low, axis = a;
+    }
+    const size_t middle = begin + (end - begin) / 2;
+    std::nth_element(items_.begin() + ptrdiff_t(begin), items_.begin() + ptrdiff_t(middle),
+                     items_.begin() + ptrdiff_t(end),
+                     [axis](const Item& a, const Item& b) { return a.middle(axis) < b.middle(axis); });
+    return middle;
+  }
+
+  std::vector<Item>& items_;
+  std::vector<Node>& nodes_;
+};
 
 }  // namespace
 
 struct DiscIndex::Impl {
   std::vector<Disc> discs;
-  std::unique_ptr<embree::Device> device;  // both null for few discs
-  std::unique_ptr<embree::Scene> scene;
+  std::vector<Node> nodes;      // none for the discs of a leaf
+  std::vector<uint32_t> order;  // of the discs, as leaves have them
 };
 
-DiscIndex::DiscIndex(std::vector<Disc> discs, ThreadPool& pool) : impl_(std::make_unique<Impl>()) {
+DiscIndex::DiscIndex(std::vector<Disc> discs) : impl_(std::make_unique<Impl>()) {
   impl_->discs = std::move(discs);
-  if (impl_->discs.size() <= brute_force_count) return;
-  impl_->device = std::make_unique<embree::Device>();
-  impl_->scene = std::make_unique<embree::Scene>(*impl_->device);
-  RTCGeometry geometry = rtcNewGeometry(*impl_->device, RTC_GEOMETRY_TYPE_USER);
-  impl_->device->check();
-  rtcSetGeometryUserPrimitiveCount(geometry, unsigned(impl_->discs.size()));
-  rtcSetGeometryUserData(geometry, impl_->discs.data());
-  rtcSetGeometryBoundsFunction(geometry, &bounds, nullptr);
-  rtcSetGeometryOccludedFunction(geometry, &collect);
-  impl_->scene->attach(geometry, 0);
-  impl_->scene->commit(pool);
+  const size_t count = impl_->discs.size();
+  if (count <= leaf_count) return;
+  std::vector<Item> items(count);
+  for (size_t i = 0; i < count; ++i) items[i] = {bounds_of(impl_->discs[i]), uint32_t(i)};
+  Builder(items, impl_->nodes).build(0, count);
+  impl_->nodes.shrink_to_fit();
+  impl_->order.reserve(count);
+  for (const Item& item : items) impl_->order.push_back(item.disc);
 }
 
 DiscIndex::~DiscIndex() = default;
 
 size_t DiscIndex::bytes() const {
-  return impl_->discs.capacity() * sizeof(Disc) + (impl_->device ? impl_->device->bytes() : 0);
+  return impl_->discs.capacity() * sizeof(Disc) + impl_->nodes.capacity() * sizeof(Node) +
+         impl_->order.capacity() * sizeof(uint32_t);
 }
 
 bool DiscIndex::empty() const { return impl_->discs.empty(); }
@@ -114,23 +182,31 @@ bool DiscIndex::holds(const std::vector<Disc>& discs) const {
 const DiscIndex::Disc& DiscIndex::disc(uint32_t i) const { return impl_->discs[i]; }
 
 void DiscIndex::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vector<Crossing>& out) const {
-  if (!impl_->scene) {
+  const Vec3d origin(o), direction(d);
+  const auto try_disc = [&](uint32_t i) {
     float t;
-    for (size_t i = 0; i < impl_->discs.size(); ++i)
-      if (cross(impl_->discs[i], Vec3d(o), Vec3d(d), tmax, t)) out.push_back({uint32_t(i), t});
+    if (cross(impl_->discs[i], origin, direction, tmax, t)) out.push_back({i, t});
+  };
+  if (impl_->nodes.empty()) {
+    for (size_t i = 0; i < impl_->discs.size(); ++i) try_disc(uint32_t(i));
     return;
   }
-  const size_t first = out.size();
-  Query query;
-  query.o = Vec3d(o), query.d = Vec3d(d), query.tmax = tmax, query.out = &out;
-  RTCRay ray = embree::make_ray(o, d, tmax);
-  embree::occluded(*impl_->scene, query.context, ray);
-  if (query.out_of_memory) throw std::bad_alloc();
-  // A disc may be offered twice where the index split its box; its crossing is the same both times.
-  const auto begin = out.begin() + ptrdiff_t(first);
-  std::sort(begin, out.end(), [](const Crossing& a, const Crossing& b) { return a.disc < b.disc; });
-  out.erase(std::unique(begin, out.end(), [](const Crossing& a, const Crossing& b) { return a.disc == b.disc; }),
-            out.end());
+  const size_t begin = out.size();
+  const Segment segment(o, d, tmax);
+  uint32_t waiting[lane_count * 16] = {0};  // a level has a quarter of what the one above has, of 2^32 discs at most
+  for (int left = 1; left > 0;) {
+    const Node& node = impl_->nodes[waiting[--left]];
+    for (uint32_t met = segment.meets(node); met; met &= met - 1) {
+      const int i = std::countr_zero(met);
+      if (node.discs[i] == 0) {
+        waiting[left++] = node.first[i];
+      } else {
+        for (uint32_t k = 0; k < node.discs[i]; ++k) try_disc(impl_->order[node.first[i] + k]);
+      }
+    }
+  }
+  std::sort(out.begin() + ptrdiff_t(begin), out.end(),
+            [](const Crossing& a, const Crossing& b) { return a.disc < b.disc; });
 }
 
 }  // namespace ups

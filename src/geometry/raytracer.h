@@ -94,7 +94,7 @@ class DiscIndex {
     float radius;
     Vec3 reach{-1, -1, -1};  // of what is searched for on the disc, from its centre along each axis; < 0: all of it
   };
-  explicit DiscIndex(std::vector<Disc> discs, ThreadPool& pool);
+  explicit DiscIndex(std::vector<Disc> discs);
   ~DiscIndex();
   struct Crossing {
     uint32_t disc;

@@ -13,8 +13,8 @@ namespace ups {
 
 namespace {
 
-// Of the index of a meter that an iteration visits: its entry and disc, and Embree's tree of them.
-constexpr double index_bytes = 280, kept_index_bytes = 180;  // with and without the entry
+// Of the index of a meter that an iteration visits: its entry and disc, and the tree of them.
+constexpr double index_bytes = 190, kept_index_bytes = 90;  // with and without the entry
 // Of a pixel or meter, of a pilot that chooses techniques.
 constexpr double pilot_bytes = 48;
 

@@ -35,7 +35,7 @@ std::shared_ptr<const Snapshot> Builder::build() {
   if (earlier_ && earlier_->openings && earlier_->openings->holds(openings_))
     out_->openings = earlier_->openings;
   else if (!openings_.empty())
-    out_->openings = std::make_shared<const DiscIndex>(std::move(openings_), threads_);
+    out_->openings = std::make_shared<const DiscIndex>(std::move(openings_));
   monitor_.begin_part(0.8f);
   add_sensors();
   find_media();

@@ -111,7 +111,7 @@ EmissionGuide Integrator::train_guide(const StopSignal& stop) {
     in.trains_guide = true;
     IterationTally tally;
     reset(in, tally);
-    trace_light_paths(in, SensorIndex(in, pool_), pool_, tally);
+    trace_light_paths(in, SensorIndex(in), pool_, tally);
     if (stop.is_set()) break;
     for (const IterationTally::Start& s : tally.starts)
       training.add(scene_->emitters, small.guide, s.emitter, s.square, double(s.flux));
@@ -143,7 +143,7 @@ bool Integrator::trace(const Iteration& in, IterationTally& tally) {
   reset(in, tally);
   Photons photons;
   if (settings_.traces_light()) {
-    const SensorIndex sensors(in, pool_, sensor_discs_);
+    const SensorIndex sensors(in, sensor_discs_);
     if (plan_.meter_subsets == 1) sensor_discs_ = sensors.discs();
     photons = trace_light(in, sensors, tally);
   }
@@ -165,7 +165,7 @@ double Integrator::bytes_of_light_paths(const StopSignal& stop) const {
   constexpr uint32_t few = 1024;
   if (!settings_.traces_light() || plan_.light_paths == 0) return 0;
   const Iteration in = Iteration::of_pilot(*scene_, plan_, settings_, 0, stop, Stream::pilot);
-  return count_light_pass(in, SensorIndex(in, pool_), pool_, few).bytes(plan_.light_paths);
+  return count_light_pass(in, SensorIndex(in), pool_, few).bytes(plan_.light_paths);
 }
 
 bool Integrator::run(uint32_t iteration, const StopSignal& stop, IterationTally& tally) {
@@ -197,7 +197,7 @@ Replayed Integrator::replay(const SampleAddress& a, const StopSignal& stop) {
   Iteration in(*scene_, plan_, settings_, a.iteration, stop);
   IterationTally tally;
   reset(in, tally);
-  const SensorIndex sensors = settings_.traces_light() ? SensorIndex(in, pool_) : SensorIndex();
+  const SensorIndex sensors = settings_.traces_light() ? SensorIndex(in) : SensorIndex();
   const Photons photons = settings_.traces_light() ? trace_light(in, sensors, tally) : Photons();
   const auto retrace = [&](uint32_t path, ReplayRecorder& recorder) {
     in.recorder = &recorder;

@@ -5,7 +5,7 @@
 
 namespace ups {
 
-SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool, const std::shared_ptr<const DiscIndex>& before) {
+SensorIndex::SensorIndex(const Iteration& in, const std::shared_ptr<const DiscIndex>& before) {
   std::vector<DiscIndex::Disc> discs;
   for (uint32_t s = 0; s < in.scene.meter_sets.size(); ++s) {
     const MeterSet& set = in.scene.meter_sets[s];
@@ -33,7 +33,7 @@ SensorIndex::SensorIndex(const Iteration& in, ThreadPool& pool, const std::share
     }
   }
   if (discs.empty()) return;
-  discs_ = before && before->holds(discs) ? before : std::make_shared<const DiscIndex>(std::move(discs), pool);
+  discs_ = before && before->holds(discs) ? before : std::make_shared<const DiscIndex>(std::move(discs));
 }
 
 }  // namespace ups

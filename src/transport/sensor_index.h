@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "base/parallel.h"
 #include "scene/snapshot.h"
 #include "transport/iteration.h"
 
@@ -15,7 +14,7 @@ class SensorIndex {
   SensorIndex() = default;
   // The meters that the iteration visits. Holds point meters where merging is on and cells where landing is on.
   // before: of an earlier iteration, taken over where its discs are the same; may be null.
-  SensorIndex(const Iteration& in, ThreadPool& pool, const std::shared_ptr<const DiscIndex>& before = nullptr);
+  explicit SensorIndex(const Iteration& in, const std::shared_ptr<const DiscIndex>& before = nullptr);
 
   struct Entry {
     uint32_t set, meter;

@@ -54,8 +54,7 @@ void compare(size_t count, float scale, const Vec3& offset) {
   std::mt19937 rng(7);
   std::uniform_real_distribution<float> uniform(-1.5f, 1.5f);
   const Discs discs = random_discs(count, scale, offset, rng);
-  ThreadPool pool(2);
-  const DiscIndex index(discs, pool);
+  const DiscIndex index(discs);
   std::vector<DiscIndex::Crossing> found;
   size_t crossings = 0, undecided = 0;
   const int segments = count > 4 ? 3000 : 60000;
@@ -92,8 +91,7 @@ TEST(DiscIndex, Huge) { compare(400, 1e5f, {0, 0, 0}); }
 TEST(DiscIndex, CrossingsKeepWhatWasFoundBefore) {
   Discs discs;
   for (int i = 0; i < 8; ++i) discs.push_back({{0, 0, float(i)}, {0, 0, 1}, 1});
-  ThreadPool pool(1);
-  const DiscIndex index(discs, pool);
+  const DiscIndex index(discs);
   std::vector<DiscIndex::Crossing> found{{99, -1.0f}};
   index.intersect_all({0.1f, 0.2f, 5}, {0, 0, -1}, 2, found);  // both ends lie on discs: they count
   ASSERT_EQ(found.size(), 4u);
@@ -102,15 +100,14 @@ TEST(DiscIndex, CrossingsKeepWhatWasFoundBefore) {
   EXPECT_EQ(found[3].disc, 5u);
   EXPECT_EQ(found[3].t, 0);
   EXPECT_FALSE(index.empty());
-  EXPECT_TRUE(DiscIndex({}, pool).empty());
+  EXPECT_TRUE(DiscIndex({}).empty());
 }
 
 TEST(DiscIndex, BallsAreCrossedWhereTheyAreEntered) {
   for (const size_t count : {size_t(1), size_t(20)}) {
     Discs balls;
     for (size_t i = 0; i < count; ++i) balls.push_back({{0, 0, float(3 * i)}, {}, 1});
-    ThreadPool pool(1);
-    const DiscIndex index(balls, pool);
+    const DiscIndex index(balls);
     std::vector<DiscIndex::Crossing> found;
     index.intersect_all({0, 0, -2}, {0, 0, 1}, 2, found);
     ASSERT_EQ(found.size(), 1u);

@@ -46,7 +46,7 @@ void office_camera(Scene& s, uint32_t width, uint32_t height, bool illuminance) 
 }
 void layered_camera(Scene& s) {
   add_office(s, 8);
-  s.add_camera({0.5, 0.5, 1.7}, {1, 1, -0.2}, 640, 480, 1, false, UPS_EQUISOLID, 15);
+  s.add_camera({0.5, 0.5, 1.7}, {1, 1, -0.2}, 320, 240, 1, false, UPS_EQUISOLID, 15);
 }
 void large_camera(Scene& s) { office_camera(s, 3840, 2160, false); }
 void small_camera(Scene& s) { office_camera(s, 320, 240, true); }
@@ -91,11 +91,11 @@ const Case cases[] = {
 #endif
     {"camera_4k", large_camera, [](auto& d) { d.iteration_count = 2; }},
     {"camera_4k_all_passes", large_camera, [](auto& d) { d.iteration_count = 16 * 254; d.max_path_length = 2; }, true},
-    {"illuminance", small_camera, [](auto& d) { by_ups(d), d.iteration_count = 48; }},
-    {"layers", layered_camera, [](auto& d) { by_ups(d), d.iteration_count = 48; }},
+    {"illuminance", small_camera, [](auto& d) { by_ups(d), d.iteration_count = 24; }},
+    {"layers", layered_camera, [](auto& d) { by_ups(d), d.iteration_count = 24; }},
     {"technique_images", small_camera, [](auto& d) { by_ups(d), d.technique_images = 5; }},
     {"meters_1e5", many_meters, automatic},
-    {"meters_1e6", million_meters, [](auto& d) { d.iteration_count = 2; }, true},
+    {"meters_1e6", million_meters, [](auto& d) { d.iteration_count = 64; }, true},
     {"sources_100", many_sources, tell_sources},
     {"sources_100_by_ups", many_sources, [](auto& d) { by_ups(d), tell_sources(d); }},
     {"triangles", many_triangles, by_ups},

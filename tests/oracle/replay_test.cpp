@@ -123,7 +123,7 @@ class Replay {
     for (const MeterSet& set : scene.meter_sets) tally.meters.emplace_back(set.meters.size());
     tally.landings.resize(scene.meter_sets.size());
     tally.separated.resize(scene.meter_sets.size());
-    const SensorIndex sensors(in, pool);
+    const SensorIndex sensors(in);
     Photons photons;
     photons.paths = trace_light_paths(in, sensors, pool, tally);
     if (merges()) {

@@ -28,7 +28,7 @@ TEST(Hazard10, RaysAlongTheGridCountEachDiscOnce) {
   for (int axis = 0; axis < 3; ++axis)
     for (const float sign : {1.0f, -1.0f}) {
       const std::vector<DiscIndex::Disc> discs = grid(side, axis);
-      const DiscIndex index(discs, pool);
+      const DiscIndex index(discs);
       size_t crossings = 0, on_rims = 0;
       std::vector<DiscIndex::Crossing> found;
       for (int i = -4; i < quarters; ++i)

@@ -106,7 +106,7 @@ double stated_loss(const Result& result) {
 TEST(Taught, TerminatorLossesInWhiteRoomsAreStated) {
   const double rho = 0.5, luminance = 10, expected = pi_d * luminance / (1 - rho);
   double before = 1;
-  for (const int subdivisions : {0, 1, 2}) {
+  for (const int subdivisions : {0, 2}) {
     Scene scene;
     scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), emitter(luminance, rho));
     scene.add(smooth_sphere({2, 1.5, 1.25}, 0.8, subdivisions), emitter(luminance, rho));

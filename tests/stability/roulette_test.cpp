@@ -95,7 +95,7 @@ TEST(Hazard13, NoPathOfALongCorridorBringsMoreThanOneSampleOfTheLamp) {
     IterationTally tally;
     for (const MeterSet& set : room.scene->meter_sets) tally.meters.emplace_back(set.meters.size());
     tally.landings.resize(1), tally.separated.resize(1);
-    const SensorIndex sensors(in, pool);
+    const SensorIndex sensors(in);
     Photons photons;
     photons.paths = trace_light_paths(in, sensors, pool, tally);
     for (const LightVertex& v : photons.paths.vertices)

@@ -30,6 +30,13 @@ inline constexpr ups_method eye_methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECT
 inline constexpr ups_method cell_methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING,
                                               UPS_METHOD_LIGHT_TRACING};
 
+// Iterations for noise that came out so many times as large as is asked for, with a sixth more for luck: a multiple of
+// the 16 batches that errors come from, at most eight times as many.
+inline uint32_t quieter(uint32_t iterations, double excess) {
+  const double more = iterations * std::clamp(1.17 * excess * excess, 1.25, 8.0);
+  return (uint32_t(more) + 15) / 16 * 16;
+}
+
 inline void expect_lx(double value, double standard_error, double expected, double largest_relative_error,
                       const std::string& what) {
   EXPECT_GE(standard_error, 0) << what << ": no standard error";

@@ -6,7 +6,7 @@
 // False alarms: P(|t_30| > 3) = 0.5 % for a pair at the limit; where both errors are 0.1 %, as most are, the half
 // percent is 3.5 standard errors of the difference, 0.15 %; at 0.075 %, 4e-5. Errors come from 16 batches. Seeds are
 // fixed: a test that passes once passes always. An error from 16 batches is itself uncertain by 18 %: where it comes
-// out above the limit, the render is repeated with twice the iterations, and once more.
+// out above the limit, the render is repeated with as many iterations as it asks for, and once more.
 #pragma once
 #include "expect_lx.h"
 #include "image_mean.h"
@@ -68,16 +68,15 @@ inline Estimate estimate(const std::string& name, const Result& result, const Se
 // Renders until every mean over `sets` has the standard error that is asked for.
 inline Result render_quietly(Scene& scene, RenderOptions options, const std::vector<Sensor>& sets,
                              const Limits& limits = usual) {
-  const auto noisy = [&](const Result& result) {
+  for (int repeats = 0;; ++repeats) {
+    Result result = scene.render(options);
+    double worst = 0;
     for (const Sensor& set : sets) {
       const Estimate e = estimate("", result, set);
-      if (e.standard_error > limits.standard_error * e.mean) return true;
+      worst = std::max(worst, e.standard_error / (limits.standard_error * e.mean));
     }
-    return false;
-  };
-  for (int repeats = 0;; ++repeats, options.iterations *= 2) {
-    Result result = scene.render(options);
-    if (repeats == 2 || !noisy(result)) return result;
+    if (repeats == 2 || worst <= 1) return result;
+    options.iterations = quieter(options.iterations, worst);
   }
 }
 
