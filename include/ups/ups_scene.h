@@ -178,7 +178,8 @@ UPS_API ups_status ups_scene_get_dimming(const ups_scene *scene, ups_luminaire_i
 UPS_API ups_status ups_scene_get_maintenance_factor(const ups_scene *scene, double *out);
 
 /* Each fails where something still has it: a material the texture, a mesh the material, an instance the mesh. A set of
- * meters on surfaces fails at the next commit where one of its instances was removed. */
+ * meters on surfaces fails at the next commit where one of its instances was removed. A fixture whose part was removed is
+ * set, and removed, without it. */
 UPS_API ups_status ups_scene_remove_texture(ups_scene *scene, ups_texture_id id);
 UPS_API ups_status ups_scene_remove_material(ups_scene *scene, ups_material_id id);
 UPS_API ups_status ups_scene_remove_mesh(ups_scene *scene, ups_mesh_id id);

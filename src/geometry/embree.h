@@ -11,6 +11,7 @@
 #else
 #include <embree3/rtcore.h>
 #endif
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <mutex>
@@ -183,16 +184,25 @@ class Scene {
     device_->check();
   }
   // Embree builds in the arena of its caller: a device's own thread setting would change the whole process. monitor may
-  // be null; throws Cancelled.
-  void commit(ThreadPool& pool, Monitor* monitor = nullptr) {
-    if (monitor) rtcSetSceneProgressMonitorFunction(scene_, &Scene::on_progress, monitor);
+  // be null; begin, end: what its fraction is before and after. Throws Cancelled.
+  void commit(ThreadPool& pool, Monitor* monitor = nullptr, float begin = 0, float end = 1) {
+    Progress progress{monitor, begin, end};
+    if (monitor) rtcSetSceneProgressMonitorFunction(scene_, &Scene::on_progress, &progress);
     pool.run_tasks([&] { rtcCommitScene(scene_); });  // which masks traps
     if (monitor) rtcSetSceneProgressMonitorFunction(scene_, nullptr, nullptr);
     device_->check();
   }
 
  private:
-  static bool on_progress(void* monitor, double) { return !static_cast<Monitor*>(monitor)->is_cancelled(); }
+  struct Progress {
+    Monitor* monitor;
+    float begin, end;
+  };
+  static bool on_progress(void* to, double done) {
+    const Progress& p = *static_cast<const Progress*>(to);
+    p.monitor->report(p.begin + (p.end - p.begin) * std::clamp(float(done), 0.0f, 1.0f));
+    return !p.monitor->is_cancelled();
+  }
 
   Device* device_;
   RTCScene scene_;

@@ -97,7 +97,7 @@ class RaytracerBuild {
       else if (!counted[instances_[i].mesh])
         instanced_triangles += count, counted[instances_[i].mesh] = true;
     }
-    out_.triangles = all;
+    out_.triangles = all_ = all;
     // A small scene is built as quickly as it is searched for what stays; and Embree, where its memory runs out, has
     // least to leave behind in a device of its own.
     if (baked_triangles + instanced_triangles <= flat_triangles) earlier_ = nullptr;
@@ -112,14 +112,14 @@ class RaytracerBuild {
       else
         attach_part(shared_part(traced_of(i)), uint32_t(i), out_.placed[i].to_scene);
       grow_bounds(out_.placed[i], boxes[instances_[i].mesh]);
-      report(all);
+      report();
     }
     end_group();
     for (size_t g = 0; g < groups_.size(); ++g) {
       attach_part(part_of(groups_[g]), uint32_t(instances_.size() + g), Affine{});
-      report(all);
+      report();
     }
-    out_.top->commit(pool_, monitor_);
+    out_.top->commit(pool_, monitor_, share(done_), 1);
   }
 
  private:
@@ -182,7 +182,9 @@ class RaytracerBuild {
       auto made = std::make_shared<Impl::Part>(out_.device, out_.finds_all);
       made->meshes = meshes;
       for (size_t k = 0; k < meshes.size(); ++k) attach(made->scene, *meshes[k], uint32_t(k));
-      made->scene.commit(pool_, monitor_);
+      size_t triangles = 0;
+      for (const Traced& mesh : meshes) triangles += mesh->source->triangle_count();
+      made->scene.commit(pool_, monitor_, share(done_), share(done_ + triangles));
       part = std::move(made);
     }
     out_.parts.push_back(part);
@@ -223,10 +225,11 @@ class RaytracerBuild {
                  [&](const Vec3d& p) { out_.bounds.grow(Vec3d(Vec3(instance.to_scene.point(p)))); });
   }
 
-  void report(size_t all) const {
+  float share(size_t triangles) const { return std::min(1.0f, float(triangles) / float(std::max<size_t>(1, all_))); }
+  void report() const {
     if (!monitor_) return;
     monitor_->check();
-    monitor_->report(float(done_) / float(std::max<size_t>(1, all)));
+    monitor_->report(share(done_));
   }
 
   Impl& out_;
@@ -235,7 +238,7 @@ class RaytracerBuild {
   const std::vector<Instance>& instances_;
   ThreadPool& pool_;
   Monitor* monitor_;
-  size_t done_ = 0;  // triangles of parts
+  size_t all_ = 0, done_ = 0;  // triangles; done: of parts
   std::map<const TracedMesh*, uint32_t> index_;
   std::vector<std::vector<Traced>> groups_;
   std::vector<Traced> group_;

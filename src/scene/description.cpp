@@ -285,14 +285,21 @@ ups_instance_id Description::add_instance(const ups_instance_desc& d, bool of_fi
   return {add(instances_, read(d, of_fixture))};
 }
 
+// A fixture alone sets and moves its parts.
+const InstanceDescription& Description::instance_of(ups_instance_id id, bool of_fixture) const {
+  const InstanceDescription& instance = instances_.get(id.v, "instance");
+  check::require(instance.of_fixture == of_fixture, "instance id " + std::to_string(number_of(id.v)) +
+                                                        " is a part of a fixture; set the fixture");
+  return instance;
+}
+
 void Description::set_instance(ups_instance_id id, const ups_instance_desc& d, bool of_fixture) {
-  check::require(instances_.get(id.v, "instance").of_fixture == of_fixture,
-                 "instance id " + std::to_string(number_of(id.v)) + " is a part of a fixture; set the fixture");
+  instance_of(id, of_fixture);
   set(instances_, id.v, read(d, of_fixture), "instance");
 }
 
 void Description::set_transform(ups_instance_id id, const double (&to_world)[12]) {
-  InstanceDescription instance = instances_.get(id.v, "instance");
+  InstanceDescription instance = instance_of(id, false);
   check::transform(to_world, "to_world");
   instance.to_world = to_affine(to_world);
   set(instances_, id.v, instance, "instance");

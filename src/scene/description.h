@@ -123,7 +123,7 @@ class Description {
   void set_mesh_vertices(ups_mesh_id id, const float* positions_m, const float* normals, uint32_t vertex_count);
   // of_fixture: whether the caller is the fixture that it must be a part of, or must not.
   void set_instance(ups_instance_id id, const ups_instance_desc& desc, bool of_fixture = false);
-  void set_transform(ups_instance_id id, const double (&to_world)[12]);
+  void set_transform(ups_instance_id id, const double (&to_world)[12]);  // of none that is a fixture's
   void set_light(ups_luminaire_id id, const ups_light_desc& desc);
   // profile null: as it is.
   void set_luminaire(ups_luminaire_id id, const ups_luminaire_desc& desc,
@@ -178,6 +178,7 @@ class Description {
   MaterialDescription read(const ups_material_desc& desc) const;
   Mesh read(const ups_mesh_desc& desc) const;
   InstanceDescription read(const ups_instance_desc& desc, bool of_fixture) const;
+  const InstanceDescription& instance_of(ups_instance_id id, bool of_fixture) const;
   SourceDescription read(const ups_light_desc& desc) const;
   SourceDescription read(const ups_luminaire_desc& desc, std::shared_ptr<const photometry::Photometry> profile) const;
   Sensor read(const ups_camera_desc& desc) const;

@@ -104,21 +104,29 @@ MapData map_of_table(const MapOptions& options, const std::string& title) {
   return std::move(*data);
 }
 
+// Empty where the file has none.
+std::vector<float> planes(const ExrFile& file, const std::string& name) {
+  return file.has(name) ? file.channel(name) : std::vector<float>();
+}
+
 MapData map_of_image(const MapOptions& options, const std::string& title) {
   const ExrFile file(options.file);
   if (options.illuminance) {
     if (!file.has("illuminance.Y"))
       throw Failure(options.file + ": has no illuminance; it must be of a camera with \"illuminance_camera\": true");
-    return image_map(title, "Illuminance", "lx", file.channel("illuminance.Y"), file.width(), file.height());
+    return image_map(title, "Illuminance", "lx", file.channel("illuminance.Y"),
+                     bounds_of_noise(planes(file, "standard_error.illuminance.Y")), file.width(), file.height());
   }
   if (file.has("R") && file.has("G") && file.has("B")) {
     const std::vector<float> r = file.channel("R"), g = file.channel("G"), b = file.channel("B");
     std::vector<float> rgb;
     for (size_t i = 0; i < r.size(); ++i) rgb.insert(rgb.end(), {r[i], g[i], b[i]});
-    return image_map(title, "Luminance", "cd/m\u00b2", luminance_of(rgb), file.width(), file.height());
+    return image_map(title, "Luminance", "cd/m\u00b2", luminance_of(rgb), planes(file, "error_bound.Y"), file.width(),
+                     file.height());
   }
   if (!file.has("Y")) throw Failure(options.file + ": has neither R, G and B nor Y");
-  return image_map(title, "Illuminance", "lx", file.channel("Y"), file.width(), file.height());
+  return image_map(title, "Illuminance", "lx", file.channel("Y"), planes(file, "error_bound.Y"), file.width(),
+                   file.height());
 }
 
 }  // namespace
@@ -129,11 +137,16 @@ int map(const MapOptions& options) {
   if (extension != ".csv" && extension != ".exr")
     throw Failure(options.file + ": must be a .csv table of meters or a .exr image by `ups render --out`");
   const MapData data = extension == ".csv" ? map_of_table(options, title) : map_of_image(options, title);
-  if (data.is_image && options.style.threshold > 0)
-    throw Failure("--map-threshold: " + options.file + " is an image, without bounds; take the table of the meters");
-  const Drawing drawing = map_drawing(data, options.style);
+  const bool lux = data.unit == "lx";
+  if (lux && options.style.luminance_threshold > 0)
+    throw Failure("--map-threshold-luminance: " + options.file + " is shown in lux; take --map-threshold");
+  if (!lux && options.style.threshold > 0)
+    throw Failure("--map-threshold: " + options.file + " is shown in cd/m2; take --map-threshold-luminance, or of a "
+                  "camera with \"illuminance_camera\": true --illuminance");
+  const MapStyle style = lux ? options.style : of_luminance(options.style);
+  const Drawing drawing = map_drawing(data, style);
   for (const std::string& path : options.out)
-    write_drawing(path, drawing, {data.quantity + ": " + data.title, map_description(data, options.style)});
+    write_drawing(path, drawing, {data.quantity + ": " + data.title, map_description(data, style)});
   return exit_done;
 }
 

@@ -173,6 +173,7 @@ std::string to_json(const Report& report) {
                {"largest_samples", samples_json(report.largest_samples)},
                {"warnings", report.warnings}};
   if (!report.ratios.empty()) all["ratios"] = ratios_json(report.ratios);
+  all["observers"] = ordered_json::object();
   for (const ObserverReport& observer : report.observers) all["observers"][observer.name] = observer_json(observer);
   if (!report.goniometers.empty()) all["goniometers"] = goniometers;
   if (!report.targets.empty()) all["targets"] = targets_json(report);

@@ -80,7 +80,7 @@ void draw_verdicts(Drawing& drawing, double left, double top, const MapData& dat
     const Frame box{left, y, 14, 14};
     const std::vector<Point> corners = {{left, y}, {left + 14, y}, {left + 14, y + 14}, {left, y + 14}};
     drawing.add(Area{corners, ink_of(verdict)});
-    if (verdict == Verdict::not_sure) {
+    if (verdict == Verdict::not_sure && !data.is_image) {
       drawing.add(ClipBegin{{corners}});
       for (double x = left - 10; x < left + 14; x += 5)
         drawing.add(Line{{{x, y + 14}, {x + 14, y}}, {150, 120, 20}, 0.7});

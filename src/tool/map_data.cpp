@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tool/map_field.h"
+#include "tool/meter_places.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {
@@ -167,17 +168,14 @@ std::optional<MapData> meter_map(const SensorEntry& meters, uint32_t index, cons
   const ups_gltf_layout layout = meters.info.layout;
   if (layout == UPS_GLTF_LAYOUT_SURFACE || layout == UPS_GLTF_LAYOUT_LIGHTMAP) return std::nullopt;
   const size_t count = meters.info.meter_count;
-  std::vector<double> positions(3 * count);
-  std::vector<float> normals(3 * count);
+  const MeterPlaces places = meter_places(scene, index);
   std::vector<ups_meter_reading> readings(count);
-  check(ups_gltf_read_meters(scene.import_result.get(), index, positions.data(), normals.data(), count),
-        ups_gltf_last_error);
   check(ups_result_read_meters(result, meters.info.sensor, readings.data(), count));
   std::vector<MeterPoint> points(count);
   for (size_t i = 0; i < count; ++i) {
     for (size_t k = 0; k < 3; ++k) {
-      points[i].position_m[k] = positions[3 * i + k];
-      points[i].normal[k] = double(normals[3 * i + k]);
+      points[i].position_m[k] = places.positions[3 * i + k];
+      points[i].normal[k] = double(places.normals[3 * i + k]);
     }
     points[i].illuminance_lx = double(readings[i].illuminance_lx);
     points[i].error_bound_lx = double(readings[i].error_bound_lx);
@@ -219,7 +217,7 @@ uint32_t columns_of(const std::vector<MeterPoint>& points) {
 }
 
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
-                  const std::vector<float>& values, uint32_t columns, uint32_t rows) {
+                  const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows) {
   MapData data;
   data.title = name;
   data.quantity = quantity;
@@ -239,16 +237,31 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
   data.rows = (rows + block - 1) / block;
   for (uint32_t row = 0; row < data.rows; ++row) {
     for (uint32_t column = 0; column < data.columns; ++column) {
-      double block_sum = 0, count = 0;
-      for (uint32_t y = row * block; y < std::min((row + 1) * block, rows); ++y)
-        for (uint32_t x = column * block; x < std::min((column + 1) * block, columns); ++x)
-          if (const float value = values[size_t(rows - 1 - y) * columns + x]; is_good(value))
-            block_sum += double(value), ++count;
-      data.values.push_back({{column + 0.5, row + 0.5}, count > 0 ? block_sum / count : -1, -1});
+      double block_sum = 0, bound_sum = 0, count = 0, bounded = 0;
+      for (uint32_t y = row * block; y < std::min((row + 1) * block, rows); ++y) {
+        for (uint32_t x = column * block; x < std::min((column + 1) * block, columns); ++x) {
+          const size_t pixel = size_t(rows - 1 - y) * columns + x;
+          if (!is_good(values[pixel])) continue;
+          block_sum += double(values[pixel]), ++count;
+          if (!bounds.empty() && is_good(bounds[pixel])) bound_sum += double(bounds[pixel]), ++bounded;
+        }
+      }
+      data.values.push_back({{column + 0.5, row + 0.5}, count > 0 ? block_sum / count : -1,
+                             count > 0 && bounded == count ? bound_sum / count : -1});  // of a mean: no larger
     }
   }
   data.summary = good > 0 ? summary_text(sum / good, -1, least, most, -1, unit) : "no pixel is known";
   return data;
+}
+
+std::vector<float> bounds_of_noise(std::vector<float> standard_errors) {
+  for (float& e : standard_errors) e = e < 0 ? -1 : 1.96f * e;
+  return standard_errors;
+}
+
+MapStyle of_luminance(MapStyle style) {
+  style.threshold = style.luminance_threshold;
+  return style;
 }
 
 std::vector<float> luminance_of(const std::vector<float>& rgb) {

@@ -24,9 +24,12 @@ std::optional<MapData> meter_map(const SensorEntry& meters, uint32_t index, cons
 // 0: they are no grid whose columns run fastest.
 uint32_t columns_of(const std::vector<MeterPoint>& points);
 
-// values: columns * rows, row 0 at the top.
+// values and their 95 % bounds (< 0: not known; none at all: of none): columns * rows, row 0 at the top.
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
-                  const std::vector<float>& values, uint32_t columns, uint32_t rows);
+                  const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows);
+// Bounds of what has standard errors alone; -1 stays.
+std::vector<float> bounds_of_noise(std::vector<float> standard_errors);
+MapStyle of_luminance(MapStyle style);  // with the threshold of luminances
 std::vector<float> luminance_of(const std::vector<float>& rgb);
 
 // Below a map's title; bound: of the mean, -1: not known.

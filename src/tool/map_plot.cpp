@@ -37,7 +37,7 @@ class Plot {
                              {f.left + f.width, f.top + f.height},
                              {f.left, f.top + f.height}}}});
     draw_colours();
-    if (style_.threshold > 0) draw_hatching();
+    if (style_.threshold > 0 && !data_.is_image) draw_hatching();
     for (const MapLine& line : data_.room)
       if (!line.cut) add_line(line.points, furniture, 0.6, 0.75);
     std::vector<Label> labels;
@@ -134,7 +134,7 @@ class Plot {
 
   void draw_isolines(std::vector<Label>& labels) {
     std::vector<double> levels = style_.isolines && !(style_.threshold > 0) ? range_.levels : std::vector<double>{};
-    if (style_.threshold > 0) levels = {style_.threshold};
+    if (style_.threshold > 0 && !data_.is_image) levels = {style_.threshold};
     std::vector<std::vector<Point>> drawn;
     const MapData calm = data_.is_image ? calmed(data_) : MapData{};
     for (const Isoline& line : isolines_of(data_.is_image ? MapField(calm) : field_, levels)) {

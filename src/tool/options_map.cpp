@@ -53,9 +53,13 @@ void add_map_options(CLI::App& command, MapStyle& style) {
       ->group(group);
   command
       .add_option("--map-threshold", style.threshold,
-                  "Of meters: which meet this, which do not, and of which the 95 % bound crosses it, in three colours")
+                  "Of illuminances: which meet this, which do not, and of which the 95 % bound crosses it, in three colours")
       ->check(CLI::Validator(threshold, ""))
       ->type_name("LX")
+      ->group(group);
+  command.add_option("--map-threshold-luminance", style.luminance_threshold, "The same of cameras' luminances")
+      ->check(CLI::Validator(threshold, ""))
+      ->type_name("CD_M2")
       ->group(group);
   command
       .add_option_function<std::string>(

@@ -10,6 +10,7 @@
 #include "tool/csv.h"
 #include "tool/drawing_file.h"
 #include "tool/map_data.h"
+#include "tool/meter_places.h"
 #include "tool/picture.h"
 #include "tool/report.h"
 #include "tool/tables.h"
@@ -161,55 +162,34 @@ void write_camera(Written& written, const std::string& base, const SensorEntry& 
   attempt(written, base + ".png", [&](const std::string& path) { write_picture(path, camera, result, picture); });
   attempt(written, base + "_techniques.exr",
           [&](const std::string& path) { write_techniques(path, camera, result, attributes); });
-  MapStyle image_map_style = map;
-  image_map_style.threshold = 0;  // of meters alone: pixels have no bounds of their own
   attempt(written, base + "_luminance", [&](const std::string& name) {
     const auto luminance = luminance_of(read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB));
-    write_map(written, name, image_map(camera.name, "Luminance", "cd/m\u00b2", luminance, width, height),
-              image_map_style);
+    const auto bound = read_image(result, camera, UPS_CHANNEL_ERROR_BOUND);
+    write_map(written, name, image_map(camera.name, "Luminance", "cd/m\u00b2", luminance, bound, width, height),
+              of_luminance(map));
   });
   if (!camera.info.illuminance) return;
   attempt(written, base + "_illuminance", [&](const std::string& name) {
     const auto illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);
-    write_map(written, name, image_map(camera.name, "Illuminance", "lx", illuminance, width, height), image_map_style);
+    const auto bound = bounds_of_noise(read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR));
+    write_map(written, name, image_map(camera.name, "Illuminance", "lx", illuminance, bound, width, height), map);
   });
 }
 
 struct MeterTable {
-  std::vector<double> positions;
-  std::vector<float> normals;
+  MeterPlaces places;
   std::vector<ups_meter_reading> readings;
-  std::vector<ups_meter_place> places;  // of meters on surfaces
-  std::vector<size_t> listed;           // all but a lightmap's empty texels
   std::vector<ups_vector_reading> vectors;  // of such meters
 };
 
 MeterTable read_table(uint32_t index, const SensorEntry& meters, const LoadedScene& scene, const ups_result* result) {
   const size_t count = meters.info.meter_count;
-  MeterTable table;
-  table.positions.resize(3 * count);
-  table.normals.resize(3 * count);
-  table.readings.resize(count);
+  MeterTable table{meter_places(scene, index), std::vector<ups_meter_reading>(count), {}};
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
   if (meters.info.meter_kind == UPS_METER_VECTOR) {
     table.vectors.resize(count);
     check(ups_result_read_vectors(result, meters.info.sensor, table.vectors.data(), count));
   }
-  const bool lightmap = meters.info.layout == UPS_GLTF_LAYOUT_LIGHTMAP;
-  if (lightmap || meters.info.layout == UPS_GLTF_LAYOUT_SURFACE) {
-    table.places = read_array<ups_meter_place>([&](ups_meter_place* to, size_t capacity, size_t* needed) {
-      return ups_scene_read_meter_places(scene.scene.get(), meters.info.sensor, to, capacity, needed);
-    });
-    for (size_t i = 0; i < count; ++i) {
-      std::copy_n(table.places[i].position_m, 3, &table.positions[3 * i]);
-      std::copy_n(table.places[i].normal, 3, &table.normals[3 * i]);
-    }
-  } else {
-    check(ups_gltf_read_meters(scene.import_result.get(), index, table.positions.data(), table.normals.data(), count),
-          ups_gltf_last_error);
-  }
-  for (size_t i = 0; i < count; ++i)
-    if (!lightmap || table.places[i].valid) table.listed.push_back(i);
   return table;
 }
 
@@ -220,12 +200,13 @@ void write_csv(const std::string& path, const MeterTable& table, uint32_t map_wi
   if (!table.vectors.empty())
     for (const char* what : {"", "_standard_error", "_error_bound"})
       for (const char axis : {'x', 'y', 'z'}) header += std::string(",vector_") + axis + what + "_lx";
-  if (!table.places.empty()) header += ",triangle,area_m2";
+  const std::vector<ups_meter_place>& surfaces = table.places.surfaces;
+  if (!surfaces.empty()) header += ",triangle,area_m2";
   if (map_width > 0) header += ",column,row";
   Csv csv(header);
-  for (const size_t i : table.listed) {
-    for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(table.positions[k]);
-    for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(double(table.normals[k]));
+  for (const size_t i : table.places.listed) {
+    for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(table.places.positions[k]);
+    for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(double(table.places.normals[k]));
     const ups_meter_reading& r = table.readings[i];
     for (float value : {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx})
       csv.add(double(value));
@@ -234,9 +215,9 @@ void write_csv(const std::string& path, const MeterTable& table, uint32_t map_wi
       for (const float* part : {v.vector_lx, v.standard_error_lx, v.error_bound_lx})
         for (int k = 0; k < 3; ++k) csv.add(double(part[k]));
     }
-    if (!table.places.empty()) {
-      csv.add(double(table.places[i].triangle));
-      csv.add(double(table.places[i].area_m2));
+    if (!surfaces.empty()) {
+      csv.add(double(surfaces[i].triangle));
+      csv.add(double(surfaces[i].area_m2));
     }
     if (map_width > 0) {
       csv.add(double(i % map_width));
@@ -249,17 +230,20 @@ void write_csv(const std::string& path, const MeterTable& table, uint32_t map_wi
 
 // Row 0, at v = 0, is the image's top line.
 void write_lightmap(const std::string& path, const SensorEntry& map, const MeterTable& table, Attributes attributes) {
-  static constexpr const char* names[] = {"Y",          "standard_error.Y", "error_bound.Y", "direct.Y", "position.X",
-                                          "position.Y", "position.Z",       "area",          "valid"};
-  static constexpr const char* units[] = {"lx", "lx", "lx", "lx", "m", "m", "m", "m^2", "1: in use, 0: empty"};
+  static constexpr const char* names[] = {"Y",          "standard_error.Y", "bias.Y",     "error_bound.Y", "direct.Y",
+                                          "indirect.Y", "position.X",       "position.Y", "position.Z",    "area",
+                                          "valid"};
+  static constexpr const char* units[] = {"lx", "lx", "lx", "lx", "lx",  "lx",
+                                          "m",  "m",  "m",  "m^2", "1: in use, 0: empty"};
   constexpr size_t count = std::size(names);
+  const std::vector<ups_meter_place>& places = table.places.surfaces;
   std::vector<float> texels;
-  texels.reserve(count * table.places.size());
-  for (size_t i = 0; i < table.places.size(); ++i) {
+  texels.reserve(count * places.size());
+  for (size_t i = 0; i < places.size(); ++i) {
     const ups_meter_reading& r = table.readings[i];
-    const ups_meter_place& p = table.places[i];
-    texels.insert(texels.end(), {r.illuminance_lx, r.standard_error_lx, r.error_bound_lx, r.direct_lx,
-                                 float(p.position_m[0]), float(p.position_m[1]), float(p.position_m[2]), p.area_m2,
+    const ups_meter_place& p = places[i];
+    texels.insert(texels.end(), {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx,
+                                 r.indirect_lx, float(p.position_m[0]), float(p.position_m[1]), float(p.position_m[2]), p.area_m2,
                                  float(p.valid)});
   }
   std::vector<ups_exr_channel> channels;
@@ -274,16 +258,18 @@ void write_lightmap(const std::string& path, const SensorEntry& map, const Meter
 void write_grid(Written& written, const std::string& base, const SensorEntry& grid, const MeterTable& table,
                 Attributes attributes) {
   const uint32_t columns = grid.info.columns, rows = grid.info.rows;
-  std::vector<float> illuminance, error;
+  static constexpr const char* names[] = {"Y",             "standard_error.Y", "bias.Y",
+                                          "error_bound.Y", "direct.Y",         "indirect.Y"};
+  constexpr size_t count = std::size(names);
+  std::vector<float> cells;
+  cells.reserve(count * table.readings.size());
   for (uint32_t row = rows; row-- > 0;) {
     for (uint32_t column = 0; column < columns; ++column) {
-      const ups_meter_reading& reading = table.readings[size_t(row) * columns + column];
-      illuminance.push_back(reading.illuminance_lx);
-      error.push_back(reading.standard_error_lx);
+      const ups_meter_reading& r = table.readings[size_t(row) * columns + column];
+      cells.insert(cells.end(), {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx,
+                                 r.indirect_lx});
     }
   }
-  attributes.emplace_back("unit.Y", "lx");
-  attributes.emplace_back("unit.standard_error.Y", "lx");
   const std::string path = base + ".exr";
   if (std::max(columns, rows) > max_exr_side) {
     written.warnings.push_back(path + " is not written: a grid of " + std::to_string(columns) + " x " +
@@ -291,10 +277,12 @@ void write_grid(Written& written, const std::string& base, const SensorEntry& gr
                                " pixels a side that it can have; the table has all values");
     return;
   }
-  attempt(written, path, [&](const std::string& file) {
-    write_exr(file, columns, rows, {{"Y", illuminance.data(), 0, 0}, {"standard_error.Y", error.data(), 0, 0}},
-              attributes);
-  });
+  std::vector<ups_exr_channel> channels;
+  for (size_t k = 0; k < count; ++k) {
+    channels.push_back({names[k], &cells[k], count * sizeof(float), 0});
+    attributes.emplace_back(std::string("unit.") + names[k], "lx");
+  }
+  attempt(written, path, [&](const std::string& file) { write_exr(file, columns, rows, channels, attributes); });
 }
 
 void write_meters(Written& written, const std::string& base, uint32_t index, const SensorEntry& meters,
@@ -310,7 +298,7 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
   if (const auto sources = sources_of(scene, result); !sources.empty()) {
     const bool groups = sources[0].info.kind == UPS_SOURCE_GROUP;
     attempt(written, base + (groups ? "_groups.csv" : "_luminaires.csv"),
-            [&](const std::string& path) { write_sources_csv(path, table.positions, table.listed, meters, sources, result); });
+            [&](const std::string& path) { write_sources_csv(path, table.places.positions, table.places.listed, meters, sources, result); });
   }
   if (meters.info.columns > 0) write_grid(written, base, meters, table, attributes);
   if (meters.info.meter_count > max_map_meters) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "tool/meter_places.h"
 #include "tool/page.h"
 #include "tool/profile_plot.h"
 #include "tool/text_format.h"
@@ -95,12 +96,6 @@ struct Bounds {
   double size(int k) const { return high[k] - low[k]; }
 };
 
-std::vector<double> meter_places(const LoadedScene& scene, uint32_t index) {
-  std::vector<double> at(3 * size_t(scene.sensors[index].info.meter_count));
-  check(ups_gltf_read_meters(scene.import_result.get(), index, at.data(), nullptr, at.size() / 3), ups_gltf_last_error);
-  return at;
-}
-
 // Of the geometry, and of all luminaires and meters that have a place: a scene may have no surfaces.
 Bounds bounds_of(const PageInput& in, const std::vector<LuminaireType>& types) {
   const ups_scene_info info = info_of(in.scene);
@@ -117,8 +112,8 @@ Bounds bounds_of(const PageInput& in, const std::vector<LuminaireType>& types) {
   for (uint32_t i = 0; i < in.scene.sensors.size(); ++i) {
     const ups_gltf_sensor_info& sensor = in.scene.sensors[i].info;
     if (sensor.kind != UPS_GLTF_METERS || sensor.meter_count > most_places) continue;
-    const std::vector<double> at = meter_places(in.scene, i);
-    for (size_t m = 0; m < at.size(); m += 3) grow(&at[m]);
+    const MeterPlaces places = meter_places(in.scene, i);
+    for (const size_t m : places.listed) grow(&places.positions[3 * m]);
   }
   return b;
 }
@@ -161,12 +156,13 @@ class View {
     for (uint32_t i = 0; i < in_.scene.sensors.size(); ++i) {
       const SensorEntry& sensor = in_.scene.sensors[i];
       if (sensor.info.kind != UPS_GLTF_METERS || sensor.info.meter_count > most_places) continue;
-      const std::vector<double> at = meter_places(in_.scene, i);
+      const MeterPlaces places = meter_places(in_.scene, i);
+      if (places.listed.empty()) continue;
       Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-      for (size_t m = 0; m < at.size(); m += 3) {
-        const Point p = place(axes_.flat(&at[m]));
+      for (const size_t m : places.listed) {
+        const Point p = place(axes_.flat(&places.positions[3 * m]));
         low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-        if (at.size() / 3 <= most_dots) dot(p, 1.3, meter_ink);
+        if (places.listed.size() <= most_dots) dot(p, 1.3, meter_ink);
       }
       constexpr double rim = 4;
       drawing_.add(Line{{{low.x - rim, low.y - rim}, {high.x + rim, low.y - rim},

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tool/meter_places.h"
 #include "tool/page.h"
 #include "tool/text_format.h"
 
@@ -201,25 +202,32 @@ std::vector<Column> percentile_columns(const Report& report) {
   return columns;
 }
 
+// "8 x 4" of a grid, "12 triangles" of surfaces, "64 x 64 texels" of a lightmap; else nothing.
+std::string layout_of(const ups_gltf_sensor_info& info) {
+  if (info.layout == UPS_GLTF_LAYOUT_SURFACE) return format("%u triangles", info.meter_count);
+  if (info.layout == UPS_GLTF_LAYOUT_LIGHTMAP) return format("%u \u00d7 %u texels", info.width, info.height);
+  return info.columns > 0 ? format("%u \u00d7 %u", info.columns, info.rows) : "";
+}
+
 // "8 x 4, horizontal, at 0.75 m": how many, which way, how high. Empty where they have nothing of it in common.
 std::string place_of(const LoadedScene& scene, const std::string& name, bool planar) {
   for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
     const ups_gltf_sensor_info& info = scene.sensors[i].info;
     constexpr size_t most = 200000;
     if (scene.sensors[i].name != name || info.kind != UPS_GLTF_METERS || info.meter_count > most) continue;
-    std::vector<double> at(3 * size_t(info.meter_count));
-    std::vector<float> normals(at.size());
-    check(ups_gltf_read_meters(scene.import_result.get(), i, at.data(), normals.data(), info.meter_count),
-          ups_gltf_last_error);
+    const MeterPlaces places = meter_places(scene, i);
+    std::string text = layout_of(info);
+    if (places.listed.empty()) return text;
+    const double height = places.positions[3 * places.listed[0] + 2];
     bool level = true, upward = true, vertical = true;
-    for (size_t m = 0; m < at.size(); m += 3) {
-      level = level && std::abs(at[m + 2] - at[2]) < 1e-4;
-      upward = upward && normals[m + 2] > 0.9999f;
-      vertical = vertical && std::abs(normals[m + 2]) < 1e-3f;
+    for (const size_t m : places.listed) {
+      const float up = places.normals[3 * m + 2];
+      level = level && std::abs(places.positions[3 * m + 2] - height) < 1e-4;
+      upward = upward && up > 0.9999f;
+      vertical = vertical && std::abs(up) < 1e-3f;
     }
-    std::string text = info.columns > 0 ? format("%u \u00d7 %u", info.columns, info.rows) : "";
     if (planar && (upward || vertical)) text += (text.empty() ? "" : ", ") + std::string(upward ? "horizontal" : "vertical");
-    if (level) text += (text.empty() ? "" : ", ") + format("at %.2f m", at[2]);
+    if (level) text += (text.empty() ? "" : ", ") + format("at %.2f m", height);
     return text;
   }
   return {};
@@ -243,11 +251,19 @@ std::string table_of(const PageInput& in, const std::string& caption, const std:
   return table.head.size() > 1 ? html_table(table, label) : "";
 }
 
+bool has_extremes(const RatioReport& ratio) { return ratio.points > 0; }
+
 std::string ratios_table(const Report& report) {
   if (report.ratios.empty()) return {};
   HtmlTable table{"Ratios of mean illuminances", {"Of", "To", "Ratio"}, {}, 2};
-  for (const RatioReport& r : report.ratios)
+  const bool by_meter = std::any_of(report.ratios.begin(), report.ratios.end(), has_extremes);
+  if (by_meter) table.head.insert(table.head.end(), {"Least, meter by meter", "Greatest, meter by meter"});
+  for (const RatioReport& r : report.ratios) {
     table.rows.push_back({html_text(r.numerator), html_text(r.denominator), bounded(r.ratio, ratio)});
+    if (!by_meter) continue;
+    for (const ups_interval& extreme : {r.least, r.greatest})
+      table.rows.back().push_back(has_extremes(r) ? bounded(extreme, ratio) : "");
+  }
   return html_table(table, "Ratios");
 }
 

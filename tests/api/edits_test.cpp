@@ -286,6 +286,11 @@ TEST_F(Edits, FixturesAreSetAndGiveBackWhatTheyTook) {
   EXPECT_OK(ups_scene_get_instance(scene, part, &instance_desc));
   EXPECT_EQ(instance_desc.group, 9u);
   expect_error(ups_scene_set_instance(scene, part, &instance_desc), UPS_ERROR_INVALID_ARGUMENT, {"fixture"});
+  expect_error(ups_scene_set_transform(scene, part, instance_desc.to_world), UPS_ERROR_INVALID_ARGUMENT, {"fixture"});
+  EXPECT_NEAR(flux(), 600, 1e-3);
+  EXPECT_OK(ups_scene_remove_instance(scene, part));
+  EXPECT_OK(ups_scene_set_fixture(scene, b, &got));
+  EXPECT_NEAR(flux(), 100, 1e-3) << "without the part that was removed";
   ups_instance_id reflector;
   EXPECT_OK(ups_scene_get_fixture_instance(scene, a, {2}, &reflector));
   EXPECT_OK(ups_scene_get_instance(scene, reflector, &instance_desc));

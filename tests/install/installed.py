@@ -5,6 +5,7 @@ what the program says; the bindings' and samples' sources; documents whose links
 """
 import json
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -73,6 +74,19 @@ def check_links(prefix):
     assert count > 20, count
 
 
+def check_csharp(prefix):
+    """The project finds what it reads where it is installed; without a .NET SDK nobody can ask it."""
+    project = prefix / "share/ups/csharp/Ups.csproj"
+    if not shutil.which("dotnet"):
+        print("installed: no .NET SDK: Ups.csproj was not read")
+        return
+    asked = subprocess.run(["dotnet", "msbuild", project, "-getProperty:Version", "-getProperty:UpsLicense"],
+                           capture_output=True, text=True)
+    assert asked.returncode == 0, asked.stdout + asked.stderr
+    told = json.loads(asked.stdout)["Properties"]
+    assert re.fullmatch(r"\d+\.\d+\.\d+", told["Version"]) and Path(told["UpsLicense"]).exists(), told
+
+
 def check_manual(prefix, build):
     program = build / "bin/ups"
     if not program.exists():
@@ -88,6 +102,7 @@ def main():
     check_notices(prefix, libdir)
     check_sources(prefix)
     check_links(prefix)
+    check_csharp(prefix)
     check_manual(prefix, build)
 
 

@@ -5,8 +5,12 @@ import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-import test_program
-from test_info import png_size
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../samples/scenes_common"))
+import need_numpy  # noqa: E402,F401
+import numpy as np  # noqa: E402
+import test_program  # noqa: E402
+from exr import read_channels  # noqa: E402
+from test_info import png_size  # noqa: E402
 
 SVG = "{http://www.w3.org/2000/svg}"
 HEADER = "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx\n"
@@ -75,6 +79,35 @@ class Maps(test_program.ProgramTest):
         values = [400 + 10 * c + r for r in range(12) for c in range(16)]
         met, not_met = sum(v - 15 >= 500 for v in values), sum(v + 15 < 500 for v in values)
         self.assertIn(f"is met at {met}, not sure at {192 - met - not_met}, not met at {not_met}.", told["verdict"])
+
+    def test_verdicts_of_images(self):
+        """By each pixel's bound: as many of each as the image's own numbers say; without a bound nothing is sure."""
+        scene, out = self.write("room.gltf", test_program.room()), self.path("out")
+        self.run_program("render", scene, "--iterations", 32, "--out", out, "--map-threshold", 3,
+                         "--map-threshold-luminance", 0.5)
+        pixels, names = read_channels(os.path.join(out, "view.exr"))
+        plane = {name: pixels[:, i] for i, name in enumerate(names)}
+        luminance = 0.2126 * plane["R"] + 0.7152 * plane["G"] + 0.0722 * plane["B"]
+        noise = plane["standard_error.illuminance.Y"]
+        images = {"luminance": (luminance, plane["error_bound.Y"], 0.5),
+                  "illuminance": (plane["illuminance.Y"], np.where(noise < 0, -1, 1.96 * noise), 3)}
+        for kind, (value, bound, least) in images.items():
+            known = bound >= 0
+            met, not_met = (known & (value - bound >= least)).sum(), (known & (value + bound < least)).sum()
+            told = self.svg(f"out/view_{kind}.svg")[1]
+            counts = {word: int(count) for word, count in re.findall(r"(not met|not sure|met) at (\d+)", told)}
+            self.assertGreater(met, 0)
+            self.assertGreater(not_met, 0)
+            for word, count in (("met", met), ("not met", not_met), ("not sure", value.size - met - not_met)):
+                self.assertAlmostEqual(counts.get(word, 0), count, delta=2, msg=(kind, word, told))  # float's rounding
+        image, drawing = os.path.join(out, "view.exr"), self.path("view.svg")
+        self.run_program("map", image, drawing, "--map-threshold-luminance", 0.5, "--title", "view")
+        self.assertEqual(self.svg("view.svg")[1], self.svg("out/view_luminance.svg")[1])
+        self.expect_failure("map", image, drawing, "--map-threshold", 3, words=["--map-threshold-luminance", "cd/m2"])
+        self.expect_failure("map", image, drawing, "--illuminance", "--map-threshold-luminance", 3, words=["lux"])
+        grid = os.path.join(out, "work_plane.exr")
+        self.run_program("map", grid, drawing, "--map-threshold", 3)
+        self.assertRegex(self.svg("view.svg")[1], r"Of 8 values, 3 lx is .*met at ")
 
     def test_errors(self):
         file = self.grid()

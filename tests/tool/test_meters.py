@@ -115,6 +115,8 @@ class Meters(test_program.ProgramTest):
         image = {name: pixels[:, i] for i, name in enumerate(names)}
         self.assertEqual(image["Y"].shape, (8, 16))
         np.testing.assert_array_equal(image["valid"][:, :12], 1)
+        self.assertLess(np.abs(image["direct.Y"] + image["indirect.Y"] - image["Y"]).max(), 1e-4 * image["Y"].max())
+        self.assertTrue((image["error_bound.Y"] >= np.abs(image["bias.Y"])).all())
         for name in ("Y", "standard_error.Y", "area", "valid", "position.X"):
             np.testing.assert_array_equal(image[name][:, 12:], 0, err_msg=name)
         flux = (image["Y"] * image["area"]).sum()

@@ -1,10 +1,12 @@
 """`ups render --report` and `--targets`: what the page says, whether it is whole and safe, verdicts, wrong files.
 Usage: test_report.py PATH_TO_UPS. In a browser and on paper: test_report_page.py."""
+import base64
 import html.parser
 import json
 import os
 import re
 import shlex
+import struct
 import subprocess
 import sys
 import unittest
@@ -226,6 +228,29 @@ class Targets(ReportTest):
             self.assertEqual(shown < required, meters["mean_lx"] < required, (shown, required))
             self.assertNotEqual(shown, required)
             self.assertIn(verdict["verdict"].replace("_", " "), words)
+
+    def test_meters_of_surfaces_and_a_lightmap_are_on_it(self):
+        scene = lamp_room()
+        floor = scene["meshes"][0]["primitives"][0]["attributes"]
+        uv = struct.pack("<8f", 0, 0, 0.75, 0, 0.75, 1, 0, 1)  # a quarter of the texels is empty
+        scene["buffers"].append({"byteLength": len(uv), "uri": "data:application/octet-stream;base64," +
+                                 base64.b64encode(uv).decode()})
+        scene["bufferViews"].append({"buffer": 1, "byteLength": len(uv)})
+        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "componentType": 5126, "count": 4,
+                                   "type": "VEC2"})
+        floor["TEXCOORD_0"] = len(scene["accessors"]) - 1
+        for name, words in (("faces", {"surface": True}), ("texels", {"lightmap": {"width": 16, "height": 8}})):
+            scene["nodes"].append({"name": name, "mesh": 0, "translation": [0, -0.1, 0],
+                                   "extras": {"ups": {"meters": words}}})
+            scene["scenes"][0]["nodes"].append(len(scene["nodes"]) - 1)
+        page, result = self.report("--iterations", 16, "--ratio", "work_plane/work_plane", scene=scene)
+        page = Page(page)
+        self.assertEqual(page.wrong, [])
+        words = page.words()
+        self.assertIn("faces 2 triangles, horizontal, at -0.10 m", words)
+        self.assertIn("texels 16 \u00d7 8 texels, horizontal, at -0.10 m", words)
+        self.assertIn("Least, meter by meter", words)
+        self.assertLessEqual({"faces", "texels"}, set(result["meters"]))
 
     def test_glare_must_be_at_most(self):
         scene = lamp_room()

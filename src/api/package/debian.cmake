@@ -37,10 +37,17 @@ ups_package(runtime libups0 libs "The libraries: the core and what reads and wri
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 # oneTBB loads it where it is there, and takes memory from it: see ups_base.h on exhausted memory.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libtbbmalloc2)
-# What a package depends on whose programs are linked with the libraries.
+# What a package depends on whose programs are linked with the libraries: before 1.0 not the next minor version.
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  math(EXPR next "${PROJECT_VERSION_MINOR} + 1")
+  set(next 0.${next})
+else()
+  math(EXPR next "${PROJECT_VERSION_MAJOR} + 1")
+endif()
 set(shlibs)
 foreach(library ${libraries})
-  string(APPEND shlibs "lib${library} ${UPS_SOVERSION} libups0 (>= ${PROJECT_VERSION})\n")
+  string(APPEND shlibs
+         "lib${library} ${UPS_SOVERSION} libups0 (>= ${PROJECT_VERSION}), libups0 (<< ${next})\n")
 endforeach()
 file(CONFIGURE OUTPUT shlibs CONTENT "${shlibs}")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers ${CMAKE_CURRENT_BINARY_DIR}/shlibs)
