@@ -1,25 +1,10 @@
 // Observers: UGR against closed forms in an integrating sphere; what panes, screens and the line of sight do to sources;
 // a standard room of CIE 190 rendered against its luminaire's table.
 #include "../support/expect_lx.h"
+#include "../support/profiles.h"
 
 namespace ups::test {
 namespace {
-
-using Profile = std::unique_ptr<ups_profile, decltype(&ups_profile_destroy)>;
-
-// Gamma rows of an axial profile with an opening.
-Profile profile_of(ups_context* context, const std::vector<float>& gamma, const std::vector<float>& cd,
-                   ups_opening_shape shape, float x, float y, float z) {
-  const float c = 0;
-  auto d = make_desc<ups_profile_desc>(ups_profile_desc_init);
-  d.c_count = 1, d.gamma_count = uint32_t(gamma.size());
-  d.c_deg = &c, d.gamma_deg = gamma.data(), d.intensity_cd = cd.data();
-  d.opening_shape = shape;
-  d.opening_m[0] = x, d.opening_m[1] = y, d.opening_m[2] = z;
-  ups_profile* profile = nullptr;
-  check(ups_profile_create(context, &d, &profile), "ups_profile_create");
-  return {profile, ups_profile_destroy};
-}
 
 double ugr(double sum, double background) { return 8 * std::log10(0.25 / background * sum); }
 

@@ -1,0 +1,144 @@
+// Is an observer's UGR in the standard rooms of CIE 190 what a calculation by hand gives? Eyes at the middle of a wall,
+// 1.2 m above the floor; luminaires 2 m above them, one every 0.5 m; 0.7, 0.5 and 0.2 of ceiling, walls and floor. By
+// hand: the panels' light by Lambert's formula for polygons, what the surfaces send on by radiosity of patches,
+// the rating by CIE 117 with the position index of each panel's middle.
+//
+// The rating is wanted within 0.1, the background within 1 %: patches of 0.25 m (of 0.5 m in the larger
+// rooms) bring it an error of 0.8 %. Its
+// standard error is at most 0.3 %, so that 2 % are found in 99 cases of 100, by which a rating differs by 0.07.
+#include <gtest/gtest.h>
+
+#include "../support/profiles.h"
+#include "../support/shapes.h"
+
+namespace ups::test {
+namespace {
+
+constexpr double height = 2, floor_below = 1.2, spacing = 0.5, panel_side = 0.3, peak_cd = 1000;
+constexpr double panel_luminance = peak_cd / (panel_side * panel_side);
+
+struct Patch {
+  std::vector<P3> corners;
+  P3 middle, normal;
+  double reflectance, direct, radiosity;
+};
+
+class StandardRoom {
+ public:
+  StandardRoom(double width, double depth, double patch) : patch_(patch) {
+    const double foot = -floor_below;
+    const P3 up{0, 0, height + floor_below};
+    add({0, 0, foot}, {width, 0, 0}, {0, depth, 0}, 0.2);
+    add({0, 0, height}, {0, depth, 0}, {width, 0, 0}, 0.7);
+    add({0, 0, foot}, up, {width, 0, 0}, 0.5);
+    add({0, depth, foot}, {width, 0, 0}, up, 0.5);
+    add({0, 0, foot}, {0, depth, 0}, up, 0.5);
+    add({width, 0, foot}, up, {0, depth, 0}, 0.5);
+    for (double x = spacing / 2; x < width; x += spacing)
+      for (double y = spacing / 2; y < depth; y += spacing) panels_.push_back({x, y, height});
+  }
+  const std::vector<P3>& panels() const { return panels_; }
+  const std::vector<std::pair<Shape, double>>& surfaces() const { return surfaces_; }
+
+  // What reaches the eye but straight from the panels, over pi.
+  double background(const P3& eye, const P3& looks) {
+    for (Patch& p : patches_) p.direct = direct(p), p.radiosity = p.reflectance * p.direct;
+    std::vector<std::vector<float>> factors(patches_.size());
+    for (size_t i = 0; i < patches_.size(); ++i)
+      for (const Patch& from : patches_) factors[i].push_back(float(factor(from, patches_[i].middle, patches_[i].normal)));
+    for (int round = 0; round < 30; ++round) {
+      std::vector<double> next;
+      for (size_t i = 0; i < patches_.size(); ++i) {
+        double received = patches_[i].direct;
+        for (size_t j = 0; j < patches_.size(); ++j) received += patches_[j].radiosity * double(factors[i][j]);
+        next.push_back(patches_[i].reflectance * received);
+      }
+      for (size_t i = 0; i < patches_.size(); ++i) patches_[i].radiosity = next[i];
+    }
+    double e = 0;
+    for (const Patch& from : patches_) e += from.radiosity * factor(from, eye, looks);
+    return e / pi_d;
+  }
+
+  // The sum of L^2 w / p^2 of those that look down at an eye that looks along +y.
+  double glare_sum(const P3& eye) const {
+    double sum = 0;
+    for (const P3& p : panels_) {
+      const P3 to = p - eye;
+      const float direction[3] = {float(to.x), float(to.z), float(-to.y)};
+      float index;
+      check(ups_glare_get_position_index(UPS_POSITION_INDEX_TABLE, direction, 1, &index), "ups_glare_get_position_index");
+      if (index < 0) continue;
+      const double d2 = dot(to, to), solid_angle = panel_side * panel_side * to.z / (d2 * std::sqrt(d2));
+      sum += panel_luminance * panel_luminance * solid_angle / (double(index) * double(index));
+    }
+    return sum;
+  }
+
+ private:
+  // Exitance of one to irradiance at a point before it.
+  static double factor(const Patch& from, const P3& to, const P3& normal) {
+    if (dot(to - from.middle, from.normal) < 1e-9) return 0;  // in its own plane
+    return std::max(0.0, polygon_irradiance_factor(from.corners, to, normal)) / pi_d;
+  }
+  // The mean over four points of the patch.
+  double direct(const Patch& patch) const {
+    if (patch.normal.z < -0.5) return 0;  // the ceiling: they look down
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) {
+      const P3 at = (patch.corners[size_t(i)] + patch.middle) * 0.5;
+      for (const P3& p : panels_) {
+        const double h = panel_side / 2;
+        sum += std::max(0.0, polygon_irradiance_factor({{p.x - h, p.y - h, p.z}, {p.x - h, p.y + h, p.z},
+                                                        {p.x + h, p.y + h, p.z}, {p.x + h, p.y - h, p.z}},
+                                                       at, patch.normal));
+      }
+    }
+    return panel_luminance * sum / 4;
+  }
+  void add(const P3& corner, const P3& a, const P3& b, double reflectance) {
+    surfaces_.emplace_back(quad(corner, a, b), reflectance);
+    const int columns = int(std::lround(length(a) / patch_)), rows = int(std::lround(length(b) / patch_));
+    const P3 u = a * (1.0 / columns), v = b * (1.0 / rows);
+    for (int i = 0; i < columns; ++i)
+      for (int j = 0; j < rows; ++j) {
+        const P3 p = corner + u * i + v * j;
+        patches_.push_back({{p, p + u, p + u + v, p + v}, p + u * 0.5 + v * 0.5, normalize(cross(a, b)), reflectance, 0, 0});
+      }
+  }
+
+  double patch_;  // side, about
+  std::vector<Patch> patches_;
+  std::vector<std::pair<Shape, double>> surfaces_;
+  std::vector<P3> panels_;
+};
+
+void judge(double width, double depth, double patch) {
+  SCOPED_TRACE(std::to_string(width) + " m across, " + std::to_string(depth) + " m along the line of sight");
+  StandardRoom room(width, depth, patch);
+  Scene scene;
+  std::vector<float> gamma, cd;
+  for (int i = 0; i <= 90; ++i) gamma.push_back(float(i)), cd.push_back(float(peak_cd * std::cos(i * pi_d / 180)));
+  const Profile panel =
+      profile_of(scene.context(), gamma, cd, UPS_OPENING_RECTANGLE, float(panel_side), float(panel_side), 0);
+  for (const auto& [shape, reflectance] : room.surfaces()) scene.add(shape, matte(reflectance));
+  for (const P3& p : room.panels()) scene.add_luminaire(panel.get(), p, {0, 0, -1}, true);
+  const P3 eye{width / 2, 0, 0}, looks{0, 1, 0};
+  const Sensor observer = scene.add_observer(eye, looks);
+  const ups_observer_reading r =
+      scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 2048}).observer(observer);
+  const double background = room.background(eye, looks),
+               expected = 8 * std::log10(0.25 / background * room.glare_sum(eye));
+  std::printf("background %.2f +- %.2f, by hand %.2f cd/m2; UGR %.3f, by hand %.3f\n", double(r.background_cd_m2),
+              double(r.background_standard_error_cd_m2), background, double(r.ugr), expected);
+  EXPECT_LE(r.background_standard_error_cd_m2, 0.003 * background);
+  EXPECT_NEAR(r.background_cd_m2, background, 0.01 * background);
+  EXPECT_NEAR(r.ugr, expected, 0.1);
+}
+
+TEST(GlareRooms, Of2HBy2H) { judge(4, 4, 0.25); }
+TEST(GlareRooms, Of4HBy8H) { judge(8, 16, 0.5); }
+TEST(GlareRooms, Of8HBy4H) { judge(16, 8, 0.5); }
+
+}  // namespace
+}  // namespace ups::test
