@@ -33,7 +33,7 @@ done
 twice=$(sort "$work/files" | uniq -d)
 [ -z "$twice" ] || { echo "in two packages: $twice" >&2; exit 1; }
 dpkg-deb -I "$work"/libups0_*.deb triggers | grep -q ldconfig
-dpkg-deb -I "$work"/libups0_*.deb shlibs | grep -q "^libups ${version%.*} libups0 (>= $version)$"
+dpkg-deb -I "$work"/libups0_*.deb shlibs | grep -q "^libups ${version%.*} libups0 (>= $version), libups0 (<< 0\.[0-9]*)$"
 
 if [ ${#tools[@]} = 1 ]; then [ "$("$work/root/usr/bin/ups" --version)" = "ups $version" ]; fi
 mkdir "$work/out"

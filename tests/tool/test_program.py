@@ -238,7 +238,8 @@ class Render(ProgramTest):
         self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
                                        "seed", "flux", "dropped_samples", "work", "memory", "meters", "cameras",
                                        "convergence", "warnings", "choice", "prediction", "advice", "largest_error",
-                                       "largest_samples", "maintenance_factor"})
+                                       "largest_samples", "maintenance_factor", "observers"})
+        self.assertEqual(result["observers"], {})
         self.assertEqual(result["scene"], self.path("room.gltf"))
         self.assertEqual(result["iterations"], 32)
         self.assertEqual(result["seed"], 7)
