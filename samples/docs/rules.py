@@ -4,6 +4,11 @@ Called by make_pages.py. The rules stand in ups_base.h; where one does not fit a
 says what is so.
 """
 import re
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bindings"))
+import c_header  # noqa: E402
 
 UNITS = {"_cd_m2": "cd/m²", "_per_m": "1/m", "_m2": "m²", "_m": "m", "_cd": "cd", "_lm": "lm", "_lx": "lx", 
          "_rad": "rad", "_deg": "degrees", "_s": "s", "_ms": "ms", "_w": "W", "_k": "K", "_sr": "sr",
@@ -81,7 +86,6 @@ OF_FUNCTION = {
 }
 NOTHING = "<span></span>"  # the name says it
 OPTIONAL = ("info", "level", "needed", "normals", "positions_m")  # pointers that may be NULL
-EXTRAS = ("ups_exr.h", "ups_gltf.h", "ups_ocio.h")
 READS_SCENE = {"ups_render", "ups_job_start", "ups_replay", "ups_scene_estimate_memory"}
 
 
@@ -167,7 +171,7 @@ def faults(function):
     for p in function.parameters:
         t = p.type
         if t.name in HANDLES and t.pointers == 1:
-            yield p, "null", f"{p.name} is NULL" + ("" if function.header in EXTRAS else
+            yield p, "null", f"{p.name} is NULL" + ("" if function.header in c_header.EXTRA_HEADERS else
                                                     " or of another copy of the library")
         elif t.name.endswith("_id") and not t.pointers:
             yield p, "id", (f"{p.name} names nothing of that kind in what was rendered" if rendered else

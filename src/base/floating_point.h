@@ -26,7 +26,8 @@ class DefaultFloatingPoint {
   std::fenv_t host_;
 };
 
-// While it lives nothing traps: Embree divides by zero and compares what is not a number, and means it.
+// While it lives nothing traps: tests of boxes, Embree's and ours, divide by zero and compare what is not a number, and
+// mean it.
 #ifdef UPS_FLOAT_TRAPS
 class TrapsMasked {
  public:

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/floating_point.h"
 #include "base/lanes.h"
 #include "geometry/raytracer.h"
 
@@ -192,6 +193,7 @@ void DiscIndex::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
     return;
   }
   const size_t begin = out.size();
+  const TrapsMasked masked;
   const Segment segment(o, d, tmax);
   uint32_t waiting[lane_count * 16] = {0};  // a level has a quarter of what the one above has, of 2^32 discs at most
   for (int left = 1; left > 0;) {

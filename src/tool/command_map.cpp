@@ -105,7 +105,7 @@ MapData map_of_table(const MapOptions& options, const std::string& title) {
 }
 
 // Empty where the file has none.
-std::vector<float> planes(const ExrFile& file, const std::string& name) {
+std::vector<float> plane_or_none(const ExrFile& file, const std::string& name) {
   return file.has(name) ? file.channel(name) : std::vector<float>();
 }
 
@@ -115,17 +115,17 @@ MapData map_of_image(const MapOptions& options, const std::string& title) {
     if (!file.has("illuminance.Y"))
       throw Failure(options.file + ": has no illuminance; it must be of a camera with \"illuminance_camera\": true");
     return image_map(title, "Illuminance", "lx", file.channel("illuminance.Y"),
-                     bounds_of_noise(planes(file, "standard_error.illuminance.Y")), file.width(), file.height());
+                     bounds_of_noise(plane_or_none(file, "standard_error.illuminance.Y")), file.width(), file.height());
   }
   if (file.has("R") && file.has("G") && file.has("B")) {
     const std::vector<float> r = file.channel("R"), g = file.channel("G"), b = file.channel("B");
     std::vector<float> rgb;
     for (size_t i = 0; i < r.size(); ++i) rgb.insert(rgb.end(), {r[i], g[i], b[i]});
-    return image_map(title, "Luminance", "cd/m\u00b2", luminance_of(rgb), planes(file, "error_bound.Y"), file.width(),
+    return image_map(title, "Luminance", "cd/m\u00b2", luminance_of(rgb), plane_or_none(file, "error_bound.Y"), file.width(),
                      file.height());
   }
   if (!file.has("Y")) throw Failure(options.file + ": has neither R, G and B nor Y");
-  return image_map(title, "Illuminance", "lx", file.channel("Y"), planes(file, "error_bound.Y"), file.width(),
+  return image_map(title, "Illuminance", "lx", file.channel("Y"), plane_or_none(file, "error_bound.Y"), file.width(),
                    file.height());
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "common/atomic_file.h"
 #include "platform/paths.h"
@@ -193,6 +194,28 @@ MeterTable read_table(uint32_t index, const SensorEntry& meters, const LoadedSce
   return table;
 }
 
+struct Plane {
+  const char *name, *unit;
+};
+
+// What tables, grids and lightmaps have of a reading, in the order of values_of.
+constexpr Plane reading_planes[] = {{"Y", "lx"},           {"standard_error.Y", "lx"}, {"bias.Y", "lx"},
+                                    {"error_bound.Y", "lx"}, {"direct.Y", "lx"},         {"indirect.Y", "lx"}};
+std::array<float, std::size(reading_planes)> values_of(const ups_meter_reading& r) {
+  return {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx};
+}
+
+// values: of every plane for each pixel in turn.
+void write_planes(const std::string& path, uint32_t width, uint32_t height, const std::vector<Plane>& planes,
+                  const std::vector<float>& values, Attributes attributes) {
+  std::vector<ups_exr_channel> channels;
+  for (size_t k = 0; k < planes.size(); ++k) {
+    channels.push_back({planes[k].name, &values[k], planes.size() * sizeof(float), 0});
+    attributes.emplace_back(std::string("unit.") + planes[k].name, planes[k].unit);
+  }
+  write_exr(path, width, height, channels, attributes);
+}
+
 // map_width: of a lightmap, else 0.
 void write_csv(const std::string& path, const MeterTable& table, uint32_t map_width) {
   std::string header =
@@ -207,9 +230,7 @@ void write_csv(const std::string& path, const MeterTable& table, uint32_t map_wi
   for (const size_t i : table.places.listed) {
     for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(table.places.positions[k]);
     for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(double(table.places.normals[k]));
-    const ups_meter_reading& r = table.readings[i];
-    for (float value : {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx, r.indirect_lx})
-      csv.add(double(value));
+    for (const float value : values_of(table.readings[i])) csv.add(double(value));
     if (!table.vectors.empty()) {
       const ups_vector_reading& v = table.vectors[i];
       for (const float* part : {v.vector_lx, v.standard_error_lx, v.error_bound_lx})
@@ -229,47 +250,27 @@ void write_csv(const std::string& path, const MeterTable& table, uint32_t map_wi
 }
 
 // Row 0, at v = 0, is the image's top line.
-void write_lightmap(const std::string& path, const SensorEntry& map, const MeterTable& table, Attributes attributes) {
-  static constexpr const char* names[] = {"Y",          "standard_error.Y", "bias.Y",     "error_bound.Y", "direct.Y",
-                                          "indirect.Y", "position.X",       "position.Y", "position.Z",    "area",
-                                          "valid"};
-  static constexpr const char* units[] = {"lx", "lx", "lx", "lx", "lx",  "lx",
-                                          "m",  "m",  "m",  "m^2", "1: in use, 0: empty"};
-  constexpr size_t count = std::size(names);
-  const std::vector<ups_meter_place>& places = table.places.surfaces;
+void write_lightmap(const std::string& path, const SensorEntry& map, const MeterTable& table,
+                    const Attributes& attributes) {
+  std::vector<Plane> planes(std::begin(reading_planes), std::end(reading_planes));
+  planes.insert(planes.end(), {{"position.X", "m"}, {"position.Y", "m"}, {"position.Z", "m"}, {"area", "m^2"},
+                               {"valid", "1: in use, 0: empty"}});
   std::vector<float> texels;
-  texels.reserve(count * places.size());
-  for (size_t i = 0; i < places.size(); ++i) {
-    const ups_meter_reading& r = table.readings[i];
-    const ups_meter_place& p = places[i];
-    texels.insert(texels.end(), {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx,
-                                 r.indirect_lx, float(p.position_m[0]), float(p.position_m[1]), float(p.position_m[2]), p.area_m2,
+  texels.reserve(planes.size() * table.readings.size());
+  for (size_t i = 0; i < table.readings.size(); ++i) {
+    const auto reading = values_of(table.readings[i]);
+    const ups_meter_place& p = table.places.surfaces[i];
+    texels.insert(texels.end(), reading.begin(), reading.end());
+    texels.insert(texels.end(), {float(p.position_m[0]), float(p.position_m[1]), float(p.position_m[2]), p.area_m2,
                                  float(p.valid)});
   }
-  std::vector<ups_exr_channel> channels;
-  for (size_t k = 0; k < count; ++k) {
-    channels.push_back({names[k], &texels[k], count * sizeof(float), 0});
-    attributes.emplace_back(std::string("unit.") + names[k], units[k]);
-  }
-  write_exr(path, map.info.width, map.info.height, channels, attributes);
+  write_planes(path, map.info.width, map.info.height, planes, texels, attributes);
 }
 
 // An image's top line is the grid's last row: row 0 stands at the bottom.
 void write_grid(Written& written, const std::string& base, const SensorEntry& grid, const MeterTable& table,
-                Attributes attributes) {
+                const Attributes& attributes) {
   const uint32_t columns = grid.info.columns, rows = grid.info.rows;
-  static constexpr const char* names[] = {"Y",             "standard_error.Y", "bias.Y",
-                                          "error_bound.Y", "direct.Y",         "indirect.Y"};
-  constexpr size_t count = std::size(names);
-  std::vector<float> cells;
-  cells.reserve(count * table.readings.size());
-  for (uint32_t row = rows; row-- > 0;) {
-    for (uint32_t column = 0; column < columns; ++column) {
-      const ups_meter_reading& r = table.readings[size_t(row) * columns + column];
-      cells.insert(cells.end(), {r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx, r.direct_lx,
-                                 r.indirect_lx});
-    }
-  }
   const std::string path = base + ".exr";
   if (std::max(columns, rows) > max_exr_side) {
     written.warnings.push_back(path + " is not written: a grid of " + std::to_string(columns) + " x " +
@@ -277,12 +278,17 @@ void write_grid(Written& written, const std::string& base, const SensorEntry& gr
                                " pixels a side that it can have; the table has all values");
     return;
   }
-  std::vector<ups_exr_channel> channels;
-  for (size_t k = 0; k < count; ++k) {
-    channels.push_back({names[k], &cells[k], count * sizeof(float), 0});
-    attributes.emplace_back(std::string("unit.") + names[k], "lx");
+  std::vector<float> cells;
+  cells.reserve(std::size(reading_planes) * table.readings.size());
+  for (uint32_t row = rows; row-- > 0;) {
+    for (uint32_t column = 0; column < columns; ++column) {
+      const auto reading = values_of(table.readings[size_t(row) * columns + column]);
+      cells.insert(cells.end(), reading.begin(), reading.end());
+    }
   }
-  attempt(written, path, [&](const std::string& file) { write_exr(file, columns, rows, channels, attributes); });
+  attempt(written, path, [&](const std::string& file) {
+    write_planes(file, columns, rows, {std::begin(reading_planes), std::end(reading_planes)}, cells, attributes);
+  });
 }
 
 void write_meters(Written& written, const std::string& base, uint32_t index, const SensorEntry& meters,

@@ -14,15 +14,13 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "samples" / "docs"), str(ROOT / "tests" / "abi")]
-import c_header  # noqa: E402
 import rules  # noqa: E402
-from check_abi import declaration, inclusions, read_api, run  # noqa: E402
+from check_abi import declaration, inclusions, library_of, read_api, run  # noqa: E402
 
 # What no call of an example can be followed by.
 NOT_TRIED = {"ups_context_pop_log capacity small": "the call before took the message"}
 
 START = r"""
-#define _GNU_SOURCE
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,9 +61,7 @@ class Wrapper:
     """The C of one function that stands before the library's."""
 
     def __init__(self, function):
-        self.f = function
-        extra = function.header in rules.EXTRAS
-        self.last_error = f"{Path(function.header).stem}_last_error" if extra else "ups_last_error"
+        self.f, self.last_error = function, f"{library_of(function)}_last_error"
         names = [p.name for p in function.parameters]
         self.outputs = [] if "capacity" in names else [
             p for p in function.parameters
@@ -75,12 +71,12 @@ class Wrapper:
     def call(self, **instead):
         return f"real({', '.join(instead.get(p.name, p.name) for p in self.f.parameters)})"
 
-    def attempt(self, what, call, wanted="INVALID_ARGUMENT", before=""):
+    def attempt(self, what, call, wanted="INVALID_ARGUMENT", before="", after=""):
         """Between them the outputs are compared; one that is itself replaced is as it was in any case."""
         keep = "".join(f"unsigned char was_{o.name}[sizeof *{o.name}]; "
                        f"if ({o.name}) memcpy(was_{o.name}, {o.name}, sizeof *{o.name}); " for o in self.outputs)
         changed = " || ".join(f"({o.name} && memcmp(was_{o.name}, {o.name}, sizeof *{o.name}))" for o in self.outputs)
-        return (f"  {{ {before}{keep}ups_status s = {call};\n"
+        return (f"  {{ {before}{keep}ups_status s = {call}; {after}\n"
                 f'    expect("{self.f.name} {what}", s, UPS_ERROR_{wanted}, {self.last_error}(), {changed or 0}); }}\n')
 
     def fault(self, p, kind):
@@ -110,7 +106,7 @@ class Wrapper:
         size_alone = self.call(capacity="0", needed="&all", **{m.name: "NULL"})
         return (f"  {{ size_t all = 0; if ({size_alone} == UPS_OK && all > 1)\n"
                 + self.attempt("capacity small", self.call(capacity="all - 1", **{m.name: "some"}), "BUFFER_TOO_SMALL",
-                               before).replace("s, UPS", "(free(some), s), UPS") + "  }\n")
+                               before, "free(some);") + "  }\n")
 
     def later(self):
         p = next(p for p in self.f.parameters if p.type.name.endswith("_desc") and p.type.const)
@@ -134,9 +130,8 @@ class Wrapper:
 
 def build(cc, functions, folder):
     source = Path(folder, "errors.c")
-    source.write_text(START.replace("#include <unistd.h>\n", "#include <unistd.h>\n" + "\n".join(
-        inclusions(ROOT / "include")) + "\n") + "".join(Wrapper(f).text() for f in functions))
-    run(cc, "-std=c99", "-w", "-shared", "-fPIC", "-I", ROOT / "include", source, "-o", Path(folder, "errors.so"))
+    source.write_text("\n".join(inclusions(ROOT / "include")) + START + "".join(Wrapper(f).text() for f in functions))
+    run(cc, "-std=c99", "-D_GNU_SOURCE", "-w", "-shared", "-fPIC", "-I", ROOT / "include", source, "-o", Path(folder, "errors.so"))
     return Path(folder, "errors.so")
 
 

@@ -17,7 +17,10 @@ leave() {
 }
 trap leave EXIT
 step() { printf '\n== %s\n' "$*"; }
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive bash -ec "cd /ups; $1"; }
+inside() {
+  chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive \
+    bash -ec "cd /ups; $1"
+}
 
 if [ ! -e "$root/etc/debian_version" ]; then
   step "A root of $release"

@@ -29,7 +29,7 @@ namespace {
 constexpr long all_after = 1000000000;
 
 // A room with a mirror, so that photons are merged, a shared mesh, a luminaire with an opening, a camera, and meters
-// enough for their index to be Embree's, which takes five.
+// enough for their index to be a tree, which takes five.
 struct Room {
   Scene scene;
   Sensor meters, camera;

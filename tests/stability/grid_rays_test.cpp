@@ -24,7 +24,6 @@ std::vector<DiscIndex::Disc> grid(int side, int axis) {
 // of boxes. Of each disc double arithmetic is exact here.
 TEST(Hazard10, RaysAlongTheGridCountEachDiscOnce) {
   constexpr int side = 12, quarters = 4 * side;
-  ThreadPool pool(2);
   for (int axis = 0; axis < 3; ++axis)
     for (const float sign : {1.0f, -1.0f}) {
       const std::vector<DiscIndex::Disc> discs = grid(side, axis);
