@@ -220,11 +220,11 @@ static double measure(hall *h, void (*edit)(hall *, int)) {
 /* From the end of a commit until ups_job_start has returned, until the first iteration begins (the job knows its memory
  * when all is prepared), and until it has ended. */
 enum { STARTED, PREPARED, FIRST, TIMES };
-static void measure_start(hall *h, double out_ms[TIMES]) {
+static void measure_start(hall *h, ups_method method, double out_ms[TIMES]) {
   double s[TIMES][ROUNDS];
   ups_render_desc d;
   ups_render_desc_init(&d, sizeof d);
-  d.iteration_count = 1;
+  d.method = method, d.iteration_count = 1;
   for (int round = 0; round < ROUNDS; ++round) {
     move(h, round);
     commit_s(h);
@@ -272,24 +272,28 @@ int main(int argc, char **argv) {
       {"vertices of a mesh", &bend, 0},
       {"an instance replaced", &replace, 0}};
   enum { EDITS = sizeof edits / sizeof *edits };
-  double ms[EDITS][2], first_ms[2], first_move_ms[2], start_ms[TIMES][2];
+  double ms[EDITS][2], first_ms[2], first_move_ms[2], start_ms[2][TIMES][2];
+  static const ups_method methods[2] = {UPS_METHOD_PATH_TRACING, UPS_METHOD_AUTO};
   for (int k = 0; k < 2; ++k) {
     hall h = make_hall(triangles, k == 0 ? 1 : 5000);
     first_ms[k] = 1000 * h.first_s;
     move(&h, ROUNDS);
     first_move_ms[k] = 1000 * commit_s(&h);
     for (int e = 0; e < EDITS; ++e) ms[e][k] = k == 1 && edits[e].of_one_mesh ? -1 : measure(&h, edits[e].edit);
-    double times[TIMES];
-    measure_start(&h, times);
-    for (int t = 0; t < TIMES; ++t) start_ms[t][k] = times[t];
+    for (int m = 0; m < 2; ++m) {
+      double times[TIMES];
+      measure_start(&h, methods[m], times);
+      for (int t = 0; t < TIMES; ++t) start_ms[m][t][k] = times[t];
+    }
     free_hall(&h);
   }
   printf("| ms, %u triangles | in one mesh | in 5000 things |\n|---|---|---|\n", triangles);
   print_row("first commit", first_ms, 0);
   print_row("the first edit, an instance moved", first_move_ms, 2);
   for (int e = 0; e < EDITS; ++e) print_row(edits[e].name, ms[e], 2);
-  print_row("from a commit until `ups_job_start` has returned", start_ms[STARTED], 2);
-  print_row("until the first iteration begins", start_ms[PREPARED], 1);
-  print_row("until it has ended, of 64 x 64 pixels and 100 meters", start_ms[FIRST], 0);
+  print_row("from a commit until `ups_job_start` has returned", start_ms[1][STARTED], 2);
+  print_row("until the first path, `UPS_METHOD_PATH_TRACING`", start_ms[0][PREPARED], 1);
+  print_row("until the first iteration after the pilots, `UPS_METHOD_AUTO`", start_ms[1][PREPARED], 1);
+  print_row("until it has ended, of 64 x 64 pixels and 100 meters", start_ms[1][FIRST], 0);
   return 0;
 }
