@@ -199,17 +199,12 @@ TEST_F(Commit, EachEditGivesTheBitsOfAFullBuild) {
 
 // Above 131,072 triangles large meshes have an index each, and small ones are indexed in groups.
 TEST_F(Commit, EditsOfALargeSceneGiveTheBitsOfAFullBuild) {
-  struct Furniture {
-    ups_instance_id large;
-    std::vector<ups_instance_id> small;
-  };
-  const auto furnish = [](EditedRoom& r, uint32_t side, int sheets) {
-    Furniture f;
-    f.large = r.add_instance(r.add_sheet(r.wall, side, 3.9f), 0.05, 0.05, 0.005);
+  const auto furnish = [](EditedRoom& r, uint32_t side, int sheets) {  // what is moved, the large one first
+    std::vector<ups_instance_id> moved{r.add_instance(r.add_sheet(r.wall, side, 3.9f), 0.05, 0.05, 0.005)};
     for (int i = 0; i < 70; ++i) r.add_instance(r.add_box(r.red, 0, 0.05f), 0.1 + 0.05 * i, 3.5, 0.1 + 0.02 * i);
     for (int i = 0; i < sheets; ++i)
-      f.small.push_back(r.add_instance(r.add_sheet(r.wall, 60, 0.5f), 0.3 * (i % 9), 0.3 * (i / 9), 0.4 + 0.02 * i));
-    return f;
+      moved.push_back(r.add_instance(r.add_sheet(r.wall, 60, 0.5f), 0.3 * (i % 9), 0.3 * (i / 9), 0.4 + 0.02 * i));
+    return moved;
   };
   uint32_t state = 5;
   const auto random = [&](double below) { return below * double((state = state * 1664525u + 1013904223u) >> 8) / 0x1p24; };
@@ -217,14 +212,13 @@ TEST_F(Commit, EditsOfALargeSceneGiveTheBitsOfAFullBuild) {
   for (const auto& [side, sheets] : sizes) {
     SCOPED_TRACE(side + uint32_t(sheets));
     EditedRoom edited(context), whole(context);
-    const Furniture f = furnish(edited, side, sheets);
-    furnish(whole, side, sheets);
+    const auto moved = furnish(edited, side, sheets), moved_in_whole = furnish(whole, side, sheets);
     EXPECT_OK(ups_scene_commit(edited.scene));
     for (const Edit& edit : edits()) {
       edit.make(edited), edit.make(whole);
-      const auto id = sheets && random(1) < 0.8 ? f.small[size_t(random(sheets))] : f.large;
+      const size_t k = size_t(random(double(moved.size())));
       const double x = random(2), y = random(2), z = 0.1 + random(2), angle = random(1);
-      set_transform(edited, id, x, y, z, angle), set_transform(whole, id, x, y, z, angle);
+      set_transform(edited, moved[k], x, y, z, angle), set_transform(whole, moved_in_whole[k], x, y, z, angle);
       EXPECT_OK(ups_scene_commit(edited.scene));
     }
     EXPECT_OK(ups_scene_commit(whole.scene));
