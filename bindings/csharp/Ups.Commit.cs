@@ -12,10 +12,13 @@ namespace Ups
         public void Commit() { Library.Check(Native.ups_scene_commit(Handle)); }
 
         /// <summary>The same as a job: watched, waited for and cancelled as a render's; it has no Result().</summary>
-        public Job StartCommit()
+        public Job StartCommit() { return StartCommit(CommitDesc.Create()); }
+
+        /// <summary>On so many threads, of that priority.</summary>
+        public Job StartCommit(CommitDesc desc)
         {
             JobHandle job;
-            Library.Check(Native.ups_scene_start_commit(Handle, out job));
+            Library.Check(Native.ups_scene_start_commit_with(Handle, &desc, out job));
             return new Job(job);
         }
 

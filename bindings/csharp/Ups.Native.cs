@@ -21,6 +21,12 @@ namespace Ups
         Cancelled = 2,
     }
 
+    public enum Priority : int
+    {
+        Normal = 0,
+        Low = 1,
+    }
+
     public enum LogLevel : int
     {
         Info = 0,
@@ -229,12 +235,6 @@ namespace Ups
         P95 = 2,
         Mean = 3,
         Median = 4,
-    }
-
-    public enum Priority : int
-    {
-        Normal = 0,
-        Low = 1,
     }
 
     public enum JobState : int
@@ -1006,6 +1006,21 @@ namespace Ups
         {
             var d = new LuminaireDesc();
             Native.ups_luminaire_desc_init(&d, (uint)sizeof(LuminaireDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct CommitDesc
+    {
+        public uint StructSize;
+        public uint ThreadLimit;
+        public Priority Priority;
+        /// <summary>With the library's defaults.</summary>
+        public static CommitDesc Create()
+        {
+            var d = new CommitDesc();
+            Native.ups_commit_desc_init(&d, (uint)sizeof(CommitDesc));
             return d;
         }
     }
@@ -2231,6 +2246,11 @@ namespace Ups
         internal static extern Status ups_scene_commit(SceneHandle scene);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_start_commit(SceneHandle scene, out JobHandle @out);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_commit_desc_init(CommitDesc* desc, uint struct_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_scene_start_commit_with(SceneHandle scene, CommitDesc* desc, out JobHandle
+            @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_scene_is_dirty(SceneHandle scene, int* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

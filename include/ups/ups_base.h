@@ -38,8 +38,8 @@
  *   without a handle       all: ups_last_error is each thread's own
  * A _destroy comes last: nothing else may run on that handle, or come after. Const calls are those whose handle is const
  * in the declaration. Two renders of one scene at once share its build and the context's threads; each finds the same
- * bits as alone. A commit, too, may run beside renders that were started before: by ups_scene_start_commit beside edits
- * and new renders of the scene as well.
+ * bits as alone. A commit, too, may run beside renders that were started before: as a job (ups_scene_start_commit) beside
+ * edits and new renders of the scene as well.
  */
 #ifndef UPS_BASE_H
 #define UPS_BASE_H
@@ -94,6 +94,11 @@ typedef struct { uint32_t v; } ups_mesh_id;
 typedef struct { uint32_t v; } ups_instance_id;
 typedef struct { uint32_t v; } ups_luminaire_id;
 typedef struct { uint32_t v; } ups_sensor_id;
+
+/* Of a job. LOW: the operating system runs its threads when nothing else on the machine wants the processor (Linux: nice
+ * 19). */
+typedef int32_t ups_priority;
+enum { UPS_PRIORITY_NORMAL = 0, UPS_PRIORITY_LOW = 1 };
 
 /* Version of the loaded library: major*10000 + minor*100 + patch. */
 UPS_API uint32_t ups_version(void);

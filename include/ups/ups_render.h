@@ -57,10 +57,6 @@ enum {
   UPS_CRITERION_MEDIAN = 4
 };
 
-/* LOW: the operating system runs its threads when nothing else on the machine wants the processor (Linux: nice 19). */
-typedef int32_t ups_priority;
-enum { UPS_PRIORITY_NORMAL = 0, UPS_PRIORITY_LOW = 1 };
-
 typedef struct ups_render_desc {
   uint32_t struct_size;
   ups_method method;

@@ -195,8 +195,9 @@ UPS_API ups_status ups_scene_remove_sensor(ups_scene *scene, ups_sensor_id id);
  *   dimming, colour, flux        the emitters, and the choice among them
  *   luminaires and lights moved  the same, and where their light arrives first
  *   sensors                      those that were set
- *   an instance moved            where it is: the index of its own triangles, with those of small neighbours, and the one
- *                                above all; where light arrives first, and what lies on surfaces, is found again
+ *   an instance moved            where it is: the index of its own triangles, with those of small neighbours, but for a
+ *                                large mesh or a shared one, and the index above all; where light arrives first, and
+ *                                what lies on surfaces, is found again
  *   a mesh                       its index, and what a moved instance wants
  *   a material, a texture        its tables; geometry where it begins to have holes or to emit
  * What reaches beyond all else, so that the scene's size leaves its power of two, may move the centre that coordinates
@@ -210,6 +211,18 @@ UPS_API ups_status ups_scene_commit(ups_scene *scene);
  * The scene renders as before until the job has ended OK; cancelled or failed it stays so. One at a time:
  * INVALID_STATE while another commit of the scene runs. Destroying the job cancels it. */
 UPS_API ups_status ups_scene_start_commit(ups_scene *scene, ups_job **out);
+
+typedef struct ups_commit_desc {
+  uint32_t struct_size;
+  uint32_t thread_limit; /* at most so many processors at a time; 0, or more than the context's threads: all of these.
+                          * With it, or with a low priority, the job has threads of its own beside the context's, which
+                          * other jobs keep to themselves */
+  ups_priority priority;
+} ups_commit_desc;
+UPS_API void ups_commit_desc_init(ups_commit_desc *desc, uint32_t struct_size);
+/* As ups_scene_start_commit, which has the defaults; the same bits on any number of threads. INVALID_ARGUMENT: priority
+ * is no UPS_PRIORITY_*. */
+UPS_API ups_status ups_scene_start_commit_with(ups_scene *scene, const ups_commit_desc *desc, ups_job **out);
 /* 1: there are edits that no commit has taken, or there was none; 0: what renders is what was described. */
 UPS_API ups_status ups_scene_is_dirty(const ups_scene *scene, int32_t *out);
 

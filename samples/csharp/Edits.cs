@@ -1,6 +1,6 @@
 // What a CAD program does with a scene that it keeps: an L-shaped room, ten luminaires, two grids, a camera. One
 // luminaire is moved, dimmed, aimed and removed; each is one call and a commit, where a program that describes all anew
-// makes eighteen. Prints what either takes, and fails where the light of the edited scene has not the same
+// makes a call for each thing. Prints what either takes, and fails where the light of the edited scene has not the same
 // bits as that of a new one.
 //
 //   mcs -unsafe -langversion:latest -out:Edits.exe samples/csharp/Edits.cs bindings/csharp/*.cs
@@ -13,8 +13,9 @@ using Ups;
 
 internal sealed class Room
 {
-    // Of a new scene: the scene, material, mesh, instance, ten luminaires, two grids, camera, commit.
-    internal const int Luminaires = 10, CallsOfANewScene = Luminaires + 8, CallsOfAnEdit = 2;
+    internal const int Luminaires = 10, CallsOfAnEdit = 2;
+    // The scene, material, mesh, instance, two grids, camera, commit, and each luminaire.
+    internal int CallsOfANewScene { get { return 8 + Removed.Count(removed => !removed); } }
 
     internal readonly LuminaireDesc[] Placed = new LuminaireDesc[Luminaires];
     internal readonly bool[] Removed = new bool[Luminaires];
@@ -40,6 +41,7 @@ internal sealed class Room
         return new[] { c, 0, s, x, 0, 1, 0, y, -s, 0, c, z };
     }
 
+    // [anew]
     /// <summary>7 x 2 m along X and 2 x 6.5 m along Y share a corner; 2.7 m high.</summary>
     private static MeshId AddWalls(Scene scene, MaterialId material)
     {
@@ -96,6 +98,7 @@ internal sealed class Room
         scene.Commit();
         return scene;
     }
+    // [end]
 }
 
 internal static class Edits
@@ -127,8 +130,8 @@ internal static class Edits
         {
             var described = watch.Elapsed.TotalMilliseconds;
             var same = readings.SequenceEqual(Render(anew, other, out imageAnew)) && image.SequenceEqual(imageAnew);
-            Console.WriteLine("{0,-7} {1} calls, {2:0.0} ms; anew {3}, {4:0.0} ms; {5,6:0.0} lx, {6,6:0.0} lx; {7}",
-                              what, Room.CallsOfAnEdit, edited, Room.CallsOfANewScene, described,
+            Console.WriteLine("{0,-7} {1} calls, {2:0.0} ms; anew {3} calls, {4:0.0} ms; {5,6:0.0} lx, {6,6:0.0} lx; {7}",
+                              what, Room.CallsOfAnEdit, edited, other.CallsOfANewScene, described,
                               readings[7].IlluminanceLx, readings[27].IlluminanceLx,
                               same ? "the same bits" : "OTHER BITS");
             return same;

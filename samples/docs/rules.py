@@ -267,7 +267,7 @@ def threads(function):
         return "One call at a time on a fixture."
     if changed == "ups_scene":
         extra = " Jobs that were started and results go on meanwhile."
-        if name == "ups_scene_start_commit":
+        if name.startswith("ups_scene_start_commit"):
             extra = " Edits and renders of the scene may go on while the job runs."
         if "ups_fixture" in (t.name for t in handles):
             extra += " Nothing may change the fixture meanwhile."

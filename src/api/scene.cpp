@@ -3,6 +3,7 @@
 #include "api/desc.h"
 #include "api/render_handles.h"
 #include "base/text.h"
+#include "render/job_threads.h"
 #include "scene/check.h"
 #include "scene/outlines.h"
 #include "scene/searched.h"
@@ -56,6 +57,18 @@ void log_warnings(ContextCore& context, const SceneBuild& build) {
     for (const std::string& warning : texts) context.log(UPS_LOG_WARNING, "scene: " + warning);
 }
 
+void start_commit(ups_scene* scene, const ups_commit_desc& desc, ups_job** out) {
+  ups_scene& s = require(scene, "scene");
+  require(out, "out");
+  check_priority(desc.priority);
+  auto job = std::make_unique<ups_job>();
+  job->context = s.context;
+  job->commit = std::make_unique<CommitJob>(
+      s.builds, s.description, JobThreads{s.context->pool, desc.thread_limit, desc.priority},
+      [context = s.context](const SceneBuild& b) { log_warnings(*context, b); });
+  *out = job.release();
+}
+
 // As callers give it.
 struct Plane {
   Vec3d point, normal;
@@ -107,6 +120,10 @@ void ups_luminaire_desc_init(ups_luminaire_desc* desc, uint32_t struct_size) {
   d.flux_lm = -1;
   d.dimming = d.intensity_scale = 1;
   write_defaults(desc, struct_size, d);
+}
+
+void ups_commit_desc_init(ups_commit_desc* desc, uint32_t struct_size) {
+  write_defaults(desc, struct_size, ups_commit_desc{});
 }
 
 // ---- scene ----
@@ -163,14 +180,14 @@ ups_status ups_scene_commit(ups_scene* scene) {
 }
 
 ups_status ups_scene_start_commit(ups_scene* scene, ups_job** out) {
+  return guard(__func__, [&] { start_commit(scene, ups_commit_desc{}, out); });
+}
+
+ups_status ups_scene_start_commit_with(ups_scene* scene, const ups_commit_desc* desc, ups_job** out) {
   return guard(__func__, [&] {
-    ups_scene& s = require(scene, "scene");
+    require(scene, "scene");
     require(out, "out");
-    auto job = std::make_unique<ups_job>();
-    job->context = s.context;
-    job->commit = std::make_unique<CommitJob>(s.builds, s.description, s.context->pool,
-                                              [context = s.context](const SceneBuild& b) { log_warnings(*context, b); });
-    *out = job.release();
+    start_commit(scene, read_desc(desc, &ups_commit_desc_init), out);
   });
 }
 

@@ -178,11 +178,6 @@ class Scene {
     rtcReleaseGeometry(geometry);
     device_->check();
   }
-  // One that was committed, and has an owner.
-  void attach_shared(RTCGeometry geometry, uint32_t id) {
-    rtcAttachGeometryByID(scene_, geometry, id);
-    device_->check();
-  }
   // Embree builds in the arena of its caller: a device's own thread setting would change the whole process. monitor may
   // be null; begin, end: what its fraction is before and after. Throws Cancelled.
   void commit(ThreadPool& pool, Monitor* monitor = nullptr, float begin = 0, float end = 1) {

@@ -1,10 +1,11 @@
-// See raytracer_impl.h: which instances are baked, which of them are grouped, and what of an earlier build stays.
+// See raytracer_impl.h: which instances are baked, which of them share an index, and what of an earlier build stays.
 #include <algorithm>
 #include <limits>
 #include <tuple>
 #include <utility>
 
 #include "base/monitor.h"
+#include "geometry/grouping.h"
 #include "geometry/raytracer_impl.h"
 
 namespace ups {
@@ -12,12 +13,10 @@ namespace {
 
 // Embree takes rays into an instance's frame in float. Where that would lose many digits the instance is baked: a
 // transform that stretches one way more than another by max_stretch, or a translation beyond max_reach times the
-// scene's extent.
-constexpr double max_stretch = 4, max_reach = 4;
-// Of baked triangles: how many are in one index, at most; where there are more, in each group's, unless it is one
-// mesh. Groups do not reach across blocks of so many instance numbers, so that who removes an instance touches few.
-constexpr size_t flat_triangles = 1 << 18, group_triangles = 1 << 15;
-constexpr uint32_t group_block = 64;
+// scene's extent; of a mesh that might as well be baked, less.
+constexpr double max_stretch = 4, max_reach = 4, max_reach_alone = 2;
+// Baked triangles of one index without groups: as many as are built in some 50 ms by one thread.
+constexpr size_t flat_triangles = 1 << 17;
 
 // Points of the surface, among them those that lie farthest along the axes that `to` leads to.
 template <class Visit>
@@ -43,19 +42,32 @@ double stretch(const Affine& m) {
   return det > 0 ? std::sqrt(forward * cofactor) / (3 * det) : std::numeric_limits<double>::infinity();
 }
 
-// Which instances Embree is given as triangles of the scene; the others share their mesh.
-std::vector<bool> choose_baked(const std::vector<Raytracer::Instance>& instances, const std::vector<Box>& boxes) {
+// Which instances Embree is given as triangles of the scene; the others keep the mesh's frame, so that who moves them
+// builds nothing but the index above all. A mesh of one instance does where it would be no group's, but its own.
+std::vector<bool> choose_baked(const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                               const std::vector<Raytracer::Instance>& instances, const std::vector<Box>& boxes) {
   std::vector<size_t> uses(boxes.size());
-  double scene_extent = 0;
+  double extent = 0;
   for (const auto& i : instances) {
     ++uses[i.mesh];
     const Box box = boxes[i.mesh].transformed(i.to_scene);
-    scene_extent = std::max({scene_extent, max_abs(box.lower), max_abs(box.upper)});
+    extent = std::max({extent, max_abs(box.lower), max_abs(box.upper)});
   }
+  const auto is_exact = [&](const Raytracer::Instance& i, double reach) {
+    return stretch(i.to_scene) <= max_stretch && max_abs(i.to_scene.column(3)) <= reach * extent;
+  };
   std::vector<bool> baked;
-  for (const auto& i : instances)
-    baked.push_back(uses[i.mesh] == 1 || stretch(i.to_scene) > max_stretch ||
-                    max_abs(i.to_scene.column(3)) > max_reach * scene_extent);
+  size_t triangles = 0;
+  for (const auto& i : instances) {
+    baked.push_back(uses[i.mesh] == 1 || !is_exact(i, max_reach));
+    if (baked.back()) triangles += meshes[i.mesh]->triangle_count();
+  }
+  for (size_t k = 0; triangles > flat_triangles && k < instances.size(); ++k) {
+    const Mesh& mesh = *meshes[instances[k].mesh];
+    if (uses[instances[k].mesh] == 1 && mesh.triangle_count() > group_triangles && !mesh.revolution &&
+        is_exact(instances[k], max_reach_alone))
+      baked[k] = false;
+  }
   return baked;
 }
 
@@ -86,37 +98,21 @@ class RaytracerBuild {
 
   void run() {
     const std::vector<Box> boxes = mesh_boxes();
-    const std::vector<bool> baked = choose_baked(instances_, boxes);
-    size_t baked_triangles = 0, instanced_triangles = 0, all = 0;
-    std::vector<bool> counted(meshes_.size());
-    for (size_t i = 0; i < instances_.size(); ++i) {
-      const size_t count = mesh_of(i).triangle_count();
-      all += count;
-      if (baked[i])
-        baked_triangles += count;
-      else if (!counted[instances_[i].mesh])
-        instanced_triangles += count, counted[instances_[i].mesh] = true;
-    }
-    out_.triangles = all_ = all;
-    // A small scene is built as quickly as it is searched for what stays; and Embree, where its memory runs out, has
-    // least to leave behind in a device of its own.
-    if (baked_triangles + instanced_triangles <= flat_triangles) earlier_ = nullptr;
-    out_.device = earlier_ ? earlier_->device : std::make_shared<embree::Device>();
+    const std::vector<bool> baked = choose_baked(meshes_, instances_, boxes);
+    const Grouping grouping = choose_groups(baked, boxes);
     out_.top = std::make_unique<embree::Scene>(*out_.device, out_.finds_all);
     for (size_t i = 0; i < instances_.size(); ++i) {
       place(i, baked[i]);
-      if (baked[i] && baked_triangles <= flat_triangles)
-        attach(*out_.top, *traced_of(i), uint32_t(i));
-      else if (baked[i])
-        add_to_group(i);
-      else
-        attach_part(shared_part(traced_of(i)), uint32_t(i), out_.placed[i].to_scene);
+      if (!baked[i]) attach_part(part_of({traced_of(i)}), uint32_t(i), out_.placed[i].to_scene);
       grow_bounds(out_.placed[i], boxes[instances_[i].mesh]);
       report();
     }
-    end_group();
-    for (size_t g = 0; g < groups_.size(); ++g) {
-      attach_part(part_of(groups_[g]), uint32_t(instances_.size() + g), Affine{});
+    for (const uint32_t i : grouping.ungrouped) attach(*out_.top, *traced_of(i), i);
+    for (const auto& members : grouping.groups) {
+      std::vector<Traced> meshes;
+      for (const uint32_t i : members) meshes.push_back(traced_of(i));
+      attach_part(part_of(meshes), uint32_t(instances_.size() + out_.members.size()), Affine{});
+      out_.members.push_back(members);
       report();
     }
     out_.top->commit(pool_, monitor_, share(done_), 1);
@@ -125,6 +121,38 @@ class RaytracerBuild {
  private:
   const Mesh& mesh_of(size_t instance) const { return *meshes_[instances_[instance].mesh]; }
   const Traced& traced_of(size_t instance) const { return out_.traced[out_.placed[instance].traced]; }
+
+  // Of the baked instances; counts all triangles and chooses the device.
+  Grouping choose_groups(const std::vector<bool>& baked, const std::vector<Box>& boxes) {
+    Grouping grouping;
+    size_t baked_triangles = 0, instanced_triangles = 0;
+    std::vector<bool> counted(meshes_.size());
+    for (size_t i = 0; i < instances_.size(); ++i) {
+      const size_t count = mesh_of(i).triangle_count();
+      out_.triangles += count;
+      if (baked[i])
+        baked_triangles += count, grouping.ungrouped.push_back(uint32_t(i));
+      else if (!counted[instances_[i].mesh])
+        instanced_triangles += count, counted[instances_[i].mesh] = true;
+    }
+    // A small scene's index is built whole; Embree, where its memory runs out, has least to leave behind in a device of
+    // its own.
+    shares_parts_ = earlier_ && !earlier_->device->is_spoiled() &&
+                    baked_triangles + instanced_triangles > flat_triangles;
+    out_.device = shares_parts_ ? earlier_->device : std::make_shared<embree::Device>();
+    if (baked_triangles <= flat_triangles) return grouping;
+    std::vector<Thing> things;
+    for (const uint32_t i : grouping.ungrouped)
+      things.push_back({boxes[instances_[i].mesh].transformed(instances_[i].to_scene), mesh_of(i).triangle_count(),
+                        instances_[i].number});
+    Grouping grouped = group_by_place(things);
+    const auto name = [&](std::vector<uint32_t>& members) {
+      for (uint32_t& member : members) member = grouping.ungrouped[member];
+    };
+    name(grouped.ungrouped);
+    for (auto& members : grouped.groups) name(members);
+    return grouped;
+  }
 
   // Only of meshes that an instance shows.
   std::vector<Box> mesh_boxes() {
@@ -158,7 +186,7 @@ class RaytracerBuild {
       if (earlier_)
         if (const auto known = earlier_->made_of.find(key); known != earlier_->made_of.end()) traced = known->second;
       if (!traced)
-        traced = make_traced_mesh(out_.device, meshes_[instances_[i].mesh], has_holes, baked ? &to_scene : nullptr);
+        traced = make_traced_mesh(meshes_[instances_[i].mesh], has_holes, baked ? &to_scene : nullptr);
       out_.traced.push_back(traced);
       index_[traced.get()] = uint32_t(out_.traced.size() - 1);
     }
@@ -166,17 +194,15 @@ class RaytracerBuild {
     out_.placed.push_back(placed);
   }
 
-  static void attach(embree::Scene& scene, const TracedMesh& mesh, uint32_t id) {
-    if (mesh.geometry) scene.attach_shared(mesh.geometry, id);
+  void attach(embree::Scene& scene, const TracedMesh& mesh, uint32_t id) {
+    if (RTCGeometry geometry = make_geometry(*out_.device, mesh)) scene.attach(geometry, id);
   }
-
-  std::shared_ptr<const Impl::Part> shared_part(const Traced& mesh) { return part_of({mesh}); }
 
   // What has these meshes, in this order.
   std::shared_ptr<const Impl::Part> part_of(const std::vector<Traced>& meshes) {
     std::shared_ptr<const Impl::Part>& part = out_.part_of[meshes];
     if (part) return part;
-    if (earlier_ && earlier_->finds_all == out_.finds_all)
+    if (shares_parts_ && earlier_->finds_all == out_.finds_all)
       if (const auto known = earlier_->part_of.find(meshes); known != earlier_->part_of.end()) part = known->second;
     if (!part) {
       auto made = std::make_shared<Impl::Part>(out_.device, out_.finds_all);
@@ -203,29 +229,15 @@ class RaytracerBuild {
     out_.top->attach(handle, id);
   }
 
-  void add_to_group(size_t i) {
-    const size_t count = mesh_of(i).triangle_count();
-    const uint32_t block = instances_[i].number / group_block;
-    if (!group_.empty() && (block != group_block_ || in_group_ + count > group_triangles)) end_group();
-    group_block_ = block;
-    in_group_ += count;
-    group_.push_back(traced_of(i));
-    group_members_.push_back(uint32_t(i));
-  }
-  void end_group() {
-    if (group_.empty()) return;
-    groups_.push_back(std::exchange(group_, {}));
-    out_.members.push_back(std::exchange(group_members_, {}));
-    in_group_ = 0;
-  }
-
   void grow_bounds(const Impl::Placed& instance, const Box& mesh_box) {
     if (out_.bounds.holds(mesh_box.transformed(instance.to_scene))) return;
     each_extreme(*out_.traced[instance.traced]->source, instance.to_scene,
                  [&](const Vec3d& p) { out_.bounds.grow(Vec3d(Vec3(instance.to_scene.point(p)))); });
   }
 
-  float share(size_t triangles) const { return std::min(1.0f, float(triangles) / float(std::max<size_t>(1, all_))); }
+  float share(size_t triangles) const {
+    return std::min(1.0f, float(triangles) / float(std::max<size_t>(1, out_.triangles)));
+  }
   void report() const {
     if (!monitor_) return;
     monitor_->check();
@@ -238,13 +250,9 @@ class RaytracerBuild {
   const std::vector<Instance>& instances_;
   ThreadPool& pool_;
   Monitor* monitor_;
-  size_t all_ = 0, done_ = 0;  // triangles; done: of parts
+  bool shares_parts_ = false;  // with `earlier_`
+  size_t done_ = 0;            // triangles of parts
   std::map<const TracedMesh*, uint32_t> index_;
-  std::vector<std::vector<Traced>> groups_;
-  std::vector<Traced> group_;
-  std::vector<uint32_t> group_members_;
-  uint32_t group_block_ = 0;
-  size_t in_group_ = 0;
 };
 
 Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<Instance>& instances,
@@ -253,8 +261,7 @@ Raytracer::Raytracer(const std::vector<std::shared_ptr<const Mesh>>& meshes, con
     : impl_(std::make_unique<Impl>()) {
   impl_->finds_all = finds_all;
   impl_->texturing = texturing;
-  const bool shares = earlier && !earlier->impl_->device->is_spoiled();
-  RaytracerBuild(*impl_, shares ? earlier->impl_.get() : nullptr, meshes, instances, pool, monitor).run();
+  RaytracerBuild(*impl_, earlier ? earlier->impl_.get() : nullptr, meshes, instances, pool, monitor).run();
 }
 
 size_t Raytracer::shared_parts(const Raytracer& earlier) const {

@@ -1,8 +1,9 @@
 // What a Raytracer is made of: built in raytracer_build.cpp, asked in raytracer.cpp, which alone include it.
 //
-// A small scene is one index of all triangles, but for meshes that several instances share. Above `flat_triangles` its
-// triangles are parted into groups, each with an index of its own, and an index of these is above all: who moves one
-// thing has one group to build. Parts are immutable; the builds of a scene share those that are the same.
+// A small scene is one index of all triangles, but for meshes that several instances share. A larger one has an index for
+// each large mesh and for each group of the others (grouping.h), and an index of these above all. Which of them follows
+// from meshes and instances alone, never from earlier builds: where two surfaces meet, the one that a ray hits depends on
+// the order in which the index is searched. Parts are immutable; the builds of a scene share those that are the same.
 #pragma once
 #include <compare>
 #include <map>
@@ -29,7 +30,7 @@ struct Raytracer::Impl {
     NormalMatrix normals;             // of to_scene
     float error_offset, error_scale;  // error = gamma * (error_scale * (|p| + edge) + error_offset)
   };
-  // An index of its own; geometry i is meshes[i].
+  // An index of its own; geometry i is of meshes[i].
   struct Part {
     std::shared_ptr<embree::Device> device;
     std::vector<std::shared_ptr<const TracedMesh>> meshes;

@@ -156,17 +156,19 @@ Facet facet_of(const Triangle& triangle) {
   return {Vec3(area_normal / area), float(edge), float(area / edge * (1 - 0x1p-20))};
 }
 
-RTCGeometry make_geometry(TracedMesh& mesh) {
-  if (mesh.source->revolution) return make_revolution_geometry(mesh);
+}  // namespace
+
+RTCGeometry make_geometry(embree::Device& device, const TracedMesh& mesh) {
+  if (mesh.source->revolution) return make_revolution_geometry(device, mesh);
   const std::vector<uint32_t>& indices = mesh.complete ? mesh.source->indices : mesh.indices;
   if (indices.empty()) return nullptr;
-  RTCGeometry triangles = rtcNewGeometry(*mesh.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  mesh.device->check();
+  RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  device.check();
   rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
                              sizeof(Vec3), mesh.positions.size() - 1);
   rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0,
                              3 * sizeof(uint32_t), indices.size() / 3);
-  rtcSetGeometryUserData(triangles, &mesh);
+  rtcSetGeometryUserData(triangles, const_cast<TracedMesh*>(&mesh));  // which comes back to readers alone
   if (mesh.has_holes || mesh.has_thin) {
     rtcSetGeometryIntersectFilterFunction(triangles, &filter);
     rtcSetGeometryOccludedFilterFunction(triangles, &filter);
@@ -174,31 +176,26 @@ RTCGeometry make_geometry(TracedMesh& mesh) {
   return triangles;
 }
 
-}  // namespace
-
-std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<embree::Device> device,
-                                                   std::shared_ptr<const Mesh> source, bool has_holes,
+std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<const Mesh> source, bool has_holes,
                                                    const Affine* bake) {
   auto traced = std::make_shared<TracedMesh>();
   const Mesh& mesh = *source;
-  traced->device = std::move(device);
   traced->source = std::move(source);
   traced->has_holes = has_holes;
   traced->positions.reserve(mesh.positions.size() + 1);
   for (const Vec3& p : mesh.positions) traced->positions.push_back(bake ? Vec3(bake->point(Vec3d(p))) : p);
   traced->positions.emplace_back();
-  if (!mesh.revolution)
-    sort_out_triangles(*traced);
-  else if (bake)
-    traced->to_frame = *bake, traced->from_frame = inverse(*bake);
-  if (bake && !mesh.revolution) {
+  if (mesh.revolution) {
+    if (bake) traced->to_frame = *bake, traced->from_frame = inverse(*bake);
+    cut_into_pieces(*traced);
+    return traced;
+  }
+  sort_out_triangles(*traced);
+  if (bake) {
     traced->facets.reserve(mesh.triangle_count());
     for (size_t i = 0; i < mesh.triangle_count(); ++i)
       traced->facets.push_back(facet_of(traced->triangle(uint32_t(i))));
   }
-  traced->geometry = make_geometry(*traced);
-  if (traced->geometry) rtcCommitGeometry(traced->geometry);
-  traced->device->check();
   return traced;
 }
 

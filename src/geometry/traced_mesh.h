@@ -1,5 +1,6 @@
-// A mesh as Embree holds it: vertices of one frame, triangles without area left out, and a filter for holes and for
-// false hits; or a surface of revolution, which has neither (traced_revolution.cpp). Built and read by raytracer.cpp.
+// A mesh as Embree is given it: vertices of one frame, triangles without area left out, and a filter for holes and for
+// false hits; or a surface of revolution, which has neither (traced_revolution.cpp). Built by raytracer_build.cpp, read
+// by raytracer.cpp.
 #pragma once
 #include <memory>
 #include <vector>
@@ -28,12 +29,10 @@ struct Facet {
   float low_height;    // above the longest edge, rounded down
 };
 
-// Immutable once made: the scenes of several builds may have it.
+// Immutable once made: several builds may have it, whatever Embree has made of it.
 struct TracedMesh {
-  std::shared_ptr<embree::Device> device;
   std::shared_ptr<const Mesh> source;
   bool has_holes = false;            // rays ask the texturing of its material
-  RTCGeometry geometry = nullptr;    // null: no triangle has an area
   std::vector<Vec3> positions;       // one more than used: Embree reads 16 bytes at a time
   bool complete = true;              // every triangle has an area; else these are the ones that do:
   std::vector<uint32_t> primitives;  // their numbers in the mesh
@@ -48,12 +47,6 @@ struct TracedMesh {
   Affine to_frame, from_frame;
   std::vector<Piece> pieces;
 
-  TracedMesh() = default;
-  ~TracedMesh() {
-    if (geometry) rtcReleaseGeometry(geometry);
-  }
-  TracedMesh(const TracedMesh&) = delete;
-  TracedMesh& operator=(const TracedMesh&) = delete;
   size_t bytes() const {
     return sizeof *this + positions.capacity() * sizeof(Vec3) + facets.capacity() * sizeof(Facet) +
            (primitives.capacity() + indices.capacity()) * sizeof(uint32_t) + pieces.capacity() * sizeof(Piece);
@@ -84,9 +77,13 @@ void keep_off_edges(const Triangle& triangle, double area, double longest_edge, 
 Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v);
 
 // bake: the transform of the only instance; null: the mesh stays in its own frame.
-std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<embree::Device> device,
-                                                   std::shared_ptr<const Mesh> mesh, bool has_holes,
+std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<const Mesh> mesh, bool has_holes,
                                                    const Affine* bake);
-RTCGeometry make_revolution_geometry(TracedMesh& mesh);
+// What Embree builds from: it reads the mesh's own arrays, which must outlive it. The caller owns it, has it committed
+// and checks the device. Null: no triangle has an area.
+RTCGeometry make_geometry(embree::Device& device, const TracedMesh& mesh);
+// The two of a surface of revolution.
+void cut_into_pieces(TracedMesh& mesh);
+RTCGeometry make_revolution_geometry(embree::Device& device, const TracedMesh& mesh);
 
 }  // namespace ups

@@ -85,17 +85,21 @@ void occlude_one(const RTCOccludedFunctionNArguments* args) {
 
 }  // namespace
 
-RTCGeometry make_revolution_geometry(TracedMesh& mesh) {
+void cut_into_pieces(TracedMesh& mesh) {
   const Revolution& shape = *mesh.source->revolution;
   for (uint32_t band = 0; band < shape.bands.size(); ++band) {
     const uint32_t sectors = sector_count(shape.bands[band]);
     for (uint32_t sector = 0; sector < sectors; ++sector) mesh.pieces.push_back({band, sector, sectors});
   }
-  RTCGeometry geometry = rtcNewGeometry(*mesh.device, RTC_GEOMETRY_TYPE_USER);
-  mesh.device->check();
+}
+
+RTCGeometry make_revolution_geometry(embree::Device& device, const TracedMesh& mesh) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  device.check();
+  void* readable = const_cast<TracedMesh*>(&mesh);  // which comes back to readers alone
   rtcSetGeometryUserPrimitiveCount(geometry, unsigned(mesh.pieces.size()));
-  rtcSetGeometryUserData(geometry, &mesh);
-  rtcSetGeometryBoundsFunction(geometry, &bounds, &mesh);
+  rtcSetGeometryUserData(geometry, readable);
+  rtcSetGeometryBoundsFunction(geometry, &bounds, readable);
   rtcSetGeometryIntersectFunction(geometry, &intersect_one);
   rtcSetGeometryOccludedFunction(geometry, &occlude_one);
   return geometry;

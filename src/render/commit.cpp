@@ -44,9 +44,9 @@ std::shared_ptr<const SceneBuild> SceneBuilds::commit(const Description& descrip
   return made;
 }
 
-CommitJob::CommitJob(std::shared_ptr<SceneBuilds> builds, Description description, std::shared_ptr<ThreadPool> pool,
+CommitJob::CommitJob(std::shared_ptr<SceneBuilds> builds, Description description, JobThreads threads,
                      std::function<void(const SceneBuild&)> on_build)
-    : builds_(std::move(builds)), description_(std::move(description)), pool_(std::move(pool)),
+    : builds_(std::move(builds)), description_(std::move(description)), threads_(std::move(threads)),
       on_build_(std::move(on_build)) {
   builds_->begin();
   try {
@@ -68,7 +68,7 @@ void CommitJob::run() {
   ups_status error = UPS_OK;
   std::string message;
   try {
-    made = builds_->build(description_, *pool_, monitor_);
+    made = builds_->build(description_, *threads_.take(), monitor_);
     monitor_.check();
     state = UPS_JOB_FINISHED;
     if (made) on_build_(*made);

@@ -9,6 +9,7 @@
 
 #include "base/monitor.h"
 #include "base/parallel.h"
+#include "render/job_threads.h"
 #include "render/method.h"
 #include "scene/description.h"
 #include "scene/snapshot.h"
@@ -45,8 +46,8 @@ class SceneBuilds {
 
 class CommitJob {
  public:
-  // on_build: with a new build, on the job's thread. pool_owner keeps the pool alive. Throws Error.
-  CommitJob(std::shared_ptr<SceneBuilds> builds, Description description, std::shared_ptr<ThreadPool> pool_owner,
+  // on_build: with a new build, on the job's thread. Throws Error.
+  CommitJob(std::shared_ptr<SceneBuilds> builds, Description description, JobThreads threads,
             std::function<void(const SceneBuild&)> on_build);
   ~CommitJob();  // cancels and joins
 
@@ -60,7 +61,7 @@ class CommitJob {
 
   const std::shared_ptr<SceneBuilds> builds_;
   const Description description_;
-  const std::shared_ptr<ThreadPool> pool_;
+  const JobThreads threads_;
   const std::function<void(const SceneBuild&)> on_build_;
   Monitor monitor_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -12,6 +12,7 @@
 #include "render/flux_balance.h"
 #include "render/flux_pass.h"
 #include "render/glare_warnings.h"
+#include "render/job_threads.h"
 #include "render/radius_notice.h"
 #include "render/reading_warnings.h"
 #include "scene/scene_bytes.h"
@@ -51,8 +52,7 @@ void check(const ups_render_desc& d) {
   if (d.target_criterion < UPS_CRITERION_DEFAULT || d.target_criterion > UPS_CRITERION_MEDIAN)
     fail_argument("target_criterion: " + std::to_string(d.target_criterion) + " is not a UPS_CRITERION_* value");
   if (d.flux_paths > (1u << 24)) fail_argument("flux_paths: at most 16777216");
-  if (d.priority != UPS_PRIORITY_NORMAL && d.priority != UPS_PRIORITY_LOW)
-    fail_argument("priority: " + std::to_string(d.priority) + " is not a UPS_PRIORITY_* value");
+  check_priority(d.priority);
   if (d.techniques >= 64)
     fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
   if (d.time_limit_s == 0 && d.target_relative_error == 0 && d.iteration_count == 0)
@@ -136,14 +136,6 @@ void RenderJob::set_deadline(double share_of_tolerance, double reserved_s) {
                                                     std::chrono::duration<double>(seconds)));
 }
 
-// Its own where they are to be fewer or humbler than the context's: the job's thread hands its priority down.
-void RenderJob::take_threads() {
-  const int all = pool_->thread_count(), limit = int(std::min<uint32_t>(desc_.thread_limit, uint32_t(all)));
-  const bool low = desc_.priority == UPS_PRIORITY_LOW;
-  if (low) platform::lower_priority();
-  if (low || (limit > 0 && limit < all)) pool_ = std::make_shared<ThreadPool>(limit > 0 ? limit : all);
-}
-
 void RenderJob::make_integrator() {
   TransportSettings settings = settings_of(desc_, method_);
   settings.memory = &memory_;
@@ -200,7 +192,7 @@ void RenderJob::prepare() {
 
 // The clock decides how many iterations there are, and nothing else: one that is cut off leaves no trace.
 void RenderJob::iterate() {
-  take_threads();
+  pool_ = JobThreads{pool_, desc_.thread_limit, desc_.priority}.take();
   set_deadline(0.7, 0);  // a first iteration is worth what is left when a cut is seen late
   prepare();
   const bool has_light_paths = books_flux_ || !(scene_->emitters.flux_lm() > 0);

@@ -66,7 +66,6 @@ class RenderJob {
   using Clock = StopSignal::Clock;
   void run();
   void iterate();
-  void take_threads();
   void make_integrator();
   void take_memory();
   void prepare();

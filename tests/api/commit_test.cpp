@@ -24,6 +24,24 @@ class Commit : public testing::Test {
   ups_context* context = nullptr;
 };
 
+// Of this process.
+struct Threads {
+  int all, of_nice_19;
+};
+Threads threads() {
+  Threads out{0, 0};
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream stat(task.path() / "stat");
+    const std::string text((std::istreambuf_iterator<char>(stat)), {});
+    if (text.empty()) continue;  // it has just ended
+    std::istringstream fields(text.substr(text.rfind(')') + 2));
+    std::string field;
+    for (int i = 3; i <= 19; ++i) fields >> field;  // the 19th is the nice value
+    ++out.all, out.of_nice_19 += field == "19";
+  }
+  return out;
+}
+
 struct Edit {
   const char* name;
   std::function<void(EditedRoom&)> make;
@@ -179,21 +197,45 @@ TEST_F(Commit, EachEditGivesTheBitsOfAFullBuild) {
   }
 }
 
-// Above 262,144 triangles meshes are indexed in groups.
+// Above 131,072 triangles large meshes have an index each, and small ones are indexed in groups.
 TEST_F(Commit, EditsOfALargeSceneGiveTheBitsOfAFullBuild) {
-  const auto furnish = [](EditedRoom& r) {
-    r.add_instance(r.add_sheet(r.wall, 380, 3.9f), 0.05, 0.05, 0.005);
+  const auto furnish = [](EditedRoom& r, uint32_t side, int sheets) {  // what is moved, the large one first
+    std::vector<ups_instance_id> moved{r.add_instance(r.add_sheet(r.wall, side, 3.9f), 0.05, 0.05, 0.005)};
     for (int i = 0; i < 70; ++i) r.add_instance(r.add_box(r.red, 0, 0.05f), 0.1 + 0.05 * i, 3.5, 0.1 + 0.02 * i);
+    for (int i = 0; i < sheets; ++i)
+      moved.push_back(r.add_instance(r.add_sheet(r.wall, 60, 0.5f), 0.3 * (i % 9), 0.3 * (i / 9), 0.4 + 0.02 * i));
+    return moved;
   };
-  EditedRoom edited(context), whole(context);
-  furnish(edited), furnish(whole);
-  EXPECT_OK(ups_scene_commit(edited.scene));
-  for (const Edit& edit : edits()) {
-    edit.make(edited), edit.make(whole);
+  uint32_t state = 5;
+  const auto random = [&](double below) { return below * double((state = state * 1664525u + 1013904223u) >> 8) / 0x1p24; };
+  const std::pair<uint32_t, int> sizes[] = {{380, 0}, {100, 20}, {100, 30}};  // 20 sheets: 144,000 triangles
+  for (const auto& [side, sheets] : sizes) {
+    SCOPED_TRACE(side + uint32_t(sheets));
+    EditedRoom edited(context), whole(context);
+    const auto moved = furnish(edited, side, sheets), moved_in_whole = furnish(whole, side, sheets);
     EXPECT_OK(ups_scene_commit(edited.scene));
+    for (const Edit& edit : edits()) {
+      edit.make(edited), edit.make(whole);
+      const size_t k = size_t(random(double(moved.size())));
+      const double x = random(2), y = random(2), z = 0.1 + random(2), angle = random(1);
+      set_transform(edited, moved[k], x, y, z, angle), set_transform(whole, moved_in_whole[k], x, y, z, angle);
+      EXPECT_OK(ups_scene_commit(edited.scene));
+    }
+    EXPECT_OK(ups_scene_commit(whole.scene));
+    EXPECT_TRUE(edited.render() == whole.render());
+    for (const int32_t count : {1, 3}) {
+      auto d = make(&ups_context_desc_init);
+      d.thread_count = count;
+      ups_context* other = nullptr;
+      EXPECT_OK(ups_context_create(&d, &other));
+      {
+        EditedRoom copy(edited, EditedRoom::Copied{}, other);
+        EXPECT_OK(ups_scene_commit(copy.scene));
+        EXPECT_TRUE(edited.render() == copy.render()) << count;
+      }
+      ups_context_destroy(other);
+    }
   }
-  EXPECT_OK(ups_scene_commit(whole.scene));
-  EXPECT_TRUE(edited.render() == whole.render());
 }
 
 TEST_F(Commit, RandomEditsGiveTheSceneThatIsBuiltAnew) {
@@ -361,18 +403,44 @@ TEST_F(Commit, ALowPriorityIsTheOperatingSystems) {
   EXPECT_OK(ups_job_start(r.scene, &d, &job));
   auto progress = sized<ups_progress>();
   while (progress.iterations_done == 0 && ups_job_wait(job, 5) == UPS_TIMEOUT) EXPECT_OK(ups_job_poll(job, &progress));
-  int nice = 0;
-  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
-    std::ifstream stat(task.path() / "stat");
-    const std::string text((std::istreambuf_iterator<char>(stat)), {});
-    std::istringstream fields(text.substr(text.rfind(')') + 2));
-    std::string field;
-    for (int i = 3; i <= 19; ++i) fields >> field;  // the 19th is the nice value
-    nice += field == "19";
-  }
-  EXPECT_EQ(nice, 2) << "the job's thread and its one worker";
+  EXPECT_EQ(threads().of_nice_19, 2) << "the job's thread and its one worker";
   ups_job_cancel(job);
   ups_job_destroy(job);
+}
+
+// A limit of one thread: the job's own, and none beside it that the context has not.
+TEST_F(Commit, ACommitsJobHasFewerThreadsAndALowPriority) {
+  EditedRoom whole(context);
+  whole.add_instance(whole.add_sheet(whole.wall, 500, 3.9f), 0.05, 0.05, 0.02);
+  EXPECT_OK(ups_scene_commit(whole.scene));
+  const int before = threads().all;
+  for (const uint32_t limit : {0u, 1u, 7u})
+    for (const ups_priority priority : {UPS_PRIORITY_NORMAL, UPS_PRIORITY_LOW}) {
+      EditedRoom r(context);
+      r.add_instance(r.add_sheet(r.wall, 500, 3.9f), 0.05, 0.05, 0.02);  // half a second's work
+      auto d = make(&ups_commit_desc_init);
+      d.thread_limit = limit, d.priority = priority;
+      ups_job* job = nullptr;
+      EXPECT_OK(ups_scene_start_commit_with(r.scene, &d, &job));
+      Threads most{0, 0};
+      while (ups_job_wait(job, 5) == UPS_TIMEOUT) {
+        const Threads now = threads();
+        most = {std::max(most.all, now.all), std::max(most.of_nice_19, now.of_nice_19)};
+      }
+      EXPECT_OK(ups_job_wait(job, 0));
+      ups_job_destroy(job);
+      const int own = limit == 1 ? 1 : 2;  // of the context's 2 at most
+      const bool apart = priority == UPS_PRIORITY_LOW || limit == 1;
+      EXPECT_EQ(most.all - before, apart ? own : 1) << limit << " " << priority;
+      EXPECT_EQ(most.of_nice_19, priority == UPS_PRIORITY_LOW ? own : 0) << limit << " " << priority;
+      EXPECT_TRUE(r.render() == whole.render());
+    }
+  auto d = make(&ups_commit_desc_init);
+  d.priority = 2;
+  ups_job* job = nullptr;
+  expect_error(ups_scene_start_commit_with(whole.scene, &d, &job), UPS_ERROR_INVALID_ARGUMENT, {"priority"});
+  expect_error(ups_scene_start_commit_with(whole.scene, nullptr, &job), UPS_ERROR_INVALID_ARGUMENT, {"desc"});
+  EXPECT_EQ(job, nullptr);
 }
 
 TEST_F(Commit, GoesOnBesideRendersOfTheSameScene) {

@@ -41,9 +41,10 @@ class EditedRoom {
     EXPECT_OK(ups_scene_create(context, &scene));
     furnish();
   }
-  // Built anew from what the getters tell of another; its ids are others.
+  // Built anew from what the getters tell of another; its ids are others. context: null: the other's.
   struct Copied {};
-  EditedRoom(const EditedRoom& from, Copied) : context_(from.context_) {
+  EditedRoom(const EditedRoom& from, Copied, ups_context* context = nullptr)
+      : context_(context ? context : from.context_) {
     EXPECT_OK(ups_scene_create(context_, &scene));
     copy(from);
   }
@@ -156,7 +157,7 @@ class EditedRoom {
                                   ups_status (*get)(const ups_scene*, Id, Desc*), const Add& add) {
     std::map<uint32_t, Id> copied{{0, Id{}}};
     Desc d = sized<Desc>();
-    for (uint32_t number = 1; number < 100; ++number) {
+    for (uint32_t number = 1; number < 300; ++number) {
       const Id id{(any.v & 0xff000000) | number};
       if (get(from.scene, id, &d) == UPS_OK) EXPECT_OK(add(id, d, &copied[id.v]));
     }

@@ -2,8 +2,9 @@
  *
  *   ups_commit_benchmark [triangles, 3000000]
  *
- * Scenes of that many triangles: in one mesh, and in 5000 things of a mesh each; ten luminaires with openings, 100
- * meters, a camera. Each edit is made and committed nine times; the median counts. */
+ * Scenes of that many triangles: in one mesh, with a small thing beside it, and in 5000 things of a mesh each; ten
+ * luminaires with openings, 100 meters, a camera. Each edit is made and committed nine times; the median counts. The
+ * first edit has a row of its own, should it cost more than later ones. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,7 +24,7 @@ typedef struct {
   ups_scene *scene;
   ups_material_id material;
   ups_mesh_id thing_mesh;
-  ups_instance_id thing;
+  ups_instance_id thing, large; /* large: of the one mesh */
   ups_luminaire_id luminaires[LUMINAIRES];
   ups_sensor_id meters, camera;
   uint32_t thing_side;
@@ -128,7 +129,7 @@ static hall make_hall(uint32_t triangles, uint32_t things) {
   const ups_mesh_id shell = add_sheet(&h, 8, 50, 0);
   add_instance(&h, shell, 0, 0, -1);
   add_instance(&h, shell, 0, 0, 8);
-  if (things == 1) add_instance(&h, add_sheet(&h, (uint32_t)sqrt(triangles / 2.0), 50, 1), 0, 0, 0);
+  if (things == 1) h.large = add_instance(&h, add_sheet(&h, (uint32_t)sqrt(triangles / 2.0), 50, 1), 0, 0, 0);
   h.thing_side = (uint32_t)sqrt(triangles / 2.0 / (things == 1 ? 5000 : things));
   for (uint32_t i = 0; i < (things == 1 ? 1 : things); ++i) {
     h.thing_mesh = add_sheet(&h, h.thing_side, 0.5f, i);
@@ -178,6 +179,11 @@ static void move(hall *h, int round) {
   place(&m, 20 + 0.3 * round, 20, 1.5);
   MUST(ups_scene_set_transform(h->scene, h->thing, m));
 }
+static void move_large(hall *h, int round) {
+  double m[12];
+  place(&m, 0.01 * round, 0, 0.02 * round);
+  MUST(ups_scene_set_transform(h->scene, h->large, m));
+}
 static void bend(hall *h, int round) {
   ups_mesh_desc d;
   d.struct_size = sizeof d;
@@ -211,47 +217,83 @@ static double measure(hall *h, void (*edit)(hall *, int)) {
   return 1000 * median(s);
 }
 
-/* From ups_job_start to its return, and to the first iteration. */
-static void measure_start(hall *h, double out_ms[2]) {
-  double started[ROUNDS], first[ROUNDS];
+/* From the end of a commit until ups_job_start has returned, until the first iteration begins (the job knows its memory
+ * when all is prepared), and until it has ended. */
+enum { STARTED, PREPARED, FIRST, TIMES };
+static void measure_start(hall *h, ups_method method, double out_ms[TIMES]) {
+  double s[TIMES][ROUNDS];
   ups_render_desc d;
   ups_render_desc_init(&d, sizeof d);
-  d.iteration_count = 1;
+  d.method = method, d.iteration_count = 1;
   for (int round = 0; round < ROUNDS; ++round) {
     move(h, round);
     commit_s(h);
     const double start = now_s();
     ups_job *job;
     MUST(ups_job_start(h->scene, &d, &job));
-    started[round] = now_s() - start;
+    s[STARTED][round] = now_s() - start;
+    ups_memory_estimate memory;
+    memory.struct_size = sizeof memory;
+    while (ups_job_get_memory_estimate(job, &memory) == UPS_ERROR_INVALID_STATE) {
+      const struct timespec nap = {0, 100000};
+      nanosleep(&nap, NULL);
+    }
+    s[PREPARED][round] = now_s() - start;
     while (ups_job_wait(job, 1000) == UPS_TIMEOUT) {}
-    first[round] = now_s() - start;
+    s[FIRST][round] = now_s() - start;
     ups_job_destroy(job);
   }
-  out_ms[0] = 1000 * median(started), out_ms[1] = 1000 * median(first);
+  for (int t = 0; t < TIMES; ++t) out_ms[t] = 1000 * median(s[t]);
+}
+
+typedef struct {
+  const char *name;
+  void (*edit)(hall *, int);
+  int of_one_mesh; /* alone */
+} edit_kind;
+
+static void print_row(const char *name, const double ms[2], int digits) {
+  printf("| %s |", name);
+  for (int k = 0; k < 2; ++k) ms[k] < 0 ? printf(" |") : printf(" %.*f |", digits, ms[k]);
+  printf("\n");
 }
 
 int main(int argc, char **argv) {
   const uint32_t triangles = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 3000000;
-  static const struct {
-    const char *name;
-    void (*edit)(hall *, int);
-  } edits[] = {{"nothing", &nothing},           {"a luminaire dimmed", &dim},      {"its colour", &colour},
-               {"a luminaire aimed", &aim},     {"the camera moved", &look},       {"a material", &paint},
-               {"an instance moved", &move},    {"vertices of a mesh", &bend},     {"an instance replaced", &replace}};
+  static const edit_kind edits[] = {
+      {"nothing", &nothing, 0},
+      {"a luminaire dimmed", &dim, 0},
+      {"its colour", &colour, 0},
+      {"a luminaire aimed", &aim, 0},
+      {"the camera moved", &look, 0},
+      {"a material", &paint, 0},
+      {"an instance moved", &move, 0},
+      {"the instance of the one mesh moved", &move_large, 1},
+      {"vertices of a mesh", &bend, 0},
+      {"an instance replaced", &replace, 0}};
   enum { EDITS = sizeof edits / sizeof *edits };
-  double ms[2][EDITS], first_ms[2], start_ms[2][2];
+  double ms[EDITS][2], first_ms[2], first_move_ms[2], start_ms[2][TIMES][2];
+  static const ups_method methods[2] = {UPS_METHOD_PATH_TRACING, UPS_METHOD_AUTO};
   for (int k = 0; k < 2; ++k) {
     hall h = make_hall(triangles, k == 0 ? 1 : 5000);
     first_ms[k] = 1000 * h.first_s;
-    for (int e = 0; e < EDITS; ++e) ms[k][e] = measure(&h, edits[e].edit);
-    measure_start(&h, start_ms[k]);
+    move(&h, ROUNDS);
+    first_move_ms[k] = 1000 * commit_s(&h);
+    for (int e = 0; e < EDITS; ++e) ms[e][k] = k == 1 && edits[e].of_one_mesh ? -1 : measure(&h, edits[e].edit);
+    for (int m = 0; m < 2; ++m) {
+      double times[TIMES];
+      measure_start(&h, methods[m], times);
+      for (int t = 0; t < TIMES; ++t) start_ms[m][t][k] = times[t];
+    }
     free_hall(&h);
   }
   printf("| ms, %u triangles | in one mesh | in 5000 things |\n|---|---|---|\n", triangles);
-  printf("| first commit | %.0f | %.0f |\n", first_ms[0], first_ms[1]);
-  for (int e = 0; e < EDITS; ++e) printf("| %s | %.2f | %.2f |\n", edits[e].name, ms[0][e], ms[1][e]);
-  printf("| then ups_job_start | %.2f | %.2f |\n", start_ms[0][0], start_ms[1][0]);
-  printf("| and the first iteration of 64 x 64 pixels and 100 meters | %.0f | %.0f |\n", start_ms[0][1], start_ms[1][1]);
+  print_row("first commit", first_ms, 0);
+  print_row("the first edit, an instance moved", first_move_ms, 2);
+  for (int e = 0; e < EDITS; ++e) print_row(edits[e].name, ms[e], 2);
+  print_row("from a commit until `ups_job_start` has returned", start_ms[1][STARTED], 2);
+  print_row("until the first path, `UPS_METHOD_PATH_TRACING`", start_ms[0][PREPARED], 1);
+  print_row("until the first iteration after the pilots, `UPS_METHOD_AUTO`", start_ms[1][PREPARED], 1);
+  print_row("until it has ended, of 64 x 64 pixels and 100 meters", start_ms[1][FIRST], 0);
   return 0;
 }

@@ -153,6 +153,18 @@ def test_a_commit_runs_as_a_job(context):
     assert "commit" in result.text()
 
 
+def test_a_commits_job_has_a_thread_limit_and_a_priority(context):
+    scene, ids = lit_floor(context)
+    scene.set_dimming(ids["light"], 0.25)
+    with scene.start_commit(thread_limit=1, priority=ups.Priority.LOW) as job:
+        assert job.watch(False) == ups.Status.OK
+    assert not scene.is_dirty
+    with pytest.raises(ups.Error, match="priority"):
+        scene.start_commit(priority=2)
+    with pytest.raises(TypeError):
+        scene.start_commit(threads=1)
+
+
 def test_jobs_have_a_thread_limit_and_a_priority(context):
     scene, meters = box(context)
     limited = scene.render(iteration_count=4, seed=1, thread_limit=1, priority=ups.Priority.LOW)

@@ -25,6 +25,11 @@ class Status(enum.IntEnum):
     CANCELLED = 2
 
 
+class Priority(enum.IntEnum):
+    NORMAL = 0
+    LOW = 1
+
+
 class LogLevel(enum.IntEnum):
     INFO = 0
     WARNING = 1
@@ -207,11 +212,6 @@ class Criterion(enum.IntEnum):
     P95 = 2
     MEAN = 3
     MEDIAN = 4
-
-
-class Priority(enum.IntEnum):
-    NORMAL = 0
-    LOW = 1
 
 
 class JobState(enum.IntEnum):
@@ -684,6 +684,17 @@ class LuminaireDesc(Structure):
         ("intensity_scale", c_float),
         ("group", c_uint32),
         ("reserved", c_uint32),
+    ]
+
+
+class CommitDesc(Structure):
+    struct_size: int
+    thread_limit: int
+    priority: int
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("thread_limit", c_uint32),
+        ("priority", c_int32),
     ]
 
 
@@ -2062,6 +2073,8 @@ PROTOTYPES: dict[str, dict[str, tuple[Any, list[Any], dict[int, str]]]] = {
         "ups_scene_remove_sensor": (c_int32, [c_void_p, SensorId], {}),
         "ups_scene_commit": (c_int32, [c_void_p], {}),
         "ups_scene_start_commit": (c_int32, [c_void_p, POINTER(c_void_p)], {}),
+        "ups_commit_desc_init": (None, [POINTER(CommitDesc), c_uint32], {}),
+        "ups_scene_start_commit_with": (c_int32, [c_void_p, POINTER(CommitDesc), POINTER(c_void_p)], {}),
         "ups_scene_is_dirty": (c_int32, [c_void_p, POINTER(c_int32)], {}),
         "ups_scene_get_info": (c_int32, [c_void_p, POINTER(SceneInfo)], {}),
         "ups_scene_get_text": (c_int32, [c_void_p, c_int32, c_char_p, c_size_t, POINTER(c_size_t)], {1: "topic"}),
@@ -2254,6 +2267,7 @@ INIT: dict[Any, str] = {
     InstanceDesc: "ups_instance_desc_init",
     LightDesc: "ups_light_desc_init",
     LuminaireDesc: "ups_luminaire_desc_init",
+    CommitDesc: "ups_commit_desc_init",
     FixtureEmitterDesc: "ups_fixture_emitter_desc_init",
     ReflectorDesc: "ups_reflector_desc_init",
     LensDesc: "ups_lens_desc_init",

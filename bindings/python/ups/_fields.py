@@ -89,6 +89,11 @@ class LuminaireDescFields(TypedDict, total=False):
     group: SupportsIndex
 
 
+class CommitDescFields(TypedDict, total=False):
+    thread_limit: SupportsIndex
+    priority: SupportsIndex
+
+
 class FixtureEmitterDescFields(TypedDict, total=False):
     shape: SupportsIndex
     to_fixture: ArrayLike

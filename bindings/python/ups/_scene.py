@@ -157,10 +157,12 @@ class Scene(Edits):
         """Of the sensors as they are rendered: edits of their sizes wait for the next commit."""
         self._committed = shapes
 
-    def start_commit(self) -> CommitJob:
+    def start_commit(self, **fields: Unpack[_fields.CommitDescFields]) -> CommitJob:
         """A commit of the scene as it is now, by itself: edits go on meanwhile and belong to the next one. Its watch,
-        wait and poll tell of its end; the scene renders as before until then. One at a time."""
-        return CommitJob(create(lib.ups_scene_start_commit, self), dict(self._shapes), self._keep)
+        wait and poll tell of its end; the scene renders as before until then. One at a time. thread_limit and priority
+        as of start."""
+        desc = describe(_ffi.CommitDesc, fields)
+        return CommitJob(create(lib.ups_scene_start_commit_with, self, byref(desc)), dict(self._shapes), self._keep)
 
     @property
     def is_dirty(self) -> bool:

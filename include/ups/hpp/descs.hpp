@@ -147,6 +147,10 @@ struct ObserverDesc : ups_observer_desc {
   explicit ObserverDesc(const Transform &at) noexcept : ObserverDesc() { at.copy_to(to_world); }
 };
 
+struct CommitDesc : ups_commit_desc {
+  CommitDesc() noexcept { ups_commit_desc_init(this, sizeof(ups_commit_desc)); }
+};
+
 struct RenderDesc : ups_render_desc {
   RenderDesc() noexcept { ups_render_desc_init(this, sizeof(ups_render_desc)); }
 };

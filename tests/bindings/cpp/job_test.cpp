@@ -57,4 +57,15 @@ TEST(Jobs, CommitBesideEdits) {
   EXPECT_NEAR(after / before, 0.25, 1e-3);
 }
 
+TEST(Jobs, CommitOnFewerThreads) {
+  Room room;
+  ups::CommitDesc desc;
+  desc.thread_limit = 1;
+  desc.priority = UPS_PRIORITY_LOW;
+  EXPECT_EQ(room.scene.start_commit(desc).wait(), UPS_OK);
+  EXPECT_FALSE(room.scene.is_dirty());
+  desc.priority = 2;
+  expect_error(UPS_ERROR_INVALID_ARGUMENT, {"priority"}, [&] { room.scene.start_commit(desc); });
+}
+
 }  // namespace

@@ -217,6 +217,17 @@ public sealed class EditsTest : IDisposable
             Assert.Equal(Status.ErrorInvalidState, Assert.Throws<UpsException>(() => job.Result()).Status);
         }
         Assert.Equal(100.0, Lux());
+        scene.SetDimming(light, 0.5f);
+        var humble = CommitDesc.Create();
+        humble.ThreadLimit = 1;
+        humble.Priority = Priority.Low;
+        using (var job = scene.StartCommit(humble)) Assert.Equal(Status.Ok, job.Wait());
+        Assert.Equal(200.0, Lux());
+        humble.Priority = (Priority)2;
+        Assert.Equal(Status.ErrorInvalidArgument,
+                     Assert.Throws<UpsException>(() => scene.StartCommit(humble)).Status);
+        scene.SetDimming(light, 0.25f);
+        scene.Commit();
         scene.SetDimming(light, 1);
         using (var cancel = new CancellationTokenSource())
         {

@@ -77,6 +77,16 @@ int main(void) {
   /* [end] */
   check(ups_scene_is_dirty(scene, &dirty));
   expect(dirty == 0);
+
+  /* [ups_commit_desc_init ups_scene_start_commit_with] */
+  ups_commit_desc desc;
+  ups_commit_desc_init(&desc, sizeof desc);
+  desc.priority = UPS_PRIORITY_LOW; /* what the window draws comes first */
+  ups_job *humble;
+  check(ups_scene_start_commit_with(scene, &desc, &humble));
+  check(ups_job_wait(humble, 10000));
+  ups_job_destroy(humble);
+  /* [end] */
   ups_scene_destroy(scene);
   ups_context_destroy(context);
   return 0;
