@@ -10,6 +10,7 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "ups/ups.h"
@@ -253,6 +254,20 @@ TEST(ReportMap, HasAPointInNumbersWhateverTheLocale) {
   std::setlocale(LC_ALL, "C");
   EXPECT_TRUE(before == after);
   EXPECT_TRUE(kept) << "the caller's own is back";
+}
+
+TEST(ReportMap, IsTheSameOnManyThreads) {
+  const MapDesc desc(LRoom::lit().points), view(LRoom::lit().camera);
+  const std::string map = drawn(desc, "one.svg"), image = drawn(view, "one.png");
+  std::vector<std::thread> threads;
+  std::vector<std::string> maps(4), images(4);
+  for (size_t i = 0; i < maps.size(); ++i)
+    threads.emplace_back([&, i] {
+      maps[i] = drawn(desc, std::to_string(i) + ".svg");
+      images[i] = drawn(view, std::to_string(i) + ".png");
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (size_t i = 0; i < maps.size(); ++i) EXPECT_TRUE(maps[i] == map && images[i] == image) << i;
 }
 
 TEST(ReportMap, RefusesWhatItCannotDraw) {

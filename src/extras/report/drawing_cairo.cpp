@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "report/drawing.h"
@@ -27,6 +28,7 @@ template <class Object>
 using Owned = std::unique_ptr<Object, Destroy>;
 
 void check(cairo_status_t status) {
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
   if (status != CAIRO_STATUS_SUCCESS)
     throw std::runtime_error(std::string("the drawing cannot be made: ") + cairo_status_to_string(status));
 }
@@ -207,10 +209,10 @@ std::string writable(const std::string& text) {
 void Drawing::add(Part part) { parts.push_back(std::move(part)); }
 
 double width_of(const std::string& text, double size, bool bold) {
-  static const Owned<cairo_scaled_font_t> fonts[2] = {scaled_font(false), scaled_font(true)};
+  const auto font = scaled_font(bold);  // Cairo keeps it; one of our own would keep an error, too
   cairo_text_extents_t extents;
-  cairo_scaled_font_text_extents(fonts[bold].get(), writable(text).c_str(), &extents);
-  check(cairo_scaled_font_status(fonts[bold].get()));
+  cairo_scaled_font_text_extents(font.get(), writable(text).c_str(), &extents);
+  check(cairo_scaled_font_status(font.get()));
   return extents.x_advance * size;
 }
 

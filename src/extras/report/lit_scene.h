@@ -52,7 +52,7 @@ Eye eye_of(const LitScene& scene, const SensorEntry& observer);
 // What the scene tells of a sensor by itself; of a grid, whether it is one. name: of people, or empty: "meters 1".
 SensorEntry sensor_entry(const ups_scene* scene, ups_sensor_id sensor, const std::string& name);
 
-// Of what --separate and ratings of glare tell apart: a source's name, or "group_3".
+// Of what renders that tell sources apart and ratings of glare name: a source's name, or "group_3".
 std::string source_name(const LitScene& scene, ups_source_kind kind, uint32_t id);
 
 ups_scene_info info_of(const LitScene& scene);
