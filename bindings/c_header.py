@@ -10,7 +10,7 @@ from pathlib import Path
 
 CORE_HEADERS = ("ups_base.h", "ups_photometry.h", "ups_scene.h", "ups_fixture.h", "ups_sensor.h", "ups_render.h",
                 "ups_replay.h", "ups_statistics.h", "ups_glare.h")
-EXTRA_HEADERS = ("ups_gltf.h", "ups_exr.h", "ups_ocio.h")  # each of a library of its name
+EXTRA_HEADERS = ("ups_gltf.h", "ups_exr.h", "ups_ocio.h", "ups_report.h")  # each of a library of its name
 ALL_HEADERS = CORE_HEADERS + EXTRA_HEADERS
 
 # C type: name without const, whether const, how many stars, elements of an array (0: no array).

@@ -378,6 +378,33 @@ namespace Ups
         Lightmap = 5,
     }
 
+    public enum ReportScale : int
+    {
+        Linear = 0,
+        Logarithmic = 1,
+    }
+
+    public enum ReportColours : int
+    {
+        Viridis = 0,
+        Cividis = 1,
+        Grey = 2,
+    }
+
+    public enum ReportQuantity : int
+    {
+        Auto = 0,
+        Illuminance = 1,
+        Luminance = 2,
+    }
+
+    public enum ReportExposure : int
+    {
+        Untold = 0,
+        Chosen = 1,
+        Given = 2,
+    }
+
     /// <summary>An array that C keeps inside a struct: elements are set in place, an array is assigned whole.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct Double2 : IEnumerable<double>
@@ -2039,6 +2066,129 @@ namespace Ups
         }
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ReportStyleDesc
+    {
+        public uint StructSize;
+        public ReportScale Scale;
+        public ReportColours Colours;
+        public int Isolines;
+        public int Numbers;
+        public int Cells;
+        public double Low;
+        public double High;
+        public double ThresholdLx;
+        public double ThresholdCdM2;
+        public double Width;
+        public double Height;
+        public double Zoom;
+        /// <summary>With the library's defaults.</summary>
+        public static ReportStyleDesc Create()
+        {
+            var d = new ReportStyleDesc();
+            Native.ups_report_style_desc_init(&d, (uint)sizeof(ReportStyleDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ReportSensor
+    {
+        public SensorId Sensor;
+        public uint Reserved;
+        internal byte* Name;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ReportMapDesc
+    {
+        public uint StructSize;
+        public ReportQuantity Quantity;
+        internal IntPtr Scene;
+        internal IntPtr Result;
+        public SensorId Sensor;
+        public uint SensorCount;
+        internal ReportSensor* Sensors;
+        internal byte* Title;
+        internal ReportStyleDesc* Style;
+        internal double* PositionsM;
+        internal float* Normals;
+        internal float* Values;
+        internal float* ErrorBounds;
+        public uint Count;
+        public uint Columns;
+        /// <summary>With the library's defaults.</summary>
+        public static ReportMapDesc Create()
+        {
+            var d = new ReportMapDesc();
+            Native.ups_report_map_desc_init(&d, (uint)sizeof(ReportMapDesc));
+            return d;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ReportSource
+    {
+        public SourceKind Kind;
+        public uint Id;
+        internal byte* Name;
+        internal byte* File;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ReportPicture
+    {
+        public SensorId Camera;
+        public ReportExposure Exposure;
+        public double Ev100;
+        public int Smoothed;
+        public uint Reserved;
+        internal byte* Path;
+        internal byte* Png;
+        public UIntPtr PngSize;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ReportRatio
+    {
+        public SensorId Numerator;
+        public SensorId Denominator;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct ReportPageDesc
+    {
+        public uint StructSize;
+        public uint SensorCount;
+        public uint SourceCount;
+        public uint PictureCount;
+        public uint ThresholdCount;
+        public uint RatioCount;
+        internal IntPtr Scene;
+        internal IntPtr Result;
+        internal ReportSensor* Sensors;
+        internal ReportSource* Sources;
+        internal ReportPicture* Pictures;
+        internal byte* Title;
+        internal byte* SceneName;
+        internal byte* Repeat;
+        internal byte* Date;
+        internal byte* TargetsJson;
+        internal byte* TargetsName;
+        internal byte* TargetsFolder;
+        internal ReportStyleDesc* Style;
+        internal double* ThresholdsLx;
+        internal ReportRatio* Ratios;
+        public double TargetRelativeError;
+        /// <summary>With the library's defaults.</summary>
+        public static ReportPageDesc Create()
+        {
+            var d = new ReportPageDesc();
+            Native.ups_report_page_desc_init(&d, (uint)sizeof(ReportPageDesc));
+            return d;
+        }
+    }
+
     public sealed class ContextHandle : NativeHandle
     {
         protected override bool ReleaseHandle() { Native.ups_context_destroy(handle); return true; }
@@ -2090,6 +2240,7 @@ namespace Ups
         private const string GltfLibrary = "libups_gltf.so.0.1";
         private const string ExrLibrary = "libups_exr.so.0.1";
         private const string OcioLibrary = "libups_ocio.so.0.1";
+        private const string ReportLibrary = "libups_report.so.0.1";
         internal const uint HeaderVersion = 100;
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -2607,5 +2758,17 @@ namespace Ups
         internal static extern Status ups_ocio_write_pixels_png(byte* path, byte* rgb, uint width, uint height);
         [DllImport(OcioLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern IntPtr ups_ocio_last_error();
+        [DllImport(ReportLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_report_style_desc_init(ReportStyleDesc* desc, uint struct_size);
+        [DllImport(ReportLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_report_map_desc_init(ReportMapDesc* desc, uint struct_size);
+        [DllImport(ReportLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_report_write_map(byte* path, ReportMapDesc* desc);
+        [DllImport(ReportLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern void ups_report_page_desc_init(ReportPageDesc* desc, uint struct_size);
+        [DllImport(ReportLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_report_write_page(byte* path, ReportPageDesc* desc);
+        [DllImport(ReportLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern IntPtr ups_report_last_error();
     }
 }

@@ -6,7 +6,7 @@
 BUILD: build/release; FOLDER: where Ups.VERSION.nupkg goes; DIR: where dotnet builds, else a temporary folder.
 
 In the package: the assemblies, runtimes/linux-x64/native with libups, the extras that were built and what they need
-(Embree, oneTBB, OpenEXR, OpenColorIO ...), and licences/ with the terms of those as the system's packages state them.
+(Embree, oneTBB, OpenEXR, OpenColorIO, Cairo ...), and licences/ with the terms of those as the system's packages state them.
 zlib and the C and C++ run time are the system's: the package runs where they are as new as where it was built. Libraries for
 other platforms are taken along from a folder that UPS_RUNTIMES names: RID/native. Needs the .NET SDK and patchelf.
 """

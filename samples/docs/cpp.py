@@ -106,6 +106,6 @@ def page(include, known, escaped, marked_up):
     summary, rest = said.split("\n\n", 1)
     brief = escaped(" ".join(summary.split(": ", 1)[1].split()))
     out = ["/** @defgroup cpp C++17 classes", f"@brief {brief}", "", marked_up(rest), "*/", "namespace ups {"]
-    for name in [f"hpp/{p}.hpp" for p in PARTS] + ["ups_gltf.hpp", "ups_exr.hpp"]:
+    for name in [f"hpp/{p}.hpp" for p in PARTS] + ["ups_gltf.hpp", "ups_exr.hpp", "ups_report.hpp"]:
         out.append(declarations(name, (include / name).read_text(encoding="utf-8"), known, escaped))
     return "\n".join([*out, "}", ""])

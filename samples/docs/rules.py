@@ -261,7 +261,8 @@ def threads(function):
         return "Any, as the last call on that handle: nothing else may run on it, or come after."
     first = next((t for t in handles), None)
     changed = next((t.name for t in handles if not t.const and t.name in ("ups_scene", "ups_fixture")), None)
-    if name in ("ups_last_error", "ups_gltf_last_error", "ups_exr_last_error", "ups_ocio_last_error"):
+    if name in ("ups_last_error", "ups_gltf_last_error", "ups_exr_last_error", "ups_ocio_last_error",
+                "ups_report_last_error"):
         return "Any: each thread has its own."
     if changed == "ups_fixture":
         return "One call at a time on a fixture."

@@ -6,7 +6,7 @@
 #include "tool/goniometer_report.h"
 #include "tool/interrupt.h"
 #include "tool/output.h"
-#include "tool/profile_plot.h"
+#include "tool/profile_sheet.h"
 #include "tool/render_job.h"
 #include "tool/tables.h"
 #include "tool/text_format.h"
@@ -27,7 +27,7 @@ const SensorEntry* find_goniometer(const LoadedScene& scene, const GoniometerOpt
   std::string names;
   size_t count = 0;
   for (const SensorEntry& sensor : scene.sensors) {
-    if (sensor.info.kind != UPS_GLTF_GONIOMETER) continue;
+    if (sensor.info.kind != SensorKind::goniometer) continue;
     names += (names.empty() ? "" : ", ") + sensor.name;
     ++count;
     if (options.name.empty() || options.name == sensor.name) found = &sensor;
@@ -47,10 +47,9 @@ const SensorEntry* find_goniometer(const LoadedScene& scene, const GoniometerOpt
 }
 
 SensorEntry add_own_goniometer(ups_scene* scene, const ups_goniometer_desc& grid) {
-  SensorEntry entry{};
+  SensorEntry entry;
   entry.name = "goniometer";
-  entry.info.struct_size = sizeof entry.info;
-  entry.info.kind = UPS_GLTF_GONIOMETER;
+  entry.info.kind = SensorKind::goniometer;
   entry.info.columns = grid.c_count;
   entry.info.rows = grid.gamma_count;
   check(ups_scene_add_goniometer(scene, &grid, &entry.info.sensor));
@@ -61,15 +60,15 @@ SensorEntry add_own_goniometer(ups_scene* scene, const ups_goniometer_desc& grid
 LoadedScene load(const GoniometerOptions& options) {
   LoadedScene scene = import_scene(options.scene, {options.threads, 0, 0, options.allow_outside});
   const SensorEntry* own = find_goniometer(scene, options);
-  const SensorEntry chosen = own ? *own : add_own_goniometer(scene.scene.get(), options.grid);
+  const SensorEntry chosen = own ? *own : add_own_goniometer(scene.owned.get(), options.grid);
   for (const SensorEntry& sensor : scene.sensors)
     if (sensor.info.sensor.v != chosen.info.sensor.v)
-      check(ups_scene_remove_sensor(scene.scene.get(), sensor.info.sensor));
+      check(ups_scene_remove_sensor(scene.owned.get(), sensor.info.sensor));
   scene.sensors = {chosen};
   commit_scene(scene, options.scene);
   ups_scene_info info{};
   info.struct_size = sizeof info;
-  check(ups_scene_get_info(scene.scene.get(), &info));
+  check(ups_scene_get_info(scene.scene, &info));
   if (!(info.emitted_flux_lm > 0))
     throw Failure(options.scene +
                   ": nothing in it emits light; add a fixture, a luminaire, a light or an emitting material");
@@ -104,7 +103,7 @@ int goniometer(const GoniometerOptions& options) {
   install_interrupt_handler();
   prepare_files(options);
   const LoadedScene scene = load(options);
-  const Finished finished = run_render(scene.scene.get(), options.desc);
+  const Finished finished = run_render(scene.scene, options.desc);
   tell_interruption(finished);
   if (!finished.result) return exit_interrupted;
   const ups_result* result = finished.result.get();

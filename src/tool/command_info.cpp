@@ -8,7 +8,7 @@
 #include "tool/commands.h"
 #include "tool/handles.h"
 #include "tool/info_report.h"
-#include "tool/profile_plot.h"
+#include "tool/profile_sheet.h"
 #include "tool/report.h"
 #include "tool/text_format.h"
 
@@ -17,17 +17,17 @@ namespace ups::tool {
 namespace {
 
 std::string sensor_text(const SensorEntry& sensor) {
-  const ups_gltf_sensor_info& info = sensor.info;
+  const SensorInfo& info = sensor.info;
   const char* name = sensor.name.c_str();
-  if (info.kind == UPS_GLTF_CAMERA)
+  if (info.kind == SensorKind::camera)
     return format("  camera %s: %u x %u, %s%s\n", name, info.width, info.height, projection_word(info.projection),
                   info.illuminance ? ", illuminance too" : "");
-  if (info.kind == UPS_GLTF_GONIOMETER)
+  if (info.kind == SensorKind::goniometer)
     return format("  goniometer %s: %u planes of %u angles\n", name, info.columns, info.rows);
-  if (info.kind == UPS_GLTF_OBSERVER) return "  observer " + printable(sensor.name) + "\n";
+  if (info.kind == SensorKind::observer) return "  observer " + printable(sensor.name) + "\n";
   if (info.columns > 0) return format("  meters %s: grid of %u x %u\n", name, info.columns, info.rows);
-  if (info.layout == UPS_GLTF_LAYOUT_SURFACE) return format("  meters %s: %u triangles\n", name, info.meter_count);
-  if (info.layout == UPS_GLTF_LAYOUT_LIGHTMAP)
+  if (info.layout == MeterLayout::surface) return format("  meters %s: %u triangles\n", name, info.meter_count);
+  if (info.layout == MeterLayout::lightmap)
     return format("  meters %s: lightmap of %u x %u\n", name, info.width, info.height);
   return format("  meters %s: %u points\n", name, info.meter_count);
 }
@@ -36,10 +36,10 @@ SceneReport scene_report_of(const std::string& file, const LoadedScene& scene) {
   SceneReport report{};
   report.file = file;
   report.info.struct_size = sizeof report.info;
-  check(ups_scene_get_info(scene.scene.get(), &report.info));
+  check(ups_scene_get_info(scene.scene, &report.info));
   const auto text = [&](ups_scene_text topic) {
     return lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
-      return ups_scene_get_text(scene.scene.get(), topic, to, capacity, needed);
+      return ups_scene_get_text(scene.scene, topic, to, capacity, needed);
     }));
   };
   report.sensors = scene.sensors;

@@ -7,9 +7,9 @@
 #include "platform/files.h"
 #include "platform/paths.h"
 #include "tool/commands.h"
-#include "tool/drawing_file.h"
+#include "report/drawing_file.h"
 #include "tool/exr_file.h"
-#include "tool/map_data.h"
+#include "report/map_data.h"
 #include "tool/profile_file.h"
 #include "tool/text_format.h"
 
@@ -80,23 +80,14 @@ class MeterTable {
   std::vector<std::string> header_;
 };
 
-std::string summary_of(const std::vector<MeterPoint>& points) {
-  double sum = 0, min = INFINITY, max = -INFINITY, worst = 0;
-  for (const MeterPoint& p : points)
-    sum += p.illuminance_lx, min = std::min(min, p.illuminance_lx), max = std::max(max, p.illuminance_lx);
-  const double mean = sum / double(points.size());
-  for (const MeterPoint& p : points) {  // relative as a render's are: of at least 5 % of the mean
-    const double of = std::max(p.illuminance_lx, 0.05 * mean);
-    worst = p.error_bound_lx < 0 || worst < 0 ? -1 : std::max(worst, of > 0 ? p.error_bound_lx / of : 0);
-  }
-  return summary_text(mean, -1, min, max, worst, "lx");
-}
-
 MapData map_of_table(const MapOptions& options, const std::string& title) {
   const std::vector<MeterPoint> points = MeterTable(options.file).points;
   std::optional<LoadedScene> scene;
   if (!options.scene.empty()) scene = load_scene(options.scene, {.allow_outside = options.allow_outside});
-  std::optional<MapData> data = meter_map(title, points, columns_of(points), scene ? &*scene : nullptr);
+  std::vector<double> positions;
+  for (const MeterPoint& p : points) positions.insert(positions.end(), p.position_m, p.position_m + 3);
+  std::optional<MapData> data =
+      meter_map(title, points, columns_of(positions.data(), points.size()), scene ? &*scene : nullptr);
   if (!data)
     throw Failure(options.file + ": its meters lie on one line or in no plane, or are too many on no lattice; there is "
                                  "no map of them");
@@ -145,8 +136,7 @@ int map(const MapOptions& options) {
                   "camera with \"illuminance_camera\": true --illuminance");
   const MapStyle style = lux ? options.style : of_luminance(options.style);
   const Drawing drawing = map_drawing(data, style);
-  for (const std::string& path : options.out)
-    write_drawing(path, drawing, {data.quantity + ": " + data.title, map_description(data, style)});
+  for (const std::string& path : options.out) write_drawing(path, drawing, map_words(data, style));
   return exit_done;
 }
 

@@ -1,23 +1,69 @@
 // ups render: loads a scene, renders it as a job that Ctrl-C can stop, prints and writes what it found.
+#include <iterator>
 #include <optional>
 
 #include "common/atomic_file.h"
+#include "platform/files.h"
+#include "platform/paths.h"
+#include "report/page.h"
+#include "tool/accuracy.h"
 #include "tool/commands.h"
 #include "tool/handles.h"
 #include "tool/interrupt.h"
 #include "tool/output.h"
-#include "tool/page.h"
+#include "tool/page_words.h"
 #include "tool/picture.h"
 #include "tool/render_job.h"
 #include "tool/report.h"
+#include "tool/targets_file.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {
 namespace {
 
-void take_verdicts(const Targets& targets, Report& report) {
-  report.targets = judge(targets, report);
-  for (const TargetArea& area : targets.areas) report.area_names.push_back(area.name);
+size_t set_of(const LoadedScene& scene, const std::string& name) {
+  std::string names;
+  for (size_t i = 0; i < scene.sensors.size(); ++i) {
+    const SensorEntry& sensor = scene.sensors[i];
+    if (sensor.info.kind != SensorKind::meters) continue;
+    if (sensor.name == name) return i;
+    names += (names.empty() ? "" : ", ") + sensor.name;
+  }
+  throw Failure("--ratio: the scene has no meters of the name " + name + "; it has " +
+                (names.empty() ? "none" : names));
+}
+
+RenderReport report_of(const RenderOptions& options, const LoadedScene& scene, const Finished& finished,
+                       const std::optional<Targets>& targets) {
+  const ups_result* result = finished.result.get();
+  MeterQuestions questions{options.above, {}};
+  for (const auto& [numerator, denominator] : options.ratios)
+    questions.ratios.emplace_back(set_of(scene, numerator), set_of(scene, denominator));
+  RenderReport report{make_report(options.scene, scene, result, questions), {}, finished.memory};
+  report.largest_samples = read_largest_samples(scene, result);
+  add_exposures(scene, result, options.picture, report);
+  const std::string advice = finished.target > 0
+                                 ? advice_text(finished.target, finished.time_limit_s,
+                                               predict(result, finished.target), report.worst_meter)
+                                 : "";
+  if (!advice.empty()) report.advice.push_back(advice);
+  report.target_error = finished.target;
+  if (targets) take_verdicts(*targets, report);
+  return report;
+}
+
+// The pictures on it are the files that were written.
+std::string page_of(const RenderOptions& options, const LoadedScene& scene, const ups_result* result,
+                    const Report& report, const Targets* targets) {
+  const auto picture = [&](size_t sensor) {
+    auto file = platform::open_to_read(platform::joined(options.out, scene.sensors[sensor].name + ".png"));
+    return std::vector<uint8_t>{std::istreambuf_iterator<char>(file), {}};
+  };
+  const std::string file = options.scene.substr(options.scene.find_last_of('/') + 1);
+  const size_t dot = file.find_last_of('.');
+  const std::string title = dot == 0 || dot == std::string::npos ? file : file.substr(0, dot);
+  return report_page({scene, result, report, targets, options.map, title,
+                      command_text(options.arguments, report.info), date_text(), picture});
 }
 
 }  // namespace
@@ -34,27 +80,18 @@ int render(const RenderOptions& options) {
     throw Failure(options.scene + ": there is nothing to render; add a camera, or meters in a node's extras.ups");
   }
   if (targets) check_names(*targets, scene);
-  const Finished finished = run_render(scene.scene.get(), options.desc);
+  const Finished finished = run_render(scene.scene, options.desc);
   tell_interruption(finished);
   if (!finished.result) return exit_interrupted;
-  Report report = make_report(options.scene, scene, finished.result.get(), options.questions);
-  report.memory = finished.memory;
-  add_exposures(scene, finished.result.get(), options.picture, report);
-  const std::string advice =
-      finished.target > 0 ? advice_text(finished.target, finished.time_limit_s,
-                                        predict(finished.result.get(), finished.target), report.worst_meter)
-                          : "";
-  if (!advice.empty()) report.advice.push_back(advice);
-  report.target_error = finished.target;
-  if (targets) take_verdicts(*targets, report);
+  RenderReport report = report_of(options, scene, finished, targets);
   Written written;
   if (!options.out.empty())
     written = write_outputs(options.out, scene, finished.result.get(), options.map, options.picture);
   append_once(report.warnings, written.warnings);
   if (options.report)
     attempt(written, options.out + "/report.html", [&](const std::string& path) {
-      const std::string page = report_page({scene, finished.result.get(), report, targets ? &*targets : nullptr,
-                                            options.map, options.out, command_text(options.arguments, report.info), date_text()});
+      const std::string page =
+          page_of(options, scene, finished.result.get(), report, targets ? &*targets : nullptr);
       extras::write_file(path, page.data(), page.size());
     });
   put(stdout, options.json ? to_json(report) : to_text(report));

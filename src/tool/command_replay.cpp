@@ -1,10 +1,10 @@
 // ups replay: one sample of a render traced again, as text, JSON and drawing.
 #include "tool/commands.h"
-#include "tool/drawing_file.h"
+#include "report/drawing_file.h"
 #include "tool/handles.h"
 #include "tool/output.h"
 #include "tool/path_plot.h"
-#include "tool/profile_plot.h"
+#include "report/profile_plot.h"
 #include "tool/report.h"
 #include "tool/text_format.h"
 
@@ -16,7 +16,7 @@ int replay(const ReplayOptions& options) {
       load_scene(options.scene, {options.threads, options.width, options.height, options.allow_outside});
   const ups_sample sample = sample_at(scene, options.sample);
   ups_path* traced = nullptr;
-  check(ups_replay(scene.scene.get(), &options.desc, &sample, &traced));
+  check(ups_replay(scene.scene, &options.desc, &sample, &traced));
   const Path path(traced);
   PathReport report{options.scene, options.sample, {}, {}, {}, {}};
   report.info.struct_size = sizeof report.info;
@@ -33,7 +33,7 @@ int replay(const ReplayOptions& options) {
   });
   if (!options.plot.empty()) {
     const std::string title = options.scene + ", sample " + options.sample;
-    write_drawing(options.plot, plot_of(scene.scene.get(), report.vertices, report.contributions, title), {title, ""});
+    write_drawing(options.plot, plot_of(scene.scene, report.vertices, report.contributions, title), {title, ""});
   }
   put(stdout, options.json ? to_json(report) : report.text);
   return exit_done;

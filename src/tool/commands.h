@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "tool/map.h"
-#include "tool/meter_report.h"
+#include "report/map.h"
+#include "tool/library.h"
 #include "ups/ups_render.h"
 #include "ups/ups_sensor.h"
 
@@ -40,7 +40,8 @@ struct RenderOptions : JobOptions {
   MapStyle map;
   PictureOptions picture;
   uint32_t width = 0, height = 0;  // 0: as the file says
-  MeterQuestions questions;
+  std::vector<double> above;                                // lx
+  std::vector<std::pair<std::string, std::string>> ratios;  // names of sets of meters
 };
 
 struct ReplayOptions : JobOptions {

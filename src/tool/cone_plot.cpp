@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tool/profile_plot.h"
+#include "tool/profile_sheet.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tool/report.h"
 #include "tool/tables.h"
 #include "tool/text_format.h"
 

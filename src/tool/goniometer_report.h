@@ -1,8 +1,8 @@
 // What `ups goniometer` measured, as numbers to print and as words for the file. Filled by that command, printed by it
 // and by json.cpp.
 #pragma once
+#include "report/findings.h"
 #include "tool/profile_file.h"
-#include "tool/report.h"
 
 namespace ups::tool {
 

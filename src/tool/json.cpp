@@ -103,7 +103,7 @@ ordered_json observer_json(const ObserverReport& observer) {
 
 }  // namespace
 
-std::string to_json(const Report& report) {
+std::string to_json(const RenderReport& report) {
   const ups_result_info& info = report.info;
   ordered_json cameras = ordered_json::object(), convergence = ordered_json::array();
   for (const CameraReport& camera : report.cameras) {
@@ -328,25 +328,25 @@ ordered_json profile_json(const ProfileReport& report) {
           {"warnings", report.warnings}};
 }
 
-const char* layout_word(ups_gltf_layout layout) {
+const char* layout_word(MeterLayout layout) {
   static constexpr const char* words[] = {"points", "grid", "en12464", "line", "surface", "lightmap"};
-  return words[layout];
+  return words[int(layout)];
 }
 
 ordered_json scene_json(const SceneReport& report) {
   const ups_scene_info& info = report.info;
   ordered_json sensors = ordered_json::array();
   for (const SensorEntry& sensor : report.sensors) {
-    constexpr const char* kinds[] = {"camera", "meters", "goniometer", "observer"};  // UPS_GLTF_*
-    sensors.push_back({{"name", sensor.name}, {"kind", kinds[sensor.info.kind]}});
-    if (sensor.info.kind == UPS_GLTF_CAMERA) {
+    constexpr const char* kinds[] = {"camera", "meters", "goniometer", "observer"};  // SensorKind
+    sensors.push_back({{"name", sensor.name}, {"kind", kinds[int(sensor.info.kind)]}});
+    if (sensor.info.kind == SensorKind::camera) {
       sensors.back().update({{"width", sensor.info.width},
                              {"height", sensor.info.height},
                              {"projection", projection_word(sensor.info.projection)}});
-    } else if (sensor.info.kind != UPS_GLTF_OBSERVER) {
+    } else if (sensor.info.kind != SensorKind::observer) {
       sensors.back().update(
           {{"count", sensor.info.meter_count}, {"columns", sensor.info.columns}, {"rows", sensor.info.rows}});
-      if (sensor.info.kind == UPS_GLTF_METERS) sensors.back()["layout"] = layout_word(sensor.info.layout);
+      if (sensor.info.kind == SensorKind::meters) sensors.back()["layout"] = layout_word(sensor.info.layout);
     }
   }
   return {{"file", report.file},

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "tool/drawing_file.h"
+#include "report/drawing_file.h"
 #include "tool/options.h"
 
 namespace ups::tool {

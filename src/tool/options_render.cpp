@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "tool/drawing_file.h"
+#include "report/drawing_file.h"
 #include "tool/options.h"
 #include "tool/profile_file.h"
 #include "tool/report.h"
@@ -272,7 +272,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
   add_picture(*command, options.picture);
   add_separation(*command, options.desc,
                  ": with --out, a table NAME_luminaires.csv of what each contributes to each meter");
-  command->add_option("--above", options.questions.above, "The share of each set's meters with at least so many lx")
+  command->add_option("--above", options.above, "The share of each set's meters with at least so many lx")
       ->allow_extra_args(false)
       ->type_name("LX");
   command
@@ -280,7 +280,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
           "--ratio",
           [&options](const std::vector<std::string>& all) {
             for (const std::string& text : all)
-              options.questions.ratios.emplace_back(text.substr(0, text.find('/')), text.substr(text.find('/') + 1));
+              options.ratios.emplace_back(text.substr(0, text.find('/')), text.substr(text.find('/') + 1));
           },
           "The mean of the meters A over that of the meters B, by their names; of sets of as many meters the least and "
           "greatest ratio meter by meter, too (cylindrical over horizontal: the modelling index)")

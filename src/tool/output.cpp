@@ -9,12 +9,13 @@
 #include "common/atomic_file.h"
 #include "platform/paths.h"
 #include "tool/csv.h"
-#include "tool/drawing_file.h"
-#include "tool/map_data.h"
-#include "tool/meter_places.h"
+#include "report/drawing_file.h"
+#include "report/map_data.h"
+#include "report/meter_places.h"
 #include "tool/picture.h"
 #include "tool/report.h"
 #include "tool/tables.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
 
@@ -47,7 +48,7 @@ void write_exr(const std::string& path, uint32_t width, uint32_t height, const s
 
 // NAME.png, NAME.svg and NAME.pdf of one drawing.
 void write_map(Written& written, const std::string& base, const MapData& data, const MapStyle& style) {
-  const Words words{data.quantity + ": " + data.title, map_description(data, style)};
+  const Words words = map_words(data, style);
   const Drawing drawing = map_drawing(data, style);
   for (const char* ending : {".png", ".svg", ".pdf"})
     attempt(written, base + ending, [&](const std::string& path) { write_drawing(path, drawing, words); });
@@ -183,9 +184,9 @@ struct MeterTable {
   std::array<std::vector<ups_vector_part_reading>, 3> vectors{};  // of such meters, by ups_light_part
 };
 
-MeterTable read_table(uint32_t index, const SensorEntry& meters, const LoadedScene& scene, const ups_result* result) {
+MeterTable read_table(const SensorEntry& meters, const LoadedScene& scene, const ups_result* result) {
   const size_t count = meters.info.meter_count;
-  MeterTable table{meter_places(scene, index), std::vector<ups_meter_reading>(count)};
+  MeterTable table{meter_places(scene, meters), std::vector<ups_meter_reading>(count)};
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
   if (meters.info.meter_kind != UPS_METER_VECTOR) return table;
   for (size_t part = 0; part < table.vectors.size(); ++part) {
@@ -296,11 +297,11 @@ void write_grid(Written& written, const std::string& base, const SensorEntry& gr
   });
 }
 
-void write_meters(Written& written, const std::string& base, uint32_t index, const SensorEntry& meters,
+void write_meters(Written& written, const std::string& base, const SensorEntry& meters,
                   const LoadedScene& scene, const ups_result* result, const MapStyle& map,
                   const Attributes& attributes) {
-  const MeterTable table = read_table(index, meters, scene, result);
-  const bool lightmap = meters.info.layout == UPS_GLTF_LAYOUT_LIGHTMAP;
+  const MeterTable table = read_table(meters, scene, result);
+  const bool lightmap = meters.info.layout == MeterLayout::lightmap;
   attempt(written, base + ".csv",
           [&](const std::string& path) { write_csv(path, table, lightmap ? meters.info.width : 0); });
   if (lightmap)
@@ -317,7 +318,7 @@ void write_meters(Written& written, const std::string& base, uint32_t index, con
     return;
   }
   attempt(written, base, [&](const std::string& name) {
-    if (const auto data = meter_map(meters, index, scene, result)) write_map(written, name, *data, map);
+    if (const auto data = meter_map(meters, scene, result)) write_map(written, name, *data, map);
   });
 }
 
@@ -327,16 +328,6 @@ void probe_folder(const std::string& option, const std::string& folder) {
 }
 
 }  // namespace
-
-std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel) {
-  const bool one = channel == UPS_CHANNEL_ILLUMINANCE || channel == UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR ||
-                   channel == UPS_CHANNEL_BIAS || channel == UPS_CHANNEL_ERROR_BOUND ||
-                   channel == UPS_CHANNEL_DEPTH || channel == UPS_CHANNEL_ID;
-  const size_t channels = one ? 1 : 3;
-  std::vector<float> pixels(size_t(camera.info.width) * camera.info.height * channels);
-  check(ups_result_read_image(result, camera.info.sensor, channel, pixels.data(), 0, pixels.size() * sizeof(float)));
-  return pixels;
-}
 
 void prepare_folder(const std::string& folder) {
   const std::error_code error = platform::make_folder(folder);
@@ -361,16 +352,15 @@ Written write_outputs(const std::string& folder, const LoadedScene& scene, const
                       const MapStyle& map, const PictureOptions& picture) {
   Written written;
   const Attributes attributes = common_attributes(result);
-  for (uint32_t i = 0; i < scene.sensors.size(); ++i) {
-    const SensorEntry& sensor = scene.sensors[i];
-    if (sensor.info.kind == UPS_GLTF_OBSERVER) continue;  // its numbers are in the report
+  for (const SensorEntry& sensor : scene.sensors) {
+    if (sensor.info.kind == SensorKind::observer) continue;  // its numbers are in the report
     attempt(written, platform::joined(folder, sensor.name), [&](const std::string& base) {
-      if (sensor.info.kind == UPS_GLTF_CAMERA) {
+      if (sensor.info.kind == SensorKind::camera) {
         write_camera(written, base, sensor, result, map, picture, attributes);
-      } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {
+      } else if (sensor.info.kind == SensorKind::goniometer) {
         attempt(written, base + ".csv", [&](const std::string& path) { write_goniometer_csv(path, sensor, result); });
       } else {
-        write_meters(written, base, i, sensor, scene, result, map, attributes);
+        write_meters(written, base, sensor, scene, result, map, attributes);
       }
     });
   }

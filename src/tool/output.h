@@ -6,12 +6,10 @@
 
 #include "tool/commands.h"
 #include "tool/handles.h"
-#include "tool/map.h"
+#include "report/findings.h"
+#include "report/map.h"
 
 namespace ups::tool {
-
-// RGB channels: 3 floats a pixel; illuminance: 1. Row 0 at the top.
-std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel);
 
 // Throws Failure where the folder cannot be made or takes no file: better before a long render than after it.
 void prepare_folder(const std::string& folder);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tool/profile_plot.h"
+#include "report/profile_plot.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {

@@ -1,6 +1,6 @@
 // A path in its room, in plan and in section. Called by the replay command.
 #pragma once
-#include "tool/drawing.h"
+#include "report/drawing.h"
 #include "tool/handles.h"
 
 namespace ups::tool {

@@ -40,7 +40,7 @@ std::vector<float> smoothed(const SensorEntry& camera, const ups_result* result)
 void add_exposures(const LoadedScene& scene, const ups_result* result, const PictureOptions& options, Report& report) {
   size_t next = 0;
   for (const SensorEntry& sensor : scene.sensors) {
-    if (sensor.info.kind != UPS_GLTF_CAMERA) continue;
+    if (sensor.info.kind != SensorKind::camera) continue;
     CameraReport& camera = report.cameras[next++];
     const auto luminance = read_image(result, sensor, UPS_CHANNEL_LUMINANCE_RGB);
     double ev100 = 0;

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "platform/process.h"
+#include "tool/text_format.h"
 
 namespace ups::tool {
 
@@ -21,20 +22,6 @@ std::string percent(double fraction, int digits) {
 }
 
 }  // namespace
-
-std::string duration_text(double seconds) {
-  char text[32];
-  if (seconds < 9.95) {
-    std::snprintf(text, sizeof text, "%.2g s", seconds);
-  } else if (seconds < 99.5) {
-    std::snprintf(text, sizeof text, "%.0f s", seconds);
-  } else if (seconds < 5400) {
-    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
-  } else {
-    std::snprintf(text, sizeof text, "%.1f h", seconds / 3600);
-  }
-  return text;
-}
 
 std::string progress_text(const ups_progress& progress, const std::string& foretold) {
   std::string text = percent(progress.fraction, 0) + ", " + std::to_string(progress.iterations_done) + " iterations";

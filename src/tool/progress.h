@@ -22,6 +22,5 @@ class Progress {
 };
 
 std::string progress_text(const ups_progress& progress, const std::string& foretold);
-std::string duration_text(double seconds);
 
 }  // namespace ups::tool

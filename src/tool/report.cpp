@@ -1,75 +1,13 @@
-// See report.h: gathering a render's numbers, words for methods and techniques, and the report for people.
+// See report.h: the report for people.
 #include "tool/report.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "tool/output.h"
-#include "tool/tables.h"
+#include "tool/accuracy.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {
-
-namespace {
-
-struct Bit {
-  uint32_t bit;
-  const char* name;
-};
-
-// The C names, lower case, without prefix.
-constexpr Bit technique_names[] = {{UPS_TECHNIQUE_EMITTER_HIT, "emitter_hit"},
-                                   {UPS_TECHNIQUE_LIGHT_SAMPLE, "light_sample"},
-                                   {UPS_TECHNIQUE_CONNECT, "connect"},
-                                   {UPS_TECHNIQUE_SENSOR_CONNECT, "sensor_connect"},
-                                   {UPS_TECHNIQUE_MERGE, "merge"},
-                                   {UPS_TECHNIQUE_SENSOR_HIT, "sensor_hit"}};
-constexpr Bit effect_names[] = {{UPS_EFFECT_SPECULAR_REFLECTION, "specular_reflection"},
-                                {UPS_EFFECT_TRANSMISSION, "transmission"},
-                                {UPS_EFFECT_CAUSTICS, "caustics"},
-                                {UPS_EFFECT_GLOSSY, "glossy"},
-                                {UPS_EFFECT_INTERREFLECTION, "interreflection"},
-                                {UPS_EFFECT_COLOUR, "colour"},
-                                {UPS_EFFECT_TEXTURES, "textures"}};
-
-template <size_t N>
-std::vector<std::string> names_of(uint32_t bits, const Bit (&names)[N]) {
-  std::vector<std::string> result;
-  for (const Bit& name : names) {
-    if (bits & name.bit) result.emplace_back(name.name);
-  }
-  return result;
-}
-
-}  // namespace
-
-std::string technique_name(uint32_t bit) {
-  const std::vector<std::string> names = names_of(bit, technique_names);
-  return names.empty() ? "" : names[0];
-}
-
-uint32_t technique_bit(const std::string& name) {
-  for (const Bit& technique : technique_names)
-    if (name == technique.name) return technique.bit;
-  return 0;
-}
-
 namespace {
 
 constexpr float told_share = 0.2f;  // of a reading that a single sample makes: a bright speck
-
-// Of the image, in pixels: of a fisheye the image circle, cut at the sides where the image is narrower.
-double lit_area(const ups_gltf_sensor_info& camera) {
-  const double width = camera.width, height = camera.height, r = 0.5 * height, half = std::min(0.5 * width, r);
-  if (camera.projection != UPS_EQUIDISTANT && camera.projection != UPS_EQUISOLID) return width * height;
-  return 2 * (half * std::sqrt(r * r - half * half) + r * r * std::asin(half / r));
-}
-
-double mean_luminance(const ups_gltf_sensor_info& camera, const std::vector<float>& rgb) {
-  double sum = 0;
-  for (size_t i = 0; i + 2 < rgb.size(); i += 3) sum += 0.2126 * rgb[i] + 0.7152 * rgb[i + 1] + 0.0722 * rgb[i + 2];
-  return sum / lit_area(camera);
-}
 
 std::string joined(const std::vector<std::string>& words) {
   std::string result;
@@ -77,54 +15,35 @@ std::string joined(const std::vector<std::string>& words) {
   return result.empty() ? "none" : result;
 }
 
-}  // namespace
-
-std::string percent_text(double fraction) { return fraction < 0 ? "unknown" : format("%.2f %%", 100 * fraction); }
-
-std::string version_number() {
-  const uint32_t v = ups_version();
-  return std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." + std::to_string(v % 100);
+std::string interval_text(const ups_interval& i, const char* number) {
+  if (i.low < 0) return "";
+  const std::string both = std::string(" (") + number + " to " + number + ")";
+  return format(both.c_str(), i.low, i.high);
 }
 
-const char* projection_word(ups_projection projection) {
-  constexpr const char* words[] = {"perspective", "equidistant", "equisolid", "panorama"};  // UPS_PERSPECTIVE, ...
-  return words[projection];
+std::string meters_text(const MeterReport& meters) {
+  const ups_meter_statistics& s = meters.statistics;
+  const std::string kind = meters.kind == "planar" ? "" : " (" + meters.kind + ")";
+  std::string text =
+      format("meters %s%s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, diversity %.3f%s, "
+             "worst error %s\n",
+             meters.name.c_str(), kind.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity,
+             interval_text({s.uniformity, s.uniformity_low, s.uniformity_high}, "%.3f").c_str(), s.diversity,
+             interval_text({s.diversity, s.diversity_low, s.diversity_high}, "%.3f").c_str(),
+             percent_text(s.worst_relative_error_bound).c_str());
+  for (const IntervalAt& a : meters.above)
+    text += format("meters %s: %.4g %% at least %.6g lx%s\n", meters.name.c_str(), 100 * a.interval.value, a.at,
+                   interval_text({0, 100 * a.interval.low, 100 * a.interval.high}, "%.4g").c_str());
+  return text;
 }
 
-std::string method_word(ups_method method) {
-  switch (method) {
-    case UPS_METHOD_UPS:
-      return "ups";
-    case UPS_METHOD_PATH_TRACING:
-      return "pt";
-    case UPS_METHOD_LIGHT_TRACING:
-      return "lt";
-    case UPS_METHOD_BIDIRECTIONAL:
-      return "bpt";
-    case UPS_METHOD_PPM:
-      return "ppm";
-    case UPS_METHOD_SPPM:
-      return "sppm";
-    case UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING:
-      return "bpm";
-    default:
-      return "auto";
-  }
-}
-
-namespace {
-
-ObserverReport observer_report(const LoadedScene& scene, const SensorEntry& sensor, const ups_result* result) {
-  ObserverReport observer{sensor.name, {}, {}};
-  observer.reading.struct_size = sizeof observer.reading;
-  check(ups_result_get_observer(result, sensor.info.sensor, &observer.reading));
-  for (uint32_t i = 0; i < observer.reading.source_count; ++i) {
-    ups_glare_source source{};
-    source.struct_size = sizeof source;
-    check(ups_result_get_glare_source(result, sensor.info.sensor, i, &source));
-    observer.sources.push_back({source_name(scene, source.kind, source.id), source});
-  }
-  return observer;
+std::string ratio_text(const RatioReport& r) {
+  std::string text = format("ratio %s / %s: %.4g%s", r.numerator.c_str(), r.denominator.c_str(), r.ratio.value,
+                            interval_text(r.ratio, "%.4g").c_str());
+  if (r.points > 0)
+    text += format("; meter by meter from %.4g%s to %.4g%s", r.least.value, interval_text(r.least, "%.4g").c_str(),
+                   r.greatest.value, interval_text(r.greatest, "%.4g").c_str());
+  return text + "\n";
 }
 
 std::string observer_text(const ObserverReport& observer) {
@@ -148,55 +67,14 @@ std::string observer_text(const ObserverReport& observer) {
 
 }  // namespace
 
-Report make_report(const std::string& scene_path, const LoadedScene& scene, const ups_result* result,
-                   const MeterQuestions& questions) {
-  Report report{};
-  report.scene = scene_path;
-  report.info.struct_size = sizeof report.info;
-  check(ups_result_get_info(result, &report.info));
-  report.techniques = names_of(report.info.techniques, technique_names);
-  report.effects = names_of(report.info.effects, effect_names);
-  append_once(report.warnings, scene.warnings);
-  const auto text = [&](ups_result_text topic) {
-    return lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
-      return ups_result_get_text(result, topic, to, capacity, needed);
-    }));
-  };
-  append_once(report.warnings, text(UPS_TEXT_WARNINGS));
-  append_once(report.warnings, text(UPS_TEXT_DROPPED));
-  for (const SensorEntry& sensor : scene.sensors) {
-    if (sensor.info.kind != UPS_GLTF_GONIOMETER) {
-      ups_sensor_choice choice{};
-      choice.struct_size = sizeof choice;
-      check(ups_result_get_choice(result, sensor.info.sensor, &choice));
-      report.choices.push_back({sensor.name, choice, names_of(choice.techniques, technique_names)});
-    }
-    if (sensor.info.kind == UPS_GLTF_METERS) {
-      report.meters.push_back(read_meter_report(result, sensor, questions));
-    } else if (sensor.info.kind == UPS_GLTF_GONIOMETER) {
-      GoniometerReport goniometer{sensor.name, {}};
-      goniometer.info.struct_size = sizeof goniometer.info;
-      check(ups_result_get_goniometer_info(result, sensor.info.sensor, &goniometer.info));
-      report.goniometers.push_back(goniometer);
-    } else if (sensor.info.kind == UPS_GLTF_OBSERVER) {
-      report.observers.push_back(observer_report(scene, sensor, result));
-    } else {
-      const auto pixels = read_image(result, sensor, UPS_CHANNEL_LUMINANCE_RGB);
-      report.cameras.push_back({sensor.name, sensor.info.width, sensor.info.height, sensor.info.projection,
-                                mean_luminance(sensor.info, pixels)});
-    }
-  }
-  report.ratios = read_ratios(scene, result, questions);
-  for (const SourceEntry& source : sources_of(scene, result))
-    report.sources.push_back({source.name, source.info.flux_lm});
-  report.convergence = read_curve(result);
-  report.predictions = read_predictions(result);
-  report.worst_meter = read_worst_meter(scene, result);
-  report.largest_samples = read_largest_samples(scene, result);
-  return report;
+std::string percent_text(double fraction) { return fraction < 0 ? "unknown" : format("%.2f %%", 100 * fraction); }
+
+const char* projection_word(ups_projection projection) {
+  constexpr const char* words[] = {"perspective", "equidistant", "equisolid", "panorama"};  // UPS_PERSPECTIVE, ...
+  return words[projection];
 }
 
-std::string to_text(const Report& report) {
+std::string to_text(const RenderReport& report) {
   const ups_result_info& info = report.info;
   std::string text = format("%s: method %s, %u iterations in %.2f s on %d threads, seed %llu\n", report.scene.c_str(),
                             method_word(info.method).c_str(), info.iterations, info.elapsed_s, info.threads,
@@ -205,8 +83,8 @@ std::string to_text(const Report& report) {
   text += format("flux: emitted %.6g lm, absorbed %.6g lm, escaped %.6g lm\n", info.emitted_flux_lm,
                  info.absorbed_flux_lm, info.escaped_flux_lm);
   if (info.maintenance_factor != 1) text += format("maintenance factor: %g\n", info.maintenance_factor);
-  for (const MeterReport& meters : report.meters) text += to_text(meters);
-  for (const RatioReport& ratio : report.ratios) text += to_text(ratio);
+  for (const MeterReport& meters : report.meters) text += meters_text(meters);
+  for (const RatioReport& ratio : report.ratios) text += ratio_text(ratio);
   for (const ObserverReport& observer : report.observers) text += observer_text(observer);
   for (const CameraReport& camera : report.cameras) {
     text += format("camera %s: %u x %u, %s, mean luminance %.6g cd/m^2\n", camera.name.c_str(), camera.width,

@@ -37,7 +37,7 @@ std::array<std::string, 6> split(const std::string& address) {
 }
 
 bool parse_index(const SensorEntry& sensor, const std::string& text, uint32_t& index) {
-  if (sensor.info.kind != UPS_GLTF_CAMERA) return parse(text, index);
+  if (sensor.info.kind != SensorKind::camera) return parse(text, index);
   const size_t comma = text.find(',');
   uint32_t column, row;
   if (comma == std::string::npos || !parse(text.substr(0, comma), column) || !parse(text.substr(comma + 1), row) ||
@@ -51,7 +51,7 @@ bool parse_index(const SensorEntry& sensor, const std::string& text, uint32_t& i
 
 std::string address_of(const SensorEntry& sensor, const ups_sample& s) {
   const uint32_t width = sensor.info.width;
-  const std::string index = sensor.info.kind == UPS_GLTF_CAMERA
+  const std::string index = sensor.info.kind == SensorKind::camera
                                 ? std::to_string(s.index % width) + "," + std::to_string(s.index / width)
                                 : std::to_string(s.index);
   return sensor.name + "/" + index + "/" + std::to_string(s.iteration) + "/" + walk_words[s.walk] + "/" +
@@ -64,7 +64,7 @@ ups_sample sample_at(const LoadedScene& scene, const std::string& address) {
   std::string names;
   const SensorEntry* sensor = nullptr;
   for (const SensorEntry& entry : scene.sensors) {
-    if (entry.info.kind == UPS_GLTF_GONIOMETER) continue;
+    if (entry.info.kind == SensorKind::goniometer) continue;
     names += (names.empty() ? "" : ", ") + entry.name;
     if (entry.name == parts[0]) sensor = &entry;
   }
@@ -84,7 +84,7 @@ ups_sample sample_at(const LoadedScene& scene, const std::string& address) {
 std::vector<SampleReport> read_largest_samples(const LoadedScene& scene, const ups_result* result) {
   std::vector<SampleReport> all;
   for (const SensorEntry& sensor : scene.sensors) {
-    if (sensor.info.kind == UPS_GLTF_GONIOMETER) continue;
+    if (sensor.info.kind == SensorKind::goniometer) continue;
     const auto read = [&](ups_sample* to, size_t capacity, size_t* needed) {
       return ups_result_read_largest_samples(result, sensor.info.sensor, to, capacity, needed);
     };

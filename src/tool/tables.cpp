@@ -5,28 +5,6 @@
 
 namespace ups::tool {
 
-std::string source_name(const LoadedScene& scene, ups_source_kind kind, uint32_t id) {
-  return read_text(
-      [&](char* to, size_t capacity, size_t* needed) {
-        return ups_gltf_get_source_name(scene.import_result.get(), kind, id, to, capacity, needed);
-      },
-      ups_gltf_last_error);
-}
-
-std::vector<SourceEntry> sources_of(const LoadedScene& scene, const ups_result* result) {
-  uint32_t count = 0;
-  check(ups_result_get_source_count(result, &count));
-  std::vector<SourceEntry> sources(count);
-  for (uint32_t i = 0; i < count; ++i) {
-    ups_source_info& info = sources[i].info;
-    info.struct_size = sizeof info;
-    check(ups_result_get_source(result, i, &info));
-    sources[i].name = info.kind == UPS_SOURCE_GROUP ? "group_" + std::to_string(info.id)
-                                                    : source_name(scene, info.kind, info.id);
-  }
-  return sources;
-}
-
 void write_sources_csv(const std::string& path, const std::vector<double>& positions_m,
                        const std::vector<size_t>& listed, const SensorEntry& meters,
                        const std::vector<SourceEntry>& sources, const ups_result* result) {

@@ -4,18 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "report/findings.h"
 #include "tool/handles.h"
 
 namespace ups::tool {
-
-struct SourceEntry {
-  ups_source_info info;
-  std::string name;  // of its node, or "group_1"
-};
-// What --separate told apart; empty without it.
-std::vector<SourceEntry> sources_of(const LoadedScene& scene, const ups_result* result);
-// Of its node.
-std::string source_name(const LoadedScene& scene, ups_source_kind kind, uint32_t id);
 
 // positions_m: 3 a meter. A row for each meter listed; of each source illuminance and standard error, lx.
 void write_sources_csv(const std::string& path, const std::vector<double>& positions_m,

@@ -1,26 +1,12 @@
-// printf into a string, and texts of files and users on their way to a terminal. For the whole program.
+// Texts of files and users on their way to a terminal. For the whole program.
 #pragma once
-#include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <string>
 
+#include "report/text_format.h"
+#include "tool/library.h"
+
 namespace ups::tool {
-
-// However long the names in it are.
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  std::string text(size_t(std::max(0, std::snprintf(nullptr, 0, pattern, values...))), '\0');
-  std::snprintf(text.data(), text.size() + 1, pattern, values...);
-  return text;
-}
-
-// The character of the UTF-8 sequence at this place, and how many bytes it has; 0: there is none.
-struct Utf8 {
-  size_t length;
-  uint32_t code;
-};
-Utf8 utf8_at(const std::string& text, size_t at);
 
 // What would steer a terminal (control characters but the end of a line, marks of the writing direction) or is no UTF-8
 // as \x1b, \u202e.

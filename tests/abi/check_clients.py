@@ -24,7 +24,8 @@ def releases():
     """(version, folder of its headers, Api) of each whose SONAME is still this one's."""
     node = check_abi.symbol_version(c_header.parse_headers(INCLUDE / "ups"))
     for folder in sorted((HERE / "released").iterdir()):
-        api = c_header.parse_headers(folder / "ups", ["ups.h", *c_header.EXTRA_HEADERS])
+        extras = [name for name in c_header.EXTRA_HEADERS if (folder / "ups" / name).exists()]  # some came later
+        api = c_header.parse_headers(folder / "ups", ["ups.h", *extras])
         if check_abi.symbol_version(api) == node:
             yield folder.name, folder, api
 

@@ -30,7 +30,7 @@ const ups_scene* bathroom_of(int threads) {
   static std::map<int, tool::LoadedScene> scenes;
   tool::LoadedScene& loaded = scenes[threads];
   if (!loaded.scene) loaded = tool::load_scene(UPS_BENCHMARK_SCENE, {threads, width, height});
-  return loaded.scene.get();
+  return loaded.scene;
 }
 
 ups_result_info render(int threads, ups_method method, uint64_t seed) {

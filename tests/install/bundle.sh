@@ -38,4 +38,6 @@ try() { # SOURCE ENDING PACKAGES
 }
 try "$here/../../samples/c/small_room" lx ups
 if [ -e "$bundle/lib/pkgconfig/ups_gltf.pc" ] && [ -e "$bundle/lib/pkgconfig/ups_exr.pc" ] &&
-  [ -e "$bundle/lib/pkgconfig/ups_ocio.pc" ]; then try "$here/consumer/extras" sensors ups_gltf ups_exr ups_ocio; fi
+  [ -e "$bundle/lib/pkgconfig/ups_ocio.pc" ] && [ -e "$bundle/lib/pkgconfig/ups_report.pc" ]; then
+  try "$here/consumer/extras" sensors ups_gltf ups_exr ups_ocio ups_report
+fi

@@ -36,7 +36,7 @@ inside() { chroot "$root" env DEBIAN_FRONTEND=noninteractive sh -ec "cd /try; $1
 step "Installed from the packages"
 quietly inside 'apt-get update && apt-get install -y --no-install-recommends ./*.deb gcc libc6-dev pkgconf'
 inside 'gcc -std=c99 small_room.c $(pkg-config --cflags --libs ups) -o small_room
-        gcc -std=c99 extras.c $(pkg-config --cflags --libs ups_gltf ups_exr ups_ocio) -o extras
+        gcc -std=c99 extras.c $(pkg-config --cflags --libs ups_gltf ups_exr ups_ocio ups_report) -o extras
         ups --version; ./small_room; ./extras; python3 first_room.py out
         test -s out/room.exr; test -s /usr/share/man/man1/ups.1'
 

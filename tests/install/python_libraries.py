@@ -24,6 +24,7 @@ def use_extras(ups):
         ups.write_exr(f"{folder}/a.exr", {"Y": np.ones((2, 3))})
         assert np.array_equal(ups.read_exr(f"{folder}/a.exr")["Y"], np.ones((2, 3)))
         ups.write_png(f"{folder}/a.png", np.ones((2, 3, 3)))
+        ups.write_image_map(f"{folder}/b.png", np.ones((2, 3)))
         Path(folder, "a.gltf").write_text('{"asset": {"version": "2.0"}}')
         scene = ups.Scene(ups.Context())
         assert scene.import_gltf(f"{folder}/a.gltf").sensors == []
@@ -41,7 +42,8 @@ def main():
     package = Path(ups.__file__).resolve().parent
     outside = {p.name for p in loaded if package not in p.parents and "lib-dynload" not in p.parts}
     own = {p.name for p in loaded if package in p.parents}
-    assert {"ups", "ups_gltf", "ups_exr", "ups_ocio"} == {n[3:].split(".")[0] for n in own if n.startswith("libups")}, own
+    assert {"ups", "ups_gltf", "ups_exr", "ups_ocio", "ups_report"} == {
+        n[3:].split(".")[0] for n in own if n.startswith("libups")}, own
     if kind == "inside":
         assert all(OF_THE_SYSTEM.fullmatch(name) for name in outside), outside
         assert any(n.startswith("libembree") for n in own) and any(n.startswith("libtbbmalloc") for n in own), own

@@ -18,7 +18,9 @@ mv "$work/first" "$work/prefix"
 
 extras=OFF
 if [ -e "$work/prefix/$libdir/pkgconfig/ups_gltf.pc" ] && [ -e "$work/prefix/$libdir/pkgconfig/ups_exr.pc" ] &&
-  [ -e "$work/prefix/$libdir/pkgconfig/ups_ocio.pc" ]; then extras=ON; fi
+  [ -e "$work/prefix/$libdir/pkgconfig/ups_ocio.pc" ] && [ -e "$work/prefix/$libdir/pkgconfig/ups_report.pc" ]; then
+  extras=ON
+fi
 
 expect() { # PROGRAM NAME ENDING
   local printed
@@ -52,7 +54,7 @@ with_pkgconfig() { # NAME PREFIX OPTIONS
   if [ $extras = ON ]; then sources+=("$here/consumer/extras"); fi
   for program in "${sources[@]}"; do
     local packages=(ups) flags
-    if [ "${program##*/}" = extras ]; then packages=(ups_gltf ups_exr ups_ocio); fi
+    if [ "${program##*/}" = extras ]; then packages=(ups_gltf ups_exr ups_ocio ups_report); fi
     # shellcheck disable=SC2086  # OPTIONS and FLAGS are lists
     {
       read -ra flags <<<"$(PKG_CONFIG_PATH=$2/$libdir/pkgconfig "$PKG_CONFIG" $3 --cflags --libs "${packages[@]}")"

@@ -20,6 +20,7 @@
 #endif
 #ifdef UPS_HAS_OCIO
 #include "ups/ups_ocio.h"
+#include "ups/ups_report.h"
 #endif
 
 using namespace ups::test;
@@ -305,6 +306,12 @@ TEST(MemoryOfMessages, Gltf) {
 #ifdef UPS_HAS_OCIO
 TEST(MemoryOfMessages, Ocio) {
   expect_status_without_memory([] { return ups_ocio_choose_exposure(nullptr, 1, 1, nullptr); }, &ups_ocio_last_error);
+}
+#endif
+
+#ifdef UPS_HAS_REPORT
+TEST(MemoryOfMessages, Report) {
+  expect_status_without_memory([] { return ups_report_write_map("no such map", nullptr); }, &ups_report_last_error);
 }
 #endif
 

@@ -21,8 +21,8 @@ from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, 
                    Layer, LightKind, LightPart, Limit, LogLevel, LuminaireId, MaterialId, MaterialModel, MeshId,
                    MeterKind, Method, Observer, OpeningShape, PathEvent, Perturbation, PhotometricType, Photons,
                    PositionIndex, Priority, ProfileFormat, ProfileSymmetry, Progress, Projection, Reading,
-                   ReflectorProfile, ResultText, SceneText, SensorId, Separation, SourceKind, Status, Technique,
-                   TextureId, Walk)
+                   ReflectorProfile, ReportColours, ReportExposure, ReportQuantity, ReportScale, ResultText, SceneText,
+                   SensorId, Separation, SourceKind, Status, Technique, TextureId, Walk)
 from ._edits import CommitJob
 from ._fixture import Fixture
 from ._glare import position_index, ugr
@@ -31,6 +31,7 @@ from ._grid import en12464_grid
 from ._images import (ExrImage, choose_exposure, read_exr, smooth, write_exr, write_false_color_png, write_png)
 from ._job import Job
 from ._profile import Profile
+from ._report import Picture, write_image_map, write_map, write_points_map, write_report
 from ._result import ReplayedPath, Result
 from ._scene import Scene
 from ._status import Error
@@ -40,12 +41,13 @@ __all__ = ["AlphaMode", "Channel", "CollimatorWall", "CommitJob", "Context", "Co
            "GlareMetric", "GltfImport", "GltfLayout", "GltfSensor", "GltfSensorKind", "InstanceId", "Job", "JobState",
            "Layer", "LightKind", "LightPart", "Limit", "LogLevel", "LuminaireId", "MaterialId", "MaterialModel",
            "MeshId", "MeterKind", "Method", "Observer", "OpeningShape", "PathEvent", "Perturbation", "PhotometricType",
-           "Photons", "PositionIndex", "Priority", "Profile", "ProfileFormat", "ProfileSymmetry", "Progress",
-           "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "Result", "ResultText", "Scene", "SceneText",
-           "SensorId", "Separation", "SourceKind", "Status", "Technique", "TextureId", "Walk", "choose_exposure",
-           "en12464_grid", "position_index", "read_exr", "smooth", "translation", "ugr", "version", "write_exr",
-           "write_false_color_png", "write_png"]
+           "Photons", "Picture", "PositionIndex", "Priority", "Profile", "ProfileFormat", "ProfileSymmetry", "Progress",
+           "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "ReportColours", "ReportExposure",
+           "ReportQuantity", "ReportScale", "Result", "ResultText", "Scene", "SceneText", "SensorId", "Separation",
+           "SourceKind", "Status", "Technique", "TextureId", "Walk", "choose_exposure", "en12464_grid",
+           "position_index", "read_exr", "smooth", "translation", "ugr", "version", "write_exr",
+           "write_false_color_png", "write_image_map", "write_map", "write_png", "write_points_map", "write_report"]
 
-for _class in (CommitJob, Context, Error, ExrImage, Fixture, GltfImport, GltfSensor, Job, Profile, ReplayedPath, Result,
-               Scene):
+for _class in (CommitJob, Context, Error, ExrImage, Fixture, GltfImport, GltfSensor, Job, Picture, Profile, ReplayedPath,
+               Result, Scene):
     _class.__module__ = __name__  # tracebacks say ups.Error, the name that programs know

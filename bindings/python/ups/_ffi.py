@@ -335,6 +335,29 @@ class GltfLayout(enum.IntEnum):
     LIGHTMAP = 5
 
 
+class ReportScale(enum.IntEnum):
+    LINEAR = 0
+    LOGARITHMIC = 1
+
+
+class ReportColours(enum.IntEnum):
+    VIRIDIS = 0
+    CIVIDIS = 1
+    GREY = 2
+
+
+class ReportQuantity(enum.IntEnum):
+    AUTO = 0
+    ILLUMINANCE = 1
+    LUMINANCE = 2
+
+
+class ReportExposure(enum.IntEnum):
+    UNTOLD = 0
+    CHOSEN = 1
+    GIVEN = 2
+
+
 class TextureId(Id, Structure):
     v: int
     _fields_ = [
@@ -2000,6 +2023,175 @@ class OcioFalseColorDesc(Structure):
     ]
 
 
+class ReportStyleDesc(Structure):
+    struct_size: int
+    scale: int
+    colours: int
+    isolines: int
+    numbers: int
+    cells: int
+    low: float
+    high: float
+    threshold_lx: float
+    threshold_cd_m2: float
+    width: float
+    height: float
+    zoom: float
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("scale", c_int32),
+        ("colours", c_int32),
+        ("isolines", c_int32),
+        ("numbers", c_int32),
+        ("cells", c_int32),
+        ("low", c_double),
+        ("high", c_double),
+        ("threshold_lx", c_double),
+        ("threshold_cd_m2", c_double),
+        ("width", c_double),
+        ("height", c_double),
+        ("zoom", c_double),
+    ]
+
+
+class ReportSensor(Structure):
+    sensor: SensorId
+    reserved: int
+    name: bytes | None
+    _fields_ = [
+        ("sensor", SensorId),
+        ("reserved", c_uint32),
+        ("name", c_char_p),
+    ]
+
+
+class ReportMapDesc(Structure):
+    struct_size: int
+    quantity: int
+    scene: Any
+    result: Any
+    sensor: SensorId
+    sensor_count: int
+    sensors: Any
+    title: bytes | None
+    style: Any
+    positions_m: Any
+    normals: Any
+    values: Any
+    error_bounds: Any
+    count: int
+    columns: int
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("quantity", c_int32),
+        ("scene", c_void_p),
+        ("result", c_void_p),
+        ("sensor", SensorId),
+        ("sensor_count", c_uint32),
+        ("sensors", POINTER(ReportSensor)),
+        ("title", c_char_p),
+        ("style", POINTER(ReportStyleDesc)),
+        ("positions_m", POINTER(c_double)),
+        ("normals", POINTER(c_float)),
+        ("values", POINTER(c_float)),
+        ("error_bounds", POINTER(c_float)),
+        ("count", c_uint32),
+        ("columns", c_uint32),
+    ]
+
+
+class ReportSource(Structure):
+    kind: int
+    id: int
+    name: bytes | None
+    file: bytes | None
+    _fields_ = [
+        ("kind", c_int32),
+        ("id", c_uint32),
+        ("name", c_char_p),
+        ("file", c_char_p),
+    ]
+
+
+class ReportPicture(Structure):
+    camera: SensorId
+    exposure: int
+    ev100: float
+    smoothed: int
+    reserved: int
+    path: bytes | None
+    png: Any
+    png_size: int
+    _fields_ = [
+        ("camera", SensorId),
+        ("exposure", c_int32),
+        ("ev100", c_double),
+        ("smoothed", c_int32),
+        ("reserved", c_uint32),
+        ("path", c_char_p),
+        ("png", POINTER(c_uint8)),
+        ("png_size", c_size_t),
+    ]
+
+
+class ReportRatio(Structure):
+    numerator: SensorId
+    denominator: SensorId
+    _fields_ = [
+        ("numerator", SensorId),
+        ("denominator", SensorId),
+    ]
+
+
+class ReportPageDesc(Structure):
+    struct_size: int
+    sensor_count: int
+    source_count: int
+    picture_count: int
+    threshold_count: int
+    ratio_count: int
+    scene: Any
+    result: Any
+    sensors: Any
+    sources: Any
+    pictures: Any
+    title: bytes | None
+    scene_name: bytes | None
+    repeat: bytes | None
+    date: bytes | None
+    targets_json: bytes | None
+    targets_name: bytes | None
+    targets_folder: bytes | None
+    style: Any
+    thresholds_lx: Any
+    ratios: Any
+    target_relative_error: float
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("sensor_count", c_uint32),
+        ("source_count", c_uint32),
+        ("picture_count", c_uint32),
+        ("threshold_count", c_uint32),
+        ("ratio_count", c_uint32),
+        ("scene", c_void_p),
+        ("result", c_void_p),
+        ("sensors", POINTER(ReportSensor)),
+        ("sources", POINTER(ReportSource)),
+        ("pictures", POINTER(ReportPicture)),
+        ("title", c_char_p),
+        ("scene_name", c_char_p),
+        ("repeat", c_char_p),
+        ("date", c_char_p),
+        ("targets_json", c_char_p),
+        ("targets_name", c_char_p),
+        ("targets_folder", c_char_p),
+        ("style", POINTER(ReportStyleDesc)),
+        ("thresholds_lx", POINTER(c_double)),
+        ("ratios", POINTER(ReportRatio)),
+        ("target_relative_error", c_double),
+    ]
+
+
 # Of each library: result and parameters of each function, and which are integers that need a check.
 PROTOTYPES: dict[str, dict[str, tuple[Any, list[Any], dict[int, str]]]] = {
     "ups": {
@@ -2254,6 +2446,14 @@ PROTOTYPES: dict[str, dict[str, tuple[Any, list[Any], dict[int, str]]]] = {
             {2: "width", 3: "height"}),
         "ups_ocio_last_error": (c_char_p, [], {}),
     },
+    "ups_report": {
+        "ups_report_style_desc_init": (None, [POINTER(ReportStyleDesc), c_uint32], {}),
+        "ups_report_map_desc_init": (None, [POINTER(ReportMapDesc), c_uint32], {}),
+        "ups_report_write_map": (c_int32, [c_char_p, POINTER(ReportMapDesc)], {}),
+        "ups_report_page_desc_init": (None, [POINTER(ReportPageDesc), c_uint32], {}),
+        "ups_report_write_page": (c_int32, [c_char_p, POINTER(ReportPageDesc)], {}),
+        "ups_report_last_error": (c_char_p, [], {}),
+    },
 }
 
 # Function that fills each description with its defaults.
@@ -2286,4 +2486,7 @@ INIT: dict[Any, str] = {
     OcioPictureDesc: "ups_ocio_picture_desc_init",
     OcioSmoothDesc: "ups_ocio_smooth_desc_init",
     OcioFalseColorDesc: "ups_ocio_false_color_desc_init",
+    ReportStyleDesc: "ups_report_style_desc_init",
+    ReportMapDesc: "ups_report_map_desc_init",
+    ReportPageDesc: "ups_report_page_desc_init",
 }

@@ -277,3 +277,35 @@ class OcioFalseColorDescFields(TypedDict, total=False):
     first_row_at_bottom: SupportsIndex
     scale_min: SupportsFloat
     scale_max: SupportsFloat
+
+
+class ReportStyleDescFields(TypedDict, total=False):
+    scale: SupportsIndex
+    colours: SupportsIndex
+    isolines: SupportsIndex
+    numbers: SupportsIndex
+    cells: SupportsIndex
+    low: SupportsFloat
+    high: SupportsFloat
+    threshold_lx: SupportsFloat
+    threshold_cd_m2: SupportsFloat
+    width: SupportsFloat
+    height: SupportsFloat
+    zoom: SupportsFloat
+
+
+class ReportMapDescFields(TypedDict, total=False):
+    quantity: SupportsIndex
+    sensor: _ffi.SensorId
+    sensor_count: SupportsIndex
+    count: SupportsIndex
+    columns: SupportsIndex
+
+
+class ReportPageDescFields(TypedDict, total=False):
+    sensor_count: SupportsIndex
+    source_count: SupportsIndex
+    picture_count: SupportsIndex
+    threshold_count: SupportsIndex
+    ratio_count: SupportsIndex
+    target_relative_error: SupportsFloat

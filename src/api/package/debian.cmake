@@ -33,7 +33,7 @@ endfunction()
 
 set(same_version "libups0 (= ${PROJECT_VERSION})")
 ups_package(runtime libups0 libs "The libraries: the core and what reads and writes glTF,
- OpenEXR and PNG, each with a C interface.")
+ OpenEXR, PNG, maps and reports, each with a C interface.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 # oneTBB loads it where it is there, and takes memory from it: see ups_base.h on exhausted memory.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libtbbmalloc2)
@@ -56,7 +56,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/trigg
 ups_package(development libups-dev libdevel "Development files: headers, CMake and pkg-config
  files, static libraries, the sources of the C# binding, samples.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "${same_version}, libembree-dev, libtbb-dev, libtinygltf-dev, libopenexr-dev, libopencolorio-dev")
+    "${same_version}, libembree-dev, libtbb-dev, libtinygltf-dev, libopenexr-dev, libopencolorio-dev, libcairo2-dev")
 
 ups_package(tools ups-tools science "The program ups, which renders glTF scenes with photometric
  files: tables, maps, images and a report.")

@@ -3,7 +3,7 @@
 
     src/api/package/make_bundle.py build/release FOLDER        writes FOLDER/ups-VERSION-linux-ARCHITECTURE.tar.gz
 
-In it: lib with libups, the extras that were built and what they need (Embree, oneTBB, OpenEXR, OpenColorIO ...), which find
+In it: lib with libups, the extras that were built and what they need (Embree, oneTBB, OpenEXR, Cairo ...), which find
 one another wherever the folder is; headers, CMake and pkg-config files; the Python package, bindings' and samples' sources;
 licences with the terms of what was taken along. Beside a program go lib's files *.so.*, with an rpath of $ORIGIN/lib or the
 like. The C and C++ run time and zlib are the system's: as new as where the bundle was made, or newer. Needs patchelf.
@@ -24,7 +24,7 @@ import bundle  # noqa: E402
 
 
 def install(build, prefix):
-    """Without the program, which needs Cairo and all that that draws with."""
+    """Without the program."""
     for component in ("runtime", "development", "python"):
         done = subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", component],
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -39,5 +39,8 @@ endif()
 if(TARGET ups_ocio)
   ups_static_library(ups_ocio TARGETS ups_ocio ups_platform LINK OpenColorIO)
 endif()
+if(TARGET ups_report)
+  ups_static_library(ups_report TARGETS ups_report ups_report_objects LINK ups_static cairo)
+endif()
 install(EXPORT ups_static_targets FILE upsStaticTargets.cmake NAMESPACE ups:: DESTINATION ${package_dir}
         COMPONENT development)

@@ -1,5 +1,5 @@
 // How a small library of the extras meets its C callers: exceptions become a status and a thread's message, descs and
-// texts are copied by size. Each library keeps one thread-local message of its own. Called by gltf, exr and ocio alone.
+// texts are copied by size. Each library keeps one thread-local message of its own. Called by the extras alone.
 #pragma once
 #include <algorithm>
 #include <cstring>

@@ -10,7 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "samples/cpp/edits.cpp"
-EXTRAS = "#include <ups/ups_exr.hpp>\n#include <ups/ups_gltf.hpp>\n"
+EXTRAS = "#include <ups/ups_exr.hpp>\n#include <ups/ups_gltf.hpp>\n#include <ups/ups_report.hpp>\n"
 HEADERS = sorted((ROOT / "include/ups/hpp").glob("*.hpp")) + [ROOT / "include/ups/ups.hpp"]
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wold-style-cast",
             "-Werror"]

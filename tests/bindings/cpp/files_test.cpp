@@ -1,10 +1,12 @@
-// The extras of ups.hpp: glTF and OpenEXR.
+// The extras of ups.hpp: glTF, OpenEXR, maps and the report.
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 
 #include "room.h"
 #include "ups/ups_exr.hpp"
 #include "ups/ups_gltf.hpp"
+#include "ups/ups_report.hpp"
 
 namespace {
 
@@ -25,6 +27,45 @@ TEST(Exr, IsWrittenAndRead) {
   EXPECT_EQ(image.read_channel("Y"), lux);
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {"Z"}, [&] { image.read_channel("Z"); });
   expect_error(UPS_ERROR_IO, {path}, [&] { ups::ExrImage again(path); });
+}
+
+std::string read_text(const std::string &path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Report, WritesMapAndPage) {
+  Room room;
+  ups::Scene &scene = room.scene;
+  const ups_sensor_id meters = room.meters;
+  scene.commit();
+  const ups::Result result = scene.render(Room::few());
+  const std::string map = in_temporary_folder("map.svg"), html = in_temporary_folder("page.html");
+  ups::ReportStyleDesc style;
+  style.threshold_lx = 1;
+  ups::ReportMapDesc desk;
+  desk.scene = scene.get();
+  desk.result = result.get();
+  desk.sensor = meters;
+  desk.title = "desk";
+  desk.style = &style;
+  ups::report_write_map(map, desk);
+  EXPECT_NE(read_text(map).find("Illuminance: desk"), std::string::npos);
+  const ups_report_sensor sensors[] = {{meters, 0, "desk"}};
+  ups::ReportPageDesc page;
+  page.scene = scene.get();
+  page.result = result.get();
+  page.sensors = sensors;
+  page.sensor_count = 1;
+  page.title = "Study";
+  ups::report_write_page(html, page);
+  EXPECT_NE(read_text(html).find("<h1>Study</h1>"), std::string::npos);
+  std::remove(map.c_str());
+  std::remove(html.c_str());
+  page.target_relative_error = -1;
+  expect_error(UPS_ERROR_INVALID_ARGUMENT, {"target_relative_error"}, [&] { ups::report_write_page(html, page); });
+  EXPECT_FALSE(std::ifstream(html).good());
+  expect_error(UPS_ERROR_INVALID_ARGUMENT, {".png, .svg or .pdf"}, [&] { ups::report_write_map("map.gif", desk); });
 }
 
 TEST(Gltf, FillsAScene) {

@@ -1,4 +1,4 @@
-// Do glTF, OpenEXR and PNG work from C#? What the files hold is tested with the libraries; here that all of it arrives.
+// Do glTF, OpenEXR, PNG, maps and the report work from C#? What the files hold is tested with the libraries; here that all of it arrives.
 using System;
 using System.Collections.Generic;
 using System.IO;
@@ -148,5 +148,66 @@ public sealed class FilesTest : IDisposable
         var error = Assert.Throws<UpsException>(() => Png.Write(File("x.png"), rgb, 40, 30));
         Assert.Equal(Status.ErrorInvalidArgument, error.Status);
         Assert.True(!System.IO.File.Exists(File("x.png")), "no file of an error");
+    }
+
+    private static GltfImportDesc SmallCameras()
+    {
+        var desc = GltfImportDesc.Create();
+        desc.CameraWidth = 6;
+        desc.CameraHeight = 4;
+        return desc;
+    }
+
+    private string Text(string name) { return System.IO.File.ReadAllText(File(name), Encoding.UTF8); }
+
+    [Fact]
+    public void TestReport()
+    {
+        System.IO.File.WriteAllText(File("room.gltf"), Room);
+        using (var context = new Context(1))
+        using (var scene = new Scene(context))
+        using (var import = GltfImport.File(context, File("room.gltf"), scene, SmallCameras()))
+        {
+            scene.Commit();
+            var sensors = import.Sensors();
+            var desk = Array.Find(sensors, s => s.Kind == GltfSensorKind.Meters).Sensor;
+            var camera = Array.Find(sensors, s => s.Kind == GltfSensorKind.Camera);
+            var eye = camera.Sensor;
+            int width = (int)camera.Width, height = (int)camera.Height;
+            using (var result = scene.Render(RenderOnce(false)))
+            {
+                var style = ReportStyleDesc.Create();
+                style.ThresholdLx = 20;
+                Report.Map(File("desk ä.svg"), scene, result, desk, "Tisch ä", style);
+                Assert.Contains("Illuminance: Tisch ä", Text("desk ä.svg"));
+                Assert.Contains("Of 8 values, 20 lx is met at 8", Text("desk ä.svg"));
+                Report.Map(File("eye.png"), scene, result, eye);
+                ExpectPng("eye.png", 0, 0);
+                Report.PointsMap(File("points.svg"), new double[] { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }, new float[0],
+                                 new float[] { 1, 2, 3, 4 }, new float[0], 2, "four");
+                Assert.Contains("mean 2.5 lx", Text("points.svg"));
+                Report.ImageMap(File("image.pdf"), new float[] { 1, 2, 3, 4, 5, 6 }, 3, new float[0]);
+                Assert.Equal("%PDF", Encoding.ASCII.GetString(System.IO.File.ReadAllBytes(File("image.pdf")), 0, 4));
+
+                var page = new ReportPage { Title = "Room & co", Repeat = "again", ThresholdsLx = new double[] { 10 },
+                                            TargetsJson = @"{""areas"": [{""meters"": ""desk"", ""mean_lx"": 1}]}" };
+                page.Sensors.Add(desk, "desk").Add(eye);
+                page.AddSource(SourceKind.Luminaire, scene.Sources()[0].Id, "lamp <1>", "a.ies");
+                page.Ratios.Add(new ReportRatio { Numerator = desk, Denominator = desk });
+                Png.Write(File("eye.png"), result.Image(eye, width, height), width, height);
+                page.Pictures.Add(new CameraPicture { Camera = eye, Path = File("eye.png") });
+                Report.Page(File("page.html"), scene, result, page);
+                foreach (var words in new[] { "<h1>Room &amp; co</h1>", "lamp &lt;1&gt;", "a.ies", "again", "camera 2",
+                                              "requirement is met", "At least 10 lx", "data:image/png;base64," })
+                    Assert.Contains(words, Text("page.html"));
+                page.TargetsJson = "{";
+                page.TargetsName = "wishes";
+                var error = Assert.Throws<UpsException>(() => Report.Page(File("none.html"), scene, result, page));
+                Assert.Equal(Status.ErrorParse, error.Status);
+                Assert.Contains("wishes: is no JSON", error.Message);
+                Assert.True(!System.IO.File.Exists(File("none.html")), "no file of an error");
+                Assert.Throws<UpsException>(() => Report.Map(File("desk.gif"), scene, result, desk));
+            }
+        }
     }
 }

@@ -88,7 +88,7 @@ run_package() {
   expect_lux dotnet out/room.dll
   local installed
   installed=$(echo "$NUGET_PACKAGES"/ups/*)
-  [ "$extras" = OFF ] || ls "$installed"/runtimes/linux-x64/native/libups_{gltf,exr,ocio}.so.*
+  [ "$extras" = OFF ] || ls "$installed"/runtimes/linux-x64/native/libups_{gltf,exr,ocio,report}.so.*
   check_libraries "$installed/runtimes/linux-x64/native"
   echo "the same with the assembly for .NET Standard:"
   cp "$installed/lib/netstandard2.0/Ups.dll" out/

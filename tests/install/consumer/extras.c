@@ -1,15 +1,17 @@
-/* The least that uses each extra: an image written and read, a picture, and a scene that is imported. */
+/* The least that uses each extra: an image written and read, a picture, a map, and a scene that is imported. */
 #include <stdio.h>
 #include <ups/ups.h>
 #include <ups/ups_exr.h>
 #include <ups/ups_gltf.h>
 #include <ups/ups_ocio.h>
+#include <ups/ups_report.h>
 
 #define CHECK(call)                                                                                  \
   do {                                                                                               \
     if ((call) != UPS_OK) {                                                                          \
-      fprintf(stderr, "%s:%d: %s: %s%s%s%s\n", __FILE__, __LINE__, #call, ups_last_error(),          \
-              ups_gltf_last_error(), ups_exr_last_error(), ups_ocio_last_error());                   \
+      fprintf(stderr, "%s:%d: %s: %s%s%s%s%s\n", __FILE__, __LINE__, #call, ups_last_error(),        \
+              ups_gltf_last_error(), ups_exr_last_error(), ups_ocio_last_error(),                    \
+              ups_report_last_error());                                                              \
       return 1;                                                                                      \
     }                                                                                                \
   } while (0)
@@ -28,6 +30,7 @@ int main(void) {
   ups_scene *scene;
   ups_gltf_import *import_result;
   ups_exr_channel channel;
+  ups_report_map_desc map;
 
   channel.name = "Y";
   channel.data = white;
@@ -38,6 +41,11 @@ int main(void) {
   CHECK(ups_exr_get_size(image, &width, &height));
   ups_exr_image_destroy(image);
   CHECK(ups_ocio_write_png("consumer.png", white, 2, 2, 1));
+  ups_report_map_desc_init(&map, sizeof map);
+  map.values = white;
+  map.count = 12;
+  map.columns = 4;
+  CHECK(ups_report_write_map("consumer_map.png", &map));
   CHECK(write_scene("consumer.gltf"));
   CHECK(ups_context_create(NULL, &context));
   CHECK(ups_scene_create(context, &scene));

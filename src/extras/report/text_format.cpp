@@ -1,0 +1,42 @@
+// See text_format.h.
+#include "report/text_format.h"
+
+#include "ups/ups_base.h"
+
+namespace ups::report {
+
+Utf8 utf8_at(const std::string& text, size_t at) {
+  constexpr Utf8 none{0, 0};
+  const auto byte = [&](size_t i) { return i < text.size() ? uint8_t(text[i]) : uint8_t(0); };
+  const uint8_t lead = byte(at);
+  if (lead < 0x80) return {1, lead};
+  const size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4) return none;
+  for (size_t i = 1; i < length; ++i)
+    if ((byte(at + i) & 0xc0) != 0x80) return none;
+  uint32_t code = lead & (0xffu >> (length + 1));
+  for (size_t i = 1; i < length; ++i) code = code << 6 | (byte(at + i) & 0x3fu);
+  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+  return overlong || (code >= 0xd800 && code <= 0xdfff) || code > 0x10ffff ? none : Utf8{length, code};
+}
+
+std::string duration_text(double seconds) {
+  char text[32];
+  if (seconds < 9.95) {
+    std::snprintf(text, sizeof text, "%.2g s", seconds);
+  } else if (seconds < 99.5) {
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+  } else if (seconds < 5400) {
+    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
+  } else {
+    std::snprintf(text, sizeof text, "%.1f h", seconds / 3600);
+  }
+  return text;
+}
+
+std::string version_number() {
+  const uint32_t v = ups_version();
+  return std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." + std::to_string(v % 100);
+}
+
+}  // namespace ups::report

@@ -1,0 +1,52 @@
+// See page_words.h.
+#include "tool/page_words.h"
+
+#include <cstdlib>
+#include <ctime>
+
+namespace ups::tool {
+namespace {
+
+// For a shell.
+std::string quoted(const std::string& word) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+std::string date_text() {
+  std::time_t now = std::time(nullptr);
+  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
+    char* end = nullptr;
+    const long long seconds = std::strtoll(epoch, &end, 10);
+    if (end != epoch && *end == '\0' && seconds >= 0) now = std::time_t(seconds);
+  }
+  const std::tm* parts = std::gmtime(&now);
+  char text[64];
+  if (!parts || std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", parts) == 0) return {};
+  return text;
+}
+
+std::string command_text(const std::vector<std::string>& arguments, const ups_result_info& info) {
+  const auto is_of = [](const std::string& word, const char* option) {
+    return word == option || word.compare(0, std::string(option).size() + 1, std::string(option) + "=") == 0;
+  };
+  std::string text = "ups";
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    bool left_out = false;
+    for (const char* option : {"--time", "--target-error", "--iterations", "--seed"})
+      left_out = left_out || is_of(word, option);
+    if (!left_out)
+      text.append(" ").append(quoted(word));
+    else if (word.find('=') == std::string::npos)
+      ++i;  // its value
+  }
+  return text + " --iterations " + std::to_string(info.iterations) + " --seed " + std::to_string(info.seed);
+}
+
+}  // namespace ups::tool
