@@ -35,6 +35,7 @@
  *   ups_scene              const ones, which ups_render and         all: its jobs and results are on their own, and go on
  *                          ups_job_start are; else one at a time    with what was committed when they started
  *   ups_job, ups_result    all                                      all
+ *   ups_path, ups_gltf_import, ups_exr_image: as ups_result
  *   without a handle       all: ups_last_error is each thread's own
  * A _destroy comes last: nothing else may run on that handle, or come after. Const calls are those whose handle is const
  * in the declaration. Two renders of one scene at once share its build and the context's threads; each finds the same

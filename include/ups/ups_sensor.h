@@ -61,7 +61,9 @@ enum {
  *   vector            w itself: ups_result_read_vectors has the three components in the world's axes; as a reading its
  *                     illuminance_lx is the vector's length, see there
  * A meter on a surface stands on the side that its normal faces. One in the air that is not planar has no sides, and
- * sees all around but for what its kind leaves out. A vector meter takes the time and memory of six planar ones. */
+ * sees all around but for what its kind leaves out; where photons alone find its light and it lies on a surface, which
+ * cuts the discs on which they are counted, it is read up to 2 % off: its bound says so. A vector meter takes the time
+ * and memory of six planar ones. */
 typedef struct ups_meter_desc {
   uint32_t struct_size;
   ups_meter_kind kind;
