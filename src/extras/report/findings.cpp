@@ -156,14 +156,13 @@ Report make_report(const std::string& scene_name, const LitScene& scene, const u
   check(ups_result_get_info(result, &report.info));
   report.techniques = names_of(report.info.techniques, technique_names);
   report.effects = names_of(report.info.effects, effect_names);
-  append_once(report.warnings, scene.warnings);
   const auto text = [&](ups_result_text topic) {
     return lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
       return ups_result_get_text(result, topic, to, capacity, needed);
     }));
   };
-  append_once(report.warnings, text(UPS_TEXT_WARNINGS));
-  append_once(report.warnings, text(UPS_TEXT_DROPPED));
+  for (const auto& lines : {scene.warnings, text(UPS_TEXT_WARNINGS), text(UPS_TEXT_DROPPED)})
+    for (const std::string& line : lines) append_once(report.warnings, {for_people(scene, line)});
   for (size_t i = 0; i < scene.sensors.size(); ++i) add_sensor(report, scene, i, result, questions);
   report.ratios = read_ratios(scene, result, questions);
   for (const SourceEntry& source : sources_of(scene, result))

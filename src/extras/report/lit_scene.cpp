@@ -115,4 +115,18 @@ ups_scene_info info_of(const LitScene& scene) {
   return info;
 }
 
+// The library knows sensors by their numbers, and tells programmers what to call.
+std::string for_people(const LitScene& scene, std::string line) {
+  if (const size_t call = line.find("; see ups_"); call != std::string::npos) line.erase(call);
+  constexpr uint32_t number_bits = 0xffffff;
+  for (const SensorEntry& sensor : scene.sensors) {
+    const bool observer = sensor.info.kind == SensorKind::observer;  // to the library, meters at an eye
+    const std::string kind = observer || sensor.info.kind == SensorKind::meters ? "meters " : "camera ";
+    const std::string number = kind + std::to_string(sensor.info.sensor.v & number_bits) + ":";
+    if (line.compare(0, number.size(), number) == 0)
+      return line.replace(0, number.size(), (observer ? "observer " : kind) + sensor.name + ":");
+  }
+  return line;
+}
+
 }  // namespace ups::report

@@ -57,4 +57,6 @@ std::string source_name(const LitScene& scene, ups_source_kind kind, uint32_t id
 
 ups_scene_info info_of(const LitScene& scene);
 
+std::string for_people(const LitScene& scene, std::string line);  // of the library: sensors by their names
+
 }  // namespace ups::report

@@ -58,7 +58,6 @@ std::string interval(double low, double high, std::string (*text)(double));  // 
 std::string with_interval(double value, double low, double high, std::string (*text)(double));  // HTML
 // As many decimals as it takes to fall on the same side of `required` as the value does.
 std::string beside(double value, double required, std::string (*text)(double));
-std::string for_people(const PageInput& in, std::string line);  // of the library: sensors by their names
 std::string maintenance_text(const PageInput& in);
 std::string counted(size_t count, const char* one, const char* many);
 

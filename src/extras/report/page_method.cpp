@@ -19,7 +19,7 @@ std::string result_text(const ups_result* result, ups_result_text topic) {
 std::vector<std::string> named_lines(const PageInput& in, const std::string& text) {
   std::vector<std::string> items;
   for (const std::string& told : lines_of(text)) {
-    const std::string line = for_people(in, told);
+    const std::string line = for_people(in.scene, told);
     const size_t colon = line.find(": ");
     std::string name = colon == std::string::npos ? "" : line.substr(0, colon);
     if (name.find(' ') == std::string::npos) std::replace(name.begin(), name.end(), '_', ' ');
@@ -51,20 +51,6 @@ std::string method_name(ups_method method) {
 }
 
 }  // namespace
-
-// The library knows sensors by their numbers, and tells programmers what to call.
-std::string for_people(const PageInput& in, std::string line) {
-  if (const size_t call = line.find("; see ups_"); call != std::string::npos) line.erase(call);
-  constexpr uint32_t number_bits = 0xffffff;
-  for (const SensorEntry& sensor : in.scene.sensors) {
-    const bool observer = sensor.info.kind == SensorKind::observer;  // to the library, meters at an eye
-    const std::string kind = observer || sensor.info.kind == SensorKind::meters ? "meters " : "camera ";
-    const std::string number = kind + std::to_string(sensor.info.sensor.v & number_bits) + ":";
-    if (line.compare(0, number.size(), number) == 0)
-      return line.replace(0, number.size(), (observer ? "observer " : kind) + sensor.name + ":");
-  }
-  return line;
-}
 
 Section flux_section(const PageInput& in) {
   const ups_result_info& info = in.report.info;
@@ -105,7 +91,7 @@ Section effects_section(const PageInput& in) {
 Section warnings_section(const PageInput& in) {
   std::vector<std::string> items;
   for (const auto* lines : {&in.report.advice, &in.report.warnings})
-    for (const std::string& line : *lines) items.push_back(html_text(for_people(in, line)));
+    for (const std::string& line : *lines) items.push_back(html_text(for_people(in.scene, line)));
   if (items.empty()) return {};
   return {"warnings", "Remarks", html_list(items)};
 }
