@@ -300,6 +300,13 @@ class Render(ProgramTest):
         for p in result["prediction"]:
             self.assertEqual([p["seconds"], p["low"], p["high"]], [-1, -1, -1])
 
+    def test_warnings_name_the_meters(self):
+        scene = room()
+        scene["nodes"][3]["extras"]["ups"]["meters"]["normals"] = [[0, 0, -1]]  # faces the floor, which is black
+        scene["materials"][0]["extras"]["ups"]["reflectance"] = 0
+        warnings = self.render("--iterations", 16, scene=scene)["warnings"]
+        self.assertTrue(any(w.startswith("meters spot: ") for w in warnings), msg=warnings)
+
     def test_choice(self):
         eye = ["emitter_hit", "light_sample"]
         asked = self.render("--method", "ups", "--iterations", 4, "--light-paths", 4096)["choice"]

@@ -121,10 +121,12 @@ std::string for_people(const LitScene& scene, std::string line) {
   constexpr uint32_t number_bits = 0xffffff;
   for (const SensorEntry& sensor : scene.sensors) {
     const bool observer = sensor.info.kind == SensorKind::observer;  // to the library, meters at an eye
-    const std::string kind = observer || sensor.info.kind == SensorKind::meters ? "meters " : "camera ";
-    const std::string number = kind + std::to_string(sensor.info.sensor.v & number_bits) + ":";
-    if (line.compare(0, number.size(), number) == 0)
-      return line.replace(0, number.size(), (observer ? "observer " : kind) + sensor.name + ":");
+    const std::string kind = observer || sensor.info.kind == SensorKind::meters ? "meters "
+                             : sensor.info.kind == SensorKind::goniometer       ? "goniometer "
+                                                                                : "camera ";
+    const std::string number = kind + std::to_string(sensor.info.sensor.v & number_bits);
+    if (line.compare(0, number.size(), number) == 0 && line.find_first_of(":,", number.size()) == number.size())
+      return line.replace(0, number.size(), (observer ? "observer " : kind) + sensor.name);
   }
   return line;
 }
