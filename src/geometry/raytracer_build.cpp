@@ -15,8 +15,9 @@ namespace {
 // transform that stretches one way more than another by max_stretch, or a translation beyond max_reach times the
 // scene's extent; of a mesh that might as well be baked, less.
 constexpr double max_stretch = 4, max_reach = 4, max_reach_alone = 2;
-// Baked triangles of one index without groups: as many as are built in some 50 ms by one thread.
-constexpr size_t flat_triangles = 1 << 17;
+// Baked triangles of one index without groups: as many as are built in some 45 ms by one thread. Where there are more, a
+// mesh of so many may have an index of its own, so that the others need no groups.
+constexpr size_t flat_triangles = 3 << 15, least_own_triangles = 1 << 12;
 
 // Points of the surface, among them those that lie farthest along the axes that `to` leads to.
 template <class Visit>
@@ -43,7 +44,8 @@ double stretch(const Affine& m) {
 }
 
 // Which instances Embree is given as triangles of the scene; the others keep the mesh's frame, so that who moves them
-// builds nothing but the index above all. A mesh of one instance does where it would be no group's, but its own.
+// builds nothing but the index above all. In a scene too large for one index the largest meshes of one instance do: as
+// few as leave the others an index without groups, or if that cannot be those that would fill a group alone.
 std::vector<bool> choose_baked(const std::vector<std::shared_ptr<const Mesh>>& meshes,
                                const std::vector<Raytracer::Instance>& instances, const std::vector<Box>& boxes) {
   std::vector<size_t> uses(boxes.size());
@@ -56,18 +58,25 @@ std::vector<bool> choose_baked(const std::vector<std::shared_ptr<const Mesh>>& m
   const auto is_exact = [&](const Raytracer::Instance& i, double reach) {
     return stretch(i.to_scene) <= max_stretch && max_abs(i.to_scene.column(3)) <= reach * extent;
   };
+  const auto count = [&](size_t k) { return meshes[instances[k].mesh]->triangle_count(); };
   std::vector<bool> baked;
   size_t triangles = 0;
-  for (const auto& i : instances) {
-    baked.push_back(uses[i.mesh] == 1 || !is_exact(i, max_reach));
-    if (baked.back()) triangles += meshes[i.mesh]->triangle_count();
+  for (size_t k = 0; k < instances.size(); ++k) {
+    baked.push_back(uses[instances[k].mesh] == 1 || !is_exact(instances[k], max_reach));
+    if (baked[k]) triangles += count(k);
   }
-  for (size_t k = 0; triangles > flat_triangles && k < instances.size(); ++k) {
-    const Mesh& mesh = *meshes[instances[k].mesh];
-    if (uses[instances[k].mesh] == 1 && mesh.triangle_count() > group_triangles && !mesh.revolution &&
+  if (triangles <= flat_triangles) return baked;
+  std::vector<size_t> large;
+  for (size_t k = 0; k < instances.size(); ++k)
+    if (uses[instances[k].mesh] == 1 && count(k) >= least_own_triangles && !meshes[instances[k].mesh]->revolution &&
         is_exact(instances[k], max_reach_alone))
-      baked[k] = false;
-  }
+      large.push_back(k);
+  std::stable_sort(large.begin(), large.end(), [&](size_t a, size_t b) { return count(a) > count(b); });
+  size_t own = 0, left = triangles;
+  while (own < large.size() && left > flat_triangles) left -= count(large[own++]);
+  if (left > flat_triangles)
+    while (own > 0 && count(large[own - 1]) <= group_triangles) --own;
+  for (size_t i = 0; i < own; ++i) baked[large[i]] = false;
   return baked;
 }
 

@@ -197,7 +197,7 @@ TEST_F(Commit, EachEditGivesTheBitsOfAFullBuild) {
   }
 }
 
-// Above 131,072 triangles large meshes have an index each, and small ones are indexed in groups.
+// Above 98,304 triangles large meshes have an index each, and small ones are indexed in groups.
 TEST_F(Commit, EditsOfALargeSceneGiveTheBitsOfAFullBuild) {
   const auto furnish = [](EditedRoom& r, uint32_t side, int sheets) {  // what is moved, the large one first
     std::vector<ups_instance_id> moved{r.add_instance(r.add_sheet(r.wall, side, 3.9f), 0.05, 0.05, 0.005)};

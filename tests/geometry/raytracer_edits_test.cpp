@@ -111,8 +111,8 @@ class RandomEdits : public Edited {
 
 TEST_F(RandomEdits, OfAScenesOneIndex) {
   add(shell(), Affine());
-  for (uint32_t i = 0; i < 30; ++i) add(sheet(40, 1, i), place());  // 96,000 triangles
-  run(12);
+  for (uint32_t i = 0; i < 20; ++i) add(sheet(40, 1, i), place());  // 64,000 triangles
+  run(8);
 }
 
 TEST_F(RandomEdits, OfGroups) {
@@ -131,10 +131,17 @@ TEST_F(RandomEdits, OfLargeMeshes) {
   run(15);
 }
 
+// Some of the larger meshes have an index each, so that the others need no groups; which these are changes.
+TEST_F(RandomEdits, OfMeshesLargeEnoughForAnIndexEach) {
+  add(shell(), Affine());
+  for (uint32_t i = 0; i < 12; ++i) add(sheet(50 + 10 * (i % 5), 3, i), place());  // 5,000 to 16,200; 114,200 in all
+  run(20);
+}
+
 // From a scene of one index to groups and back.
 TEST_F(RandomEdits, AcrossTheSizesOfAnIndex) {
   add(shell(), Affine());
-  for (uint32_t i = 0; i < 38; ++i) add(sheet(40, 1, i), place());  // 121,600; at 131,072 groups begin
+  for (uint32_t i = 0; i < 28; ++i) add(sheet(40, 1, i), place());  // 89,600; at 98,304 groups begin
   auto edited = build(nullptr);
   for (int round = 0; round < 3; ++round) {
     for (uint32_t i = 0; i < 6; ++i) add(sheet(40, 1, i), place()), edited = build(edited.get());
