@@ -30,12 +30,12 @@ typedef struct ups_report_style_desc {
   int32_t isolines;         /* 1 (default): drawn, with their values; 0: not */
   int32_t numbers;          /* 1 (default): at the meters, where there is room for them; 0: none */
   int32_t cells;            /* 1: each cell in one colour, without what lies between the values; 0 (default) */
-  double low, high;         /* ends of the colours, in the values' unit, 0 <= low < high, of a logarithmic scale low > 0;
-                             * both 0: the values decide */
+  double low, high;         /* ends of the colours, in the values' unit, 0 <= low < high <= 1e12, of a logarithmic scale
+                             * low > 0; both 0: the values decide */
   double threshold_lx;      /* of illuminances: > 0: what meets it, what does not, and of what the 95 % bound crosses it,
                              * in three colours; 0: none */
   double threshold_cd_m2;   /* the same of luminances */
-  double width;             /* at most, in units of 1/96 inch, 150 to 10000; default 680, which is 180 mm */
+  double width;             /* at most, in units of 1/96 inch, 150 to 4000; default 680, which is 180 mm */
   double height;            /* the same, default 560 */
   double zoom;              /* pixels of a PNG a unit, > 0, at most 8 and 16384 pixels a side; default 2: 192 an inch */
 } ups_report_style_desc;

@@ -308,12 +308,15 @@ TEST(ReportMap, RefusesAStyleOutOfRange) {
   expect_wrong([](StyleDesc& s) { s.scale = 2; }, "scale must be");
   expect_wrong([](StyleDesc& s) { s.colours = -1; }, "colours must be");
   expect_wrong([](StyleDesc& s) { s.cells = 2; }, "must be 0 or 1");
-  expect_wrong([](StyleDesc& s) { s.low = 5, s.high = 5; }, "high greater than low");
+  expect_wrong([](StyleDesc& s) { s.low = 5, s.high = 5; }, "high greater by");
+  expect_wrong([](StyleDesc& s) { s.low = 1, s.high = 1 + 1e-15; }, "high greater by");
+  expect_wrong([](StyleDesc& s) { s.low = 1, s.high = INFINITY; }, "high greater by");
   expect_wrong([](StyleDesc& s) { s.high = 5, s.scale = UPS_REPORT_SCALE_LOGARITHMIC; }, "where the scale is logarithmic");
   expect_wrong([](StyleDesc& s) { s.threshold_lx = NAN; }, "threshold_lx");
   expect_wrong([](StyleDesc& s) { s.width = 10; }, "width must be");
   expect_wrong([](StyleDesc& s) { s.zoom = 0; }, "zoom must be");
-  expect_wrong([](StyleDesc& s) { s.width = 10000; }, "16384 pixels");
+  expect_wrong([](StyleDesc& s) { s.width = 4001; }, "width must be");
+  expect_wrong([](StyleDesc& s) { s.width = 4000, s.zoom = 8; }, "16384 pixels");
   expect_wrong([](StyleDesc& s) { s.struct_size = 0; }, "struct_size");
 }
 
