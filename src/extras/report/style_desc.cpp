@@ -88,7 +88,8 @@ LitScene lit_scene_of(const ups_scene* scene, const ups_report_sensor* sensors, 
   }
   lit.source_words = [](ups_source_kind kind, uint32_t id) {
     constexpr uint32_t number_bits = 0xffffff;
-    return SourceWords{(kind == UPS_SOURCE_INSTANCE ? "instance " : "luminaire ") + std::to_string(id & number_bits), ""};
+    const char* what = kind == UPS_SOURCE_INSTANCE ? "instance " : "luminaire ";
+    return SourceWords{what + std::to_string(id & number_bits), ""};
   };
   lit.warnings = lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
     return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);
