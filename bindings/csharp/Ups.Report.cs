@@ -111,8 +111,8 @@ namespace Ups
             fixed (byte* p = Library.Utf8(path, "path")) Check(Native.ups_report_write_map(p, &desc));
         }
 
-        /// <summary>Of meters that lie in a plane, on the plan of the committed scene, or of a camera's image. path ends
-        /// in .png, .svg or .pdf. quantity: of a camera.</summary>
+        /// <summary>Of meters that lie in a plane, on the plan of the committed scene, or of a camera's image. path
+        /// ends in .png, .svg or .pdf. quantity: of a camera.</summary>
         public static void Map(string path, Scene scene, Result result, SensorId sensor, string title = "",
                                ReportStyleDesc? style = null, ReportQuantity quantity = ReportQuantity.Auto)
         {
@@ -137,8 +137,8 @@ namespace Ups
             }
         }
 
-        /// <summary>Of points in a plane, 3 values each; errorBoundsLx: empty: not known. normals: empty: up. columns: of
-        /// a grid, row by row; 0: found out.</summary>
+        /// <summary>Of points in a plane, 3 values each; errorBoundsLx: empty: not known. normals: empty: up. columns:
+        /// of a grid, row by row; 0: found out.</summary>
         public static void PointsMap(string path, double[] positionsM, float[] normals, float[] illuminanceLx,
                                      float[] errorBoundsLx, int columns = 0, string title = "",
                                      ReportStyleDesc? style = null)

@@ -1,9 +1,9 @@
-/* UPS extra: what people read of a render: maps of illuminance and luminance as PNG, SVG or PDF, and the lighting report
- * as one HTML page. Library ups_report; needs the core library.
+/* UPS extra: what people read of a render: maps of illuminance and luminance as PNG, SVG or PDF, and the lighting
+ * report as one HTML page. Library ups_report; needs the core library.
  *
  * The rules of ups_base.h hold; messages are this library's own: ups_report_last_error(). Files appear whole or not at
- * all, and links, devices and permissions are kept as by ups_exr_write. Texts within them are written as they are given;
- * numbers have a point, whatever the locale. Letters are those of the system's sans-serif font.
+ * all, and links, devices and permissions are kept as by ups_exr_write. Numbers in them have a point, whatever the
+ * locale. Letters are those of the system's sans-serif font.
  */
 #ifndef UPS_REPORT_H
 #define UPS_REPORT_H
@@ -30,12 +30,12 @@ typedef struct ups_report_style_desc {
   int32_t isolines;         /* 1 (default): drawn, with their values; 0: not */
   int32_t numbers;          /* 1 (default): at the meters, where there is room for them; 0: none */
   int32_t cells;            /* 1: each cell in one colour, without what lies between the values; 0 (default) */
-  double low, high;         /* ends of the colours, in the values' unit, 0 <= low < high, of a logarithmic scale low > 0;
-                             * both 0: the values decide */
-  double threshold_lx;      /* of illuminances: > 0: what meets it, what does not, and of what the 95 % bound crosses it,
-                             * in three colours; 0: none */
+  double low, high;         /* ends of the colours, in the values' unit, 0 <= low < high <= 1e12, of a logarithmic scale
+                             * low > 0; both 0: the values decide */
+  double threshold_lx;      /* of illuminances: > 0: what meets it, what does not, and of what the 95 % bound crosses
+                             * it, in three colours; 0: none */
   double threshold_cd_m2;   /* the same of luminances */
-  double width;             /* at most, in units of 1/96 inch, 150 to 10000; default 680, which is 180 mm */
+  double width;             /* at most, in units of 1/96 inch, 150 to 4000; default 680, which is 180 mm */
   double height;            /* the same, default 560 */
   double zoom;              /* pixels of a PNG a unit, > 0, at most 8 and 16384 pixels a side; default 2: 192 an inch */
 } ups_report_style_desc;
@@ -55,16 +55,16 @@ typedef struct ups_report_sensor { /* a plain array element: it never grows */
 } ups_report_sensor;
 
 /* A map is of a sensor in a result, or of plain numbers.
- *   sensor     result and scene are set. Meters that lie in a plane: a grid, or points, where they lie on a lattice with
- *              gaps, as those of EN 12464-1 in an L-shaped room do, that is found. A camera: its image.
+ *   sensor     result and scene are set. Meters that lie in a plane: a grid, or points, where they lie on a lattice
+ *              with gaps, as those of EN 12464-1 in an L-shaped room do, that is found. A camera: its image.
  *   points     positions_m, values: count meters in a plane. Beneath them the plan of the scene, where one is given.
  *   image      values alone, columns a row: count pixels, row 0 at the top.
  */
 typedef struct ups_report_map_desc {
   uint32_t struct_size;
   ups_report_quantity quantity;
-  const ups_scene *scene;             /* committed: of the sensor; what the map's plane cuts and what lies beneath it are
-                                       * drawn. Of points it may be NULL */
+  const ups_scene *scene;             /* committed: of the sensor; what the map's plane cuts and what lies beneath it
+                                       * are drawn. Of points it may be NULL */
   const ups_result *result;           /* NULL: the map is of the numbers below */
   ups_sensor_id sensor;               /* of meters or a camera */
   uint32_t sensor_count;
@@ -75,7 +75,7 @@ typedef struct ups_report_map_desc {
   const double *positions_m;          /* 3 * count; NULL: an image */
   const float *normals;               /* 3 * count, any length > 0: who looks sees them come towards him. NULL: up */
   const float *values;                /* count, lx or cd/m^2; < 0 or not finite: not known */
-  const float *error_bounds;          /* count, 95 %, in the values' unit; < 0 or not finite: not known. NULL: none is */
+  const float *error_bounds;          /* count, 95 %, in the values' unit; < 0 or not finite: not known. NULL: none */
   uint32_t count;                     /* 1 to 4,000,000 of points */
   uint32_t columns;                   /* of points that are all cells of a grid, row by row; 0: found out. Of an image
                                        * its width, >= 1 */
@@ -83,9 +83,9 @@ typedef struct ups_report_map_desc {
 
 UPS_API void ups_report_style_desc_init(ups_report_style_desc *desc, uint32_t struct_size);
 UPS_API void ups_report_map_desc_init(ups_report_map_desc *desc, uint32_t struct_size);
-/* path: ends in .png, .svg or .pdf, which decides what is written. SVG documents have a title and a description for those
- * who cannot see them, letters are outlines. Errors: UNSUPPORTED where meters lie on surfaces, in no plane or on one
- * line, or are too many; INVALID_STATE where the scene is not committed. */
+/* path: ends in .png, .svg or .pdf, which decides what is written. SVG documents have a title and a description for
+ * those who cannot see them, letters are outlines. Errors: UNSUPPORTED where meters lie on surfaces, in no plane or on
+ * one line, or are too many; INVALID_STATE where the scene is not committed. */
 UPS_API ups_status ups_report_write_map(const char *path, const ups_report_map_desc *desc);
 
 /* A source of light, and what people call it. */
@@ -127,16 +127,16 @@ typedef struct ups_report_page_desc {
   uint32_t sensor_count, source_count, picture_count, threshold_count, ratio_count; /* of the arrays; NULL with 0 */
   const ups_scene *scene;             /* as it was committed for the result */
   const ups_result *result;
-  const ups_report_sensor *sensors;   /* that the page tells of, in this order, each once; names are what targets name */
+  const ups_report_sensor *sensors;   /* that the page tells of, in this order, each once; targets name them by name */
   const ups_report_source *sources;   /* words for sources; those left out have their kind and number */
   const ups_report_picture *pictures; /* at most one a camera */
   const char *title;                  /* NULL: "Lighting" */
   const char *scene_name;             /* the scene's file, or how else it is found again; NULL: not told */
-  const char *repeat;                 /* the command, or in words how the same numbers are found again; NULL: not told */
+  const char *repeat;                 /* the command, or how else the same numbers are found again; NULL: not told */
   const char *date;                   /* as people read it; NULL: not told */
   const char *targets_json;           /* what is required, a JSON text (samples/targets/README.md); NULL: nothing */
   const char *targets_name;           /* of its file, for messages and the page; NULL: "targets" */
-  const char *targets_folder;         /* where files that it includes lie, such as share/ups/targets; NULL: none may be */
+  const char *targets_folder;         /* where files that it includes lie, such as share/ups/targets; NULL: none may */
   const ups_report_style_desc *style; /* of the maps; NULL: the defaults. Zoom is for PNG alone */
   const double *thresholds_lx;        /* the share of each set's meters with at least so many lx is told; > 0 */
   const ups_report_ratio *ratios;     /* of mean illuminances to tell, and meter by meter of sets of as many meters */
@@ -145,8 +145,8 @@ typedef struct ups_report_page_desc {
 
 UPS_API void ups_report_page_desc_init(ups_report_page_desc *desc, uint32_t struct_size);
 /* One HTML file, for screens and for A4 paper, without any other file, script or use of the network. Errors: PARSE for
- * targets or a PNG that are none, INVALID_ARGUMENT where targets name what the sensors have not, INVALID_STATE where the
- * scene is not committed. */
+ * targets or a PNG that are none, INVALID_ARGUMENT where targets name what the sensors have not, INVALID_STATE where
+ * the scene is not committed. */
 UPS_API ups_status ups_report_write_page(const char *path, const ups_report_page_desc *desc);
 
 /* This thread's last failure of this library, for people. Never NULL; valid until this thread's next failing call. */

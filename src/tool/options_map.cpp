@@ -16,7 +16,7 @@ bool parse_number(const std::string& text, double& out) {
 std::string parse_range(const std::string& text, double& low, double& high) {
   const size_t colon = text.find(':');
   const bool good = colon != std::string::npos && parse_number(text.substr(0, colon), low) &&
-                    parse_number(text.substr(colon + 1), high) && low >= 0 && high > low;
+                    parse_number(text.substr(colon + 1), high) && is_range(low, high);
   return good ? "" : "must be LOW:HIGH, two numbers from 0 on, the second larger, such as 0:1000, not '" + text + "'";
 }
 

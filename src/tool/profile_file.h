@@ -1,5 +1,5 @@
-// A photometric file as the commands use it: read, written, and in words. Called
-// by the commands info, convert and goniometer.
+// A photometric file as the commands use it: read, written, and in words. Called by the commands info, convert and
+// goniometer.
 #pragma once
 #include <optional>
 #include <string>

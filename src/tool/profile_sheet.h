@@ -1,5 +1,5 @@
-// The diagrams of a data sheet: the polar diagram, and the cone below the luminaire with its table. Called by the commands
-// info and goniometer.
+// The diagrams of a data sheet: the polar diagram, and the cone below the luminaire with its table. Called by the
+// commands info and goniometer.
 #pragma once
 #include "report/profile_plot.h"
 #include "tool/profile_file.h"

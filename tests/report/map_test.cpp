@@ -226,6 +226,22 @@ TEST(Map, IsTheSameBytesEachTimeAndItsIdsCanBeToldApart) {
     EXPECT_EQ(svg.compare(at + 5, 3, "a-i"), 0);
 }
 
+TEST(Maps, OfOneValueHaveAScaleAndColours) {
+  for (const double value : {1.0, 3.0, 7.0, 7.5, 1e-30, 1e30}) {
+    const MapData data = grid_of(4, 3, [&](const Place&) { return value; });
+    for (const MapScale scale : {MapScale::linear, MapScale::logarithmic}) {
+      MapStyle style;
+      style.scale = scale;
+      const MapRange range = range_of(data, style);
+      EXPECT_LT(range.low, range.high) << value;
+      EXPECT_GE(range.share(value), 0) << value;
+      EXPECT_LE(range.share(value), 1 + 1e-9) << value;
+      EXPECT_FALSE(map_drawing(data, style).parts.empty());
+    }
+  }
+  EXPECT_EQ(colour_at(MapColours::viridis, NAN), colour_at(MapColours::viridis, 0));
+}
+
 TEST(MapData, OfALeaningWallIsSeenFromItsFront) {
   // A grid that leans back by 45 degrees, facing south and up; columns run east.
   std::vector<MeterPoint> points;

@@ -55,9 +55,9 @@ def write_map(path: str | os.PathLike[str], scene: Handle, result: Handle, senso
     """Of meters that lie in a plane, on the plan of the committed scene, or of a camera's image. path: ends in .png,
     .svg or .pdf. quantity: of a camera. observers: to draw, by their names. style: ups_report_style_desc."""
     named = observers or {}
-    _write_map(path, {"scene": scene._as_parameter_, "result": result._as_parameter_, "sensor": sensor, "title": _text(title),
-                      "quantity": quantity, "sensors": _sensors(named), "sensor_count": len(named),
-                      "style": _style(style)})
+    _write_map(path, {"scene": scene._as_parameter_, "result": result._as_parameter_, "sensor": sensor,
+                      "title": _text(title), "quantity": quantity, "sensors": _sensors(named),
+                      "sensor_count": len(named), "style": _style(style)})
 
 
 def write_points_map(path: str | os.PathLike[str], positions_m: ArrayLike, illuminance_lx: ArrayLike,
@@ -128,7 +128,8 @@ def write_report(path: str | os.PathLike[str], scene: Handle, result: Handle, se
     thresholds = as_array(thresholds_lx, np.float64, (-1,), "thresholds_lx")
     c_pictures = [p._as_c() for p in pictures]
     desc = describe(_ffi.ReportPageDesc, {
-        "scene": scene._as_parameter_, "result": result._as_parameter_, "sensors": _sensors(sensors), "sensor_count": len(sensors),
+        "scene": scene._as_parameter_, "result": result._as_parameter_, "sensors": _sensors(sensors),
+        "sensor_count": len(sensors),
         "sources": (_ffi.ReportSource * len(named))(*[_source(s, words) for s, words in named.items()]),
         "source_count": len(named), "pictures": (_ffi.ReportPicture * len(c_pictures))(*c_pictures),
         "picture_count": len(c_pictures), "title": _text(title), "scene_name": _text(scene_name),

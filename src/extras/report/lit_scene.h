@@ -20,7 +20,7 @@ struct SensorInfo {
   uint32_t width = 0, height = 0;   // camera: pixels; lightmap: texels
   bool illuminance = false;         // camera: it has UPS_CHANNEL_ILLUMINANCE
   uint32_t meter_count = 0;         // meters
-  uint32_t columns = 0, rows = 0;   // meters on a grid, columns fastest; 0: free points. Goniometer: planes, angles gamma
+  uint32_t columns = 0, rows = 0;   // meters on a grid, columns fastest; 0: free points. Goniometer: planes, angles
   MeterLayout layout = MeterLayout::points;
   ups_meter_kind meter_kind = UPS_METER_PLANAR;
   ups_projection projection = UPS_PERSPECTIVE;

@@ -68,6 +68,11 @@ struct MapStyle {
   double most_height = 560;  // half a page of A4
 };
 
+// Whether a scale can have these ends: colours and numbers along it must differ.
+inline bool is_range(double low, double high) {
+  return (low == 0 || low >= 1e-12) && high >= 1e-9 && high <= 1e12 && high - low >= 1e-6 * high;
+}
+
 // Of a drawing no wider than style.width and no higher than style.most_height.
 Drawing map_drawing(const MapData& data, const MapStyle& style);
 // The same in a title and a sentence or two, for those who cannot see it.

@@ -53,7 +53,7 @@ double step_above(double value) {
 
 Ink colour_at(MapColours colours, double share) {
   const Table& table = table_of(colours);
-  const double place = parts * std::clamp(share, 0.0, 1.0);
+  const double place = share > 0 ? parts * std::min(share, 1.0) : 0;  // also of what is no number
   const int from = std::min(int(place), parts - 1);
   Ink ink;
   for (size_t k = 0; k < 3; ++k)
@@ -81,6 +81,7 @@ MapRange range_of(const MapData& data, const MapStyle& style) {
       const double smallest = data.is_image ? values[size_t(0.005 * double(values.size() - 1))] : *positive;
       range.low = step_below(std::max({smallest, *positive, range.high / 1e4}));
       range.high = step_above(range.high);
+      if (!(range.high > range.low)) range.high = step_above(1.01 * range.low);  // one value, which is a step
     } else {
       range.low = range.least > 0.5 * range.high ? range.least : 0;
       if (!(range.high - range.low > 0.02 * range.high)) range.low = 0;

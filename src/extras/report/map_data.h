@@ -1,5 +1,5 @@
-// What a map shows, from a scene and its result or from plain numbers, such as those of a file. Called by the C API, the
-// page, `ups render` and `ups map`.
+// What a map shows, from a scene and its result or from plain numbers, such as those of a file. Called by the C API,
+// the page, `ups render` and `ups map`.
 #pragma once
 #include <optional>
 

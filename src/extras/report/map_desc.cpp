@@ -69,7 +69,8 @@ std::vector<MeterPoint> points_of(const ups_report_map_desc& d) {
       p.normal[k] = d.normals ? double(d.normals[3 * i + k]) : k == 2 ? 1 : 0;
       if (!std::isfinite(p.position_m[k]))
         throw Failure("positions_m: element " + std::to_string(3 * i + k) + " must be finite");
-      if (!std::isfinite(p.normal[k])) throw Failure("normals: element " + std::to_string(3 * i + k) + " must be finite");
+      if (!std::isfinite(p.normal[k]))
+        throw Failure("normals: element " + std::to_string(3 * i + k) + " must be finite");
     }
     const double length = std::hypot(p.normal[0], p.normal[1], p.normal[2]);
     if (!(length > 0)) throw Failure("normals: that of point " + std::to_string(i) + " has no length");

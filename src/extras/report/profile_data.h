@@ -1,5 +1,5 @@
-// Everything that the core can tell of a photometric profile, as numbers to print and to draw. Called by the page and by
-// the program's commands.
+// Everything that the core can tell of a photometric profile, as numbers to print and to draw. Called by the page and
+// by the program's commands.
 #pragma once
 #include <array>
 #include <optional>

@@ -29,8 +29,8 @@ std::string report_page(const PageInput& in) {
   std::vector<Section> sections;
   for (Section section :
        {summary_section(in), targets_section(in), scene_section(in, types), luminaires_section(in, types),
-        illuminance_section(in), glare_section(in), pictures_section(in), flux_section(in), effects_section(in), accuracy_section(in),
-        warnings_section(in), reading_section(in), repeat_section(in)})
+        illuminance_section(in), glare_section(in), pictures_section(in), flux_section(in), effects_section(in),
+        accuracy_section(in), warnings_section(in), reading_section(in), repeat_section(in)})
     if (!section.body.empty()) sections.push_back(std::move(section));
   const std::string title = html_text(in.title);
   std::string html =
@@ -42,7 +42,8 @@ std::string report_page(const PageInput& in) {
       "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n" + page_style() +
       "</style>\n</head>\n<body>\n<header>\n<p class=\"kind\">Lighting report</p>\n<h1>" + title +
       "</h1>\n<p class=\"soft\">" + html_text(in.report.scene) +
-      (in.date.empty() || in.report.scene.empty() ? "" : " \u00b7 ") + html_text(in.date) + "</p>\n" + contents(sections) + "</header>\n<main>\n";
+      (in.date.empty() || in.report.scene.empty() ? "" : " \u00b7 ") + html_text(in.date) + "</p>\n" +
+      contents(sections) + "</header>\n<main>\n";
   for (const Section& s : sections)
     html += "<section id=\"" + s.id + "\" aria-labelledby=\"" + s.id + "-heading\"" +
             (starts_page(s) ? " class=\"page\"" : "") + ">\n<h2 id=\"" + s.id + "-heading\">" + s.title + "</h2>\n" +

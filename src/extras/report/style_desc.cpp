@@ -23,14 +23,14 @@ void check(const ups_report_style_desc& d) {
           "style: colours must be one of UPS_REPORT_COLOURS_*");
   require(is_flag(d.isolines) && is_flag(d.numbers) && is_flag(d.cells),
           "style: isolines, numbers and cells must be 0 or 1");
-  require(std::isfinite(d.low) && std::isfinite(d.high) && ((d.low == 0 && d.high == 0) || (d.low >= 0 && d.high > d.low)),
-          "style: low must be at least 0 and high greater than low, or both 0");
+  require((d.low == 0 && d.high == 0) || is_range(d.low, d.high),
+          "style: low must be at least 0, high greater by a millionth or more, at most 1e12, or both 0");
   require(d.scale == UPS_REPORT_SCALE_LINEAR || d.high == 0 || d.low > 0,
           "style: low must be greater than 0 where the scale is logarithmic");
   require(is_threshold(d.threshold_lx), "style: threshold_lx must be finite and at least 0");
   require(is_threshold(d.threshold_cd_m2), "style: threshold_cd_m2 must be finite and at least 0");
-  require(d.width >= 150 && d.width <= 10000, "style: width must be 150 to 10000 units of 1/96 inch");
-  require(d.height >= 150 && d.height <= 10000, "style: height must be 150 to 10000 units of 1/96 inch");
+  require(d.width >= 150 && d.width <= 4000, "style: width must be 150 to 4000 units of 1/96 inch");
+  require(d.height >= 150 && d.height <= 4000, "style: height must be 150 to 4000 units of 1/96 inch");
   require(d.zoom > 0 && d.zoom <= 8 && d.zoom * std::max(d.width, d.height) <= most_pixels,
           "style: zoom must be greater than 0, at most 8, and width and height times zoom at most 16384 pixels");
 }
@@ -88,7 +88,8 @@ LitScene lit_scene_of(const ups_scene* scene, const ups_report_sensor* sensors, 
   }
   lit.source_words = [](ups_source_kind kind, uint32_t id) {
     constexpr uint32_t number_bits = 0xffffff;
-    return SourceWords{(kind == UPS_SOURCE_INSTANCE ? "instance " : "luminaire ") + std::to_string(id & number_bits), ""};
+    const char* what = kind == UPS_SOURCE_INSTANCE ? "instance " : "luminaire ";
+    return SourceWords{what + std::to_string(id & number_bits), ""};
   };
   lit.warnings = lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
     return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);

@@ -21,8 +21,8 @@ struct Targets {
   std::vector<TargetArea> areas;
 };
 
-// Of a JSON text; file: what messages and the page call it. folders: where files that it includes are looked for, in this
-// order. Throws Failure that names the file, the field, and what would be right.
+// Of a JSON text; file: what messages and the page call it. folders: where files that it includes are looked for, in
+// this order. Throws Failure that names the file, the field, and what would be right.
 Targets parse_targets(const std::string& json, const std::string& file, const std::vector<std::string>& folders);
 // Throws Failure where an area names what the scene has not: better before a long render than after it.
 void check_names(const Targets& targets, const LitScene& scene);

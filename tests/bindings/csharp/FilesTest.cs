@@ -1,4 +1,5 @@
-// Do glTF, OpenEXR, PNG, maps and the report work from C#? What the files hold is tested with the libraries; here that all of it arrives.
+// Do glTF, OpenEXR, PNG, maps and the report work from C#? What the files hold is tested with the libraries; here that
+// all of it arrives.
 using System;
 using System.Collections.Generic;
 using System.IO;
