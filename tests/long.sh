@@ -4,8 +4,8 @@
 # Not part of tests/run.sh: they compare at equal time, so nothing else may run beside them. Exit code 1 where one
 # fails.
 #   tests/long.sh                       all
-#   tests/long.sh office spheres        some of: office caustic spheres agreement bathroom validation
-#                                       asymptotics calibration
+#   tests/long.sh office spheres        some of: office caustic spheres agreement bathroom kinds smoothing
+#                                       validation asymptotics calibration
 # UPS_PROGRAM: a program `ups` that is there; without it the one in build/release is built, after what it needs.
 # UPS_TIME_SCALE: multiplies every time. Below 1 the limits cannot be kept: it shows only that the checks run.
 # shellcheck disable=SC2317  # the checks are called by name
@@ -78,6 +78,15 @@ bathroom() {
     --min-rmse-ratio 2 --out "$out/bathroom_methods"
 }
 
+# What meters of all kinds take beside planar ones.
+kinds() { "$python" samples/evaluation/meter_kinds.py --ups "$ups"; }
+
+# Is the bathroom's picture nearer to a long render where it is smoothed for display?
+smoothing() {
+  "$python" samples/bathroom/smoothing.py --build build/release --time "$(seconds 60)" --reference-time "$(seconds 600)" \
+    --out "$out/smoothing"
+}
+
 # As many iterations as its noise asks for, whatever the scale of times.
 validation() { "$python" samples/validation/validate.py --ups "$ups" --out "$out/validation"; }
 
@@ -122,13 +131,13 @@ summary() {
 }
 
 wanted=("$@")
-[ $# -gt 0 ] || wanted=(office caustic spheres agreement bathroom validation asymptotics calibration)
+[ $# -gt 0 ] || wanted=(office caustic spheres agreement bathroom kinds smoothing validation asymptotics calibration)
 for name in "${wanted[@]}"; do
   case "$name" in
-    office | caustic | spheres | agreement | bathroom | validation | asymptotics | calibration) ;;
+    office | caustic | spheres | agreement | bathroom | kinds | smoothing | validation | asymptotics | calibration) ;;
     *)
-      echo "usage: $0 [office] [caustic] [spheres] [agreement] [bathroom] [validation] [asymptotics]" \
-        "[calibration]" >&2
+      echo "usage: $0 [office] [caustic] [spheres] [agreement] [bathroom] [kinds]" \
+        "[smoothing] [validation] [asymptotics] [calibration]" >&2
       exit 2
       ;;
   esac

@@ -273,6 +273,7 @@ namespace Ups
     {
         Direct = 0,
         Indirect = 1,
+        All = 2,
     }
 
     public enum SourceKind : int
@@ -1517,6 +1518,15 @@ namespace Ups
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct VectorPartReading
+    {
+        public Float3 VectorLx;
+        public Float3 StandardErrorLx;
+        public Float3 BiasLx;
+        public Float3 ErrorBoundLx;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct ConvergencePoint
     {
         public double ElapsedS;
@@ -2528,6 +2538,9 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_meter_part(ResultHandle result, SensorId sensor, LightPart part,
             MeterPartReading* @out, UIntPtr count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_read_vector_part(ResultHandle result, SensorId sensor, LightPart part,
+            VectorPartReading* @out, UIntPtr count);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_meter_flags(ResultHandle result, SensorId sensor, uint* @out,
             UIntPtr count);

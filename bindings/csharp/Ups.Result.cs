@@ -75,6 +75,20 @@ namespace Ups
                 Library.Check(Native.ups_result_read_vectors(Handle, sensor, r, (UIntPtr)readings.Length));
         }
 
+        /// <summary>As Vectors, of direct, indirect or all light, with the bias besides.</summary>
+        public VectorPartReading[] VectorPart(SensorId sensor, LightPart part)
+        {
+            var readings = new VectorPartReading[Statistics(sensor).Count];
+            ReadVectorPart(sensor, part, readings);
+            return readings;
+        }
+
+        public void ReadVectorPart(SensorId sensor, LightPart part, Span<VectorPartReading> readings)
+        {
+            fixed (VectorPartReading* r = readings)
+                Library.Check(Native.ups_result_read_vector_part(Handle, sensor, part, r, (UIntPtr)readings.Length));
+        }
+
         /// <summary>Of each meter: is its reading exact, hardly found, its interval unreliable?</summary>
         public Reading[] MeterFlags(SensorId sensor)
         {

@@ -163,6 +163,14 @@ typedef struct ups_meter_part_reading { /* never grows; < 0 where not known */
   float error_bound_lx;    /* 95 %, noise and bias together */
 } ups_meter_part_reading;
 
+typedef struct ups_vector_part_reading { /* of a light vector, by component; never grows; < 0 where not known but of
+                                          * vector_lx and bias_lx, which have a sign */
+  float vector_lx[3];
+  float standard_error_lx[3]; /* as of ups_meter_part_reading, as all below */
+  float bias_lx[3];
+  float error_bound_lx[3];
+} ups_vector_part_reading;
+
 /* What a reading's error is worth, bit by bit; 0: an interval of 16 batches, as it should be. */
 enum {
   UPS_READING_EXACT = 1,       /* no chance in it: the error is that of rounding */
@@ -317,14 +325,16 @@ UPS_API ups_status ups_result_get_choice(const ups_result *result, ups_sensor_id
 /* count must be the set's meter count. */
 UPS_API ups_status ups_result_read_meters(const ups_result *result, ups_sensor_id sensor, ups_meter_reading *out,
                                           size_t count);
-/* Of a set of kind UPS_METER_VECTOR. */
+/* Of a set of kind UPS_METER_VECTOR; so is ups_result_read_vector_part. */
 UPS_API ups_status ups_result_read_vectors(const ups_result *result, ups_sensor_id sensor, ups_vector_reading *out,
                                            size_t count);
-/* The part that came straight from emitters, and the rest, each with an error of its own. */
+/* The part that came straight from emitters, the rest, and both together, each with an error of its own. */
 typedef int32_t ups_light_part;
-enum { UPS_LIGHT_PART_DIRECT = 0, UPS_LIGHT_PART_INDIRECT = 1 };
+enum { UPS_LIGHT_PART_DIRECT = 0, UPS_LIGHT_PART_INDIRECT = 1, UPS_LIGHT_PART_ALL = 2 };
 UPS_API ups_status ups_result_read_meter_part(const ups_result *result, ups_sensor_id sensor, ups_light_part part,
                                               ups_meter_part_reading *out, size_t count);
+UPS_API ups_status ups_result_read_vector_part(const ups_result *result, ups_sensor_id sensor, ups_light_part part,
+                                               ups_vector_part_reading *out, size_t count);
 /* UPS_READING_* of each meter. */
 UPS_API ups_status ups_result_read_meter_flags(const ups_result *result, ups_sensor_id sensor, uint32_t *out,
                                                size_t count);

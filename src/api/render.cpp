@@ -39,6 +39,20 @@ void copy_readings(const MeterSet& set, const std::vector<Reading>& meters, Read
   for (size_t m = 0; m < meters.size(); ++m) out[set.number(m)] = meters[m];
 }
 
+void check_part(ups_light_part part) {
+  if (part < UPS_LIGHT_PART_DIRECT || part > UPS_LIGHT_PART_ALL)
+    fail_argument("part: " + std::to_string(part) + " is not a UPS_LIGHT_PART_* value");
+}
+
+const std::vector<ups_vector_part_reading>& vectors_of(const ups_result* result, ups_sensor_id sensor,
+                                                       ups_light_part part) {
+  const MeterSetReading& set = meters_of(result, sensor);
+  check_part(part);
+  if (set_of(result, sensor).kind != UPS_METER_VECTOR)
+    fail_argument("sensor: the meters are not of kind UPS_METER_VECTOR");
+  return set.vectors[size_t(part)];
+}
+
 void check_source(const RenderResult& r, uint32_t index) {
   if (index >= r.sources.size())
     fail_argument("source " + std::to_string(index) + ": there are " + std::to_string(r.sources.size()) +
@@ -217,19 +231,33 @@ ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor
 ups_status ups_result_read_vectors(const ups_result* result, ups_sensor_id sensor, ups_vector_reading* out,
                                    size_t count) {
   return guard(__func__, [&] {
-    const MeterSetReading& set = meters_of(result, sensor);
-    if (set.vectors.empty()) fail_argument("sensor: the meters are not of kind UPS_METER_VECTOR");
-    copy_readings(set_of(result, sensor), set.vectors, out, count);
+    const auto& vectors = vectors_of(result, sensor, UPS_LIGHT_PART_ALL);
+    std::vector<ups_vector_reading> whole(vectors.size());
+    for (size_t m = 0; m < whole.size(); ++m) {
+      std::copy_n(vectors[m].vector_lx, 3, whole[m].vector_lx);
+      std::copy_n(vectors[m].standard_error_lx, 3, whole[m].standard_error_lx);
+      std::copy_n(vectors[m].error_bound_lx, 3, whole[m].error_bound_lx);
+    }
+    copy_readings(set_of(result, sensor), whole, out, count);
   });
+}
+
+ups_status ups_result_read_vector_part(const ups_result* result, ups_sensor_id sensor, ups_light_part part,
+                                       ups_vector_part_reading* out, size_t count) {
+  return guard(__func__, [&] { copy_readings(set_of(result, sensor), vectors_of(result, sensor, part), out, count); });
 }
 
 ups_status ups_result_read_meter_part(const ups_result* result, ups_sensor_id sensor, ups_light_part part,
                                       ups_meter_part_reading* out, size_t count) {
   return guard(__func__, [&] {
     const MeterSetReading& set = meters_of(result, sensor);
-    if (part != UPS_LIGHT_PART_DIRECT && part != UPS_LIGHT_PART_INDIRECT)
-      fail_argument("part: " + std::to_string(part) + " is not a UPS_LIGHT_PART_* value");
-    copy_readings(set_of(result, sensor), set.parts[size_t(part)], out, count);
+    check_part(part);
+    if (part != UPS_LIGHT_PART_ALL)
+      return copy_readings(set_of(result, sensor), set.parts[size_t(part)], out, count);
+    std::vector<ups_meter_part_reading> all;
+    for (const ups_meter_reading& r : set.meters)
+      all.push_back({r.illuminance_lx, r.standard_error_lx, r.bias_lx, r.error_bound_lx});
+    copy_readings(set_of(result, sensor), all, out, count);
   });
 }
 

@@ -21,9 +21,9 @@ struct MeterSetReading {
   std::vector<ups_meter_reading> meters;
   std::vector<uint32_t> flags;                       // UPS_READING_*
   std::vector<Sample> largest;                       // of each meter; 0: none by chance
-  std::array<std::vector<ups_meter_part_reading>, 2> parts;  // by ups_light_part
+  std::array<std::vector<ups_meter_part_reading>, 2> parts;  // by ups_light_part, of which all together are `meters`
   std::vector<std::vector<ups_meter_reading>> separated;  // by column of Plan::separation; empty where not asked for
-  std::vector<ups_vector_reading> vectors;  // of a vector set
+  std::array<std::vector<ups_vector_part_reading>, 3> vectors;  // of a vector set, by ups_light_part
   ups_meter_statistics statistics{};
   MeterBatches batches;  // of those that were visited, in their order
 };

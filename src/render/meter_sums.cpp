@@ -113,13 +113,23 @@ ups_meter_reading MeterLight::reading() const {
 }
 
 // Light straight from emitters that no photon brings has no bias; the other part may have all of it.
+LightPart light_part(ups_light_part part) {
+  return part == UPS_LIGHT_PART_DIRECT ? direct_light : part == UPS_LIGHT_PART_INDIRECT ? indirect_light : whole_light;
+}
+
+double MeterLight::mean_of(LightPart part) const {
+  const double direct = spread(sums.direct, visits).mean;
+  return part == direct_light ? direct : spread(sums.value, visits).mean - (part == whole_light ? 0 : direct);
+}
+
+double MeterLight::bias_of(LightPart part) const { return part != direct_light || merges_direct ? bias.mean : 0; }
+
 ups_meter_part_reading MeterLight::part(ups_light_part part) const {
   if (visits == 0) return {-1, -1, -1, -1};
-  const LightPart of = part == UPS_LIGHT_PART_DIRECT ? direct_light : indirect_light;
-  const double direct = spread(sums.direct, visits).mean;
+  const LightPart of = light_part(part);
   ups_meter_part_reading out;
-  out.illuminance_lx = float(of == direct_light ? direct : std::max(0.0, spread(sums.value, visits).mean - direct));
-  out.bias_lx = of == indirect_light || merges_direct ? float(bias.mean) : 0;
+  out.illuminance_lx = float(std::max(0.0, mean_of(of)));
+  out.bias_lx = float(bias_of(of));
   std::tie(out.standard_error_lx, out.error_bound_lx) = error_of(of);
   return out;
 }

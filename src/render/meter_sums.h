@@ -21,6 +21,8 @@ struct MeterSums {
   void add(const MeterRings::Photons& photons);
 };
 
+LightPart light_part(ups_light_part part);
+
 struct MeterLight {
   MeterSums sums;  // with the photons
   MeterRings::Photons photons;
@@ -34,6 +36,8 @@ struct MeterLight {
 
   ups_meter_reading reading() const;
   ups_meter_part_reading part(ups_light_part part) const;
+  double mean_of(LightPart part) const;  // lx; of part of a vector with its sign
+  double bias_of(LightPart part) const;
   uint32_t flags(const ups_meter_reading& reading) const;
   Sample largest_sample() const { return {sums.paths[whole_light].largest, sums.largest}; }
   OwnBias own_bias() const { return {spread(sums.bias, visits), spread(sums.value, visits).mean, photons.bias_scale}; }

@@ -11,12 +11,6 @@ namespace {
 
 constexpr Vec3d axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-double mean_of(const MeterLight& light, LightPart part) {
-  const double direct = spread(light.sums.direct, light.visits).mean;
-  if (part == direct_light) return direct;
-  return spread(light.sums.value, light.visits).mean - (part == whole_light ? 0 : direct);
-}
-
 }  // namespace
 
 // To first order, as of any linear function of the six. What one side alone does not know, the others cannot tell.
@@ -62,7 +56,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
 
 Vec3d VectorLight::vector(LightPart part) const {
   Vec3d v(0, 0, 0);
-  for (uint32_t i = 0; i < vector_sides; ++i) v += Vec3d(axis_of_side(i)) * mean_of(*sides_[i], part);
+  for (uint32_t i = 0; i < vector_sides; ++i) v += Vec3d(axis_of_side(i)) * sides_[i]->mean_of(part);
   return v;
 }
 
@@ -92,18 +86,18 @@ ups_meter_reading VectorLight::reading() const {
   return r;
 }
 
-ups_meter_part_reading VectorLight::part(ups_light_part part) const {
-  return length(part == UPS_LIGHT_PART_DIRECT ? direct_light : indirect_light).part(part);
-}
+ups_meter_part_reading VectorLight::part(ups_light_part part) const { return length(light_part(part)).part(part); }
 
-ups_vector_reading VectorLight::components() const {
-  ups_vector_reading r{};
+ups_vector_part_reading VectorLight::components(ups_light_part part) const {
+  const LightPart of = light_part(part);
+  ups_vector_part_reading r{};
   for (int k = 0; k < 3; ++k) {
     const MeterLight light = along(axes[k]);
     r.standard_error_lx[k] = r.error_bound_lx[k] = -1;
     if (light.visits == 0) continue;
-    r.vector_lx[k] = float(mean_of(light, whole_light));
-    std::tie(r.standard_error_lx[k], r.error_bound_lx[k]) = light.error_of(whole_light);
+    r.vector_lx[k] = float(light.mean_of(of));
+    r.bias_lx[k] = float(light.bias_of(of));
+    std::tie(r.standard_error_lx[k], r.error_bound_lx[k]) = light.error_of(of);
   }
   return r;
 }

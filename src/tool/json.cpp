@@ -13,8 +13,12 @@ std::string dump(const ordered_json& json) {
   return printable_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) + "\n";
 }
 
+// Before the first look at the error nothing is known but that more samples are wanted.
 ordered_json predictions_json(const std::vector<PredictionReport>& predictions) {
   ordered_json all = ordered_json::array();
+  for (const double error : foretold_errors)
+    if (predictions.empty())
+      all.push_back({{"relative_error", error}, {"seconds", -1}, {"low", -1}, {"high", -1}, {"limited_by", "noise"}});
   for (const PredictionReport& p : predictions)
     all.push_back({{"relative_error", number(p.relative_error)},
                    {"seconds", number(p.prediction.seconds)},

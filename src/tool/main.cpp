@@ -61,6 +61,12 @@ const CLI::App* add_convert(CLI::App& app, std::string& in, std::string& out) {
   return command;
 }
 
+// A command that is reserved: known, but not yet for anything.
+void add_later(CLI::App& app, const std::string& name) {
+  app.add_subcommand(name)->allow_extras()->group("")->parse_complete_callback(
+      [name] { throw CLI::ValidationError("ups " + name, "is not built yet"); });
+}
+
 // --help and --version are no errors.
 int tell_usage(const CLI::App& app, const CLI::ParseError& e) {
   std::ostringstream out, err;
@@ -86,6 +92,7 @@ int run(const std::vector<std::string>& arguments) {
   const CLI::App* map = ups::tool::add_map(app, map_options);
   std::string in, out;
   const CLI::App* convert = add_convert(app, in, out);
+  for (const char* name : {"merge", "report"}) add_later(app, name);
   std::string a, b;
   bool json = false;
   CLI::App* compare = app.add_subcommand("compare", "How far the image A is from the reference B");

@@ -201,6 +201,13 @@ void add_picture(CLI::App& command, PictureOptions& options) {
                    "errors. Images (EXR) and numbers stay as they are");
 }
 
+// A word that is reserved: known, but not yet for anything.
+void add_later(CLI::App& command, const std::string& word) {
+  command.add_option(word)
+      ->check(CLI::Validator([](const std::string&) { return std::string("is not built yet"); }, ""))
+      ->group("");
+}
+
 void add_separation(CLI::App& command, ups_render_desc& desc, const std::string& what) {
   command
       .add_option_function<std::string>(
@@ -299,6 +306,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->type_name("FILE");
   add_map_options(*command, options.map);
   add_method_options(*command, options.desc);
+  for (const char* word : {"--state", "--resume"}) add_later(*command, word);
   command->footer(
       "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"
       "Ctrl-C stops it; the results so far are written.");

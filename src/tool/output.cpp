@@ -181,16 +181,18 @@ void write_camera(Written& written, const std::string& base, const SensorEntry& 
 struct MeterTable {
   MeterPlaces places;
   std::vector<ups_meter_reading> readings;
-  std::vector<ups_vector_reading> vectors;  // of such meters
+  std::array<std::vector<ups_vector_part_reading>, 3> vectors{};  // of such meters, by ups_light_part
 };
 
 MeterTable read_table(const SensorEntry& meters, const LoadedScene& scene, const ups_result* result) {
   const size_t count = meters.info.meter_count;
-  MeterTable table{meter_places(scene, meters), std::vector<ups_meter_reading>(count), {}};
+  MeterTable table{meter_places(scene, meters), std::vector<ups_meter_reading>(count)};
   check(ups_result_read_meters(result, meters.info.sensor, table.readings.data(), count));
-  if (meters.info.meter_kind == UPS_METER_VECTOR) {
-    table.vectors.resize(count);
-    check(ups_result_read_vectors(result, meters.info.sensor, table.vectors.data(), count));
+  if (meters.info.meter_kind != UPS_METER_VECTOR) return table;
+  for (size_t part = 0; part < table.vectors.size(); ++part) {
+    table.vectors[part].resize(count);
+    check(ups_result_read_vector_part(result, meters.info.sensor, ups_light_part(part), table.vectors[part].data(),
+                                      count));
   }
   return table;
 }
@@ -221,8 +223,9 @@ void write_planes(const std::string& path, uint32_t width, uint32_t height, cons
 void write_csv(const std::string& path, const MeterTable& table, uint32_t map_width) {
   std::string header =
       "x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx";
-  if (!table.vectors.empty())
-    for (const char* what : {"", "_standard_error", "_error_bound"})
+  const auto& vectors = table.vectors[UPS_LIGHT_PART_ALL];
+  if (!vectors.empty())
+    for (const char* what : {"", "_standard_error", "_bias", "_error_bound", "_direct", "_indirect"})
       for (const char axis : {'x', 'y', 'z'}) header += std::string(",vector_") + axis + what + "_lx";
   const std::vector<ups_meter_place>& surfaces = table.places.surfaces;
   if (!surfaces.empty()) header += ",triangle,area_m2";
@@ -232,9 +235,11 @@ void write_csv(const std::string& path, const MeterTable& table, uint32_t map_wi
     for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(table.places.positions[k]);
     for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(double(table.places.normals[k]));
     for (const float value : values_of(table.readings[i])) csv.add(double(value));
-    if (!table.vectors.empty()) {
-      const ups_vector_reading& v = table.vectors[i];
-      for (const float* part : {v.vector_lx, v.standard_error_lx, v.error_bound_lx})
+    if (!vectors.empty()) {
+      const ups_vector_part_reading& v = vectors[i];
+      for (const float* part : {v.vector_lx, v.standard_error_lx, v.bias_lx, v.error_bound_lx,
+                                table.vectors[UPS_LIGHT_PART_DIRECT][i].vector_lx,
+                                table.vectors[UPS_LIGHT_PART_INDIRECT][i].vector_lx})
         for (int k = 0; k < 3; ++k) csv.add(double(part[k]));
     }
     if (!surfaces.empty()) {

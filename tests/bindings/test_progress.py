@@ -8,6 +8,7 @@ import subprocess
 import sys
 import textwrap
 import threading
+import time
 
 import nbclient
 import nbformat
@@ -52,9 +53,11 @@ def test_a_terminal_has_a_bar_that_is_written_over():
 def test_a_file_gets_a_line_now_and_then(monkeypatch, capsys, context):
     scene, _ = box(context)
     monkeypatch.setattr(ups._progress, "_LINE_INTERVAL_S", 0.2)
+    start = time.monotonic()
     scene.render(time_limit_s=0.7, progress=True)
+    elapsed = time.monotonic() - start
     lines = capsys.readouterr().err.splitlines()
-    assert 2 <= len(lines) <= 4 and all(re.match(r"\d+%, \d+ iterations", line) for line in lines)
+    assert 1 <= len(lines) <= elapsed / 0.2 + 1 and all(re.match(r"\d+%, \d+ iterations", line) for line in lines)
     scene.render(time_limit_s=0.3)
     assert capsys.readouterr() == ("", "")
 

@@ -6,6 +6,7 @@ import os
 import numpy as np
 import pytest
 import ups
+from ups import _library
 
 
 def uniform_profile(context, intensity_cd=100.0):
@@ -77,6 +78,12 @@ def test_arrays_of_the_wrong_shape_are_refused(context):
         scene.add_light(to_world=np.eye(3))
 
 
+def test_libraries_are_named_as_each_system_names_them():
+    assert _library._names("ups_exr", "linux") == ("libups_exr.so.0.1", "libups_exr.so")
+    assert _library._names("ups_exr", "darwin") == ("libups_exr.0.1.dylib", "libups_exr.dylib")
+    assert _library._names("ups_exr", "win32") == ("ups_exr.dll",)
+
+
 def test_an_index_out_of_range_is_refused_by_the_library(context):
     scene = ups.Scene(context)
     with pytest.raises(ups.Error) as caught:
@@ -107,6 +114,12 @@ def test_the_light_vector_points_at_the_lamp(context):
     assert vectors["vector_lx"][0] == pytest.approx([0, 0, 100], abs=0.01)
     assert vectors["vector_lx"][1] == pytest.approx([-80 / 5 ** 0.5, 0, 160 / 5 ** 0.5], abs=0.01)
     assert (vectors["standard_error_lx"] == 0).all()
+    parts = {part: result.vector_part(meters, part) for part in ups.LightPart}
+    assert parts[ups.LightPart.DIRECT]["vector_lx"] == pytest.approx(vectors["vector_lx"], abs=1e-3)
+    assert parts[ups.LightPart.INDIRECT]["vector_lx"] == pytest.approx(0, abs=1e-3)
+    for field in ("vector_lx", "standard_error_lx", "error_bound_lx"):
+        assert (parts[ups.LightPart.ALL][field] == vectors[field]).all()
+    assert (parts[ups.LightPart.ALL]["bias_lx"] == 0).all()
     assert result.meters(meters)["illuminance_lx"] == pytest.approx([100, 80], rel=1e-4)
 
 

@@ -23,21 +23,21 @@ for file in LICENSE THIRD-PARTY.md ups.spdx.json; do [ -s "$bundle/share/doc/ups
 # Of the bundle's own pkg-config files alone: nothing of the system's is needed. The folder's name has a space.
 ln -s "$bundle" "$work/bundle"
 export PKG_CONFIG_LIBDIR=$work/bundle/lib/pkgconfig
-try() { # PROGRAM ENDING PACKAGES
-  local flags loaded outside printed program=$product/bin/$1
+try() { # SOURCE ENDING PACKAGES
+  local flags loaded outside printed program=$product/bin/${1##*/}
   read -ra flags <<<"$("$PKG_CONFIG" --cflags --libs "${@:3}")"
   # shellcheck disable=SC2016  # $ORIGIN is the loader's
-  "$CC" -std=c99 "$here/consumer/$1.c" "${flags[@]}" -Wl,-rpath,'$ORIGIN/../lib' -o "$program"
-  printed=$(cd "$product" && env -i "$program")
-  echo "$1: $printed"
+  "$CC" -std=c99 "$1.c" "${flags[@]}" -Wl,-rpath,'$ORIGIN/../lib' -o "$program"
+  printed=$(cd "$product" && env -i "$program" | tail -n 1)
+  echo "${1##*/}: $printed"
   [[ $printed == "UPS "*" $2" ]]
   loaded=$(ldd "$program" | awk '$2 == "=>" { print $3 }')
   outside=$(grep -v "^$product/bin/../lib/" <<<"$loaded" |
     grep -vE '/(lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|z)|ld-linux[^/]*)\.so\.[0-9]+$' || true)
   [ -z "$outside" ] || { echo "loaded from outside the bundle: $outside" >&2; exit 1; }
 }
-try main lx ups
+try "$here/../../samples/c/small_room" lx ups
 if [ -e "$bundle/lib/pkgconfig/ups_gltf.pc" ] && [ -e "$bundle/lib/pkgconfig/ups_exr.pc" ] &&
   [ -e "$bundle/lib/pkgconfig/ups_ocio.pc" ] && [ -e "$bundle/lib/pkgconfig/ups_report.pc" ]; then
-  try extras sensors ups_gltf ups_exr ups_ocio ups_report
+  try "$here/consumer/extras" sensors ups_gltf ups_exr ups_ocio ups_report
 fi

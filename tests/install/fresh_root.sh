@@ -2,7 +2,7 @@
 # A build's Debian packages and its bundle in a fresh root of the release that this machine has: two minutes, as root,
 # with debootstrap, patchelf and Debian's mirror. Not part of tests/run.sh.
 #   tests/install/fresh_root.sh build/release
-# The packages are installed there, and the program, both C programs of consumer/ and a sample in Python run; then they
+# The packages are installed there, and the program, two programs in C and a sample in Python run; then they
 # and all that they brought along are purged, and the same C programs run with the bundle's libraries beside them.
 set -euo pipefail
 build=$(cd "$1" && pwd)
@@ -30,14 +30,14 @@ step "A root of $release"
 quietly debootstrap --variant=minbase "$release" "$root"
 mount -t proc proc "$root/proc" # the loader asks it for $ORIGIN
 mkdir "$root/try" "$root/try/out" "$root/vendor"
-cp "$work"/packages/*.deb "$here"/consumer/*.c "$project/samples/python/first_room.py" "$root/try"
+cp "$work"/packages/*.deb "$here/consumer/extras.c" "$project"/samples/{c/small_room.c,python/first_room.py} "$root/try"
 inside() { chroot "$root" env DEBIAN_FRONTEND=noninteractive sh -ec "cd /try; $1"; }
 
 step "Installed from the packages"
 quietly inside 'apt-get update && apt-get install -y --no-install-recommends ./*.deb gcc libc6-dev pkgconf'
-inside 'gcc -std=c99 main.c $(pkg-config --cflags --libs ups) -o main
+inside 'gcc -std=c99 small_room.c $(pkg-config --cflags --libs ups) -o small_room
         gcc -std=c99 extras.c $(pkg-config --cflags --libs ups_gltf ups_exr ups_ocio ups_report) -o extras
-        ups --version; ./main; ./extras; python3 first_room.py out
+        ups --version; ./small_room; ./extras; python3 first_room.py out
         test -s out/room.exr; test -s /usr/share/man/man1/ups.1'
 
 step "Purged, and the bundle beside the programs"
@@ -47,8 +47,8 @@ if inside 'ldconfig -p' | grep -E 'libups|embree|libtbb|OpenEXR|OpenColorIO'; th
   exit 1
 fi
 cp -P "$work"/bundle/lib/*.so.* "$root/vendor"
-inside 'if ./main 2>/dev/null; then exit 1; fi' # for want of libraries
-for program in main extras; do
+inside 'if ./small_room 2>/dev/null; then exit 1; fi' # for want of libraries
+for program in small_room extras; do
   cp "$root/try/$program" "$root/vendor"
   patchelf --set-rpath '$ORIGIN' "$root/vendor/$program"
   inside "/vendor/$program"

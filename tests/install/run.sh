@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# Installs a build into a temporary prefix, moves the prefix, and builds the C and C++ programs in consumer/ against it: with
-# CMake's find_package(ups) and with pkg-config, with the shared and with the static libraries. All must run and print the
-# version that was installed, and so must the program `ups` where it was built. The rest of what is installed: installed.py.
+# Installs a build into a temporary prefix, moves the prefix, and builds the small rooms of samples/ in C and C++ and
+# consumer/extras.c against it: with CMake's find_package(ups) and with pkg-config, with the shared and with the static
+# libraries. All must run and print the version that was installed, the rooms all the same illuminance to the last digit;
+# so must the program `ups` where it was built, its version. The rest of what is installed: installed.py.
 # Called by ctest, with CMAKE, PKG_CONFIG, GENERATOR, CC, CXX and FLAGS set: run.sh BUILD LIBDIR VERSION PYTHON
 set -euo pipefail
 build=$1 libdir=$2 version=$3 python=$4
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+samples=$here/../../samples
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -22,9 +24,13 @@ fi
 
 expect() { # PROGRAM NAME ENDING
   local printed
-  printed=$(cd "$work" && "$1")
+  printed=$(cd "$work" && "$1" | tail -n 1)
   echo "$2: $printed"
   [[ $printed == "UPS $version: "*" $3" ]] || { echo "expected 'UPS $version: ... $3'" >&2; exit 1; }
+  if [ "$3" = lx ]; then
+    room=${room:-$printed}
+    [ "$printed" = "$room" ] || { echo "the same room was: $room" >&2; exit 1; }
+  fi
 }
 
 needs_no_library() { # PROGRAM
@@ -44,18 +50,18 @@ with_cmake() { # NAME, more options
 
 # Without the links that a linker finds a shared library by it takes the static ones: PREFIX is then a copy without.
 with_pkgconfig() { # NAME PREFIX OPTIONS
-  local program sources=(main)
-  if [ $extras = ON ]; then sources+=(extras); fi
+  local program sources=("$samples/c/small_room")
+  if [ $extras = ON ]; then sources+=("$here/consumer/extras"); fi
   for program in "${sources[@]}"; do
     local packages=(ups) flags
-    if [ "$program" = extras ]; then packages=(ups_gltf ups_exr ups_ocio ups_report); fi
+    if [ "${program##*/}" = extras ]; then packages=(ups_gltf ups_exr ups_ocio ups_report); fi
     # shellcheck disable=SC2086  # OPTIONS and FLAGS are lists
     {
       read -ra flags <<<"$(PKG_CONFIG_PATH=$2/$libdir/pkgconfig "$PKG_CONFIG" $3 --cflags --libs "${packages[@]}")"
-      "$CC" $FLAGS -std=c99 -pedantic -Wall -Wextra -Werror "$here/consumer/$program.c" "${flags[@]}" -o "$work/$1.$program"
+      "$CC" $FLAGS -std=c99 -pedantic -Wall -Wextra -Werror "$program.c" "${flags[@]}" -o "$work/$1.${program##*/}"
     }
   done
-  LD_LIBRARY_PATH=$2/$libdir expect "$work/$1.main" "pkg-config, $1" lx
+  LD_LIBRARY_PATH=$2/$libdir expect "$work/$1.small_room" "pkg-config, $1" lx
   if [ $extras = ON ]; then LD_LIBRARY_PATH=$2/$libdir expect "$work/$1.extras" "pkg-config, $1" sensors; fi
 }
 
@@ -63,14 +69,14 @@ with_cmake shared
 with_pkgconfig shared "$work/prefix" ""
 read -ra flags <<<"$(PKG_CONFIG_PATH=$work/prefix/$libdir/pkgconfig "$PKG_CONFIG" --cflags --libs ups)"
 # shellcheck disable=SC2086  # FLAGS is a list
-"$CXX" $FLAGS -std=c++17 -pedantic -Wall -Wextra -Werror "$here/consumer/main.cpp" "${flags[@]}" -o "$work/shared.cpp"
+"$CXX" $FLAGS -std=c++17 -pedantic -Wall -Wextra -Werror "$samples/cpp/small_room.cpp" "${flags[@]}" -o "$work/shared.cpp"
 LD_LIBRARY_PATH=$work/prefix/$libdir expect "$work/shared.cpp" "pkg-config, C++" lx
 if [ -e "$work/prefix/$libdir/libups.a" ]; then
   with_cmake static -DSTATIC=ON
   cp -r "$work/prefix" "$work/archives"
   rm "$work/archives/$libdir"/*.so*
   with_pkgconfig static "$work/archives" --static
-  for program in "$work"/static/consumer "$work"/static.main; do needs_no_library "$program"; done
+  for program in "$work"/static/consumer "$work"/static.small_room; do needs_no_library "$program"; done
   if [ $extras = ON ]; then
     for program in "$work"/static/extras "$work"/static.extras; do needs_no_library "$program"; done
   fi

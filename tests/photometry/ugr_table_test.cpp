@@ -101,11 +101,13 @@ double glare_sum(const Photometry& p, const RoomShape& room, bool endwise) {
     for (double t = h / 8; t < room.x * h / 2; t += h / 4) {
       const double index = position_index(PositionIndex::table, t / r, h / r, 1);
       if (index < 0) continue;
-      const double gamma = std::atan(std::hypot(r, t) / h), c = endwise ? pi / 2 - std::atan(t / r) : std::atan(t / r);
+      const double gamma = std::atan(std::hypot(r, t) / h), aside = std::atan(t / r);
       const double d2 = r * r + t * t + h * h, projected = area * std::cos(gamma);
-      const double intensity = p.distribution.eval(std::sin(gamma) * std::cos(c), std::sin(gamma) * std::sin(c),
-                                                   -std::cos(gamma));
-      sum += 2 * std::pow(intensity / projected, 2) * projected / d2 / (index * index);
+      for (const double c : {endwise ? pi / 2 - aside : -aside, endwise ? pi / 2 + aside : aside}) {
+        const double intensity = p.distribution.eval(std::sin(gamma) * std::cos(c), std::sin(gamma) * std::sin(c),
+                                                     -std::cos(gamma));
+        sum += std::pow(intensity / projected, 2) * projected / d2 / (index * index);
+      }
     }
   }
   return sum;
@@ -147,6 +149,25 @@ TEST(UgrTable, IsThatOfCie190sTables) {
           const double expected =
               8 * std::log10(0.25 / background_by_cie190(p, r, k) * glare_sum(p, UgrTable::shapes[r], view == 1));
           EXPECT_NEAR(table.ugr[view][r][k], expected, bound) << view << " " << r << " " << k;
+        }
+  }
+}
+
+// Of files with a rectangular opening, some of them one-sided: as above.
+TEST(UgrTable, OfFilesIsThatOfCie190sTables) {
+  for (const char* name : {"l01_isym1.ldt", "l03_isym0_asym.ldt", "l04_isym3.ldt", "l05_isym3_absolute.ldt",
+                           "l06_cfli_2.ldt", "s01_lm63_1986.ies", "s02_iesna91_blpf_0p95.ies", "s03_lm63_1995.ies",
+                           "s05_lm63_2019_filegen_1p1.ies", "s08_typeC_asym.ies", "s09_typeB_asym.ies",
+                           "s10_typeA_asym.ies", "s17_isotropic_10000lm.ies", "s18_90_270.ies"}) {
+    const Photometry p = test::read_file(name);
+    ASSERT_EQ(p.opening.shape, OpeningShape::rectangle) << name;
+    const UgrTable table = ugr_table(p);
+    for (int view = 0; view < 2; ++view)
+      for (int r = 0; r < UgrTable::rooms; ++r)
+        for (int k = 0; k < UgrTable::reflectance_sets; ++k) {
+          const double expected =
+              8 * std::log10(0.25 / background_by_cie190(p, r, k) * glare_sum(p, UgrTable::shapes[r], view == 1));
+          EXPECT_NEAR(table.ugr[view][r][k], expected, 0.1) << name << ": " << view << " " << r << " " << k;
         }
   }
 }

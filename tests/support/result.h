@@ -80,6 +80,15 @@ class Result {
         require_finite({r.vector_lx[k], r.standard_error_lx[k], r.error_bound_lx[k]}, "vector");
     return out;
   }
+  std::vector<ups_vector_part_reading> vectors(const Sensor& meters, ups_light_part part) const {
+    std::vector<ups_vector_part_reading> out(meters.count);
+    check(ups_result_read_vector_part(result_.get(), meters.id, part, out.data(), out.size()),
+          "ups_result_read_vector_part");
+    for (const auto& r : out)
+      for (int k = 0; k < 3; ++k)
+        require_finite({r.vector_lx[k], r.standard_error_lx[k], r.bias_lx[k], r.error_bound_lx[k]}, "part of a vector");
+    return out;
+  }
   std::vector<ups_meter_part_reading> part(const Sensor& meters, ups_light_part part) const {
     std::vector<ups_meter_part_reading> out(meters.count);
     check(ups_result_read_meter_part(result_.get(), meters.id, part, out.data(), out.size()),

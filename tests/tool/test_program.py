@@ -122,6 +122,13 @@ class Usage(ProgramTest):
                 self.assertEqual(done.stdout, "")
                 self.assertNotEqual(done.stderr, "")
 
+    def test_words_that_are_not_built_yet_say_so(self):
+        scene = self.write("room.gltf", room())
+        for arguments in (["render", scene, "--state", "a"], ["render", scene, "--resume", "a"],
+                          ["merge", "a", "b", "--out", "c"], ["report", "a"]):
+            with self.subTest(arguments=arguments):
+                self.assertIn("not built yet", self.run_program(*arguments, code=2).stderr)
+
     def test_numbers_that_no_render_can_hold_name_their_option(self):
         scene = self.write("room.gltf", room())
         for option, value in (("--seed", "18446744073709551616"), ("--target-error", "1e-300"),
@@ -287,6 +294,12 @@ class Render(ProgramTest):
         self.assertAlmostEqual(result["meters"]["spot"]["mean_lx"], 25, delta=0.25)
         self.assertEqual(os.listdir(self.folder.name), ["room.gltf"])  # without --out no file
 
+    def test_nothing_is_foretold_of_a_short_render(self):
+        result = self.render("--iterations", 2)
+        self.assertEqual([p["relative_error"] for p in result["prediction"]], [0.05, 0.02, 0.01, 0.005])
+        for p in result["prediction"]:
+            self.assertEqual([p["seconds"], p["low"], p["high"]], [-1, -1, -1])
+
     def test_choice(self):
         eye = ["emitter_hit", "light_sample"]
         asked = self.render("--method", "ups", "--iterations", 4, "--light-paths", 4096)["choice"]
@@ -353,6 +366,8 @@ class Render(ProgramTest):
             self.assertAlmostEqual(row[f"vector_{axis}_lx"], beam * part, delta=1e-3)
             self.assertEqual(row[f"vector_{axis}_standard_error_lx"], 0)
             self.assertLess(row[f"vector_{axis}_error_bound_lx"], 0.01)
+            self.assertAlmostEqual(row[f"vector_{axis}_direct_lx"], beam * part, delta=1e-3)
+            self.assertEqual((row[f"vector_{axis}_bias_lx"], row[f"vector_{axis}_indirect_lx"]), (0, 0))
 
     def test_a_file_that_cannot_be_written_does_not_take_the_others(self):
         out = self.path("out")

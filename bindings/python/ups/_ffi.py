@@ -244,6 +244,7 @@ class Photons(enum.IntEnum):
 class LightPart(enum.IntEnum):
     DIRECT = 0
     INDIRECT = 1
+    ALL = 2
 
 
 class SourceKind(enum.IntEnum):
@@ -1317,6 +1318,19 @@ class MeterPartReading(Structure):
     ]
 
 
+class VectorPartReading(Structure):
+    vector_lx: Array[c_float]
+    standard_error_lx: Array[c_float]
+    bias_lx: Array[c_float]
+    error_bound_lx: Array[c_float]
+    _fields_ = [
+        ("vector_lx", c_float * 3),
+        ("standard_error_lx", c_float * 3),
+        ("bias_lx", c_float * 3),
+        ("error_bound_lx", c_float * 3),
+    ]
+
+
 class ConvergencePoint(Structure):
     elapsed_s: float
     iterations: int
@@ -2312,6 +2326,8 @@ PROTOTYPES: dict[str, dict[str, tuple[Any, list[Any], dict[int, str]]]] = {
         "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t], {}),
         "ups_result_read_vectors": (c_int32, [c_void_p, SensorId, POINTER(VectorReading), c_size_t], {}),
         "ups_result_read_meter_part": (c_int32, [c_void_p, SensorId, c_int32, POINTER(MeterPartReading), c_size_t],
+            {2: "part"}),
+        "ups_result_read_vector_part": (c_int32, [c_void_p, SensorId, c_int32, POINTER(VectorPartReading), c_size_t],
             {2: "part"}),
         "ups_result_read_meter_flags": (c_int32, [c_void_p, SensorId, POINTER(c_uint32), c_size_t], {}),
         "ups_result_get_meter_statistics": (c_int32, [c_void_p, SensorId, POINTER(MeterStatistics)], {}),

@@ -10,6 +10,7 @@ import ctypes
 import ctypes.util
 import functools
 import os
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -20,9 +21,14 @@ from ._numbers import checked
 _MAJOR, _MINOR, _ = _ffi.HEADER_VERSION
 
 
-def _names(library: str) -> tuple[str, str]:
+def _names(library: str, platform: str = sys.platform) -> tuple[str, ...]:
     """The SONAME first: a program without the development files has nothing else."""
-    return (f"lib{library}.so.{_MAJOR}.{_MINOR}" if _MAJOR == 0 else f"lib{library}.so.{_MAJOR}", f"lib{library}.so")
+    abi = f"{_MAJOR}.{_MINOR}" if _MAJOR == 0 else f"{_MAJOR}"
+    if platform == "win32":
+        return (f"{library}.dll",)
+    if platform == "darwin":
+        return f"lib{library}.{abi}.dylib", f"lib{library}.dylib"
+    return f"lib{library}.so.{abi}", f"lib{library}.so"
 
 
 def _in_folder(folder: Path, library: str) -> list[str]:

@@ -71,8 +71,14 @@ class Result(Handle):
         check(lib.ups_result_read_vectors(self, sensor, target(out, _ffi.VectorReading), len(out)))
         return out
 
+    def vector_part(self, sensor: SensorId, part: LightPart) -> NDArray[np.void]:
+        """As vectors(), of LightPart.DIRECT, INDIRECT or ALL, with the field bias_lx besides."""
+        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=dtype_of(_ffi.VectorPartReading))
+        check(lib.ups_result_read_vector_part(self, sensor, part, target(out, _ffi.VectorPartReading), len(out)))
+        return out
+
     def meter_part(self, sensor: SensorId, part: LightPart) -> NDArray[np.void]:
-        """The LightPart.DIRECT or INDIRECT light of each meter, with errors of its own: as ups_meter_part_reading."""
+        """The LightPart.DIRECT, INDIRECT or ALL light of each meter, with errors of its own: as ups_meter_part_reading."""
         out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=dtype_of(_ffi.MeterPartReading))
         check(lib.ups_result_read_meter_part(self, sensor, part, target(out, _ffi.MeterPartReading), len(out)))
         return out

@@ -56,6 +56,12 @@ class Result : public Handle<ups_result> {
   std::vector<ups_meter_part_reading> read_meter_part(ups_sensor_id sensor, ups_light_part part) const {
     return of_meters<ups_meter_part_reading>(ups_result_read_meter_part, sensor, get(), sensor, part);
   }
+  void read_vector_part(ups_sensor_id sensor, ups_light_part part, Span<ups_vector_part_reading> out) const {
+    check(ups_result_read_vector_part(get(), sensor, part, out.data(), out.size()));
+  }
+  std::vector<ups_vector_part_reading> read_vector_part(ups_sensor_id sensor, ups_light_part part) const {
+    return of_meters<ups_vector_part_reading>(ups_result_read_vector_part, sensor, get(), sensor, part);
+  }
   void read_meter_flags(ups_sensor_id sensor, Span<std::uint32_t> out) const {
     check(ups_result_read_meter_flags(get(), sensor, out.data(), out.size()));
   }

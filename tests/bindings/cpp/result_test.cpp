@@ -29,8 +29,12 @@ TEST(Results, OfMeters) {
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {"count"}, [&] { result.read_meters(room.meters, {filled.data(), 3}); });
   const auto direct = result.read_meter_part(room.meters, UPS_LIGHT_PART_DIRECT);
   EXPECT_EQ(direct[2].illuminance_lx, readings[2].direct_lx);
+  EXPECT_EQ(result.read_meter_part(room.meters, UPS_LIGHT_PART_ALL)[2].error_bound_lx, readings[2].error_bound_lx);
   EXPECT_EQ(result.read_meter_flags(room.meters).size(), 4u);
   const auto light = result.read_vectors(vector_meters);
+  const auto whole = result.read_vector_part(vector_meters, UPS_LIGHT_PART_ALL);
+  ASSERT_EQ(whole.size(), light.size());
+  EXPECT_EQ(whole[0].vector_lx[2], light[0].vector_lx[2]);
   const float *const v = light[0].vector_lx;
   EXPECT_GT(std::min({v[0], v[1], v[2]}), 0) << "towards the luminaire";
   EXPECT_NEAR(std::hypot(v[0], v[1], v[2]), result.read_meters(vector_meters)[0].illuminance_lx, 1e-3);

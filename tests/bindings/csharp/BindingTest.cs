@@ -162,6 +162,10 @@ public sealed partial class BindingTest : IDisposable
                 var vector = result.Vectors(vectors)[0];
                 Expect(vector.VectorLx[2] > 0 && vector.VectorLx[2] < 100 && vector.ErrorBoundLx[2] > 0,
                        "the light vector, less what the floor reflects");
+                var rest = result.VectorPart(vectors, LightPart.Indirect)[0];
+                Expect(Math.Abs(result.VectorPart(vectors, LightPart.Direct)[0].VectorLx[2] + rest.VectorLx[2]
+                                - vector.VectorLx[2]) < 1e-3, "direct and indirect are all of a vector");
+                Expect(rest.VectorLx[2] < 0, "light from the floor comes from below");
                 foreach (var flags in result.MeterFlags(meters))
                     Expect(flags == Reading.Exact || flags == Reading.FewPaths, "light by chance is none");
                 Expect(result.Image(eye, 6, 4, Channel.IlluminanceStandardError).Length == 24, "errors of an image");

@@ -47,6 +47,12 @@ static void read_vectors(const ups_result *result, ups_sensor_id vectors) {
   printf("%.1f lx upwards\n", light[0].vector_lx[2]);
   /* [end] */
   expect(light[0].vector_lx[2] > 0);
+  /* [ups_result_read_vector_part] */
+  ups_vector_part_reading straight[METERS];
+  check(ups_result_read_vector_part(result, vectors, UPS_LIGHT_PART_DIRECT, straight, METERS));
+  printf("%.1f lx upwards straight from emitters\n", straight[0].vector_lx[2]);
+  /* [end] */
+  expect(straight[0].vector_lx[2] > light[0].vector_lx[2]); /* the floor sends light up */
 }
 
 static void read_image(const ups_result *result, ups_sensor_id camera) {
