@@ -3,7 +3,7 @@
  *   ups_commit_benchmark [triangles, 3000000] [cpu]     cpu: commits by the processor time of all threads
  *
  * Scenes of that many triangles: in one mesh, with a small thing beside it, and in 5000 things of a mesh each; ten
- * luminaires with openings, 100 meters, a camera. Each edit is made and committed nine times; the median counts. The
+ * luminaires with openings, 100 meters, a camera. Each edit is made and committed 15 times; the median counts. The
  * first edit has a row of its own, should it cost more than later ones. */
 #include <math.h>
 #include <stdio.h>
@@ -17,7 +17,7 @@
   do {                                                                                            \
     if ((call) < 0) fprintf(stderr, "%s: %s\n", #call, ups_last_error()), exit(1);                \
   } while (0)
-enum { ROUNDS = 9, LUMINAIRES = 10, METERS = 100 };
+enum { ROUNDS = 15, LUMINAIRES = 10, METERS = 100 };
 
 typedef struct {
   ups_context *context;
