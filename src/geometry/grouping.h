@@ -8,7 +8,7 @@
 
 namespace ups {
 
-inline constexpr size_t group_triangles = 1 << 15;  // of a group, at most, but for one thing that has more
+inline constexpr size_t group_triangles = 1 << 14;  // of a group, at most, but for one thing that has more
 
 struct Thing {
   Box box;

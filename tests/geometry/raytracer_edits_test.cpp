@@ -218,7 +218,7 @@ TEST(Grouping, HasEachThingOnceAndGroupsOfOnePlace) {
   const Grouping grouping = group_by_place(things);
   expect_all_once(grouping, things);
   EXPECT_EQ(grouping.ungrouped, std::vector<uint32_t>{2000});
-  EXPECT_LT(grouping.groups.size(), 100u);
+  EXPECT_LT(grouping.groups.size(), 200u);
   double volume = 0;
   for (const auto& group : grouping.groups) {
     Box box;

@@ -149,7 +149,8 @@ class Scene : public Handle<ups_scene> {
   // ---- commits
   void commit() { check(ups_scene_commit(get())); }
   // The same as a job: poll, wait, cancel. Edits go on meanwhile, for the next commit.
-  Job start_commit(const CommitDesc &desc = {}) {
+  Job start_commit() { return Job(detail::value<ups_job *>(ups_scene_start_commit, get())); }
+  Job start_commit(const CommitDesc &desc) {
     return Job(detail::value<ups_job *>(ups_scene_start_commit_with, get(), &desc));
   }
   bool is_dirty() const { return detail::value<std::int32_t>(ups_scene_is_dirty, get()) != 0; }
