@@ -1,7 +1,8 @@
 /* UPS extra: what people read of a render: maps of illuminance and luminance as PNG, SVG or PDF, and the lighting
  * report as one HTML page. Library ups_report; needs the core library.
  *
- * The rules of ups_base.h hold; messages are this library's own: ups_report_last_error(). Files appear whole or not at
+ * The rules of ups_base.h hold; messages are this library's own: ups_report_last_error(). Calls of the core within may
+ * change ups_last_error(), too. Files appear whole or not at
  * all, and links, devices and permissions are kept as by ups_exr_write. Numbers in them have a point, whatever the
  * locale. Letters are those of the system's sans-serif font.
  */
@@ -30,14 +31,14 @@ typedef struct ups_report_style_desc {
   int32_t isolines;         /* 1 (default): drawn, with their values; 0: not */
   int32_t numbers;          /* 1 (default): at the meters, where there is room for them; 0: none */
   int32_t cells;            /* 1: each cell in one colour, without what lies between the values; 0 (default) */
-  double low, high;         /* ends of the colours, in the values' unit, 0 <= low < high <= 1e12, of a logarithmic scale
-                             * low > 0; both 0: the values decide */
+  double low, high;         /* ends of the colours, in the values' unit, low 0 or at least 1e-12, 1e-9 <= high <= 1e12, of
+                             * a logarithmic scale low > 0; both 0: the values decide */
   double threshold_lx;      /* of illuminances: > 0: what meets it, what does not, and of what the 95 % bound crosses
                              * it, in three colours; 0: none */
   double threshold_cd_m2;   /* the same of luminances */
   double width;             /* at most, in units of 1/96 inch, 150 to 4000; default 680, which is 180 mm */
-  double height;            /* the same, default 560 */
-  double zoom;              /* pixels of a PNG a unit, > 0, at most 8 and 16384 pixels a side; default 2: 192 an inch */
+  double height;            /* the same, 300 to 4000; default 560 */
+  double zoom;              /* pixels of a PNG a unit, 0.1 to 8, and 16384 pixels a side; default 2: 192 an inch */
 } ups_report_style_desc;
 
 typedef int32_t ups_report_quantity;
@@ -85,7 +86,8 @@ UPS_API void ups_report_style_desc_init(ups_report_style_desc *desc, uint32_t st
 UPS_API void ups_report_map_desc_init(ups_report_map_desc *desc, uint32_t struct_size);
 /* path: ends in .png, .svg or .pdf, which decides what is written. SVG documents have a title and a description for
  * those who cannot see them, letters are outlines. Errors: UNSUPPORTED where meters lie on surfaces, in no plane or on
- * one line, or are too many; INVALID_STATE where the scene is not committed. */
+ * one line, or are too many; INVALID_STATE where the scene is not committed, has edits that are
+ * not, or another size of image than the result. */
 UPS_API ups_status ups_report_write_map(const char *path, const ups_report_map_desc *desc);
 
 /* A source of light, and what people call it. */
@@ -93,7 +95,8 @@ typedef struct ups_report_source { /* a plain array element: it never grows */
   ups_source_kind kind; /* UPS_SOURCE_LUMINAIRE, of lights too, or UPS_SOURCE_INSTANCE */
   uint32_t id;          /* the v of its ups_luminaire_id or ups_instance_id */
   const char *name;     /* NULL: by its kind and number, "luminaire 1" */
-  const char *file;     /* photometric, as people know it: luminaires of one file and flux are a type. NULL: not told */
+  const char *file;     /* photometric, as people know it: luminaires of one file and flux are a type. NULL: not
+                         * told, and those of one photometry and flux are */
 } ups_report_source;
 
 typedef int32_t ups_report_exposure;
@@ -136,7 +139,8 @@ typedef struct ups_report_page_desc {
   const char *date;                   /* as people read it; NULL: not told */
   const char *targets_json;           /* what is required, a JSON text (samples/targets/README.md); NULL: nothing */
   const char *targets_name;           /* of its file, for messages and the page; NULL: "targets" */
-  const char *targets_folder;         /* where files that it includes lie, such as share/ups/targets; NULL: none may */
+  const char *targets_folder;         /* where files that it includes lie, or below, such as share/ups/targets;
+                                       * NULL: it includes none */
   const ups_report_style_desc *style; /* of the maps; NULL: the defaults. Zoom is for PNG alone */
   const double *thresholds_lx;        /* the share of each set's meters with at least so many lx is told; > 0 */
   const ups_report_ratio *ratios;     /* of mean illuminances to tell, and meter by meter of sets of as many meters */
@@ -145,8 +149,8 @@ typedef struct ups_report_page_desc {
 
 UPS_API void ups_report_page_desc_init(ups_report_page_desc *desc, uint32_t struct_size);
 /* One HTML file, for screens and for A4 paper, without any other file, script or use of the network. Errors: PARSE for
- * targets or a PNG that are none, INVALID_ARGUMENT where targets name what the sensors have not, INVALID_STATE where
- * the scene is not committed. */
+ * targets or a PNG that are none, INVALID_ARGUMENT where targets name what the sensors have not, INVALID_STATE as
+ * for maps. */
 UPS_API ups_status ups_report_write_page(const char *path, const ups_report_page_desc *desc);
 
 /* This thread's last failure of this library, for people. Never NULL; valid until this thread's next failing call. */

@@ -212,8 +212,8 @@ MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const
     r.meters[m] = v.reading();
     for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
       r.parts[size_t(part)][m] = v.part(part);
-    for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT, UPS_LIGHT_PART_ALL})
-      r.vectors[size_t(part)].push_back(v.components(part));
+    const auto components = v.components();
+    for (size_t part = 0; part < components.size(); ++part) r.vectors[part].push_back(components[part]);
   }
   add_statistics(lights, r);
   r.statistics.count = scene_.meter_sets[set].count();

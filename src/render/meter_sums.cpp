@@ -112,7 +112,6 @@ ups_meter_reading MeterLight::reading() const {
   return out;
 }
 
-// Light straight from emitters that no photon brings has no bias; the other part may have all of it.
 LightPart light_part(ups_light_part part) {
   return part == UPS_LIGHT_PART_DIRECT ? direct_light : part == UPS_LIGHT_PART_INDIRECT ? indirect_light : whole_light;
 }
@@ -122,6 +121,7 @@ double MeterLight::mean_of(LightPart part) const {
   return part == direct_light ? direct : spread(sums.value, visits).mean - (part == whole_light ? 0 : direct);
 }
 
+// Light straight from emitters that no photon brings has no bias; the other part may have all of it.
 double MeterLight::bias_of(LightPart part) const { return part != direct_light || merges_direct ? bias.mean : 0; }
 
 ups_meter_part_reading MeterLight::part(ups_light_part part) const {

@@ -88,18 +88,21 @@ ups_meter_reading VectorLight::reading() const {
 
 ups_meter_part_reading VectorLight::part(ups_light_part part) const { return length(light_part(part)).part(part); }
 
-ups_vector_part_reading VectorLight::components(ups_light_part part) const {
-  const LightPart of = light_part(part);
-  ups_vector_part_reading r{};
+std::array<ups_vector_part_reading, 3> VectorLight::components() const {
+  std::array<ups_vector_part_reading, 3> parts{};
   for (int k = 0; k < 3; ++k) {
     const MeterLight light = along(axes[k]);
-    r.standard_error_lx[k] = r.error_bound_lx[k] = -1;
-    if (light.visits == 0) continue;
-    r.vector_lx[k] = float(light.mean_of(of));
-    r.bias_lx[k] = float(light.bias_of(of));
-    std::tie(r.standard_error_lx[k], r.error_bound_lx[k]) = light.error_of(of);
+    for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT, UPS_LIGHT_PART_ALL}) {
+      const LightPart of = light_part(part);
+      ups_vector_part_reading& r = parts[size_t(part)];
+      r.standard_error_lx[k] = r.error_bound_lx[k] = -1;
+      if (light.visits == 0) continue;
+      r.vector_lx[k] = float(light.mean_of(of));
+      r.bias_lx[k] = float(light.bias_of(of));
+      std::tie(r.standard_error_lx[k], r.error_bound_lx[k]) = light.error_of(of);
+    }
   }
-  return r;
+  return parts;
 }
 
 }  // namespace ups

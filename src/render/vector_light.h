@@ -21,7 +21,7 @@ class VectorLight {
   // Its reading and parts: lengths all of them.
   ups_meter_reading reading() const;
   ups_meter_part_reading part(ups_light_part part) const;
-  ups_vector_part_reading components(ups_light_part part) const;
+  std::array<ups_vector_part_reading, 3> components() const;  // by ups_light_part
 
  private:
   MeterLight along(const Vec3d& direction) const;

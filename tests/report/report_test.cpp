@@ -308,9 +308,9 @@ TEST(ReportMap, RefusesAStyleOutOfRange) {
   expect_wrong([](StyleDesc& s) { s.scale = 2; }, "scale must be");
   expect_wrong([](StyleDesc& s) { s.colours = -1; }, "colours must be");
   expect_wrong([](StyleDesc& s) { s.cells = 2; }, "must be 0 or 1");
-  expect_wrong([](StyleDesc& s) { s.low = 5, s.high = 5; }, "high greater by");
-  expect_wrong([](StyleDesc& s) { s.low = 1, s.high = 1 + 1e-15; }, "high greater by");
-  expect_wrong([](StyleDesc& s) { s.low = 1, s.high = INFINITY; }, "high greater by");
+  expect_wrong([](StyleDesc& s) { s.low = 5, s.high = 5; }, "greater by a millionth");
+  expect_wrong([](StyleDesc& s) { s.low = 1, s.high = 1 + 1e-15; }, "greater by a millionth");
+  expect_wrong([](StyleDesc& s) { s.low = 1, s.high = INFINITY; }, "greater by a millionth");
   expect_wrong([](StyleDesc& s) { s.high = 5, s.scale = UPS_REPORT_SCALE_LOGARITHMIC; }, "scale is logarithmic");
   expect_wrong([](StyleDesc& s) { s.threshold_lx = NAN; }, "threshold_lx");
   expect_wrong([](StyleDesc& s) { s.width = 10; }, "width must be");
@@ -377,12 +377,13 @@ TEST_F(ReportPage, LeavesOutWhatIsNotTold) {
 }
 
 TEST_F(ReportPage, ShowsPictures) {
-  const std::string png = "\x89PNG\r\n\x1a\n rest";
+  using namespace std::string_literals;
+  const std::string png = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR rest \0\0\0\0IEND\xae\x42\x60\x82"s;
   ups_report_picture picture{LRoom::lit().camera, UPS_REPORT_EXPOSURE_CHOSEN, 5, 1, 0, nullptr,
                              reinterpret_cast<const uint8_t*>(png.data()), png.size()};
   page.pictures = &picture, page.picture_count = 1;
   const std::string html = written();
-  EXPECT_TRUE(has(html, "data:image/png;base64,iVBORw0KGgogcmVzdA=="));
+  EXPECT_TRUE(has(html, "data:image/png;base64,iVBORw0KGgoAAAANSUhEUiByZXN0IAAAAABJRU5ErkJggg=="));
   EXPECT_TRUE(has(html, "EV100 5.0") && has(html, "Smoothed"));
   std::ofstream(path_of("picture.png"), std::ios::binary) << png;
   const std::string path = path_of("picture.png");
@@ -390,9 +391,14 @@ TEST_F(ReportPage, ShowsPictures) {
   EXPECT_TRUE(written() == html);
   picture.path = "no such picture.png";
   expect_no_page(UPS_ERROR_IO, "cannot read 'no such picture.png'");
+  const std::string folder = testing::TempDir();
+  picture.path = folder.c_str();
+  expect_no_page(UPS_ERROR_IO, "cannot read");
   picture.path = nullptr;
   expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "pictures[0]: needs path or png");
   picture.png = reinterpret_cast<const uint8_t*>("GIF89a..."), picture.png_size = 9;
+  expect_no_page(UPS_ERROR_PARSE, "pictures[0]: is no PNG");
+  picture.png = reinterpret_cast<const uint8_t*>(png.data()), picture.png_size = 24;
   expect_no_page(UPS_ERROR_PARSE, "pictures[0]: is no PNG");
   picture.camera = LRoom::lit().wall;
   expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "pictures[0] is no camera");
@@ -402,12 +408,22 @@ TEST_F(ReportPage, RefusesWrongTargetsAndSensors) {
   page.targets_name = "wishes.json";
   page.targets_json = "{";
   expect_no_page(UPS_ERROR_PARSE, "wishes.json: is no JSON: parse error at line 1");
+  const std::string deep = R"({"note": )" + std::string(100000, '[') + std::string(100000, ']') + "}";
+  page.targets_json = deep.c_str();
+  expect_no_page(UPS_ERROR_PARSE, "wishes.json: is nested deeper");
+  page.targets_json = R"({"areas": [{"meters": "work plane", "mean_lx": 1e999}]})";
+  expect_no_page(UPS_ERROR_PARSE, "wishes.json: has a number that is too large");
   page.targets_json = R"({"areas": [{"meters": "work plane", "mean": 500}]})";
   expect_no_page(UPS_ERROR_PARSE, "wishes.json: areas[0]: 'mean' is no word of it");
   page.targets_json = R"({"areas": [{"meters": "roof", "mean_lx": 500}]})";
   expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "the scene has no meters 'roof'; it has work plane, meters 2, surfaces");
   page.targets_json = R"({"include": "en12464-1.json", "areas": [{"meters": "work plane", "row": "office.writing"}]})";
   expect_no_page(UPS_ERROR_PARSE, "there is no 'en12464-1.json', as no folder is given");
+  page.targets_json = R"({"include": "../targets/en12464-1.json", "areas": []})";
+  const std::string below = std::string(UPS_TARGETS_FOLDER) + "/../c";
+  page.targets_folder = below.c_str();
+  expect_no_page(UPS_ERROR_PARSE, "there is no '../targets/en12464-1.json'");
+  page.targets_json = R"({"include": "en12464-1.json", "areas": [{"meters": "work plane", "row": "office.writing"}]})";
   page.targets_folder = UPS_TARGETS_FOLDER;
   EXPECT_TRUE(has(written(), "EN 12464-1"));
   page.targets_json = nullptr;
@@ -419,6 +435,69 @@ TEST_F(ReportPage, RefusesWrongTargetsAndSensors) {
   page.ratio_count = 0;
   page.result = nullptr;
   expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "result is NULL");
+}
+
+// Two distributions of the same flux, twice the first: two types, two diagrams.
+class TwoPhotometries : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(ups_scene_create(LRoom::lit().context, &scene), UPS_OK);
+    const float gamma_deg[3] = {0, 45, 90}, c_deg[1] = {0}, wide[3] = {500, 500, 500}, narrow[3] = {900, 100, 0};
+    for (const float* cd : {wide, narrow, wide}) {
+      ups_profile_desc desc;
+      ups_profile_desc_init(&desc, sizeof desc);
+      desc.c_count = 1, desc.gamma_count = 3, desc.c_deg = c_deg, desc.gamma_deg = gamma_deg, desc.intensity_cd = cd;
+      ups_profile* profile = nullptr;
+      ASSERT_EQ(ups_profile_create(LRoom::lit().context, &desc, &profile), UPS_OK);
+      ups_luminaire_desc lamp;
+      ups_luminaire_desc_init(&lamp, sizeof lamp);
+      lamp.profile = profile, lamp.flux_lm = 800, lamp.to_world[11] = 3;
+      ups_luminaire_id id;
+      ASSERT_EQ(ups_scene_add_luminaire(scene, &lamp, &id), UPS_OK);
+      ups_profile_destroy(profile);
+    }
+    const double at[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    const float up[12] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+    meters.count = 4, meters.positions_m = at, meters.normals = up;
+    ASSERT_EQ(ups_scene_add_meters(scene, &meters, &points), UPS_OK);
+    ASSERT_EQ(ups_scene_commit(scene), UPS_OK);
+    ups_render_desc desc;
+    ups_render_desc_init(&desc, sizeof desc);
+    desc.iteration_count = 1;
+    ASSERT_EQ(ups_render(scene, &desc, &result), UPS_OK) << ups_last_error();
+  }
+  void TearDown() override { ups_result_destroy(result), ups_scene_destroy(scene); }
+
+  ups_scene* scene = nullptr;
+  ups_result* result = nullptr;
+  ups_meter_desc meters = [] {
+    ups_meter_desc desc;
+    ups_meter_desc_init(&desc, sizeof desc);
+    return desc;
+  }();
+  ups_sensor_id points{};
+};
+
+TEST_F(TwoPhotometries, AreTwoTypesWhereNoFileIsTold) {
+  ups_report_page_desc page;
+  ups_report_page_desc_init(&page, sizeof page);
+  page.scene = scene, page.result = result;
+  ASSERT_EQ(ups_report_write_page(path_of("types.html").c_str(), &page), UPS_OK) << ups_report_last_error();
+  const std::string html = read(path_of("types.html"));
+  EXPECT_TRUE(has(html, "Type 1</strong>") && has(html, "Type 2</strong>"));
+  EXPECT_FALSE(has(html, "Type 3</strong>")) << "the third luminaire is of the first one's type";
+}
+
+TEST_F(TwoPhotometries, OfASceneWithEditsHaveNoMap) {
+  MapDesc desc(points);
+  desc.scene = scene, desc.result = result;
+  EXPECT_EQ(ups_report_write_map(path_of("edited.svg").c_str(), &desc), UPS_OK) << ups_report_last_error();
+  ups_luminaire_id lamp{};
+  ups_light_desc light;
+  ups_light_desc_init(&light, sizeof light);
+  ASSERT_EQ(ups_scene_add_light(scene, &light, &lamp), UPS_OK);
+  EXPECT_EQ(ups_report_write_map(path_of("edited.svg").c_str(), &desc), UPS_ERROR_INVALID_STATE);
+  EXPECT_TRUE(has(ups_report_last_error(), "edits that are not committed")) << ups_report_last_error();
 }
 
 TEST_F(ReportPage, NeedsACommittedScene) {

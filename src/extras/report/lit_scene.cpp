@@ -17,7 +17,9 @@ template <class Desc>
 bool read(const ups_scene* scene, ups_sensor_id id, void (*init)(Desc*, uint32_t),
           ups_status (*get)(const ups_scene*, ups_sensor_id, Desc*), Desc& desc) {
   init(&desc, sizeof desc);
-  return get(scene, id, &desc) == UPS_OK;
+  const ups_status status = get(scene, id, &desc);
+  if (status == UPS_ERROR_OUT_OF_MEMORY) check(status);
+  return status == UPS_OK;
 }
 
 bool read_camera(const ups_scene* scene, SensorInfo& info) {
@@ -118,7 +120,6 @@ ups_scene_info info_of(const LitScene& scene) {
 // The library knows sensors by their numbers, and tells programmers what to call.
 std::string for_people(const LitScene& scene, std::string line) {
   if (const size_t call = line.find("; see ups_"); call != std::string::npos) line.erase(call);
-  constexpr uint32_t number_bits = 0xffffff;
   for (const SensorEntry& sensor : scene.sensors) {
     const bool observer = sensor.info.kind == SensorKind::observer;  // to the library, meters at an eye
     const std::string kind = observer || sensor.info.kind == SensorKind::meters ? "meters "

@@ -233,15 +233,15 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
     least = std::min(least, double(value)), most = std::max(most, double(value));
   }
   // Of a large one blocks of pixels: more than the drawing's own could not be seen.
-  constexpr uint32_t most_side = 2048;
-  const uint32_t block = (std::max(columns, rows) + most_side - 1) / most_side;
-  data.columns = (columns + block - 1) / block;
-  data.rows = (rows + block - 1) / block;
+  constexpr uint64_t most_side = 2048;
+  const uint64_t block = (std::max(columns, rows) + most_side - 1) / most_side;
+  data.columns = uint32_t((columns + block - 1) / block);
+  data.rows = uint32_t((rows + block - 1) / block);
   for (uint32_t row = 0; row < data.rows; ++row) {
     for (uint32_t column = 0; column < data.columns; ++column) {
       double block_sum = 0, bound_sum = 0, count = 0, bounded = 0;
-      for (uint32_t y = row * block; y < std::min((row + 1) * block, rows); ++y) {
-        for (uint32_t x = column * block; x < std::min((column + 1) * block, columns); ++x) {
+      for (uint64_t y = row * block; y < std::min<uint64_t>((row + 1) * block, rows); ++y) {
+        for (uint64_t x = column * block; x < std::min<uint64_t>((column + 1) * block, columns); ++x) {
           const size_t pixel = size_t(rows - 1 - y) * columns + x;
           if (!is_good(values[pixel])) continue;
           block_sum += double(values[pixel]), ++count;

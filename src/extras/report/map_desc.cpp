@@ -97,6 +97,7 @@ MapData points_map(const ups_report_map_desc& d) {
 
 MapData numbers_map(const ups_report_map_desc& d) {
   require(d.sensor.v == 0, "sensor is set, but result is NULL");
+  require_array(d.sensors, d.sensor_count, "sensors");
   require(d.values != nullptr, "values is NULL: a map is of a sensor in a result, or of numbers");
   require(d.count > 0, "count must be at least 1");
   if (d.positions_m) return points_map(d);

@@ -62,7 +62,8 @@ class MapField {
   double spacing_ = 0;
   double reach() const { return 0.7 * spacing_; }
   std::pair<int64_t, int64_t> square_of(const Place& p) const {
-    return {int64_t(std::floor(p.x / reach())), int64_t(std::floor(p.y / reach()))};
+    const auto whole = [&](double x) { return int64_t(std::clamp(std::floor(x / reach()), -1e15, 1e15)); };
+    return {whole(p.x), whole(p.y)};
   }
   std::map<std::pair<int64_t, int64_t>, std::vector<uint32_t>> squares_;
   MapBox box_;

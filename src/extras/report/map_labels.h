@@ -1,5 +1,6 @@
 // Where texts on a map stand without touching one another. Called by map_plot.cpp.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -26,16 +27,26 @@ class TakenPlaces {
     return true;
   }
 
-  // A line, which may cross other things but not what is set later.
-  void occupy(const std::vector<Point>& line) {
+  // What of a line lies in a rectangle; it may cross other things, but not what is set later.
+  void occupy(const std::vector<Point>& line, const Point& least, const Point& most) {
     constexpr double step = 4, radius = 0.5;
-    double next = 0;
+    double next = 0;  // along a segment
     for (size_t i = 1; i < line.size(); ++i) {
-      const Point a = line[i - 1], b = line[i];
-      const double length = std::hypot(b.x - a.x, b.y - a.y);
-      for (; next <= length; next += step)
-        taken_.push_back({{a.x + (b.x - a.x) * next / length, a.y + (b.y - a.y) * next / length}, radius});
-      next -= length;
+      const Point a = line[i - 1], to{line[i].x - a.x, line[i].y - a.y};
+      const double length = std::hypot(to.x, to.y);
+      if (!(length > 0)) continue;
+      double from = next, end = length;  // within the rectangle (Liang and Barsky 1984)
+      const auto clip = [&](double start, double change, double low, double high) {
+        const double t0 = (low - start) / change * length, t1 = (high - start) / change * length;
+        if (change != 0)
+          from = std::max(from, std::min(t0, t1)), end = std::min(end, std::max(t0, t1));
+        else if (!(start >= low && start <= high))
+          end = -1;
+      };
+      clip(a.x, to.x, least.x, most.x), clip(a.y, to.y, least.y, most.y);
+      for (double at = next + step * std::ceil((from - next) / step); at <= end; at += step)
+        taken_.push_back({{a.x + to.x * at / length, a.y + to.y * at / length}, radius});
+      next = next > length ? next - length : step - std::fmod(length - next, step);
     }
   }
 

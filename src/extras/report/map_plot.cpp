@@ -51,7 +51,7 @@ class Plot {
     for (const MapLine& line : data_.room)
       if (line.cut) add_line(line.points, strong, 1.6, 1);
     draw_luminaires();
-    for (const MapLuminaire& l : data_.luminaires) taken_.occupy(ring_of(l));
+    for (const MapLuminaire& l : data_.luminaires) occupy(ring_of(l));
     draw_observers(labels);
     if (style_.numbers && !data_.is_image && most != Lattice::none) add_numbers(least, most, labels);
     for (Label& label : labels) drawing_.add(std::move(label));
@@ -146,7 +146,7 @@ class Plot {
       draw_labelled(line.level, points, along, labels);
       drawn.push_back(points);
     }
-    for (const auto& points : drawn) taken_.occupy(points);
+    for (const auto& points : drawn) occupy(points);
   }
 
   // With its value in gaps of the line, about one each 260 units.
@@ -203,6 +203,11 @@ class Plot {
       const double turn = std::atan2(-o.looks_along.y, o.looks_along.x), middle = 0.5 * (look - eye);
       taken_.take({c.x + middle * std::cos(turn), c.y + middle * std::sin(turn)}, look + eye, 2 * eye, turn);
     }
+  }
+
+  void occupy(const std::vector<Point>& line) {
+    const Frame& f = view_.frame;
+    taken_.occupy(line, {f.left, f.top}, {f.left + f.width, f.top + f.height});
   }
 
   std::vector<Point> ring_of(const MapLuminaire& l) const {

@@ -73,7 +73,8 @@ struct PlacedSource {
   Profile profile;  // null: a light or a surface
 };
 struct LuminaireType {
-  std::string file;  // or what it is
+  std::string file;        // or what it is
+  std::string photometry;  // what tells it from others: the file, or what its profile says
   double flux_lm;    // of each
   std::vector<PlacedSource> sources;
 };

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "platform/files.h"
+#include "platform/paths.h"
 #include "report/descs.h"
 
 namespace ups::report {
@@ -42,15 +43,20 @@ void take_sources(const ups_report_page_desc& d, LitScene& scene) {
 std::vector<uint8_t> bytes_of(const ups_report_picture& p, const std::string& where) {
   std::vector<uint8_t> bytes;
   if (p.path) {
-    auto file = platform::open_to_read(p.path);
-    bytes.assign(std::istreambuf_iterator<char>(file), {});
+    if (platform::is_regular_file(p.path)) {
+      auto file = platform::open_to_read(p.path);
+      bytes.assign(std::istreambuf_iterator<char>(file), {});
+    }
     if (bytes.empty())
-      throw Failure(where + ": cannot read '" + p.path + "': no such file, not readable, or empty", UPS_ERROR_IO);
+      throw Failure(where + ": cannot read '" + p.path + "': no file, not readable, or empty", UPS_ERROR_IO);
   } else {
     bytes.assign(p.png, p.png + p.png_size);
   }
-  constexpr uint8_t signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  if (bytes.size() < sizeof signature || std::memcmp(bytes.data(), signature, sizeof signature) != 0)
+  // Its signature, the header's chunk first and the end's last (ISO/IEC 15948, 5.2 and 5.6).
+  constexpr uint8_t begin[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R'},
+                    end[] = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
+  if (bytes.size() < sizeof begin + sizeof end || std::memcmp(bytes.data(), begin, sizeof begin) != 0 ||
+      std::memcmp(bytes.data() + bytes.size() - sizeof end, end, sizeof end) != 0)
     throw Failure(where + ": is no PNG" + (p.path ? std::string(": '") + p.path + "'" : ""), UPS_ERROR_PARSE);
   return bytes;
 }

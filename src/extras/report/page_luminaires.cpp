@@ -34,6 +34,31 @@ PlacedSource source_at(const LitScene& scene, uint32_t index) {
   return source;
 }
 
+// The photometry itself where no file is told, so that two luminaires of the same flux are not taken for one type.
+std::string photometry_of(const PlacedSource& source) {
+  if (!source.profile) return what_it_is(source.info);
+  if (!source.file.empty()) return source.file;
+  constexpr int planes = 24, angles = 37;
+  constexpr double pi = 180 * radian;
+  std::vector<float> directions, cd(planes * angles);
+  for (int c = 0; c < planes; ++c)
+    for (int g = 0; g < angles; ++g) {
+      const double azimuth = 2 * pi * c / planes, gamma = pi * g / (angles - 1);
+      const double aside = std::sin(gamma);
+      for (const double x : {aside * std::cos(azimuth), aside * std::sin(azimuth), -std::cos(gamma)})
+        directions.push_back(float(x));
+    }
+  check(ups_profile_eval(source.profile.get(), directions.data(), cd.size(), cd.data()));
+  std::string all = read_text([&](char* to, size_t capacity, size_t* needed) {
+    return ups_profile_get_text(source.profile.get(), UPS_PROFILE_TEXT_KEYWORDS, to, capacity, needed);
+  });
+  auto info = sized<ups_profile_info>();
+  check(ups_profile_get_info(source.profile.get(), &info));
+  for (const float x : cd) all += format(" %.5g", double(x));
+  return all + format(" %.5g %d %.5g %.5g %.5g", double(info.input_power_w), int(info.opening_shape),
+                      double(info.opening_m[0]), double(info.opening_m[1]), double(info.opening_m[2]));
+}
+
 ProfileReport profile_of(const LuminaireType& type) {
   return make_report(type.file, type.sources[0].profile.get());
 }
@@ -166,11 +191,11 @@ std::string polar(const LuminaireType& type, size_t number) {
 std::string diagrams(const std::vector<LuminaireType>& types) {
   std::string html;
   size_t drawn = 0, number = 0;
-  std::map<std::string, bool> seen;  // one of a file, whatever its flux
+  std::map<std::string, bool> seen;  // one of a photometry, whatever its flux
   for (const LuminaireType& type : types) {
     ++number;
-    if (!type.sources[0].profile || seen[type.file] || drawn == most_diagrams) continue;
-    seen[type.file] = true;
+    if (!type.sources[0].profile || seen[type.photometry] || drawn == most_diagrams) continue;
+    seen[type.photometry] = true;
     html += polar(type, number), ++drawn;
   }
   return html.empty() ? "" : "<h3>Luminous intensity</h3>\n<div class=\"cards\">\n" + html + "</div>\n";
@@ -218,9 +243,10 @@ std::vector<LuminaireType> luminaire_types(const LitScene& scene) {
   for (uint32_t i = 0; i < count; ++i) {
     PlacedSource source = source_at(scene, i);
     if (!(source.info.flux_lm > 0)) continue;
-    const std::string file = source.file.empty() ? what_it_is(source.info) : source.file;
-    const auto [at, is_new] = known.try_emplace({file, format("%.4g", source.info.flux_lm)}, types.size());
-    if (is_new) types.push_back({file, source.info.flux_lm, {}});
+    const std::string file = source.file.empty() ? what_it_is(source.info) : source.file,
+                      photometry = photometry_of(source);
+    const auto [at, is_new] = known.try_emplace({photometry, format("%.4g", source.info.flux_lm)}, types.size());
+    if (is_new) types.push_back({file, photometry, source.info.flux_lm, {}});
     types[at->second].sources.push_back(std::move(source));
   }
   return types;

@@ -1,6 +1,9 @@
 // See page.h: a false-colour map of each set of meters that lies in a plane.
+#include <algorithm>
+
 #include "report/map_data.h"
 #include "report/page.h"
+#include "report/text_format.h"
 
 namespace ups::report {
 namespace {
@@ -13,7 +16,7 @@ std::string map_of(const PageInput& in, size_t index, bool narrow) {
   const std::optional<MapData> data = meter_map(sensor, in.scene, in.result);
   if (!data) return {};
   MapStyle style = in.map;
-  if (narrow) style.width = 560, style.most_height = 440;
+  if (narrow) style.width = std::min(style.width, 560.0), style.most_height = std::min(style.most_height, 440.0);
   const std::string svg =
       inline_svg(map_drawing(*data, style), data->quantity + " of " + sensor.name, map_description(*data, style),
                  "map" + std::to_string(index));
@@ -35,6 +38,7 @@ std::string maps_part(const PageInput& in) {
   std::string html;
   for (size_t i = 0; i < sets.size() && i < most_maps; ++i) html += map_of(in, sets[i], narrow);
   if (html.empty()) return {};
+  if (sets.size() > most_maps) html += format("<p>The first %zu of %zu.</p>\n", most_maps, sets.size());
   return "<h3>Maps</h3>\n" + (narrow ? "<div class=\"cards maps\">\n" + html + "</div>\n" : html);
 }
 

@@ -24,15 +24,15 @@ void check(const ups_report_style_desc& d) {
   require(is_flag(d.isolines) && is_flag(d.numbers) && is_flag(d.cells),
           "style: isolines, numbers and cells must be 0 or 1");
   require((d.low == 0 && d.high == 0) || is_range(d.low, d.high),
-          "style: low must be at least 0, high greater by a millionth or more, at most 1e12, or both 0");
+          "style: low must be 0 or at least 1e-12, high 1e-9 to 1e12 and greater by a millionth or more, or both 0");
   require(d.scale == UPS_REPORT_SCALE_LINEAR || d.high == 0 || d.low > 0,
           "style: low must be greater than 0 where the scale is logarithmic");
   require(is_threshold(d.threshold_lx), "style: threshold_lx must be finite and at least 0");
   require(is_threshold(d.threshold_cd_m2), "style: threshold_cd_m2 must be finite and at least 0");
   require(d.width >= 150 && d.width <= 4000, "style: width must be 150 to 4000 units of 1/96 inch");
-  require(d.height >= 150 && d.height <= 4000, "style: height must be 150 to 4000 units of 1/96 inch");
-  require(d.zoom > 0 && d.zoom <= 8 && d.zoom * std::max(d.width, d.height) <= most_pixels,
-          "style: zoom must be greater than 0, at most 8, and width and height times zoom at most 16384 pixels");
+  require(d.height >= 300 && d.height <= 4000, "style: height must be 300 to 4000 units of 1/96 inch");
+  require(d.zoom >= 0.1 && d.zoom <= 8 && d.zoom * std::max(d.width, d.height) <= most_pixels,
+          "style: zoom must be 0.1 to 8, and width and height times zoom at most 16384 pixels");
 }
 
 }  // namespace
@@ -72,6 +72,11 @@ void require_array(const void* array, uint32_t count, const char* name) {
 
 LitScene lit_scene_of(const ups_scene* scene, const ups_report_sensor* sensors, uint32_t count) {
   require_array(sensors, count, "sensors");
+  int32_t dirty = 0;
+  report::check(ups_scene_is_dirty(scene, &dirty));
+  if (dirty)
+    throw Failure("scene has edits that are not committed, which its results know nothing of: commit it first",
+                  UPS_ERROR_INVALID_STATE);
   LitScene lit;
   lit.scene = scene;
   for (uint32_t i = 0; i < count; ++i) {

@@ -8,17 +8,21 @@
 namespace ups::report {
 namespace {
 
+// The last star takes one letter more wherever what follows it does not fit.
 bool matches_from(const char* name, const char* pattern) {
-  for (; *pattern; ++name, ++pattern) {
-    if (*pattern == '*') {
-      for (const char* rest = name;; ++rest) {
-        if (matches_from(rest, pattern + 1)) return true;
-        if (!*rest) return false;
-      }
-    }
-    if (!*name || (*pattern != '?' && *pattern != *name)) return false;
+  const char *star = nullptr, *taken = nullptr;
+  while (*name) {
+    if (*pattern == '*')
+      star = pattern++, taken = name;
+    else if (*pattern == '?' || *pattern == *name)
+      ++pattern, ++name;
+    else if (star)
+      pattern = star + 1, name = ++taken;
+    else
+      return false;
   }
-  return !*name;
+  while (*pattern == '*') ++pattern;
+  return !*pattern;
 }
 
 // A value that is not known to an interval is on neither side for sure.

@@ -78,8 +78,15 @@ struct Row {
 using Rows = std::map<std::string, Row>;
 
 Json parse(const std::string& json, const std::string& file) {
+  constexpr int most_depth = 16;  // far more than any words of it have
+  const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
+    if (depth > most_depth) fail(file, "is nested deeper than targets are");
+    return true;
+  };
   try {
-    return Json::parse(json);
+    return Json::parse(json, shallow);
+  } catch (const Json::out_of_range& e) {
+    fail(file, std::string("has a number that is too large: ") + e.what());
   } catch (const Json::parse_error& e) {
     std::string what = e.what();  // "[json.exception.parse_error.101] parse error at line 3, column 7: ..."
     const size_t begin = what.find("parse error");
@@ -115,7 +122,7 @@ std::string find_included(const std::string& file, const std::string& name, cons
   std::string tried;
   for (const std::string& folder : folders) {
     const std::string candidate = platform::joined(folder, name);
-    if (platform::is_regular_file(candidate)) return candidate;
+    if (platform::is_regular_file(candidate) && platform::lies_within(candidate, folder)) return candidate;
     tried += (tried.empty() ? "neither as " : " nor as ") + candidate;
   }
   fail(file + ": include", "there is no '" + name + "', " +
