@@ -72,8 +72,12 @@ TEST(HonestErrors, PartsHaveErrorsOfTheirOwn) {
     EXPECT_NEAR(indirect[i].standard_error_lx, whole[i].standard_error_lx, 1e-3 * whole[i].standard_error_lx);
     EXPECT_EQ(r.flags(meters)[i], 0u);
   }
-  std::vector<ups_meter_part_reading> wrong(2);
-  EXPECT_THROW(r.part(meters, 2), std::runtime_error);
+  const auto all = r.part(meters, UPS_LIGHT_PART_ALL);
+  for (size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(all[i].illuminance_lx, whole[i].illuminance_lx);
+    EXPECT_EQ(all[i].error_bound_lx, whole[i].error_bound_lx);
+  }
+  EXPECT_THROW(r.part(meters, 3), std::runtime_error);
 }
 
 TEST(HonestErrors, IlluminanceImagesHaveErrors) {
