@@ -17,7 +17,7 @@ def lit(context):
 
 def test_maps_of_sensors(lit, tmp_path):
     scene, meters, camera, result = lit
-    for ending, head in ((".png", PNG), (".svg", b"<?xml"), (".pdf", b"%PDF-")):
+    for ending, head in ((".png", PNG[:8]), (".svg", b"<?xml"), (".pdf", b"%PDF-")):
         ups.write_map(tmp_path / ("desk" + ending), scene, result, meters, title="Schreibtisch ä")
         assert (tmp_path / ("desk" + ending)).read_bytes().startswith(head)
     assert "Illuminance: Schreibtisch ä" in (tmp_path / "desk.svg").read_text(encoding="utf-8")
