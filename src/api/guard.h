@@ -10,7 +10,6 @@
 #include "base/error.h"
 #include "base/floating_point.h"
 #include "photometry/photometry.h"
-#include "platform/numbers.h"
 
 namespace ups::api {
 
@@ -20,7 +19,6 @@ ups_status fail(ups_status status, const char* function, const char* message) no
 template <class Body>
 ups_status guard(const char* function, const Body& body) noexcept {
   const DefaultFloatingPoint environment;
-  const platform::PointInNumbers point;
   try {
     if constexpr (std::is_same_v<std::invoke_result_t<Body>, ups_status>) {
       return body();  // with a status of its own, such as UPS_TIMEOUT

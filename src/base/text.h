@@ -1,5 +1,6 @@
-// Texts for people: a list of messages, a line each. Used by render and api.
+// Texts for people: a list of messages, a line each; numbers with a point, whatever the host's locale is.
 #pragma once
+#include <charconv>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,6 +11,12 @@ inline std::string lines(const std::vector<std::string>& list) {
   std::string text;
   for (const std::string& line : list) text += line + "\n";
   return text;
+}
+
+// As printf's %g with so many digits, at most 17.
+inline std::string short_number(double value, int digits) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
 }
 
 // "luminaire 3", "luminaires 3 and 4", "luminaires 3, 4, 5 and 17 more". ids: not empty.

@@ -1,5 +1,5 @@
 // Threads of the library as a guest's should be: they bear names, take no signals of the host, compute in the default
-// floating-point environment, write numbers with a point; one that cannot start is an error with a message of its own.
+// floating-point environment; one that cannot start is an error with a message of its own.
 #pragma once
 #include <string>
 #include <system_error>
@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "base/floating_point.h"
-#include "platform/numbers.h"
 #include "platform/threads.h"
 
 namespace ups {
@@ -19,7 +18,6 @@ std::thread start_thread(const std::string& role, Body body) {
   try {
     return platform::start_thread("ups/" + role, [body = std::move(body)] {
       const DefaultFloatingPoint environment;
-      const platform::PointInNumbers point;
       body();
     });
   } catch (const std::system_error& e) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "render/coverage.h"
 #include "scene/snapshot.h"
 #include "transport/integrator.h"
@@ -131,9 +132,9 @@ void tell_selection(const Integrator& integrator, MethodChoice& method) {
     const auto uses = [&](uint32_t t) { return (sensor.techniques & t) != 0; };
     constexpr const char* photons[] = {"", ", caustic photons", ", photons"};  // UPS_PHOTONS_*
     constexpr double large = 99;  // beyond, short trials tell no more than that
-    char gain[64];
-    std::snprintf(gain, sizeof gain, "predicted: %s%.2g times as fast as all techniques",
-                  sensor.predicted_gain > large ? "over " : "", std::min(sensor.predicted_gain, large));
+    const std::string gain = std::string("predicted: ") + (sensor.predicted_gain > large ? "over " : "") +
+                             short_number(std::min(sensor.predicted_gain, large), 2) +
+                             " times as fast as all techniques";
     method.text += (camera ? "camera " + std::to_string(scene.camera_ids[i])
                            : "meters " + std::to_string(scene.meter_set_ids[i - scene.cameras.size()])) +
                    ": eye paths" + (uses(connect) ? ", connections" : "") + (uses(sensor_connect) ? ", splats" : "") +

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/text.h"
 
 namespace ups {
 
@@ -78,10 +79,9 @@ std::string leaning_notice(const WorkCounts& flux, double emitted_lm) {
   if (flux.light_paths == 0 || !(emitted_lm > 0)) return {};
   const double share = flux.leaning_lm / (double(flux.light_paths) * emitted_lm);
   if (std::abs(share) < least || flux.leaning_lm * flux.leaning_lm < errors * errors * flux.leaning_lm2) return {};
-  char percent[32];
-  std::snprintf(percent, sizeof percent, "%.2g", 100 * std::abs(share));
-  return std::string("shading normals that lean from their faces ") + (share > 0 ? "lose " : "add ") + percent +
-         " % of the light, by which illuminances are too " + (share > 0 ? "low" : "high") +
+  return std::string("shading normals that lean from their faces ") + (share > 0 ? "lose " : "add ") +
+         short_number(100 * std::abs(share), 2) + " % of the light, by which illuminances are too " +
+         (share > 0 ? "low" : "high") +
          " in the mean: finer meshes and flatter normal maps err less\n";
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "platform/numbers.h"
 #include "transport/replay.h"
 
 namespace ups {
@@ -15,6 +16,7 @@ namespace {
 constexpr size_t told_contributions = 12;
 
 std::string format(const char* pattern, ...) {
+  const platform::PointInNumbers point;
   char line[512];
   va_list values;
   va_start(values, pattern);

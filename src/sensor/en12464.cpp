@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace ups {
 
@@ -18,11 +18,7 @@ constexpr size_t most_corners = 4096;  // of the polygon and all holes
 constexpr uint32_t most_points = 16'777'216;
 constexpr double rounding = 1e-9;  // relative, of coordinates
 
-std::string text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value);
-  return buffer;
-}
+std::string text(double value) { return short_number(value, 6); }
 std::string text(const PlanPoint& p) { return std::string("(").append(text(p.x)) + ", " + text(p.y) + ")"; }
 
 double turn(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {

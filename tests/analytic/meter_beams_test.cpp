@@ -90,16 +90,11 @@ class Beam {
   template <class Expected>
   void expect(RenderOptions options, double beam_lx, const Expected& expected) {
     const double lx = beam_lx / 100;
-    Result result = scene.render(options);
-    const auto worst = [&] {
+    const Result result = render_until_quiet(scene, options, 8192, [&](const Result& r) {
       double most = 0;
-      for (const Sensor& s : sets_) most = std::max(most, result.statistics(s).mean_standard_error_lx / (0.15 * lx));
+      for (const Sensor& s : sets_) most = std::max(most, r.statistics(s).mean_standard_error_lx / (0.15 * lx));
       return most;
-    };
-    for (double most = worst(); options.iterations < 8192 && most > 1; most = worst()) {
-      options.iterations = quieter(options.iterations, most);
-      result = scene.render(options);
-    }
+    });
     for (size_t i = 0; i < sets_.size(); ++i) {
       const Case& c = cases[i];
       const std::string what = name_of(c, angle_) + ", " + std::to_string(options.iterations) + " iterations";
@@ -210,7 +205,7 @@ TEST_P(MeterBeams, ByEmitterHits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(At, MeterBeams, ::testing::Values(0, 1, 2),
-                         [](const auto& info) { return std::to_string(int(deg[info.param])) + "Degrees"; });
+                         [](const auto& i) { return std::to_string(int(deg[i.param])) + "Degrees"; });
 
 }  // namespace
 }  // namespace ups::test

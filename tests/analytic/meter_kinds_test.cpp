@@ -105,22 +105,17 @@ class LitFloor : public ::testing::Test {
     options.merge_radius_m = 0.1;
     options.light_paths = light_alone ? 1u << 17 : 1u << 14;
     options.iterations = 64;
-    Result result = scene.render(options);
-    const auto noise_of = [&](const Set& s) {
-      return result.statistics(s.meters).mean_standard_error_lx / (noise * s.length);
+    const auto noise_of = [&](const Result& r, const Set& s) {
+      return r.statistics(s.meters).mean_standard_error_lx / (noise * s.length);
     };
-    const auto worst = [&] {
+    const Result result = render_until_quiet(scene, options, 4096, [&](const Result& r) {
       double most = 0;
-      for (const Set& s : sets) most = std::max(most, noise_of(s));
+      for (const Set& s : sets) most = std::max(most, noise_of(r, s));
       return most;
-    };
-    for (double most = worst(); options.iterations < 4096 && most > 1; most = worst()) {
-      options.iterations = quieter(options.iterations, most);
-      result = scene.render(options);
-    }
+    });
     for (const Set& s : sets) {
       const std::string of = what + ", kind " + std::to_string(s.kind) + ", " + std::to_string(options.iterations);
-      EXPECT_LE(noise_of(s), 1) << of << ": " << result.statistics(s.meters).mean_standard_error_lx;
+      EXPECT_LE(noise_of(result, s), 1) << of << ": " << result.statistics(s.meters).mean_standard_error_lx;
       const double size = s.length;
       if (s.kind != UPS_METER_VECTOR) {
         const ups_meter_statistics mean = result.statistics(s.meters);
@@ -255,13 +250,13 @@ class WhiteRoom : public ::testing::Test {
 
 TEST_F(WhiteRoom, RatiosByHits) {
   add_meters(true, true);
-  expect({.method = UPS_METHOD_UPS, .iterations = 64, .techniques = UPS_TECHNIQUE_EMITTER_HIT}, 1);
+  expect({.method = UPS_METHOD_UPS, .iterations = 32, .techniques = UPS_TECHNIQUE_EMITTER_HIT}, 1);
 }
 // An emitter all around is nothing to sample: light samples are weighed with hits.
 TEST_F(WhiteRoom, RatiosByHitsAndLightSamples) {
   add_meters(true, true);
   expect({.method = UPS_METHOD_UPS,
-          .iterations = 64,
+          .iterations = 32,
           .techniques = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE},
          1);
 }

@@ -460,6 +460,8 @@ class TwoPhotometries : public ::testing::Test {
     const float up[12] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
     meters.count = 4, meters.positions_m = at, meters.normals = up;
     ASSERT_EQ(ups_scene_add_meters(scene, &meters, &points), UPS_OK);
+    camera.width = camera.height = 8;
+    ASSERT_EQ(ups_scene_add_camera(scene, &camera, &view), UPS_OK);
     ASSERT_EQ(ups_scene_commit(scene), UPS_OK);
     ups_render_desc desc;
     ups_render_desc_init(&desc, sizeof desc);
@@ -475,7 +477,12 @@ class TwoPhotometries : public ::testing::Test {
     ups_meter_desc_init(&desc, sizeof desc);
     return desc;
   }();
-  ups_sensor_id points{};
+  ups_camera_desc camera = [] {
+    ups_camera_desc desc;
+    ups_camera_desc_init(&desc, sizeof desc);
+    return desc;
+  }();
+  ups_sensor_id points{}, view{};
 };
 
 TEST_F(TwoPhotometries, AreTwoTypesWhereNoFileIsTold) {
@@ -498,6 +505,13 @@ TEST_F(TwoPhotometries, OfASceneWithEditsHaveNoMap) {
   ASSERT_EQ(ups_scene_add_light(scene, &light, &lamp), UPS_OK);
   EXPECT_EQ(ups_report_write_map(path_of("edited.svg").c_str(), &desc), UPS_ERROR_INVALID_STATE);
   EXPECT_TRUE(has(ups_report_last_error(), "edits that are not committed")) << ups_report_last_error();
+
+  camera.width = camera.height = 64;
+  ASSERT_EQ(ups_scene_set_camera(scene, view, &camera), UPS_OK);
+  ASSERT_EQ(ups_scene_commit(scene), UPS_OK);
+  desc.sensor = view;
+  EXPECT_EQ(ups_report_write_map(path_of("edited.svg").c_str(), &desc), UPS_ERROR_INVALID_STATE);
+  EXPECT_TRUE(has(ups_report_last_error(), "had fewer pixels in the result")) << ups_report_last_error();
 }
 
 TEST_F(ReportPage, NeedsACommittedScene) {

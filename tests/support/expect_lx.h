@@ -37,6 +37,18 @@ inline uint32_t quieter(uint32_t iterations, double excess) {
   return (uint32_t(more) + 15) / 16 * 16;
 }
 
+// Renders anew with more iterations until excess(result), noise over what is allowed, is at most 1, or there are `most`
+// of them or more; options.iterations are those of the result.
+template <class Excess>
+Result render_until_quiet(Scene& scene, RenderOptions& options, uint32_t most, const Excess& excess) {
+  Result result = scene.render(options);
+  for (double e = excess(result); options.iterations < most && e > 1; e = excess(result)) {
+    options.iterations = quieter(options.iterations, e);
+    result = scene.render(options);
+  }
+  return result;
+}
+
 inline void expect_lx(double value, double standard_error, double expected, double largest_relative_error,
                       const std::string& what) {
   EXPECT_GE(standard_error, 0) << what << ": no standard error";
