@@ -2,9 +2,9 @@
  * report as one HTML page. Library ups_report; needs the core library.
  *
  * The rules of ups_base.h hold; messages are this library's own: ups_report_last_error(). Calls of the core within may
- * change ups_last_error(), too. Files appear whole or not at
- * all, and links, devices and permissions are kept as by ups_exr_write. Numbers in them have a point, whatever the
- * locale. Letters are those of the system's sans-serif font.
+ * change ups_last_error(), too. Files appear whole or not at all, and links, devices and permissions are kept as by
+ * ups_exr_write. Numbers in them have a point, whatever the locale. Letters are those of the system's sans-serif font;
+ * where there is no font at all Cairo draws plain ones, and fontconfig says on standard error what it misses.
  */
 #ifndef UPS_REPORT_H
 #define UPS_REPORT_H

@@ -52,7 +52,7 @@ class Office : public ::testing::Test {
   ups_meter_statistics mean_of(ups_method method) {
     // A seed each: the same techniques would give the same bits, and prove nothing.
     const uint64_t seed = method == UPS_METHOD_AUTO ? 1 : 2;
-    return scene.render({.method = method, .iterations = 64, .seed = seed, .light_paths = 1u << 12}).statistics(meters);
+    return scene.render({.method = method, .iterations = 32, .seed = seed, .light_paths = 1u << 12}).statistics(meters);
   }
 
   Scene scene;

@@ -71,7 +71,7 @@ TEST_F(MirrorImage, ReachesAPointByMerging) {
   const Grid below(lx, 1, 0, 1.5), aside(lx, 1.4, 0.4, 1.5);
   const Sensor a = scene.add_meters(below.at, {0, 0, -1}), b = scene.add_meters(aside.at, {0, 0, -1});
   const Result result =
-      scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .merge_radius_m = 0.2, .light_paths = light_paths});
+      scene.render({.method = UPS_METHOD_UPS, .iterations = 16, .merge_radius_m = 0.2, .light_paths = light_paths});
   below.expect(result, a, "below the axis");
   aside.expect(result, b, "off axis");
   expect_unseen_by_path_tracing(scene, a);
@@ -119,7 +119,7 @@ class Water : public ::testing::Test {
     const Grid on(lx, 0, 0, -d), off(lx, 0.3, 0.1, -d);
     const Sensor a = scene.add_meters(on.at, {0, 0, 1}), b = scene.add_meters(off.at, {0, 0, 1});
     const Result result =
-        scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .merge_radius_m = 0.1, .light_paths = light_paths});
+        scene.render({.method = UPS_METHOD_UPS, .iterations = 16, .merge_radius_m = 0.1, .light_paths = light_paths});
     on.expect(result, a, "axis");
     off.expect(result, b, "off axis");
     return a;

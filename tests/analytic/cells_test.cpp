@@ -14,7 +14,7 @@ TEST(OblongCells, MeasureTheMeanOverTheirArea) {
   scene.add_point_light({0, 0, 1}, candela);
   const Sensor cells = scene.add_cells(centers, {2, P3{0, 0, 1}}, {2, P3{1, 0, 0}}, width, height);
   for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_UPS}) {
-    const Result result = scene.render({.method = method, .iterations = 256, .light_paths = 1u << 15});
+    const Result result = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 15});
     for (size_t i = 0; i < centers.size(); ++i) {
       constexpr int n = 100;
       double expected = 0;

@@ -148,8 +148,8 @@ std::vector<RoomSides> rooms() {
   return {{2, 2}, {2, 3}, {2, 4}, {2, 6}, {2, 8}, {2, 12}, {4, 2}, {4, 3}, {4, 4}, {4, 6}, {4, 8}, {4, 12},
           {8, 4}, {8, 6}, {8, 8}, {8, 12}, {12, 4}, {12, 6}, {12, 8}};
 }
-INSTANTIATE_TEST_SUITE_P(Rooms, GlareRooms, ::testing::ValuesIn(rooms()), [](const auto& info) {
-  return std::to_string(info.param.first) + "HBy" + std::to_string(info.param.second) + "H";
+INSTANTIATE_TEST_SUITE_P(Rooms, GlareRooms, ::testing::ValuesIn(rooms()), [](const auto& i) {
+  return std::to_string(i.param.first) + "HBy" + std::to_string(i.param.second) + "H";
 });
 
 }  // namespace

@@ -156,7 +156,7 @@ TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
 INSTANTIATE_TEST_SUITE_P(Methods, ReplayedSamples,
                          testing::Values(UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_AUTO,
                                          UPS_METHOD_LIGHT_TRACING, UPS_METHOD_SPPM),
-                         [](const auto& info) { return "method" + std::to_string(info.param); });
+                         [](const auto& i) { return "method" + std::to_string(i.param); });
 
 TEST(Replay, SaysWhatIsWrongWithAnAddress) {
   Room room;

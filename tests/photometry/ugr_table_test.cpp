@@ -113,44 +113,55 @@ double glare_sum(const Photometry& p, const RoomShape& room, bool endwise) {
   return sum;
 }
 
-// From the shares of the flux that reach floor and walls straight: what the walls get of them, by CIE 190's table 5.
-double background_of(const Photometry& p, double floor, double walls, int room, int reflectances) {
-  const double ceiling = zonal_flux_lm(p, 90, 180, FluxRule::band);
+// Its zones' flux, once for all rooms.
+struct Zones {
+  double floor[4];  // of CIE 190's table 4
+  double lower, upper;
+  explicit Zones(const Photometry& p)
+      : lower(zonal_flux_lm(p, 0, 90, FluxRule::band)), upper(zonal_flux_lm(p, 90, 180, FluxRule::band)) {
+    const double edges[4] = {std::acos(0.75) * 180 / pi, 60, std::acos(0.25) * 180 / pi, 90};
+    for (int i = 0; i < 4; ++i) floor[i] = zonal_flux_lm(p, 0, edges[i], FluxRule::band);
+  }
+};
+
+// From the flux that reaches floor and walls straight: what the walls get of it, by CIE 190's table 5.
+double background_of(const Zones& zones, double floor, int room, int reflectances) {
   const double* f = test::cie190_transfer[reflectances][room];
   const RoomShape& shape = UgrTable::shapes[room];
   const double luminaires = 16 * shape.floor_area(), wall_m2 = 4 * shape.wall_area();
-  return (floor * f[0] + walls * f[1] + ceiling * f[2]) * luminaires / wall_m2 / pi;
+  return (floor * f[0] + (zones.lower - floor) * f[1] + zones.upper * f[2]) * luminaires / wall_m2 / pi;
 }
 
-// As CIE 190 prints it: the floor's direct light by its table 4.
-double background_by_cie190(const Photometry& p, int room, int reflectances) {
-  const RoomShape& shape = UgrTable::shapes[room];
+// As CIE 190 prints it: by its table 4.
+double floor_by_cie190(const Zones& zones, int room) {
   const double* weight = nullptr;
   for (const auto& z : test::cie190_zonal)
-    if (std::abs(z.room_index - shape.index()) < 0.006) weight = z.weight;
+    if (std::abs(z.room_index - UgrTable::shapes[room].index()) < 0.006) weight = z.weight;
   EXPECT_NE(weight, nullptr) << room;
-  const double edges[4] = {std::acos(0.75) * 180 / pi, 60, std::acos(0.25) * 180 / pi, 90};
   double floor = 0;
-  for (int i = 0; i < 4; ++i) floor += weight[i] * zonal_flux_lm(p, 0, edges[i], FluxRule::band);
-  return background_of(p, floor, zonal_flux_lm(p, 0, 90, FluxRule::band) - floor, room, reflectances);
+  for (int i = 0; i < 4; ++i) floor += weight[i] * zones.floor[i];
+  return floor;
+}
+
+void expect_cie190s_table(const Photometry& p, double bound, const std::string& name) {
+  const UgrTable table = ugr_table(p);
+  const Zones zones(p);
+  for (int view = 0; view < 2; ++view)
+    for (int r = 0; r < UgrTable::rooms; ++r) {
+      const double glare = glare_sum(p, UgrTable::shapes[r], view == 1), floor = floor_by_cie190(zones, r);
+      for (int k = 0; k < UgrTable::reflectance_sets; ++k)
+        EXPECT_NEAR(table.ugr[view][r][k], 8 * std::log10(0.25 / background_of(zones, floor, r, k) * glare), bound)
+            << name << ": " << view << " " << r << " " << k;
+    }
 }
 
 // Sums over luminaires agree exactly. The floor's direct light by four zones, for a spacing of H, is that of the array
 // with H / 4 to a few per cent: ratings within 0.1, of a narrow spot within 0.22 (the zones' error, see below).
 TEST(UgrTable, IsThatOfCie190sTables) {
-  const std::pair<double (*)(double, double), double> cases[] = {
-      {lambertian, 0.1}, {batwing, 0.1}, {pendant, 0.1}, {spot, 0.22}};
-  for (const auto& [f, bound] : cases) {
-    const Photometry p = panel(f);
-    const UgrTable table = ugr_table(p);
-    for (int view = 0; view < 2; ++view)
-      for (int r = 0; r < UgrTable::rooms; ++r)
-        for (int k = 0; k < UgrTable::reflectance_sets; ++k) {
-          const double expected =
-              8 * std::log10(0.25 / background_by_cie190(p, r, k) * glare_sum(p, UgrTable::shapes[r], view == 1));
-          EXPECT_NEAR(table.ugr[view][r][k], expected, bound) << view << " " << r << " " << k;
-        }
-  }
+  expect_cie190s_table(panel(lambertian), 0.1, "lambertian");
+  expect_cie190s_table(panel(batwing), 0.1, "batwing");
+  expect_cie190s_table(panel(pendant), 0.1, "pendant");
+  expect_cie190s_table(panel(spot), 0.22, "spot");
 }
 
 // Of files with a rectangular opening, some of them one-sided: as above.
@@ -161,14 +172,7 @@ TEST(UgrTable, OfFilesIsThatOfCie190sTables) {
                            "s10_typeA_asym.ies", "s17_isotropic_10000lm.ies", "s18_90_270.ies"}) {
     const Photometry p = test::read_file(name);
     ASSERT_EQ(p.opening.shape, OpeningShape::rectangle) << name;
-    const UgrTable table = ugr_table(p);
-    for (int view = 0; view < 2; ++view)
-      for (int r = 0; r < UgrTable::rooms; ++r)
-        for (int k = 0; k < UgrTable::reflectance_sets; ++k) {
-          const double expected =
-              8 * std::log10(0.25 / background_by_cie190(p, r, k) * glare_sum(p, UgrTable::shapes[r], view == 1));
-          EXPECT_NEAR(table.ugr[view][r][k], expected, 0.1) << name << ": " << view << " " << r << " " << k;
-        }
+    expect_cie190s_table(p, 0.1, name);
   }
 }
 
@@ -177,15 +181,15 @@ TEST(UgrTable, IsThatOfDirectLightPointByPoint) {
   for (const auto& f : {lambertian, batwing, pendant, spot}) {
     const Photometry p = panel(f);
     const UgrTable table = ugr_table(p);
+    const Zones zones(p);
     for (const int r : {0, 2, 6, 8, 10, 12, 14})
       for (int view = 0; view < 2; ++view) {
         const RoomShape& room = UgrTable::shapes[r];
         const RoomShape in_frame = view == 0 ? RoomShape{room.y, room.x} : room;  // C0 along the first side
         const double floor = flux_lm(p) * floor_share_by_points(p, in_frame, 0.25, 2),
-                     walls = zonal_flux_lm(p, 0, 90, FluxRule::band) - floor;
+                     glare = glare_sum(p, room, view == 1);
         for (int k = 0; k < UgrTable::reflectance_sets; ++k)
-          EXPECT_NEAR(table.ugr[view][r][k],
-                      8 * std::log10(0.25 / background_of(p, floor, walls, r, k) * glare_sum(p, room, view == 1)), 0.1)
+          EXPECT_NEAR(table.ugr[view][r][k], 8 * std::log10(0.25 / background_of(zones, floor, r, k) * glare), 0.1)
               << view << " " << r << " " << k;
       }
   }

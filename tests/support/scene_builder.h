@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "render_trace.h"
 #include "result.h"
 #include "shapes.h"
 #include "ups/ups.h"
@@ -290,8 +291,13 @@ class Scene {
     check(ups_scene_commit(scene_.get()), "ups_scene_commit");
     const ups_render_desc d = desc_of(options);
     ups_result* result = nullptr;
+    const std::clock_t began = std::clock();
     check(ups_render(scene_.get(), &d, &result), "ups_render");
-    return Result(result, sensors_);
+    Result rendered(result, sensors_);
+    if (traces_renders())
+      trace_render("method " + std::to_string(options.method) + ", " + std::to_string(options.iterations) +
+                   " iterations, " + std::to_string(options.light_paths) + " light paths", began, rendered, sensors_);
+    return rendered;
   }
 
  private:
