@@ -124,7 +124,8 @@ class Device {
   // Of trees and what they are built from, without buffers that are shared with it.
   size_t bytes() const { return size_t(std::max<ssize_t>(0, bytes_.load(std::memory_order_relaxed))); }
 
-  // Once anything went wrong: exhausted memory in a build may leave it in disorder. What it has built stands.
+  // Once anything went wrong but that a build was cancelled: exhausted memory in a build may leave it in disorder. What it
+  // has built stands.
   bool is_spoiled() const { return spoiled_.load(); }
   // Throws what went wrong since the last time.
   void check() {
@@ -140,7 +141,7 @@ class Device {
   static void on_error(void* self, RTCError code, const char* text) {
     Device& device = *static_cast<Device*>(self);
     const std::lock_guard lock(device.mutex_);
-    device.spoiled_.store(true);
+    if (code != RTC_ERROR_CANCELLED) device.spoiled_.store(true);
     if (device.code_ != RTC_ERROR_NONE) return;
     device.code_ = code;
     std::snprintf(device.message_, sizeof device.message_, "%s", text ? text : "unknown error");
