@@ -131,7 +131,8 @@ typedef struct ups_report_page_desc {
   const ups_scene *scene;             /* as it was committed for the result */
   const ups_result *result;
   const ups_report_sensor *sensors;   /* that the page tells of, in this order, each once; targets name them by name */
-  const ups_report_source *sources;   /* words for sources; those left out have their kind and number */
+  const ups_report_source *sources;   /* words for sources of the scene; those left out have their kind and
+                                       * number */
   const ups_report_picture *pictures; /* at most one a camera */
   const char *title;                  /* NULL: "Lighting" */
   const char *scene_name;             /* the scene's file, or how else it is found again; NULL: not told */

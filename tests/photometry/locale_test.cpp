@@ -1,7 +1,7 @@
 // Are files read and written alike where the program around the library has a locale of decimal commas?
-#include <clocale>
 #include <locale>
 
+#include "../support/german_locale.h"
 #include "files.h"
 
 namespace photometry {
@@ -15,20 +15,15 @@ struct CommaAndDots : std::numpunct<char> {
   std::string do_grouping() const override { return "\3"; }
 };
 
-// Of the C++ streams always, of the C functions where the machine has such a locale.
-class WithCommas {
+class WithCommas {  // of the C++ streams and of the C functions
  public:
-  WithCommas() {
-    for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "de_DE"})
-      if (std::setlocale(LC_NUMERIC, name)) break;
-  }
-  ~WithCommas() {
-    std::setlocale(LC_NUMERIC, "C");
-    std::locale::global(before_);
-  }
+  WithCommas() : german_(LC_NUMERIC) {}
+  ~WithCommas() { std::locale::global(before_); }
+  bool of_the_c_library() const { return german_.is_set(); }
 
  private:
   std::locale before_ = std::locale::global(std::locale(std::locale::classic(), new CommaAndDots));
+  ups::test::GermanLocale german_;
 };
 
 TEST(Locale, ChangesNothingOfWhatIsReadAndWritten) {
@@ -37,11 +32,13 @@ TEST(Locale, ChangesNothingOfWhatIsReadAndWritten) {
       "<IntData h='0' v='90'>0.5</IntData></LuminousIntensity></LuminousData></Emitter></IESTM33-22>";
   const std::string ies =
       "IESNA:LM-63-2002\nTILT=NONE\n1 1000.5 1 3 1 1 2 0.25 0.5 0\n1 1 12.5\n0 22.5 90\n0\n12345.25 40.5 0\n";
+  bool in_c = false;
   for (const std::string& text : {tm33, ies}) {
     const Photometry plain = read_text(text);
     const std::string plain_ies = write_ies(plain), plain_ldt = write_eulumdat(plain);
     const double ldt_peak_cd = read_text(plain_ldt).distribution.peak_cd();
     const WithCommas commas;
+    in_c = commas.of_the_c_library();
     const Photometry p = read_text(text);
     EXPECT_EQ(p.distribution.eval(0.3, 0.1, -0.9), plain.distribution.eval(0.3, 0.1, -0.9));
     EXPECT_EQ(p.distribution.peak_cd(), plain.distribution.peak_cd());
@@ -51,6 +48,7 @@ TEST(Locale, ChangesNothingOfWhatIsReadAndWritten) {
     EXPECT_EQ(read_text(plain_ldt).distribution.peak_cd(), ldt_peak_cd);
     EXPECT_EQ(p.warnings, plain.warnings);
   }
+  if (!in_c) GTEST_SKIP() << "C++ streams alone: samples/setup.sh test installs what a German locale is made of";
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <clocale>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "../support/german_locale.h"
 #include "ups/ups.h"
 
 namespace {
@@ -248,12 +248,10 @@ TEST(ReportMap, OfNumbers) {
 TEST(ReportMap, HasAPointInNumbersWhateverTheLocale) {
   MapDesc desc(LRoom::lit().points);
   const std::string before = drawn(desc, "locale.svg");
-  if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no German locale";
-  const std::string after = drawn(desc, "locale.svg");
-  const bool kept = std::string(std::localeconv()->decimal_point) == ",";
-  std::setlocale(LC_ALL, "C");
-  EXPECT_TRUE(before == after);
-  EXPECT_TRUE(kept) << "the caller's own is back";
+  const ups::test::GermanLocale german(LC_ALL);
+  if (!german.is_set()) GTEST_SKIP() << "no German locale: samples/setup.sh test installs what it is made of";
+  EXPECT_TRUE(drawn(desc, "locale.svg") == before);
+  EXPECT_TRUE(german.is_set()) << "the caller's own is back";
 }
 
 TEST(ReportMap, IsTheSameOnManyThreads) {
@@ -404,6 +402,13 @@ TEST_F(ReportPage, ShowsPictures) {
   expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "pictures[0] is no camera");
 }
 
+TEST_F(ReportPage, HasAPointInNumbersWhateverTheLocale) {
+  const std::string before = written();
+  const ups::test::GermanLocale german(LC_ALL);
+  if (!german.is_set()) GTEST_SKIP() << "no German locale: samples/setup.sh test installs what it is made of";
+  EXPECT_TRUE(written() == before);
+}
+
 TEST_F(ReportPage, RefusesWrongTargetsAndSensors) {
   page.targets_name = "wishes.json";
   page.targets_json = "{";
@@ -433,6 +438,15 @@ TEST_F(ReportPage, RefusesWrongTargetsAndSensors) {
   page.ratio_count = 1;
   expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "ratios is NULL, but its count is 1");
   page.ratio_count = 0;
+  ups_report_source sources[2] = {{UPS_SOURCE_LUMINAIRE, LRoom::lit().lamps[0], "lamp", nullptr},
+                                  {UPS_SOURCE_LUMINAIRE, 4711, "of another room", nullptr}};
+  page.sources = sources, page.source_count = 2;
+  expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "sources[1]: the scene has no luminaire or light 4711");
+  sources[1].kind = UPS_SOURCE_INSTANCE;
+  expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "sources[1]: the scene has no instance 4711");
+  sources[1] = sources[0];
+  expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "sources[1] is named twice");
+  page.source_count = 0;
   page.result = nullptr;
   expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "result is NULL");
 }

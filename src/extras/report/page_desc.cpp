@@ -21,6 +21,16 @@ size_t place_of(const LitScene& scene, ups_sensor_id id, SensorKind kind, const 
                 " among the page's sensors");
 }
 
+bool is_in(const ups_scene* scene, ups_source_kind kind, uint32_t id) {
+  ups_luminaire_desc luminaire{};
+  ups_light_desc light{};
+  ups_instance_desc instance{};
+  luminaire.struct_size = sizeof luminaire, light.struct_size = sizeof light, instance.struct_size = sizeof instance;
+  return kind == UPS_SOURCE_INSTANCE ? ups_scene_get_instance(scene, {id}, &instance) == UPS_OK
+                                     : ups_scene_get_luminaire(scene, {id}, &luminaire) == UPS_OK ||
+                                           ups_scene_get_light(scene, {id}, &light) == UPS_OK;
+}
+
 void take_sources(const ups_report_page_desc& d, LitScene& scene) {
   require_array(d.sources, d.source_count, "sources");
   std::map<std::pair<ups_source_kind, uint32_t>, SourceWords> words;
@@ -29,6 +39,9 @@ void take_sources(const ups_report_page_desc& d, LitScene& scene) {
     const std::string where = "sources[" + std::to_string(i) + "]";
     if (s.kind != UPS_SOURCE_LUMINAIRE && s.kind != UPS_SOURCE_INSTANCE)
       throw Failure(where + ": kind must be UPS_SOURCE_LUMINAIRE or UPS_SOURCE_INSTANCE");
+    if (!is_in(d.scene, s.kind, s.id))
+      throw Failure(where + ": the scene has no " + (s.kind == UPS_SOURCE_INSTANCE ? "instance " : "luminaire or light ") +
+                    std::to_string(s.id));
     SourceWords named = scene.source_words(s.kind, s.id);
     if (s.name) named.name = s.name;
     named.file = text_of(s.file);
