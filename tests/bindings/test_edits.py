@@ -153,6 +153,47 @@ def test_a_commit_runs_as_a_job(context):
     assert "commit" in result.text()
 
 
+def ended(job):
+    """By the library alone, as nobody waits for it."""
+    while ups._convert.lib.ups_job_wait(job, 1000) == ups.Status.TIMEOUT:
+        pass
+
+
+def test_sizes_are_those_of_a_commit_that_nobody_waited_for(context):
+    scene = ups.Scene(context)
+    scene.add_instance(scene.add_mesh([(-1, -1, 0), (1, -1, 0), (1, 1, 0)], [(0, 1, 2)], scene.add_material()))
+    scene.add_light(intensity_rgb=(400, 400, 400), to_world=ups.translation(0, 0, 2.5))
+    camera = scene.add_camera(width=16, height=10, to_world=ups.translation(0, 0, 2))
+    first = scene.start_commit()
+    ended(first)
+    assert scene.render(iteration_count=1).image(camera).shape == (10, 16, 3)
+    scene.set_camera(camera, width=10, height=16)
+    second = scene.start_commit()
+    ended(second)
+    assert scene.render(iteration_count=1).image(camera).shape == (16, 10, 3)
+    scene.set_camera(camera, width=12, height=12)
+    scene.commit()
+    for earlier in (second, first):
+        assert earlier.wait() == ups.Status.OK and earlier.poll().state == ups.JobState.FINISHED
+    assert scene.render(iteration_count=1).image(camera).shape == (12, 12, 3)
+
+
+def test_a_commit_that_is_closed_is_made_or_not(context):
+    scene, ids = lit_floor(context)
+    for count in range(2, 40):
+        scene.set_meters(ids["meters"], [(0, 0, 0.5)] * count, (0, 0, 1))
+        job = scene.start_commit()
+        if count % 3:
+            job.wait(0.0005 * (count % 7))
+        if count % 2:
+            job.close()
+        else:
+            del job
+        readings = scene.render(iteration_count=1).meters(ids["meters"])
+        assert len(readings) == count or scene.is_dirty
+        assert np.all(readings["illuminance_lx"] == readings["illuminance_lx"][0])
+
+
 def test_a_commits_job_has_a_thread_limit_and_a_priority(context):
     scene, ids = lit_floor(context)
     scene.set_dimming(ids["light"], 0.25)

@@ -15,7 +15,7 @@ from . import _ffi
 from ._convert import (address, angle_fields, as_array, as_matrix, assign, describe, instance_fields, lib,
                        material_fields, merged, mesh_fields, meter_fields, read_info, target, texture_fields)
 from ._core import Handle, create
-from ._ffi import FixtureId, InstanceId, JobState, LuminaireId, MaterialId, MeshId, SensorId, Status, TextureId
+from ._ffi import FixtureId, InstanceId, LuminaireId, MaterialId, MeshId, SensorId, Status, TextureId
 from ._job import Job
 from ._profile import Profile
 from ._result import Shapes
@@ -43,24 +43,52 @@ _ARRAYS: dict[Any, dict[str, tuple[str, int]]] = {
 }
 
 
+class Committed:
+    """The shapes of the sensors as the scene renders them. A commit that runs by itself changes them when the library
+    is done with it, whoever waits for it: so jobs are asked before shapes are."""
+
+    def __init__(self) -> None:
+        self.shapes: Shapes = {}
+        self.number = 0  # of the commit that they are of
+        self._last = 0
+        self._running: dict[int, tuple[ctypes.c_void_p, Shapes]] = {}
+
+    def take(self, shapes: Shapes) -> None:
+        """Of a commit that has been made; all jobs before it have ended."""
+        self._last += 1
+        self.number, self.shapes = self._last, shapes
+        self._running.clear()
+
+    def begin(self, pointer: ctypes.c_void_p, shapes: Shapes) -> int:
+        self.look()
+        self._last += 1
+        self._running[self._last] = pointer, shapes
+        return self._last
+
+    def look(self) -> None:
+        for number, (pointer, shapes) in sorted(self._running.items()):
+            status = lib.ups_job_wait(pointer, 0)
+            if status == Status.TIMEOUT:
+                continue
+            self._running.pop(number, None)
+            if status == Status.OK and number > self.number:
+                self.number, self.shapes = number, shapes
+
+    def end(self, number: int, pointer: ctypes.c_void_p) -> None:
+        lib.ups_job_cancel(pointer)
+        while lib.ups_job_wait(pointer, 1000) == Status.TIMEOUT:
+            pass
+        self.look()
+        self._running.pop(number, None)
+        lib.ups_job_destroy(pointer)
+
+
 class CommitJob(Job):
     """A commit on the library's own threads: as a render's job, without its findings."""
 
-    def __init__(self, pointer: ctypes.c_void_p, shapes: Shapes, committed: Callable[[Shapes], None]):
-        super().__init__(pointer, shapes)
-        self._committed = committed
-
-    def poll(self) -> _ffi.Progress:
-        progress = super().poll()
-        if progress.state == JobState.FINISHED:
-            self._committed(self._shapes)
-        return progress
-
-    def wait(self, timeout_s: float | None = None) -> Status:
-        status = super().wait(timeout_s)
-        if status == Status.OK:
-            self._committed(self._shapes)
-        return status
+    def __init__(self, pointer: ctypes.c_void_p, shapes: Shapes, committed: Committed):
+        number = committed.begin(pointer, shapes)
+        super().__init__(pointer, shapes, lambda own: committed.end(number, own))
 
 
 class Edits(Handle):

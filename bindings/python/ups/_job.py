@@ -21,8 +21,9 @@ Watcher = Union[bool, Callable[[_ffi.Progress], object]]
 class Job(Handle):
     """A render on the library's own threads; any thread may call. Closing it cancels it."""
 
-    def __init__(self, pointer: ctypes.c_void_p, shapes: Shapes):
-        super().__init__(pointer, lib.ups_job_destroy)
+    def __init__(self, pointer: ctypes.c_void_p, shapes: Shapes,
+                 destroy: Callable[[ctypes.c_void_p], None] = lib.ups_job_destroy):
+        super().__init__(pointer, destroy)
         self._shapes = shapes
 
     def poll(self) -> _ffi.Progress:

@@ -18,7 +18,7 @@ from . import _ffi
 from ._convert import (address, angle_fields, as_array, describe, dtype_of, instance_fields, lib, material_fields,
                        merged, mesh_fields, meter_fields, read_array, read_count, read_info, read_text, texture_fields)
 from ._core import Context, create
-from ._edits import CommitJob, Edits
+from ._edits import CommitJob, Committed, Edits
 from ._ffi import (FixtureId, FixturePartId, InstanceId, LuminaireId, MaterialId, MeshId, SceneText, SensorId,
                    TextureId)
 from ._fixture import Fixture
@@ -45,7 +45,7 @@ class Scene(Edits):
         super().__init__(create(lib.ups_scene_create, context), lib.ups_scene_destroy)
         self._context = context
         self._shapes: Shapes = {}
-        self._committed: Shapes = {}
+        self._committed = Committed()
 
     def _add(self, function: Callable[..., int], id_type: type[AnyId], desc: ctypes.Structure) -> AnyId:
         out = id_type()
@@ -151,18 +151,14 @@ class Scene(Edits):
 
     def commit(self) -> None:
         check(lib.ups_scene_commit(self))
-        self._keep(dict(self._shapes))
-
-    def _keep(self, shapes: Shapes) -> None:
-        """Of the sensors as they are rendered: edits of their sizes wait for the next commit."""
-        self._committed = shapes
+        self._committed.take(dict(self._shapes))
 
     def start_commit(self, **fields: Unpack[_fields.CommitDescFields]) -> CommitJob:
         """A commit of the scene as it is now, by itself: edits go on meanwhile and belong to the next one. Its watch,
         wait and poll tell of its end; the scene renders as before until then. One at a time. thread_limit and priority
         as of start."""
         desc = describe(_ffi.CommitDesc, fields)
-        return CommitJob(create(lib.ups_scene_start_commit_with, self, byref(desc)), dict(self._shapes), self._keep)
+        return CommitJob(create(lib.ups_scene_start_commit_with, self, byref(desc)), dict(self._shapes), self._committed)
 
     @property
     def is_dirty(self) -> bool:
@@ -222,7 +218,14 @@ class Scene(Edits):
     def start(self, **fields: Unpack[_fields.RenderDescFields]) -> Job:
         """The same as a Job, which can be watched and cancelled."""
         desc = describe(_ffi.RenderDesc, fields)
-        return Job(create(lib.ups_job_start, self, byref(desc)), dict(self._committed))
+        while True:
+            self._committed.look()
+            number, shapes = self._committed.number, dict(self._committed.shapes)
+            job = Job(create(lib.ups_job_start, self, byref(desc)), shapes)
+            self._committed.look()
+            if self._committed.number == number:
+                return job
+            job.close()  # a commit came between: it may be of either
 
     def estimate_memory(self, **fields: Unpack[_fields.RenderDescFields]) -> _ffi.MemoryEstimate:
         """What a render with these fields will take, as ups_memory_estimate: scene_bytes, working_bytes, light_bytes,
