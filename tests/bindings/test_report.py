@@ -72,3 +72,13 @@ def test_the_page(lit, tmp_path):
     with pytest.raises(ups.Error, match="is no PNG"):
         ups.write_report(tmp_path / "other.html", scene, result, {"view": camera},
                          pictures=[ups.Picture(camera, b"GIF89a")])
+
+
+def test_a_nul_cuts_no_text_short(tmp_path):
+    places, lx = [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [1, 2, 3]
+    for path, title in ((str(tmp_path / "cut.png") + "\0.png", "map"), (tmp_path / "map.png", "a\0b")):
+        with pytest.raises(ValueError, match="embedded null"):
+            ups.write_points_map(path, places, lx, title=title)
+    with pytest.raises(ValueError, match="embedded null"):
+        ups.read_exr("a.exr\0")
+    assert not list(tmp_path.iterdir())

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from ctypes import byref
 from typing import TYPE_CHECKING, Any, Callable, TypeVar
@@ -115,6 +116,20 @@ def merged(own: Mapping[str, Any], fields: Mapping[str, Any], counts: Iterable[s
         if name in own or name in counts:
             raise TypeError(f"{name}: is told by the other arguments")
     return {**own, **fields}
+
+
+def c_text(text: str) -> bytes:
+    """As the library takes texts, which a NUL would cut short."""
+    if "\0" in text:
+        raise ValueError(f"embedded null character in {text!r}")
+    return text.encode()
+
+
+def c_path(path: str | os.PathLike[str]) -> bytes:
+    encoded = os.fsencode(path)
+    if b"\0" in encoded:
+        raise ValueError(f"embedded null character in the path {path!r}")
+    return encoded
 
 
 def texture_fields(texels: ArrayLike) -> dict[str, Any]:

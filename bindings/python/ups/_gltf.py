@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _ffi
-from ._convert import describe, read_text, target
+from ._convert import c_path, describe, read_text, target
 from ._core import Context, Handle
 from ._ffi import GltfLayout, GltfSensorKind, SensorId, SourceKind
 from ._library import load
@@ -55,7 +55,7 @@ class GltfImport(Handle):
                  fields: Mapping[str, Any]):
         self._lib = load("ups_gltf")
         desc, pointer = describe(_ffi.GltfImportDesc, fields, self._lib), ctypes.c_void_p()
-        _check(self._lib.ups_gltf_import_file(context, os.fsencode(path), byref(desc), scene, byref(pointer)))
+        _check(self._lib.ups_gltf_import_file(context, c_path(path), byref(desc), scene, byref(pointer)))
         super().__init__(pointer, self._lib.ups_gltf_import_destroy)
         count = ctypes.c_uint32()
         _check(self._lib.ups_gltf_get_sensor_count(self, byref(count)))

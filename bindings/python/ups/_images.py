@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, describe, read_text, target
+from ._convert import address, as_array, c_path, c_text, describe, read_text, target
 from ._core import Handle
 from ._library import load
 from ._status import check
@@ -46,11 +46,11 @@ def write_exr(path: str | os.PathLike[str], channels: Mapping[str, ArrayLike],
         raise ValueError(f"channels must have one shape, got {sorted(shapes)}")
     height, width = shapes.pop() if shapes else (0, 0)
     c_channels = (_ffi.ExrChannel * len(planes))(*[
-        _ffi.ExrChannel(name.encode(), address(a, ctypes.c_float), a.strides[1], a.strides[0])
+        _ffi.ExrChannel(c_text(name), address(a, ctypes.c_float), a.strides[1], a.strides[0])
         for name, a in planes.items()])
     own = attributes or {}
-    c_attributes = (_ffi.ExrAttribute * len(own))(*[_ffi.ExrAttribute(k.encode(), v.encode()) for k, v in own.items()])
-    _check_exr(load("ups_exr").ups_exr_write(os.fsencode(path), width, height, c_channels, len(planes), c_attributes,
+    c_attributes = (_ffi.ExrAttribute * len(own))(*[_ffi.ExrAttribute(c_text(k), c_text(v)) for k, v in own.items()])
+    _check_exr(load("ups_exr").ups_exr_write(c_path(path), width, height, c_channels, len(planes), c_attributes,
                                              len(own)))
 
 
@@ -60,7 +60,7 @@ class ExrImage(Handle):
     def __init__(self, path: str | os.PathLike[str]):
         self._lib = load("ups_exr")
         pointer = ctypes.c_void_p()
-        _check_exr(self._lib.ups_exr_read(os.fsencode(path), byref(pointer)))
+        _check_exr(self._lib.ups_exr_read(c_path(path), byref(pointer)))
         super().__init__(pointer, self._lib.ups_exr_image_destroy)
         width, height, count = ctypes.c_uint32(), ctypes.c_uint32(), ctypes.c_uint32()
         _check_exr(self._lib.ups_exr_get_size(self, byref(width), byref(height)))
@@ -71,7 +71,7 @@ class ExrImage(Handle):
 
     def __getitem__(self, channel: str) -> NDArray[np.float32]:
         out = np.empty(self.shape, np.float32)
-        _check_exr(self._lib.ups_exr_read_channel(self, channel.encode(), target(out, ctypes.c_float), out.size))
+        _check_exr(self._lib.ups_exr_read_channel(self, c_text(channel), target(out, ctypes.c_float), out.size))
         return out
 
     def rgb(self, prefix: str = "") -> NDArray[np.float32]:
@@ -80,7 +80,7 @@ class ExrImage(Handle):
 
     def attribute(self, name: str) -> str:
         """A string of the file's header."""
-        return read_text(self._lib.ups_exr_get_attribute, self, name.encode(), checked=_check_exr)
+        return read_text(self._lib.ups_exr_get_attribute, self, c_text(name), checked=_check_exr)
 
 
 def read_exr(path: str | os.PathLike[str]) -> ExrImage:
@@ -111,7 +111,7 @@ def write_png(path: str | os.PathLike[str], luminance_rgb: ArrayLike, exposure: 
     a, lib = _as_picture(luminance_rgb, "luminance_rgb"), load("ups_ocio")
     desc = describe(_ffi.OcioPictureDesc, {"width": a.shape[1], "height": a.shape[0], "smoothed": smoothed,
                                            "luminance_rgb": address(a, ctypes.c_float), "exposure": exposure}, lib)
-    _check_ocio(lib.ups_ocio_write_picture_png(os.fsencode(path), byref(desc)))
+    _check_ocio(lib.ups_ocio_write_picture_png(c_path(path), byref(desc)))
 
 
 def write_false_color_png(path: str | os.PathLike[str], values: ArrayLike, title: str | None = None, unit: str = "lx",
@@ -121,9 +121,9 @@ def write_false_color_png(path: str | os.PathLike[str], values: ArrayLike, title
     a, lib = as_array(values, np.float32, (-1, -1), "values"), load("ups_ocio")
     desc = describe(_ffi.OcioFalseColorDesc, {
         "columns": a.shape[1], "rows": a.shape[0], "first_row_at_bottom": first_row_at_bottom,
-        "values": address(a, ctypes.c_float), "title": None if title is None else title.encode(), "unit": unit.encode(),
+        "values": address(a, ctypes.c_float), "title": None if title is None else c_text(title), "unit": c_text(unit),
         "scale_min": scale[0], "scale_max": scale[1]}, lib)
-    _check_ocio(lib.ups_ocio_write_false_color_png(os.fsencode(path), byref(desc)))
+    _check_ocio(lib.ups_ocio_write_false_color_png(c_path(path), byref(desc)))
 
 
 def smooth(luminance_rgb: ArrayLike, standard_error_rgb: ArrayLike, albedo_rgb: ArrayLike | None = None,

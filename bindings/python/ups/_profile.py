@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, describe, lib, merged, read_bytes, read_info, read_text, target
+from ._convert import address, as_array, c_text, describe, lib, merged, read_bytes, read_info, read_text, target
 from ._core import Context, Handle, create
 from ._ffi import ProfileFormat, ProfileText
 from ._status import check
@@ -80,11 +80,11 @@ class Profile(Handle):
 
     def keyword(self, name: str) -> str:
         """The values of one keyword, in any case: a line each where there are several, empty where there is none."""
-        return read_text(lib.ups_profile_get_keyword, self, name.encode("utf-8"))
+        return read_text(lib.ups_profile_get_keyword, self, c_text(name))
 
     def with_keyword(self, name: str, value: str) -> Profile:
         """A copy in which the keyword has this value alone, for write."""
-        return Profile(create(lib.ups_profile_with_keyword, self, name.encode("utf-8"), value.encode("utf-8")))
+        return Profile(create(lib.ups_profile_with_keyword, self, c_text(name), c_text(value)))
 
     @property
     def lamp_sets(self) -> list[LampSet]:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, describe
+from ._convert import address, as_array, c_path, c_text, describe
 from ._core import Handle
 from ._ffi import InstanceId, LuminaireId, ReportExposure, ReportQuantity, SensorId, SourceKind
 from ._library import load
@@ -33,7 +33,7 @@ _check = functools.partial(check, library="ups_report")
 
 
 def _text(value: str | None) -> bytes | None:
-    return None if value is None else value.encode()
+    return None if value is None else c_text(value)
 
 
 def _style(fields: Mapping[str, Any]) -> Any:
@@ -41,12 +41,12 @@ def _style(fields: Mapping[str, Any]) -> Any:
 
 
 def _sensors(named: Mapping[str, SensorId]) -> Any:
-    return (_ffi.ReportSensor * len(named))(*[_ffi.ReportSensor(i, 0, name.encode()) for name, i in named.items()])
+    return (_ffi.ReportSensor * len(named))(*[_ffi.ReportSensor(i, 0, c_text(name)) for name, i in named.items()])
 
 
 def _write_map(path: str | os.PathLike[str], fields: Mapping[str, Any]) -> None:
     lib = load("ups_report")
-    _check(lib.ups_report_write_map(os.fsencode(path), byref(describe(_ffi.ReportMapDesc, fields, lib))))
+    _check(lib.ups_report_write_map(c_path(path), byref(describe(_ffi.ReportMapDesc, fields, lib))))
 
 
 def write_map(path: str | os.PathLike[str], scene: Handle, result: Handle, sensor: SensorId, title: str | None = None,
@@ -103,7 +103,7 @@ class Picture:
             c.png = ctypes.cast(ctypes.c_char_p(self.png), ctypes.POINTER(ctypes.c_uint8))
             c.png_size = len(self.png)
         else:
-            c.path = os.fsencode(self.png)
+            c.path = c_path(self.png)
         return c
 
 
@@ -135,9 +135,9 @@ def write_report(path: str | os.PathLike[str], scene: Handle, result: Handle, se
         "picture_count": len(c_pictures), "title": _text(title), "scene_name": _text(scene_name),
         "repeat": _text(repeat), "date": _text(date), "targets_json": _text(targets_json),
         "targets_name": _text(targets_name),
-        "targets_folder": None if targets_folder is None else os.fsencode(targets_folder),
+        "targets_folder": None if targets_folder is None else c_path(targets_folder),
         "style": _style(style), "thresholds_lx": address(thresholds, ctypes.c_double),
         "threshold_count": len(thresholds),
         "ratios": (_ffi.ReportRatio * len(ratios))(*[_ffi.ReportRatio(a, b) for a, b in ratios]),
         "ratio_count": len(ratios), "target_relative_error": target_relative_error}, lib)
-    _check(lib.ups_report_write_page(os.fsencode(path), byref(desc)))
+    _check(lib.ups_report_write_page(c_path(path), byref(desc)))
