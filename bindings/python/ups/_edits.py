@@ -5,6 +5,7 @@ A part of ups.Scene.
 from __future__ import annotations
 
 import ctypes
+import threading
 from collections.abc import Mapping, Sequence
 from ctypes import byref
 from typing import TYPE_CHECKING, Any, Callable, SupportsIndex, TypeVar
@@ -45,50 +46,65 @@ _ARRAYS: dict[Any, dict[str, tuple[str, int]]] = {
 
 class Committed:
     """The shapes of the sensors as the scene renders them. A commit that runs by itself changes them when the library
-    is done with it, whoever waits for it: so jobs are asked before shapes are."""
+    is done with it, whoever waits for it: so jobs are asked before shapes are. Any thread may call, and a job may be
+    collected within any call: it is destroyed when nothing asks it."""
 
     def __init__(self) -> None:
         self.shapes: Shapes = {}
         self.number = 0  # of the commit that they are of
         self._last = 0
         self._running: dict[int, tuple[ctypes.c_void_p, Shapes]] = {}
+        self._lock = threading.RLock()
+        self._looking = False
+        self._ended: list[ctypes.c_void_p] = []
 
     def take(self, shapes: Shapes) -> None:
         """Of a commit that has been made; all jobs before it have ended."""
-        self._last += 1
-        self.number, self.shapes = self._last, shapes
-        self._running.clear()
+        with self._lock:
+            self._last += 1
+            self.number, self.shapes = self._last, shapes
+            self._running.clear()
 
-    def begin(self, pointer: ctypes.c_void_p, shapes: Shapes) -> int:
-        self.look()
-        self._last += 1
-        self._running[self._last] = pointer, shapes
-        return self._last
+    def begin(self, pointer: ctypes.c_void_p, shapes: Shapes) -> None:
+        with self._lock:
+            self._last += 1
+            self._running[self._last] = pointer, shapes
 
     def look(self) -> None:
-        for number, (pointer, shapes) in sorted(self._running.items()):
-            status = lib.ups_job_wait(pointer, 0)
-            if status == Status.TIMEOUT:
-                continue
-            self._running.pop(number, None)
-            if status == Status.OK and number > self.number:
-                self.number, self.shapes = number, shapes
+        with self._lock:
+            if self._looking:
+                return
+            self._looking, ended, self._ended = True, self._ended, []
+            try:
+                for number, (pointer, shapes) in sorted(self._running.items()):
+                    status = lib.ups_job_wait(pointer, 0)
+                    if status == Status.TIMEOUT:
+                        continue
+                    self._running.pop(number, None)
+                    if status == Status.OK and number > self.number:
+                        self.number, self.shapes = number, shapes
+                for pointer in ended:  # which the loop has taken out
+                    lib.ups_job_destroy(pointer)
+            finally:
+                self._looking = False
+            if self._ended:
+                self.look()
 
-    def end(self, number: int, pointer: ctypes.c_void_p) -> None:
+    def end(self, pointer: ctypes.c_void_p) -> None:
         lib.ups_job_cancel(pointer)
         while lib.ups_job_wait(pointer, 1000) == Status.TIMEOUT:
             pass
-        self.look()
-        self._running.pop(number, None)
-        lib.ups_job_destroy(pointer)
+        with self._lock:
+            self._ended.append(pointer)
+            self.look()
 
 
 class CommitJob(Job):
     """A commit on the library's own threads: as a render's job, without its findings."""
 
     def __init__(self, pointer: ctypes.c_void_p, shapes: Shapes, committed: Committed):
-        number = committed.begin(pointer, shapes)
-        super().__init__(pointer, shapes, lambda own: committed.end(number, own))
+        committed.begin(pointer, shapes)
+        super().__init__(pointer, shapes, committed.end)
 
 
 class Edits(Handle):
