@@ -82,6 +82,17 @@ namespace Ups
             return values;
         }
 
+        /// <summary>The same with the size that the result tells.</summary>
+        public float[] Image(SensorId camera, out int width, out int height, Channel channel = Channel.LuminanceRgb)
+        {
+            float* pixels;
+            uint w, h;
+            Library.Check(Native.ups_result_view_image(Handle, camera, channel, &pixels, &w, &h));
+            width = (int)w;
+            height = (int)h;
+            return Image(camera, width, height, channel);
+        }
+
         /// <summary>The same into memory of the caller's: width * height * FloatsOf(channel) values.</summary>
         public void ReadImage(SensorId camera, Channel channel, Span<float> values)
         {

@@ -1069,6 +1069,7 @@ namespace Ups
         public Double3 BoundsMinM;
         public Double3 BoundsMaxM;
         public double MaintenanceFactor;
+        public ulong Revision;
         internal static SceneInfo Sized()
         {
             return new SceneInfo { StructSize = (uint)sizeof(SceneInfo) };
@@ -1498,6 +1499,7 @@ namespace Ups
         public int Threads;
         public double FluxBalanceStandardErrorLm;
         public double MaintenanceFactor;
+        public ulong Revision;
         internal static ResultInfo Sized()
         {
             return new ResultInfo { StructSize = (uint)sizeof(ResultInfo) };
@@ -2553,6 +2555,9 @@ namespace Ups
         internal static extern Status ups_result_read_meters(ResultHandle result, SensorId sensor, MeterReading* @out,
             UIntPtr count);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_view_meters(ResultHandle result, SensorId sensor, MeterReading**
+            readings, UIntPtr* count);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_vectors(ResultHandle result, SensorId sensor, VectorReading* @out,
             UIntPtr count);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -2599,6 +2604,9 @@ namespace Ups
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_read_image(ResultHandle result, SensorId camera, Channel channel,
             float* @out, UIntPtr row_stride_bytes, UIntPtr size_bytes);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_result_view_image(ResultHandle result, SensorId camera, Channel channel,
+            float** pixels, uint* width, uint* height);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_result_get_technique_count(ResultHandle result, SensorId camera, uint* @out);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

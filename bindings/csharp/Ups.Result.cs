@@ -33,13 +33,20 @@ namespace Ups
         /// where nothing is known yet.</summary>
         public MeterReading[] Meters(SensorId sensor)
         {
-            var readings = new MeterReading[Statistics(sensor).Count];
+            var readings = new MeterReading[MeterCount(sensor)];
             ReadMeters(sensor, readings);
             return readings;
         }
 
-        /// <summary>The same into memory of the caller's, one element a meter. It saves an array, and what Meters() and
-        /// those below ask for the number of meters alone: their statistics.</summary>
+        private ulong MeterCount(SensorId sensor)
+        {
+            MeterReading* readings;
+            UIntPtr count;
+            Library.Check(Native.ups_result_view_meters(Handle, sensor, &readings, &count));
+            return (ulong)count;
+        }
+
+        /// <summary>The same into memory of the caller's, one element a meter.</summary>
         public void ReadMeters(SensorId sensor, Span<MeterReading> readings)
         {
             fixed (MeterReading* r = readings)
@@ -49,7 +56,7 @@ namespace Ups
         /// <summary>Direct or indirect light of each meter, with errors of its own.</summary>
         public MeterPartReading[] MeterPart(SensorId sensor, LightPart part)
         {
-            var readings = new MeterPartReading[Statistics(sensor).Count];
+            var readings = new MeterPartReading[MeterCount(sensor)];
             ReadMeterPart(sensor, part, readings);
             return readings;
         }
@@ -64,7 +71,7 @@ namespace Ups
         /// Meters() has the vectors' lengths.</summary>
         public VectorReading[] Vectors(SensorId sensor)
         {
-            var readings = new VectorReading[Statistics(sensor).Count];
+            var readings = new VectorReading[MeterCount(sensor)];
             ReadVectors(sensor, readings);
             return readings;
         }
@@ -78,7 +85,7 @@ namespace Ups
         /// <summary>As Vectors, of direct, indirect or all light, with the bias besides.</summary>
         public VectorPartReading[] VectorPart(SensorId sensor, LightPart part)
         {
-            var readings = new VectorPartReading[Statistics(sensor).Count];
+            var readings = new VectorPartReading[MeterCount(sensor)];
             ReadVectorPart(sensor, part, readings);
             return readings;
         }
@@ -92,7 +99,7 @@ namespace Ups
         /// <summary>Of each meter: is its reading exact, hardly found, its interval unreliable?</summary>
         public Reading[] MeterFlags(SensorId sensor)
         {
-            var flags = new Reading[Statistics(sensor).Count];
+            var flags = new Reading[MeterCount(sensor)];
             ReadMeterFlags(sensor, flags);
             return flags;
         }
@@ -138,7 +145,7 @@ namespace Ups
         /// index.</summary>
         public Interval[] Ratios(SensorId numerator, SensorId denominator)
         {
-            var ratios = new Interval[Statistics(numerator).Count];
+            var ratios = new Interval[MeterCount(numerator)];
             fixed (Interval* r = ratios)
                 Library.Check(Native.ups_result_read_meter_ratios(Handle, numerator, denominator, r,
                     (UIntPtr)ratios.Length));
@@ -170,7 +177,7 @@ namespace Ups
             var all = new MeterReading[count][];
             for (uint i = 0; i < count; ++i)
             {
-                all[i] = new MeterReading[Statistics(sensor).Count];
+                all[i] = new MeterReading[MeterCount(sensor)];
                 ReadSourceMeters(i, sensor, all[i]);
             }
             return all;

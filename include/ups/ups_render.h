@@ -130,6 +130,7 @@ typedef struct ups_result_info {
                                           * what max_path_length cuts off; < 0: not known. Where more is missing than by
                                           * chance, UPS_TEXT_WARNINGS says so: by mistake once in 10,000 renders */
   double maintenance_factor;              /* of the scene: that its luminaires' flux is multiplied by */
+  uint64_t revision;                      /* of the scene that was rendered, as in its ups_scene_info then */
 } ups_result_info;
 
 /* Plain array elements: these never grow. < 0 where not known (too few iterations). Of more than 32768 meters an
@@ -321,6 +322,10 @@ UPS_API ups_status ups_result_get_choice(const ups_result *result, ups_sensor_id
 /* count must be the set's meter count. */
 UPS_API ups_status ups_result_read_meters(const ups_result *result, ups_sensor_id sensor, ups_meter_reading *out,
                                           size_t count);
+/* The same without a copy: *readings gets where the result has them, *count how many. They stay as they are until
+ * ups_result_destroy. */
+UPS_API ups_status ups_result_view_meters(const ups_result *result, ups_sensor_id sensor,
+                                          const ups_meter_reading **readings, size_t *count);
 /* Of a set of kind UPS_METER_VECTOR; so is ups_result_read_vector_part. */
 UPS_API ups_status ups_result_read_vectors(const ups_result *result, ups_sensor_id sensor, ups_vector_reading *out,
                                            size_t count);
@@ -442,6 +447,10 @@ enum {
 /* Row 0 is the image's top. row_stride_bytes 0: tight; size_bytes is the size of out. */
 UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel,
                                          float *out, size_t row_stride_bytes, size_t size_bytes);
+/* The same without a copy: *pixels gets where the result has them, tight, *width and *height how many there are. They
+ * stay as they are until ups_result_destroy. */
+UPS_API ups_status ups_result_view_image(const ups_result *result, ups_sensor_id camera, ups_channel channel,
+                                         const float **pixels, uint32_t *width, uint32_t *height);
 /* What each technique found, for paths of up to ups_render_desc.technique_images edges; for people who look into the
  * estimator. The s vertices of a light path and the t of an eye path make a path of `edges` edges: s + t = edges + 1,
  * of density estimation, where both have a vertex at the same place, edges + 2. */

@@ -87,7 +87,7 @@ UPS_API void ups_report_map_desc_init(ups_report_map_desc *desc, uint32_t struct
 /* path: ends in .png, .svg or .pdf, which decides what is written. SVG documents have a title and a description for
  * those who cannot see them, letters are outlines. Errors: UNSUPPORTED where meters lie on surfaces, in no plane or on
  * one line, or are too many; INVALID_STATE where the scene is not committed, has edits that are
- * not, or another size of image than the result. */
+ * not, or was committed with edits since the result's render began. */
 UPS_API ups_status ups_report_write_map(const char *path, const ups_report_map_desc *desc);
 
 /* A source of light, and what people call it. */

@@ -10,7 +10,7 @@ import shutil
 
 GUIDES = ("link_it_in_an_hour", "from_a_room_to_a_report", "how_sure_is_a_number")
 FIRST = ["README.md", *(f"samples/docs/{g}.md" for g in GUIDES), "samples/scene_files.md",
-         "include/ups/compatibility.md", "bindings/csharp/README.md", "CHANGELOG.md"]
+         "include/ups/compatibility.md", "bindings/csharp/README.md", "bindings/python/README.md", "CHANGELOG.md"]
 LINK = re.compile(r"(!?)\[((?:[^][]|\[[^]]*\])*)\]\(\s*<?([^)>\s]+)>?\s*\)")
 FENCE = re.compile(r"^\s*(```|~~~)")
 

@@ -228,6 +228,16 @@ ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor
   return guard(__func__, [&] { copy_readings(set_of(result, sensor), meters_of(result, sensor).meters, out, count); });
 }
 
+ups_status ups_result_view_meters(const ups_result* result, ups_sensor_id sensor, const ups_meter_reading** readings,
+                                  size_t* count) {
+  return guard(__func__, [&] {
+    const auto& own = meters_of(result, sensor).meters;
+    require(readings, "readings");
+    require(count, "count") = own.size();
+    *readings = own.data();
+  });
+}
+
 ups_status ups_result_read_vectors(const ups_result* result, ups_sensor_id sensor, ups_vector_reading* out,
                                    size_t count) {
   return guard(__func__, [&] {
@@ -362,6 +372,18 @@ ups_status ups_result_read_image(const ups_result* result, ups_sensor_id camera,
   return guard(__func__, [&] {
     const ImageReading& image = image_of(result, camera);
     copy_plane(image, plane_of(image, channel), out, row_stride_bytes, size_bytes);
+  });
+}
+
+ups_status ups_result_view_image(const ups_result* result, ups_sensor_id camera, ups_channel channel,
+                                 const float** pixels, uint32_t* width, uint32_t* height) {
+  return guard(__func__, [&] {
+    const ImageReading& image = image_of(result, camera);
+    const Plane plane = plane_of(image, channel);
+    require(pixels, "pixels");
+    require(width, "width");
+    require(height, "height") = image.height;
+    *pixels = plane.values.data(), *width = image.width;
   });
 }
 

@@ -37,6 +37,7 @@ ups_status add(const char* function, ups_scene* scene, const Desc* desc, void (*
 ups_scene_info info_of(const Snapshot& s, const MethodChoice& method) {
   ups_scene_info info{};
   info.maintenance_factor = s.maintenance_factor;
+  info.revision = s.described->revision();
   info.effects = s.effects.effects;
   info.techniques = method.techniques;
   info.method = method.method;

@@ -15,6 +15,7 @@
 #include "render/job_threads.h"
 #include "render/radius_notice.h"
 #include "render/reading_warnings.h"
+#include "scene/description.h"
 #include "scene/scene_bytes.h"
 #include "scene/searched.h"
 
@@ -374,6 +375,7 @@ ups_result_info RenderJob::read_info() const {
   i.escaped_flux_lm = known ? light.flux.escaped / n : -1;
   i.flux_balance_standard_error_lm = !known ? -1 : flux_balance(light, i.emitted_flux_lm).standard_error;
   i.maintenance_factor = scene_->maintenance_factor;
+  i.revision = scene_->described->revision();
   i.seed = desc_.seed;
   for (size_t d = 0; d < flux_.dropped.size(); ++d) i.dropped_samples += w.dropped[d] + flux_.dropped[d];
   i.method = method_.method;

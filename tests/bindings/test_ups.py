@@ -419,7 +419,7 @@ def test_readings_of_each_source_add_up(context):
     assert np.all(readings["standard_error_lx"] == -1) and np.all(readings["error_bound_lx"] > 0)
     by_group = scene.render(iteration_count=8, separation=ups.Separation.GROUPS)
     assert [(s.kind, s.id) for s in by_group.sources()] == [(ups.SourceKind.GROUP, 0), (ups.SourceKind.GROUP, 7)]
-    with pytest.raises(ValueError, match="not a set of meters"):
+    with pytest.raises(ups.Error, match="not a meter set"):
         result.source_meters(scene.add_camera(2, 2, vertical_fov_rad=1))
 
 
@@ -428,9 +428,9 @@ def test_a_sensor_of_the_other_kind_is_refused(context):
     camera = scene.add_camera(2, 2, vertical_fov_rad=1)
     scene.commit()
     result = scene.render(iteration_count=1)
-    with pytest.raises(ValueError):
+    with pytest.raises(ups.Error, match="not a camera"):
         result.image(meters)
-    with pytest.raises(ValueError):
+    with pytest.raises(ups.Error, match="not a meter set"):
         result.meters(camera)
 
 

@@ -1,6 +1,8 @@
 """What goes into C descriptions and comes out: integers within their C range, arrays without copies, ids, panes."""
 import ctypes
+import gc
 import pickle
+import weakref
 
 import numpy as np
 import pytest
@@ -106,6 +108,51 @@ def test_results_go_where_the_caller_wants_them(context):
     ours.flags.writeable = False
     with pytest.raises(ValueError, match="out:"):
         result.meters(meters, out=ours)
+
+
+def test_views_are_the_results_own_memory_and_outlive_it(context):
+    scene, meters = box(context)
+    camera = scene.add_camera(3, 2, vertical_fov_rad=1, to_world=ups.translation(2, 2, 2))
+    scene.commit()
+    result = scene.render(iteration_count=4)
+    readings, image, depth = result.view_meters(meters), result.view_image(camera), result.view_image(camera)[..., 0]
+    assert readings.tobytes() == result.meters(meters).tobytes() and image.shape == (2, 3, 3)
+    assert np.array_equal(image, result.image(camera)) and np.shares_memory(image, result.view_image(camera))
+    copies = readings.copy(), image.copy()
+    for view in (readings, image, depth):
+        with pytest.raises(ValueError, match="read-only"):
+            view[...] = 0
+    result.close()
+    with pytest.raises(ups.Error, match="result is None, or was closed"):
+        result.view_meters(meters)
+    others = [scene.render(iteration_count=4, seed=seed) for seed in range(2, 12)]  # would take its memory
+    assert readings.tobytes() == copies[0].tobytes() and np.array_equal(image, copies[1])
+    memory = weakref.ref(others[0]._memory)
+    view = others[0].view_image(camera)[0]
+    del others
+    gc.collect()
+    assert memory() is not None and view.max() > 0
+    del view
+    gc.collect()
+    assert memory() is None, "the last view has the result destroyed"
+    with pytest.raises(ups.Error, match="camera"):
+        scene.render(iteration_count=1).view_image(meters)
+
+
+def test_what_is_no_handle_is_told(context):
+    scene, meters = box(context)
+    with pytest.raises(TypeError, match="expected a Profile, got NoneType"):
+        scene.add_luminaire(None)
+    with pytest.raises(TypeError, match="expected a Result, got str"):
+        ups.write_map("map.svg", scene, "result", meters)
+
+
+def test_complex_numbers_are_no_coordinates(context):
+    scene, _ = box(context)
+    with pytest.raises(TypeError, match="positions_m: expected real numbers"):
+        scene.add_mesh(np.array(SQUARE) * 1j, [(0, 1, 2)], scene.add_material())
+    with pytest.raises(TypeError, match="normals: expected real numbers"):
+        scene.add_meters([(1, 1, 1)], (0, 0, 1j))
 
 
 def test_ids_are_equal_where_they_name_the_same(context):

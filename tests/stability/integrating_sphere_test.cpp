@@ -33,16 +33,14 @@ struct Sphere {
   Sensor add_points() { return scene.add_meters(centers, normals); }
   Sensor add_cells() { return scene.add_cells(centers, normals, tangents, side, side); }
 
-  // Twice the iterations where the noise asks for it, up to eight times. (Stated errors are those of the last.)
+  // As many iterations as the noise asks for. (Stated errors are those of the last render.)
   void expect(const Sensor& meters, RenderOptions options, const std::string& what) {
     options.iterations = 64;
     options.merge_radius_m = 0.01;
     options.light_paths = options.techniques & (both_ends | UPS_TECHNIQUE_MERGE) ? 1u << 11 : 1u << 14;
-    Result result = scene.render(options);
-    for (int i = 0; i < 8 && result.statistics(meters).mean_standard_error_lx > largest_noise * expected; ++i) {
-      options.iterations *= 2;
-      result = scene.render(options);
-    }
+    const Result result = render_until_quiet(scene, options, 64u << 8, [&](const Result& r) {
+      return r.statistics(meters).mean_standard_error_lx / (largest_noise * expected);
+    });
     EXPECT_EQ(result.info().techniques & ~options.techniques, 0u);
     const auto s = result.statistics(meters);
     EXPECT_GT(s.mean_standard_error_lx, 0) << what;

@@ -55,8 +55,15 @@ def as_array(values: ArrayLike, dtype: Any, shape: Sequence[int], name: str) -> 
     """Contiguous and of the given shape; -1 stands for any length. A copy only where the values are not so already."""
     if np.dtype(dtype).kind in "iu":
         values = as_integers(values, dtype, name)
-    a = np.ascontiguousarray(values, dtype=dtype)
+    a = np.ascontiguousarray(_real(values, name), dtype=dtype)
     _check_shape(a, shape, name)
+    return a
+
+
+def _real(values: ArrayLike, name: str) -> NDArray[Any]:
+    a = np.asarray(values)
+    if a.dtype.kind == "c":  # NumPy would drop the imaginary parts with a warning
+        raise TypeError(f"{name}: expected real numbers, got complex ones")
     return a
 
 
@@ -147,7 +154,7 @@ def meter_fields(positions_m: ArrayLike, normals: ArrayLike, tangents: ArrayLike
     for name, values in (("normals", normals), ("tangents", tangents)):
         fields[name] = None
         if values is not None:
-            a = as_array(np.broadcast_to(np.asarray(values, np.float32), p.shape), np.float32, (-1, 3), name)
+            a = as_array(np.broadcast_to(_real(values, name), p.shape), np.float32, (-1, 3), name)
             fields[name] = address(a, ctypes.c_float)
     return fields
 
@@ -254,11 +261,11 @@ def target(out: NDArray[Any], ctype: Any) -> Any:
     return ctype.from_buffer(out.view(np.uint8)) if out.size else None
 
 
-def output(out: NDArray[Any] | None, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:
-    """Where an answer goes: a new array, or the caller's, which must fit."""
+def output(out: NDArray[Any] | None, like: NDArray[Any]) -> NDArray[Any]:
+    """Where a copy goes: a new array, or the caller's, which must fit."""
     if out is None:
-        return np.empty(shape, dtype=dtype)
-    if out.shape != shape or out.dtype != dtype or not out.flags.c_contiguous or not out.flags.writeable:
-        raise ValueError(f"out: expected a writeable, contiguous array of shape {shape} and type {np.dtype(dtype)}, "
+        return np.empty(like.shape, like.dtype)
+    if out.shape != like.shape or out.dtype != like.dtype or not out.flags.c_contiguous or not out.flags.writeable:
+        raise ValueError(f"out: expected a writeable, contiguous array of shape {like.shape} and type {like.dtype}, "
                          f"got {out.shape} and {out.dtype}")
     return out

@@ -26,9 +26,11 @@ def version() -> tuple[int, int, int]:
 class Handle:
     """Owns a handle of the library, which it destroys once."""
 
-    def __init__(self, pointer: ctypes.c_void_p, destroy: Callable[[ctypes.c_void_p], None]):
+    def __init__(self, pointer: ctypes.c_void_p, destroy: Callable[[ctypes.c_void_p], None],
+                 owner: object | None = None):
+        """owner: the handle is destroyed with it, else with this object."""
         self._as_parameter_: ctypes.c_void_p | None = pointer
-        self._destroy = weakref.finalize(self, destroy, pointer)
+        self._destroy = weakref.finalize(owner or self, destroy, pointer)
 
     def close(self) -> None:
         self._destroy()
@@ -39,6 +41,13 @@ class Handle:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+def pointer_of(handle: Handle, kind: type[Handle]) -> ctypes.c_void_p | None:
+    """For a field of a description, which anything but a handle could get into."""
+    if not isinstance(handle, kind):
+        raise TypeError(f"expected a {kind.__name__}, got {type(handle).__name__}")
+    return handle._as_parameter_
 
 
 def create(function: Callable[..., int], *arguments: Any) -> ctypes.c_void_p:

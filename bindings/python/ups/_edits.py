@@ -5,7 +5,6 @@ A part of ups.Scene.
 from __future__ import annotations
 
 import ctypes
-import threading
 from collections.abc import Mapping, Sequence
 from ctypes import byref
 from typing import TYPE_CHECKING, Any, Callable, SupportsIndex, TypeVar
@@ -15,11 +14,10 @@ import numpy as np
 from . import _ffi
 from ._convert import (address, angle_fields, as_array, as_matrix, assign, describe, instance_fields, lib,
                        material_fields, merged, mesh_fields, meter_fields, read_info, target, texture_fields)
-from ._core import Handle, create
-from ._ffi import FixtureId, InstanceId, LuminaireId, MaterialId, MeshId, SensorId, Status, TextureId
+from ._core import Handle, create, pointer_of
+from ._ffi import FixtureId, InstanceId, LuminaireId, MaterialId, MeshId, SensorId, TextureId
 from ._job import Job
 from ._profile import Profile
-from ._result import Shapes
 from ._status import check
 
 if TYPE_CHECKING:
@@ -44,74 +42,14 @@ _ARRAYS: dict[Any, dict[str, tuple[str, int]]] = {
 }
 
 
-class Committed:
-    """The shapes of the sensors as the scene renders them. A commit that runs by itself changes them when the library
-    is done with it, whoever waits for it: so jobs are asked before shapes are. Any thread may call, and a job may be
-    collected within any call: it is destroyed when nothing asks it."""
-
-    def __init__(self) -> None:
-        self.shapes: Shapes = {}
-        self.number = 0  # of the commit that they are of
-        self._last = 0
-        self._running: dict[int, tuple[ctypes.c_void_p, Shapes]] = {}
-        self._lock = threading.RLock()
-        self._looking = False
-        self._ended: list[ctypes.c_void_p] = []
-
-    def take(self, shapes: Shapes) -> None:
-        """Of a commit that has been made; all jobs before it have ended."""
-        with self._lock:
-            self._last += 1
-            self.number, self.shapes = self._last, shapes
-            self._running.clear()
-
-    def begin(self, pointer: ctypes.c_void_p, shapes: Shapes) -> None:
-        with self._lock:
-            self._last += 1
-            self._running[self._last] = pointer, shapes
-
-    def look(self) -> None:
-        with self._lock:
-            if self._looking:
-                return
-            self._looking, ended, self._ended = True, self._ended, []
-            try:
-                for number, (pointer, shapes) in sorted(self._running.items()):
-                    status = lib.ups_job_wait(pointer, 0)
-                    if status == Status.TIMEOUT:
-                        continue
-                    self._running.pop(number, None)
-                    if status == Status.OK and number > self.number:
-                        self.number, self.shapes = number, shapes
-                for pointer in ended:  # which the loop has taken out
-                    lib.ups_job_destroy(pointer)
-            finally:
-                self._looking = False
-            if self._ended:
-                self.look()
-
-    def end(self, pointer: ctypes.c_void_p) -> None:
-        lib.ups_job_cancel(pointer)
-        while lib.ups_job_wait(pointer, 1000) == Status.TIMEOUT:
-            pass
-        with self._lock:
-            self._ended.append(pointer)
-            self.look()
-
-
 class CommitJob(Job):
     """A commit on the library's own threads: as a render's job, without its findings."""
-
-    def __init__(self, pointer: ctypes.c_void_p, shapes: Shapes, committed: Committed):
-        committed.begin(pointer, shapes)
-        super().__init__(pointer, shapes, committed.end)
 
 
 class Edits(Handle):
     """get_X tells the description as it stands, edits that were not committed included, as the C struct with its
     fields; its arrays are copies, numpy's, in the dict `arrays`. set_X takes the arguments of add_X; what is not given
     stays as it is. remove_X: what others still need is not removed. Edits take effect at the next commit."""
-    _shapes: Shapes
 
     def _get(self, function: Callable[..., int], cls: type[Desc], id: Any) -> Desc:
         desc = read_info(cls, function, self, id)
@@ -197,7 +135,7 @@ class Edits(Handle):
 
     def set_luminaire(self, luminaire: LuminaireId, profile: Profile | None = None,
                       **fields: Unpack[_fields.LuminaireDescFields]) -> None:
-        own: dict[str, Any] = {} if profile is None else {"profile": profile._as_parameter_}
+        own: dict[str, Any] = {} if profile is None else {"profile": pointer_of(profile, Profile)}
         self._set(lib.ups_scene_get_luminaire, lib.ups_scene_set_luminaire, _ffi.LuminaireDesc, luminaire, own, fields)
 
     def set_luminaire_transform(self, luminaire: LuminaireId, to_world: ArrayLike) -> None:
@@ -249,8 +187,6 @@ class Edits(Handle):
                    **fields: Unpack[_fields.CameraDescFields]) -> None:
         size = {name: n for name, n in (("width", width), ("height", height)) if n is not None}
         self._set(lib.ups_scene_get_camera, lib.ups_scene_set_camera, _ffi.CameraDesc, camera, size, fields)
-        desc = self.get_camera(camera)
-        self._shapes[camera.v] = (desc.height, desc.width)
 
     def get_camera(self, camera: SensorId) -> _ffi.CameraDesc:
         return self._get(lib.ups_scene_get_camera, _ffi.CameraDesc, camera)
@@ -264,8 +200,6 @@ class Edits(Handle):
         elif not (positions_m is None and normals is None and tangents is None):
             raise TypeError("positions_m, normals: both are needed where the arrays are to change")
         self._set(lib.ups_scene_get_meters, lib.ups_scene_set_meters, _ffi.MeterDesc, meters, own, fields)
-        if own:
-            self._shapes[meters.v] = (own["count"],)
 
     def get_meters(self, meters: SensorId) -> _ffi.MeterDesc:
         return self._get(lib.ups_scene_get_meters, _ffi.MeterDesc, meters)
@@ -284,8 +218,6 @@ class Edits(Handle):
         own = {name: n for name, n in (("width", width), ("height", height)) if n is not None}
         self._set(lib.ups_scene_get_lightmap, lib.ups_scene_set_lightmap, _ffi.LightmapDesc, lightmap,
                   {**own, **({} if instances is None else instance_fields(instances))}, fields)
-        desc = self.get_lightmap(lightmap)
-        self._shapes[lightmap.v] = (desc.width * desc.height,)
 
     def get_lightmap(self, lightmap: SensorId) -> _ffi.LightmapDesc:
         return self._get(lib.ups_scene_get_lightmap, _ffi.LightmapDesc, lightmap)

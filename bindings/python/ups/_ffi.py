@@ -736,6 +736,7 @@ class SceneInfo(Structure):
     bounds_min_m: Array[c_double]
     bounds_max_m: Array[c_double]
     maintenance_factor: float
+    revision: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("effects", c_uint32),
@@ -751,6 +752,7 @@ class SceneInfo(Structure):
         ("bounds_min_m", c_double * 3),
         ("bounds_max_m", c_double * 3),
         ("maintenance_factor", c_double),
+        ("revision", c_uint64),
     ]
 
 
@@ -1265,6 +1267,7 @@ class ResultInfo(Structure):
     threads: int
     flux_balance_standard_error_lm: float
     maintenance_factor: float
+    revision: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("iterations", c_uint32),
@@ -1285,6 +1288,7 @@ class ResultInfo(Structure):
         ("threads", c_int32),
         ("flux_balance_standard_error_lm", c_double),
         ("maintenance_factor", c_double),
+        ("revision", c_uint64),
     ]
 
 
@@ -2337,6 +2341,8 @@ PROTOTYPES: dict[str, dict[str, tuple[Any, list[Any], dict[int, str]]]] = {
         "ups_result_get_info": (c_int32, [c_void_p, POINTER(ResultInfo)], {}),
         "ups_result_get_choice": (c_int32, [c_void_p, SensorId, POINTER(SensorChoice)], {}),
         "ups_result_read_meters": (c_int32, [c_void_p, SensorId, POINTER(MeterReading), c_size_t], {}),
+        "ups_result_view_meters": (c_int32, [c_void_p, SensorId, POINTER(POINTER(MeterReading)), POINTER(c_size_t)],
+            {}),
         "ups_result_read_vectors": (c_int32, [c_void_p, SensorId, POINTER(VectorReading), c_size_t], {}),
         "ups_result_read_meter_part": (c_int32, [c_void_p, SensorId, c_int32, POINTER(MeterPartReading), c_size_t],
             {2: "part"}),
@@ -2360,6 +2366,8 @@ PROTOTYPES: dict[str, dict[str, tuple[Any, list[Any], dict[int, str]]]] = {
         "ups_result_get_goniometer_profile": (c_int32, [c_void_p, SensorId, POINTER(c_void_p)], {}),
         "ups_result_read_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(c_float), c_size_t, c_size_t],
             {2: "channel"}),
+        "ups_result_view_image": (c_int32, [c_void_p, SensorId, c_int32, POINTER(POINTER(c_float)), POINTER(c_uint32),
+            POINTER(c_uint32)], {2: "channel"}),
         "ups_result_get_technique_count": (c_int32, [c_void_p, SensorId, POINTER(c_uint32)], {}),
         "ups_result_get_technique": (c_int32, [c_void_p, SensorId, c_uint32, POINTER(TechniqueInfo)], {2: "index"}),
         "ups_result_read_technique": (c_int32, [c_void_p, SensorId, c_uint32, c_int32, POINTER(c_float), c_size_t,

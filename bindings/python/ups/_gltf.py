@@ -24,7 +24,6 @@ from ._status import check
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ._result import Shapes
 
 _check = functools.partial(check, library="ups_gltf")
 
@@ -51,7 +50,7 @@ class GltfSensor:
 class GltfImport(Handle):
     """What the file named: immutable; the scene keeps what was added."""
 
-    def __init__(self, context: Context, scene: Handle, shapes: Shapes, path: str | os.PathLike[str],
+    def __init__(self, context: Context, scene: Handle, path: str | os.PathLike[str],
                  fields: Mapping[str, Any]):
         self._lib = load("ups_gltf")
         desc, pointer = describe(_ffi.GltfImportDesc, fields, self._lib), ctypes.c_void_p()
@@ -60,11 +59,6 @@ class GltfImport(Handle):
         count = ctypes.c_uint32()
         _check(self._lib.ups_gltf_get_sensor_count(self, byref(count)))
         self.sensors = [self._sensor(i) for i in range(count.value)]
-        for s in self.sensors:
-            if s.kind == GltfSensorKind.CAMERA:
-                shapes[s.id.v] = s.shape
-            elif s.kind != GltfSensorKind.GONIOMETER:
-                shapes[s.id.v] = None if s.info.layout == GltfLayout.SURFACE else (int(np.prod(s.shape)),)
 
     def _sensor(self, index: int) -> GltfSensor:
         info = _ffi.GltfSensorInfo()

@@ -12,7 +12,7 @@ from ._convert import lib, read_info
 from ._core import Handle, create
 from ._ffi import Status
 from ._progress import view_of
-from ._result import Result, Shapes, read_curve
+from ._result import Result, read_curve
 from ._status import Error, check
 
 Watcher = Union[bool, Callable[[_ffi.Progress], object]]
@@ -20,11 +20,6 @@ Watcher = Union[bool, Callable[[_ffi.Progress], object]]
 
 class Job(Handle):
     """A render on the library's own threads; any thread may call. Closing it cancels it."""
-
-    def __init__(self, pointer: ctypes.c_void_p, shapes: Shapes,
-                 destroy: Callable[[ctypes.c_void_p], None] = lib.ups_job_destroy):
-        super().__init__(pointer, destroy)
-        self._shapes = shapes
 
     def poll(self) -> _ffi.Progress:
         return read_info(_ffi.Progress, lib.ups_job_poll, self)
@@ -74,7 +69,7 @@ class Job(Handle):
 
     def result(self) -> Result:
         """What is there after the last whole iteration."""
-        return Result(create(lib.ups_job_result, self), self._shapes)
+        return Result(create(lib.ups_job_result, self))
 
 
 def render(job: Job, progress: Watcher) -> Result:

@@ -17,9 +17,10 @@ import numpy as np
 
 from . import _ffi
 from ._convert import address, as_array, c_path, c_text, describe
-from ._core import Handle
+from ._core import Handle, pointer_of
 from ._ffi import InstanceId, LuminaireId, ReportExposure, ReportQuantity, SensorId, SourceKind
 from ._library import load
+from ._result import Result
 from ._status import check
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ def write_map(path: str | os.PathLike[str], scene: Handle, result: Handle, senso
     """Of meters that lie in a plane, on the plan of the committed scene, or of a camera's image. path: ends in .png,
     .svg or .pdf. quantity: of a camera. observers: to draw, by their names. style: ups_report_style_desc."""
     named = observers or {}
-    _write_map(path, {"scene": scene._as_parameter_, "result": result._as_parameter_, "sensor": sensor,
+    _write_map(path, {"scene": scene._as_parameter_, "result": pointer_of(result, Result), "sensor": sensor,
                       "title": _text(title), "quantity": quantity, "sensors": _sensors(named),
                       "sensor_count": len(named), "style": _style(style)})
 
@@ -128,7 +129,7 @@ def write_report(path: str | os.PathLike[str], scene: Handle, result: Handle, se
     thresholds = as_array(thresholds_lx, np.float64, (-1,), "thresholds_lx")
     c_pictures = [p._as_c() for p in pictures]
     desc = describe(_ffi.ReportPageDesc, {
-        "scene": scene._as_parameter_, "result": result._as_parameter_, "sensors": _sensors(sensors),
+        "scene": scene._as_parameter_, "result": pointer_of(result, Result), "sensors": _sensors(sensors),
         "sensor_count": len(sensors),
         "sources": (_ffi.ReportSource * len(named))(*[_source(s, words) for s, words in named.items()]),
         "source_count": len(named), "pictures": (_ffi.ReportPicture * len(c_pictures))(*c_pictures),

@@ -5,8 +5,9 @@ Used by programs, as ups.Result, which Scene.render and Job.result make.
 from __future__ import annotations
 
 import ctypes
-from ctypes import byref
-from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple
+import math
+from ctypes import POINTER, addressof, byref
+from typing import TYPE_CHECKING, Any, Callable
 
 import numpy as np
 
@@ -20,9 +21,6 @@ from ._status import check
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-# Of each sensor's results: (height, width) or (count,); None: what a surface's statistics tell.
-Shapes = Dict[int, Optional[Tuple[int, ...]]]
-
 SINGLE_CHANNELS = (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR, Channel.BIAS, Channel.ERROR_BOUND,
                    Channel.DEPTH, Channel.ID)
 
@@ -31,22 +29,39 @@ def read_curve(count_of: Callable[..., int], point_of: Callable[..., int], owner
     return [read_info(_ffi.CurvePoint, point_of, owner, i) for i in range(read_count(count_of, owner))]
 
 
+class _Memory:
+    """Of a result: held by it and by each view of it. With the last of them the result is destroyed."""
+
+
 class Result(Handle):
     """What a render has found so far; immutable. interrupted: Ctrl-C ended it before a limit or the target. The arrays
-    that reading methods return are new ones, or `out`, where the library writes into the caller's own."""
+    that reading methods return are new ones, or `out`, where the library writes into the caller's own; those of
+    view_meters() and view_image() are the result's own memory, read-only, which stays as long as they do, even when the
+    result is closed."""
 
-    def __init__(self, pointer: ctypes.c_void_p, shapes: Shapes):
-        super().__init__(pointer, lib.ups_result_destroy)
-        self._shapes = shapes
+    def __init__(self, pointer: ctypes.c_void_p):
+        self._memory: _Memory | None = _Memory()
+        super().__init__(pointer, lib.ups_result_destroy, self._memory)
         self.interrupted = False
 
-    def _shape(self, sensor: SensorId, dimensions: int, what: str) -> tuple[int, ...]:
-        shape = self._shapes.get(sensor.v, ())
-        if shape is None:
-            shape = (self.statistics(sensor).count,)
-        if len(shape) != dimensions:
-            raise ValueError(f"sensor {sensor.v} is not {what} of the rendered scene")
-        return shape
+    def close(self) -> None:
+        self._as_parameter_ = self._memory = None
+
+    def _view(self, memory: _Memory | None, first: Any, dtype: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+        """An array of what `first` points to, which the memory, held since before it was asked for, has."""
+        if not first:
+            return np.empty(shape, dtype)
+        values: Any = (ctypes.c_char * (math.prod(shape) * dtype.itemsize)).from_address(addressof(first.contents))
+        values.memory = memory
+        self._destroy.atexit = False  # else views would outlive it, at the end of the program
+        view: NDArray[Any] = np.ndarray(shape, dtype, values)
+        view.flags.writeable = False
+        return view
+
+    def _meter_count(self, sensor: SensorId) -> int:
+        first, count = POINTER(_ffi.MeterReading)(), ctypes.c_size_t()
+        check(lib.ups_result_view_meters(self, sensor, byref(first), byref(count)))
+        return count.value
 
     @property
     def info(self) -> _ffi.ResultInfo:
@@ -60,32 +75,39 @@ class Result(Handle):
         """A record array with a field for each of ups_meter_reading: illuminance_lx, standard_error_lx, ... Light that
         no path has found, or few, has standard error -1 beside a positive bound; both are -1 where nothing is known
         yet."""
-        out = output(out, self._shape(sensor, 1, "a set of meters"), dtype_of(_ffi.MeterReading))
-        check(lib.ups_result_read_meters(self, sensor, target(out, _ffi.MeterReading), len(out)))
+        own = self.view_meters(sensor)
+        out = output(out, own)
+        ctypes.memmove(out.ctypes.data, own.ctypes.data, own.nbytes)  # NumPy copies records field by field
         return out
+
+    def view_meters(self, sensor: SensorId) -> NDArray[np.void]:
+        """As meters(), but the result's own memory: read-only, and nothing is copied."""
+        memory, first, count = self._memory, POINTER(_ffi.MeterReading)(), ctypes.c_size_t()
+        check(lib.ups_result_view_meters(self, sensor, byref(first), byref(count)))
+        return self._view(memory, first, dtype_of(_ffi.MeterReading), (count.value,))
 
     def vectors(self, sensor: SensorId) -> NDArray[np.void]:
         """Of meters of kind MeterKind.VECTOR: a record array with the fields vector_lx, standard_error_lx and
         error_bound_lx, three numbers each, x, y and z of the world. meters() has the vectors' lengths."""
-        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=dtype_of(_ffi.VectorReading))
+        out = np.empty(self._meter_count(sensor), dtype=dtype_of(_ffi.VectorReading))
         check(lib.ups_result_read_vectors(self, sensor, target(out, _ffi.VectorReading), len(out)))
         return out
 
     def vector_part(self, sensor: SensorId, part: LightPart) -> NDArray[np.void]:
         """As vectors(), of LightPart.DIRECT, INDIRECT or ALL, with the field bias_lx besides."""
-        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=dtype_of(_ffi.VectorPartReading))
+        out = np.empty(self._meter_count(sensor), dtype=dtype_of(_ffi.VectorPartReading))
         check(lib.ups_result_read_vector_part(self, sensor, part, target(out, _ffi.VectorPartReading), len(out)))
         return out
 
     def meter_part(self, sensor: SensorId, part: LightPart) -> NDArray[np.void]:
         """The LightPart.DIRECT, INDIRECT or ALL light of each meter, with errors of its own: as ups_meter_part_reading."""
-        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=dtype_of(_ffi.MeterPartReading))
+        out = np.empty(self._meter_count(sensor), dtype=dtype_of(_ffi.MeterPartReading))
         check(lib.ups_result_read_meter_part(self, sensor, part, target(out, _ffi.MeterPartReading), len(out)))
         return out
 
     def meter_flags(self, sensor: SensorId) -> NDArray[np.uint32]:
         """Reading.EXACT, UNKNOWN, FEW_PATHS, SINGLE_PATH, HEAVY_TAIL of each meter, or-ed in an array of integers."""
-        out = np.empty(self._shape(sensor, 1, "a set of meters"), dtype=np.uint32)
+        out = np.empty(self._meter_count(sensor), dtype=np.uint32)
         check(lib.ups_result_read_meter_flags(self, sensor, target(out, ctypes.c_uint32), len(out)))
         return out
 
@@ -112,7 +134,7 @@ class Result(Handle):
     def ratios(self, numerator: SensorId, denominator: SensorId) -> NDArray[np.void]:
         """Meter by meter: a record array with the fields value, low, high. Of cylindrical meters over horizontal ones at
         the same places: the modelling index."""
-        out = np.empty(self._shape(numerator, 1, "a set of meters"), dtype=dtype_of(_ffi.Interval))
+        out = np.empty(self._meter_count(numerator), dtype=dtype_of(_ffi.Interval))
         check(lib.ups_result_read_meter_ratios(self, numerator, denominator, target(out, _ffi.Interval), len(out)))
         return out
 
@@ -125,7 +147,7 @@ class Result(Handle):
     def source_meters(self, sensor: SensorId) -> NDArray[np.void]:
         """What each source contributes to each meter: a record array (sources, meters), rows in the order of sources(),
         fields as of meters(), to whose illuminance the rows add up."""
-        shape = len(self.sources()), *self._shape(sensor, 1, "a set of meters")
+        shape = len(self.sources()), self._meter_count(sensor)
         out = np.empty(shape, dtype=dtype_of(_ffi.MeterReading))
         for source, row in enumerate(out):
             check(lib.ups_result_read_source_meters(self, source, sensor, target(row, _ffi.MeterReading), len(row)))
@@ -172,10 +194,17 @@ class Result(Handle):
               out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
         """(height, width, 3), or (height, width) for ILLUMINANCE and its error, BIAS, ERROR_BOUND, DEPTH and ID; row 0
         is the image's top. The camera's layers (add_camera(layers=Layer.ALBEDO | Layer.DEPTH)) are channels too."""
-        shape = self._shape(camera, 2, "a camera")
-        out = output(out, shape if channel in SINGLE_CHANNELS else shape + (3,), np.float32)
+        out = output(out, self.view_image(camera, channel))
         check(lib.ups_result_read_image(self, camera, channel, target(out, ctypes.c_float), 0, out.nbytes))
         return out
+
+    def view_image(self, camera: SensorId, channel: Channel = Channel.LUMINANCE_RGB) -> NDArray[np.float32]:
+        """As image(), but the result's own memory: read-only, and nothing is copied."""
+        memory, first = self._memory, POINTER(ctypes.c_float)()
+        width, height = ctypes.c_uint32(), ctypes.c_uint32()
+        check(lib.ups_result_view_image(self, camera, channel, byref(first), byref(width), byref(height)))
+        shape = height.value, width.value
+        return self._view(memory, first, np.dtype(np.float32), shape if channel in SINGLE_CHANNELS else shape + (3,))
 
     def techniques(self, camera: SensorId) -> list[_ffi.TechniqueInfo]:
         """A ups_technique_info of each technique that has an image; empty without technique_images in the render's
@@ -187,7 +216,7 @@ class Result(Handle):
     def technique_image(self, camera: SensorId, index: int,
                         contribution: Contribution = Contribution.WEIGHTED) -> NDArray[np.float32]:
         """(height, width, 3) of the technique with that index in techniques()."""
-        out = np.empty(self._shape(camera, 2, "a camera") + (3,), dtype=np.float32)
+        out = np.empty_like(self.view_image(camera))
         check(lib.ups_result_read_technique(self, camera, index, contribution, target(out, ctypes.c_float), 0,
                                             out.nbytes))
         return out

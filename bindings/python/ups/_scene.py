@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import ctypes
 import math
-import operator
 import os
 from collections.abc import Sequence
 from ctypes import byref
@@ -17,15 +16,15 @@ import numpy as np
 from . import _ffi
 from ._convert import (address, angle_fields, as_array, describe, dtype_of, instance_fields, lib, material_fields,
                        merged, mesh_fields, meter_fields, read_array, read_count, read_info, read_text, texture_fields)
-from ._core import Context, create
-from ._edits import CommitJob, Committed, Edits
+from ._core import Context, create, pointer_of
+from ._edits import CommitJob, Edits
 from ._ffi import (FixtureId, FixturePartId, InstanceId, LuminaireId, MaterialId, MeshId, SceneText, SensorId,
                    TextureId)
 from ._fixture import Fixture
 from ._gltf import GltfImport
 from ._job import Job, Watcher, render
 from ._profile import Profile
-from ._result import ReplayedPath, Result, Shapes
+from ._result import ReplayedPath, Result
 from ._status import check
 
 if TYPE_CHECKING:
@@ -44,8 +43,6 @@ class Scene(Edits):
     def __init__(self, context: Context):
         super().__init__(create(lib.ups_scene_create, context), lib.ups_scene_destroy)
         self._context = context
-        self._shapes: Shapes = {}
-        self._committed = Committed()
 
     def _add(self, function: Callable[..., int], id_type: type[AnyId], desc: ctypes.Structure) -> AnyId:
         out = id_type()
@@ -56,7 +53,7 @@ class Scene(Edits):
                     **fields: Unpack[_fields.GltfImportDescFields]) -> GltfImport:
         """Adds all of a glTF file (.gltf, .glb): surfaces, materials, luminaires, sensors, which have their names in
         the answer. After an error the scene holds part of the file: close it."""
-        return GltfImport(self._context, self, self._shapes, path, fields)
+        return GltfImport(self._context, self, path, fields)
 
     def add_texture(self, texels: ArrayLike) -> TextureId:
         """Of shape (height, width) or (height, width, channels); linear; row 0 first."""
@@ -87,7 +84,7 @@ class Scene(Edits):
         return self._add(lib.ups_scene_add_light, LuminaireId, describe(_ffi.LightDesc, fields))
 
     def add_luminaire(self, profile: Profile, **fields: Unpack[_fields.LuminaireDescFields]) -> LuminaireId:
-        desc = describe(_ffi.LuminaireDesc, {"profile": profile._as_parameter_, **fields})
+        desc = describe(_ffi.LuminaireDesc, {"profile": pointer_of(profile, Profile), **fields})
         return self._add(lib.ups_scene_add_luminaire, LuminaireId, desc)
 
     def add_fixture(self, fixture: Fixture, **fields: Unpack[_fields.FixtureInstanceDescFields]) -> FixtureId:
@@ -105,17 +102,13 @@ class Scene(Edits):
     def add_camera(self, width: SupportsIndex, height: SupportsIndex,
                    **fields: Unpack[_fields.CameraDescFields]) -> SensorId:
         desc = describe(_ffi.CameraDesc, {"width": width, "height": height, **fields})
-        sensor = self._add(lib.ups_scene_add_camera, SensorId, desc)
-        self._shapes[sensor.v] = (desc.height, desc.width)
-        return sensor
+        return self._add(lib.ups_scene_add_camera, SensorId, desc)
 
     def add_meters(self, positions_m: ArrayLike, normals: ArrayLike, tangents: ArrayLike | None = None,
                    **fields: Unpack[_fields.MeterDescFields]) -> SensorId:
         """All three (n, 3); one normal may stand for all meters. Readings keep the order. kind: a MeterKind."""
         desc = describe(_ffi.MeterDesc, merged(meter_fields(positions_m, normals, tangents), fields))
-        sensor = self._add(lib.ups_scene_add_meters, SensorId, desc)
-        self._shapes[sensor.v] = (desc.count,)
-        return sensor
+        return self._add(lib.ups_scene_add_meters, SensorId, desc)
 
     def _add_on(self, function: Callable[..., int], desc_type: Any, instances: Sequence[InstanceId],
                 fields: dict[str, Any]) -> SensorId:
@@ -124,17 +117,13 @@ class Scene(Edits):
     def add_surface_meters(self, instances: Sequence[InstanceId],
                            **fields: Unpack[_fields.SurfaceMetersDescFields]) -> SensorId:
         """One planar meter for each triangle of the instances, counted through them; back=1: on their backs."""
-        sensor = self._add_on(lib.ups_scene_add_surface_meters, _ffi.SurfaceMetersDesc, instances, {**fields})
-        self._shapes[sensor.v] = None  # as many as the meshes have, which a result tells
-        return sensor
+        return self._add_on(lib.ups_scene_add_surface_meters, _ffi.SurfaceMetersDesc, instances, {**fields})
 
     def add_lightmap(self, instances: Sequence[InstanceId], width: SupportsIndex, height: SupportsIndex,
                      **fields: Unpack[_fields.LightmapDescFields]) -> SensorId:
         """One planar meter for each texel of the instances' UVs; readings have row 0, at v = 0, first."""
-        sensor = self._add_on(lib.ups_scene_add_lightmap, _ffi.LightmapDesc, instances,
-                              {"width": width, "height": height, **fields})
-        self._shapes[sensor.v] = (operator.index(width) * operator.index(height),)
-        return sensor
+        return self._add_on(lib.ups_scene_add_lightmap, _ffi.LightmapDesc, instances,
+                            {"width": width, "height": height, **fields})
 
     def add_goniometer(self, c_deg: ArrayLike | None = None, gamma_deg: ArrayLike | None = None,
                        **fields: Unpack[_fields.GoniometerDescFields]) -> SensorId:
@@ -145,20 +134,17 @@ class Scene(Edits):
 
     def add_observer(self, **fields: Unpack[_fields.ObserverDescFields]) -> SensorId:
         """An eye whose glare is rated; its meter's readings are those of a set of one."""
-        sensor = self._add(lib.ups_scene_add_observer, SensorId, describe(_ffi.ObserverDesc, fields))
-        self._shapes[sensor.v] = (1,)
-        return sensor
+        return self._add(lib.ups_scene_add_observer, SensorId, describe(_ffi.ObserverDesc, fields))
 
     def commit(self) -> None:
         check(lib.ups_scene_commit(self))
-        self._committed.take(dict(self._shapes))
 
     def start_commit(self, **fields: Unpack[_fields.CommitDescFields]) -> CommitJob:
         """A commit of the scene as it is now, by itself: edits go on meanwhile and belong to the next one. Its watch,
         wait and poll tell of its end; the scene renders as before until then. One at a time. thread_limit and priority
         as of start."""
         desc = describe(_ffi.CommitDesc, fields)
-        return CommitJob(create(lib.ups_scene_start_commit_with, self, byref(desc)), dict(self._shapes), self._committed)
+        return CommitJob(create(lib.ups_scene_start_commit_with, self, byref(desc)), lib.ups_job_destroy)
 
     @property
     def is_dirty(self) -> bool:
@@ -218,14 +204,7 @@ class Scene(Edits):
     def start(self, **fields: Unpack[_fields.RenderDescFields]) -> Job:
         """The same as a Job, which can be watched and cancelled."""
         desc = describe(_ffi.RenderDesc, fields)
-        while True:
-            self._committed.look()
-            number, shapes = self._committed.number, dict(self._committed.shapes)
-            job = Job(create(lib.ups_job_start, self, byref(desc)), shapes)
-            self._committed.look()
-            if self._committed.number == number:
-                return job
-            job.close()  # a commit came between: it may be of either
+        return Job(create(lib.ups_job_start, self, byref(desc)), lib.ups_job_destroy)
 
     def estimate_memory(self, **fields: Unpack[_fields.RenderDescFields]) -> _ffi.MemoryEstimate:
         """What a render with these fields will take, as ups_memory_estimate: scene_bytes, working_bytes, light_bytes,

@@ -4,6 +4,7 @@ Called by every module that calls the library.
 """
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from ._ffi import Status
@@ -11,6 +12,7 @@ from ._library import load
 
 
 _OK = Status.OK
+_NO_HANDLE = re.compile(r"\b(context|scene|job|result|profile|fixture|path) is NULL$")
 
 
 class Error(Exception):
@@ -33,5 +35,6 @@ def check(status: int, library: str = "ups") -> Status:
         return _OK
     if status < 0:
         last_error = getattr(load(library), "ups_last_error" if library == "ups" else f"{library}_last_error")
-        raise Error(Status(status), last_error().decode("utf-8", "replace"))
+        message = last_error().decode("utf-8", "replace")
+        raise Error(Status(status), _NO_HANDLE.sub(r"\1 is None, or was closed", message))
     return Status(status)

@@ -27,7 +27,9 @@ Map map_of(const ups_report_map_desc& desc);  // map_desc.cpp
 std::string page_of(const ups_report_page_desc& desc);  // page_desc.cpp
 
 // The scene with these sensors, whose names are looked up by the others.
-LitScene lit_scene_of(const ups_scene* scene, const ups_report_sensor* sensors, uint32_t count);
+// result: NULL, or it must be of the scene as it was committed last.
+LitScene lit_scene_of(const ups_scene* scene, const ups_result* result, const ups_report_sensor* sensors,
+                      uint32_t count);
 
 // "count" and array of a desc fit.
 void require_array(const void* array, uint32_t count, const char* name);

@@ -73,10 +73,6 @@ std::vector<float> read_image(const ups_result* result, const SensorEntry& camer
                    channel == UPS_CHANNEL_DEPTH || channel == UPS_CHANNEL_ID;
   const size_t channels = one ? 1 : 3;
   std::vector<float> pixels(size_t(camera.info.width) * camera.info.height * channels);
-  if (ups_result_read_image(result, camera.info.sensor, channel, pixels.data(), 0,
-                            pixels.size() * sizeof(float) - sizeof(float)) == UPS_OK)
-    throw Failure("camera " + camera.name + " had fewer pixels in the result than it has in the scene",
-                  UPS_ERROR_INVALID_STATE);
   check(ups_result_read_image(result, camera.info.sensor, channel, pixels.data(), 0, pixels.size() * sizeof(float)));
   return pixels;
 }

@@ -51,7 +51,7 @@ MapData sensor_map(const ups_report_map_desc& d) {
   require(d.scene != nullptr, "scene is NULL: a map of a sensor needs it");
   require(!d.positions_m && !d.normals && !d.values && !d.error_bounds && d.count == 0 && d.columns == 0,
           "result and numbers are given both: a map is of a sensor in a result, or of numbers without one");
-  LitScene scene = lit_scene_of(d.scene, d.sensors, d.sensor_count);
+  LitScene scene = lit_scene_of(d.scene, d.result, d.sensors, d.sensor_count);
   const auto named = std::find_if(scene.sensors.begin(), scene.sensors.end(),
                                   [&](const SensorEntry& s) { return s.info.sensor.v == d.sensor.v; });
   const SensorEntry entry = named != scene.sensors.end() ? *named : sensor_entry(d.scene, d.sensor, "");
@@ -87,7 +87,7 @@ MapData points_map(const ups_report_map_desc& d) {
   require(d.columns == 0 || d.count % d.columns == 0, "count is no multiple of columns");
   const std::vector<MeterPoint> points = points_of(d);
   LitScene scene;
-  if (d.scene) scene = lit_scene_of(d.scene, d.sensors, d.sensor_count);
+  if (d.scene) scene = lit_scene_of(d.scene, nullptr, d.sensors, d.sensor_count);
   const uint32_t columns = d.columns > 0 ? d.columns : columns_of(d.positions_m, d.count);
   std::optional<MapData> data = meter_map("", points, columns, d.scene ? &scene : nullptr);
   if (!data) fail_flat("the points");

@@ -139,7 +139,7 @@ std::string page_of(const ups_report_page_desc& d) {
   require(std::isfinite(d.target_relative_error) && d.target_relative_error >= 0,
           "target_relative_error must be finite and at least 0");
   const Style style = style_of(d.style);
-  LitScene scene = lit_scene_of(d.scene, d.sensors, d.sensor_count);
+  LitScene scene = lit_scene_of(d.scene, d.result, d.sensors, d.sensor_count);
   take_sources(d, scene);
   const std::optional<Targets> targets = targets_of(d, scene);
   Report report = make_report(text_of(d.scene_name), scene, d.result, questions_of(d, scene));

@@ -70,13 +70,31 @@ void require_array(const void* array, uint32_t count, const char* name) {
   if (!array && count > 0) throw Failure(std::string(name) + " is NULL, but its count is " + std::to_string(count));
 }
 
-LitScene lit_scene_of(const ups_scene* scene, const ups_report_sensor* sensors, uint32_t count) {
-  require_array(sensors, count, "sensors");
+namespace {
+
+// A page of two states of a scene would contradict itself.
+void require_committed(const ups_scene* scene, const ups_result* result) {
   int32_t dirty = 0;
   report::check(ups_scene_is_dirty(scene, &dirty));
   if (dirty)
     throw Failure("scene has edits that are not committed, which its results know nothing of: commit it first",
                   UPS_ERROR_INVALID_STATE);
+  if (!result) return;
+  auto of_scene = sized<ups_scene_info>();
+  auto of_result = sized<ups_result_info>();
+  report::check(ups_scene_get_info(scene, &of_scene));
+  report::check(ups_result_get_info(result, &of_result));
+  if (of_scene.revision != of_result.revision)
+    throw Failure("result is of the scene as it was before its last commit: render the scene as it is now",
+                  UPS_ERROR_INVALID_STATE);
+}
+
+}  // namespace
+
+LitScene lit_scene_of(const ups_scene* scene, const ups_result* result, const ups_report_sensor* sensors,
+                      uint32_t count) {
+  require_array(sensors, count, "sensors");
+  require_committed(scene, result);
   LitScene lit;
   lit.scene = scene;
   for (uint32_t i = 0; i < count; ++i) {

@@ -123,10 +123,10 @@ std::string find_included(const std::string& file, const std::string& name, cons
   for (const std::string& folder : folders) {
     const std::string candidate = platform::joined(folder, name);
     if (platform::is_regular_file(candidate) && platform::lies_within(candidate, folder)) return candidate;
-    tried += (tried.empty() ? "neither as " : " nor as ") + candidate;
+    tried += (tried.empty() ? " in " : " or in ") + folder;
   }
-  fail(file + ": include", "there is no '" + name + "', " +
-                               (tried.empty() ? "as no folder is given that files to include lie in" : tried));
+  fail(file + ": include", tried.empty() ? "no folder is given that '" + name + "' could lie in"
+                                         : "there is no file '" + name + "'" + tried);
 }
 
 void take_row(const Json& words, const std::string& where, const Rows& rows, TargetArea& area) {

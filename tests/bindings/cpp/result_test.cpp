@@ -1,6 +1,7 @@
 // Results of ups.hpp: readings, statistics, sources, images, goniometers, glare, samples traced again.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "room.h"
 
@@ -66,6 +67,9 @@ TEST(Results, OfSourcesApartAddUp) {
   const auto all = result.read_meters(room.meters), first = result.read_source_meters(0, room.meters);
   std::vector<ups_meter_reading> other(4);
   result.read_source_meters(1, room.meters, other);
+  const auto own = result.view_meters(room.meters);
+  ASSERT_EQ(own.size(), all.size());
+  EXPECT_EQ(std::memcmp(own.data(), all.data(), all.size() * sizeof all[0]), 0);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(first[i].illuminance_lx + other[i].illuminance_lx, all[i].illuminance_lx, 1e-3 * all[i].illuminance_lx);
 }
@@ -85,6 +89,8 @@ TEST(Results, OfCameras) {
   std::vector<float> filled(rgb.size());
   result.read_image(room.camera, UPS_CHANNEL_LUMINANCE_RGB, filled);
   EXPECT_EQ(filled, rgb);
+  const auto own = result.view_image(room.camera, UPS_CHANNEL_LUMINANCE_RGB);
+  EXPECT_EQ(std::vector<float>(own.begin(), own.end()), rgb);
   const auto depth = result.read_image(room.camera, UPS_CHANNEL_DEPTH, 8, 6);
   ASSERT_EQ(depth.size(), 8u * 6);
   EXPECT_NEAR(depth[8 * 3 + 4], 3.5, 0.3) << "straight on, to the wall";

@@ -171,6 +171,9 @@ public sealed partial class BindingTest : IDisposable
                 Expect(result.Image(eye, 6, 4, Channel.IlluminanceStandardError).Length == 24, "errors of an image");
                 // 400 cd / (2.5 m)^2 below the lamp; 0.5 % less at the picture's corners.
                 foreach (var e in result.Image(eye, 6, 4, Channel.Illuminance)) ExpectNear(e, 64, 0.01, "floor");
+                int width, height;
+                Expect(result.Image(eye, out width, out height, Channel.Illuminance).Length == 24, "an image's own size");
+                Expect(width == 6 && height == 4, "width and height");
                 Expect(result.Image(around, 6, 4, Channel.Normal).Length == 72, "normals all around");
                 var depths = result.Image(around, 6, 4, Channel.Depth);  // the panorama's top row is the axis' up, +y
                 Expect(depths.Length == 24 && depths[9] > 2 && depths[6] == -1, "depth ahead and behind");

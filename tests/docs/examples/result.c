@@ -9,6 +9,14 @@ static void read_meters(const ups_result *result, ups_sensor_id meters) {
     printf("%.1f lx, within %.1f lx by 95 %%\n", readings[i].illuminance_lx, readings[i].error_bound_lx);
   /* [end] */
 
+  /* [ups_result_view_meters] */
+  const ups_meter_reading *own; /* until ups_result_destroy */
+  size_t meter_count;
+  check(ups_result_view_meters(result, meters, &own, &meter_count));
+  for (size_t i = 0; i < meter_count; ++i) printf("%.1f lx\n", own[i].illuminance_lx);
+  /* [end] */
+  expect(meter_count == METERS && memcmp(own, readings, sizeof readings) == 0);
+
   /* [ups_result_read_meter_part] */
   ups_meter_part_reading indirect[METERS];
   check(ups_result_read_meter_part(result, meters, UPS_LIGHT_PART_INDIRECT, indirect, METERS));
@@ -63,6 +71,14 @@ static void read_image(const ups_result *result, ups_sensor_id camera) {
   expect(pixels[9][12][0] > 0);
   expect(ups_result_read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB, &pixels[0][0][0], 0, 8) ==
          UPS_ERROR_BUFFER_TOO_SMALL);
+
+  /* [ups_result_view_image] */
+  const float *own; /* until ups_result_destroy; 3 a pixel of this channel, row after row */
+  uint32_t width, height;
+  check(ups_result_view_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB, &own, &width, &height));
+  printf("%ux%u pixels, %.1f cd/m^2 of red at the top left\n", width, height, own[0]);
+  /* [end] */
+  expect(width == 24 && height == 18 && memcmp(own, pixels, sizeof pixels) == 0);
 }
 
 static void read_goniometer(const ups_result *result, ups_sensor_id goniometer) {
