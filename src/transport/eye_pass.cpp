@@ -63,7 +63,7 @@ float pixel_illuminance(const Iteration& in, const Photons& photons, const Camer
   const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
   sensor.media = &seen.media;
   ++work.eye_paths;
-  return luminance(EyeWalk(in, photons, sensor, rng, work).from_surface(surface, frame).value);
+  return luminance(EyeWalk(in, photons, sensor, rng, work).from_surface(surface, frame).value());
 }
 
 bool meet_first(const Snapshot& scene, const Camera& camera, const Vec3& d, Hit& hit) {
@@ -117,8 +117,8 @@ class CameraPaths {
     ++work.eye_paths;
     const EyeTally found =
         EyeWalk(in_, photons_, sensor, rng, work).from_camera(camera_.position(), *d, camera_.pdf_w(*d));
-    tally_.pixels[c_][i] = found.value;
-    if (!tally_.pixel_bias.empty()) tally_.pixel_bias[c_][i] = found.bias;
+    tally_.pixels[c_][i] = found.value();
+    if (!tally_.pixel_bias.empty()) tally_.pixel_bias[c_][i] = float(found.bias);
     return d;
   }
   EyeSensor sensor_of(size_t i) const {
@@ -201,8 +201,8 @@ class MeterPaths {
     const Meter at = sensor.cell ? set_.sample(m, {rng.get(0, Slot::cell_x), rng.get(0, Slot::cell_y)}) : set_.meters[m];
     ++work.eye_paths;
     const EyeTally found = EyeWalk(in_, photons_, sensor, rng, work).from_meter(at.p, at.error, at.frame);
-    if (in_.moments) in_.moments->add_eye_path(luminance(found.value) * sensor.share, sensor.excess);
-    return MeterTally::of_path(luminance(found.value), found.direct, found.bias, {k});
+    if (in_.moments) in_.moments->add_eye_path(luminance(found.value()) * sensor.share, sensor.excess);
+    return MeterTally::of_path(luminance(found.value()), found.direct, found.bias, {k});
   }
 
   const Iteration& in_;

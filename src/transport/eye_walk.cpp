@@ -191,7 +191,7 @@ void EyeWalk::add(const Contribution& c, const Rgb& unweighted, double pass, flo
   if (!is_finite(value)) return drop(where, place_of(c));
   const bool is_direct = c.technique.edges == 1;
   const float lx = luminance(value);
-  tally_.value += value;
+  tally_.add(value);
   if (is_direct) tally_.direct += lx;
   if (sensor_.techniques) sensor_.techniques->add(c.technique, sensor_.pixel, value, unweighted);
   if (sensor_.excess) in_.moments->add(lx * sensor_.share, c.relative(pass), sensor_.excess);

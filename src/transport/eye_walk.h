@@ -8,11 +8,14 @@
 
 namespace ups {
 
-// What one eye path found.
+// What one eye path found. In double: a million photons may be merged at one of its vertices.
 struct EyeTally {
-  Rgb value;
-  float direct = 0;  // luminance of the part with one edge
-  float bias = 0;    // luminance; see MeterTally
+  double rgb[3] = {};
+  double direct = 0;  // luminance of the part with one edge
+  double bias = 0;    // luminance; see MeterTally
+
+  void add(const Rgb& v) { rgb[0] += v.r, rgb[1] += v.g, rgb[2] += v.b; }
+  Rgb value() const { return {float(rgb[0]), float(rgb[1]), float(rgb[2])}; }
 };
 
 // A sensor as its eye paths know it.

@@ -109,8 +109,7 @@ TEST(Hazard22, MillionsOfPhotonsOnOneMeter) {
   const auto reading = r.readings(meters)[0];
   measured("%llu photons on one meter: %+.3f %%", (unsigned long long)r.info().light_paths,
            100 * (double(reading.illuminance_lx) / candela - 1));
-  EXPECT_NEAR(reading.illuminance_lx / candela, 1, 0.01);
-  EXPECT_LE(std::abs(reading.illuminance_lx - candela), reading.error_bound_lx);
+  expect_inside_bound(reading, candela, 0.01, "to 1 %");
 }
 
 }  // namespace
