@@ -74,9 +74,24 @@ namespace Ups
             }
         }
 
-        /// <summary>Rows from the top, tight, FloatsOf(channel) a pixel. The camera's own size.</summary>
+        private void SizeOf(SensorId camera, Channel channel, out int width, out int height)
+        {
+            float* pixels;
+            uint w, h;
+            Library.Check(Native.ups_result_view_image(Handle, camera, channel, &pixels, &w, &h));
+            width = (int)w;
+            height = (int)h;
+        }
+
+        /// <summary>Rows from the top, tight, FloatsOf(channel) a pixel. The size that the camera had when it was
+        /// rendered, else an ArgumentException.</summary>
         public float[] Image(SensorId camera, int width, int height, Channel channel = Channel.LuminanceRgb)
         {
+            int w, h;
+            SizeOf(camera, channel, out w, out h);
+            if (width != w || height != h)
+                throw new ArgumentException("width and height are " + width + " x " + height + "; the camera had " + w +
+                                            " x " + h + " pixels");
             var values = new float[(long)width * height * FloatsOf(channel)];
             ReadImage(camera, channel, values);
             return values;
@@ -85,17 +100,16 @@ namespace Ups
         /// <summary>The same with the size that the result tells.</summary>
         public float[] Image(SensorId camera, out int width, out int height, Channel channel = Channel.LuminanceRgb)
         {
-            float* pixels;
-            uint w, h;
-            Library.Check(Native.ups_result_view_image(Handle, camera, channel, &pixels, &w, &h));
-            width = (int)w;
-            height = (int)h;
+            SizeOf(camera, channel, out width, out height);
             return Image(camera, width, height, channel);
         }
 
         /// <summary>The same into memory of the caller's: width * height * FloatsOf(channel) values.</summary>
         public void ReadImage(SensorId camera, Channel channel, Span<float> values)
         {
+            int w, h;
+            SizeOf(camera, channel, out w, out h);
+            Elements.Expect(values.Length, w * h * FloatsOf(channel), "values");
             fixed (float* v = values)
                 Library.Check(Native.ups_result_read_image(Handle, camera, channel, v, UIntPtr.Zero,
                                                            (UIntPtr)(sizeof(float) * (ulong)values.Length)));

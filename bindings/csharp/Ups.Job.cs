@@ -92,7 +92,13 @@ namespace Ups
             return new Result(result);
         }
 
-        public void Dispose() { Handle.Dispose(); }
+        /// <summary>Who waits in another thread gets Cancelled.</summary>
+        public void Dispose()
+        {
+            try { Cancel(); }
+            catch (ObjectDisposedException) { }  // already
+            Handle.Dispose();
+        }
     }
 
     /// <summary>Waits for jobs; apart from Job because code that awaits may not be unsafe.</summary>

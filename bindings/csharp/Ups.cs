@@ -189,13 +189,16 @@ namespace Ups
         {
             var taken = LogLevel.Info;
             byte[] bytes;
-            var found = Library.TryBytes((p, capacity, needed) =>
+            bool found;
+            Library.TextCall pop = (p, capacity, needed) =>
             {
                 LogLevel l;
                 var status = Native.ups_context_pop_log(Handle, p, capacity, needed, &l);
                 if (status == Status.Ok && p != null) taken = l;
                 return status;
-            }, Library.Check, out bytes);
+            };
+            lock (Handle)  // no other thread takes the message between the two calls
+                found = Library.TryBytes(pop, Library.Check, out bytes);
             message = Encoding.UTF8.GetString(bytes);
             level = taken;
             return found;

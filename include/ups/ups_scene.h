@@ -248,8 +248,8 @@ typedef struct ups_scene_info {
   double emitted_flux_lm;
   double bounds_min_m[3], bounds_max_m[3]; /* of all geometry; min > max without any */
   double maintenance_factor;
-  uint64_t revision; /* of the scene that was committed: another after each commit of edits. A result that has the same
-                      * in its ups_result_info is of it */
+  uint64_t revision; /* of the scene that was committed: another after each commit of edits, and in each scene of the
+                      * process. A result that has the same in its ups_result_info is of it */
 } ups_scene_info;
 
 typedef int32_t ups_scene_text;

@@ -99,7 +99,7 @@ class Description {
   // Without a tag: a scene of its own that hands out no ids.
   explicit Description(std::shared_ptr<const SceneTag> tag = nullptr) : tag_(std::move(tag)) {}
   const std::shared_ptr<const SceneTag>& tag() const { return tag_; }
-  // Another after each change. Copies of a description have the same things.
+  // Another after each change, and in each scene. Copies of a description have the same things.
   uint64_t revision() const { return revision_; }
 
   // Each takes a whole desc (the API fills in what an older caller's lacks) and throws Error (INVALID_ARGUMENT) that
@@ -212,7 +212,7 @@ class Description {
 
   std::shared_ptr<const SceneTag> tag_;
   uint32_t tag_bits_ = tag_ ? tag_->bits() : 0;
-  uint64_t revision_ = 0;
+  uint64_t revision_ = tag_ ? tag_->first_revision() : 0;
   double maintenance_factor_ = 1;
   IdTable<TextureDescription> textures_{tag_bits_};
   IdTable<MaterialDescription> materials_{tag_bits_};

@@ -11,6 +11,7 @@ namespace {
 std::mutex mutex;
 std::array<uint32_t, SceneTag::last> scenes_of{};  // by tag - 1
 uint32_t next = 0;
+uint64_t scenes = 0;  // that there have been
 
 }  // namespace
 
@@ -21,6 +22,7 @@ SceneTag::SceneTag() {
   ++scenes_of[next];
   value_ = ++next;
   next %= last;
+  first_revision_ = ++scenes << 40;
 }
 
 SceneTag::~SceneTag() {

@@ -25,9 +25,12 @@ class SceneTag {
   SceneTag& operator=(const SceneTag&) = delete;
   uint32_t bits() const { return value_ << id_number_bits; }
   static constexpr uint32_t last = (1u << (32 - id_number_bits)) - 1;
+  // No two scenes of the process have one: room for 2^40 edits of each.
+  uint64_t first_revision() const { return first_revision_; }
 
  private:
   uint32_t value_;
+  uint64_t first_revision_;
 };
 
 inline uint32_t number_of(uint32_t id) { return id & max_id_number; }

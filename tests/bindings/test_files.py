@@ -110,3 +110,12 @@ def test_smoothing_takes_noise_and_keeps_light():
     assert smoothed.std() < noisy.std() / 3 and smoothed.mean() == pytest.approx(noisy.mean(), rel=0.02)
     with pytest.raises(ValueError, match="depth: expected an array of shape"):
         ups.smooth(noisy, noisy, depth=noisy)
+
+
+def test_a_folder_is_no_image_and_no_channels_make_none(tmp_path):
+    with pytest.raises(ups.Error, match="cannot read") as refused:
+        ups.read_exr(tmp_path)
+    assert refused.value.status == ups.Status.ERROR_IO
+    with pytest.raises(ups.Error, match="no channels are given"):
+        ups.write_exr(tmp_path / "none.exr", {})
+    assert not list(tmp_path.iterdir())

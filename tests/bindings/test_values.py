@@ -1,7 +1,10 @@
 """What goes into C descriptions and comes out: integers within their C range, arrays without copies, ids, panes."""
+import contextlib
 import ctypes
 import gc
 import pickle
+import threading
+import time
 import weakref
 
 import numpy as np
@@ -105,6 +108,8 @@ def test_results_go_where_the_caller_wants_them(context):
     for out in (np.zeros((2, 3, 3)), np.zeros((3, 2, 3), np.float32), np.zeros((4, 3, 3), np.float32)[::2]):
         with pytest.raises(ValueError, match="out: expected a writeable, contiguous array"):
             result.image(camera, out=out)
+    with pytest.raises(TypeError, match="out: expected an array, got list"):
+        result.image(camera, out=[1])
     ours.flags.writeable = False
     with pytest.raises(ValueError, match="out:"):
         result.meters(meters, out=ours)
@@ -122,12 +127,14 @@ def test_views_are_the_results_own_memory_and_outlive_it(context):
     for view in (readings, image, depth):
         with pytest.raises(ValueError, match="read-only"):
             view[...] = 0
+        with pytest.raises(ValueError, match="WRITEABLE"):
+            view.flags.writeable = True
     result.close()
     with pytest.raises(ups.Error, match="result is None, or was closed"):
         result.view_meters(meters)
     others = [scene.render(iteration_count=4, seed=seed) for seed in range(2, 12)]  # would take its memory
     assert readings.tobytes() == copies[0].tobytes() and np.array_equal(image, copies[1])
-    memory = weakref.ref(others[0]._memory)
+    memory = weakref.ref(others[0]._as_parameter_)
     view = others[0].view_image(camera)[0]
     del others
     gc.collect()
@@ -137,6 +144,49 @@ def test_views_are_the_results_own_memory_and_outlive_it(context):
     assert memory() is None, "the last view has the result destroyed"
     with pytest.raises(ups.Error, match="camera"):
         scene.render(iteration_count=1).view_image(meters)
+
+
+@pytest.mark.parametrize("read", ["image", "view_image", "meters", "statistics", "text", "predict"])
+def test_a_result_may_be_closed_while_another_thread_reads_it(context, read):
+    scene, meters = box(context)
+    camera = scene.add_camera(256, 256, vertical_fov_rad=1, to_world=ups.translation(2, 2, 2))
+    scene.commit()
+    arguments = {"text": (), "predict": (0.01,), "meters": (meters,), "statistics": (meters,)}.get(read, (camera,))
+    with scene.start(iteration_count=1, method=ups.Method.PATH_TRACING) as job:
+        job.wait()
+        for _ in range(60):
+            result = job.result()
+            def read_on():
+                with contextlib.suppress(ups.Error):  # INVALID_ARGUMENT: it is closed
+                    while True:
+                        getattr(result, read)(*arguments)
+            threads = [threading.Thread(target=read_on) for _ in range(3)]
+            for thread in threads:
+                thread.start()
+            time.sleep(0.002)
+            result.close()
+            for thread in threads:
+                thread.join()
+
+
+def test_a_job_that_is_closed_ends_for_who_waits(context):
+    scene, _ = box(context)
+    scene.commit()
+    for _ in range(10):
+        job, answers = scene.start(iteration_count=2**31), []
+        def wait():
+            try:
+                answers.append(job.wait())
+            except ups.Error as error:
+                answers.append(error.status)
+        threads = [threading.Thread(target=wait) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        time.sleep(0.02)
+        job.close()
+        for thread in threads:
+            thread.join(10)
+        assert len(answers) == 2 and set(answers) <= {ups.Status.CANCELLED, ups.Status.ERROR_INVALID_ARGUMENT}
 
 
 def test_what_is_no_handle_is_told(context):

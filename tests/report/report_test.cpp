@@ -522,12 +522,24 @@ TEST_F(TwoPhotometries, OfASceneWithEditsHaveNoMap) {
 
   ASSERT_EQ(ups_scene_commit(scene), UPS_OK);
   EXPECT_EQ(ups_report_write_map(path_of("edited.svg").c_str(), &desc), UPS_ERROR_INVALID_STATE);
-  EXPECT_TRUE(has(ups_report_last_error(), "before its last commit")) << ups_report_last_error();
+  EXPECT_TRUE(has(ups_report_last_error(), "not of the scene as it was committed last")) << ups_report_last_error();
   ups_report_page_desc page;
   ups_report_page_desc_init(&page, sizeof page);
   page.scene = scene, page.result = result;
   EXPECT_EQ(ups_report_write_page(path_of("edited.html").c_str(), &page), UPS_ERROR_INVALID_STATE);
-  EXPECT_TRUE(has(ups_report_last_error(), "before its last commit")) << ups_report_last_error();
+  EXPECT_TRUE(has(ups_report_last_error(), "not of the scene as it was committed last")) << ups_report_last_error();
+}
+
+TEST_F(TwoPhotometries, AreNotInThePageOfAnotherScene) {
+  ups_scene* other = nullptr;
+  ASSERT_EQ(ups_scene_create(LRoom::lit().context, &other), UPS_OK);
+  ASSERT_EQ(ups_scene_commit(other), UPS_OK);
+  ups_report_page_desc page;
+  ups_report_page_desc_init(&page, sizeof page);
+  page.scene = other, page.result = result;
+  EXPECT_EQ(ups_report_write_page(path_of("other.html").c_str(), &page), UPS_ERROR_INVALID_STATE);
+  EXPECT_TRUE(has(ups_report_last_error(), "or of another")) << ups_report_last_error();
+  ups_scene_destroy(other);
 }
 
 TEST_F(ReportPage, NeedsACommittedScene) {

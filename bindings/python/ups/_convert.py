@@ -265,6 +265,8 @@ def output(out: NDArray[Any] | None, like: NDArray[Any]) -> NDArray[Any]:
     """Where a copy goes: a new array, or the caller's, which must fit."""
     if out is None:
         return np.empty(like.shape, like.dtype)
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"out: expected an array, got {type(out).__name__}")
     if out.shape != like.shape or out.dtype != like.dtype or not out.flags.c_contiguous or not out.flags.writeable:
         raise ValueError(f"out: expected a writeable, contiguous array of shape {like.shape} and type {like.dtype}, "
                          f"got {out.shape} and {out.dtype}")

@@ -23,17 +23,19 @@ def version() -> tuple[int, int, int]:
     return v // 10000, v // 100 % 100, v % 100
 
 
+class _Pointer(ctypes.c_void_p):
+    """A handle of the library, destroyed with it. A call keeps what it is given, so that what is closed meanwhile by
+    another thread is destroyed after the call."""
+
+
 class Handle:
     """Owns a handle of the library, which it destroys once."""
 
-    def __init__(self, pointer: ctypes.c_void_p, destroy: Callable[[ctypes.c_void_p], None],
-                 owner: object | None = None):
-        """owner: the handle is destroyed with it, else with this object."""
-        self._as_parameter_: ctypes.c_void_p | None = pointer
-        self._destroy = weakref.finalize(owner or self, destroy, pointer)
+    def __init__(self, pointer: ctypes.c_void_p, destroy: Callable[[ctypes.c_void_p], None]):
+        self._as_parameter_: ctypes.c_void_p | None = _Pointer(pointer.value)
+        self._destroy = weakref.finalize(self._as_parameter_, destroy, pointer)
 
     def close(self) -> None:
-        self._destroy()
         self._as_parameter_ = None  # the library answers any later call with INVALID_ARGUMENT
 
     def __enter__(self: Owner) -> Owner:

@@ -21,6 +21,10 @@ Watcher = Union[bool, Callable[[_ffi.Progress], object]]
 class Job(Handle):
     """A render on the library's own threads; any thread may call. Closing it cancels it."""
 
+    def close(self) -> None:
+        lib.ups_job_cancel(self)  # who waits in another thread gets CANCELLED, and what it waits for is destroyed then
+        super().close()
+
     def poll(self) -> _ffi.Progress:
         return read_info(_ffi.Progress, lib.ups_job_poll, self)
 

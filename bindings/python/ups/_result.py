@@ -29,10 +29,6 @@ def read_curve(count_of: Callable[..., int], point_of: Callable[..., int], owner
     return [read_info(_ffi.CurvePoint, point_of, owner, i) for i in range(read_count(count_of, owner))]
 
 
-class _Memory:
-    """Of a result: held by it and by each view of it. With the last of them the result is destroyed."""
-
-
 class Result(Handle):
     """What a render has found so far; immutable. interrupted: Ctrl-C ended it before a limit or the target. The arrays
     that reading methods return are new ones, or `out`, where the library writes into the caller's own; those of
@@ -40,23 +36,17 @@ class Result(Handle):
     result is closed."""
 
     def __init__(self, pointer: ctypes.c_void_p):
-        self._memory: _Memory | None = _Memory()
-        super().__init__(pointer, lib.ups_result_destroy, self._memory)
+        super().__init__(pointer, lib.ups_result_destroy)
         self.interrupted = False
 
-    def close(self) -> None:
-        self._as_parameter_ = self._memory = None
-
-    def _view(self, memory: _Memory | None, first: Any, dtype: Any, shape: tuple[int, ...]) -> NDArray[Any]:
-        """An array of what `first` points to, which the memory, held since before it was asked for, has."""
+    def _view(self, owner: ctypes.c_void_p | None, first: Any, dtype: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+        """An array of what `first` points to, which the owner, held since before it was asked for, has."""
         if not first:
             return np.empty(shape, dtype)
         values: Any = (ctypes.c_char * (math.prod(shape) * dtype.itemsize)).from_address(addressof(first.contents))
-        values.memory = memory
+        values.owner = owner
         self._destroy.atexit = False  # else views would outlive it, at the end of the program
-        view: NDArray[Any] = np.ndarray(shape, dtype, values)
-        view.flags.writeable = False
-        return view
+        return np.frombuffer(memoryview(values).toreadonly(), dtype).reshape(shape)
 
     def _meter_count(self, sensor: SensorId) -> int:
         first, count = POINTER(_ffi.MeterReading)(), ctypes.c_size_t()
@@ -82,9 +72,9 @@ class Result(Handle):
 
     def view_meters(self, sensor: SensorId) -> NDArray[np.void]:
         """As meters(), but the result's own memory: read-only, and nothing is copied."""
-        memory, first, count = self._memory, POINTER(_ffi.MeterReading)(), ctypes.c_size_t()
+        owner, first, count = self._as_parameter_, POINTER(_ffi.MeterReading)(), ctypes.c_size_t()
         check(lib.ups_result_view_meters(self, sensor, byref(first), byref(count)))
-        return self._view(memory, first, dtype_of(_ffi.MeterReading), (count.value,))
+        return self._view(owner, first, dtype_of(_ffi.MeterReading), (count.value,))
 
     def vectors(self, sensor: SensorId) -> NDArray[np.void]:
         """Of meters of kind MeterKind.VECTOR: a record array with the fields vector_lx, standard_error_lx and
@@ -200,11 +190,11 @@ class Result(Handle):
 
     def view_image(self, camera: SensorId, channel: Channel = Channel.LUMINANCE_RGB) -> NDArray[np.float32]:
         """As image(), but the result's own memory: read-only, and nothing is copied."""
-        memory, first = self._memory, POINTER(ctypes.c_float)()
+        owner, first = self._as_parameter_, POINTER(ctypes.c_float)()
         width, height = ctypes.c_uint32(), ctypes.c_uint32()
         check(lib.ups_result_view_image(self, camera, channel, byref(first), byref(width), byref(height)))
         shape = height.value, width.value
-        return self._view(memory, first, np.dtype(np.float32), shape if channel in SINGLE_CHANNELS else shape + (3,))
+        return self._view(owner, first, np.dtype(np.float32), shape if channel in SINGLE_CHANNELS else shape + (3,))
 
     def techniques(self, camera: SensorId) -> list[_ffi.TechniqueInfo]:
         """A ups_technique_info of each technique that has an image; empty without technique_images in the render's

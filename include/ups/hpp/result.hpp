@@ -21,6 +21,10 @@ constexpr std::size_t floats_per_pixel(ups_channel channel) noexcept {
   }
 }
 
+struct ImageSize {
+  std::uint32_t width, height;
+};
+
 struct GoniometerAngles {
   std::vector<float> c_deg, gamma_deg;
 };
@@ -104,14 +108,26 @@ class Result : public Handle<ups_result> {
 
   // ---- images: row 0 is the top, rows without gaps
   void read_image(ups_sensor_id camera, ups_channel channel, Span<float> out) const {
+    detail::expect(out.size(), view_image(camera, channel).size(), "out");
     check(ups_result_read_image(get(), camera, channel, out.data(), 0, out.size() * sizeof(float)));
   }
-  // width, height: those of the camera.
+  std::vector<float> read_image(ups_sensor_id camera, ups_channel channel) const {
+    const auto own = view_image(camera, channel);
+    return {own.begin(), own.end()};
+  }
+  // width, height: those that the camera had when it was rendered, else INVALID_ARGUMENT.
   std::vector<float> read_image(ups_sensor_id camera, ups_channel channel, std::uint32_t width,
                                 std::uint32_t height) const {
-    std::vector<float> out(std::size_t{width} * height * floats_per_pixel(channel));
-    read_image(camera, channel, out);
-    return out;
+    const ImageSize own = image_size(camera);
+    detail::expect(width, own.width, "width");
+    detail::expect(height, own.height, "height");
+    return read_image(camera, channel);
+  }
+  ImageSize image_size(ups_sensor_id camera) const {
+    const float *pixels;
+    ImageSize size;
+    check(ups_result_view_image(get(), camera, UPS_CHANNEL_LUMINANCE_RGB, &pixels, &size.width, &size.height));
+    return size;
   }
   // The result's own, until it is destroyed; floats_per_pixel(channel) a pixel.
   Span<const float> view_image(ups_sensor_id camera, ups_channel channel) const {

@@ -142,8 +142,8 @@ ups_status ups_exr_write(const char* path, uint32_t width, uint32_t height, cons
                          uint32_t channel_count, const ups_exr_attribute* attributes, uint32_t attribute_count) {
   return guarded([&] {
     require(path != nullptr, "path is NULL");
-    require(width > 0 && height > 0 && width <= max_side && height <= max_side, "width and height must be 1 to 65536");
     check_channels(channels, channel_count);
+    require(width > 0 && height > 0 && width <= max_side && height <= max_side, "width and height must be 1 to 65536");
     const Imf::Header header = make_header(width, height, channels, channel_count, attributes, attribute_count);
     const std::vector<char> bytes = compose(header, width, height, channels, channel_count);
     ups::extras::write_file(path, bytes.data(), bytes.size());
@@ -154,9 +154,9 @@ ups_status ups_exr_read(const char* path, ups_exr_image** out) {
   return guarded([&] {
     require(path != nullptr, "path is NULL");
     require(out != nullptr, "out is NULL");
-    if (!ups::platform::open_to_read(path)) {
-      throw Error(UPS_ERROR_IO, std::string("cannot open '") + path + "': no such file, or not readable");
-    }
+    auto file = ups::platform::open_to_read(path);
+    if (!file) throw Error(UPS_ERROR_IO, std::string("cannot open '") + path + "': no such file, or not readable");
+    if (file.peek(); file.bad()) throw Error(UPS_ERROR_IO, std::string("cannot read '") + path + "': no file?");
     auto image = std::make_unique<ups_exr_image>();
     try {
       read_image(path, *image);

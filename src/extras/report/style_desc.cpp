@@ -77,7 +77,8 @@ void require_committed(const ups_scene* scene, const ups_result* result) {
   int32_t dirty = 0;
   report::check(ups_scene_is_dirty(scene, &dirty));
   if (dirty)
-    throw Failure("scene has edits that are not committed, which its results know nothing of: commit it first",
+    throw Failure("scene has edits that are not committed, which its results know nothing of: commit it first, or wait "
+                  "for the commit that runs",
                   UPS_ERROR_INVALID_STATE);
   if (!result) return;
   auto of_scene = sized<ups_scene_info>();
@@ -85,7 +86,7 @@ void require_committed(const ups_scene* scene, const ups_result* result) {
   report::check(ups_scene_get_info(scene, &of_scene));
   report::check(ups_result_get_info(result, &of_result));
   if (of_scene.revision != of_result.revision)
-    throw Failure("result is of the scene as it was before its last commit: render the scene as it is now",
+    throw Failure("result is not of the scene as it was committed last, but as it was before or of another: render it",
                   UPS_ERROR_INVALID_STATE);
 }
 

@@ -95,8 +95,15 @@ TEST(Results, OfCameras) {
   ASSERT_EQ(depth.size(), 8u * 6);
   EXPECT_NEAR(depth[8 * 3 + 4], 3.5, 0.3) << "straight on, to the wall";
   EXPECT_EQ(result.read_image(room.camera, UPS_CHANNEL_NORMAL, 8, 6).size(), 8u * 6 * 3);
-  expect_error(UPS_ERROR_BUFFER_TOO_SMALL, {"size_bytes"},
+  EXPECT_EQ(result.read_image(room.camera, UPS_CHANNEL_LUMINANCE_RGB), rgb);
+  EXPECT_EQ(result.image_size(room.camera).width, 8u);
+  expect_error(UPS_ERROR_INVALID_ARGUMENT, {"height", "expected 6"},
                [&] { result.read_image(room.camera, UPS_CHANNEL_DEPTH, 8, 5); });
+  expect_error(UPS_ERROR_INVALID_ARGUMENT, {"width", "expected 8"},
+               [&] { result.read_image(room.camera, UPS_CHANNEL_DEPTH, 6, 8); });
+  std::vector<float> larger(rgb.size() + 1);
+  expect_error(UPS_ERROR_INVALID_ARGUMENT, {"out"},
+               [&] { result.read_image(room.camera, UPS_CHANNEL_LUMINANCE_RGB, larger); });
 
   const auto techniques = result.techniques(room.camera);
   ASSERT_FALSE(techniques.empty());

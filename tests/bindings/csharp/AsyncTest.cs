@@ -109,6 +109,17 @@ public sealed class AsyncTest : IDisposable
     }
 
     [Fact]
+    public async Task TestDisposingAJobEndsItForWhoWaits()
+    {
+        var job = scene.Start(Endless());
+        var waiter = Task.Run(() => job.Wait());
+        await Task.Delay(50);
+        job.Dispose();
+        job.Dispose();
+        Assert.Equal(Status.Cancelled, await waiter);
+    }
+
+    [Fact]
     public async Task TestErrorsAreTheTasks()
     {
         var told = new Told { Then = p => { throw new InvalidOperationException("a listener's own"); } };

@@ -174,6 +174,8 @@ public sealed partial class BindingTest : IDisposable
                 int width, height;
                 Expect(result.Image(eye, out width, out height, Channel.Illuminance).Length == 24, "an image's own size");
                 Expect(width == 6 && height == 4, "width and height");
+                Assert.Throws<ArgumentException>(() => result.Image(eye, 4, 6));
+                Assert.Throws<ArgumentException>(() => result.ReadImage(eye, Channel.LuminanceRgb, new float[73]));
                 Expect(result.Image(around, 6, 4, Channel.Normal).Length == 72, "normals all around");
                 var depths = result.Image(around, 6, 4, Channel.Depth);  // the panorama's top row is the axis' up, +y
                 Expect(depths.Length == 24 && depths[9] > 2 && depths[6] == -1, "depth ahead and behind");
