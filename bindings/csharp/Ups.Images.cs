@@ -109,7 +109,7 @@ namespace Ups
         {
             int w, h;
             SizeOf(camera, channel, out w, out h);
-            Elements.Expect(values.Length, w * h * FloatsOf(channel), "values");
+            Elements.Expect(values.Length, (long)w * h * FloatsOf(channel), "values");
             fixed (float* v = values)
                 Library.Check(Native.ups_result_read_image(Handle, camera, channel, v, UIntPtr.Zero,
                                                            (UIntPtr)(sizeof(float) * (ulong)values.Length)));
