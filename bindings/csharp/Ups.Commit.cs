@@ -24,13 +24,12 @@ namespace Ups
 
         /// <summary>The same, awaited. Cancelled, the task throws OperationCanceledException and the scene stays as it
         /// was committed before. Edits made meanwhile belong to the next commit.</summary>
-        public Task CommitAsync(CancellationToken cancel = default)
-        {
-            return Waiting.Finish(StartCommit(), Waiting.Nobody, job => 0, cancel);
-        }
+        public Task CommitAsync(CancellationToken cancel = default) { return CommitAsync(Waiting.Nobody, cancel); }
 
         public Task CommitAsync(IProgress<Progress> progress, CancellationToken cancel = default)
         {
+            Library.Given(progress, "progress");
+            if (cancel.IsCancellationRequested) return Task.FromCanceled(cancel);  // a job may be over before it hears
             return Waiting.Finish(StartCommit(), progress, job => 0, cancel);
         }
 
@@ -153,6 +152,7 @@ namespace Ups
         public Task<Result> RenderAsync(RenderDesc desc, IProgress<Progress> progress,
                                         CancellationToken cancel = default)
         {
+            Library.Given(progress, "progress");
             return Waiting.Finish(Start(desc), progress, job => job.Result(), cancel);
         }
 

@@ -10,7 +10,10 @@ namespace Ups
     {
         internal readonly FixtureHandle Handle;
 
-        public Fixture(Context context) { Library.Check(Native.ups_fixture_create(context.Handle, out Handle)); }
+        public Fixture(Context context)
+        {
+            Library.Check(Native.ups_fixture_create(Library.Given(context, "context").Handle, out Handle));
+        }
 
         public FixturePartId AddEmitter(FixtureEmitterDesc desc)
         {

@@ -26,6 +26,8 @@ namespace Ups
 
         public static GltfImport File(Context context, string path, Scene scene, GltfImportDesc desc)
         {
+            Library.Given(context, "context");
+            Library.Given(scene, "scene");
             GltfImportHandle handle;
             fixed (byte* p = Library.Utf8(path, "path"))
                 Check(Native.ups_gltf_import_file(context.Handle, p, &desc, scene.Handle, out handle));

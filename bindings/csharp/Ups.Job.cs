@@ -77,7 +77,7 @@ namespace Ups
         /// error.</summary>
         public Task<Status> WaitAsync(IProgress<Progress> progress, CancellationToken cancel = default)
         {
-            if (progress == null) throw new ArgumentNullException("progress");
+            Library.Given(progress, "progress");
             return Task.Factory.StartNew(() => Waiting.Watch(this, progress, cancel), CancellationToken.None,
                                          TaskCreationOptions.LongRunning, TaskScheduler.Default);
         }
@@ -137,7 +137,8 @@ namespace Ups
         {
             using (job)
             {
-                if (await job.WaitAsync(progress, cancel).ConfigureAwait(false) == Status.Cancelled)
+                var unwanted = cancel.IsCancellationRequested;  // whose job may be over before it hears
+                if (await job.WaitAsync(progress, cancel).ConfigureAwait(false) == Status.Cancelled || unwanted)
                     throw new OperationCanceledException(cancel);
                 return result(job);
             }

@@ -88,6 +88,7 @@ namespace Ups
         public static float[] Smooth(ReadOnlySpan<float> luminanceRgb, int width, int height, SmoothLayers layers)
         {
             ExpectImage(luminanceRgb.Length, width, height, 3, "luminanceRgb");
+            Library.Given(layers, "layers");
             ExpectImage(layers.StandardErrorRgb.Length, width, height, 3, "StandardErrorRgb");
             Elements.ExpectIfAny(layers.AlbedoRgb.Length, luminanceRgb.Length, "AlbedoRgb");
             Elements.ExpectIfAny(layers.Normal.Length, luminanceRgb.Length, "Normal");

@@ -24,6 +24,7 @@ namespace Ups
         public static Profile Parse(Context context, ReadOnlySpan<byte> bytes, ProfileParseDesc desc,
                                     ReadOnlySpan<byte> tiltFile = default)
         {
+            Library.Given(context, "context");
             ProfileHandle handle;
             fixed (byte* p = bytes, tilt = tiltFile)
             {
@@ -47,6 +48,7 @@ namespace Ups
         public static Profile FromTable(Context context, ReadOnlySpan<float> cDeg, ReadOnlySpan<float> gammaDeg,
                                         ReadOnlySpan<float> intensityCd, ProfileDesc desc)
         {
+            Library.Given(context, "context");
             desc.CCount = Elements.Count(cDeg.Length, 1, "cDeg");
             desc.GammaCount = Elements.Count(gammaDeg.Length, 1, "gammaDeg");
             Elements.Expect(intensityCd.Length, (long)desc.CCount * desc.GammaCount, "intensityCd");

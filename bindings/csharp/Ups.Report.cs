@@ -78,7 +78,7 @@ namespace Ups
             }
             public byte* Text(string text, string name)
             {
-                return text.Length == 0 ? null : (byte*)Pin(Library.Utf8(text, name));
+                return Library.Given(text, name).Length == 0 ? null : (byte*)Pin(Library.Utf8(text, name));
             }
             public void Dispose()
             {
@@ -124,6 +124,9 @@ namespace Ups
                                string title = "", ReportStyleDesc? style = null,
                                ReportQuantity quantity = ReportQuantity.Auto)
         {
+            Library.Given(scene, "scene");
+            Library.Given(result, "result");
+            Library.Given(observers, "observers");
             var desc = ReportMapDesc.Create();
             desc.Sensor = sensor;
             desc.Quantity = quantity;
@@ -153,6 +156,7 @@ namespace Ups
                                      float[] illuminanceLx, float[] errorBoundsLx, int columns = 0, string title = "",
                                      ReportStyleDesc? style = null)
         {
+            Library.Given(scene, "scene");
             using (var pins = new Pins())
             {
                 var desc = Points(pins, positionsM, normals, illuminanceLx, errorBoundsLx, columns);
@@ -227,6 +231,9 @@ namespace Ups
         /// <summary>The page of a committed scene and a result of it, one HTML file.</summary>
         public static void Page(string path, Scene scene, Result result, ReportPage page)
         {
+            Library.Given(scene, "scene");
+            Library.Given(result, "result");
+            Library.Given(page, "page");
             var desc = ReportPageDesc.Create();
             var style = page.Style;
             desc.SensorCount = (uint)page.Sensors.List.Count;

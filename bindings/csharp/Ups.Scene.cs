@@ -27,7 +27,10 @@ namespace Ups
     {
         internal readonly SceneHandle Handle;
 
-        public Scene(Context context) { Library.Check(Native.ups_scene_create(context.Handle, out Handle)); }
+        public Scene(Context context)
+        {
+            Library.Check(Native.ups_scene_create(Library.Given(context, "context").Handle, out Handle));
+        }
 
         /// <summary>Texels linear, row 0 first; 1, 3 or 4 channels.</summary>
         public TextureId AddTexture(int width, int height, int channels, ReadOnlySpan<float> texels)
@@ -92,6 +95,7 @@ namespace Ups
 
         private void PutMaterial(MaterialDesc desc, PaneTable pane, MaterialId* added, MaterialId id)
         {
+            Library.Given(pane, "pane");
             Elements.Expect(pane.Transmittance.Length, pane.AngleDeg.Length, "Transmittance");
             Elements.ExpectIfAny(pane.Reflectance.Length, pane.AngleDeg.Length, "Reflectance");
             desc.PaneAngleCount = (uint)pane.AngleDeg.Length;
@@ -246,17 +250,18 @@ namespace Ups
 
         private void PutLuminaire(Profile profile, LuminaireDesc desc, LuminaireId* added, LuminaireId id)
         {
+            var handle = Library.Given(profile, "profile").Handle;
             var held = false;
             try
             {
-                profile.Handle.DangerousAddRef(ref held);
-                desc.Profile = profile.Handle.DangerousGetHandle();
+                handle.DangerousAddRef(ref held);
+                desc.Profile = handle.DangerousGetHandle();
                 Library.Check(added != null ? Native.ups_scene_add_luminaire(Handle, &desc, added)
                                             : Native.ups_scene_set_luminaire(Handle, id, &desc));
             }
             finally
             {
-                if (held) profile.Handle.DangerousRelease();
+                if (held) handle.DangerousRelease();
             }
         }
 
@@ -280,7 +285,7 @@ namespace Ups
         public FixtureId AddFixture(Fixture fixture, FixtureInstanceDesc desc)
         {
             FixtureId id;
-            Library.Check(Native.ups_scene_add_fixture(Handle, fixture.Handle, &desc, &id));
+            Library.Check(Native.ups_scene_add_fixture(Handle, Library.Given(fixture, "fixture").Handle, &desc, &id));
             return id;
         }
 

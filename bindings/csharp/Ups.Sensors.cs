@@ -47,6 +47,7 @@ namespace Ups
 
         public void SetMeters(SensorId id, MeterArrays meters)
         {
+            Library.Given(meters, "meters");
             PutMeters(meters.PositionsM, meters.Normals, meters.Tangents, meters.CellWidthM, meters.CellHeightM,
                       meters.FootprintM, meters.Kind, null, id);
         }

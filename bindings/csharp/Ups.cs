@@ -53,11 +53,18 @@ namespace Ups
             return status;
         }
 
+        /// <summary>An argument, which is not null.</summary>
+        internal static T Given<T>(T argument, string name) where T : class
+        {
+            if (argument == null) throw new ArgumentNullException(name);
+            return argument;
+        }
+
         /// <summary>As C wants it: with a final zero, and none before.</summary>
         internal static byte[] Utf8(string text, string name)
         {
-            if (text == null) throw new ArgumentNullException(name);
-            if (text.IndexOf('\0') >= 0) throw new ArgumentException("a zero character within the text", name);
+            if (Given(text, name).IndexOf('\0') >= 0)
+                throw new ArgumentException("a zero character within the text", name);
             return Encoding.UTF8.GetBytes(text + "\0");
         }
 

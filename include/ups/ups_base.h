@@ -15,11 +15,12 @@
  *     UPS_ERROR_INVALID_ARGUMENT; functions that return nothing leave it alone. So are handles that were destroyed, as
  *     far as their memory still tells: do not rely on it.
  *   - Exhausted memory, or a thread that cannot be started, is UPS_ERROR_OUT_OF_MEMORY: nothing is held, and the call
- *     works once there is memory again. Three things are beyond the library: oneTBB, which Embree builds with, ends the
+ *     works once there is memory again. Some things are beyond the library: oneTBB, which Embree builds with, ends the
  *     process where it has no memory to note that an allocation within a build failed; to be safe have its allocator
  *     library libtbbmalloc installed, which it loads by itself and takes such memory from. Embree's own assertions can
- *     end the process where all memory fails within the index of a commit after an edit of geometry. And Linux may grant
- *     memory that it does not have, and end the process that writes to it.
+ *     end the process where all memory fails within the index of a commit after an edit of geometry. OpenColorIO, Cairo
+ *     and the extras' JSON reader do too; what they take is asked for before they are called, but other threads may take
+ *     it. And Linux may grant memory that it does not have, and end the process that writes to it.
  *   - The library prints nothing. Its threads are named "ups/...", block all signals but those of faults (SIGSEGV,
  *     SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS), and end with the last handle that needs them.
  *   - Results do not depend on the calling thread's rounding mode, nor on whether it flushes subnormal numbers to zero:

@@ -100,7 +100,8 @@ typedef struct ups_luminaire_desc {
   uint32_t struct_size;
   int32_t use_opening;        /* 1: emits from the profile's luminous opening, or its rays; 0: from a point */
   const ups_profile *profile; /* may be destroyed after the call */
-  double to_world[12];        /* profile nadir is local -Z, C0 is local +X, C90 local +Y; scale is ignored */
+  double to_world[12];        /* profile nadir is local -Z, C0 is local +X, C90 local +Y; scale is ignored,
+                               * what mirrors mirrors the light */
   float color_rgb[3];         /* chromaticity only: luminance is normalised away */
   float flux_lm;              /* what band-rule flux (of rays: their sum) is scaled to; < 0: as the profile */
   float dimming;              /* >= 0, multiplies the flux */
@@ -179,7 +180,9 @@ UPS_API ups_status ups_scene_get_maintenance_factor(const ups_scene *scene, doub
 
 /* Each fails where something still has it: a material the texture, a mesh the material, an instance the mesh. A set of
  * meters on surfaces fails at the next commit where one of its instances was removed. A fixture whose part was removed is
- * set, and removed, without it. */
+ * set, and removed, without it; what something else has of a fixture's meshes and materials stays when that is removed.
+ * A thing that was removed gives its memory back but for some 60 bytes, as its number is never used again: a commit
+ * takes some 20 ns for each that there ever was. */
 UPS_API ups_status ups_scene_remove_texture(ups_scene *scene, ups_texture_id id);
 UPS_API ups_status ups_scene_remove_material(ups_scene *scene, ups_material_id id);
 UPS_API ups_status ups_scene_remove_mesh(ups_scene *scene, ups_mesh_id id);

@@ -31,7 +31,8 @@ typedef struct ups_camera_desc {
   uint32_t struct_size;
   ups_projection projection;
   uint32_t width, height;  /* pixels, 1..16384 each */
-  double to_world[12];     /* looks along local -Z, local +Y is up in the image; scale is ignored */
+  double to_world[12];     /* looks along local -Z, local +Y is up in the image; scale and mirroring are
+                            * ignored */
   float vertical_fov_rad;  /* (0, pi); of a perspective alone */
   int32_t illuminance;     /* 1: also the illuminance on the first diffuse surface, UPS_CHANNEL_ILLUMINANCE */
   uint32_t layers;         /* UPS_LAYER_* to have as channels too */

@@ -231,10 +231,22 @@ ups_status ups_result_read_meters(const ups_result* result, ups_sensor_id sensor
 ups_status ups_result_view_meters(const ups_result* result, ups_sensor_id sensor, const ups_meter_reading** readings,
                                   size_t* count) {
   return guard(__func__, [&] {
-    const auto& own = meters_of(result, sensor).meters;
+    const MeterSet& set = set_of(result, sensor);
+    const std::vector<ups_meter_reading>* all = &meters_of(result, sensor).meters;
     require(readings, "readings");
-    require(count, "count") = own.size();
-    *readings = own.data();
+    require(count, "count");
+    if (all->size() != set.count()) {
+      const std::lock_guard lock(result->whole_mutex);
+      auto at = result->whole.find(&set);
+      if (at == result->whole.end()) {
+        std::vector<ups_meter_reading> whole(set.count());
+        copy_readings(set, *all, whole.data(), whole.size());
+        at = result->whole.emplace(&set, std::move(whole)).first;
+      }
+      all = &at->second;
+    }
+    *readings = all->data();
+    *count = all->size();
   });
 }
 

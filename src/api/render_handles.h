@@ -1,6 +1,8 @@
 // Jobs and results as handles. Included by the files of src/api that render and that read results.
 #pragma once
 #include <algorithm>
+#include <map>
+#include <mutex>
 
 #include "api/handles.h"
 #include "render/job.h"
@@ -15,6 +17,9 @@ struct ups_job {
 struct ups_result {
   ups::api::Owner<ups_result> owner;
   std::shared_ptr<const ups::RenderResult> data;
+  // Sets of which some meters do not measure, whole, from the first look at them on.
+  mutable std::mutex whole_mutex;
+  mutable std::map<const ups::MeterSet*, std::vector<ups_meter_reading>> whole;
 };
 
 namespace ups::api {

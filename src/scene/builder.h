@@ -16,12 +16,12 @@
 
 namespace ups {
 
-// Axes of a placed thing whose scale does not matter: z first, then x.
+// Axes of a placed thing whose scale does not matter: z first, then x; of a mirrored one they are left-handed.
 struct Axes {
   Vec3d x, y, z;
   explicit Axes(const Affine& m) : z(normalize(m.column(2))) {
     x = normalize(m.column(0) - z * dot(m.column(0), z));
-    y = cross(z, x);
+    y = cross(z, x) * (m.determinant() < 0 ? -1.0 : 1.0);
   }
   Frame frame() const { return {Vec3(x), Vec3(y), Vec3(z)}; }
 };

@@ -126,6 +126,7 @@ ups_texture_id Description::add_texture(const ups_texture_desc& d) { return {add
 // What the materials that have it want of it.
 void Description::set_texture(ups_texture_id id, const ups_texture_desc& d) {
   const TextureDescription old = textures_.get(id.v, "texture");
+  const auto before = revision_;
   set(textures_, id.v, read(d), "texture");
   try {
     materials_.each([&](uint32_t number, const MaterialDescription& material) {
@@ -137,6 +138,7 @@ void Description::set_texture(ups_texture_id id, const ups_texture_desc& d) {
     });
   } catch (...) {
     textures_.set(id.v, old, "texture");
+    revision_ = before;
     throw;
   }
 }
@@ -199,11 +201,9 @@ void Description::set_material(ups_material_id id, const ups_material_desc& d) {
 
 void Description::remove_material(ups_material_id id) {
   materials_.get(id.v, "material");
-  meshes_.each([&](uint32_t number, const Mesh& mesh) {
-    check::require(mesh.material != number_of(id.v) - 1, "material id " + std::to_string(number_of(id.v)) +
-                                                             " is used by mesh " + std::to_string(number) +
-                                                             "; set or remove that first");
-  });
+  const uint32_t user = user_of(id);
+  check::require(user == 0, "material id " + std::to_string(number_of(id.v)) + " is used by mesh " +
+                                std::to_string(user) + "; set or remove that first");
   materials_.remove(id.v, "material"), ++revision_;
 }
 
@@ -265,12 +265,26 @@ void Description::set_mesh_vertices(ups_mesh_id id, const float* positions_m, co
 
 void Description::remove_mesh(ups_mesh_id id) {
   meshes_.get(id.v, "mesh");
-  instances_.each([&](uint32_t number, const InstanceDescription& instance) {
-    check::require(instance.mesh != number_of(id.v), "mesh id " + std::to_string(number_of(id.v)) +
-                                                         " is used by instance " + std::to_string(number) +
-                                                         "; set or remove that first");
-  });
+  const uint32_t user = user_of(id);
+  check::require(user == 0, "mesh id " + std::to_string(number_of(id.v)) + " is used by instance " +
+                                std::to_string(user) + "; set or remove that first");
   meshes_.remove(id.v, "mesh"), ++revision_;
+}
+
+uint32_t Description::user_of(ups_material_id id) const {
+  uint32_t user = 0;
+  meshes_.each([&](uint32_t number, const Mesh& mesh) {
+    if (user == 0 && mesh.material == number_of(id.v) - 1) user = number;
+  });
+  return user;
+}
+
+uint32_t Description::user_of(ups_mesh_id id) const {
+  uint32_t user = 0;
+  instances_.each([&](uint32_t number, const InstanceDescription& instance) {
+    if (user == 0 && instance.mesh == number_of(id.v)) user = number;
+  });
+  return user;
 }
 
 InstanceDescription Description::read(const ups_instance_desc& d, bool of_fixture) const {

@@ -158,6 +158,9 @@ class Description {
   void remove_texture(ups_texture_id id);    // throws where a material has it
   void remove_material(ups_material_id id);  // where a mesh has it
   void remove_mesh(ups_mesh_id id);          // where an instance has it
+  // Numbers of a mesh that has it, of an instance that has it; 0: none, or it is not there.
+  uint32_t user_of(ups_material_id id) const;
+  uint32_t user_of(ups_mesh_id id) const;
   void remove_instance(ups_instance_id id) { instances_.remove(id.v, "instance"), ++revision_; }
   void remove_luminaire(ups_luminaire_id id) { sources_.remove(id.v, "luminaire"), ++revision_; }
   void remove_sensor(ups_sensor_id id) { sensors_.remove(id.v, "sensor"), ++revision_; }

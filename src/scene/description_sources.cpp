@@ -68,8 +68,10 @@ SourceDescription Description::read(const ups_luminaire_desc& d,
   check::require(
       d.flux_lm <= 0 || profile->distribution.band_flux_lm() > 0,
       "flux_lm is " + check::text(double(d.flux_lm)) + ", but the profile emits nothing that could be scaled to it");
-  LuminaireDescription luminaire{std::move(profile),      d.use_opening == 1, to_affine(d.to_world),
-                                 to_rgb(d.color_rgb) / y, d.flux_lm,          d.intensity_scale};
+  // One that is normalised stays as it is: what is read and set again is the same.
+  const Rgb color = std::abs(y - 1) <= 1e-6f ? to_rgb(d.color_rgb) : to_rgb(d.color_rgb) / y;
+  LuminaireDescription luminaire{std::move(profile), d.use_opening == 1, to_affine(d.to_world), color, d.flux_lm,
+                                 d.intensity_scale};
   check_reserved(d.reserved);
   return {std::move(luminaire), d.dimming, d.group};
 }

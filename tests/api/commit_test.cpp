@@ -32,8 +32,8 @@ Threads threads() {
   Threads out{0, 0};
   for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
     std::ifstream stat(task.path() / "stat");
-    const std::string text((std::istreambuf_iterator<char>(stat)), {});
-    if (text.empty()) continue;  // it has just ended
+    std::string text;
+    if (!std::getline(stat, text)) continue;  // it has just ended
     std::istringstream fields(text.substr(text.rfind(')') + 2));
     std::string field;
     for (int i = 3; i <= 19; ++i) fields >> field;  // the 19th is the nice value

@@ -49,6 +49,7 @@ TEST_F(Edits, ATextureKeepsToWhatItsMaterialsWant) {
   d.normal_texture = texture;
   ups_material_id bumpy;
   EXPECT_OK(ups_scene_add_material(scene, &d, &bumpy));
+  EXPECT_OK(ups_scene_commit(scene));
   auto grey = texture_desc();
   grey.channel_count = 1;
   expect_error(ups_scene_set_texture(scene, texture, &grey), UPS_ERROR_INVALID_ARGUMENT,
@@ -56,6 +57,9 @@ TEST_F(Edits, ATextureKeepsToWhatItsMaterialsWant) {
   auto now = sized<ups_texture_desc>();
   EXPECT_OK(ups_scene_get_texture(scene, texture, &now));
   EXPECT_EQ(now.channel_count, 3u) << "as it was";
+  int32_t dirty = -1;
+  EXPECT_OK(ups_scene_is_dirty(scene, &dirty));
+  EXPECT_EQ(dirty, 0) << "nothing has changed";
 }
 
 TEST_F(Edits, AMaterialComesBackWithItsTable) {
@@ -304,5 +308,52 @@ TEST_F(Edits, FixturesAreSetAndGiveBackWhatTheyTook) {
   expect_error(ups_scene_get_mesh(scene, curved, &m), UPS_ERROR_INVALID_ARGUMENT, {"was removed"});
   expect_error(ups_scene_get_fixture(scene, b, &got), UPS_ERROR_INVALID_ARGUMENT, {"was removed"});
   EXPECT_EQ(flux(), 0);
+  ups_fixture_destroy(fixture);
+}
+
+// A part's mesh that something else has stays when its fixture is removed; one that was removed is made again.
+TEST_F(Edits, MeshesOfFixturesAreSharedAndRemovedByOthers) {
+  ups_fixture* fixture = nullptr;
+  EXPECT_OK(ups_fixture_create(context, &fixture));
+  auto cob = make(&ups_fixture_emitter_desc_init);
+  cob.radius_m = 0.01, cob.flux_lm = 100;
+  EXPECT_OK(ups_fixture_add_emitter(fixture, &cob, nullptr));
+  auto cup = make(&ups_reflector_desc_init);
+  cup.focal_length_m = 0.02, cup.aperture_radius_m = 0.06;
+  ups_fixture_part_id cup_part;
+  EXPECT_OK(ups_fixture_add_reflector(fixture, &cup, &cup_part));
+  const auto d = make(&ups_fixture_instance_desc_init);
+  ups_fixture_id a, b;
+  EXPECT_OK(ups_scene_add_fixture(scene, fixture, &d, &a));
+  ups_instance_id reflector, other;
+  EXPECT_OK(ups_scene_get_fixture_instance(scene, a, cup_part, &reflector));
+  auto instance_desc = sized<ups_instance_desc>();
+  EXPECT_OK(ups_scene_get_instance(scene, reflector, &instance_desc));
+  const ups_mesh_id curved = instance_desc.mesh;
+  place(instance_desc, 1, 0, 0);
+  EXPECT_OK(ups_scene_add_instance(scene, &instance_desc, &other));
+  EXPECT_OK(ups_scene_remove_fixture(scene, a));
+  auto m = sized<ups_mesh_desc>();
+  EXPECT_OK(ups_scene_get_mesh(scene, curved, &m)) << "another instance has it";
+  expect_error(ups_scene_get_fixture(scene, a, nullptr), UPS_ERROR_INVALID_ARGUMENT, {});
+  EXPECT_OK(ups_scene_remove_instance(scene, other));
+  EXPECT_OK(ups_scene_remove_mesh(scene, curved));
+  EXPECT_OK(ups_scene_commit(scene));
+
+  EXPECT_OK(ups_scene_add_fixture(scene, fixture, &d, &a));
+  EXPECT_OK(ups_scene_get_fixture_instance(scene, a, cup_part, &reflector));
+  EXPECT_OK(ups_scene_get_instance(scene, reflector, &instance_desc));
+  EXPECT_OK(ups_scene_remove_instance(scene, reflector));
+  EXPECT_OK(ups_scene_remove_mesh(scene, instance_desc.mesh));
+  EXPECT_OK(ups_scene_add_fixture(scene, fixture, &d, &b)) << "its mesh is made again";
+  EXPECT_OK(ups_scene_commit(scene));
+  auto info = sized<ups_scene_info>();
+  EXPECT_OK(ups_scene_get_info(scene, &info));
+  EXPECT_NEAR(info.emitted_flux_lm, 200, 1e-3);
+  EXPECT_OK(ups_scene_remove_fixture(scene, a));
+  EXPECT_OK(ups_scene_remove_fixture(scene, b));
+  EXPECT_OK(ups_scene_commit(scene));
+  EXPECT_OK(ups_scene_get_info(scene, &info));
+  EXPECT_EQ(info.emitted_flux_lm, 0);
   ups_fixture_destroy(fixture);
 }

@@ -1,5 +1,7 @@
 // Meters on surfaces: what their descs must say, where the committed scene has them, and what edits of the scene do.
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 
 #include "fixture.h"
@@ -250,6 +252,37 @@ TEST_F(MeterPlaces, MapsSayWhatTheyDoNotMeasure) {
   d = map_of(away, 4, 4);
   EXPECT_OK(ups_scene_add_lightmap(scene, &d, &outside));
   expect_error(ups_scene_commit(scene), UPS_ERROR_INVALID_ARGUMENT, {"sensor id 4", "no texel", "unit square"});
+}
+
+// A map of which only half the texels are on the mesh.
+TEST_F(MeterPlaces, AViewHasTheMetersThatReadingHas) {
+  for (float& u : unit_uvs) u *= 0.5f;
+  auto with_uvs = quad();
+  with_uvs.uvs = unit_uvs;
+  EXPECT_OK(ups_scene_set_mesh(scene, mapped_mesh, &with_uvs));
+  auto light = make(&ups_luminaire_desc_init);
+  light.profile = profile, light.to_world[11] = 3;
+  ups_luminaire_id lamp;
+  EXPECT_OK(ups_scene_add_luminaire(scene, &light, &lamp));
+  ups_sensor_id id;
+  const auto map = map_of(mapped, 4, 4);
+  EXPECT_OK(ups_scene_add_lightmap(scene, &map, &id));
+  EXPECT_OK(ups_scene_commit(scene));
+  auto d = make(&ups_render_desc_init);
+  d.iteration_count = 16;
+  ups_result* result = nullptr;
+  EXPECT_OK(ups_render(scene, &d, &result));
+  std::vector<ups_meter_reading> read(16);
+  EXPECT_OK(ups_result_read_meters(result, id, read.data(), read.size()));
+  const ups_meter_reading *seen = nullptr, *again = nullptr;
+  size_t count = 0;
+  EXPECT_OK(ups_result_view_meters(result, id, &seen, &count));
+  ASSERT_EQ(count, 16u);
+  EXPECT_EQ(std::memcmp(seen, read.data(), sizeof(ups_meter_reading) * count), 0);
+  EXPECT_EQ(std::count_if(read.begin(), read.end(), [](const auto& r) { return r.illuminance_lx > 0; }), 4);
+  EXPECT_OK(ups_result_view_meters(result, id, &again, &count));
+  EXPECT_EQ(again, seen);
+  ups_result_destroy(result);
 }
 
 }  // namespace

@@ -314,6 +314,36 @@ def test_meters_on_surfaces_and_their_places(context):
         scene.add_lightmap([instance], 4, 4)
 
 
+@pytest.mark.parametrize("kind", ["triangle without area", "empty texels"])
+def test_meters_that_measure_nothing_are_counted(context, kind):
+    """Every answer about a set has an element for each of its meters, at the same place."""
+    scene = ups.Scene(context)
+    mesh = scene.add_mesh([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [(0, 0, 0), (0, 1, 2), (0, 2, 3)],
+                          scene.add_material(reflectance_rgb=[0.5] * 3), uvs=[(0, 0), (0.5, 0), (0.5, 1), (0, 1)])
+    instance = scene.add_instance(mesh)
+    scene.add_light(to_world=ups.translation(0, 0, 2), intensity_rgb=(100, 100, 100))
+    if kind == "empty texels":
+        meters, valid = scene.add_lightmap([instance], 4, 3), [True, True, False, False] * 3
+    else:
+        meters, valid = scene.add_surface_meters([instance]), [False, True, True]
+    scene.commit()
+    assert (scene.meter_places(meters)["valid"] == 1).tolist() == valid
+    result = scene.render(iteration_count=16, separation=ups.Separation.LUMINAIRES)
+    count, readings, view = len(valid), result.meters(meters), result.view_meters(meters)
+    assert readings.shape == view.shape == (count,) and readings.tobytes() == view.tobytes()
+    assert result.meters(meters, out=np.empty_like(view)).tobytes() == view.tobytes()
+    assert (readings["illuminance_lx"] > 0).tolist() == valid
+    assert not any(np.any(readings[name][np.logical_not(valid)]) for name in readings.dtype.names), "0 throughout"
+    assert result.meter_flags(meters).shape == result.ratios(meters, meters).shape == (count,)
+    sources = result.source_meters(meters)
+    assert sources.shape == (1, count)
+    assert sources["illuminance_lx"][0] == pytest.approx(readings["illuminance_lx"], rel=1e-5)
+    for part in ups.LightPart:
+        assert result.meter_part(meters, part).shape == (count,)
+    assert result.meter_part(meters, ups.LightPart.ALL)["illuminance_lx"] == pytest.approx(readings["illuminance_lx"])
+    assert result.statistics(meters).count == count
+
+
 def test_the_grid_of_en_12464():
     points, info = ups.en12464_grid([(0, 0), (11, 0), (11, 3), (0, 3)])
     assert (info.columns, info.rows, info.point_count) == (31, 7, 217) and len(points) == 217

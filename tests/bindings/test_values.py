@@ -197,6 +197,61 @@ def test_what_is_no_handle_is_told(context):
         ups.write_map("map.svg", scene, "result", meters)
 
 
+def test_what_was_closed_is_not_left_out(context, tmp_path):
+    """NULL in a description may mean that a thing stays as it is; nobody means that by what was closed."""
+    scene, meters = box(context)
+    kept, closed = (ups.Profile.from_table(context, [0], [0, 90], [[peak, 50]]) for peak in (100, 10))
+    lamp = scene.add_luminaire(kept)
+    closed.close()
+    for use in (lambda: scene.add_luminaire(closed), lambda: scene.set_luminaire(lamp, closed),
+                lambda: scene.set_luminaire(lamp, profile=closed, dimming=0.5)):
+        with pytest.raises(ups.Error, match="profile is None, or was closed") as caught:
+            use()
+        assert caught.value.status == ups.Status.ERROR_INVALID_ARGUMENT
+    assert scene.get_luminaire_profile(lamp).info.peak_cd == 100 and scene.get_dimming(lamp) == 1
+    scene.set_luminaire(lamp, profile=None, dimming=0.5)
+    assert scene.get_luminaire_profile(lamp).info.peak_cd == 100 and scene.get_dimming(lamp) == 0.5
+    fixture = ups.Fixture(context)
+    fixture.close()
+    with pytest.raises(ups.Error, match="fixture is None, or was closed"):
+        scene.add_fixture(fixture)
+    scene.commit()
+    result, others = scene.render(iteration_count=1), ups.Scene(context)
+    others.close()
+    points, path = np.array(SQUARE, float), tmp_path / "map.svg"
+    for use in (lambda: ups.write_map(path, others, result, meters),
+                lambda: ups.write_points_map(path, points, np.ones(4), scene=others),
+                lambda: ups.write_report(path, others, result, {})):
+        with pytest.raises(ups.Error, match="scene is None, or was closed"):
+            use()
+    result.close()
+    with pytest.raises(ups.Error, match="result is None, or was closed"):
+        ups.write_map(path, scene, result, meters)
+    assert not path.exists()
+
+
+def test_an_argument_of_another_type_is_told(context):
+    scene, meters = box(context)
+    lamp, material = scene.add_light(), scene.add_material()
+    result = scene.render(iteration_count=1)
+    for use, text in (
+            (lambda: scene.set_dimming(1, 0.5), r"ups_scene_set_dimming: argument 2: expected LuminaireId, got 1$"),
+            (lambda: scene.set_dimming(lamp, "x"), r"ups_scene_set_dimming: argument 3: expected a number, got 'x'$"),
+            (lambda: scene.set_dimming(lamp, None), r"argument 3: expected a number, got None$"),
+            (lambda: scene.set_maintenance_factor("1"), r"set_maintenance_factor: argument 2: expected a number"),
+            (lambda: scene.set_fixture_dimming(lamp, 1), r"argument 2: expected FixtureId, got LuminaireId\(\d+\)$"),
+            (lambda: scene.remove_material(lamp), r"ups_scene_remove_material: argument 2: expected MaterialId"),
+            (lambda: scene.get_mesh(material), r"ups_scene_get_mesh: argument 2: expected MeshId"),
+            (lambda: result.meters("desk"), r"ups_result_view_meters: argument 2: expected SensorId, got 'desk'$"),
+            (lambda: result.meter_part(1, ups.LightPart.ALL), r"argument 2: expected SensorId, got 1$"),
+            (lambda: result.meter_part(meters, "all"), r"ups_result_read_meter_part: part: expected an integer"),
+            (lambda: ups.Scene(1.5), r"ups_scene_create: argument 1: expected a handle, got 1.5$")):
+        with pytest.raises(TypeError, match=text):
+            use()
+    scene.set_dimming(lamp, np.float32(0.5))
+    assert scene.get_dimming(lamp) == 0.5
+
+
 def test_complex_numbers_are_no_coordinates(context):
     scene, _ = box(context)
     with pytest.raises(TypeError, match="positions_m: expected real numbers"):

@@ -2,16 +2,7 @@
 // status; nothing of it may be left behind, and the same call must work once there is memory. A hang is ended by
 // ctest's time limit. The environment variable UPS_MEMORY_SWEEP=all tries every allocation, in minutes; without it they
 // are sampled.
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <cstring>
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "failing_memory.h"
-#include "support/scene_builder.h"
+#include "sweep.h"
 #ifdef UPS_HAS_EXR
 #include "ups/ups_exr.h"
 #endif
@@ -26,36 +17,6 @@
 using namespace ups::test;
 
 namespace {
-
-constexpr long all_after = 1000000000;
-
-// A room with a mirror, so that photons are merged, a shared mesh, a luminaire with an opening, a camera, and meters
-// enough for their index to be a tree, which takes five.
-struct Room {
-  Scene scene;
-  Sensor meters, camera;
-  explicit Room(int threads, int meter_count = 40) : scene(threads) {
-    scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
-    scene.add(box({1, 1, 0}, {2, 2, 0.5}), mirror(0.9));
-    scene.add(box({2.5, 2.5, 0}, {3, 3, 1}), rough(UPS_MATERIAL_METAL, 0.8, 0.3));
-    scene.add_luminaire(table_profile(scene.context(), 0.3f).get(), {2, 2, 2.9}, {0, 0, -1}, true);
-    std::vector<P3> places;
-    for (int i = 0; i < meter_count; ++i) places.push_back({0.5 + 0.07 * i, 3, 0.75});
-    meters = scene.add_meters(places, {0, 0, 1});
-    camera = scene.add_camera({0.3, 0.3, 2}, {1, 1, -0.7}, 16, 12, 1, true);
-  }
-};
-
-// Without a radius of merging a pilot pass of many light paths finds one first.
-ups_render_desc short_render(float merge_radius_m) {
-  auto d = make_desc<ups_render_desc>(ups_render_desc_init);
-  d.method = UPS_METHOD_UPS;
-  d.iteration_count = 1;
-  d.max_path_length = 3;
-  d.light_paths_per_iteration = 256;
-  d.merge_radius_m = merge_radius_m;
-  return d;
-}
 
 std::vector<float> readings(ups_result* result, const Sensor& set) {
   std::vector<ups_meter_reading> meters(set.count);
@@ -85,46 +46,6 @@ ups_status read_all(ups_result* result, const Room& room) {
     keep(ups_result_get_text(result, topic, nullptr, 0, &needed));
   EXPECT_TRUE(worst != UPS_OK || (sources > 0 && points > 0));
   return worst;
-}
-
-using Call = std::function<ups_status()>;
-
-void begin_watch() {
-  watch_library();
-  ups_context_create(nullptr, nullptr);  // fails: the room for this thread's messages stays
-}
-
-// Runs `call` with failing memory, then without; what both leave behind is `held` allocations. False where it makes
-// fewer calls than `first`.
-bool try_failing(const Call& call, long first, long count) {
-  fail_memory(first, count);
-  const ups_status status = call();
-  const long calls = end_of_failing();
-  const std::string message = ups_last_error();
-  if (calls < first) {
-    EXPECT_EQ(status, UPS_OK);
-    return false;
-  }
-  // The library can do without some, such as a helper's thread that oneTBB cannot take in.
-  EXPECT_TRUE(status == UPS_OK || status == UPS_ERROR_OUT_OF_MEMORY)
-      << "allocation " << first << (count > 1 ? " and all later" : "") << ": " << ups_status_name(status) << " "
-      << message;
-  if (status == UPS_ERROR_OUT_OF_MEMORY) {
-    EXPECT_NE(message.find("memory"), std::string::npos) << message;
-  }
-  return true;
-}
-
-// All allocations, or about `samples` of them.
-long stride(long allocations, long samples) {
-  const char* sweep = std::getenv("UPS_MEMORY_SWEEP");
-  return sweep && std::strcmp(sweep, "all") == 0 ? 1 : std::max(1L, allocations / samples);
-}
-
-long count_calls(const Call& call) {
-  fail_memory(all_after, 1);
-  EXPECT_EQ(call(), UPS_OK) << ups_last_error();
-  return end_of_failing();
 }
 
 class Memory : public testing::TestWithParam<int> {};

@@ -12,7 +12,7 @@ from typing import Any, Callable, SupportsIndex, TypeVar
 from . import _ffi
 from ._convert import describe, lib
 from ._ffi import LogLevel, Status
-from ._status import check
+from ._status import Error, check
 
 Owner = TypeVar("Owner", bound="Handle")
 
@@ -45,11 +45,16 @@ class Handle:
         self.close()
 
 
-def pointer_of(handle: Handle, kind: type[Handle]) -> ctypes.c_void_p | None:
-    """For a field of a description, which anything but a handle could get into."""
+def pointer_of(handle: Handle, kind: type[Handle]) -> ctypes.c_void_p:
+    """For a field of a description, which anything but a handle could get into, and where NULL may mean that it stays
+    as it is. Errors: TypeError for anything else; Error for what was closed, as where a function takes it."""
+    name = kind.__name__
     if not isinstance(handle, kind):
-        raise TypeError(f"expected a {kind.__name__}, got {type(handle).__name__}")
-    return handle._as_parameter_
+        raise TypeError(f"expected a {name}, got {type(handle).__name__}")
+    pointer = handle._as_parameter_
+    if pointer is None:
+        raise Error(Status.ERROR_INVALID_ARGUMENT, f"{name.lower()} is None, or was closed")
+    return pointer
 
 
 def create(function: Callable[..., int], *arguments: Any) -> ctypes.c_void_p:

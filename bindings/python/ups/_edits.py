@@ -135,6 +135,7 @@ class Edits(Handle):
 
     def set_luminaire(self, luminaire: LuminaireId, profile: Profile | None = None,
                       **fields: Unpack[_fields.LuminaireDescFields]) -> None:
+        """profile None: as it is."""
         own: dict[str, Any] = {} if profile is None else {"profile": pointer_of(profile, Profile)}
         self._set(lib.ups_scene_get_luminaire, lib.ups_scene_set_luminaire, _ffi.LuminaireDesc, luminaire, own, fields)
 

@@ -80,5 +80,5 @@ def _bind(loaded: Any, name: str, library: str) -> None:
             raise ImportError(f"{name} has no {function}: it is older than this package, which needs UPS "
                               + ".".join(map(str, _ffi.HEADER_VERSION))) from None
         f.restype, f.argtypes = result, parameters
-        if integers:
+        if parameters and result is not None:  # the others take what the package made
             setattr(loaded, function, checked(f, integers))

@@ -1,4 +1,4 @@
-"""Integers that C can hold. ctypes cuts off what does not fit: 2^32 + 1 would become 1, and -1 a large number.
+"""Arguments that C can hold. ctypes cuts off integers that do not fit: 2^32 + 1 would become 1, and -1 a large number.
 
 Called by _convert for the fields of descriptions and arrays, by _library for the parameters of functions.
 """
@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import ctypes
 import operator
+import re
 from typing import Any
 
 import numpy as np
@@ -46,10 +47,33 @@ def as_integers(values: Any, dtype: Any, name: str) -> np.ndarray[Any, Any]:
 
 
 def checked(function: Any, integers: dict[int, str]) -> Any:
-    """The function, whose arguments at those places are checked; they have these names."""
+    """The function, whose arguments at those places are checked; they have these names. What ctypes finds wrong with
+    the others, an id of another kind, no number, is a TypeError too."""
     def call(*arguments: Any) -> Any:
+        try:
+            return function(*arguments)
+        except ctypes.ArgumentError as error:
+            raise TypeError(_refusal(function, arguments, str(error))) from None
+
+    def call_with_integers(*arguments: Any) -> Any:
         values = list(arguments)
-        for i, name in integers.items():
-            values[i] = as_integer(function.argtypes[i], values[i], name)
-        return function(*values)
-    return call
+        for i, kind, name in places:
+            values[i] = as_integer(kind, values[i], name)
+        return call(*values)
+
+    kinds = function.argtypes
+    places = [(i, kinds[i], f"{function.__name__}: {name}") for i, name in integers.items()]
+    return call_with_integers if places else call
+
+
+_EXPECTED = {ctypes.c_float: "a number", ctypes.c_double: "a number", ctypes.c_void_p: "a handle"}
+
+
+def _refusal(function: Any, arguments: tuple[Any, ...], error: str) -> str:
+    """error: ctypes' own, which tells the argument by its number: that of the method's, which counts self."""
+    found = re.match(r"argument (\d+):", error)
+    if not found:
+        return f"{function.__name__}: {error}"
+    i = int(found[1]) - 1
+    kind = function.argtypes[i]
+    return f"{function.__name__}: argument {i + 1}: expected {_EXPECTED.get(kind, kind.__name__)}, got {arguments[i]!r}"

@@ -21,6 +21,7 @@ from ._core import Handle, pointer_of
 from ._ffi import InstanceId, LuminaireId, ReportExposure, ReportQuantity, SensorId, SourceKind
 from ._library import load
 from ._result import Result
+from ._scene import Scene
 from ._status import check
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def write_map(path: str | os.PathLike[str], scene: Handle, result: Handle, senso
     """Of meters that lie in a plane, on the plan of the committed scene, or of a camera's image. path: ends in .png,
     .svg or .pdf. quantity: of a camera. observers: to draw, by their names. style: ups_report_style_desc."""
     named = observers or {}
-    _write_map(path, {"scene": scene._as_parameter_, "result": pointer_of(result, Result), "sensor": sensor,
+    _write_map(path, {"scene": pointer_of(scene, Scene), "result": pointer_of(result, Result), "sensor": sensor,
                       "title": _text(title), "quantity": quantity, "sensors": _sensors(named),
                       "sensor_count": len(named), "style": _style(style)})
 
@@ -74,7 +75,7 @@ def write_points_map(path: str | os.PathLike[str], positions_m: ArrayLike, illum
     _write_map(path, {"positions_m": address(p, ctypes.c_double), "normals": address(n, ctypes.c_float),
                       "values": address(v, ctypes.c_float), "error_bounds": address(b, ctypes.c_float),
                       "count": len(p), "columns": columns, "title": _text(title),
-                      "scene": None if scene is None else scene._as_parameter_, "style": _style(style)})
+                      "scene": None if scene is None else pointer_of(scene, Scene), "style": _style(style)})
 
 
 def write_image_map(path: str | os.PathLike[str], values: ArrayLike, error_bounds: ArrayLike | None = None,
@@ -129,7 +130,7 @@ def write_report(path: str | os.PathLike[str], scene: Handle, result: Handle, se
     thresholds = as_array(thresholds_lx, np.float64, (-1,), "thresholds_lx")
     c_pictures = [p._as_c() for p in pictures]
     desc = describe(_ffi.ReportPageDesc, {
-        "scene": scene._as_parameter_, "result": pointer_of(result, Result), "sensors": _sensors(sensors),
+        "scene": pointer_of(scene, Scene), "result": pointer_of(result, Result), "sensors": _sensors(sensors),
         "sensor_count": len(sensors),
         "sources": (_ffi.ReportSource * len(named))(*[_source(s, words) for s, words in named.items()]),
         "source_count": len(named), "pictures": (_ffi.ReportPicture * len(c_pictures))(*c_pictures),

@@ -78,8 +78,10 @@ struct LightDesc : ups_light_desc {
 
 struct LuminaireDesc : ups_luminaire_desc {
   LuminaireDesc() noexcept { ups_luminaire_desc_init(this, sizeof(ups_luminaire_desc)); }
-  // The profile must be there until the desc was used.
-  LuminaireDesc(const Profile &of, const Transform &at) noexcept : LuminaireDesc() {
+  // The profile must be there until the desc was used. One that was moved from is refused here: a desc without a profile
+  // leaves a luminaire the one that it has.
+  LuminaireDesc(const Profile &of, const Transform &at) : LuminaireDesc() {
+    if (!of) throw Error(UPS_ERROR_INVALID_ARGUMENT, "LuminaireDesc: profile is NULL");
     profile = of.get();
     at.copy_to(to_world);
   }

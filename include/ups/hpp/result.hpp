@@ -48,13 +48,14 @@ class Result : public Handle<ups_result> {
   std::vector<ups_meter_reading> read_meters(ups_sensor_id sensor) const {
     return of_meters<ups_meter_reading>(ups_result_read_meters, sensor, get(), sensor);
   }
-  // The result's own, until it is destroyed.
-  Span<const ups_meter_reading> view_meters(ups_sensor_id sensor) const {
+  // The result's own, until it is destroyed: none of a temporary, which ends before its view.
+  Span<const ups_meter_reading> view_meters(ups_sensor_id sensor) const & {
     const ups_meter_reading* readings;
     std::size_t count;
     check(ups_result_view_meters(get(), sensor, &readings, &count));
     return {readings, count};
   }
+  Span<const ups_meter_reading> view_meters(ups_sensor_id sensor) const && = delete;
   void read_vectors(ups_sensor_id sensor, Span<ups_vector_reading> out) const {
     check(ups_result_read_vectors(get(), sensor, out.data(), out.size()));
   }
@@ -129,13 +130,14 @@ class Result : public Handle<ups_result> {
     check(ups_result_view_image(get(), camera, UPS_CHANNEL_LUMINANCE_RGB, &pixels, &size.width, &size.height));
     return size;
   }
-  // The result's own, until it is destroyed; floats_per_pixel(channel) a pixel.
-  Span<const float> view_image(ups_sensor_id camera, ups_channel channel) const {
+  // The result's own, as view_meters; floats_per_pixel(channel) a pixel.
+  Span<const float> view_image(ups_sensor_id camera, ups_channel channel) const & {
     const float *pixels;
     std::uint32_t width, height;
     check(ups_result_view_image(get(), camera, channel, &pixels, &width, &height));
     return {pixels, std::size_t{width} * height * floats_per_pixel(channel)};
   }
+  Span<const float> view_image(ups_sensor_id camera, ups_channel channel) const && = delete;
   std::vector<ups_technique_info> techniques(ups_sensor_id camera) const {
     return detail::all<ups_technique_info>(ups_result_get_technique_count, ups_result_get_technique, get(), camera);
   }

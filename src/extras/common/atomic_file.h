@@ -13,6 +13,7 @@ inline void write_file(const std::string& path, const void* bytes, size_t size) 
   try {
     platform::replace_file(path, bytes, size);
   } catch (const std::system_error& e) {
+    if (e.code() == std::errc::not_enough_memory) throw std::bad_alloc();
     throw Error(UPS_ERROR_IO, e.what());
   }
 }

@@ -2,6 +2,8 @@
 // texts are copied by size. Each library keeps one thread-local message of its own. Called by the extras alone.
 #pragma once
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -26,6 +28,21 @@ inline void require(bool condition, const char* message) {
   if (!condition) throw Error(UPS_ERROR_INVALID_ARGUMENT, message);
 }
 
+// Libraries that answer exhausted memory by an exception of their own tell of it in words.
+inline bool tells_of_memory(const std::exception& e) {
+  return std::strstr(e.what(), "bad_alloc") || std::strstr(e.what(), "allocate memory") ||
+         std::strstr(e.what(), std::strerror(ENOMEM));
+}
+
+// Other libraries end the process where memory runs out within them (OpenColorIO, Cairo, the JSON reader): before they
+// are called more than they take is asked for.
+inline void ask_for_memory(size_t bytes) {
+  void* volatile block = std::malloc(bytes);
+  if (!block) throw std::bad_alloc();
+  std::free(block);
+}
+inline constexpr size_t ample_bytes = size_t(32) << 20;
+
 // Runs body in the floating-point environment that results are computed in; what it throws becomes the status, the text
 // goes to last_error.
 template <class Body>
@@ -37,10 +54,11 @@ ups_status guarded(LastError& last_error, Body&& body) noexcept {
   } catch (const Error& e) {
     last_error.set("", e.what());
     return e.status();
-  } catch (const std::bad_alloc&) {
-    last_error.set("", "out of memory");
-    return UPS_ERROR_OUT_OF_MEMORY;
   } catch (const std::exception& e) {
+    if (dynamic_cast<const std::bad_alloc*>(&e) || tells_of_memory(e)) {
+      last_error.set("", "out of memory");
+      return UPS_ERROR_OUT_OF_MEMORY;
+    }
     last_error.set("internal error", e.what());
     return UPS_ERROR_INTERNAL;
   } catch (...) {

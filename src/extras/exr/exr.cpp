@@ -89,6 +89,7 @@ Imf::Header make_header(uint32_t width, uint32_t height, const ups_exr_channel* 
 
 std::vector<char> compose(const Imf::Header& header, uint32_t width, uint32_t height, const ups_exr_channel* channels,
                           uint32_t channel_count) {
+  ups::extras::ask_for_memory(ups::extras::ample_bytes + size_t(width) * height * channel_count * 4 * sizeof(float));
   MemoryStream stream;
   {
     Imf::OutputFile file(stream, header);
@@ -119,6 +120,7 @@ void read_image(const char* path, ups_exr_image& image) {
     throw Error(UPS_ERROR_UNSUPPORTED, "an image of " + std::to_string(width) + " x " + std::to_string(height) +
                                            " pixels and " + std::to_string(count) + " channels is not read");
   }
+  ups::extras::ask_for_memory(ups::extras::ample_bytes + size_t(width * height) * count * 2 * sizeof(float));
   image.width = uint32_t(width);
   image.height = uint32_t(height);
   Imf::FrameBuffer frame;
@@ -154,7 +156,9 @@ ups_status ups_exr_read(const char* path, ups_exr_image** out) {
   return guarded([&] {
     require(path != nullptr, "path is NULL");
     require(out != nullptr, "out is NULL");
+    errno = 0;
     auto file = ups::platform::open_to_read(path);
+    if (!file && errno == ENOMEM) throw std::bad_alloc();
     if (!file) throw Error(UPS_ERROR_IO, std::string("cannot open '") + path + "': no such file, or not readable");
     if (file.peek(); file.bad()) throw Error(UPS_ERROR_IO, std::string("cannot read '") + path + "': no file?");
     auto image = std::make_unique<ups_exr_image>();
@@ -165,6 +169,7 @@ ups_status ups_exr_read(const char* path, ups_exr_image** out) {
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& e) {  // OpenEXR's own
+      if (ups::extras::tells_of_memory(e)) throw std::bad_alloc();
       throw Error(UPS_ERROR_PARSE, std::string("'") + path + "' is not a readable OpenEXR image: " + e.what());
     }
     *out = image.release();

@@ -229,6 +229,7 @@ Document load_document(const std::string& path, bool allow_outside, std::vector<
       is_binary(file) ? chunks_of(file) : Chunks{{file.data(), file.size(), 0}, {nullptr, 0, 0}};
   const char* text = reinterpret_cast<const char*>(chunks.json.data);
 
+  extras::ask_for_memory(extras::ample_bytes + 8 * chunks.json.size);
   Document document;
   document.folder = platform::folder_of(path);
   document.allow_outside = allow_outside;

@@ -40,6 +40,7 @@ Pixels decode_image(const unsigned char* bytes, size_t size, const std::string& 
   Pixels result;
   const auto take = [&](auto* decoded, float largest) {
     if (!decoded) {
+      if (std::strcmp(stbi_failure_reason(), "outofmem") == 0) throw std::bad_alloc();
       throw extras::Error(UPS_ERROR_PARSE, where + ": not a readable PNG or JPEG image: " + stbi_failure_reason());
     }
     const std::unique_ptr<void, void (*)(void*)> owner(decoded, stbi_image_free);

@@ -1,8 +1,65 @@
 // Pictures as PNG files through stb_image_write, which compiles here alone.
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
 
 #include "common/atomic_file.h"
 #include "ocio/picture.h"
+#include "platform/thread_slot.h"
+
+namespace {
+
+// stb_image_write goes on with memory that it did not get: here that throws, and what it holds by then is freed with the
+// scope. One at a time in a thread.
+class StbMemory {
+ public:
+  StbMemory() {
+    if (!slot.set(this)) throw std::bad_alloc();
+  }
+  ~StbMemory() {
+    while (Block* first = blocks_.next) unlink(first), std::free(first);
+    slot.set(nullptr);
+  }
+  StbMemory(const StbMemory&) = delete;
+  StbMemory& operator=(const StbMemory&) = delete;
+
+  static void* resize(void* old, size_t size) {
+    StbMemory& all = *static_cast<StbMemory*>(slot.get());
+    Block* block = old ? static_cast<Block*>(old) - 1 : nullptr;
+    if (block) unlink(block);
+    void* grown = std::realloc(block, sizeof(Block) + size);
+    if (Block* kept = grown ? static_cast<Block*>(grown) : block) all.link(kept);
+    if (!grown) throw std::bad_alloc();
+    return static_cast<Block*>(grown) + 1;
+  }
+  static void release(void* memory) {
+    if (!memory) return;
+    Block* block = static_cast<Block*>(memory) - 1;
+    unlink(block);
+    std::free(block);
+  }
+
+ private:
+  struct alignas(std::max_align_t) Block {
+    Block *next = nullptr, *before = nullptr;
+  };
+  void link(Block* block) {
+    *block = {blocks_.next, &blocks_};
+    if (block->next) block->next->before = block;
+    blocks_.next = block;
+  }
+  static void unlink(Block* block) {
+    block->before->next = block->next;
+    if (block->next) block->next->before = block->before;
+  }
+
+  static const ups::platform::ThreadSlot slot;
+  Block blocks_;
+};
+const ups::platform::ThreadSlot StbMemory::slot([](void*) {});
+
+}  // namespace
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -11,6 +68,9 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
+#define STBIW_MALLOC(size) StbMemory::resize(nullptr, size)
+#define STBIW_REALLOC(memory, size) StbMemory::resize(memory, size)
+#define STBIW_FREE(memory) StbMemory::release(memory)
 #include <stb_image_write.h>
 #pragma GCC diagnostic pop
 
@@ -57,6 +117,7 @@ std::vector<unsigned char> text_chunk(const std::string& keyword, const std::str
 }  // namespace
 
 void write_png(const std::string& path, const Picture& picture, const PngTexts& texts) {
+  const StbMemory memory;
   std::vector<unsigned char> bytes;
   const auto append = [](void* context, void* data, int size) {
     auto& to = *static_cast<std::vector<unsigned char>*>(context);

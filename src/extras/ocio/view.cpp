@@ -26,6 +26,12 @@ OCIO::TransformRcPtr builtin(const char* style, OCIO::TransformDirection directi
   return transform;
 }
 
+// Made once and kept until the process ends: where memory runs out as one is made, OpenColorIO can end the process.
+const OCIO::Config& raw_config() {
+  static const auto* const config = new OCIO::ConstConfigRcPtr(OCIO::Config::CreateRaw());
+  return **config;
+}
+
 // Linear Rec.709 to an sRGB display through the ACES output transform for SDR video.
 OCIO::ConstCPUProcessorRcPtr make_view(double exposure) {
   auto scale = OCIO::ExposureContrastTransform::Create();
@@ -38,7 +44,7 @@ OCIO::ConstCPUProcessorRcPtr make_view(double exposure) {
   group->appendTransform(
       builtin("ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO_1.0", OCIO::TRANSFORM_DIR_FORWARD));
   group->appendTransform(builtin("DISPLAY - CIE-XYZ-D65_to_sRGB", OCIO::TRANSFORM_DIR_FORWARD));
-  const auto processor = OCIO::Config::CreateRaw()->getProcessor(group);
+  const auto processor = raw_config().getProcessor(group);
   return processor->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_UINT8, OCIO::OPTIMIZATION_DEFAULT);
 }
 
@@ -71,6 +77,7 @@ double choose_exposure(const float* rgb, size_t pixel_count) {
 }
 
 Picture view_of(const float* rgb, uint32_t width, uint32_t height, double exposure) {
+  extras::ask_for_memory(extras::ample_bytes + size_t(width) * height * 64);
   try {
     Picture picture(width, height, {0, 0, 0});
     // Negative values have no colour; the view transform must not see them.
@@ -82,6 +89,7 @@ Picture view_of(const float* rgb, uint32_t width, uint32_t height, double exposu
     make_view(exposure)->apply(from, to);
     return picture;
   } catch (const OCIO::Exception& e) {
+    if (extras::tells_of_memory(e)) throw std::bad_alloc();
     throw extras::Error(UPS_ERROR_UNSUPPORTED, std::string("OpenColorIO: ") + e.what());
   }
 }

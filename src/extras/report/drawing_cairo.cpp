@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "common/boundary.h"
 #include "report/drawing.h"
 #include "report/drawing_svg.h"
 #include "report/text_format.h"
@@ -228,8 +229,9 @@ std::string to_svg_elements(const Drawing& drawing) {
 }
 
 std::string to_png(const Drawing& drawing, double zoom) {
-  const Owned<cairo_surface_t> surface(cairo_image_surface_create(
-      CAIRO_FORMAT_RGB24, int(std::lround(drawing.width * zoom)), int(std::lround(drawing.height * zoom))));
+  const int width = int(std::lround(drawing.width * zoom)), height = int(std::lround(drawing.height * zoom));
+  extras::ask_for_memory(extras::ample_bytes + size_t(width) * size_t(height) * 16);
+  const Owned<cairo_surface_t> surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
   check(cairo_surface_status(surface.get()));
   draw(drawing, surface.get(), zoom);
   std::string png;
@@ -239,6 +241,7 @@ std::string to_png(const Drawing& drawing, double zoom) {
 
 std::string to_pdf(const Drawing& drawing, const Words& words) {
   constexpr double points_a_unit = 0.75;
+  extras::ask_for_memory(2 * extras::ample_bytes);
   std::string pdf;
   const Owned<cairo_surface_t> surface(cairo_pdf_surface_create_for_stream(
       append, &pdf, drawing.width * points_a_unit, drawing.height * points_a_unit));

@@ -83,12 +83,18 @@ TEST(Handles, AreMovedAndNeverCopied) {
 
 TEST(Handles, MovedFromRefuse) {
   Room room;
-  const ups::Scene moved = std::move(room.scene);
+  ups::Scene moved = std::move(room.scene);
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {"NULL"}, [&] { room.scene.commit(); });
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {"NULL"}, [&] { room.scene.add_material(ups::MaterialDesc()); });
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {"NULL"}, [&] { room.scene.render(Room::few()); });
   const ups::Context context = std::move(room.context);
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {"NULL"}, [&] { ups::Scene scene(room.context); });
+  ups::Profile profile = downlight(context);
+  const ups::Profile taken = std::move(profile);
+  expect_error(UPS_ERROR_INVALID_ARGUMENT, {"profile", "NULL"},
+               [&] { moved.add_luminaire({profile, ups::Transform()}); });
+  expect_error(UPS_ERROR_INVALID_ARGUMENT, {"profile", "NULL"},
+               [&] { moved.set_luminaire(room.lamp, {profile, ups::Transform()}); });
   ups::Job none(nullptr);
   none.cancel();
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {"NULL"}, [&] { none.wait(); });

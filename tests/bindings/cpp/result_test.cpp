@@ -74,6 +74,22 @@ TEST(Results, OfSourcesApartAddUp) {
     EXPECT_NEAR(first[i].illuminance_lx + other[i].illuminance_lx, all[i].illuminance_lx, 1e-3 * all[i].illuminance_lx);
 }
 
+template <class R, class = void>
+constexpr bool shows_meters = false;
+template <class R>
+constexpr bool shows_meters<R, std::void_t<decltype(std::declval<R>().view_meters({}))>> = true;
+template <class R, class = void>
+constexpr bool shows_images = false;
+template <class R>
+constexpr bool shows_images<R, std::void_t<decltype(std::declval<R>().view_image({}, UPS_CHANNEL_DEPTH))>> = true;
+
+TEST(Results, ShowNothingThatEndsBeforeItsView) {
+  static_assert(shows_meters<ups::Result &> && shows_meters<const ups::Result &>);
+  static_assert(!shows_meters<ups::Result> && !shows_meters<const ups::Result>);
+  static_assert(shows_images<ups::Result &> && shows_images<const ups::Result &>);
+  static_assert(!shows_images<ups::Result> && !shows_images<const ups::Result>);
+}
+
 TEST(Results, OfCameras) {
   Room room;
   ups::CameraDesc camera = room.scene.get_camera(room.camera);

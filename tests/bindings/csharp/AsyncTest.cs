@@ -90,6 +90,8 @@ public sealed class AsyncTest : IDisposable
         {
             before.Cancel();
             await Caught<OperationCanceledException>(scene.RenderAsync(Endless(), before.Token));
+            for (var i = 0; i < 20; ++i)
+                await Caught<OperationCanceledException>(scene.RenderAsync(Iterations(1), before.Token));
         }
     }
 

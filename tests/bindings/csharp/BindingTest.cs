@@ -5,6 +5,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Reflection;
 using System.Runtime.InteropServices;
+using System.Threading;
 using Ups;
 using Xunit;
 
@@ -287,6 +288,42 @@ public sealed partial class BindingTest : IDisposable
         }
         catch (ObjectDisposedException)
         {
+        }
+    }
+
+    private static void ExpectNull(string name, Action action)
+    {
+        Assert.Equal(name, Assert.Throws<ArgumentNullException>(action).ParamName);
+    }
+
+    [Fact]
+    public void TestWhatIsNullIsTold()
+    {
+        Context none = null;
+        var bytes = new byte[] { 65, 66 };
+        var angles = new float[] { 0 };
+        ExpectNull("context", () => new Scene(none));
+        ExpectNull("context", () => new Fixture(none));
+        ExpectNull("context", () => Profile.Parse(none, bytes));
+        ExpectNull("context", () => Profile.FromTable(none, angles, angles, angles));
+        using (var scene = new Scene(context))
+        {
+            var lamp = scene.AddLight(LightDesc.Create());
+            var material = scene.AddMaterial(MaterialDesc.Create());
+            var meters = scene.AddMeters(new double[3], new float[] { 0, 0, 1 });
+            ExpectNull("profile", () => scene.AddLuminaire(null, LuminaireDesc.Create()));
+            ExpectNull("profile", () => scene.SetLuminaire(lamp, null, LuminaireDesc.Create()));
+            ExpectNull("fixture", () => scene.AddFixture(null, FixtureInstanceDesc.Create()));
+            ExpectNull("pane", () => scene.AddMaterial(MaterialDesc.Create(), null));
+            ExpectNull("pane", () => scene.SetMaterial(material, MaterialDesc.Create(), null));
+            ExpectNull("meters", () => scene.SetMeters(meters, null));
+            ExpectNull("progress", () => scene.CommitAsync(null, CancellationToken.None));
+            scene.Commit();
+            ExpectNull("progress", () => scene.RenderAsync(Iterations(1), null, CancellationToken.None));
+            var closed = Profile.FromTable(context, angles, new float[] { 0, 90 }, new float[] { 1, 2 });
+            closed.Dispose();
+            Assert.Throws<ObjectDisposedException>(() => scene.AddLuminaire(closed, LuminaireDesc.Create()));
+            Assert.Throws<ObjectDisposedException>(() => scene.SetLuminaire(lamp, closed, LuminaireDesc.Create()));
         }
     }
 

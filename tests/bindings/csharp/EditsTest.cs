@@ -232,15 +232,21 @@ public sealed class EditsTest : IDisposable
         using (var cancel = new CancellationTokenSource())
         {
             cancel.Cancel();
-            try
+            for (var i = 0; i < 20; ++i)
             {
-                await scene.CommitAsync(cancel.Token);  // it may have ended before it heard
-                Assert.Equal(400.0, Lux());
-            }
-            catch (OperationCanceledException)
-            {
-                Assert.True(scene.IsDirty && Lux() == 100, "as it was committed before");
+                var task = scene.CommitAsync(cancel.Token);
+                try
+                {
+                    await task;
+                }
+                catch (OperationCanceledException e)
+                {
+                    Assert.True(e.CancellationToken == cancel.Token, "whose token it was");
+                }
+                Assert.True(task.IsCanceled && scene.IsDirty && Lux() == 100, "as it was committed before");
             }
         }
+        await scene.CommitAsync(CancellationToken.None);
+        Assert.Equal(400.0, Lux());
     }
 }

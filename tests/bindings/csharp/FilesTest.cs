@@ -161,6 +161,11 @@ public sealed class FilesTest : IDisposable
 
     private string Text(string name) { return System.IO.File.ReadAllText(File(name), Encoding.UTF8); }
 
+    private static void ExpectNull(string name, Action action)
+    {
+        Assert.Equal(name, Assert.Throws<ArgumentNullException>(action).ParamName);
+    }
+
     [Fact]
     public void TestReport()
     {
@@ -208,6 +213,14 @@ public sealed class FilesTest : IDisposable
                 Assert.Contains("wishes: is no JSON", error.Message);
                 Assert.True(!System.IO.File.Exists(File("none.html")), "no file of an error");
                 Assert.Throws<UpsException>(() => Report.Map(File("desk.gif"), scene, result, desk));
+                ExpectNull("scene", () => Report.Map(File("none.svg"), null, result, desk));
+                ExpectNull("result", () => Report.Map(File("none.svg"), scene, null, desk));
+                ExpectNull("scene", () => Report.PointsMap(File("none.svg"), null, new double[3], new float[0],
+                                                           new float[1], new float[0]));
+                ExpectNull("scene", () => Report.Page(File("none.html"), null, result, page));
+                ExpectNull("result", () => Report.Page(File("none.html"), scene, null, page));
+                ExpectNull("context", () => GltfImport.File(null, File("room.gltf"), scene));
+                ExpectNull("scene", () => GltfImport.File(context, File("room.gltf"), null));
             }
         }
     }
