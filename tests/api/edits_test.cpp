@@ -20,6 +20,18 @@ class Edits : public Api {
     }
     return resident * (sysconf(_SC_PAGESIZE) / 1024);
   }
+  // An emitter of 100 lm and a reflector.
+  ups_fixture* lamp_in_a_cup() {
+    ups_fixture* fixture = nullptr;
+    EXPECT_OK(ups_fixture_create(context, &fixture));
+    auto cob = make(&ups_fixture_emitter_desc_init);
+    cob.radius_m = 0.01, cob.flux_lm = 100;
+    EXPECT_OK(ups_fixture_add_emitter(fixture, &cob, nullptr));
+    auto cup = make(&ups_reflector_desc_init);
+    cup.focal_length_m = 0.02, cup.aperture_radius_m = 0.06;
+    EXPECT_OK(ups_fixture_add_reflector(fixture, &cup, nullptr));
+    return fixture;
+  }
 };
 
 }  // namespace
@@ -256,14 +268,7 @@ TEST_F(Edits, AMeshReplacedAgainAndAgainTakesNoMoreMemory) {
 }
 
 TEST_F(Edits, FixturesAreSetAndGiveBackWhatTheyTook) {
-  ups_fixture* fixture = nullptr;
-  EXPECT_OK(ups_fixture_create(context, &fixture));
-  auto cob = make(&ups_fixture_emitter_desc_init);
-  cob.radius_m = 0.01, cob.flux_lm = 100;
-  EXPECT_OK(ups_fixture_add_emitter(fixture, &cob, nullptr));
-  auto cup = make(&ups_reflector_desc_init);
-  cup.focal_length_m = 0.02, cup.aperture_radius_m = 0.06;
-  EXPECT_OK(ups_fixture_add_reflector(fixture, &cup, nullptr));
+  ups_fixture* fixture = lamp_in_a_cup();
   auto d = make(&ups_fixture_instance_desc_init);
   ups_fixture_id a, b;
   EXPECT_OK(ups_scene_add_fixture(scene, fixture, &d, &a));
@@ -313,15 +318,8 @@ TEST_F(Edits, FixturesAreSetAndGiveBackWhatTheyTook) {
 
 // A part's mesh that something else has stays when its fixture is removed; one that was removed is made again.
 TEST_F(Edits, MeshesOfFixturesAreSharedAndRemovedByOthers) {
-  ups_fixture* fixture = nullptr;
-  EXPECT_OK(ups_fixture_create(context, &fixture));
-  auto cob = make(&ups_fixture_emitter_desc_init);
-  cob.radius_m = 0.01, cob.flux_lm = 100;
-  EXPECT_OK(ups_fixture_add_emitter(fixture, &cob, nullptr));
-  auto cup = make(&ups_reflector_desc_init);
-  cup.focal_length_m = 0.02, cup.aperture_radius_m = 0.06;
-  ups_fixture_part_id cup_part;
-  EXPECT_OK(ups_fixture_add_reflector(fixture, &cup, &cup_part));
+  constexpr ups_fixture_part_id cup_part{2};
+  ups_fixture* fixture = lamp_in_a_cup();
   const auto d = make(&ups_fixture_instance_desc_init);
   ups_fixture_id a, b;
   EXPECT_OK(ups_scene_add_fixture(scene, fixture, &d, &a));
