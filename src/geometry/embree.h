@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <map>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -23,12 +24,16 @@
 #include "base/monitor.h"
 #include "base/parallel.h"
 #include "base/vec.h"
+#include "geometry/raytracer.h"
 
 namespace ups {
 
-struct SurfaceTexturing;
+struct TracedMesh;
 
 namespace embree {
+
+// How the surfaces of a ray tracer's meshes with holes are textured. Such a mesh may be another ray tracer's too.
+using Holes = std::map<const TracedMesh*, SurfaceTexturing>;
 
 #if UPS_EMBREE_MAJOR >= 4
 using PlainContext = RTCRayQueryContext;
@@ -37,18 +42,21 @@ inline void init(PlainContext& context) { rtcInitRayQueryContext(&context); }
 using PlainContext = RTCIntersectContext;
 inline void init(PlainContext& context) { rtcInitIntersectContext(&context); }
 #endif
-// Every query of this folder has one. User geometry must call the filter of its query itself. texturing: by
-// Mesh::material, of meshes with holes.
+// Every query of this folder has one. User geometry must call the filter of its query itself. holes: where there are
+// some.
 struct QueryContext : PlainContext {
   RTCFilterFunctionN filter_of_all = nullptr;
-  const SurfaceTexturing* texturing = nullptr;
+  const Holes* holes = nullptr;
   QueryContext() { init(*this); }
 };
 inline RTCFilterFunctionN filter_of(const PlainContext* context) {
   return static_cast<const QueryContext*>(context)->filter_of_all;
 }
-inline const SurfaceTexturing* texturing_of(const PlainContext* context) {
-  return static_cast<const QueryContext*>(context)->texturing;
+inline const SurfaceTexturing* holes_of(const PlainContext* context, const TracedMesh& mesh) {
+  const Holes* holes = static_cast<const QueryContext*>(context)->holes;
+  if (!holes) return nullptr;
+  const auto found = holes->find(&mesh);
+  return found == holes->end() ? nullptr : &found->second;
 }
 
 #if UPS_EMBREE_MAJOR >= 4

@@ -63,7 +63,7 @@ Hit Raytracer::Impl::to_hit(const RTCHit& from, float t, const Vec3& o, const Ve
 
 bool Raytracer::intersect(const Vec3& o, const Vec3& d, float tmax, Hit& hit) const {
   embree::QueryContext context;
-  context.texturing = impl_->texturing.data();
+  context.holes = &impl_->holes;
   RTCRayHit query;
   query.ray = embree::make_ray(o, d, tmax);
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -100,7 +100,7 @@ void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
   static const PerThread<AllHits> kept;
   AllHits& all = kept.get();
   all.context = {};
-  all.context.texturing = impl_->texturing.data();
+  all.context.holes = &impl_->holes;
   all.found.clear();
   all.out_of_memory = false;
   RTCRayHit query;
@@ -121,7 +121,7 @@ void Raytracer::intersect_all(const Vec3& o, const Vec3& d, float tmax, std::vec
 
 bool Raytracer::occluded(const Vec3& o, const Vec3& d, float tmax) const {
   embree::QueryContext context;
-  context.texturing = impl_->texturing.data();
+  context.holes = &impl_->holes;
   RTCRay ray = embree::make_ray(o, d, tmax);
   embree::occluded(*impl_->top, context, ray);
   return ray.tfar < 0;
@@ -149,7 +149,7 @@ bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& poin
                                 Vec3& out) const {
   const Mesh& mesh = *traced[instance.traced]->source;
   const uint32_t* i = &mesh.indices[3 * size_t(point.primitive)];
-  const Texture* bumps = mesh.material < texturing.size() ? texturing[mesh.material].normal : nullptr;
+  const Texture* bumps = instance.material < texturing.size() ? texturing[instance.material].normal : nullptr;
   if (mesh.normals.empty() && !bumps) return false;
   Vec3d n(point.ng);
   if (!mesh.normals.empty()) {
@@ -163,7 +163,7 @@ bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& poin
   Vec3d tangent, bitangent;
   if (bumps && tangents_at(mesh, i, point, instance.to_scene, instance.side, triangle, n, tangent, bitangent)) {
     const Rgb texel = bumps->rgb(point.uv);
-    const double scale = texturing[mesh.material].normal_scale;
+    const double scale = texturing[instance.material].normal_scale;
     n = tangent * ((2.0 * texel.r - 1) * scale) + bitangent * ((2.0 * texel.g - 1) * scale) + n * (2.0 * texel.b - 1);
     const double size = length(n);
     if (!(size > 0)) return false;
@@ -195,7 +195,7 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   SurfacePoint point;
   point.instance = instance, point.primitive = primitive;
   point.u = u, point.v = v;
-  point.material = mesh.material;
+  point.material = placed.material;
   point.uv = uv_at(mesh, primitive, u, v);
   double weights[3] = {1 - double(u) - double(v), double(u), double(v)};
   Vec3d sum = triangle.sum(weights);

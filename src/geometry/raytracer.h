@@ -19,7 +19,7 @@ struct Mesh {  // object space
   std::vector<Vec2> uvs;                 // empty or one a vertex
   std::vector<float> tangents;           // empty or 4 a vertex
   std::vector<uint32_t> indices;         // 3 a triangle
-  uint32_t material = 0;
+  uint32_t material_number = 0;          // as the program added it
   std::shared_ptr<const Revolution> revolution;  // where there is one it is traced; the triangles give the addresses
   size_t triangle_count() const { return indices.size() / 3; }
   size_t bytes() const;
@@ -44,10 +44,11 @@ class Raytracer {
   struct Instance {
     uint32_t mesh;
     Affine to_scene;      // object to the scene's own origin
-    uint32_t number = 0;  // that it keeps while others come and go; ascending
+    uint32_t number = 0;    // that it keeps while others come and go; ascending
+    uint32_t material = 0;  // SurfacePoint::material
     bool operator==(const Instance&) const = default;
   };
-  // texturing is indexed by Mesh::material; its textures must outlive the ray tracer.
+  // texturing is indexed by Instance::material; its textures must outlive the ray tracer. A mesh has one material.
   // finds_all: intersect_all() may be asked, which costs the others a little.
   // earlier: what is the same in it is shared; null: none. Rays find the same with it and without.
   // Throws Error (OUT_OF_MEMORY, INTERNAL with Embree's message), and Cancelled where there is a monitor.

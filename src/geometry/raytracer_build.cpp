@@ -180,13 +180,13 @@ class RaytracerBuild {
   void place(size_t i, bool baked) {
     const Affine& to_scene = instances_[i].to_scene;
     const double side = to_scene.determinant() < 0 ? -1 : 1;
-    Impl::Placed placed{0, baked, to_scene, side, NormalMatrix(to_scene), 0, 1};
+    Impl::Placed placed{0, instances_[i].material, baked, to_scene, side, NormalMatrix(to_scene), 0, 1};
     if (!baked) {
       // Embree takes rays to the object's frame in float: it loses digits of the translation, and more where stretched.
       placed.error_scale = float(2 * std::max(1.0, stretch(to_scene)));
       placed.error_offset = placed.error_scale * float(max_abs(to_scene.column(3)));
     }
-    const uint32_t material = mesh_of(i).material;
+    const uint32_t material = instances_[i].material;
     const bool has_holes =
         material < out_.texturing.size() && out_.texturing[material].alpha_mode != SurfaceTexturing::opaque;
     const Impl::Key key{meshes_[instances_[i].mesh].get(), has_holes, baked, to_scene};
@@ -198,6 +198,7 @@ class RaytracerBuild {
         traced = make_traced_mesh(meshes_[instances_[i].mesh], has_holes, baked ? &to_scene : nullptr);
       out_.traced.push_back(traced);
       index_[traced.get()] = uint32_t(out_.traced.size() - 1);
+      if (has_holes) out_.holes[traced.get()] = out_.texturing[material];
     }
     placed.traced = index_[traced.get()];
     out_.placed.push_back(placed);

@@ -23,7 +23,7 @@ inline constexpr float gamma_error = 16 * 0x1p-24f;
 
 struct Raytracer::Impl {
   struct Placed {
-    uint32_t traced;  // index
+    uint32_t traced, material;  // indices
     bool baked;
     Affine to_scene;
     double side;                      // -1: the transform mirrors, so that winding and front part
@@ -43,6 +43,7 @@ struct Raytracer::Impl {
   std::shared_ptr<embree::Device> device;
   bool finds_all = false;
   std::vector<SurfaceTexturing> texturing;
+  embree::Holes holes;
   std::vector<std::shared_ptr<const TracedMesh>> traced;
   std::vector<Placed> placed;
   std::vector<std::shared_ptr<const Part>> parts;

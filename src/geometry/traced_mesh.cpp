@@ -123,9 +123,9 @@ void filter(const RTCFilterFunctionNArguments* args) {
   const RTCRay& ray = *reinterpret_cast<const RTCRay*>(args->ray);
   const RTCHit& hit = *reinterpret_cast<const RTCHit*>(args->hit);
   const uint32_t primitive = mesh.primitive(hit.primID);
-  const SurfaceTexturing* texturing = mesh.has_holes ? embree::texturing_of(args->context) : nullptr;
+  const SurfaceTexturing* holes = mesh.has_holes ? embree::holes_of(args->context, mesh) : nullptr;
   const bool reject = (mesh.has_thin && is_false_hit(mesh.triangle(primitive), ray)) ||
-                      (texturing && is_hole(mesh, texturing[mesh.source->material], primitive, ray, hit.u, hit.v));
+                      (holes && is_hole(mesh, *holes, primitive, ray, hit.u, hit.v));
   if (reject) args->valid[0] = 0;
 }
 

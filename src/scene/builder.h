@@ -1,4 +1,4 @@
-// The making of a snapshot from a description, for prepare.cpp (surfaces, sensors, media), prepare_meters.cpp,
+// The making of a snapshot from a description, for prepare.cpp (sensors, media), prepare_surfaces.cpp, prepare_meters.cpp,
 // prepare_sources.cpp (what emits) and prepare_warnings.cpp.
 #pragma once
 #include <functional>
@@ -45,9 +45,13 @@ class Builder {
   std::shared_ptr<const Snapshot> build();
 
  private:
+  void list_surfaces();
   void place();
-  const Box& mesh_box(uint32_t mesh);
+  Box mesh_box(size_t mesh) const;
   void add_materials();
+  Material make_material(const MaterialDescription& description);
+  SurfaceTexturing make_texturing(uint32_t number, const MaterialDescription& description);
+  const Texture* texture(ups_texture_id id);
   bool scatters_as_before(uint32_t material) const;
   void add_geometry();
   bool is_same_instance(size_t i) const;
@@ -76,7 +80,7 @@ class Builder {
   MeterSet make_meters(const MetersDescription& meters) const;
   MeterSet make_surface_meters(uint32_t id, const SurfaceMetersDescription& meters);
   void find_media();
-  bool sensors_are_same() const;
+  bool sensors_are_same() const { return in_.sensors() == earlier_->described->sensors(); }
   void add_warnings();
   void share_searches();
   void warn_of_unit();

@@ -228,7 +228,7 @@ Mesh Description::read(const ups_mesh_desc& d) const {
       fail_argument("indices: element " + std::to_string(i) + " is " + std::to_string(d.indices[i]) +
                     "; it must be below vertex_count, " + std::to_string(d.vertex_count));
   Mesh mesh;
-  mesh.material = number_of(d.material.v) - 1;
+  mesh.material_number = number_of(d.material.v);
   mesh.positions = read_vectors(positions);
   mesh.normals = read_vectors(normals);
   for (size_t i = 0; i < uvs.count; ++i) mesh.uvs.push_back({uvs.at(i)[0], uvs.at(i)[1]});
@@ -274,7 +274,7 @@ void Description::remove_mesh(ups_mesh_id id) {
 uint32_t Description::user_of(ups_material_id id) const {
   uint32_t user = 0;
   meshes_.each([&](uint32_t number, const Mesh& mesh) {
-    if (user == 0 && mesh.material == number_of(id.v) - 1) user = number;
+    if (user == 0 && mesh.material_number == number_of(id.v)) user = number;
   });
   return user;
 }
@@ -343,7 +343,7 @@ ups_mesh_desc Description::mesh(ups_mesh_id id) const {
   static_assert(sizeof(Vec3) == 3 * sizeof(float) && sizeof(Vec2) == 2 * sizeof(float));  // arrays of floats
   ups_mesh_desc d{};
   d.vertex_count = uint32_t(mesh.positions.size()), d.triangle_count = uint32_t(mesh.triangle_count());
-  d.material = {materials_.id_of(mesh.material + 1)};
+  d.material = {materials_.id_of(mesh.material_number)};
   d.positions_m = &mesh.positions.data()->x;
   d.normals = mesh.normals.empty() ? nullptr : &mesh.normals.data()->x;
   d.uvs = mesh.uvs.empty() ? nullptr : &mesh.uvs.data()->x;

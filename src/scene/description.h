@@ -167,7 +167,7 @@ class Description {
 
   const IdTable<TextureDescription>& textures() const { return textures_; }
   const IdTable<MaterialDescription>& materials() const { return materials_; }
-  const IdTable<Mesh>& meshes() const { return meshes_; }  // Mesh::material is the number - 1
+  const IdTable<Mesh>& meshes() const { return meshes_; }
   const IdTable<InstanceDescription>& instances() const { return instances_; }
   const IdTable<SourceDescription>& sources() const { return sources_; }
   using Sensor =

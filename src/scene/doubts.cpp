@@ -17,13 +17,9 @@ bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-FlatTriangles find_flat_triangles(const Snapshot& scene, const std::vector<Raytracer::Instance>& instances,
-                                  ThreadPool& pool) {
-  std::vector<bool> shown(scene.meshes.size());
-  for (const Raytracer::Instance& i : instances) shown[i.mesh] = true;
+FlatTriangles find_flat_triangles(const Snapshot& scene, ThreadPool& pool) {
   std::vector<FlatTriangles> found(scene.meshes.size());
   parallel_for(pool, found.size(), [&](size_t m) {
-    if (!shown[m]) return;
     const Mesh& mesh = *scene.meshes[m];
     for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
       const uint32_t* v = &mesh.indices[3 * size_t(t)];

@@ -8,13 +8,12 @@
 
 namespace ups {
 
-// Thinner than a float can tell at their length; only of meshes that an instance shows.
+// Thinner than a float can tell at their length.
 struct FlatTriangles {
   size_t count = 0, meshes = 0;
-  uint32_t mesh = none, triangle = 0;  // the first
+  uint32_t mesh = none, triangle = 0;  // the first; index in the snapshot
 };
-FlatTriangles find_flat_triangles(const Snapshot& scene, const std::vector<Raytracer::Instance>& instances,
-                                  ThreadPool& pool);
+FlatTriangles find_flat_triangles(const Snapshot& scene, ThreadPool& pool);
 
 // Illuminance, lx, where the light of luminaires and lights is brightest of what it meets first, from a few rays of
 // each; < 0: there are none, or their light meets nothing. Emissive surfaces and directional lights do not count: what

@@ -116,9 +116,9 @@ std::string materials_of(const Snapshot& scene, const std::function<bool(const M
   std::string text;
   size_t more = 0;
   for (size_t i = 0; i < scene.materials.size(); ++i) {
-    if (!scene.material_used[i] || !holds(scene.materials[i])) continue;
+    if (!holds(scene.materials[i])) continue;
     if (text.empty())
-      text = "material " + std::to_string(i + 1) + " (" + name_of(scene.materials[i].model) + ")";
+      text = "material " + std::to_string(scene.material_numbers[i]) + " (" + name_of(scene.materials[i].model) + ")";
     else
       ++more;
   }

@@ -2,6 +2,8 @@
 // order in which they were added: what messages name it by. The bits above are the scene's tag, so that another scene
 // refuses the id. Used by scene/description.h and the API.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -45,51 +47,84 @@ inline uint32_t own_number_of(uint32_t id, uint32_t tag_bits, const char* noun) 
   return number;
 }
 
-// Things by number, and by id. A number that was removed never comes back, and keeps a null pointer alone. Things are
-// immutable and shared with copies of the table: whoever holds one knows by its address that it was not set since.
+// Things by number, and by id. A number that was removed never comes back; a page of numbers that all were is let go.
+// Things are immutable and shared with copies of the table: whoever holds one knows by its address that it was not set
+// since.
 template <class T>
 class IdTable {
  public:
   explicit IdTable(uint32_t tag_bits = 0) : tag_bits_(tag_bits) {}
+  IdTable(IdTable&&) noexcept = default;
+  IdTable& operator=(IdTable&&) noexcept = default;
+  IdTable(const IdTable& b) : tag_bits_(b.tag_bits_), last_(b.last_) {
+    pages_.reserve(b.pages_.size());
+    for (const auto& page : b.pages_) pages_.push_back(page ? std::make_unique<Page>(*page) : nullptr);
+  }
+  IdTable& operator=(const IdTable& b) { return *this = IdTable(b); }
 
   uint32_t add(T item) {
-    if (items_.size() >= max_id_number)
+    if (last_ >= max_id_number)
       throw Error(UPS_ERROR_UNSUPPORTED, "a scene holds at most " + std::to_string(max_id_number) + " of a kind");
-    items_.push_back(std::make_shared<const T>(std::move(item)));
-    return id_of(uint32_t(items_.size()));
+    auto shared = std::make_shared<const T>(std::move(item));
+    if (last_ / page_size == pages_.size()) pages_.emplace_back();
+    auto& page = pages_[last_ / page_size];
+    if (!page) page = std::make_unique<Page>();
+    slot(++last_) = std::move(shared);
+    return id_of(last_);
   }
   void set(uint32_t id, T item, const char* noun) {
     get(id, noun);
-    items_[number_of(id) - 1] = std::make_shared<const T>(std::move(item));
+    slot(number_of(id)) = std::make_shared<const T>(std::move(item));
   }
   void remove(uint32_t id, const char* noun) {
     get(id, noun);
-    items_[number_of(id) - 1].reset();
+    slot(number_of(id)).reset();
+    auto& page = pages_[(number_of(id) - 1) / page_size];
+    if (std::none_of(page->begin(), page->end(), [](const auto& item) { return bool(item); })) page.reset();
   }
   const T& get(uint32_t id, const char* noun) const {
     const uint32_t number = own_number_of(id, tag_bits_, noun);
-    if (number == 0 || number > items_.size())
+    if (number == 0 || number > last_)
       fail_argument(std::string(noun) + " id " + std::to_string(number) +
-                    " is not of this scene; it has numbers 1 to " + std::to_string(items_.size()));
-    if (!items_[number - 1]) fail_argument(std::string(noun) + " id " + std::to_string(number) + " was removed");
-    return *items_[number - 1];
+                    " is not of this scene; it has numbers 1 to " + std::to_string(last_));
+    if (!holds(number)) fail_argument(std::string(noun) + " id " + std::to_string(number) + " was removed");
+    return at(number);
   }
   uint32_t id_of(uint32_t number) const { return number ? number | tag_bits_ : 0; }
-  uint32_t last_number() const { return uint32_t(items_.size()); }
-  bool holds(uint32_t number) const { return number > 0 && number <= items_.size() && items_[number - 1]; }
+  bool holds(uint32_t number) const {
+    return number > 0 && number <= last_ && pages_[(number - 1) / page_size] && shared(number);
+  }
   // By number, of a thing that is there.
-  const T& at(uint32_t number) const { return *items_[number - 1]; }
-  const std::shared_ptr<const T>& shared(uint32_t number) const { return items_[number - 1]; }
+  const T& at(uint32_t number) const { return *shared(number); }
+  const std::shared_ptr<const T>& shared(uint32_t number) const {
+    return (*pages_[(number - 1) / page_size])[(number - 1) % page_size];
+  }
+  // Null where there is none.
+  std::shared_ptr<const T> find(uint32_t number) const { return holds(number) ? shared(number) : nullptr; }
   // visit(number, item) in the order of numbers.
   template <class Visit>
   void each(const Visit& visit) const {
-    for (size_t i = 0; i < items_.size(); ++i)
-      if (items_[i]) visit(uint32_t(i + 1), *items_[i]);
+    for (size_t p = 0; p < pages_.size(); ++p)
+      for (uint32_t i = 0; pages_[p] && i < page_size; ++i)
+        if ((*pages_[p])[i]) visit(uint32_t(p * page_size + i + 1), *(*pages_[p])[i]);
+  }
+  // Of the same numbers, none set since.
+  bool operator==(const IdTable& b) const {
+    if (last_ != b.last_) return false;
+    for (size_t p = 0; p * page_size < last_; ++p)
+      if (bool(pages_[p]) != bool(b.pages_[p]) || (pages_[p] && *pages_[p] != *b.pages_[p])) return false;
+    return true;
   }
 
  private:
+  static constexpr uint32_t page_size = 64;
+  using Page = std::array<std::shared_ptr<const T>, page_size>;
+
+  std::shared_ptr<const T>& slot(uint32_t number) { return (*pages_[(number - 1) / page_size])[(number - 1) % page_size]; }
+
   uint32_t tag_bits_;
-  std::vector<std::shared_ptr<const T>> items_;
+  uint32_t last_ = 0;  // number
+  std::vector<std::unique_ptr<Page>> pages_;
 };
 
 }  // namespace ups

@@ -92,12 +92,12 @@ Media rank_media(const std::vector<std::shared_ptr<const Mesh>>& meshes,
   size_t solids = 0;
   for (uint32_t i = 0; i < instances.size(); ++i) {
     const Mesh& mesh = *meshes[instances[i].mesh];
-    const Material& material = materials[mesh.material];
+    const Material& material = materials[instances[i].material];
     if (material.model != MaterialModel::glass) continue;
     double& volume = volumes[instances[i].mesh];
-    const bool holes = texturing[mesh.material].alpha_mode != SurfaceTexturing::opaque;
+    const bool holes = texturing[instances[i].material].alpha_mode != SurfaceTexturing::opaque;
     if (volume < 0) volume = holes ? INFINITY : enclosed_volume(mesh);
-    glass.push_back({mesh.material, material.priority, volume * std::abs(instances[i].to_scene.determinant()), i});
+    glass.push_back({instances[i].material, material.priority, volume * std::abs(instances[i].to_scene.determinant()), i});
     solids += !glass.back().is_open();
     index_of_air |= material.ior == 1;
   }

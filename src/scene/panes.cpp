@@ -26,12 +26,11 @@ Panes find_panes(const Snapshot& scene, const std::vector<Raytracer::Instance>& 
   Panes panes;
   const double margin = 0x1p-17 * scene.radius;  // no surface point's error is larger
   for (size_t i = 0; i < instances.size(); ++i) {
-    const Mesh& mesh = *scene.meshes[instances[i].mesh];
-    if (scene.materials[mesh.material].model != MaterialModel::glazing || scene.emitter_of_instance[i] != none)
-      continue;
+    const Material& material = scene.materials[instances[i].material];
+    if (material.model != MaterialModel::glazing || scene.emitter_of_instance[i] != none) continue;
     panes.of_instance.resize(instances.size());
     panes.of_instance[i] = true;
-    const Box box = bounding_box(mesh).transformed(instances[i].to_scene);
+    const Box box = bounding_box(*scene.meshes[instances[i].mesh]).transformed(instances[i].to_scene);
     panes.bounds.grow(box.lower - Vec3d{margin, margin, margin});
     panes.bounds.grow(box.upper + Vec3d{margin, margin, margin});
   }

@@ -60,9 +60,7 @@ std::vector<EmitterTriangle> emitting_triangles(const Mesh& mesh, const Affine& 
 
 // None that is all mirror or clear glass, here or there.
 bool all_surfaces_scatter(const Snapshot& scene) {
-  for (size_t m = 0; m < scene.materials.size(); ++m) {
-    const Material& material = scene.materials[m];
-    if (!scene.material_used[m]) continue;
+  for (const Material& material : scene.materials) {
     const bool uniform = !material.roughness_texture && !material.metallic_texture && !material.reflectance_texture;
     if (!uniform || !Bsdf(material, {}).has_continuous()) return false;
   }
@@ -123,7 +121,7 @@ void Builder::add_emissive_instances() {
   out_->emitter_of_instance.assign(instances.size(), none);
   for (uint32_t i = 0; i < instances.size(); ++i) {
     const Mesh& mesh = *out_->meshes[instances[i].mesh];
-    const ups_material_desc& material = in_.materials().at(mesh.material + 1);
+    const ups_material_desc& material = in_.materials().at(out_->material_numbers[instances[i].material]);
     const InstanceDescription& described = in_.instances().at(out_->instance_ids[i]);
     const Rgb radiance = to_rgb(material.luminance_cd_m2) *
                          (described.of_fixture ? float(in_.maintenance_factor()) : 1.0f);

@@ -36,14 +36,14 @@ void find_odd_triangles(const Snapshot& scene, ThreadPool& threads, Warnings& wa
          " exactly on another, such as " + name(duplicates.second) + " on " + name(duplicates.first) +
          ": rounding decides which of them a ray hits");
   }
-  const FlatTriangles flat = find_flat_triangles(scene, scene.instances, threads);
+  const FlatTriangles flat = find_flat_triangles(scene, threads);
   if (flat.count == 0) return;
   const bool one_mesh = flat.meshes == 1;
   warn.push_back((flat.count == 1 ? "1 triangle" : std::to_string(flat.count) + " triangles") + " of " +
-       (one_mesh ? "mesh " + std::to_string(flat.mesh + 1) : std::to_string(flat.meshes) + " meshes") +
+       (one_mesh ? "mesh " + std::to_string(scene.mesh_numbers[flat.mesh]) : std::to_string(flat.meshes) + " meshes") +
        (flat.count == 1 ? " has" : " have") + " no area" +
        (flat.count == 1 ? ", triangle " : ", the first triangle ") + std::to_string(flat.triangle) +
-       (one_mesh ? "" : " of mesh " + std::to_string(flat.mesh + 1)) + ": nothing is seen of " +
+       (one_mesh ? "" : " of mesh " + std::to_string(scene.mesh_numbers[flat.mesh])) + ": nothing is seen of " +
        (flat.count == 1 ? "it" : "them"));
 }
 

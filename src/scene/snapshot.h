@@ -83,13 +83,14 @@ struct Snapshot {
   Vec3 centre;       // of the bounding sphere of geometry, emitters and sensors
   float radius = 0;  // of it
 
-  // Those that were removed have left gaps: null, materials as they come.
-  std::vector<std::shared_ptr<const Texture>> textures;
+  // What an instance shows, in the order of numbers.
   std::vector<Material> materials;              // by SurfacePoint::material
   std::vector<SurfaceTexturing> texturing;      // by the same index
-  std::vector<bool> material_used;              // by the same index: some instance bears it
+  std::vector<uint32_t> material_numbers;       // by the same index
+  std::vector<std::shared_ptr<const Texture>> textures;  // that they point to
   std::vector<std::shared_ptr<const Mesh>> meshes;
-  std::vector<Box> mesh_boxes;                  // of the vertices; empty: no instance shows it
+  std::vector<Box> mesh_boxes;                  // of the vertices
+  std::vector<uint32_t> mesh_numbers;
   std::shared_ptr<const Raytracer> raytracer;   // never null; may hold no triangle
   std::vector<Raytracer::Instance> instances;   // by SurfacePoint::instance
   std::vector<uint32_t> instance_ids;           // by the same index

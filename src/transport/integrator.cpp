@@ -17,9 +17,8 @@ bool finds_all_emitters(const Snapshot& scene, const Plan& plan) {
 }
 
 bool scatters(const Snapshot& scene) {
-  for (size_t i = 0; i < scene.materials.size(); ++i)
-    if (const MaterialTraits t = traits_of(scene.materials[i]); scene.material_used[i] && (t.delta || t.continuous))
-      return true;
+  for (const Material& material : scene.materials)
+    if (const MaterialTraits t = traits_of(material); t.delta || t.continuous) return true;
   return false;
 }
 

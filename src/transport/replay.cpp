@@ -23,7 +23,7 @@ void ReplayRecorder::start_eye(const EyeSensor& sensor, const Vec3& p, const Vec
 void ReplayRecorder::meet(const Encounter& met) {
   ReplayedVertex v;
   v.p = met.surface.p, v.ng = met.surface.ng, v.ns = met.surface.shading.n;
-  v.instance = met.surface.instance, v.material = met.surface.material;
+  v.instance = met.surface.instance;
   v.distance = met.distance;
   const Vec3 before = walk.vertices.empty() ? walk.p : walk.vertices.back().p;
   v.cos_in = std::abs(dot(normalize(before - v.p), v.ng));

@@ -21,7 +21,7 @@ struct SampleAddress {
 
 struct ReplayedVertex {
   Vec3 p, ng, ns;
-  uint32_t instance = 0, material = 0;
+  uint32_t instance = 0;
   float distance = 0, cos_in = 0;  // from the vertex before; to the geometric normal
   double pass = 1;                 // probability of having gone through the panes before it
   bool scattered = false;          // the walk went on, by:

@@ -55,11 +55,10 @@ struct Solids {
     m.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
                  2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
     m.indices.resize(3 * triangles);
-    m.material = material;
     Affine place;
     const double rows[12] = {size, 0, 0, x, 0, size, 0, 0, 0, 0, size, 0};
     std::copy(std::begin(rows), std::end(rows), place.m);
-    instances.push_back({uint32_t(meshes.size()), place});
+    instances.push_back({uint32_t(meshes.size()), place, 0, material});
     meshes.push_back(std::make_shared<Mesh>(std::move(m)));
   }
   Media rank() const { return rank_media(meshes, instances, materials, texturing); }
