@@ -1,7 +1,8 @@
-"""Which libraries a wheel or a NuGet package has inside: this project's, and those that they need.
+"""Which libraries a wheel, a NuGet package or a bundle has inside: this project's, and those that they need.
 
-Called by setup.py and by ../csharp/pack.py.
+Called by setup.py, ../csharp/pack.py and src/api/package/make_bundle.py.
 """
+import hashlib
 import re
 import shutil
 import subprocess
@@ -9,7 +10,8 @@ from pathlib import Path
 
 # What every machine with Python has: the C and C++ run time, as the tags "manylinux" (PEP 600) have it, and zlib.
 _OF_THE_SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|z))\.so\.\d+")
-# oneTBB takes memory from it where it finds it beside itself; nothing is linked with it.
+# oneTBB takes memory from it where it finds it by this name beside itself; nothing is linked with it. Once there is none, it
+# goes on where oneTBB alone would end the process (ups_base.h). It loads itself by its name, so that it keeps that.
 _LOADED = {"libtbb.so.12": "libtbbmalloc.so.2"}
 
 
@@ -53,14 +55,36 @@ def _licence(file):
     return owner, copyright
 
 
+def _name_apart(name, file):
+    """A SONAME that no other program's library has: libtbb.so.12 is libtbb-0123abcd.so.12, as auditwheel has it."""
+    stem, ending = name.split(".so", 1)
+    return f"{stem}-{hashlib.sha256(file.read_bytes()).hexdigest()[:8]}.so{ending}"
+
+
+def _patchelf(*arguments):
+    return subprocess.run(["patchelf", *arguments], check=True, capture_output=True, text=True).stdout
+
+
 def copy_dependencies(folder, licences):
-    """Beside the libraries in `folder`, which then find one another there and nowhere else."""
+    """Beside the libraries in `folder`, which then find one another there and nowhere else.
+
+    Under names of their own: a process takes a library for loaded where one of its SONAME is, so that a host with another
+    oneTBB or Cairo would get these, or these that.
+    """
     if not shutil.which("patchelf"):
         raise SystemExit("the libraries that go inside need patchelf (Debian: patchelf)")
     own = sorted(folder.iterdir())
+    names = {}
     for name, file in sorted(_dependencies(own).items()):
         owner, text = _licence(file)
-        shutil.copy(file, folder / name)
+        names[name] = _name_apart(name, file)
+        target = folder / (name if name in _LOADED.values() else names[name])
+        shutil.copy(file, target)
+        target.chmod(0o755)  # what is read-only cannot be named
+        _patchelf("--set-soname", names[name], target)
         shutil.copy(text, licences / owner)
     for library in folder.iterdir():
-        subprocess.run(["patchelf", "--set-rpath", "$ORIGIN", library], check=True)
+        _patchelf("--set-rpath", "$ORIGIN", library)
+        renamed = [n for n in _patchelf("--print-needed", library).split() if n in names]
+        if renamed:  # in a call of its own: patchelf 0.14 forgets it beside another change
+            _patchelf(*(a for n in renamed for a in ("--replace-needed", n, names[n])), library)

@@ -3,8 +3,10 @@
     python_libraries.py ENVIRONMENT system|inside
 
 Where Embree and the others are to be inside, every library that importing the package and using each extra loads has to be,
-but for the C and C++ run time. A licence has to stand beside what was taken from packages.
+but for the C and C++ run time; and who asks for a library of the system must get the system's all the same. A licence has to
+stand beside what was taken from packages.
 """
+import ctypes
 import re
 import sys
 import tempfile
@@ -46,7 +48,10 @@ def main():
         n[3:].split(".")[0] for n in own if n.startswith("libups")}, own
     if kind == "inside":
         assert all(OF_THE_SYSTEM.fullmatch(name) for name in outside), outside
-        assert any(n.startswith("libembree") for n in own) and any(n.startswith("libtbbmalloc") for n in own), own
+        assert any(n.startswith("libembree") for n in own) and "libtbbmalloc.so.2" in own, own
+        for name in ("libtbb.so.12", "libcairo.so.2", "libX11.so.6"):
+            ctypes.CDLL(name)
+            assert any(Path(p).name.startswith(name) and package not in Path(p).parents for p in mapped()), name
         licences = {p.name for p in (package / "licences").iterdir()}
         assert {"UPS", "THIRD-PARTY.md", "libtbb12"} < licences and any(n.startswith("libembree") for n in licences), licences
         assert all((package / "licences" / n).stat().st_size > 500 for n in licences)

@@ -4,7 +4,7 @@
     src/api/package/make_bundle.py build/release FOLDER        writes FOLDER/ups-VERSION-linux-ARCHITECTURE.tar.gz
 
 In it: lib with libups, the extras that were built and what they need (Embree, oneTBB, OpenEXR, Cairo ...), which find
-one another wherever the folder is; headers, CMake and pkg-config files; the Python package, bindings' and samples' sources;
+one another wherever the folder is, under names that no other library of the program has; headers, CMake and pkg-config files; the Python package, bindings' and samples' sources;
 licences with the terms of what was taken along. Beside a program go lib's files *.so.*, with an rpath of $ORIGIN/lib or the
 like. The C and C++ run time and zlib are the system's: as new as where the bundle was made, or newer. Needs patchelf.
 """
@@ -51,8 +51,8 @@ def add_dependencies(prefix):
         bundle.copy_own(prefix, libraries)
         bundle.copy_dependencies(libraries, licences)
         for library in libraries.iterdir():
-            if not library.name.startswith("libups"):
-                shutil.copy(library, own)
+            target = own / library.name
+            shutil.copy(library, target.resolve() if target.is_symlink() else target)
 
 
 def version(prefix):
