@@ -51,6 +51,8 @@ namespace Ups
         public static void Write(string path, int width, int height, ExrLayer[] layers,
                                  IDictionary<string, string> attributes)
         {
+            Library.Given(layers, "layers");
+            Library.Given(attributes, "attributes");
             var pins = new List<GCHandle>();
             Func<object, IntPtr> pin = pinned =>
             {
@@ -62,7 +64,7 @@ namespace Ups
                 var channels = new ExrChannel[layers.Length];
                 for (var i = 0; i < layers.Length; ++i)
                 {
-                    var layer = layers[i];
+                    var layer = Library.Given(layers[i], "layers");
                     var needed = layer.First + ((long)width * height - 1) * layer.Stride + 1;
                     if (layer.Values.Length < needed)
                         throw new ArgumentException("expected at least " + needed + " values, got " +

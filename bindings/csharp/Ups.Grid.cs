@@ -15,6 +15,7 @@ namespace Ups
         public static En12464Point[] In(ReadOnlySpan<double> cornersM, double[][] holesM, double borderM,
                                         out En12464Info info)
         {
+            Library.Given(holesM, "holesM");
             var desc = En12464Desc.Create();
             desc.CornerCount = Elements.Count(cornersM.Length, 2, "cornersM");
             desc.HoleCount = (uint)holesM.Length;
@@ -23,7 +24,7 @@ namespace Ups
             var all = new System.Collections.Generic.List<double>();
             for (int h = 0; h < holesM.Length; ++h)
             {
-                counts[h] = Elements.Count(holesM[h].Length, 2, "holesM[" + h + "]");
+                counts[h] = Elements.Count(Library.Given(holesM[h], "holesM").Length, 2, "holesM[" + h + "]");
                 all.AddRange(holesM[h]);
             }
             var found = En12464Info.Sized();

@@ -168,6 +168,10 @@ namespace Ups
         private static ReportMapDesc Points(Pins pins, double[] positionsM, float[] normals, float[] illuminanceLx,
                                             float[] errorBoundsLx, int columns)
         {
+            Library.Given(positionsM, "positionsM");
+            Library.Given(normals, "normals");
+            Library.Given(illuminanceLx, "illuminanceLx");
+            Library.Given(errorBoundsLx, "errorBoundsLx");
             Elements.Expect(positionsM.Length, 3L * illuminanceLx.Length, "positionsM");
             Elements.ExpectIfAny(normals.Length, positionsM.Length, "normals");
             Elements.ExpectIfAny(errorBoundsLx.Length, illuminanceLx.Length, "errorBoundsLx");
@@ -187,6 +191,8 @@ namespace Ups
                                     ReportQuantity quantity = ReportQuantity.Luminance, string title = "",
                                     ReportStyleDesc? style = null)
         {
+            Library.Given(values, "values");
+            Library.Given(errorBounds, "errorBounds");
             Elements.ExpectIfAny(errorBounds.Length, values.Length, "errorBounds");
             var desc = ReportMapDesc.Create();
             desc.Count = (uint)values.Length;
@@ -217,11 +223,12 @@ namespace Ups
             var pictures = new ReportPicture[page.Pictures.Count];
             for (var i = 0; i < pictures.Length; ++i)
             {
-                var from = page.Pictures[i];
+                var from = Library.Given(page.Pictures[i], "pictures");
                 pictures[i] = new ReportPicture { Camera = from.Camera, Exposure = from.Exposure, Ev100 = from.Ev100,
                                                   Smoothed = from.Smoothed ? 1 : 0 };
                 pictures[i].Path = pins.Text(from.Path, "pictures");
                 if (from.Path.Length > 0) continue;
+                Library.Given(from.Png, "Png");
                 pictures[i].Png = (byte*)pins.Pin(from.Png);
                 pictures[i].PngSize = (UIntPtr)(ulong)from.Png.Length;
             }
@@ -234,6 +241,7 @@ namespace Ups
             Library.Given(scene, "scene");
             Library.Given(result, "result");
             Library.Given(page, "page");
+            Library.Given(page.ThresholdsLx, "ThresholdsLx");
             var desc = ReportPageDesc.Create();
             var style = page.Style;
             desc.SensorCount = (uint)page.Sensors.List.Count;

@@ -356,7 +356,9 @@ UPS_API ups_status ups_result_get_source_count(const ups_result *result, uint32_
 /* index < count; info->struct_size must be set. */
 UPS_API ups_status ups_result_get_source(const ups_result *result, uint32_t index, ups_source_info *info);
 /* What the source contributes to each meter of the set; over all sources these add up to ups_result_read_meters, but
- * for a vector's lengths. */
+ * for a vector's lengths. With other dimmings they are weighed by dimming / dimming as rendered before they are added,
+ * and no render is needed: so render what may be lit with a dimming above 0. Standard errors and bounds of such a sum are
+ * at most the sums of theirs, weighed likewise. */
 UPS_API ups_status ups_result_read_source_meters(const ups_result *result, uint32_t source, ups_sensor_id sensor,
                                                  ups_meter_reading *out, size_t count);
 /* What a committed scene has that may emit: for plans and schedules of luminaires. In the order of

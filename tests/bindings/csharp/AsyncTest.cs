@@ -114,7 +114,13 @@ public sealed class AsyncTest : IDisposable
     public async Task TestDisposingAJobEndsItForWhoWaits()
     {
         var job = scene.Start(Endless());
-        var waiter = Task.Run(() => job.Wait());
+        var waits = new TaskCompletionSource<bool>();
+        var waiter = Task.Run(() =>
+        {
+            waits.SetResult(true);
+            return job.Wait();
+        });
+        await waits.Task;  // a busy machine starts it late
         await Task.Delay(50);
         job.Dispose();
         job.Dispose();

@@ -167,6 +167,27 @@ public sealed class FilesTest : IDisposable
     }
 
     [Fact]
+    public void TestNullArraysAreTold()
+    {
+        var three = new float[3];
+        var one = new float[1];
+        var none = new float[0];
+        var at = new double[3];
+        ExpectNull("positionsM", () => Report.PointsMap(File("none.svg"), null, three, one, none));
+        ExpectNull("normals", () => Report.PointsMap(File("none.svg"), at, null, one, none));
+        ExpectNull("illuminanceLx", () => Report.PointsMap(File("none.svg"), at, three, null, none));
+        ExpectNull("errorBoundsLx", () => Report.PointsMap(File("none.svg"), at, three, one, null));
+        ExpectNull("values", () => Report.ImageMap(File("none.svg"), null, 1, none));
+        ExpectNull("errorBounds", () => Report.ImageMap(File("none.svg"), one, 1, null));
+        ExpectNull("layers", () => Exr.Write(File("none.exr"), 1, 1, null));
+        ExpectNull("layers", () => Exr.Write(File("none.exr"), 1, 1, new ExrLayer[1]));
+        ExpectNull("attributes", () => Exr.Write(File("none.exr"), 1, 1, new[] { new ExrLayer("Y", one) }, null));
+        En12464Info info;
+        ExpectNull("holesM", () => En12464Grid.In(new double[] { 0, 0, 5, 0, 5, 5 }, null, 0.5, out info));
+        ExpectNull("holesM", () => En12464Grid.In(new double[] { 0, 0, 5, 0, 5, 5 }, new double[1][], 0.5, out info));
+    }
+
+    [Fact]
     public void TestReport()
     {
         System.IO.File.WriteAllText(File("room.gltf"), Room);
