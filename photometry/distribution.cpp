@@ -79,7 +79,7 @@ std::string element(const char* field, size_t i) { return std::string(field) + "
 void check_angles(const std::vector<double>& angle, const char* field, double first, double last, const char* range) {
   const bool last_allowed = range[std::char_traits<char>::length(range) - 1] == ']';
   for (size_t i = 0; i < angle.size(); ++i) {
-    if (!(angle[i] >= first) || angle[i] > last || (angle[i] == last && !last_allowed))
+    if (std::isnan(angle[i]) || angle[i] < first || angle[i] > last || (angle[i] == last && !last_allowed))
       throw std::invalid_argument(element(field, i) + " = " + std::to_string(angle[i]) + " is outside " + range);
     if (i > 0 && !(angle[i] > angle[i - 1]))
       throw std::invalid_argument(element(field, i) + " = " + std::to_string(angle[i]) +
@@ -155,7 +155,7 @@ void Distribution::check_table() const {
     throw std::invalid_argument("intensity_cd has " + std::to_string(table_.size()) + " values where " + planes +
                                 " and " + rows + " ask for " + std::to_string(c_deg_.size() * gamma_deg_.size()));
   for (size_t i = 0; i < table_.size(); ++i)
-    if (!(table_[i] >= 0) || !std::isfinite(table_[i]))
+    if (!std::isfinite(table_[i]) || table_[i] < 0)
       throw std::invalid_argument(element("intensity_cd", i) + " is negative or not finite");
 }
 

@@ -91,7 +91,7 @@ double IesReader::read_tilt() {
 
 double IesReader::number_or_one(const std::string& name) {
   const double value = number(name);
-  if (!(value >= 0) || !std::isfinite(value))
+  if (!std::isfinite(value) || value < 0)
     fail_at(in_.line(), name + " is " + shown(value) + "; it must be greater than 0");
   if (value == 0) warn(in_.line(), name + " is 0; taken as 1");
   return value == 0 ? 1 : value;
@@ -130,8 +130,8 @@ void IesReader::read_opening() {
   const double metre = units == 1 ? 0.3048 : 1.0;
   const double width = metre * number("the opening's width"), length = metre * number("the opening's length"),
                height = metre * number("the opening's height");
-  const double largest = std::max({std::abs(width), std::abs(length), std::abs(height)});
-  if (!(largest <= 1e6))
+  const double largest = std::fmax(std::fmax(std::abs(width), std::abs(length)), std::abs(height));
+  if (!std::isfinite(width + length + height) || largest > 1e6)
     fail_at(in_.line(), "the luminous opening's dimensions must be finite and below a million metres");
   if (largest > 10)
     warn(in_.line(), "a luminous opening of " + shown(largest) + " m is doubtful; are its units right?");
@@ -163,15 +163,15 @@ double IesReader::read_factors() {
         number(header_.edition == IesEdition::y2019 ? "the file generation type" : "the field for future use");
     static constexpr double types[] = {1.00001, 1.0001, 1.0, 1.001, 1.01, 1.011, 1.1, 1.101, 1.11, 1.111};
     const bool known =
-        std::any_of(std::begin(types), std::end(types), [&](double t) { return std::abs(value - t) < 5e-6; });
+        std::any_of(std::begin(types), std::end(types), [&](double t) { return std::isless(std::abs(value - t), 5e-6); });
     if (header_.edition == IesEdition::y2019 && known) file_generation_ = value;
     if (header_.edition == IesEdition::y2019 ? !known : value != 1)
       warn(in_.line(), "the field after the ballast factor is " + shown(value) + "; it is no factor in " +
                            name_of(header_.edition) + " and is not applied");
   }
   const double watts = number("the input watts");
-  if (watts > 0 && std::isfinite(watts)) input_power_w_ = watts;
-  if (watts < 0 || !std::isfinite(watts))
+  if (std::isfinite(watts) && watts > 0) input_power_w_ = watts;
+  if (!std::isfinite(watts) || watts < 0)
     warn(in_.line(), "the input power is " + shown(watts) + " W; taken as not stated");
   return scale;
 }

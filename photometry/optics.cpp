@@ -20,7 +20,7 @@ void fail(const std::string& field, double value, const std::string& requirement
 }
 
 void positive(double value, const char* field) {
-  if (!(value > 0 && std::isfinite(value))) fail(field, value, "finite and above 0");
+  if (!(std::isfinite(value) && value > 0)) fail(field, value, "finite and above 0");
 }
 
 Section line(const Point& a, const Point& b) {

@@ -240,9 +240,9 @@ double largest_radius(const Profile& profile) {
 }
 
 Mesh tessellate(const Profile& profile, const Tolerance& tolerance) {
-  if (!(tolerance.chord_m > 0 && std::isfinite(tolerance.chord_m)))
+  if (!(std::isfinite(tolerance.chord_m) && tolerance.chord_m > 0))
     fail("chord_tolerance_m", tolerance.chord_m, "above 0");
-  if (!(tolerance.normal_rad > 0 && std::isfinite(tolerance.normal_rad)))
+  if (!(std::isfinite(tolerance.normal_rad) && tolerance.normal_rad > 0))
     fail("normal_tolerance_rad", tolerance.normal_rad, "above 0");
   const std::vector<Section> sections = without_facets(profile);
   const bool faceted = profile.facets_around > 0;

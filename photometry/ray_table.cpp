@@ -44,14 +44,14 @@ void RayReader::read_place(size_t index, size_t at, Ray& ray) {
   double length2 = 0;
   for (size_t k = 0; k < 3; ++k) {
     const double p = value(at, k) * table_.metres, d = value(at, 3 + k);
-    if (!(std::abs(p) <= largest_position_m))
+    if (std::isnan(p) || std::abs(p) > largest_position_m)
       fail_at_byte(at + 4 * k, "ray " + std::to_string(index + 1) + " starts at a coordinate of " + shown(p) +
                                    " m; it must be within a million metres");
     ray.p_m[k] = float(p);
     length2 += d * d;
   }
   const double length = std::sqrt(length2);
-  if (!(length >= 1e-6 && length <= 1e6))
+  if (std::isnan(length) || length < 1e-6 || length > 1e6)
     fail_at_byte(at + 12, "ray " + std::to_string(index + 1) + " has no direction: the length of its direction is " +
                               shown(length) + "; it must be 1");
   if (std::abs(length - 1) > 1e-3) not_unit_.add(at + 12);
@@ -63,7 +63,7 @@ double RayReader::efficacy(size_t index, size_t at) const {
   if (table_.wavelength) return luminous_efficacy(double(value(at, table_.wavelength)) * table_.nanometres);
   if (!table_.spectrum) return table_.lumens_per_unit;
   const float spectrum = value(at, table_.spectrum);
-  if (!(spectrum >= 0 && spectrum < float(table_.efficacy.size())))
+  if (std::isnan(spectrum) || spectrum < 0 || spectrum >= float(table_.efficacy.size()))
     fail_at_byte(at + 4 * table_.spectrum, "ray " + std::to_string(index + 1) + " has the spectrum " + shown(spectrum) +
                                                "; the file has " + std::to_string(table_.efficacy.size()) +
                                                ", counted from 0");
@@ -74,7 +74,7 @@ double RayReader::efficacy(size_t index, size_t at) const {
 double RayReader::scale(Photometry& out) const {
   const auto given = [](double total) { return std::isfinite(total) && total > 0; };
   const auto warn = [&](double stated, const char* unit) {  // NaN and 0: not stated
-    if (stated < 0 || std::isinf(stated))
+    if (std::isinf(stated) || std::isless(stated, 0.0))
       out.warnings.push_back("the header's flux is " + shown(stated) + " " + unit +
                              "; it must be greater than 0, and the rays are not scaled to it");
   };
@@ -100,13 +100,13 @@ void RayReader::read(Photometry& out) {
     Ray ray;
     read_place(i, at, ray);
     const double units = value(at, table_.flux);
-    if (!(units > 0) || !std::isfinite(units)) {
+    if (!std::isfinite(units) || units <= 0) {
       no_flux_.add(at + 4 * table_.flux);
       continue;
     }
     sum_units_ += units;
     const double lumens = units * efficacy(i, at);
-    if (!(lumens > 0)) continue;  // infrared, ultraviolet
+    if (!std::isgreater(lumens, 0.0)) continue;  // infrared, ultraviolet
     sum_lm_ += lumens;
     flux.push_back(lumens);
     out.rays.push_back(ray);

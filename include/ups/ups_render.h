@@ -315,7 +315,7 @@ typedef struct ups_sensor_choice {
   double predicted_gain;              /* in efficiency, 1 / (variance x counted operations), over all techniques that
                                        * were weighed; one sensor may lose where all together gain. 1 where nothing was
                                        * chosen: the method or its techniques were asked for, there is a goniometer, or
-                                       * no choice would have gained much */
+                                       * no choice would have gained much; and where the pilot saw no noise */
 } ups_sensor_choice;
 /* Of a camera, a meter set or a goniometer; choice->struct_size must be set. */
 UPS_API ups_status ups_result_get_choice(const ups_result *result, ups_sensor_id sensor, ups_sensor_choice *choice);

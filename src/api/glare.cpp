@@ -196,7 +196,7 @@ ups_status ups_glare_get_ugr(const float* luminance_cd_m2, const float* solid_an
                              size_t count, double background_cd_m2, float* ugr) {
   return guard(__func__, [&] {
     float& out = require(ugr, "ugr");
-    if (!(background_cd_m2 > 0) || !std::isfinite(background_cd_m2))
+    if (!std::isfinite(background_cd_m2) || background_cd_m2 <= 0)
       fail_argument("background_cd_m2 is " + check::text(background_cd_m2) + "; it must be above 0 and finite");
     double sum = 0;
     for (size_t i = 0; i < count; ++i) {

@@ -346,7 +346,7 @@ ups_status ups_profile_get_zonal_flux(const ups_profile* profile, const float* g
     check::pointer(flux_lm, "flux_lm");
     for (size_t i = 0; i < count; ++i) {
       const std::string element = "gamma_deg: element " + std::to_string(i);
-      check::require(gamma_deg[i] >= 0 && gamma_deg[i] <= 180,
+      check::require(std::isfinite(gamma_deg[i]) && gamma_deg[i] >= 0 && gamma_deg[i] <= 180,
                      element + " is " + std::to_string(gamma_deg[i]) + "; it must lie in [0, 180]");
       check::require(i == 0 || gamma_deg[i] > gamma_deg[i - 1], element + " is not greater than the one before");
     }

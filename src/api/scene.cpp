@@ -238,7 +238,7 @@ ups_status ups_scene_read_outlines(const ups_scene* scene, const double point_m[
     const auto build = committed(scene);
     const Snapshot& s = *build->snapshot;
     const Plane plane(point_m, normal);
-    if (!(depth_m > 0)) fail_argument("depth_m is " + check::text(depth_m) + "; it must be > 0");
+    if (std::isnan(depth_m) || depth_m <= 0) fail_argument("depth_m is " + check::text(depth_m) + "; it must be > 0");
     const std::vector<ups_segment> all = outlines(s, plane.point, plane.normal, depth_m);
     copy_array(all.size(), segments, capacity, needed, "segments", [&](size_t i) { return all[i]; });
   });

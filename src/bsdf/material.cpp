@@ -2,6 +2,7 @@
 // whole materials that the scene's analysis asks for.
 #include "bsdf/material.h"
 
+#include <cmath>
 #include <type_traits>
 
 #include "bsdf/microfacet.h"
@@ -10,7 +11,7 @@
 namespace ups {
 namespace {
 
-float unit(float x) { return x > 0 ? std::min(x, 1.0f) : 0.0f; }  // NaN: 0
+float unit(float x) { return std::isgreater(x, 0.0f) ? std::min(x, 1.0f) : 0.0f; }  // NaN: 0
 Rgb unit(const Rgb& c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
 
 bool grazing(const Vec3& w) { return !(std::abs(w.z) >= min_cosine); }

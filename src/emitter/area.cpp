@@ -165,8 +165,9 @@ bool AreaEmitter::seen_from(const Vec3& eye, Sight& out) const {
     sum += w;
     center += (a + b + c) * (w / 3);
   }
+  if (!(sum > 0)) return false;
   const double distance = length(center) / sum;
-  if (!(sum > 0 && distance > 0)) return false;
+  if (!(distance > 0)) return false;
   out = {Vec3(normalize(center)), distance, double(luminance(radiance_)) * sum * distance * distance, sum};
   return true;
 }

@@ -63,7 +63,7 @@ inline LightTree::Seen<Real> LightTree::see(const View& view, const Vec3T<Real>&
   const Real reach = out.reach, height = view.both_sides ? abs(out.along) : out.along;
   Real seen = height;
   if (const auto is_cut = abs(height) < reach; bits_of(is_cut)) {  // on the average of a box partly behind the plane
-    const Real above = height + reach, span = larger(reach, least);
+    const Real above = height + reach, span = is_cut ? larger(reach, least) : one;
     const Real part = view.both_sides ? (height * height + reach * reach) / (2 * span) : above * above / (4 * span);
     seen = is_cut ? part : height;
   }

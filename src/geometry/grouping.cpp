@@ -25,6 +25,10 @@ class Octree {
     Members within[8], rest;
     for (const uint32_t i : members) {
       const Box& box = things_[i].box;
+      if (box.empty()) {
+        within[0].push_back(i);
+        continue;
+      }
       const Vec3d size = box.upper - box.lower, at = box.lower * 0.5 + box.upper * 0.5;
       if (std::max({size.x, size.y, size.z}) > half)
         rest.push_back(i);

@@ -30,16 +30,16 @@ constexpr double reading_s_of_pixel = 4.5e-8;
 
 void check(const ups_render_desc& d) {
   const auto check_finite = [](const std::string& name, double value, const char* noun) {
-    if (!(value >= 0) || !std::isfinite(value))
+    if (!std::isfinite(value) || value < 0)
       fail_argument(name + ": " + std::to_string(value) + " is not a finite " + noun + " >= 0");
   };
   check_finite("time_limit_s", d.time_limit_s, "number of seconds");
   check_finite("target_relative_error", d.target_relative_error, "fraction");
   check_finite("merge_radius_m", d.merge_radius_m, "length");
   if (d.light_paths_per_iteration > (1u << 24)) fail_argument("light_paths_per_iteration: at most 16777216");
-  if (!(d.radius_alpha >= 0) || d.radius_alpha >= 1)
+  if (std::isnan(d.radius_alpha) || d.radius_alpha < 0 || d.radius_alpha >= 1)
     fail_argument("radius_alpha: " + std::to_string(d.radius_alpha) + " is not between 0 and 1 (0: 2/3)");
-  if (!(d.glossy_alpha >= 0) || d.glossy_alpha > 1)
+  if (std::isnan(d.glossy_alpha) || d.glossy_alpha < 0 || d.glossy_alpha > 1)
     fail_argument("glossy_alpha: " + std::to_string(d.glossy_alpha) + " is not a GGX alpha between 0 and 1 (0: 0.2)");
   if (d.perturbation != UPS_PERTURBATION_VIRTUAL && d.perturbation != UPS_PERTURBATION_ACTUAL)
     fail_argument("perturbation: " + std::to_string(d.perturbation) + " is not a UPS_PERTURBATION_* value");

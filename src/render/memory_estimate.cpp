@@ -73,7 +73,7 @@ struct Part {
 };
 
 std::string fewer_text(const char* noun, double count, double bytes, double allowed) {
-  const double fit = std::floor(count * std::max(0.0, allowed) / bytes);
+  const double fit = bytes > 0 ? std::floor(count * std::max(0.0, allowed) / bytes) : 0;
   return std::string("fewer ") + noun + (fit >= 1 ? " (" + std::to_string(uint64_t(fit)) + " would fit)" : "");
 }
 

@@ -2,13 +2,16 @@
 #include "scene/check.h"
 
 #include <charconv>
+#include <limits>
 
 namespace ups::check {
 
 std::string text(double value) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, float(value)).ptr;
-  return {buffer, end};
+  const bool fits = !std::isfinite(value) || std::abs(value) <= double(std::numeric_limits<float>::max());
+  const auto end = fits ? std::to_chars(buffer, buffer + sizeof buffer, float(value))
+                        : std::to_chars(buffer, buffer + sizeof buffer, value);
+  return {buffer, end.ptr};
 }
 
 void finite(double value, const std::string& field) {
@@ -16,12 +19,12 @@ void finite(double value, const std::string& field) {
 }
 
 void range(double value, double low, double high, const std::string& field) {
-  if (!(value >= low && value <= high))
+  if (std::isnan(value) || value < low || value > high)
     fail_argument(field + " is " + text(value) + "; it must lie in [" + text(low) + ", " + text(high) + "]");
 }
 
 void at_least(double value, double low, const std::string& field) {
-  if (!(value >= low && std::isfinite(value)))
+  if (!std::isfinite(value) || value < low)
     fail_argument(field + " is " + text(value) + "; it must be finite and at least " + text(low));
 }
 

@@ -39,7 +39,7 @@ void check_emission_and_alpha(const ups_material_desc& d) {
 
 void check_transmittance(const ups_material_desc& d) {
   const float* t = d.transmittance_rgb;
-  if (t[0] < 0 && t[1] < 0 && t[2] < 0) return;  // the model's default
+  if (std::isless(t[0], 0.0f) && std::isless(t[1], 0.0f) && std::isless(t[2], 0.0f)) return;  // the model's default
   check::colour(d.transmittance_rgb, 0, 1, "transmittance_rgb");
   if (d.model != UPS_MATERIAL_DIFFUSER) return;
   for (size_t i = 0; i < 3; ++i) {

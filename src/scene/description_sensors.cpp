@@ -20,7 +20,8 @@ Description::Sensor Description::read(const ups_camera_desc& d) const {
   check_count(d.height, 1, 16384, "height");
   check::transform(d.to_world, "to_world");
   check::require(
-      d.projection != UPS_PERSPECTIVE || (d.vertical_fov_rad > 0 && double(d.vertical_fov_rad) < 3.14159265358979),
+      d.projection != UPS_PERSPECTIVE || (std::isfinite(d.vertical_fov_rad) && d.vertical_fov_rad > 0 &&
+                                          double(d.vertical_fov_rad) < 3.14159265358979),
       "vertical_fov_rad is " + check::text(double(d.vertical_fov_rad)) + "; it must be above 0 and below pi");
   check::flag(d.illuminance, "illuminance");
   constexpr uint32_t all = UPS_LAYER_ALBEDO | UPS_LAYER_NORMAL | UPS_LAYER_DEPTH | UPS_LAYER_ID;

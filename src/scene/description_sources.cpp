@@ -13,7 +13,7 @@ void copy_rgb(const Rgb& from, float (&to)[3]) { to[0] = from.r, to[1] = from.g,
 }  // namespace
 
 void Description::set_maintenance_factor(double factor) {
-  check::require(factor > 0 && factor <= 1,
+  check::require(std::isfinite(factor) && factor > 0 && factor <= 1,
                  "maintenance_factor is " + check::text(factor) + "; it must be above 0 and at most 1");
   maintenance_factor_ = factor;
   ++revision_;

@@ -155,6 +155,7 @@ double EyeWalk::size_of_certain_edges() const {
     for (const WaitingEdge& e : edges_)
       if (e.size >= t) ++certain;
       else rest += e.size;
+    if (certain == shadow_rays) return t;
     const double next = rest / (shadow_rays - certain);
     if (!(next < t)) return t;
     t = next;

@@ -56,6 +56,7 @@ std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool
 // Median distance of a photon to the next one: a query finds about one. Wider discs hardly lessen the noise, but they
 // reach past more edges and so lose more light.
 float typical_spacing(const std::vector<LightVertex>& photons, float largest) {
+  if (!(largest > 0)) return 0;
   const PhotonIndex index(photons, largest);
   std::vector<float> spacings, d2;
   const size_t step = std::max<size_t>(1, photons.size() / 256);

@@ -220,7 +220,7 @@ ups_sensor_choice choice_of(const Chooser::Outcome& best, double operations_of_a
     c.photons = std::max<ups_photons>(c.photons, share.merge);
     variance += best.variance_ratio[u] / (end - begin);
   }
-  c.predicted_gain = operations_of_all / (variance * best.operations);
+  c.predicted_gain = variance > 0 ? operations_of_all / (variance * best.operations) : 1;
   return c;
 }
 

@@ -101,6 +101,7 @@ const Json* Json::find(std::string_view key) const {
 
 Json parse_json(const char* begin, const char* end) {
   try {
+    const TrapsMasked masked;  // of strtod, where a number is too large
     return convert(nlohmann::json::parse(begin, end), 0);
   } catch (const nlohmann::json::exception& e) {
     // "[json.exception.parse_error.101] parse error at line 3, column 7: ..." reads better without its number.

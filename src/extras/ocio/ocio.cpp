@@ -97,7 +97,7 @@ ups_status ups_ocio_get_ev100(double exposure, double* out) {
 ups_status ups_ocio_get_exposure(double ev100, double* out) {
   return guarded([&] {
     require(out != nullptr, "out is NULL");
-    require(ev100 >= -100 && ev100 <= 100, "ev100 must be within -100 and 100");
+    require(std::isfinite(ev100) && ev100 >= -100 && ev100 <= 100, "ev100 must be within -100 and 100");
     *out = ups::ocio::exposure_of(ev100);
   });
 }

@@ -86,6 +86,7 @@ Picture view_of(const float* rgb, uint32_t width, uint32_t height, double exposu
     const OCIO::PackedImageDesc from(source.data(), width, height, 3);
     OCIO::PackedImageDesc to(picture.rgb.data(), width, height, OCIO::CHANNEL_ORDERING_RGB, OCIO::BIT_DEPTH_UINT8,
                              OCIO::AutoStride, OCIO::AutoStride, OCIO::AutoStride);
+    const TrapsMasked masked;  // OpenColorIO makes infinities, and means it
     make_view(exposure)->apply(from, to);
     return picture;
   } catch (const OCIO::Exception& e) {

@@ -53,7 +53,7 @@ double step_above(double value) {
 
 Ink colour_at(MapColours colours, double share) {
   const Table& table = table_of(colours);
-  const double place = share > 0 ? parts * std::min(share, 1.0) : 0;  // also of what is no number
+  const double place = std::isgreater(share, 0.0) ? parts * std::min(share, 1.0) : 0;  // also of what is no number
   const int from = std::min(int(place), parts - 1);
   Ink ink;
   for (size_t k = 0; k < 3; ++k)

@@ -37,11 +37,12 @@ class TakenPlaces {
       if (!(length > 0)) continue;
       double from = next, end = length;  // within the rectangle (Liang and Barsky 1984)
       const auto clip = [&](double start, double change, double low, double high) {
+        if (change == 0) {
+          if (!(start >= low && start <= high)) end = -1;
+          return;
+        }
         const double t0 = (low - start) / change * length, t1 = (high - start) / change * length;
-        if (change != 0)
-          from = std::max(from, std::min(t0, t1)), end = std::min(end, std::max(t0, t1));
-        else if (!(start >= low && start <= high))
-          end = -1;
+        from = std::max(from, std::min(t0, t1)), end = std::min(end, std::max(t0, t1));
       };
       clip(a.x, to.x, least.x, most.x), clip(a.y, to.y, least.y, most.y);
       for (double at = next + step * std::ceil((from - next) / step); at <= end; at += step)

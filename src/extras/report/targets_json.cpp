@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/floating_point.h"
 #include "platform/files.h"
 #include "platform/paths.h"
 #include "report/targets.h"
@@ -84,6 +85,7 @@ Json parse(const std::string& json, const std::string& file) {
     return true;
   };
   try {
+    const TrapsMasked masked;  // of strtod, where a number is too large
     return Json::parse(json, shallow);
   } catch (const Json::out_of_range& e) {
     fail(file, std::string("has a number that is too large: ") + e.what());
