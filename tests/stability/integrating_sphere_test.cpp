@@ -115,7 +115,8 @@ TEST_P(Hazard12PointSource, ReachesTheEnergyBalance) {
   const Sensor meters = scene.add_meters(points.positions, points.normals);
   const double expected = flux_lm / (wall.area() * (1 - rho));
   for (const ups_method method : eye_methods) {
-    const uint32_t iterations = GetParam() < 60 ? 32 : GetParam() < 92 ? 128 : GetParam() < 97 ? 192 : 256;
+    if (method == UPS_METHOD_BIDIRECTIONAL && GetParam() > 90) continue;  // nothing merges here: UPS gives the same bits
+    const uint32_t iterations = GetParam() < 60 ? 32 : GetParam() < 92 ? 128 : 192;
     const Result result = scene.render({.method = method, .iterations = iterations, .light_paths = 1u << 11});
     const auto s = result.statistics(meters);
     EXPECT_LE(s.mean_standard_error_lx, 0.0015 * expected) << method_name(method) << ": too noisy";
