@@ -130,9 +130,8 @@ Distribution::Distribution(PhotometricType type, std::vector<double> plane_deg, 
   for (double c : c_deg_) c_rad_.push_back(to_radians(c));
   for (double g : gamma_deg_) gamma_rad_.push_back(to_radians(type_ == PhotometricType::c ? g : g + 90));
   find_peak();
+  if (peak_cd_ > 1e300) throw std::invalid_argument("intensity_cd has values too large to add up");
   build_sampling_tables();
-  if (!std::isfinite(band_flux_lm_) || !std::isfinite(interpolated_flux_lm_))
-    throw std::invalid_argument("intensity_cd has values too large to add up");
   if (interpolated_flux_lm_ > 0) build_density_table();
 }
 

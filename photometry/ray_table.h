@@ -29,7 +29,8 @@ class FileBytes {
   int32_t i32(size_t at, const char* field) const { return int32_t(u32(at, field)); }
   uint64_t u64(size_t at, const char* field) const { return number(at, 8, field); }
   float f32(size_t at, const char* field) const {
-    const uint32_t bits = u32(at, field);
+    uint32_t bits = u32(at, field);
+    if ((bits & 0x7fffffff) > 0x7f800000) bits |= 0x00400000;  // what is no number may be read without a signal
     float value;
     std::memcpy(&value, &bits, sizeof value);
     return value;

@@ -54,7 +54,8 @@ def flags_of_sources(build):
         if known not in commands:
             sys.exit(f"{file} is not in {build}/compile_commands.json: configure with all extras and the program")
         words = commands[known]
-        definitions = tuple(w for w in words if w.startswith("-D") and not w.endswith("_EXPORTS") and w != "-DNDEBUG")
+        definitions = tuple(w for w in words if w.startswith("-D") and not w.endswith("_EXPORTS")
+                            and w not in ("-DNDEBUG", "-DUPS_FLOAT_TRAPS"))
         folders = [w[2:] for w in words if w.startswith("-I")]
         folders += [after for word, after in zip(words, words[1:]) if word == "-isystem"]
         flags[file] = definitions, folders
