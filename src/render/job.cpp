@@ -214,14 +214,16 @@ void RenderJob::iterate() {
   deliver(next);
 }
 
+// An iteration counts once a result has it: who polls one and takes a result at once gets that one.
 void RenderJob::deliver(TallyQueue::Delivery& delivery) {
   delivery.elapsed_s = elapsed();
-  {
+  const double elapsed_s = delivery.elapsed_s;
+  const bool has_iteration = delivery.has_iteration;
+  queue_.deliver(delivery, stop_, [&] {
     const std::lock_guard lock(mutex_);
-    elapsed_ = delivery.elapsed_s;
-    if (delivery.has_iteration) estimate_->add_iterations(++iterations_, elapsed_);
-  }
-  queue_.deliver(delivery, stop_);
+    elapsed_ = elapsed_s;
+    if (has_iteration) estimate_->add_iterations(++iterations_, elapsed_);
+  });
 }
 
 void RenderJob::add(const TallyQueue::Delivery& delivery) {

@@ -11,7 +11,7 @@ constexpr auto patience = std::chrono::milliseconds(5);  // between looks at a s
 
 }  // namespace
 
-void TallyQueue::deliver(Delivery& delivery, const StopSignal& stop) {
+void TallyQueue::deliver(Delivery& delivery, const StopSignal& stop, const std::function<void()>& delivered) {
   const size_t bytes = delivery.tally.bytes();
   {
     std::unique_lock lock(mutex_);
@@ -21,6 +21,7 @@ void TallyQueue::deliver(Delivery& delivery, const StopSignal& stop) {
     waiting_.push_back(std::move(delivery));
     waiting_bytes_ += bytes;
     delivery = {};
+    delivered();
     if (held_ || readers_ > 0) return;
     held_ = true;
   }

@@ -28,8 +28,9 @@ class TallyQueue {
   void set_most_bytes(size_t bytes) { most_bytes_ = bytes; }  // before the first delivery
 
   // Waits only where too much waits already, until `stop` is set. `delivery` becomes one whose memory can be used
-  // again. Throws what `add` threw in any thread.
-  void deliver(Delivery& delivery, const StopSignal& stop);
+  // again. Throws what `add` threw in any thread. delivered: called as soon as every later read has the delivery, and
+  // before another thread can read it; must not call the queue.
+  void deliver(Delivery& delivery, const StopSignal& stop, const std::function<void()>& delivered);
   // read(): with the sums held, of all that was delivered before the call. Throws what `add` threw.
   template <class Read>
   auto read(const Read& read) {

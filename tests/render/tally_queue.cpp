@@ -19,9 +19,9 @@ class Queue : public testing::Test {
     d.elapsed_s = number;
     return d;
   }
-  void deliver(double number) {
+  void deliver(double number, const std::function<void()>& delivered = [] {}) {
     auto d = numbered(number);
-    queue.deliver(d, stop);
+    queue.deliver(d, stop, delivered);
   }
   std::vector<double> added;
   StopSignal stop;
@@ -37,7 +37,7 @@ TEST_F(Queue, GivesBackNoCounts) {
   auto d = numbered(1);
   d.flux.light_paths = 7;
   d.has_iteration = false;
-  queue.deliver(d, stop);
+  queue.deliver(d, stop, [] {});
   EXPECT_EQ(d.flux.light_paths, 0u);
   EXPECT_TRUE(d.has_iteration);
   EXPECT_EQ(d.elapsed_s, 0);
@@ -88,6 +88,22 @@ TEST_F(Queue, AReaderSeesAllThatWasDelivered) {
   for (int i = 0; i < 2000; ++i) EXPECT_EQ(added[i], i);
 }
 
+// Who is told of a delivery, and reads at once, has it, however long the render's thread sleeps between two steps.
+TEST_F(Queue, WhoIsToldOfADeliveryReadsIt) {
+  std::atomic<bool> told{false};
+  size_t found = 0;
+  std::thread reader([&] {
+    while (!told) std::this_thread::yield();
+    queue.read([&] { found = added.size(); });
+  });
+  deliver(0, [&] {
+    told = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  });
+  reader.join();
+  EXPECT_EQ(found, 1u);
+}
+
 TEST_F(Queue, WhatWaitsHasABound) {
   TallyQueue small([this](const TallyQueue::Delivery& d) { added.push_back(d.elapsed_s); },
                    2 * IterationTally().bytes());
@@ -104,7 +120,7 @@ TEST_F(Queue, WhatWaitsHasABound) {
   while (!reading) std::this_thread::yield();
   for (int i = 0; i < 3; ++i) {
     auto d = numbered(i);
-    small.deliver(d, stop);
+    small.deliver(d, stop, [] {});
     ++delivered;
   }
   reader.join();
