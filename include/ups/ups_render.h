@@ -322,8 +322,8 @@ UPS_API ups_status ups_result_get_choice(const ups_result *result, ups_sensor_id
 /* count must be the set's meter count. */
 UPS_API ups_status ups_result_read_meters(const ups_result *result, ups_sensor_id sensor, ups_meter_reading *out,
                                           size_t count);
-/* The same without a copy: *readings gets where the result has them, *count how many. They stay as they are until
- * ups_result_destroy. */
+/* What ups_result_read_meters copies, without a copy: *readings gets where the result has it, *count how many they are.
+ * They stay as they are until ups_result_destroy. */
 UPS_API ups_status ups_result_view_meters(const ups_result *result, ups_sensor_id sensor,
                                           const ups_meter_reading **readings, size_t *count);
 /* Of a set of kind UPS_METER_VECTOR; so is ups_result_read_vector_part. */
@@ -449,8 +449,8 @@ enum {
 /* Row 0 is the image's top. row_stride_bytes 0: tight; size_bytes is the size of out. */
 UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel,
                                          float *out, size_t row_stride_bytes, size_t size_bytes);
-/* The same without a copy: *pixels gets where the result has them, tight, *width and *height how many there are. They
- * stay as they are until ups_result_destroy. */
+/* What ups_result_read_image copies, without a copy: *pixels gets where the result has it, tight, *width and *height
+ * how many there are. They stay as they are until ups_result_destroy. */
 UPS_API ups_status ups_result_view_image(const ups_result *result, ups_sensor_id camera, ups_channel channel,
                                          const float **pixels, uint32_t *width, uint32_t *height);
 /* What each technique found, for paths of up to ups_render_desc.technique_images edges; for people who look into the

@@ -190,7 +190,7 @@ def faults(function):
             yield p, "null", f"{p.name} is NULL" + (", or its struct_size is not set" if _sized(t) else "")
             if _sized(t):
                 yield p, "size", f"{p.name} is NULL, or its struct_size is not set"
-        elif t.pointers and t.const and t.name == "char":
+        elif t.pointers and t.const and (t.name == "char" or "_view_" in function.name):
             yield p, "null", f"{p.name} is NULL"
         elif p.name in ("index", "source") and not t.pointers:
             yield p, "index", f"{p.name} is not below the count"
@@ -254,6 +254,8 @@ def lifetime(function):
     if name.startswith("ups_scene_remove_"):
         return ("The id is never handed out again. The memory comes back after the next commit, once no render and no "
                 "result of earlier ones is left.")
+    if "_view_" in name:
+        return "What is handed out is the result's own, not to be written to, and goes with it: copy what shall stay."
     if any(p.type.pointers and not p.type.const and p.type.name not in HANDLES for p in function.parameters):
         return "What is written is the caller's own copy: it stays when the handle goes."
     return "Nothing is handed out."
