@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/per_thread.h"
+#include "base/prefetch.h"
 #include "geometry/raytracer_impl.h"
 
 namespace ups {
@@ -54,7 +55,10 @@ Hit Raytracer::Impl::to_hit(const RTCHit& from, float t, const Vec3& o, const Ve
   Hit hit;
   hit.t = t;
   hit.instance = instance_of(from);
-  hit.primitive = traced[placed[hit.instance].traced]->primitive(from.primID);
+  const TracedMesh& mesh = *traced[placed[hit.instance].traced];
+  hit.primitive = mesh.primitive(from.primID);
+  prefetch(mesh.source->indices.data() + 3 * size_t(hit.primitive));
+  if (!mesh.facets.empty()) prefetch(mesh.facets.data() + hit.primitive);
   hit.u = from.u;
   hit.v = from.v;
   refine({from.Ng_x, from.Ng_y, from.Ng_z}, o, d, hit);
@@ -191,6 +195,8 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   const TracedMesh& traced = *impl_->traced[placed.traced];
   const Mesh& mesh = *traced.source;
   const Facet* facet = traced.facets.empty() ? nullptr : &traced.facets[primitive];
+  if (!mesh.normals.empty())
+    for (int k = 0; k < 3; ++k) prefetch(&mesh.normals[mesh.indices[3 * size_t(primitive) + k]]);
   const Triangle triangle = impl_->triangle(placed, primitive);
   SurfacePoint point;
   point.instance = instance, point.primitive = primitive;

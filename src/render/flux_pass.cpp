@@ -30,7 +30,7 @@ void FluxPass::trace_part(const StopSignal& stop, WorkCounts& counts) {
   plan.light_paths = paths_of_part_;
   IterationTally tally;
   const Iteration in = Iteration::of_pilot(scene_, plan, s, done_, stop, Stream::flux);
-  trace_light_paths(in, SensorIndex(in), pool_, tally);
+  LightPass().trace(in, SensorIndex(in), pool_, tally);
   if (stop.is_set()) return;
   counts.add(tally.work);
   ++done_;

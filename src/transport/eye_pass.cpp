@@ -25,10 +25,7 @@ class Pairing {
     shift_ = numbers[1];
   }
   void assign(uint32_t path, EyeSensor& sensor) const {
-    if (light_.begin.size() < 2) return;
-    const uint32_t n = uint32_t(light_.begin.size() - 1), i = (path * odd_ + shift_) & (n - 1);
-    sensor.first_light_vertex = light_.begin[i];
-    sensor.end_light_vertex = light_.begin[i + 1];
+    if (const uint32_t n = light_.path_count()) sensor.light = light_.path((path * odd_ + shift_) & (n - 1));
   }
 
  private:

@@ -27,7 +27,11 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
   origin_ = surface.p;
   if (eye.merge) {
     eye.surface.ng = surface.ng;  // photons tell by it which side they lie on
-    merge(eye);
+    PhotonIndex::Query photons = ask_photons(eye);
+    if (photons.count > 0) {
+      disc(eye).photons->find_rows(photons);
+      merge(eye, photons);
+    }
     eye.surface.ng = frame.n;
   }
   gather_at_meter(eye);
@@ -107,15 +111,17 @@ void EyeWalk::walk() {
 
 void EyeWalk::gather(const EyeEnd& eye) {
   Arrival arrival{eye.surface};
-  const bool arrives = in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT);
-  if (arrives && (!in_.settings.actual_perturbation || perturb(eye, arrival))) {
-    if (in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE))
-      if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice),
-                                       rng_.position(eye.edges)))
-        offer(*c, Drop::light_sample);
-    if (counts_.connect > 0) connect_one(eye, arrival);
-  }
-  if (eye.merge) merge(eye);
+  PhotonIndex::Query photons;
+  if (eye.merge) photons = ask_photons(eye);
+  const bool arrives = in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT) &&
+                       (!in_.settings.actual_perturbation || perturb(eye, arrival));
+  if (arrives && in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE))
+    if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice),
+                                     rng_.position(eye.edges)))
+      offer(*c, Drop::light_sample);
+  if (photons.count > 0) disc(eye).photons->find_rows(photons);
+  if (arrives && counts_.connect > 0) connect_one(eye, arrival);
+  if (photons.count > 0) merge(eye, photons);
 }
 
 // Emptied: of a path that was broken off some may be left.
@@ -257,14 +263,14 @@ LightEnd& EyeWalk::light_end(uint32_t i) {
   if (!light_ends_) {
     static const PerThread<LightEnds> kept;
     light_ends_ = &kept.get();
-    light_ends_->place.assign(sensor_.end_light_vertex - sensor_.first_light_vertex, none);
+    light_ends_->place.assign(sensor_.light.count, none);
     light_ends_->used = 0;
   }
   LightEnds& all = *light_ends_;
   if (all.place[i] == none) {
     all.place[i] = all.used++;
     if (all.ends.size() < all.used) all.ends.emplace_back();
-    photons_.paths.vertices[sensor_.first_light_vertex + i].fill(scene_, all.ends[all.place[i]]);
+    sensor_.light.vertices[i].fill(scene_, all.ends[all.place[i]]);
   }
   return all.ends[all.place[i]];
 }
@@ -281,8 +287,8 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
   auto& [sizes, evaluated] = kept.get();
   sizes.clear(), evaluated.clear();
   const bool estimates = !in_.settings.actual_perturbation && (!eye.bsdf || eye.bsdf->min_alpha_continuous() == 1);
-  const LightVertex* lights = photons_.paths.vertices.data() + sensor_.first_light_vertex;
-  const uint32_t count = sensor_.end_light_vertex - sensor_.first_light_vertex;
+  const LightVertex* lights = sensor_.light.vertices;
+  const uint32_t count = sensor_.light.count;
   const auto found = [&](uint32_t i) { return connect(in_, counts_, eye, arrival, light_end(i), lights[i].emitter); };
   if (sensor_.techniques) {  // by their weights, those of next to none would stand for the others
     for (uint32_t i = 0; i < count; ++i)
@@ -320,23 +326,44 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
 }
 
 // Density estimation at an eye vertex: photons on the same side of the same surface within the radius.
-void EyeWalk::merge(const EyeEnd& eye) {
+PhotonIndex::Query EyeWalk::ask_photons(const EyeEnd& eye) const {
   const EyeSensor::Disc& disc = this->disc(eye);
-  if (!(disc.radius > 0)) return;
-  const float r2 = float(disc.radius * disc.radius);
-  disc.photons->query(eye.surface.p, float(disc.radius), [&](uint32_t index, float d2) {
-    const LightVertex& light = photons_.paths.vertices[index];
-    const Found c = ups::merge(in_, counts_, eye, light, disc.radius);
-    if (!c || !nothing_between(scene_, eye.surface, light.wo, light.p, light.error, disc.radius, work_)) return;
-    ++work_.merges;
-    const float weight = float(c->weight(in_, 1));
-    if (in_.recorder) in_.recorder->found(*c, {1, c->value, weight}, index);
-    add(*c, c->value, 1, weight, Drop::merge);
-    const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);
-    if (!std::isfinite(bias)) return;
-    tally_.bias += bias;
-    keep_separated(c->emitter, 0.0, 0.0, bias);
+  return disc.radius > 0 ? disc.photons->ask(eye.surface.p, float(disc.radius)) : PhotonIndex::Query();
+}
+
+// Vertices lie anywhere in memory: some are asked for before the first of them is read.
+void EyeWalk::merge(const EyeEnd& eye, const PhotonIndex::Query& query) {
+  const EyeSensor::Disc& disc = this->disc(eye);
+  struct Photon {
+    uint32_t place;
+    float d2;
+  } waiting[32];
+  size_t count = 0;
+  const auto merge_waiting = [&] {
+    for (size_t i = 0; i < count; ++i) merge_photon(eye, waiting[i].place, waiting[i].d2, disc.radius);
+    count = 0;
+  };
+  disc.photons->visit(query, [&](uint32_t place, float d2) {
+    prefetch(&photons_.paths.at(place));
+    waiting[count++] = {place, d2};
+    if (count == std::size(waiting)) merge_waiting();
   });
+  merge_waiting();
+}
+
+void EyeWalk::merge_photon(const EyeEnd& eye, uint32_t place, float d2, double radius) {
+  const LightVertex& light = photons_.paths.at(place);
+  const Found c = ups::merge(in_, counts_, eye, light, radius);
+  if (!c || !nothing_between(scene_, eye.surface, light.wo, light.p, light.error, radius, work_)) return;
+  ++work_.merges;
+  const float weight = float(c->weight(in_, 1));
+  if (in_.recorder) in_.recorder->found(*c, {1, c->value, weight}, photons_.paths.running_number(place));
+  add(*c, c->value, 1, weight, Drop::merge);
+  const float r2 = float(radius * radius);
+  const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);
+  if (!std::isfinite(bias)) return;
+  tally_.bias += bias;
+  keep_separated(c->emitter, 0.0, 0.0, bias);
 }
 
 // y_{s+1} of the extended path space (Hachisuka, Pantaleoni, Jensen 2012, section 3) is drawn from the merging kernel on

@@ -29,7 +29,7 @@ struct EyeSensor {
   mis::Counts counts;
   mis::EyeState own_point;  // a meter's
   Disc first, later;        // of merges at the first vertex that scatters, or at the meter's point; elsewhere
-  uint32_t first_light_vertex = 0, end_light_vertex = 0;  // of the light path that it connects to
+  LightPaths::Path light;  // that it connects to
   const MediaStack* media = nullptr;
   double* excess = nullptr;  // of this pixel or meter, where a pilot measures moments
   float direct_found_from = INFINITY;  // see DirectLight
@@ -46,6 +46,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
       : Subpath(in, rng, work), photons_(photons), sensor_(sensor), edges_(kept_edges()) {
     counts_ = sensor.counts;
     media_ = *sensor.media;
+    if (counts_.connect > 0) prefetch(sensor.light.vertices, std::min(sensor.light.count, 8u));
   }
 
   // pdf_w: density of the direction.
@@ -70,7 +71,9 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
                    const Rgb& transmittance);
   bool perturb(const EyeEnd& eye, Arrival& out);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
-  void merge(const EyeEnd& eye);
+  PhotonIndex::Query ask_photons(const EyeEnd& eye) const;
+  void merge(const EyeEnd& eye, const PhotonIndex::Query& query);
+  void merge_photon(const EyeEnd& eye, uint32_t place, float d2, double radius);
   LightEnd& light_end(uint32_t i);  // the light path's vertex as connections read it
   const EyeSensor::Disc& disc(const EyeEnd& eye) const {
     return eye.edges == 0 || (sensor_.camera && !scattered_) ? sensor_.first : sensor_.later;

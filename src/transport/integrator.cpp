@@ -2,7 +2,6 @@
 #include "transport/integrator.h"
 
 #include "transport/eye_pass.h"
-#include "transport/light_pass.h"
 #include "transport/radii.h"
 #include "transport/replay.h"
 
@@ -110,7 +109,7 @@ EmissionGuide Integrator::train_guide(const StopSignal& stop) {
     in.trains_guide = true;
     IterationTally tally;
     reset(in, tally);
-    trace_light_paths(in, SensorIndex(in), pool_, tally);
+    light_pass_.trace(in, SensorIndex(in), pool_, tally);
     if (stop.is_set()) break;
     for (const IterationTally::Start& s : tally.starts)
       training.add(scene_->emitters, small.guide, s.emitter, s.square, double(s.flux));
@@ -121,19 +120,19 @@ EmissionGuide Integrator::train_guide(const StopSignal& stop) {
 
 Photons Integrator::trace_light(const Iteration& in, const SensorIndex& sensors, IterationTally& tally) {
   Photons photons;
-  photons.paths = trace_light_paths(in, sensors, pool_, tally);
+  photons.paths = light_pass_.trace(in, sensors, pool_, tally);
   tally.light_work = tally.work;
   if (in.stop.is_set()) return photons;
   const double pixel_radius2 = plan_.radius2(largest_pixel_radius_, in.camera_shrinkage);
   if (in.has(UPS_TECHNIQUE_MERGE)) {
     size_t merged = 0;
-    for (const LightVertex& v : photons.paths.vertices) merged += v.merge;
+    photons.paths.each([&](uint32_t, const LightVertex& v) { merged += v.merge; });
     photons.paths.share.take(2 * PhotonIndex::bytes(merged));
   }
   pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
     const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
     if (radius > 0)
-      (which == 0 ? photons.of_pixels : photons.of_walks) = PhotonIndex(photons.paths.vertices, radius);
+      (which == 0 ? photons.of_pixels : photons.of_walks) = PhotonIndex(photons.paths, radius);
   });
   return photons;
 }

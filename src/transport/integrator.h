@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "transport/direct_light.h"
+#include "transport/light_pass.h"
 #include "transport/selection.h"
 #include "transport/tally.h"
 
@@ -50,6 +51,7 @@ class Integrator {
   ThreadPool& pool_;
   Plan plan_;
   DirectLight direct_;
+  LightPass light_pass_;
   Selection selection_;
   float largest_pixel_radius_ = 0;
   std::shared_ptr<const DiscIndex> sensor_discs_;  // of the last iteration, where each visits all meters

@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 
+#include "base/prefetch.h"
 #include "base/stop.h"
 #include "transport/plan.h"
 #include "transport/sampler.h"
@@ -53,6 +54,9 @@ struct Iteration {
   double eta(double radius2) const;                 // N pi r^2 where photons are merged
   double photon_norm(double radius2) const;         // 1 / (N pi r^2)
   mis::Counts camera_counts(size_t c, uint32_t pixel) const;
+  void prefetch_camera_counts(size_t c, uint32_t pixel) const {
+    if (!plan.pixel_radius.empty()) prefetch(&plan.pixel_radius[c][pixel]);
+  }
   mis::Counts meter_counts(size_t set) const;
   bool merges_at(size_t set) const {
     return has(UPS_TECHNIQUE_MERGE) && plan.merges_at(set);

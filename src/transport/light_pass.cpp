@@ -11,12 +11,8 @@
 
 namespace ups {
 
-namespace {
-
-constexpr size_t paths_per_block = 1024;
-
-// What one block of paths found; blocks are summed in their order, so the number of threads never shows.
-struct Block {
+// Blocks are summed in their order, so the number of threads never shows.
+struct LightPass::Block {
   std::vector<LightVertex> vertices;
   std::vector<uint32_t> counts;  // vertices a path
   struct CameraSplat {
@@ -44,7 +40,20 @@ struct Block {
   WorkCounts work;
   std::vector<DiscIndex::Crossing> crossings;
   MemoryShare share;  // of all but these
+
+  // For other paths; what has grown stays.
+  void clear() {
+    vertices.clear(), counts.clear(), splats.clear(), landings.clear(), escapes.clear(), starts.clear();
+    work = {};
+  }
 };
+LightPass::LightPass() = default;
+LightPass::~LightPass() = default;
+
+namespace {
+
+using Block = LightPass::Block;
+constexpr size_t paths_per_block = LightPaths::paths_per_block;
 
 class LightWalk : Subpath<LightWalk, TransportMode::importance> {
  public:
@@ -249,29 +258,39 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   EmissionSample start_;
 };
 
-std::vector<Block> run_blocks(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, uint32_t paths) {
-  std::vector<Block> blocks((paths + paths_per_block - 1) / paths_per_block);
+void run_blocks(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, uint32_t paths,
+                std::vector<Block>& blocks) {
+  const size_t count = (paths + paths_per_block - 1) / paths_per_block;
+  while (blocks.size() < count) blocks.emplace_back().share = MemoryShare(in.settings.memory);
+  blocks.erase(blocks.begin() + ptrdiff_t(count), blocks.end());
   pool.for_blocks(paths, paths_per_block, [&](size_t b, size_t begin, size_t end) {
     Block& block = blocks[b];
+    block.clear();
     if (in.stop.is_set()) return;
-    block.share = MemoryShare(in.settings.memory);
     block.counts.reserve(end - begin);
     for (size_t path = begin; path < end; ++path) {
       block.counts.push_back(0);
       LightWalk(in, sensors, block, uint32_t(path)).run();
     }
   });
-  return blocks;
 }
 
-std::vector<LightVertex> all_vertices(const std::vector<Block>& blocks, size_t more_bytes, MemoryShare& share) {
-  size_t total = 0;
-  for (const Block& b : blocks) total += b.vertices.size();
-  share.take(total * sizeof(LightVertex) + more_bytes);
-  std::vector<LightVertex> vertices;
-  vertices.reserve(total);
-  for (const Block& b : blocks) vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.end());
-  return vertices;
+LightPaths paths_of(const Iteration& in, const std::vector<Block>& blocks) {
+  LightPaths paths;
+  paths.share = MemoryShare(in.settings.memory);
+  paths.share.take((in.plan.light_paths + 1) * sizeof(uint32_t) + blocks.size() * sizeof(paths.blocks[0]));
+  paths.blocks.assign(blocks.size(), {});
+  for (size_t b = 0; b < blocks.size(); ++b) paths.blocks[b] = blocks[b].vertices;
+  paths.number_places();
+  paths.begin.reserve(in.plan.light_paths + 1);
+  uint32_t at = 0;
+  for (const Block& b : blocks)
+    for (uint32_t n : b.counts) {
+      paths.begin.push_back(at);
+      at += n;
+    }
+  paths.begin.push_back(at);
+  return paths;
 }
 
 // For what the blocks found: as much as they did, and no more.
@@ -296,22 +315,13 @@ double grown_bytes(double size, size_t of_one) {
 
 }  // namespace
 
-LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool,
-                             IterationTally& tally) {
-  const std::vector<Block> blocks = run_blocks(in, sensors, pool, in.plan.light_paths);
-  LightPaths paths;
-  paths.share = MemoryShare(in.settings.memory);
-  paths.vertices = all_vertices(blocks, (in.plan.light_paths + 1) * sizeof(uint32_t), paths.share);
-  paths.begin.reserve(in.plan.light_paths + 1);
+LightPaths LightPass::trace(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally) {
+  run_blocks(in, sensors, pool, in.plan.light_paths, blocks_);
+  LightPaths paths = paths_of(in, blocks_);
   tally.share = MemoryShare(in.settings.memory);
-  reserve(blocks, sensors, tally);
+  reserve(blocks_, sensors, tally);
   const size_t columns = in.plan.separation.columns.size();
-  uint32_t at = 0;
-  for (const Block& b : blocks) {
-    for (uint32_t n : b.counts) {
-      paths.begin.push_back(at);
-      at += n;
-    }
+  for (const Block& b : blocks_) {
     for (const Block::CameraSplat& s : b.splats) {
       tally.splats[s.camera].push_back(s.splat);
       if (in.moments) {
@@ -345,7 +355,6 @@ LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, Th
     tally.work.merges += b.landings.size();
     tally.work.add(b.work);
   }
-  paths.begin.push_back(at);
   return paths;
 }
 
@@ -355,15 +364,17 @@ void retrace_light_path(const Iteration& in, const SensorIndex& sensors, uint32_
   LightWalk(in, sensors, block, path).run();
 }
 
-std::vector<LightVertex> trace_pilot_vertices(const Iteration& in, ThreadPool& pool) {
-  MemoryShare share(in.settings.memory);
-  return all_vertices(run_blocks(in, {}, pool, in.plan.light_paths), 0, share);
+LightPaths LightPass::trace_pilot(const Iteration& in, ThreadPool& pool) {
+  run_blocks(in, {}, pool, in.plan.light_paths, blocks_);
+  return paths_of(in, blocks_);
 }
 
 LightPassCounts count_light_pass(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, uint32_t paths) {
   paths = std::clamp(paths, 1u, in.plan.light_paths);
   LightPassCounts n;
-  for (const Block& b : run_blocks(in, sensors, pool, paths)) {
+  std::vector<Block> blocks;
+  run_blocks(in, sensors, pool, paths, blocks);
+  for (const Block& b : blocks) {
     n.vertices += double(b.vertices.size()) / paths;
     for (const LightVertex& v : b.vertices) n.merged += double(v.merge) / paths;
     n.splats += double(b.splats.size()) / paths;
@@ -380,10 +391,9 @@ double LightPassCounts::bytes(uint32_t paths) const {
                                    grown_bytes(of_block * splats, sizeof(Block::CameraSplat)) +
                                    grown_bytes(of_block * landings, sizeof(Block::Landing)) +
                                    grown_bytes(of_block * escapes, sizeof(Block::Escape))),
-               kept = paths * (vertices * sizeof(LightVertex) + sizeof(uint32_t)),
-               found = paths * (splats * sizeof(Splat) + landings * sizeof(MeterLanding)),
+               begin = paths * sizeof(uint32_t), found = paths * (splats * sizeof(Splat) + landings * sizeof(MeterLanding)),
                indices = 2 * double(PhotonIndex::bytes(size_t(paths * merged)));
-  return found + kept + std::max(tracing, indices);
+  return found + begin + tracing + indices;
 }
 
 }  // namespace ups

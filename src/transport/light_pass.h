@@ -8,9 +8,22 @@
 
 namespace ups {
 
-// Adds to tally.splats, tally.meters, tally.landings, tally.work; the same bits for any number of threads.
-LightPaths trace_light_paths(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool,
-                             IterationTally& tally);
+// Its memory is used again from one iteration to the next.
+class LightPass {
+ public:
+  LightPass();
+  ~LightPass();
+  // Adds to tally.splats, tally.meters, tally.landings, tally.work; the same bits for any number of threads. The vertices
+  // stay until the next call.
+  LightPaths trace(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally);
+  // What is thrown away after a radius is chosen from it.
+  LightPaths trace_pilot(const Iteration& in, ThreadPool& pool);
+
+  struct Block;  // what a block of paths found
+
+ private:
+  std::vector<Block> blocks_;
+};
 
 // One of these paths alone, as a replay, for the iteration's recorder.
 void retrace_light_path(const Iteration& in, const SensorIndex& sensors, uint32_t path);
@@ -20,8 +33,5 @@ struct LightPassCounts {
   double bytes(uint32_t paths) const;
 };
 LightPassCounts count_light_pass(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, uint32_t paths);
-
-// What is thrown away after a radius is chosen from it.
-std::vector<LightVertex> trace_pilot_vertices(const Iteration& in, ThreadPool& pool);
 
 }  // namespace ups

@@ -1,6 +1,9 @@
 // Vertices of the light paths of one iteration, as connections and merges read them.
 #pragma once
+#include <bit>
 #include <cstdint>
+#include <new>
+#include <span>
 #include <vector>
 
 #include "transport/subpath.h"
@@ -40,10 +43,52 @@ struct LightVertex {
   }
 };
 
+// The paths of one iteration. Vertices lie in blocks, those of a path side by side; a vertex's place names it by its block
+// and where it is there.
 struct LightPaths {
-  std::vector<LightVertex> vertices;  // path by path
-  std::vector<uint32_t> begin;        // N + 1
-  MemoryShare share;                  // of both
+  static constexpr uint32_t paths_per_block = 1024;
+  // What an eye path connects to.
+  struct Path {
+    const LightVertex* vertices = nullptr;
+    uint32_t count = 0, first = 0;  // first: its running number
+  };
+
+  std::vector<std::span<const LightVertex>> blocks;
+  std::vector<uint32_t> begin;  // N + 1: a path's first vertex by the running numbers of all
+  uint32_t shift = 0;           // of a block's number in a place
+  MemoryShare share;            // of begin, and of what is made of it
+
+  uint32_t path_count() const { return begin.empty() ? 0 : uint32_t(begin.size() - 1); }
+  Path path(uint32_t i) const {
+    const uint32_t block = i / paths_per_block, first = begin[i];
+    return {blocks[block].data() + (first - begin[block * paths_per_block]), begin[i + 1] - first, first};
+  }
+  uint32_t place(size_t block, size_t i) const { return uint32_t(block) << shift | uint32_t(i); }
+  const LightVertex& at(uint32_t place) const { return blocks[place >> shift][place & ((1u << shift) - 1)]; }
+  uint32_t running_number(uint32_t place) const {
+    return begin[(place >> shift) * paths_per_block] + (place & ((1u << shift) - 1));
+  }
+  // visit(place, vertex), path by path.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (size_t b = 0; b < blocks.size(); ++b)
+      for (size_t i = 0; i < blocks[b].size(); ++i) visit(place(b, i), blocks[b][i]);
+  }
+  // After blocks and begin: throws where there are more vertices than places.
+  void number_places() {
+    size_t largest = 1;
+    for (const auto& block : blocks) largest = std::max(largest, block.size());
+    shift = uint32_t(std::bit_width(largest - 1));
+    if (shift > 31 || blocks.size() > size_t(1) << (32 - shift)) throw std::bad_alloc();
+  }
+  // One path of these, which must outlive it.
+  static LightPaths of(const std::vector<LightVertex>& vertices) {
+    LightPaths one;
+    one.blocks = {vertices};
+    one.begin = {0, uint32_t(vertices.size())};
+    one.number_places();
+    return one;
+  }
 };
 
 }  // namespace ups

@@ -32,8 +32,8 @@ class PathRecorder {
   virtual void start_eye(const EyeSensor& sensor, const Vec3& p, const Vec3& n, float error) = 0;  // n: of a meter
   virtual void meet(const Encounter& met) = 0;  // the walk's next vertex
   virtual void scatter(const BsdfSample& lobe, float survival, const Rgb& carried) = 0;  // there
-  virtual void store() = 0;                                  // it, as the next of LightPaths::vertices
-  // By the current eye walk. photon: what it merged; none for other techniques.
+  virtual void store() = 0;                                  // it, as the next of LightPaths
+  // By the current eye walk. photon: the running number of the vertex that it merged; none for other techniques.
   virtual void found(const Contribution& c, const Brought& brought, uint32_t photon) = 0;
   // By the current light walk.
   virtual void splatted(const Contribution& c, const Brought& brought, size_t camera, uint32_t pixel) = 0;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/prefetch.h"
 #include "transport/light_vertex.h"
 
 namespace ups {
@@ -14,23 +15,24 @@ class PhotonIndex {
  public:
   PhotonIndex() = default;
   // Holds the vertices whose `merge` gate is open. max_radius > 0 bounds every later query.
-  PhotonIndex(const std::vector<LightVertex>& vertices, float max_radius) : per_cell_(1 / (2 * max_radius)) {
-    std::vector<uint32_t> which;
-    for (uint32_t i = 0; i < vertices.size(); ++i)
-      if (vertices[i].merge) which.push_back(i);
-    const size_t buckets = std::bit_ceil(std::max<size_t>(which.size(), 16));
+  PhotonIndex(const LightPaths& paths, float max_radius) : per_cell_(1 / (2 * max_radius)) {
+    std::vector<Photon> photons;
+    paths.each([&](uint32_t place, const LightVertex& v) {
+      if (v.merge) photons.push_back({v.p, place});
+    });
+    const size_t buckets = std::bit_ceil(std::max<size_t>(photons.size(), 16));
     mask_ = uint32_t(buckets - 1);
     begin_.assign(buckets + 1, 0);
-    std::vector<uint32_t> bucket(which.size());
-    for (size_t i = 0; i < which.size(); ++i) {
-      const Cell c = cell_of(vertices[which[i]].p);
+    std::vector<uint32_t> bucket(photons.size());
+    for (size_t i = 0; i < photons.size(); ++i) {
+      const Cell c = cell_of(photons[i].p);
       bucket[i] = bucket_of(row_of(c.y, c.z), c.x);
       ++begin_[bucket[i] + 1];
     }
     for (size_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
     std::vector<uint32_t> next(begin_.begin(), begin_.end() - 1);
-    photons_.resize(which.size());
-    for (size_t i = 0; i < which.size(); ++i) photons_[next[bucket[i]]++] = {vertices[which[i]].p, which[i]};
+    photons_.resize(photons.size());
+    for (size_t i = 0; i < photons.size(); ++i) photons_[next[bucket[i]]++] = photons[i];
     mark_neighbourhoods(max_radius);
   }
 
@@ -38,37 +40,58 @@ class PhotonIndex {
   // While it is built, at most.
   static size_t bytes(size_t photons) {
     const size_t buckets = std::bit_ceil(std::max<size_t>(photons, 16));
-    return std::bit_ceil(photons) * sizeof(uint32_t) + photons * (sizeof(uint32_t) + sizeof(Photon)) +
+    return std::bit_ceil(photons) * sizeof(Photon) + photons * (sizeof(uint32_t) + sizeof(Photon)) +
            2 * buckets * sizeof(uint32_t);
   }
 
-  // visit(vertex index, squared distance) for every photon within the radius, each once.
-  template <class Visit>
-  void query(const Vec3& p, float radius, const Visit& visit) const {
-    if (!may_find(p)) return;
-    const float r2 = radius * radius;
-    const Cell lo = cell_of(p - Vec3(radius, radius, radius)), hi = cell_of(p + Vec3(radius, radius, radius));
-    // Rows of cells along x. All their places are asked for before the first photon is looked at, so that
-    // memory answers to all at once.
-    uint32_t seen[27], begin[27], end[27];  // 8, but for rounding
+  // A query in three steps. Each asks for what the next one reads, so that memory answers while the caller does
+  // something else.
+  struct Query {
+    Vec3 p;
+    float radius = 0;
+    uint32_t bucket[27], end[27];  // 8, but for rounding; after find_rows() the first photon of each and one past its last
     int count = 0;
+  };
+  Query ask(const Vec3& p, float radius) const {
+    Query q;
+    q.p = p, q.radius = radius;
+    if (!may_find(p)) return q;
+    const Cell lo = cell_of(p - Vec3(radius, radius, radius)), hi = cell_of(p + Vec3(radius, radius, radius));
     for (int64_t z = lo.z; z <= hi.z; ++z)
       for (int64_t y = lo.y; y <= hi.y; ++y) {
         const uint32_t row = row_of(y, z);
         for (int64_t x = lo.x; x <= hi.x; ++x) {
           const uint32_t b = bucket_of(row, x);
           // Two of the cells may share a bucket: its photons must not count twice.
-          if (std::find(seen, seen + count, b) != seen + count) continue;
-          seen[count] = b, begin[count] = begin_[b], end[count] = begin_[b + 1];
-          ++count;
+          if (std::find(q.bucket, q.bucket + q.count, b) != q.bucket + q.count) continue;
+          prefetch(begin_.data() + b);
+          q.bucket[q.count++] = b;
         }
       }
-    for (int k = 0; k < count; ++k) __builtin_prefetch(photons_.data() + begin[k]);
-    for (int k = 0; k < count; ++k)
-      for (uint32_t i = begin[k]; i < end[k]; ++i) {
-        const float d2 = length2(photons_[i].p - p);
-        if (d2 < r2) visit(photons_[i].vertex, d2);
+    return q;
+  }
+  void find_rows(Query& q) const {
+    for (int k = 0; k < q.count; ++k) {
+      q.end[k] = begin_[q.bucket[k] + 1];
+      q.bucket[k] = begin_[q.bucket[k]];
+      prefetch(photons_.data() + q.bucket[k]);
+    }
+  }
+  // visit(place, squared distance) for every photon within the radius, each once.
+  template <class Visit>
+  void visit(const Query& q, const Visit& visit) const {
+    const float r2 = q.radius * q.radius;
+    for (int k = 0; k < q.count; ++k)
+      for (uint32_t i = q.bucket[k]; i < q.end[k]; ++i) {
+        const float d2 = length2(photons_[i].p - q.p);
+        if (d2 < r2) visit(photons_[i].place, d2);
       }
+  }
+  template <class Visit>
+  void query(const Vec3& p, float radius, const Visit& to) const {
+    Query q = ask(p, radius);
+    find_rows(q);
+    visit(q, to);
   }
 
  private:
@@ -77,7 +100,7 @@ class PhotonIndex {
   };
   struct Photon {
     Vec3 p;
-    uint32_t vertex;
+    uint32_t place;  // of LightPaths
   };
   // Caustics are mostly elsewhere: a coarse grid of bits about all photons says so at once.
   static constexpr int side = 32;

@@ -55,17 +55,19 @@ std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool
 
 // Median distance of a photon to the next one: a query finds about one. Wider discs hardly lessen the noise, but they
 // reach past more edges and so lose more light.
-float typical_spacing(const std::vector<LightVertex>& photons, float largest) {
+float typical_spacing(const LightPaths& photons, float largest) {
   if (!(largest > 0)) return 0;
   const PhotonIndex index(photons, largest);
+  const size_t step = std::max<size_t>(1, photons.begin.back() / 256);
   std::vector<float> spacings, d2;
-  const size_t step = std::max<size_t>(1, photons.size() / 256);
-  for (size_t i = 0; i < photons.size(); i += step) {
+  size_t running = 0;
+  photons.each([&](uint32_t, const LightVertex& v) {
+    if (running++ % step != 0) return;
     d2.clear();
-    index.query(photons[i].p, largest, [&](uint32_t, float distance2) { d2.push_back(distance2); });
+    index.query(v.p, largest, [&](uint32_t, float distance2) { d2.push_back(distance2); });
     std::sort(d2.begin(), d2.end());
     spacings.push_back(d2.size() > walk_photons ? std::sqrt(d2[walk_photons]) : largest);
-  }
+  });
   if (spacings.empty()) return largest;
   return median(spacings);
 }
@@ -110,8 +112,9 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
   pilot.techniques &= ~uint32_t(UPS_TECHNIQUE_SENSOR_CONNECT);
   Iteration in = Iteration::of_pilot(scene, plan, pilot, 0, stop, Stream::pilot);
   in.stores_vertices = true;
+  LightPass light;
   plan.walk_radius =
-      typical_spacing(trace_pilot_vertices(in, pool), 0.05f * scene.radius) * float(std::sqrt(share));
+      typical_spacing(light.trace_pilot(in, pool), 0.05f * scene.radius) * float(std::sqrt(share));
   // A coarse image's pixels are wider than the light's detail that photons can show.
   for (auto& radii : plan.pixel_radius)
     for (float& r : radii) r = std::min(r, 4 * plan.walk_radius);

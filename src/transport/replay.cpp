@@ -17,7 +17,7 @@ void ReplayRecorder::start_light(uint32_t emitter, const EmissionSample& start, 
 
 void ReplayRecorder::start_eye(const EyeSensor& sensor, const Vec3& p, const Vec3& n, float) {
   walk.p = p, walk.n = n;
-  first_light_vertex_ = sensor.first_light_vertex;
+  first_light_vertex_ = sensor.light.first;
 }
 
 void ReplayRecorder::meet(const Encounter& met) {

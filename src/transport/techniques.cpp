@@ -177,13 +177,14 @@ std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd&
   const Vec3 d = to / distance;
   const auto pixel = camera.pixel_of(-d);
   if (!pixel) return {};
-  const mis::Counts n = in.camera_counts(index, *pixel);
-  if (!(n.sensor_connect > 0)) return {};
+  in.prefetch_camera_counts(index, *pixel);
   const Vec3 local = light.surface.shading.to_local(d);
   if (!consistent_side(light.surface, d, local)) return {};
   const Scattering f = light.evaluate(local, TransportMode::importance);
   const Rgb value = f.value * light_correction(light.surface, light.wo, d);
   if (is_black(value)) return {};
+  const mis::Counts n = in.camera_counts(index, *pixel);
+  if (!(n.sensor_connect > 0)) return {};
   const float pdf_w = camera.pdf_w(-d);
   const MediaStack& media = light.beyond(d);
   Contribution c{{Family::path_integration, edges, edges}, emitter,

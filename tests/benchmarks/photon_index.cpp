@@ -36,7 +36,7 @@ void build(benchmark::State& state, size_t photon_count) {
   const std::vector<LightVertex>& photons = photons_of(photon_count);
   const float radius = radius_of(photon_count);
   for (auto _ : state) {
-    const PhotonIndex index(photons, radius);
+    const PhotonIndex index(LightPaths::of(photons), radius);
     benchmark::DoNotOptimize(index.empty());
   }
   count(state, "photons", double(photon_count));
@@ -44,7 +44,7 @@ void build(benchmark::State& state, size_t photon_count) {
 
 void query(benchmark::State& state, size_t photon_count) {
   const float radius = radius_of(photon_count);
-  const PhotonIndex index(photons_of(photon_count), radius);
+  const PhotonIndex index(LightPaths::of(photons_of(photon_count)), radius);
   std::vector<Vec3> places;
   for (uint32_t i = 0; i < query_count; ++i) places.push_back(room_of(room_triangles).random_point(i).p);
   size_t found = 0;

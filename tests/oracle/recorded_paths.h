@@ -247,7 +247,7 @@ class Recorder : public PathRecorder {
     current_ = &eye_;
     sensor_ = sensor.camera ? SensorType::camera : sensor.cell ? SensorType::cell : SensorType::point_meter;
     pixel_ = sensor.pixel;
-    first_light_vertex_ = sensor.first_light_vertex;
+    first_light_vertex_ = sensor.light.first;
   }
   void meet(const Encounter& met) override {
     const SurfacePoint& s = met.surface;

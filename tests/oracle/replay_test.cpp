@@ -125,10 +125,11 @@ class Replay {
     tally.separated.resize(scene.meter_sets.size());
     const SensorIndex sensors(in);
     Photons photons;
-    photons.paths = trace_light_paths(in, sensors, pool, tally);
+    LightPass light;
+    photons.paths = light.trace(in, sensors, pool, tally);
     if (merges()) {
-      photons.of_pixels = PhotonIndex(photons.paths.vertices, 0.1f);
-      photons.of_walks = PhotonIndex(photons.paths.vertices, plan_.walk_radius);
+      photons.of_pixels = PhotonIndex(photons.paths, 0.1f);
+      photons.of_walks = PhotonIndex(photons.paths, plan_.walk_radius);
     }
     const DirectLight direct(scene, plan_, settings_);
     uint32_t path = trace_camera_paths(in, photons, 0, 0, pool, tally);

@@ -17,7 +17,7 @@ Vec3 random_point(uint32_t i, float scale, float offset) {
 }
 
 void compare(const std::vector<LightVertex>& vertices, float radius, const std::vector<Vec3>& queries) {
-  const PhotonIndex index(vertices, radius);
+  const PhotonIndex index(LightPaths::of(vertices), radius);
   size_t found_any = 0;
   for (const Vec3& q : queries) {
     std::multiset<uint32_t> found, expected;
@@ -80,7 +80,7 @@ TEST(Hazard24, SparsePhotonsAreNotLostToRounding) {
 
 TEST(Hazard24, AnEmptyIndexFindsNothing) {
   PhotonIndex().query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
-  PhotonIndex(std::vector<LightVertex>(3), 1.0f).query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
+  PhotonIndex(LightPaths::of(std::vector<LightVertex>(3)), 1.0f).query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
 }
 
 }  // namespace

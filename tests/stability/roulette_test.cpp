@@ -97,9 +97,11 @@ TEST(Hazard13, NoPathOfALongCorridorBringsMoreThanOneSampleOfTheLamp) {
     tally.landings.resize(1), tally.separated.resize(1);
     const SensorIndex sensors(in);
     Photons photons;
-    photons.paths = trace_light_paths(in, sensors, pool, tally);
-    for (const LightVertex& v : photons.paths.vertices)
+    LightPass light;
+    photons.paths = light.trace(in, sensors, pool, tally);
+    photons.paths.each([&](uint32_t, const LightVertex& v) {
       brightest_lm = std::max(brightest_lm, double(luminance(v.flux)));
+    });
     const DirectLight direct(*room.scene, plan, settings);
     trace_meter_paths(in, photons, direct, 0, 0, pool, tally);
   }
