@@ -1,4 +1,5 @@
-// Asks memory for what is read soon, so that it answers while something else is done. Any address will do.
+// Asks memory for what is read soon, so that it answers while something else is done. Any address will do. A function
+// that does nothing else must be inline: g++ takes it for one without effect and drops its calls.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -26,10 +26,6 @@ struct Material {
   const Texture* roughness_texture = nullptr;
   const Texture* metallic_texture = nullptr;
   std::optional<InterfaceAlbedo> interface_albedo;  // of plastic and metal; without alpha where that is textured
-  void prefetch(const Vec2& uv) const {  // what a Bsdf there reads
-    for (const Texture* t : {reflectance_texture, roughness_texture, metallic_texture})
-      if (t) t->prefetch(uv);
-  }
   // Emission and alpha do not scatter; they live beside this in scene/snapshot.h.
 };
 

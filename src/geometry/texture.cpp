@@ -8,7 +8,6 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/prefetch.h"
 
 namespace ups {
 namespace {
@@ -92,26 +91,6 @@ void Texture::fetch(const Vec2& uv, const int (&channel)[C], const Texel& texel,
     const float b = texel(row1 + i + k) * (1 - x.fraction) + texel(row1 + j + k) * x.fraction;
     out[c] = a * (1 - y.fraction) + b * y.fraction;
   }
-}
-
-// To within rounding: a texel beside the one that is read is on the same line but for few.
-void Texture::prefetch(const Vec2& uv) const {
-  const auto number = [](float coordinate, uint32_t size) {
-    if (!(std::abs(coordinate) < 0x1p24f)) return 0u;
-    const float from_zero = coordinate - float(int32_t(coordinate)), wrapped = from_zero < 0 ? from_zero + 1 : from_zero;
-    const auto below = int32_t(wrapped * float(size) - 0.5f);
-    return uint32_t(std::clamp(below, 0, int32_t(size) - 1));
-  };
-  const uint32_t x = number(uv.x, width_), y = number(uv.y, height_);
-  const auto ask = [this](size_t i) {
-    if (indices_.empty())
-      ups::prefetch(texels_.data() + i);
-    else
-      ups::prefetch(indices_.data() + i);
-  };
-  const size_t row = size_t(width_) * channels_, i = y * row + size_t(x) * channels_;
-  ask(i);
-  if (y + 1 < height_) ask(i + row);
 }
 
 Rgb Texture::rgb(const Vec2& uv) const {

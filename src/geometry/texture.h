@@ -12,7 +12,6 @@ class Texture {
  public:
   Texture(uint32_t width, uint32_t height, uint32_t channels, std::vector<float> texels);
   Rgb rgb(const Vec2& uv) const;    // 1-channel textures: grey
-  void prefetch(const Vec2& uv) const;  // what these read there
   float first(const Vec2& uv) const;
   float last(const Vec2& uv) const;  // alpha of 4-channel textures
   float min_first() const { return min_first_; }

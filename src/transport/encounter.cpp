@@ -187,7 +187,6 @@ void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack&
     out.found = ray.next(infinity, work, hit, out.distance);
     if (!out.found) return;
     out.surface = scene.raytracer->surface_at(hit);
-    scene.materials[out.surface.material].prefetch(out.surface.uv);
     const bool pane = scene.panes.is_pane(hit);
     if (pane && goes_through(scene, d, u, out)) continue;
     if (!scene.media.nest) return find_sides(scene, d, out);

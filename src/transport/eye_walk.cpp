@@ -27,8 +27,8 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
   origin_ = surface.p;
   if (eye.merge) {
     eye.surface.ng = surface.ng;  // photons tell by it which side they lie on
-    PhotonIndex::Query photons = ask_photons(eye);
-    if (photons.count > 0) {
+    PhotonIndex::Query photons;
+    if (ask_photons(eye, photons)) {
       disc(eye).photons->find_rows(photons);
       merge(eye, photons);
     }
@@ -112,16 +112,16 @@ void EyeWalk::walk() {
 void EyeWalk::gather(const EyeEnd& eye) {
   Arrival arrival{eye.surface};
   PhotonIndex::Query photons;
-  if (eye.merge) photons = ask_photons(eye);
+  const bool merges = ask_photons(eye, photons);
   const bool arrives = in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT) &&
                        (!in_.settings.actual_perturbation || perturb(eye, arrival));
   if (arrives && in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE))
     if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice),
                                      rng_.position(eye.edges)))
       offer(*c, Drop::light_sample);
-  if (photons.count > 0) disc(eye).photons->find_rows(photons);
+  if (merges) disc(eye).photons->find_rows(photons);
   if (arrives && counts_.connect > 0) connect_one(eye, arrival);
-  if (photons.count > 0) merge(eye, photons);
+  if (merges) merge(eye, photons);
 }
 
 // Emptied: of a path that was broken off some may be left.
@@ -325,10 +325,12 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
   if (const Found c = found(chosen)) offer(*c, Drop::connect, share);
 }
 
-// Density estimation at an eye vertex: photons on the same side of the same surface within the radius.
-PhotonIndex::Query EyeWalk::ask_photons(const EyeEnd& eye) const {
+// For photons on the same side of the same surface within the radius: density estimation. False where there is none.
+bool EyeWalk::ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) const {
   const EyeSensor::Disc& disc = this->disc(eye);
-  return disc.radius > 0 ? disc.photons->ask(eye.surface.p, float(disc.radius)) : PhotonIndex::Query();
+  if (!eye.merge || !(disc.radius > 0)) return false;
+  disc.photons->ask(eye.surface.p, float(disc.radius), query);
+  return query.count > 0;
 }
 
 // Vertices lie anywhere in memory: some are asked for before the first of them is read.

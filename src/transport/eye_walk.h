@@ -71,7 +71,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
                    const Rgb& transmittance);
   bool perturb(const EyeEnd& eye, Arrival& out);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
-  PhotonIndex::Query ask_photons(const EyeEnd& eye) const;
+  bool ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) const;
   void merge(const EyeEnd& eye, const PhotonIndex::Query& query);
   void merge_photon(const EyeEnd& eye, uint32_t place, float d2, double radius);
   LightEnd& light_end(uint32_t i);  // the light path's vertex as connections read it

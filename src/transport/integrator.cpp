@@ -124,11 +124,7 @@ Photons Integrator::trace_light(const Iteration& in, const SensorIndex& sensors,
   tally.light_work = tally.work;
   if (in.stop.is_set()) return photons;
   const double pixel_radius2 = plan_.radius2(largest_pixel_radius_, in.camera_shrinkage);
-  if (in.has(UPS_TECHNIQUE_MERGE)) {
-    size_t merged = 0;
-    photons.paths.each([&](uint32_t, const LightVertex& v) { merged += v.merge; });
-    photons.paths.share.take(2 * PhotonIndex::bytes(merged));
-  }
+  if (in.has(UPS_TECHNIQUE_MERGE)) photons.paths.share.take(2 * PhotonIndex::bytes(photons.paths.merged));
   pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
     const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
     if (radius > 0)

@@ -15,6 +15,7 @@ namespace ups {
 struct LightPass::Block {
   std::vector<LightVertex> vertices;
   std::vector<uint32_t> counts;  // vertices a path
+  size_t merged = 0;             // of the vertices
   struct CameraSplat {
     Splat splat;
     Rgb unweighted;
@@ -44,6 +45,7 @@ struct LightPass::Block {
   // For other paths; what has grown stays.
   void clear() {
     vertices.clear(), counts.clear(), splats.clear(), landings.clear(), escapes.clear(), starts.clear();
+    merged = 0;
     work = {};
   }
 };
@@ -228,6 +230,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     v.mis = light.state;
     block_.share.push_back(block_.vertices, v);
     ++block_.counts.back();
+    block_.merged += light.merge;
     useful_ |= casters_ && light.edges > 1;
     ++work_.light_vertices;
     if (in_.recorder) in_.recorder->store();
@@ -280,7 +283,7 @@ LightPaths paths_of(const Iteration& in, const std::vector<Block>& blocks) {
   paths.share = MemoryShare(in.settings.memory);
   paths.share.take((in.plan.light_paths + 1) * sizeof(uint32_t) + blocks.size() * sizeof(paths.blocks[0]));
   paths.blocks.assign(blocks.size(), {});
-  for (size_t b = 0; b < blocks.size(); ++b) paths.blocks[b] = blocks[b].vertices;
+  for (size_t b = 0; b < blocks.size(); ++b) paths.blocks[b] = blocks[b].vertices, paths.merged += blocks[b].merged;
   paths.number_places();
   paths.begin.reserve(in.plan.light_paths + 1);
   uint32_t at = 0;
@@ -376,7 +379,7 @@ LightPassCounts count_light_pass(const Iteration& in, const SensorIndex& sensors
   run_blocks(in, sensors, pool, paths, blocks);
   for (const Block& b : blocks) {
     n.vertices += double(b.vertices.size()) / paths;
-    for (const LightVertex& v : b.vertices) n.merged += double(v.merge) / paths;
+    n.merged += double(b.merged) / paths;
     n.splats += double(b.splats.size()) / paths;
     n.landings += double(b.landings.size()) / paths;
     n.escapes += double(b.escapes.size()) / paths;
@@ -391,7 +394,8 @@ double LightPassCounts::bytes(uint32_t paths) const {
                                    grown_bytes(of_block * splats, sizeof(Block::CameraSplat)) +
                                    grown_bytes(of_block * landings, sizeof(Block::Landing)) +
                                    grown_bytes(of_block * escapes, sizeof(Block::Escape))),
-               begin = paths * sizeof(uint32_t), found = paths * (splats * sizeof(Splat) + landings * sizeof(MeterLanding)),
+               begin = paths * sizeof(uint32_t),
+               found = paths * (splats * sizeof(Splat) + landings * sizeof(MeterLanding)),
                indices = 2 * double(PhotonIndex::bytes(size_t(paths * merged)));
   return found + begin + tracing + indices;
 }

@@ -13,8 +13,8 @@ class LightPass {
  public:
   LightPass();
   ~LightPass();
-  // Adds to tally.splats, tally.meters, tally.landings, tally.work; the same bits for any number of threads. The vertices
-  // stay until the next call.
+  // Adds to tally.splats, tally.meters, tally.landings, tally.work; the same bits for any number of threads. The
+  // vertices stay until the next call.
   LightPaths trace(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally);
   // What is thrown away after a radius is chosen from it.
   LightPaths trace_pilot(const Iteration& in, ThreadPool& pool);

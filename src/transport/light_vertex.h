@@ -43,8 +43,8 @@ struct LightVertex {
   }
 };
 
-// The paths of one iteration. Vertices lie in blocks, those of a path side by side; a vertex's place names it by its block
-// and where it is there.
+// The paths of one iteration. Vertices lie in blocks, those of a path side by side; a vertex's place names it by its
+// block and where it is there.
 struct LightPaths {
   static constexpr uint32_t paths_per_block = 1024;
   // What an eye path connects to.
@@ -56,6 +56,7 @@ struct LightPaths {
   std::vector<std::span<const LightVertex>> blocks;
   std::vector<uint32_t> begin;  // N + 1: a path's first vertex by the running numbers of all
   uint32_t shift = 0;           // of a block's number in a place
+  size_t merged = 0;            // vertices whose gate is open
   MemoryShare share;            // of begin, and of what is made of it
 
   uint32_t path_count() const { return begin.empty() ? 0 : uint32_t(begin.size() - 1); }
@@ -85,6 +86,7 @@ struct LightPaths {
   static LightPaths of(const std::vector<LightVertex>& vertices) {
     LightPaths one;
     one.blocks = {vertices};
+    for (const LightVertex& v : vertices) one.merged += v.merge;
     one.begin = {0, uint32_t(vertices.size())};
     one.number_places();
     return one;

@@ -17,6 +17,7 @@ class PhotonIndex {
   // Holds the vertices whose `merge` gate is open. max_radius > 0 bounds every later query.
   PhotonIndex(const LightPaths& paths, float max_radius) : per_cell_(1 / (2 * max_radius)) {
     std::vector<Photon> photons;
+    photons.reserve(paths.merged);
     paths.each([&](uint32_t place, const LightVertex& v) {
       if (v.merge) photons.push_back({v.p, place});
     });
@@ -40,8 +41,7 @@ class PhotonIndex {
   // While it is built, at most.
   static size_t bytes(size_t photons) {
     const size_t buckets = std::bit_ceil(std::max<size_t>(photons, 16));
-    return std::bit_ceil(photons) * sizeof(Photon) + photons * (sizeof(uint32_t) + sizeof(Photon)) +
-           2 * buckets * sizeof(uint32_t);
+    return photons * (sizeof(uint32_t) + 2 * sizeof(Photon)) + 2 * buckets * sizeof(uint32_t);
   }
 
   // A query in three steps. Each asks for what the next one reads, so that memory answers while the caller does
@@ -49,13 +49,13 @@ class PhotonIndex {
   struct Query {
     Vec3 p;
     float radius = 0;
-    uint32_t bucket[27], end[27];  // 8, but for rounding; after find_rows() the first photon of each and one past its last
+    // 8, but for rounding; after find_rows() the first photon of each and one past its last.
+    uint32_t bucket[27], end[27];
     int count = 0;
   };
-  Query ask(const Vec3& p, float radius) const {
-    Query q;
-    q.p = p, q.radius = radius;
-    if (!may_find(p)) return q;
+  void ask(const Vec3& p, float radius, Query& q) const {
+    q.p = p, q.radius = radius, q.count = 0;
+    if (!may_find(p)) return;
     const Cell lo = cell_of(p - Vec3(radius, radius, radius)), hi = cell_of(p + Vec3(radius, radius, radius));
     for (int64_t z = lo.z; z <= hi.z; ++z)
       for (int64_t y = lo.y; y <= hi.y; ++y) {
@@ -68,7 +68,6 @@ class PhotonIndex {
           q.bucket[q.count++] = b;
         }
       }
-    return q;
   }
   void find_rows(Query& q) const {
     for (int k = 0; k < q.count; ++k) {
@@ -89,7 +88,8 @@ class PhotonIndex {
   }
   template <class Visit>
   void query(const Vec3& p, float radius, const Visit& to) const {
-    Query q = ask(p, radius);
+    Query q;
+    ask(p, radius, q);
     find_rows(q);
     visit(q, to);
   }
