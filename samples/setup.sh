@@ -11,7 +11,7 @@ run_packages=(cmake ninja-build g++ pkgconf libembree-dev libtbb-dev libopenexr-
 report_packages=(python3-matplotlib)
 test_packages=(libgtest-dev python3-pytest mypy python3-ipykernel python3-nbclient python3-pip python3-setuptools
   python3-wheel python3-venv patchelf dpkg-dev mono-mcs mono-runtime abigail-tools clang libclang-rt-dev doxygen
-  g++-mingw-w64-x86-64-posix locales)
+  g++-mingw-w64-x86-64-posix locales libbenchmark-dev)
 optional_packages=() # installed with the others where there is such a package: Ubuntu has no chromium
 benchmark_packages=(libbenchmark-dev)
 

@@ -26,12 +26,12 @@ std::shared_ptr<const photometry::Distribution> downlight() {
   return std::make_shared<photometry::Distribution>(std::vector<double>{0}, gamma, table);
 }
 
-std::vector<std::unique_ptr<Emitter>> downlights(size_t size) {
+std::vector<std::shared_ptr<const Emitter>> downlights(size_t size) {
   static const auto distribution = downlight();
-  std::vector<std::unique_ptr<Emitter>> out;
+  std::vector<std::shared_ptr<const Emitter>> out;
   for (uint32_t i = 0; i < size; ++i) {
     const Numbers n = random_numbers(i, places);
-    out.push_back(std::make_unique<ProfilePointEmitter>(distribution, Frame(), Vec3(n.a * side, n.b * side, height),
+    out.push_back(std::make_shared<ProfilePointEmitter>(distribution, Frame(), Vec3(n.a * side, n.b * side, height),
                                                         Rgb(1), 1e-6f));
   }
   return out;
