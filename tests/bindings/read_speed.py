@@ -70,7 +70,8 @@ def compare(what, turns, calls, in_c, in_python):
 def main():
     library = Path(sys.argv[1], "src", "api").resolve() if len(sys.argv) == 2 else sys.exit(__doc__)
     os.environ["UPS_LIBRARY"] = str(library)
-    sys.path.insert(0, str(ROOT / "bindings" / "python"))
+    sys.path[:0] = [str(ROOT / "bindings" / "python"), str(ROOT / "samples" / "scenes_common")]
+    import need_numpy  # noqa: F401
     import numpy as np
     import ups
     c = c_calls(library)
