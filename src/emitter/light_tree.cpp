@@ -155,6 +155,10 @@ void LightTree::cut(const View& view, Cut& out) const {
       }
     }
   }
+  if (listed_ && out.size == 1) {  // certain, however little it is
+    out.estimate[0] = 1, out.flux[0] = 0;
+    return;
+  }
   float estimates = 0, fluxes = 0;
   for (uint32_t i = 0; i < out.size; ++i) estimates += out.estimate[i], fluxes += out.flux[i];
   const bool any = estimates > 1e-30f;
@@ -176,6 +180,11 @@ void LightTree::halve(const View& view, uint32_t node, const Shares& shares, Sha
 
 EmitterChoice LightTree::choose(const Receiver& receiver, float u) const {
   const View view(receiver);
+  constexpr float below_1 = 0x1.fffffep-1f;
+  if (single_) {
+    if (is_behind(view, nodes_[0])) return {};
+    return {emitter_of_node_[0], 1, std::min(u, below_1)};
+  }
   Cut c;
   cut(view, c);
   // Where the sum of shares passes u. All are added up, as that takes less time than a wrong guess where to end.
@@ -201,13 +210,14 @@ EmitterChoice LightTree::choose(const Receiver& receiver, float u) const {
     shares = to_left ? left : right;
     rest = std::clamp(to_left ? rest / share : (rest - share) / (1 - share), 0.0, 1.0);
   }
-  return {emitter_of_node_[k], shares.sum(), std::min(float(rest), 0x1.fffffep-1f)};
+  return {emitter_of_node_[k], shares.sum(), std::min(float(rest), below_1)};
 }
 
 float LightTree::probability(const Receiver& receiver, size_t emitter) const {
   const uint32_t leaf = emitter < leaf_of_emitter_.size() ? leaf_of_emitter_[emitter] : none;
   if (leaf == none) return 0;
   const View view(receiver);
+  if (single_) return is_behind(view, nodes_[0]) ? 0.0f : 1.0f;
   Cut c;
   cut(view, c);
   for (uint32_t i = 0; i < c.size; ++i) {

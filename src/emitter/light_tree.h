@@ -37,8 +37,9 @@ class LightTree {
   LightTree() = default;
   LightTree(LightTree&&) = default;  // no copies: lobes point into the tables
   LightTree& operator=(LightTree&&) = default;
-  // Those without flux are left out. emitter_count: numbers of emitters are below it.
-  LightTree(const std::vector<Entry>& entries, size_t emitter_count);
+  // Those without flux are left out. emitter_count: numbers of emitters are below it. weighs_one: where there is one
+  // emitter, too, which brings the same to the bit.
+  LightTree(const std::vector<Entry>& entries, size_t emitter_count, bool weighs_one = false);
 
   EmitterChoice choose(const Receiver& receiver, float u) const;
   float probability(const Receiver& receiver, size_t emitter) const;
@@ -102,6 +103,7 @@ class LightTree {
   std::deque<FineTable> fine_;  // that lobes point to
   std::deque<CoarseTable> coarse_;
   bool listed_ = true;
+  bool single_ = false;  // one emitter, which needs no weighing: 2 % of a box with a point light
   std::vector<Lanes> lanes_;  // of a list
 };
 

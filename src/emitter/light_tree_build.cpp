@@ -79,7 +79,8 @@ class LightTree::Lobes {
   std::map<const photometry::Distribution*, const float*> table_;
 };
 
-LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count) : leaf_of_emitter_(emitter_count, none) {
+LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count, bool weighs_one)
+    : leaf_of_emitter_(emitter_count, none) {
   double total = 0;
   Extent all;
   for (const Entry& e : entries) {
@@ -100,6 +101,7 @@ LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count) : 
   }
   for (Node& leaf : leaves) leaf.flux = 0.5f * (leaf.flux + 1 / float(leaves.size()));
   listed_ = leaves.size() <= max_listed;
+  single_ = leaves.size() == 1 && !weighs_one;
   nodes_.reserve(2 * leaves.size());
   std::vector<uint32_t> order(leaves.size());
   std::iota(order.begin(), order.end(), 0u);

@@ -148,6 +148,24 @@ INSTANTIATE_TEST_SUITE_P(Sizes, LightTreeOf,
                            return std::to_string(about.param.emitters) + (about.param.exposed ? "Exposed" : "");
                          });
 
+// A switch: one emitter is not weighed.
+TEST(LightTreeOfOne, IsAsIfItWereWeighed) {
+  const auto emitters = all_kinds(40, 64);
+  Random random(65);
+  for (const auto& emitter : emitters) {
+    const std::vector<LightTree::Entry> entry = {{emitter->outline(), emitter->flux_lm(), 1, 0}};
+    const LightTree quick(entry, 1), weighed(entry, 1, true);
+    for (int k = 0; k < 200; ++k) {
+      const Receiver r = random_receiver(k, random);
+      const float u = random();
+      const EmitterChoice a = quick.choose(r, u), b = weighed.choose(r, u);
+      ASSERT_EQ(a.probability, b.probability) << k;
+      ASSERT_EQ(a.u, b.u) << k;
+      ASSERT_EQ(quick.probability(r, 0), weighed.probability(r, 0)) << k;
+    }
+  }
+}
+
 // What brings a part of the light is chosen about as often as that part says: the variance of one sample, relative to
 // the squared illuminance, is the sum of share^2 / probability - 1. n x n downlights in a hall of 40 m x 40 m x 5 m,
 // I = I0 cos^4 gamma.
