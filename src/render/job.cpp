@@ -122,6 +122,7 @@ void RenderJob::run() {
   } catch (const std::exception& e) {
     keep(UPS_ERROR_INTERNAL, e.what());
   }
+  if (integrator_) integrator_->end();
   const std::lock_guard lock(mutex_);
   error_ = status;
   error_message_.swap(message);

@@ -33,6 +33,8 @@ class Integrator {
   // Iterations from 0, in order. False where `stop` was set on the way: the tally is then incomplete. The same bits for
   // any number of threads.
   bool run(uint32_t iteration, const StopSignal& stop, IterationTally& tally);
+  // After the last iteration: gives back what is kept from one to the next.
+  void end() { light_pass_.clear(); }
   // One path of such an iteration again. An integrator that replays does not run.
   Replayed replay(const SampleAddress& address, const StopSignal& stop);
 

@@ -51,6 +51,7 @@ struct LightPass::Block {
 };
 LightPass::LightPass() = default;
 LightPass::~LightPass() = default;
+void LightPass::clear() { blocks_ = std::vector<Block>(); }
 
 namespace {
 

@@ -18,6 +18,7 @@ class LightPass {
   LightPaths trace(const Iteration& in, const SensorIndex& sensors, ThreadPool& pool, IterationTally& tally);
   // What is thrown away after a radius is chosen from it.
   LightPaths trace_pilot(const Iteration& in, ThreadPool& pool);
+  void clear();  // gives the memory back
 
   struct Block;  // what a block of paths found
 
