@@ -283,17 +283,15 @@ LightPaths paths_of(const Iteration& in, const std::vector<Block>& blocks) {
   LightPaths paths;
   paths.share = MemoryShare(in.settings.memory);
   paths.share.take((in.plan.light_paths + 1) * sizeof(uint32_t) + blocks.size() * sizeof(paths.blocks[0]));
-  paths.blocks.assign(blocks.size(), {});
-  for (size_t b = 0; b < blocks.size(); ++b) paths.blocks[b] = blocks[b].vertices, paths.merged += blocks[b].merged;
-  paths.number_places();
+  paths.blocks.reserve(blocks.size());
   paths.begin.reserve(in.plan.light_paths + 1);
   uint32_t at = 0;
-  for (const Block& b : blocks)
-    for (uint32_t n : b.counts) {
-      paths.begin.push_back(at);
-      at += n;
-    }
+  for (const Block& b : blocks) {
+    paths.blocks.push_back(b.vertices), paths.merged += b.merged;
+    for (uint32_t n : b.counts) paths.begin.push_back(at), at += n;
+  }
   paths.begin.push_back(at);
+  paths.number_places();
   return paths;
 }
 
