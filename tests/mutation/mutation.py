@@ -172,7 +172,7 @@ def chosen_by(mutants, names):
 def arguments():
     p = argparse.ArgumentParser(description=__doc__)
     p.add_argument("mutants", nargs="*", help="numbers, names, or regular expressions of `file name`; all by default")
-    p.add_argument("--list", action="store_true", help="lists the mutants and ends")
+    p.add_argument("--list", action="store_true", help="lists the mutants and ends; an error where the code has changed under them")
     p.add_argument("--tests", default="", metavar="REGEX", help="only tests whose `executable: suite.name` matches")
     p.add_argument("--jobs", type=int, default=1, help="mutants that are tested at a time (1)")
     p.add_argument("--resume", action="store_true",
@@ -187,6 +187,7 @@ def main():
     everything = schemata.read_mutants(TABLES)
     mutants = chosen_by(everything, args.mutants)
     if args.list:
+        schemata.mutated_files(ROOT, everything)  # does the table follow the code?
         for m in mutants:
             print(f"{m.number:4} {m.name:32} {m.at}: {m.breaks}")
         return 0

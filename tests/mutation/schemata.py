@@ -109,24 +109,27 @@ def write(path, data):
     path.write_bytes(data)
 
 
+def mutated_files(root, mutants):
+    """The texts of all files that have mutants, by name; ends the program where the table does not follow the code."""
+    by_file = {}
+    for m in mutants:
+        if not (root / m.file).is_file():
+            raise SystemExit(f"{m.where}: there is no file {m.file}")
+        by_file.setdefault(m.file, []).append(m)
+    return {name: mutated((root / name).read_text(encoding="utf-8"), here) for name, here in by_file.items()}
+
+
 def make_tree(root, tree, mutants):
     """Copies the repository's files to `tree`, with the mutants in theirs."""
+    texts = mutated_files(root, mutants)
     listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=root,
                             check=True, capture_output=True).stdout.decode()
     files = [f for f in listed.split("\0") if f and (root / f).is_file()]
-    by_file = {}
-    for m in mutants:
-        by_file.setdefault(m.file, []).append(m)
-    for name in by_file.keys() - set(files):
-        raise SystemExit(f"{by_file[name][0].where}: there is no file {name}")
     header = tree / "mutation_number.h"
     write(header, HEADER.encode())
     for name in files:
-        data = (root / name).read_bytes()
-        if name in by_file:
-            text = mutated(data.decode(), by_file[name])
-            data = (f'#include "{header}"\n' + text).encode()
-        write(tree / name, data)
+        text = texts.get(name)
+        write(tree / name, f'#include "{header}"\n{text}'.encode() if text else (root / name).read_bytes())
         shutil.copymode(root / name, tree / name)
     kept = set(files) | {"mutation_number.h"}
     for path in tree.rglob("*"):  # what the repository no longer has

@@ -93,6 +93,41 @@ TEST(Taught, SmoothNormalsOnCoarseMeshesAreAlikeFromBothEnds) {
   expect_same(means, 0, "image");
 }
 
+// All normals of a quad lean the same way, so that nothing averages out.
+Shape leaning(Shape s, const P3& normal) {
+  s.normals.assign(s.vertices.size(), normalize(normal));
+  return s;
+}
+
+// A spot straight down on a floor whose normals lean by 30 degrees towards a wall; the wall's lean up as far. Meters
+// and a camera see the wall alone, which reaches below the floor, where its light does not come. Each technique alone,
+// so that what one forgets of the normals no other hides: corrections at the floor are halves, at the wall two thirds.
+// No edge is lit where photons are merged. Connections have errors of 0.08 % at meters, so that 3 standard errors of a
+// difference are 0.6 %: an error of 1 % is found in 88 of 100 cases at the least.
+TEST(Taught, LeaningNormalsByEachTechniqueAlone) {
+  constexpr Limits limits{0.002, 0.0075};
+  const double sine = 0.5, cosine = std::sqrt(0.75);
+  Scene scene;
+  scene.add(leaning(quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {sine, 0, cosine}), matte(0.8));
+  scene.add(leaning(quad({1.3, -1, -1}, {0, 0, 3}, {0, 3, 0}), {-cosine, 0, sine}), matte(0.8));
+  scene.add_spot({0.5, 0.5, 1.2}, {0, 0, -1}, 1000, 0.3, 0.35);
+  Trial connections = trial(UPS_METHOD_UPS, 512, 1u << 12);
+  connections.name = "connections alone";
+  connections.options.techniques = UPS_TECHNIQUE_CONNECT;
+  std::vector<Estimate> in_image, at_meters;
+  const Sensor camera = scene.add_camera({1.02, 0.5, 0.2}, {1, 0, 0}, 8, 8, 1.2);
+  for (const Trial& t : {connections, trial(UPS_METHOD_LIGHT_TRACING, 64, 1u << 14)})
+    in_image.push_back(estimate(t.name, image_mean(scene, camera, t.options)));
+  connections.options.iterations = 64;
+  const Sensor meters = scene.add_meters(grid_about({1.02, 0.5, 0.2}, {0, 0, 1}, {0, 1, 0}, 0.8, 8), {1, 0, 0});
+  for (const Trial& t : {connections, trial(UPS_METHOD_PATH_TRACING, 512), merge_only(32, 1u << 16, 0.02)})
+    at_meters.push_back(estimate(t.name, render_quietly(scene, t.options, {meters}, limits), meters));
+  for (const std::vector<Estimate>& all : {in_image, at_meters})
+    for (const Estimate& m : all) measured("%s %+.2f %%", m.name.c_str(), 100 * (m.mean / all[0].mean - 1));
+  expect_same(in_image, 0, "image", limits);
+  expect_same(at_meters, 0, "meters", limits);
+}
+
 double stated_loss(const Result& result) {
   const std::string text = result.text(UPS_TEXT_WARNINGS), words = "lean from their faces lose ";
   const size_t at = text.find(words);

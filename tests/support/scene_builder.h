@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "effort.h"
 #include "render_trace.h"
 #include "result.h"
 #include "shapes.h"
@@ -272,7 +273,7 @@ class Scene {
   static ups_render_desc desc_of(const RenderOptions& options) {
     auto d = make_desc<ups_render_desc>(ups_render_desc_init);
     d.method = options.method;
-    d.iteration_count = options.iterations;
+    d.iteration_count = with_effort(options.iterations);
     d.seed = options.seed;
     d.merge_radius_m = float(options.merge_radius_m);
     d.light_paths_per_iteration = options.light_paths;

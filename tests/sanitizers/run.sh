@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# All tests under sanitizers, from a bare Debian 12, Debian 13 or Ubuntu 24.04 (root or sudo): installs what is missing,
+# configures, builds, runs every test, judges by what the sanitizers found. See README.md.
+#   tests/sanitizers/run.sh address            address, undefined behaviour, float traps
+#   tests/sanitizers/run.sh thread             races
+#   tests/sanitizers/run.sh address -R Replay  arguments go to ctest
+# UPS_TEST_EFFORT=full: renders of tests with all their iterations. Exit code 1 where something was found.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cores=$(nproc)
+case ${1:-} in
+  address) preset=asan ;;
+  thread) preset=tsan ;;
+  *)
+    sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    exit 2
+    ;;
+esac
+shift
+
+step() { printf '\n== %s\n' "$*"; }
+
+step "Packages (samples/setup.sh test)"
+bash samples/setup.sh test
+step "Configure (cmake --preset $preset)"
+cmake --preset "$preset"
+step "Build on $cores cores"
+cmake --build --preset "$preset" --parallel "$cores"
+step "Test (ctest --preset $preset)"
+results=$PWD/build/$preset/results.xml
+rm -f "$results"
+UPS_TEST_EFFORT=${UPS_TEST_EFFORT:-low} ctest --preset "$preset" --parallel "$cores" --output-junit "$results" "$@" ||
+  true # what failed is judged below
+python3 tests/sanitizers/judge.py "$results"
