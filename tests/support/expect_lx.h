@@ -42,7 +42,7 @@ inline uint32_t quieter(uint32_t iterations, double excess) {
 template <class Excess>
 Result render_until_quiet(Scene& scene, RenderOptions& options, uint32_t most, const Excess& excess) {
   Result result = scene.render(options);
-  for (double e = excess(result); options.iterations < most && e > 1; e = excess(result)) {
+  for (double e = excess(result); options.iterations < most && e > 1 && !low_effort(); e = excess(result)) {
     options.iterations = quieter(options.iterations, e);
     result = scene.render(options);
   }

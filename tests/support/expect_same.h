@@ -75,7 +75,7 @@ inline Result render_quietly(Scene& scene, RenderOptions options, const std::vec
       const Estimate e = estimate("", result, set);
       worst = std::max(worst, e.standard_error / (limits.standard_error * e.mean));
     }
-    if (repeats == 2 || worst <= 1) return result;
+    if (repeats == 2 || worst <= 1 || low_effort()) return result;
     options.iterations = quieter(options.iterations, worst);
   }
 }
