@@ -24,6 +24,7 @@ EXECUTABLES = {"base/base_tests": "base", "bsdf/test_bsdf": "base geometry bsdf"
                "photometry/photometry_tests": "base photometry", "transport/transport_tests": SCENE + " transport",
                "render/render_tests": SCENE + " transport render", "scene/scene_tests": SCENE,
                "emitter/emitter_tests": "base photometry emitter", "oracle/test_oracle": SCENE + " transport",
+               "stability/test_stability_parts": SCENE + " transport render",
                "api/api_tests": "all", "analytic/test_analytic": "all", "stability/test_stability": "all",
                "agreement/test_agreement": "all"}
 TIERS = (0.1, 1.0, 10.0, float("inf"))  # s a test takes: all quick ones run before the first slow one

@@ -21,8 +21,9 @@ inline Vec3 cross(const Vec3 &a, const Vec3 &b) noexcept {
 
 // Of length 1. Errors: INVALID_ARGUMENT where v has no direction.
 inline Vec3 unit(const Vec3 &v, const char *what) {
-  const double length = std::hypot(v[0], v[1], v[2]);
-  if (!std::isfinite(length) || length <= 0)
+  const bool finite = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  const double length = finite ? std::hypot(v[0], v[1], v[2]) : 0;  // which compares, and would trap
+  if (length <= 0 || !std::isfinite(length))
     throw Error(UPS_ERROR_INVALID_ARGUMENT, std::string(what) + ": expected a finite length above 0");
   return {v[0] / length, v[1] / length, v[2] / length};
 }
