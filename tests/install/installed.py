@@ -38,9 +38,11 @@ def check_notices(prefix, libdir):
     assert all(b in packages and a in packages | {"SPDXRef-DOCUMENT": 0} for a, b in linked)
     files = [f for f in (prefix / libdir).glob("libups*.so.*") if not f.is_symlink()]
     files += [f for f in [prefix / "bin/ups"] if f.exists()]
+    if "-fsanitize" in os.environ.get("FLAGS", ""):
+        files = []  # a sanitizer's build links more than is said of the others
     for file in files:
         own = "SPDXRef-" + file.name.split(".")[0].replace("_", "-")
-        for library in needed(file) if "-fsanitize" not in os.environ.get("FLAGS", "") else ():  # which links more
+        for library in needed(file):
             name = re.match(r"lib(ups_[a-z]+|[A-Za-z]+)", library)[1].lower()
             name = OF.get(name, name)
             found = [b for a, b in linked if a == own and packages[b]["name"].lower() in (name, "lib" + name)]

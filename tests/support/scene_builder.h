@@ -296,7 +296,7 @@ class Scene {
     check(ups_render(scene_.get(), &d, &result), "ups_render");
     Result rendered(result, sensors_);
     if (traces_renders())
-      trace_render("method " + std::to_string(options.method) + ", " + std::to_string(options.iterations) +
+      trace_render("method " + std::to_string(options.method) + ", " + std::to_string(d.iteration_count) +
                    " iterations, " + std::to_string(options.light_paths) + " light paths", began, rendered, sensors_);
     return rendered;
   }
