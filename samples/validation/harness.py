@@ -66,6 +66,11 @@ class Case:
     def for_tests(self):
         return replace(self, methods=tuple(m for m in self.methods if m in self.fast))
 
+    def unjudged(self, share):
+        """Once by one in `share` of the iterations, however noisy."""
+        iterations = {m: max(self.first_iterations(m) // share, 1) for m in self.methods}
+        return replace(self, iterations=iterations, checks=[replace(c, judged=False) for c in self.checks])
+
     def first_iterations(self, method):
         return self.iterations.get(method, 64) if isinstance(self.iterations, dict) else self.iterations
 

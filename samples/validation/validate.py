@@ -2,7 +2,7 @@
 """Renders the validation cases, judges every check, and writes the tables.
 
   python3 samples/validation/validate.py --ups build/release/bin/ups [--methods ups bpt pt] [--cases cie_5_2 ...]
-      [--fast] [--jobs N] [--plot] --out out/validation
+      [--fast] [--unjudged N] [--jobs N] [--plot] --out out/validation
 
 OUT gets results.json, results.md, with --plot validation.png, and for each case its scene and the program's files. The
 readings of chosen --cases are printed too. Exit code 1 where a check fails. What the cases are: README.md.
@@ -31,6 +31,9 @@ def parse(cases):
     parser.add_argument("--cases", nargs="+", metavar="CASE", choices=[*names, *groups],
                         help="cases or groups of cases: " + " ".join(groups))
     parser.add_argument("--fast", action="store_true", help="only what the tests run")
+    low_effort = os.environ.get("UPS_TEST_EFFORT") == "low"  # of tests under sanitizers
+    parser.add_argument("--unjudged", type=int, default=16 if low_effort else 0, metavar="N",
+                        help="nothing is judged: an Nth of the iterations, to see that all of it runs")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="renders at once, each on one thread")
     parser.add_argument("--plot", action="store_true", help="needs matplotlib")
     parser.add_argument("--out", default="out/validation")
@@ -44,6 +47,8 @@ def main():
         cases = [c for c in cases if c.name in arguments.cases or c.group in arguments.cases]
     if arguments.fast:
         cases = [c.for_tests() for c in cases if c.fast]
+    if arguments.unjudged:
+        cases = [c.unjudged(arguments.unjudged) for c in cases]
     rows = harness.run(os.path.abspath(arguments.ups), cases, arguments.methods, arguments.out, arguments.jobs)
     tables.write_json(os.path.join(arguments.out, "results.json"), cases, rows, arguments.methods)
     tables.write_markdown(os.path.join(arguments.out, "results.md"), cases, rows, arguments.methods)
