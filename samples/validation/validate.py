@@ -49,6 +49,7 @@ def main():
         cases = [c.for_tests() for c in cases if c.fast]
     if arguments.unjudged:
         cases = [c.unjudged(arguments.unjudged) for c in cases]
+        print(f"nothing is judged: one in {arguments.unjudged} of the iterations")
     rows = harness.run(os.path.abspath(arguments.ups), cases, arguments.methods, arguments.out, arguments.jobs)
     tables.write_json(os.path.join(arguments.out, "results.json"), cases, rows, arguments.methods)
     tables.write_markdown(os.path.join(arguments.out, "results.md"), cases, rows, arguments.methods)
