@@ -16,11 +16,16 @@ class SecondCopy {
   SecondCopy() {
     char folder[] = "/tmp/ups_second_copy_XXXXXX";
     if (!mkdtemp(folder)) return;
-    const std::string file = std::string(folder) + "/copy.so";
+    folder_ = folder;
+    const std::string file = folder_ + "/copy.so";
     std::filesystem::copy_file(UPS_LIBRARY_FILE, file);
     library_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    std::filesystem::remove_all(folder);
   }
+  ~SecondCopy() {  // not before: reports of sanitizers look up names in the file
+    if (!folder_.empty()) std::filesystem::remove_all(folder_);
+  }
+  SecondCopy(const SecondCopy&) = delete;
+  SecondCopy& operator=(const SecondCopy&) = delete;
   bool is_loaded() const { return library_ != nullptr; }
   template <class Function>
   Function* operator()(Function*, const char* name) const {
@@ -28,6 +33,7 @@ class SecondCopy {
   }
 
  private:
+  std::string folder_;
   void* library_ = nullptr;
 };
 #define OTHER(function) other(&function, #function)

@@ -4,6 +4,7 @@
 // Methods are compared in pairs: each standard error is at most 0.15 % of the value, and half a percent or 3 standard
 // errors of the difference is allowed (expect_same.h, with its false alarms): an error of 1 % is found in 95 of 100
 // cases at the least.
+#include <algorithm>
 #include <cstdlib>
 #include <numeric>
 #include <random>
@@ -126,6 +127,30 @@ TEST(Taught, LeaningNormalsByEachTechniqueAlone) {
     for (const Estimate& m : all) measured("%s %+.2f %%", m.name.c_str(), 100 * (m.mean / all[0].mean - 1));
   expect_same(in_image, 0, "image", limits);
   expect_same(at_meters, 0, "meters", limits);
+}
+
+// A spot straight down on a floor whose normals lean by 45 degrees towards a wall of rough metal: of what the floor
+// scatters about its normal nothing may leave below its face. The wall below the floor is dark, exactly.
+TEST(Taught, NothingGlowsBelowAFloorWhoseNormalsLean) {
+  Scene scene;
+  scene.add(leaning(quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {1, 0, 1}), matte(0.8));
+  scene.add(quad({1.3, -1, -1}, {0, 0, 3}, {0, 3, 0}), rough(UPS_MATERIAL_METAL, 0.9, 0.5));
+  scene.add_spot({0.5, 0.5, 1.2}, {0, 0, -1}, 1000, 0.3, 0.35);
+  const Sensor above = scene.add_camera({1.02, 0.5, 0.4}, {1, 0, 0}, 8, 8, 0.8);
+  const Sensor below = scene.add_camera({1.02, 0.5, -0.4}, {1, 0, 0}, 8, 8, 0.8);
+  Trial connections = trial(UPS_METHOD_UPS, 16, 1u << 12);
+  connections.name = "connections alone";
+  connections.options.techniques = UPS_TECHNIQUE_CONNECT;
+  for (const Trial& t : {connections, trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 12),
+                         trial(UPS_METHOD_PATH_TRACING, 16), merge_only(16, 1u << 12, 0.02)}) {
+    const Result result = scene.render(t.options);
+    const auto largest = [&](const Sensor& camera) {
+      const auto pixels = result.image(camera).luminance;
+      return *std::max_element(pixels.begin(), pixels.end());
+    };
+    EXPECT_GT(largest(above), 1) << t.name;
+    EXPECT_EQ(largest(below), 0) << t.name;
+  }
 }
 
 double stated_loss(const Result& result) {
