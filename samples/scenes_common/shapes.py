@@ -83,9 +83,10 @@ def check_closed(mesh, name):
     keys = np.round(mesh.positions * 1e7).astype(np.int64)
     _, welded = np.unique(keys, axis=0, return_inverse=True)
     triangles = welded.reshape(-1)[mesh.triangles]
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    forward = {tuple(e) for e in edges.tolist()}
-    if len(forward) != len(edges) or any((b, a) not in forward for a, b in forward):
+    tails, heads = triangles[:, [0, 1, 2]].ravel(), triangles[:, [1, 2, 0]].ravel()
+    count = len(keys)  # more than any corner's number: an edge is one number, too
+    forward, backward = np.sort(tails * count + heads), np.sort(heads * count + tails)
+    if (forward[1:] == forward[:-1]).any() or not np.array_equal(forward, backward):
         raise ValueError(f"{name}: the solid is not closed")
     if mesh.volume() <= 0:
         raise ValueError(f"{name}: the solid is turned inside out")

@@ -54,17 +54,22 @@ class Case:
     build: Callable[[str], object]  # writes the .glb (and files it refers to beside it)
     checks: list
     methods: tuple = ("ups", "bpt", "pt")
-    fast: tuple = ("ups", "bpt", "pt")  # the methods by which the tests run it
+    fast: object = ("ups", "bpt", "pt")  # the methods by which the tests run it; {method: iterations}: with so many
     options: tuple = ()  # more words for `ups render`
     iterations: object = 64  # to begin with; a number, or {method: number}
     cannot: tuple = ()  # ((method, why it cannot sample this case), ...); not in `methods`
+    tables: bool = True  # of the program, also where means alone are judged
     group: str = ""  # cases of one group share a line of the summary; without it each has its own
 
     def __post_init__(self):
         self.group = self.group or self.name
 
     def for_tests(self):
-        return replace(self, methods=tuple(m for m in self.methods if m in self.fast))
+        """Maps take the program longer than most of these renders do: few, and coarse ones."""
+        chosen = self.fast if isinstance(self.fast, dict) else {}
+        return replace(self, methods=tuple(m for m in self.methods if m in self.fast), tables=False,
+                       options=(*self.options, "--map-cells"),
+                       iterations={m: chosen.get(m, self.first_iterations(m)) for m in self.methods})
 
     def unjudged(self, share):
         """Once by one in `share` of the iterations, however noisy."""
@@ -113,11 +118,11 @@ def noise(standard_error, error_bound):
 
 
 def read_meters(folder, summary):
-    """{set: ((mean, its standard error, None), [(E, standard error, bias), ...])}"""
+    """{set: ((mean, its standard error, None), [(E, standard error, bias), ...])}; without a folder means alone."""
     sets = {}
     for name, meters in summary["meters"].items():
         readings = [(row["illuminance_lx"], noise(row["standard_error_lx"], row["error_bound_lx"]), row["bias_lx"])
-                    for row in read_table(folder, name)]
+                    for row in (read_table(folder, name) if folder else ())]
         mean = meters["mean_lx"], noise(meters["mean_standard_error_lx"], meters["mean_error_bound_lx"]), None
         sets[name] = (mean, readings)
     return sets
@@ -135,6 +140,8 @@ def growth(rows):
 def run_case(renderer, case, method, out, cap):
     """Renders with more iterations until no check is too noisy; the rows of the last render."""
     iterations, seconds = case.first_iterations(method), 0.0
+    if not case.tables and all(c.index is None for c in case.checks):
+        out = None
     while True:
         summary = renderer.render(method, 1, ["--iterations", str(iterations)], out)
         sets = read_meters(out, summary)
