@@ -40,7 +40,7 @@ SCENES = {"mirror": lambda: (known_light.mirror(64), known_light.mirror(256)),
 
 def render(ups, path, words, size, seed, out):
     """The rows of the scene's meters. Called in processes of its own."""
-    summary = Renderer(ups, path, 1, size).render("auto", seed, list(words), out)
+    summary = Renderer(ups, path, 1, size, ("--map-cells",)).render("auto", seed, list(words), out)
     return [row for name in summary["meters"] for row in read_table(out, name)]
 
 
