@@ -60,7 +60,7 @@ TEST(Taught, BumpMapsDoNotChangeTheIlluminanceOfAnImage) {
   scene.add_directional({1, 0, -0.5}, 500);
   const Sensor camera = scene.add_camera({0, 0, 0.5}, {0, 0, -1}, 16, 16, 0.8, true);
   for (const Trial& t : {trial(UPS_METHOD_PATH_TRACING, 16), trial(UPS_METHOD_UPS, 16, 1u << 12, 0.04),
-                         trial(UPS_METHOD_PPM, 32, 1u << 16, 0.04)}) {
+                         trial(UPS_METHOD_PPM, 20, 1u << 16, 0.04)}) {
     std::vector<double> means;
     RenderOptions options = t.options;
     for (options.seed = 1; options.seed <= 8; ++options.seed) {
@@ -87,8 +87,8 @@ TEST(Taught, SmoothNormalsOnCoarseMeshesAreAlikeFromBothEnds) {
   scene.add_point_light({1.5, 1.5, 2}, 100);
   const Sensor camera = scene.add_camera({0.3, 0.2, 1.6}, {1, 0.8, -0.35}, 32, 24, 0.6);
   std::vector<Estimate> means;
-  for (const Trial& t : {trial(UPS_METHOD_PATH_TRACING, 64), trial(UPS_METHOD_BIDIRECTIONAL, 20, 1u << 12),
-                         trial(UPS_METHOD_UPS, 20, 1u << 12, 0.02), trial(UPS_METHOD_LIGHT_TRACING, 24, 1u << 14)})
+  for (const Trial& t : {trial(UPS_METHOD_PATH_TRACING, 40), trial(UPS_METHOD_BIDIRECTIONAL, 16, 1u << 12),
+                         trial(UPS_METHOD_UPS, 16, 1u << 12, 0.02), trial(UPS_METHOD_LIGHT_TRACING, 12, 1u << 14)})
     means.push_back(estimate(t.name, image_mean(scene, camera, t.options)));
   for (const Estimate& m : means) measured("%s %+.2f %%", m.name.c_str(), 100 * (m.mean / means[0].mean - 1));
   expect_same(means, 0, "image");
@@ -112,12 +112,12 @@ TEST(Taught, LeaningNormalsByEachTechniqueAlone) {
   scene.add(leaning(quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {sine, 0, cosine}), matte(0.8));
   scene.add(leaning(quad({1.3, -1, -1}, {0, 0, 3}, {0, 3, 0}), {-cosine, 0, sine}), matte(0.8));
   scene.add_spot({0.5, 0.5, 1.2}, {0, 0, -1}, 1000, 0.3, 0.35);
-  Trial connections = trial(UPS_METHOD_UPS, 512, 1u << 12);
+  Trial connections = trial(UPS_METHOD_UPS, 288, 1u << 12);
   connections.name = "connections alone";
   connections.options.techniques = UPS_TECHNIQUE_CONNECT;
   std::vector<Estimate> in_image, at_meters;
   const Sensor camera = scene.add_camera({1.02, 0.5, 0.2}, {1, 0, 0}, 8, 8, 1.2);
-  for (const Trial& t : {connections, trial(UPS_METHOD_LIGHT_TRACING, 64, 1u << 14)})
+  for (const Trial& t : {connections, trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 14)})
     in_image.push_back(estimate(t.name, image_mean(scene, camera, t.options)));
   connections.options.iterations = 64;
   const Sensor meters = scene.add_meters(grid_about({1.02, 0.5, 0.2}, {0, 0, 1}, {0, 1, 0}, 0.8, 8), {1, 0, 0});
@@ -172,7 +172,7 @@ TEST(Taught, TerminatorLossesInWhiteRoomsAreStated) {
     scene.add(smooth_sphere({2, 1.5, 1.25}, 0.8, subdivisions), emitter(luminance, rho));
     Points walls = points_inside(box({0, 0, 0}, {4, 3, 2.5}), 64, 1);
     const Sensor meters = scene.add_meters(walls.positions, walls.normals);
-    const auto s = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 128}).statistics(meters);
+    const auto s = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 96}).statistics(meters);
     EXPECT_LE(s.mean_standard_error_lx, 3e-4 * expected);
     const double missing = 1 - s.mean_lx / expected;
     const double stated =

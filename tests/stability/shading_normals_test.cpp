@@ -62,7 +62,7 @@ TEST_P(Hazard15Object, LightsMetersAlikeFromBothEnds) {
   scene.add(bumpy_sphere({0, 0, 0}, 0.5), GetParam().second);
   scene.add(quad({-0.6, -0.6, 0.8}, {0, 1.2, 0}, {1.2, 0, 0}), emitter(1000));
   const Target target(scene, {0, 0, 0.6}, {0, 0, -1});
-  expect_same(scene, {pt(224), unified(96), ppm(64)}, target.points, target.cells, 0, 0);
+  expect_same(scene, {pt(192), unified(144), ppm(64)}, target.points, target.cells, 0, 0);
 }
 
 class Hazard15Floor : public ::testing::TestWithParam<std::pair<const char*, ups_material_desc>> {
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Materials, Hazard15Floor,
 
 TEST_P(Hazard15Floor, UnderAnAreaEmitter) {
   scene.add(quad({-0.8, -0.8, 0.6}, {0, 1.6, 0}, {1.6, 0, 0}), emitter(1000));
-  judge({pt(128), bpt(64), unified(88), ppm(32), merging(48)});
+  judge({pt(96), bpt(64), unified(64), ppm(44), merging(32)});
 }
 TEST_P(Hazard15Floor, UnderASourceWithoutExtent) {
   scene.add_spot({0, 0, 1.2}, {0, 0, -1}, 1000, 0.6, 0.8);
@@ -89,7 +89,7 @@ TEST_P(Hazard15Floor, UnderASourceWithoutExtent) {
 }
 TEST_P(Hazard15Floor, UnderTheSun) {
   scene.add_directional({1, 0, -1.5}, 1000);
-  judge({pt(32), bpt(24), unified(32), ppm(128)});
+  judge({pt(32), bpt(24), unified(32), ppm(96)});
 }
 
 // Photons merged at what a camera sees, against splats and path tracing: image means over 8 seeds.
@@ -98,7 +98,7 @@ TEST_P(Hazard15Floor, SeenByACamera) {
   const Sensor camera = scene.add_camera({0, 0, 0.5}, {0, 0, -1}, 48, 36, 1.2);
   std::vector<Estimate> means;
   for (Trial t :
-       {pt(32), trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 14), trial(UPS_METHOD_PPM, 16, 1u << 14, 0.5 * merge_radius)})
+       {pt(32), trial(UPS_METHOD_LIGHT_TRACING, 8, 1u << 14), trial(UPS_METHOD_PPM, 16, 1u << 14, 0.5 * merge_radius)})
     means.push_back(estimate(t.name, image_mean(scene, camera, t.options)));
   expect_same(means, 0, "image");
 }
