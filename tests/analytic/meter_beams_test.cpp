@@ -190,7 +190,10 @@ TEST_P(MeterBeams, ByConnections) {
       EXPECT_NEAR(patch.expected(c).x, c.lx[angle], 0.05) << name_of(c, angle);
     }
   }
-  beam.expect({.method = UPS_METHOD_LIGHT_TRACING, .light_paths = 1u << 14, .techniques = UPS_TECHNIQUE_CONNECT},
+  beam.expect({.method = UPS_METHOD_LIGHT_TRACING,
+               .iterations = 448,
+               .light_paths = 1u << 14,
+               .techniques = UPS_TECHNIQUE_CONNECT},
               patch.across(rho * lx / pi_d), [&](const Case& c) { return patch.expected(c); });
 }
 

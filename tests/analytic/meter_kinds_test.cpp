@@ -104,7 +104,6 @@ class LitFloor : public ::testing::Test {
               double tolerance = 0.003) {
     options.merge_radius_m = 0.1;
     options.light_paths = light_alone ? 1u << 17 : 1u << 14;
-    options.iterations = 64;
     const auto noise_of = [&](const Result& r, const Set& s) {
       return r.statistics(s.meters).mean_standard_error_lx / (noise * s.length);
     };
@@ -162,7 +161,7 @@ TEST_F(LitFloor, PointsByEmitterHits) {
 // Of the floor's light alone: what comes straight is the light sample's.
 TEST_F(LitFloor, PointsByConnections) {
   add_meters(false, 0.8);
-  expect({.method = UPS_METHOD_LIGHT_TRACING}, "connections", false, 0.002);
+  expect({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 320}, "connections", false, 0.002);
 }
 TEST_F(LitFloor, PointsByMerging) {
   add_meters(false, 0.8);
@@ -175,6 +174,7 @@ TEST_F(LitFloor, PointsByAllTechniques) {
 TEST_F(LitFloor, PointsByAllTechniquesButLightSamples) {  // photons straight from the emitter are merged, too
   add_meters(false, 0.8);
   expect({.method = UPS_METHOD_UPS,
+          .iterations = 480,
           .techniques = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_MERGE},
          "hits, connections, merging");
 }
@@ -189,7 +189,8 @@ TEST_F(LitFloor, CellsByAllTechniques) {
 // What lies on the floor sees it as near as can be: all photons of its lower half land at its foot.
 TEST_F(LitFloor, PointsOnTheFloorByMerging) {
   add_meters(false, 0);
-  expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_MERGE}, "merging on the floor", true, 0.002);
+  expect({.method = UPS_METHOD_UPS, .iterations = 80, .techniques = UPS_TECHNIQUE_MERGE}, "merging on the floor", true,
+         0.002);
 }
 TEST_F(LitFloor, PointsOnTheFloorByAllTechniques) {
   add_meters(false, 0);

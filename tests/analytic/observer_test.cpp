@@ -32,7 +32,8 @@ struct SphereRoom {
     const double levin = std::exp((35.2 - 0.31889 * t - 1.22 * std::exp(-2 * t / 9)) * 1e-3 * s +
                                   (21 + 0.26667 * t - 0.002963 * t * t) * 1e-5 * s * s);
     for (ups_method method : methods) {
-      const Result result = scene.render({.method = method, .iterations = method == UPS_METHOD_PATH_TRACING ? 1024u : 128u});
+      const uint32_t iterations = method == UPS_METHOD_PATH_TRACING ? 512 : 128;
+      const Result result = scene.render({.method = method, .iterations = iterations});
       for (const auto& [observer, p] : {std::pair(eye, 2.91), std::pair(guth, levin)}) {
         const ups_observer_reading r = result.observer(observer);
         const double expected = ugr(sum_without_p / (p * p), luminance);
