@@ -8,8 +8,9 @@ import shutil
 import subprocess
 from pathlib import Path
 
-# What every machine with Python has: the C and C++ run time, as the tags "manylinux" (PEP 600) have it, and zlib.
-_OF_THE_SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|z))\.so\.\d+")
+# What every machine with Python has: the C and C++ run time, as the tags "manylinux" (PEP 600) have it, and zlib. And a
+# sanitizer's run time, of which a process has one.
+_OF_THE_SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|z|asan|tsan|ubsan))\.so\.\d+")
 # oneTBB takes memory from it where it finds it by this name beside itself; nothing is linked with it. Once there is none, it
 # goes on where oneTBB alone would end the process (ups_base.h). It loads itself by its name, so that it keeps that.
 _LOADED = {"libtbb.so.12": "libtbbmalloc.so.2"}

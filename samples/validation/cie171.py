@@ -128,7 +128,7 @@ def cases_5_8():
     published = (5.48, 11.6, 26.0, 44.6, 69.4, 104, 156, 243, 417, 937, 1979)
     long_paths = {0.6: (64, 64, 256), 0.7: (64, 64, 256), 0.8: (128, 256, 512), 0.9: (256, 256, 1024),
                   0.95: (512, 512, 1024)}  # iterations by UPS, BPT, PT
-    # Of the tests, for standard errors of at most 0.2 %: with 3 of them 1 % is found in 95 of 100 cases.
+    # Of the tests, for standard errors of some 0.2 %: with 3 of them 1 % is found in 95 of 100 cases.
     short_paths = {rho: dict(ups=32 if rho > 0.3 else 16, bpt=16 if rho < 0.4 else 32 if rho < 0.5 else 64,
                              pt=16 if rho < 0.4 else 32 if rho < 0.5 else 64 if rho < 0.6 else 256)
                    for rho in REFLECTANCES if rho <= 0.6}

@@ -6,15 +6,16 @@ in what the library does; the checks that have to fail must, and say why. That t
 by themselves.
 """
 import argparse
-import os
 import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-import check_abi
-from check_abi import c_header
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+import check_abi  # noqa: E402
+from check_abi import c_header  # noqa: E402
+from preload import preloaded  # noqa: E402
 
 ROOT = check_abi.ROOT
 
@@ -23,7 +24,7 @@ class Scratch:
     """What the checks read, to be changed; the library, whose behaviour a preloaded one can change."""
 
     def __init__(self, folder, arguments):
-        self.root, self.cc = Path(folder), arguments.cc
+        self.root, self.cc, self.flags = Path(folder), arguments.cc, arguments.flags
         self.libraries = [Path(library).resolve() for library in arguments.library]
         for part in ("include", "tests/abi"):
             shutil.copytree(ROOT / part, self.root / part, ignore=shutil.ignore_patterns("__pycache__"))
@@ -31,14 +32,13 @@ class Scratch:
             (self.root / part).parent.mkdir(parents=True)
             shutil.copy(ROOT / part, self.root / part)
 
-    def ask(self, question, library=None, preloaded=None):
-        """(whether it passed, what it said)"""
+    def ask(self, question, library=None, before=()):
+        """(whether it passed, what it said); `before`: libraries that stand before all others."""
         program = "check_clients.py" if question in ("released", "clients") else "check_abi.py"
         libraries = [library] if library else self.libraries
-        command = [sys.executable, self.root / "tests/abi" / program, question, "--cc", self.cc, "--library",
-                   *libraries]
-        environment = dict(os.environ, **({"LD_PRELOAD": str(preloaded)} if preloaded else {}))
-        done = subprocess.run(command, capture_output=True, text=True, env=environment)
+        command = [sys.executable, self.root / "tests/abi" / program, question, "--cc", self.cc,
+                   f"--flags={self.flags}", "--library", *libraries]
+        done = subprocess.run(command, capture_output=True, text=True, env=preloaded(*before))
         return done.returncode, done.stdout + done.stderr
 
     def edit(self, name, old, new):
@@ -113,10 +113,10 @@ CHANGES = {
 }
 # What the library does otherwise: (the library instead of it, or what is preloaded), and what notices.
 BEHAVIOURS = {
-    "another default": (lambda s: {"preloaded": s.shim("desc->target_relative_error = 0.125f;")},
+    "another default": (lambda s: {"before": [s.shim("desc->target_relative_error = 0.125f;")]},
                         {"defaults": "+  target_relative_error 0.125"}),
     "more written than there is room for": (
-        lambda s: {"preloaded": s.shim("((unsigned char *)desc)[struct_size] = 1;")},
+        lambda s: {"before": [s.shim("((unsigned char *)desc)[struct_size] = 1;")]},
         {"clients": "ups_render_desc_init writes beyond struct_size"}),
     "symbols without a version": (lambda s: {"library": s.unversioned()}, {"exports": "not of version UPS_"}),
 }
@@ -138,6 +138,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--library", nargs="+", required=True)
     parser.add_argument("--cc", default="cc")
+    parser.add_argument("--flags", default="", help="of the compiler, such as the library's sanitizer")
     arguments = parser.parse_args()
     for what, (change, noticed) in (CHANGES | BEHAVIOURS).items():
         with tempfile.TemporaryDirectory() as folder:

@@ -17,9 +17,10 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "tests" / "abi")]
+sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "tests" / "abi"), str(ROOT / "tests" / "support")]
 from c_header import CORE_HEADERS, parse_headers  # noqa: E402
 from check_abi import declaration, inclusions, run  # noqa: E402
+from preload import preloaded  # noqa: E402
 
 GUIDE = ROOT / "samples" / "docs" / "link_it_in_an_hour.md"
 SOURCES = {"C": "c/edits.c", "C++": "cpp/edits.cpp", "Python": "python/edits.py", "C#": "csharp/Edits.cs"}
@@ -77,7 +78,7 @@ def count_calls(command, counter, library, folder):
     if len(words) > 1:
         environment["LD_LIBRARY_PATH"] = folder
     else:
-        environment["LD_PRELOAD"] = str(counter)
+        environment |= {"LD_PRELOAD": preloaded(counter)["LD_PRELOAD"]}
     run(*words, env=environment)
     names = calls.read_text().split()
     commits = [i for i, name in enumerate(names) if name == "ups_scene_commit"]

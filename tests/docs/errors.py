@@ -13,9 +13,11 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "samples" / "docs"), str(ROOT / "tests" / "abi")]
+sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "samples" / "docs"), str(ROOT / "tests" / "abi"),
+                str(ROOT / "tests" / "support")]
 import rules  # noqa: E402
 from check_abi import declaration, inclusions, library_of, read_api, run  # noqa: E402
+from preload import preloaded  # noqa: E402
 
 # What no call of an example can be followed by.
 NOT_TRIED = {"ups_context_pop_log capacity small": "the call before took the message"}
@@ -143,8 +145,7 @@ def main():
     functions = [f for f in read_api().functions if rules.can_fail(f)]
     failed = False
     with tempfile.TemporaryDirectory() as folder:
-        environment = dict(os.environ, LD_PRELOAD=str(build(arguments.cc, functions, folder)),
-                           UPS_TRIED=f"{folder}/tried")
+        environment = preloaded(build(arguments.cc, functions, folder)) | {"UPS_TRIED": f"{folder}/tried"}
         for example in arguments.examples:
             done = subprocess.run([os.path.abspath(example)], env=environment, cwd=folder, capture_output=True,
                                   text=True)

@@ -13,7 +13,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tool"))
+sys.path[:0] = [str(Path(__file__).resolve().parents[1] / folder) for folder in ("tool", "support")]
 from test_program import IES, room  # noqa: E402
 
 FULL = os.environ.get("UPS_STABILITY") == "full"

@@ -10,13 +10,14 @@ import time
 from pathlib import Path
 
 import faults
+from preload import preloaded
 
 DISTURBANCES = None
 SOURCES = Path(__file__).resolve().parent.parent.parent / "src"
 
 
 def disturbed(how):
-    return {**os.environ, "LD_PRELOAD": DISTURBANCES, "UPS_DISTURB": how}
+    return preloaded(DISTURBANCES) | {"UPS_DISTURB": how}
 
 
 class Time(faults.FaultTest):

@@ -2,7 +2,7 @@
 # The archive for those who ship their own program (make_bundle.py), opened in a folder of another name: programs are
 # built against it with pkg-config, its libraries copied to where a vendor would put them. Every library that they load has
 # to be from there, but for the C and C++ run time and zlib.
-# Called by ctest, with PKG_CONFIG and CC set: bundle.sh BUILD PYTHON
+# Called by ctest, with PKG_CONFIG, CC and FLAGS set: bundle.sh BUILD PYTHON
 set -euo pipefail
 build=$1 python=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -27,13 +27,15 @@ try() { # SOURCE ENDING PACKAGES
   local flags loaded outside printed program=$product/bin/${1##*/}
   read -ra flags <<<"$("$PKG_CONFIG" --cflags --libs "${@:3}")"
   # shellcheck disable=SC2016  # $ORIGIN is the loader's
-  "$CC" -std=c99 "$1.c" "${flags[@]}" -Wl,-rpath,'$ORIGIN/../lib' -o "$program"
-  printed=$(cd "$product" && env -i "$program" | tail -n 1)
+  # shellcheck disable=SC2086  # FLAGS is a list
+  "$CC" $FLAGS -std=c99 "$1.c" "${flags[@]}" -Wl,-rpath,'$ORIGIN/../lib' -o "$program"
+  printed=$(cd "$product" && env -i "LSAN_OPTIONS=${LSAN_OPTIONS:-}" "TSAN_OPTIONS=${TSAN_OPTIONS:-}" "$program" |
+    tail -n 1)
   echo "${1##*/}: $printed"
   [[ $printed == "UPS "*" $2" ]]
   loaded=$(ldd "$program" | awk '$2 == "=>" { print $3 }')
   outside=$(grep -v "^$product/bin/../lib/" <<<"$loaded" |
-    grep -vE '/(lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|z)|ld-linux[^/]*)\.so\.[0-9]+$' || true)
+    grep -vE '/(lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|z|asan|tsan|ubsan)|ld-linux[^/]*)\.so\.[0-9]+$' || true)
   [ -z "$outside" ] || { echo "loaded from outside the bundle: $outside" >&2; exit 1; }
 }
 try "$here/../../samples/c/small_room" lx ups

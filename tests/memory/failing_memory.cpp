@@ -13,12 +13,21 @@
 #include <cstring>
 #include <new>
 
+// Those that ours stand before.
+#ifdef UPS_SANITIZE
+#define REAL(name) __interceptor_##name
+#else
+#define REAL(name) __libc_##name
+#endif
 extern "C" {
-void* __libc_malloc(size_t);
-void* __libc_calloc(size_t, size_t);
-void* __libc_realloc(void*, size_t);
-void* __libc_memalign(size_t, size_t);
-void __libc_free(void*);
+#ifdef UPS_SANITIZE
+int __sanitizer_get_ownership(const volatile void*);
+#endif
+void* REAL(malloc)(size_t);
+void* REAL(calloc)(size_t, size_t);
+void* REAL(realloc)(void*, size_t);
+void* REAL(memalign)(size_t, size_t);
+void REAL(free)(void*);
 }
 
 namespace {
@@ -29,8 +38,31 @@ std::atomic<bool> counting{false}, no_threads{false};
 std::atomic<long> calls{0};
 long first_failure = 0, failures = 0;  // set while not counting
 
-bool fails() {
-  if (!counting.load(std::memory_order_acquire)) return false;
+#ifdef UPS_SANITIZE
+// Calls from the C library do not fail: a sanitizer ends the process if those for its own ends do, of new threads.
+uintptr_t libc_begin = 0, libc_end = 0;
+int find_libc(dl_phdr_info* info, size_t, void*) {
+  if (std::strstr(info->dlpi_name, "/libc.so"))
+    for (int i = 0; i < info->dlpi_phnum; ++i)
+      if (const ElfW(Phdr)& part = info->dlpi_phdr[i]; part.p_type == PT_LOAD && (part.p_flags & PF_X))
+        libc_begin = info->dlpi_addr + part.p_vaddr, libc_end = libc_begin + part.p_memsz;
+  return 0;
+}
+bool spared(const void* caller) {
+  const auto at = reinterpret_cast<uintptr_t>(caller);
+  return at >= libc_begin && at < libc_end;
+}
+bool ready = false;  // the sanitizer, which takes memory before that, too, and knows nothing of it
+__attribute__((constructor)) void get_ready() {
+  dl_iterate_phdr(&find_libc, nullptr);
+  ready = true;
+}
+#else
+bool spared(const void*) { return false; }
+#endif
+
+bool fails(const void* caller) {
+  if (!counting.load(std::memory_order_acquire) || spared(caller)) return false;
   const long n = calls.fetch_add(1, std::memory_order_relaxed) + 1;
   if (n < first_failure || n - first_failure >= failures) return false;
   errno = ENOMEM;
@@ -46,12 +78,18 @@ void grow(long bytes) {
   long peak = peak_bytes.load(std::memory_order_relaxed);
   while (now > peak && !peak_bytes.compare_exchange_weak(peak, now, std::memory_order_relaxed)) {}
 }
+long size_of(void* p) {
+#ifdef UPS_SANITIZE
+  if (!ready || !__sanitizer_get_ownership(p)) return 0;
+#endif
+  return long(malloc_usable_size(p));
+}
 void* counted(void* p) {
-  if (p) grow(long(malloc_usable_size(p)));
+  if (p) grow(size_of(p));
   return p;
 }
 void discount(void* p) {
-  if (p) grow(-long(malloc_usable_size(p)));
+  if (p) grow(-size_of(p));
 }
 
 // ---- what the library holds ----
@@ -123,8 +161,8 @@ void drop(void* p) {
 }
 
 void* allocate(size_t size, size_t alignment, const void* caller) {
-  if (fails()) return nullptr;
-  return keep(counted(alignment > 16 ? __libc_memalign(alignment, size) : __libc_malloc(size)), caller);
+  if (fails(caller)) return nullptr;
+  return keep(counted(alignment > 16 ? REAL(memalign)(alignment, size) : REAL(malloc)(size)), caller);
 }
 
 void* allocate_or_throw(size_t size, size_t alignment, const void* caller) {
@@ -170,13 +208,13 @@ long peak_allocated() { return peak_bytes.load(); }
 extern "C" {
 void* malloc(size_t size) { return allocate(size, 0, CALLER); }
 void* calloc(size_t count, size_t size) {
-  return fails() ? nullptr : keep(counted(__libc_calloc(count, size)), CALLER);
+  return fails(CALLER) ? nullptr : keep(counted(REAL(calloc)(count, size)), CALLER);
 }
 void* realloc(void* old, size_t size) {
-  if (fails()) return nullptr;
+  if (fails(CALLER)) return nullptr;
   drop(old);
   discount(old);
-  return keep(counted(__libc_realloc(old, size)), CALLER);
+  return keep(counted(REAL(realloc)(old, size)), CALLER);
 }
 void* memalign(size_t alignment, size_t size) { return allocate(size, alignment, CALLER); }
 void* aligned_alloc(size_t alignment, size_t size) { return allocate(size, alignment, CALLER); }
@@ -189,11 +227,11 @@ int posix_memalign(void** out, size_t alignment, size_t size) {
 void free(void* p) {
   drop(p);
   discount(p);
-  __libc_free(p);
+  REAL(free)(p);
 }
 void* mmap(void* address, size_t size, int protection, int flags, int file, off_t offset) {
   static const auto real = next_of<void* (*)(void*, size_t, int, int, int, off_t)>("mmap");
-  void* p = fails() ? MAP_FAILED : real(address, size, protection, flags, file, offset);
+  void* p = fails(CALLER) ? MAP_FAILED : real(address, size, protection, flags, file, offset);
   if (p != MAP_FAILED && (flags & MAP_ANONYMOUS)) grow(long(size));
   return p;
 }
@@ -206,7 +244,7 @@ int munmap(void* address, size_t size) {
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*), void* argument) {
   static const auto real =
       next_of<int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
-  return no_threads.load() || fails() ? EAGAIN : real(thread, attributes, start, argument);
+  return no_threads.load() || fails(CALLER) ? EAGAIN : real(thread, attributes, start, argument);
 }
 }
 

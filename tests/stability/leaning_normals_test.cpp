@@ -172,7 +172,7 @@ TEST(Taught, TerminatorLossesInWhiteRoomsAreStated) {
     scene.add(smooth_sphere({2, 1.5, 1.25}, 0.8, subdivisions), emitter(luminance, rho));
     Points walls = points_inside(box({0, 0, 0}, {4, 3, 2.5}), 64, 1);
     const Sensor meters = scene.add_meters(walls.positions, walls.normals);
-    const auto s = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 96}).statistics(meters);
+    const auto s = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 112}).statistics(meters);
     EXPECT_LE(s.mean_standard_error_lx, 3e-4 * expected);
     const double missing = 1 - s.mean_lx / expected;
     const double stated =
