@@ -78,7 +78,7 @@ def count_calls(command, counter, library, folder):
     if len(words) > 1:
         environment["LD_LIBRARY_PATH"] = folder
     else:
-        environment |= {"LD_PRELOAD": preloaded(counter)["LD_PRELOAD"]}
+        environment["LD_PRELOAD"] = preloaded(counter)["LD_PRELOAD"]
     run(*words, env=environment)
     names = calls.read_text().split()
     commits = [i for i, name in enumerate(names) if name == "ups_scene_commit"]
