@@ -86,9 +86,10 @@ Shape lamp(double z, double facing) { return disc({0, 0, z}, {0, 0, facing}, lam
 // Without a rough surface bidirectional path tracing has nothing to join and is path tracing, and merging alone is PPM.
 // Iterations are those that standard errors of 0.15 % take, so that no render is repeated.
 struct Iterations {
-  uint32_t pt, bpt, lt, ups, ppm, merging;
+  uint32_t pt, lt, ups, ppm, bpt = 0, merging = 0;
 };
-std::vector<Trial> smooth_trials(double merge_radius, const Iterations& n = {32, 0, 20, 32, 24, 0}) {
+std::vector<Trial> smooth_trials(double merge_radius,
+                                 const Iterations& n = {.pt = 32, .lt = 20, .ups = 32, .ppm = 24}) {
   return {trial(UPS_METHOD_PATH_TRACING, n.pt), trial(UPS_METHOD_LIGHT_TRACING, n.lt, 1u << 15),
           trial(UPS_METHOD_UPS, n.ups, 1u << 13, merge_radius), trial(UPS_METHOD_PPM, n.ppm, 1u << 15, merge_radius)};
 }
@@ -179,7 +180,7 @@ TEST(Hazard14, MetersInACubeUnderASky) {
       seen += std::max({r * std::abs(std::cos(phi)), r * std::abs(std::sin(phi)), std::sqrt(1 - r * r)}) > limit;
     }
   square.expect([&](double) { return pi_d * n * n * luminance * seen / steps / steps; });
-  square.judge(scene, smooth_trials(0.06, {20, 0, 40, 36, 40, 0}));
+  square.judge(scene, smooth_trials(0.06, {.pt = 20, .lt = 40, .ups = 36, .ppm = 40}));
 }
 
 // The same water, ground: no closed form, but the two walks must agree on what a rough interface lets through.
@@ -187,7 +188,8 @@ TEST(Hazard14, MetersUnderRoughWater) {
   Scene scene;
   scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), glass(1.33, 0.4));
   scene.add(lamp(0.1, -1), emitter(luminance));
-  Square(scene, -0.15, 1).judge(scene, rough_trials({48, 48, 16, 32, 20, 48}));
+  Square(scene, -0.15, 1).judge(
+      scene, rough_trials({.pt = 48, .lt = 16, .ups = 32, .ppm = 20, .bpt = 48, .merging = 48}));
 }
 TEST(Hazard14, RoughAbsorbingSlabBetween) {
   Scene scene;
@@ -195,7 +197,8 @@ TEST(Hazard14, RoughAbsorbingSlabBetween) {
   for (float& a : block.absorption_per_m_rgb) a = 5;
   scene.add(box({-5, -5, 0}, {5, 5, 0.1}), block);
   scene.add(lamp(0.15, -1), emitter(luminance));
-  Square(scene, -0.1, 1).judge(scene, rough_trials({24, 32, 16, 48, 20, 40}));
+  Square(scene, -0.1, 1).judge(
+      scene, rough_trials({.pt = 24, .lt = 16, .ups = 48, .ppm = 20, .bpt = 32, .merging = 40}));
 }
 
 }  // namespace
