@@ -16,6 +16,7 @@ import pytest
 import ups
 from rooms import box
 
+SECONDS = 3 if os.environ.get("UPS_TEST_EFFORT") == "low" else 0.5  # of a render; sanitizers take long to begin one
 IMPORTS = "import ups, os, signal, sys, threading\nfrom rooms import box\nscene, meters = box(ups.Context(2))\n"
 
 
@@ -33,7 +34,7 @@ def output(program):
 
 def test_a_terminal_has_a_bar_that_is_written_over():
     master, slave = pty.openpty()
-    process = start("scene.render(time_limit_s=0.5, progress=True)", stderr=slave)
+    process = start(f"scene.render(time_limit_s={SECONDS}, progress=True)", stderr=slave)
     os.close(slave)
     shown = b""
     try:
@@ -54,18 +55,18 @@ def test_a_file_gets_a_line_now_and_then(monkeypatch, capsys, context):
     scene, _ = box(context)
     monkeypatch.setattr(ups._progress, "_LINE_INTERVAL_S", 0.2)
     start = time.monotonic()
-    scene.render(time_limit_s=0.7, progress=True)
+    scene.render(time_limit_s=SECONDS, progress=True)
     elapsed = time.monotonic() - start
     lines = capsys.readouterr().err.splitlines()
     assert 1 <= len(lines) <= elapsed / 0.2 + 1 and all(re.match(r"\d+%, \d+ iterations", line) for line in lines)
-    scene.render(time_limit_s=0.3)
+    scene.render(time_limit_s=SECONDS)
     assert capsys.readouterr() == ("", "")
 
 
 def test_a_function_is_told(context):
     scene, _ = box(context)
     seen = []
-    result = scene.render(time_limit_s=0.5, progress=lambda p: seen.append((p.iterations_done, p.fraction, p.state)))
+    result = scene.render(time_limit_s=SECONDS, progress=lambda p: seen.append((p.iterations_done, p.fraction, p.state)))
     assert len(seen) >= 3 and seen == sorted(seen) and seen[-1][0] == result.info.iterations
     assert seen[-1][2] == ups.JobState.FINISHED and not result.interrupted
     with pytest.raises(ZeroDivisionError):

@@ -7,9 +7,12 @@ build=$1 version=$2 python=$3 libdir=$4
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-unset PYTHONPATH UPS_LIBRARY LD_LIBRARY_PATH
+sanitizer=${LD_PRELOAD:-} # for what loads the library; with it cpack waits for ever for what it runs
+unset PYTHONPATH UPS_LIBRARY LD_LIBRARY_PATH LD_PRELOAD
 
-"$CPACK" --config "$build/CPackConfig.cmake" -B "$work" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+options=()
+if [ -n "$sanitizer" ]; then options=(-D CPACK_STRIP_FILES=OFF); fi # what is suppressed has names
+"$CPACK" --config "$build/CPackConfig.cmake" "${options[@]}" -B "$work" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
 depends() { # FILE WORD ...
   local found word
   found=$(dpkg-deb -f "$1" Depends)
@@ -37,6 +40,6 @@ dpkg-deb -I "$work"/libups0_*.deb shlibs | grep -q "^libups ${version%.*} libups
 
 if [ ${#tools[@]} = 1 ]; then [ "$("$work/root/usr/bin/ups" --version)" = "ups $version" ]; fi
 mkdir "$work/out"
-UPS_LIBRARY=$work/root/usr/$libdir PYTHONPATH=$work/root/usr/lib/python3/dist-packages \
+LD_PRELOAD=$sanitizer UPS_LIBRARY=$work/root/usr/$libdir PYTHONPATH=$work/root/usr/lib/python3/dist-packages \
   "$python" "$here/../../samples/python/first_room.py" "$work/out"
 echo "${#packages[@]} packages of $(wc -l <"$work/files") files"

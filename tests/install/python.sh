@@ -10,7 +10,8 @@ root=$here/../..
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-unset PYTHONPATH UPS_LIBRARY LD_LIBRARY_PATH
+sanitizer=${LD_PRELOAD:-} # for what loads the library
+unset PYTHONPATH UPS_LIBRARY LD_LIBRARY_PATH LD_PRELOAD
 export UPS_BUILD=$build PIP_NO_INDEX=1 PIP_DISABLE_PIP_VERSION_CHECK=1
 
 quietly() { "$@" >log 2>&1 || { cat log >&2; exit 1; }; }
@@ -18,12 +19,16 @@ quietly() { "$@" >log 2>&1 || { cat log >&2; exit 1; }; }
 # A virtual environment that has numpy from the system, and its folder for packages.
 environment() { quietly "$python" -m venv --system-site-packages --without-pip "$1"; }
 
-try() { # ENVIRONMENT system|inside
+try() ( # ENVIRONMENT system|inside
+  if [ -n "$sanitizer" ]; then # its dlopen asks for oneTBB's allocator in oneTBB's name, but not beside oneTBB
+    export LD_PRELOAD=$sanitizer LD_LIBRARY_PATH
+    LD_LIBRARY_PATH=$(dirname "$1"/lib/python3*/site-packages/ups/lib/libups.so.*)
+  fi
   mkdir "$1/out"
   "$1/bin/python" "$root/samples/python/first_room.py" "$1/out"
   [ -s "$1/out/room.exr" ] && [ -s "$1/out/room.png" ]
   "$1/bin/python" "$here/python_libraries.py" "$1" "$2"
-}
+)
 
 environment installed
 quietly "$python" -m pip --python installed/bin/python install --no-build-isolation "$root/bindings/python"

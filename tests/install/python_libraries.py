@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-OF_THE_SYSTEM = re.compile(r"lib(stdc\+\+|gcc_s|z)\.so\.\d+.*")
+OF_THE_SYSTEM = re.compile(r"lib(stdc\+\+|gcc_s|z|asan|tsan|ubsan)\.so\.\d+.*")
 
 
 def mapped():

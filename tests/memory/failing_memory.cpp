@@ -171,10 +171,26 @@ void* allocate_or_throw(size_t size, size_t alignment, const void* caller) {
   return p;
 }
 
+// The next library's function of the same type, without a guarded static: the thread sanitizer asks for memory before it
+// can guard one.
 template <class Function>
-Function next_of(const char* name) {
-  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
-}
+class Next {
+ public:
+  constexpr explicit Next(const char* name) : name_(name) {}
+  template <class... Arguments>
+  auto operator()(Arguments... arguments) {
+    void* at = at_.load(std::memory_order_relaxed);
+    if (!at) at_.store(at = dlsym(RTLD_NEXT, name_), std::memory_order_relaxed);
+    return reinterpret_cast<Function*>(at)(arguments...);
+  }
+
+ private:
+  const char* name_;
+  std::atomic<void*> at_{nullptr};
+};
+constinit Next<void*(void*, size_t, int, int, int, off_t)> next_mmap("mmap");
+constinit Next<int(void*, size_t)> next_munmap("munmap");
+constinit Next<int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)> next_pthread_create("pthread_create");
 
 }  // namespace
 
@@ -230,21 +246,17 @@ void free(void* p) {
   REAL(free)(p);
 }
 void* mmap(void* address, size_t size, int protection, int flags, int file, off_t offset) {
-  static const auto real = next_of<void* (*)(void*, size_t, int, int, int, off_t)>("mmap");
-  void* p = fails(CALLER) ? MAP_FAILED : real(address, size, protection, flags, file, offset);
+  void* p = fails(CALLER) ? MAP_FAILED : next_mmap(address, size, protection, flags, file, offset);
   if (p != MAP_FAILED && (flags & MAP_ANONYMOUS)) grow(long(size));
   return p;
 }
 int munmap(void* address, size_t size) {
-  static const auto real = next_of<int (*)(void*, size_t)>("munmap");
-  const int status = real(address, size);
+  const int status = next_munmap(address, size);
   if (status == 0) grow(-long(size));  // of a file, too: no test maps any
   return status;
 }
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*), void* argument) {
-  static const auto real =
-      next_of<int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
-  return no_threads.load() || fails(CALLER) ? EAGAIN : real(thread, attributes, start, argument);
+  return no_threads.load() || fails(CALLER) ? EAGAIN : next_pthread_create(thread, attributes, start, argument);
 }
 }
 

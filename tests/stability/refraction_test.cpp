@@ -194,7 +194,7 @@ TEST(Hazard14, MetersUnderRoughWater) {
 TEST(Hazard14, RoughAbsorbingSlabBetween) {
   Scene scene;
   ups_material_desc block = glass(1.5, 0.4);
-  for (float& a : block.absorption_per_m_rgb) a = 5;
+  for (float& a : block.absorption_per_m_rgb) a = 15;
   scene.add(box({-5, -5, 0}, {5, 5, 0.1}), block);
   scene.add(lamp(0.15, -1), emitter(luminance));
   Square(scene, -0.1, 1).judge(

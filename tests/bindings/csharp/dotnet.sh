@@ -11,6 +11,9 @@ part=$1 build=$2 work=$3 extras=$4
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../../.." && pwd)
 
+sanitizer=${LD_PRELOAD:-} # for what loads the library: the SDK has no need of it
+unset LD_PRELOAD
+
 skip() { echo "SKIPPED: $*"; exit 77; }
 
 command -v dotnet >/dev/null || skip "no .NET SDK: dotnet is not on PATH"
@@ -34,7 +37,7 @@ quietly() {
 run_xunit() {
   quietly dotnet build "$here/Tests.csproj" -c Release -warnaserror --artifacts-path "$work/artifacts" \
     "-p:UpsExtras=$extras"
-  dotnet test "$work/artifacts/bin/Tests/release/Tests.dll"
+  LD_PRELOAD=$sanitizer dotnet test "$work/artifacts/bin/Tests/release/Tests.dll"
 }
 
 # The program's folder: a project, a list of sources that holds the package's folder alone, and the sample.
@@ -60,7 +63,7 @@ XML
 }
 
 expect_lux() {
-  "$@" | tee "$work/room.txt"
+  LD_PRELOAD=$sanitizer "$@" | tee "$work/room.txt"
   local readings
   readings=$(grep -cE '^ *[0-9]+\.[0-9] ± [0-9]+\.[0-9] lx$' "$work/room.txt" || true)
   [ "$readings" -eq 12 ] || { echo "expected 12 readings, got $readings"; exit 1; }
