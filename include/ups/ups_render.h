@@ -71,7 +71,8 @@ typedef struct ups_render_desc {
                                        * Against stopping by luck two looks one after the other must find it below, the
                                        * second no sooner than after 32 */
   float merge_radius_m;               /* of pixels and walks the first one; of point meters the widest disc, from
-                                       * whose rings each reading takes as many as serve it best. 0: from the scene */
+                                       * whose rings each reading takes as many as serve it best. 0: from the scene,
+                                       * whose diameter is the most */
   uint32_t iteration_count;           /* 0: until a limit or the target is met */
   uint32_t max_path_length;           /* edges; 0: none, roulette ends paths without bias */
   uint32_t light_paths_per_iteration; /* a power of two, or rounded up to one; auto may still trace none. 0: chosen by

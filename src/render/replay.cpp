@@ -52,10 +52,14 @@ SampleAddress address_of(const Integrator& integrator, const ups_sample& s) {
     fail_argument("sample->walk: " + std::to_string(s.walk) + " is not a UPS_WALK_* value");
   if (s.path >= PathNumber::light_bit) fail_argument("sample->path is " + std::to_string(s.path));
   a.path = s.walk == UPS_WALK_LIGHT ? PathNumber::light(s.path) : PathNumber{s.path};
-  const uint32_t eye_paths = integrator.plan().meter_samples;
-  if (!a.camera && s.walk == UPS_WALK_EYE && scene.meter_sets[a.sensor].kind == UPS_METER_VECTOR &&
-      s.path < eye_paths * vector_sides)  // of one side after the other
-    a.element += s.path / eye_paths * uint32_t(count), a.path.bits = s.path % eye_paths;
+  if (s.walk == UPS_WALK_LIGHT) return a;
+  const uint32_t eye_paths = a.camera ? 1 : integrator.plan().meter_samples;
+  const bool sides = !a.camera && scene.meter_sets[a.sensor].kind == UPS_METER_VECTOR;  // one after the other
+  const uint32_t all = sides ? eye_paths * vector_sides : eye_paths;
+  if (s.path >= all)
+    fail_argument("sample->path is " + std::to_string(s.path) + "; eye paths of a " + (a.camera ? "pixel" : "meter") +
+                  " are " + std::to_string(all) + " an iteration, numbered from 0");
+  if (sides) a.element += s.path / eye_paths * uint32_t(count), a.path.bits = s.path % eye_paths;
   return a;
 }
 

@@ -33,6 +33,12 @@ std::string positive(const std::string& text) {
   return good ? "" : "must be a number greater than 0, not '" + text + "'";
 }
 
+std::string finite(const std::string& text) {
+  double value = 0;
+  const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+  return good ? "" : "must be a finite number, not '" + text + "'";
+}
+
 std::string between(const std::string& text, double smallest, double largest, const std::string& words) {
   double value = 0;
   const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
@@ -273,6 +279,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
   add_separation(*command, options.desc,
                  ": with --out, a table NAME_luminaires.csv of what each contributes to each meter");
   command->add_option("--above", options.above, "The share of each set's meters with at least so many lx")
+      ->check(CLI::Validator(finite, ""))
       ->allow_extra_args(false)
       ->type_name("LX");
   command

@@ -72,6 +72,11 @@ float typical_spacing(const LightPaths& photons, float largest) {
   return median(spacings);
 }
 
+// The caller's, 0 for none. A disc beyond the scene finds nothing more, and its square may be no float any more.
+float given_radius(const Snapshot& scene, const TransportSettings& settings) {
+  return std::min(settings.merge_radius, 2 * scene.radius);
+}
+
 // How far discs may reach, and how many rays find how far they do.
 void plan_meter_discs(const Snapshot& scene, const TransportSettings& settings, Plan& plan) {
   constexpr size_t rays_an_iteration = size_t(1) << 20, most_rays = 256, least_rays = 32;
@@ -80,7 +85,7 @@ void plan_meter_discs(const Snapshot& scene, const TransportSettings& settings, 
   for (const MeterSet& set : scene.meter_sets) {
     // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
     const float spacing = meter_spacing(set),
-                fixed = settings.merge_radius > 0 ? std::max(settings.merge_radius, plan.min_radius) : 0;
+                given = given_radius(scene, settings), fixed = given > 0 ? std::max(given, plan.min_radius) : 0;
     const float largest = fixed > 0 ? fixed : std::min(largest_meter_disc * scene.radius, std::sqrt(2.0f) * spacing);
     const size_t visited = std::max<size_t>(1, set.meters.size() / plan.meter_subsets);
     const uint32_t rays = uint32_t(std::bit_floor(std::clamp(rays_an_iteration / visited, least_rays, most_rays)));
@@ -99,7 +104,7 @@ void plan_meter_discs(const Snapshot& scene, const TransportSettings& settings, 
 void choose_radii(const Snapshot& scene, const TransportSettings& settings, ThreadPool& pool, const StopSignal& stop,
                   double share, Plan& plan) {
   if (!settings.has(UPS_TECHNIQUE_MERGE) && !settings.actual_perturbation) return;
-  const float fixed = settings.merge_radius;
+  const float fixed = given_radius(scene, settings);
   for (size_t c = 0; c < scene.cameras.size(); ++c)
     plan.pixel_radius.push_back(fixed > 0 ? std::vector<float>(scene.cameras[c].pixel_count(), fixed)
                                           : pixel_radii(scene, c, pool, stop));

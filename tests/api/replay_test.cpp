@@ -176,6 +176,10 @@ TEST(Replay, SaysWhatIsWrongWithAnAddress) {
   expect(bad, "walk");
   bad = good, bad.walk = UPS_WALK_LIGHT, bad.path = 1u << 20;
   expect(bad, "no such path");
+  bad = good, bad.walk = UPS_WALK_EYE, bad.path = 1;
+  expect(bad, "eye paths of a pixel are 1");
+  bad.sensor = room.points.id, bad.index = 0, bad.path = 1u << 20;
+  expect(bad, "eye paths of a meter are ");
   EXPECT_EQ(ups_replay(room.scene.get(), &desc, nullptr, &path), UPS_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(ups_replay(nullptr, &desc, &good, &path), UPS_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(path, nullptr);

@@ -1,5 +1,6 @@
 // Within a method: the fields of ups_render_desc that choose techniques, what is said of light that a set cannot
 // sample, and the images of single techniques.
+#include <cfloat>
 #include <cmath>
 #include <cstddef>
 
@@ -79,6 +80,15 @@ TEST_F(Techniques, FieldsOutsideTheirRangeAreNamed) {
   expect_refused(d, {"technique_images", "17", "16"});
   d = desc, d.method = UPS_METHOD_PATH_TRACING, d.perturbation = UPS_PERTURBATION_ACTUAL;
   expect_refused(d, {"perturbation", "merge_radius_m"});
+}
+
+// Embree asserts that a ray is one: a radius whose square is infinite ended the process.
+TEST_F(Techniques, ARadiusBeyondTheSceneIsItsDiameter) {
+  for (const float radius : {1e4f, 1e20f, FLT_MAX})
+    for (ups_method m : {UPS_METHOD_UPS, UPS_METHOD_PPM, UPS_METHOD_SPPM}) {
+      desc.method = m, desc.merge_radius_m = radius;
+      render();
+    }
 }
 
 TEST_F(Techniques, ADescOfAnOlderCallerGetsTheDefaults) {
