@@ -1,4 +1,5 @@
 // Options of `ups render` and those that all commands that render share.
+#include <cfloat>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -33,17 +34,13 @@ std::string positive(const std::string& text) {
   return good ? "" : "must be a number greater than 0, not '" + text + "'";
 }
 
-std::string finite(const std::string& text) {
-  double value = 0;
-  const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-  return good ? "" : "must be a finite number, not '" + text + "'";
-}
-
 std::string between(const std::string& text, double smallest, double largest, const std::string& words) {
   double value = 0;
   const bool good = CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest;
   return good ? "" : "must be a number " + words + ", not '" + text + "'";
 }
+
+std::string finite(const std::string& text) { return between(text, -DBL_MAX, DBL_MAX, "that is finite"); }
 
 // ups_render_desc holds both as floats: beyond these they would be 0, hence off, or infinite, or 1.
 std::string target(const std::string& text) { return between(text, 1e-30, 1e30, "from 1e-30 to 1e30, such as 0.02"); }
