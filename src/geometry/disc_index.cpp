@@ -103,12 +103,14 @@ struct Item {
 
 class Builder {
  public:
-  Builder(std::vector<Item>& items, std::vector<Node>& nodes) : items_(items), nodes_(nodes) {}
+  Builder(std::vector<Item>& items, std::vector<Node>& nodes, const StopSignal& stop)
+      : items_(items), nodes_(nodes), stop_(stop) {}
 
-  // Of items [begin, end), more than a leaf's. Returns the node's number.
+  // Of items [begin, end), more than a leaf's. Returns the node's number. What is built after a stop is of no use.
   uint32_t build(size_t begin, size_t end) {
     const uint32_t number = uint32_t(nodes_.size());
     nodes_.emplace_back();
+    if (end - begin > items_between_looks && stop_.is_set()) return number;
     const size_t middle = split(begin, end), cuts[] = {begin, split(begin, middle), middle, split(middle, end), end};
     for (int i = 0; i < lane_count; ++i) {
       const size_t count = cuts[i + 1] - cuts[i];
@@ -141,8 +143,10 @@ class Builder {
     return middle;
   }
 
+  static constexpr size_t items_between_looks = 4096;
   std::vector<Item>& items_;
   std::vector<Node>& nodes_;
+  const StopSignal& stop_;
 };
 
 }  // namespace
@@ -153,13 +157,17 @@ struct DiscIndex::Impl {
   std::vector<uint32_t> order;  // of the discs, as leaves have them
 };
 
-DiscIndex::DiscIndex(std::vector<Disc> discs) : impl_(std::make_unique<Impl>()) {
+DiscIndex::DiscIndex(std::vector<Disc> discs, const StopSignal& stop) : impl_(std::make_unique<Impl>()) {
   impl_->discs = std::move(discs);
   const size_t count = impl_->discs.size();
   if (count <= leaf_count) return;
   std::vector<Item> items(count);
   for (size_t i = 0; i < count; ++i) items[i] = {bounds_of(impl_->discs[i]), uint32_t(i)};
-  Builder(items, impl_->nodes).build(0, count);
+  Builder(items, impl_->nodes, stop).build(0, count);
+  if (stop.is_set()) {
+    *impl_ = {};
+    return;
+  }
   impl_->nodes.shrink_to_fit();
   impl_->order.reserve(count);
   for (const Item& item : items) impl_->order.push_back(item.disc);

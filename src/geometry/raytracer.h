@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "geometry/box.h"
 #include "geometry/revolution.h"
 #include "geometry/surface.h"
@@ -95,7 +96,7 @@ class DiscIndex {
     float radius;
     Vec3 reach{-1, -1, -1};  // of what is searched for on the disc, from its centre along each axis; < 0: all of it
   };
-  explicit DiscIndex(std::vector<Disc> discs);
+  explicit DiscIndex(std::vector<Disc> discs, const StopSignal& stop = {});  // empty where `stop` is set on the way
   ~DiscIndex();
   struct Crossing {
     uint32_t disc;

@@ -1,8 +1,9 @@
-// The making of a snapshot from a description, for prepare.cpp (sensors, media), prepare_surfaces.cpp, prepare_meters.cpp,
-// prepare_sources.cpp (what emits) and prepare_warnings.cpp.
+// The making of a snapshot from a description, for prepare.cpp (sensors, media), prepare_place.cpp, prepare_surfaces.cpp,
+// prepare_meters.cpp, prepare_sources.cpp (what emits) and prepare_warnings.cpp.
 #pragma once
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,13 +47,19 @@ class Builder {
 
  private:
   void list_surfaces();
+  class Places;
   void place();
+  void find_places(Places& places);
+  void check_extent(Places& places);
+  void leave_out_far_surfaces(Places& places);
+  bool sees_infinity() const;
   Box mesh_box(size_t mesh) const;
   void add_materials();
   Material make_material(const MaterialDescription& description);
   SurfaceTexturing make_texturing(uint32_t number, const MaterialDescription& description);
   const Texture* texture(ups_texture_id id);
   bool scatters_as_before(uint32_t material) const;
+  void warn_of_transmittance(uint32_t number, const Material& material);
   void add_geometry();
   bool is_same_instance(size_t i) const;
   bool has_same_origin() const { return max_abs(earlier_->origin - out_->origin) == 0; }
@@ -111,6 +118,7 @@ class Builder {
   std::vector<UnitEmitter> unit_emitters_;
   std::vector<Vec3> emitter_fronts_;  // a point of each, off any surface
   std::vector<DiscIndex::Disc> openings_;
+  std::set<uint32_t> far_surfaces_;  // ids of instances that are left out
   uint32_t unmaintained_ = 0;  // lamps that are no luminaires
   std::map<const photometry::Photometry*, std::shared_ptr<const RaySet>> ray_sets_;  // one a profile
   std::map<std::pair<std::string, std::string>, std::vector<uint32_t>> shared_warnings_;  // ids by noun and text

@@ -14,11 +14,6 @@
 #include "scene/searched.h"
 
 namespace ups {
-namespace {
-
-constexpr double max_coordinate_m = 1e9, least_extent_m = 1e-9;
-
-}  // namespace
 
 std::shared_ptr<const Snapshot> Builder::build() {
   out_->tag = in_.tag();
@@ -47,64 +42,6 @@ std::shared_ptr<const Snapshot> Builder::build() {
   share_searches();
   add_warnings();
   return out_;
-}
-
-// ---- place ----
-
-// The origin is near the centre of all that has a place; distances from it are what floats have to hold. It stays
-// while things move within these bounds, and a little beyond.
-void Builder::place() {
-  Box box;
-  const auto grow = [&](const Vec3d& p, const char* noun, uint32_t id) {
-    if (!(max_abs(p) <= max_coordinate_m))
-      fail_argument(std::string(noun) + " id " + std::to_string(id) + " reaches a coordinate of " +
-                    check::text(max_abs(p)) + " m; the library works within " + check::text(max_coordinate_m) +
-                    " m of the world's origin");
-    box.grow(p);
-  };
-  for (const Raytracer::Instance& i : out_->instances)
-    for (int k = 0; k < 8; ++k)
-      grow(i.to_scene.point(out_->mesh_boxes[i.mesh].corner(k)), "instance", i.number);  // its origin is the world's yet
-  in_.sources().each([&](uint32_t id, const SourceDescription& s) {
-    if (const auto* light = std::get_if<LightDescription>(&s.kind)) {
-      if (light->kind != UPS_LIGHT_DIRECTIONAL) grow(light->to_world.column(3), "luminaire", id);
-      return;
-    }
-    const auto& luminaire = std::get<LuminaireDescription>(s.kind);
-    if (const auto rays = rays_of(luminaire)) {
-      const Axes axes(luminaire.to_world);
-      const Vec3 low = rays->lower(), high = rays->upper();
-      for (int k = 0; k < 8; ++k)
-        grow(luminaire.to_world.column(3) + axes.x * double(k & 1 ? high.x : low.x) +
-                 axes.y * double(k & 2 ? high.y : low.y) + axes.z * double(k & 4 ? high.z : low.z),
-             "luminaire", id);
-      return;
-    }
-    const float* size = luminaire.profile->opening.size_m;
-    const double reach =
-        luminaire.use_opening ? 0.5 * std::hypot(double(size[0]), double(size[1]), double(size[2])) : 0;
-    const Vec3d p = luminaire.to_world.column(3), r(reach, reach, reach);
-    grow(p - r, "luminaire", id);
-    grow(p + r, "luminaire", id);
-  });
-  in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
-    if (const auto* camera = std::get_if<CameraDescription>(&s)) return grow(camera->to_world.column(3), "sensor", id);
-    if (const auto* o = std::get_if<ObserverDescription>(&s)) return grow(o->to_world.column(3), "sensor", id);
-    const auto* meters = std::get_if<MetersDescription>(&s);
-    if (!meters) return;  // a goniometer is at infinity, what measures a surface lies on it
-    const double reach = 0.5 * std::max(std::hypot(double(meters->cell_width), double(meters->cell_height)),
-                                        double(meters->footprint));
-    grow(meters->bounds.lower - Vec3d(reach, reach, reach), "sensor", id);
-    grow(meters->bounds.upper + Vec3d(reach, reach, reach), "sensor", id);
-  });
-  if (box.empty()) return;
-  const Vec3d size = box.upper - box.lower, middle = box.lower * 0.5 + box.upper * 0.5;
-  out_->extent = std::exp2(std::ceil(std::log2(std::max({size.x, size.y, size.z, least_extent_m}))));
-  const double step = out_->extent / 4;
-  out_->origin = {step * std::round(middle.x / step), step * std::round(middle.y / step),
-                  step * std::round(middle.z / step)};
-  out_->centre = Vec3(middle - out_->origin);
-  out_->radius = float(length(size) * 0.5 * (1 + 0x1p-20));
 }
 
 // ---- sensors ----

@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "bsdf/fresnel.h"
 #include "scene/builder.h"
+#include "scene/check.h"
+#include "scene/length_text.h"
 
 namespace ups {
 namespace {
@@ -47,7 +50,10 @@ void lift_flat_emitter(const Mesh& mesh, double lift, Affine& to_scene) {
 
 // Instances, in the world's frame until the origin is known, and what they show.
 void Builder::list_surfaces() {
+  for (auto* list : {&out_->instance_ids, &out_->mesh_numbers, &out_->material_numbers}) list->clear();
+  out_->instances.clear(), out_->meshes.clear(), out_->mesh_boxes.clear();
   in_.instances().each([&](uint32_t number, const InstanceDescription& i) {
+    if (far_surfaces_.count(number)) return;
     out_->instances.push_back({i.mesh, i.to_world, number});
     out_->instance_ids.push_back(number);
     out_->mesh_numbers.push_back(i.mesh);
@@ -131,6 +137,15 @@ SurfaceTexturing Builder::make_texturing(uint32_t number, const MaterialDescript
   return t;
 }
 
+// Of a plane-parallel pane without absorption: (1 - F) / (1 + F), all reflections within it summed.
+void Builder::warn_of_transmittance(uint32_t number, const Material& m) {
+  if (m.model != MaterialModel::glazing || m.pane) return;
+  const float f = normal_reflectance(m.ior), clear = (1 - f) / (1 + f), asked = max_component(m.transmittance);
+  if (asked <= clear * 1.0001f) return;
+  warn_of("material", number, "a transmittance of " + check::text(double(asked)) + " is more than a clear pane of ior " +
+          check::text(double(m.ior)) + " lets through at normal incidence: " + short_text(double(clear)) + " is taken");
+}
+
 void Builder::add_materials() {
   same_surfaces_ = earlier_ && earlier_->material_numbers == out_->material_numbers;
   for (const uint32_t number : out_->material_numbers) {
@@ -140,6 +155,7 @@ void Builder::add_materials() {
       m.interface_albedo = earlier_->materials[rank_of(earlier_->material_numbers, number)].interface_albedo;
     else
       prepare_interface(m), same_surfaces_ = false;
+    warn_of_transmittance(number, m);
     out_->materials.push_back(m);
     out_->texturing.push_back(make_texturing(number, d));
   }

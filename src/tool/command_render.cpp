@@ -33,12 +33,16 @@ size_t set_of(const LoadedScene& scene, const std::string& name) {
                 (names.empty() ? "none" : names));
 }
 
-RenderReport report_of(const RenderOptions& options, const LoadedScene& scene, const Finished& finished,
-                       const std::optional<Targets>& targets) {
-  const ups_result* result = finished.result.get();
+MeterQuestions questions_of(const RenderOptions& options, const LoadedScene& scene) {
   MeterQuestions questions{options.above, {}};
   for (const auto& [numerator, denominator] : options.ratios)
     questions.ratios.emplace_back(set_of(scene, numerator), set_of(scene, denominator));
+  return questions;
+}
+
+RenderReport report_of(const RenderOptions& options, const LoadedScene& scene, const Finished& finished,
+                       const MeterQuestions& questions, const std::optional<Targets>& targets) {
+  const ups_result* result = finished.result.get();
   RenderReport report{make_report(options.scene, scene, result, questions), {}, finished.memory};
   report.largest_samples = read_largest_samples(scene, result);
   add_exposures(scene, result, options.picture, report);
@@ -80,10 +84,11 @@ int render(const RenderOptions& options) {
     throw Failure(options.scene + ": there is nothing to render; add a camera, or meters in a node's extras.ups");
   }
   if (targets) check_names(*targets, scene);
+  const MeterQuestions questions = questions_of(options, scene);
   const Finished finished = run_render(scene.scene, options.desc);
   tell_interruption(finished);
   if (!finished.result) return exit_interrupted;
-  RenderReport report = report_of(options, scene, finished, targets);
+  RenderReport report = report_of(options, scene, finished, questions, targets);
   Written written;
   if (!options.out.empty())
     written = write_outputs(options.out, scene, finished.result.get(), options.map, options.picture);

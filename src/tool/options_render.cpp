@@ -10,6 +10,7 @@
 #include "tool/options.h"
 #include "tool/profile_file.h"
 #include "tool/report.h"
+#include "tool/sample_address.h"
 
 namespace ups::tool {
 
@@ -299,6 +300,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->allow_extra_args(false)
       ->type_name("A/B");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
+      ->check(CLI::Validator([](const std::string& text) { return std::string(text.empty() ? "must name a folder" : ""); }, ""))
       ->type_name("DIR");
   command
       ->add_flag("--report", options.report,
@@ -321,6 +323,7 @@ const CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {
   add_scene_options(*command, options, method_words);
   command->add_option("--sample", options.sample, "As largest_samples in the JSON of `ups render` lists them")
       ->required()
+      ->check(CLI::Validator(malformed_address, ""))
       ->type_name("ADDRESS");
   command->add_option("--plot", options.plot, "Plan and section of the path, as OUT.svg, .png or .pdf")
       ->check(CLI::Validator(plot_file, ""))

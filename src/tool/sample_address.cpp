@@ -22,18 +22,33 @@ bool parse(const std::string& text, Number& out) {
   return parsed.ec == std::errc() && parsed.ptr == end;
 }
 
-// From the right, as a name may have slashes.
-std::array<std::string, 6> split(const std::string& address) {
+struct Address {
+  std::string name, index;  // what these may be depends on the scene
+  uint32_t iteration;
+  ups_walk walk;
+  uint32_t path;
+  uint64_t seed;
+};
+
+// Returns what is wrong; nothing: `out` is complete. From the right, as a name may have slashes.
+std::string parse_address(const std::string& address, Address& out) {
   std::array<std::string, 6> parts;
   size_t end = address.size();
   for (size_t i = parts.size(); i-- > 1;) {
     const size_t slash = end == 0 ? std::string::npos : address.rfind('/', end - 1);
-    if (slash == std::string::npos) throw Failure("--sample " + address + ": " + form);
+    if (slash == std::string::npos) return form;
     parts[i] = address.substr(slash + 1, end - slash - 1);
     end = slash;
   }
-  parts[0] = address.substr(0, end);
-  return parts;
+  const auto wrong = [](const std::string& part, const char* what) { return "'" + part + "' is " + what + "; " + form; };
+  out.name = address.substr(0, end), out.index = parts[1];
+  if (!parse(parts[2], out.iteration)) return wrong(parts[2], "no iteration");
+  const bool light = parts[3] == walk_words[UPS_WALK_LIGHT];
+  if (!light && parts[3] != walk_words[UPS_WALK_EYE]) return wrong(parts[3], "neither eye nor light");
+  out.walk = light ? UPS_WALK_LIGHT : UPS_WALK_EYE;
+  if (!parse(parts[4], out.path)) return wrong(parts[4], "no path's number");
+  if (!parse(parts[5], out.seed)) return wrong(parts[5], "no seed");
+  return {};
 }
 
 bool parse_index(const SensorEntry& sensor, const std::string& text, uint32_t& index) {
@@ -58,26 +73,27 @@ std::string address_of(const SensorEntry& sensor, const ups_sample& s) {
          std::to_string(s.path) + "/" + std::to_string(s.seed);
 }
 
+std::string malformed_address(const std::string& address) {
+  Address unused;
+  return parse_address(address, unused);
+}
+
 ups_sample sample_at(const LoadedScene& scene, const std::string& address) {
-  const std::array<std::string, 6> parts = split(address);
-  ups_sample s{};
+  const auto fail = [&](const std::string& what) { throw Failure("--sample " + address + ": " + what); };
+  Address a;
+  if (const std::string wrong = parse_address(address, a); !wrong.empty()) fail(wrong);
   std::string names;
   const SensorEntry* sensor = nullptr;
   for (const SensorEntry& entry : scene.sensors) {
     if (entry.info.kind == SensorKind::goniometer) continue;
     names += (names.empty() ? "" : ", ") + entry.name;
-    if (entry.name == parts[0]) sensor = &entry;
+    if (entry.name == a.name) sensor = &entry;
   }
-  const auto fail = [&](const std::string& what) { throw Failure("--sample " + address + ": " + what + "; " + form); };
-  if (!sensor) fail("the scene has no camera or meters '" + parts[0] + "'; there are: " + names);
+  if (!sensor) fail("the scene has no camera or meters '" + a.name + "'; there are: " + names + "; " + form);
+  ups_sample s{};
   s.sensor = sensor->info.sensor;
-  if (!parse_index(*sensor, parts[1], s.index)) fail("'" + parts[1] + "' is no index of " + sensor->name);
-  if (!parse(parts[2], s.iteration)) fail("'" + parts[2] + "' is no iteration");
-  if (parts[3] != walk_words[UPS_WALK_EYE] && parts[3] != walk_words[UPS_WALK_LIGHT])
-    fail("'" + parts[3] + "' is neither eye nor light");
-  s.walk = parts[3] == walk_words[UPS_WALK_LIGHT] ? UPS_WALK_LIGHT : UPS_WALK_EYE;
-  if (!parse(parts[4], s.path)) fail("'" + parts[4] + "' is no path's number");
-  if (!parse(parts[5], s.seed)) fail("'" + parts[5] + "' is no seed");
+  if (!parse_index(*sensor, a.index, s.index)) fail("'" + a.index + "' is no index of " + sensor->name + "; " + form);
+  s.iteration = a.iteration, s.walk = a.walk, s.path = a.path, s.seed = a.seed;
   return s;
 }
 

@@ -14,6 +14,8 @@ struct SampleReport {
 
 // NAME/INDEX/ITERATION/eye/PATH/SEED or .../light/...; of a camera INDEX is COLUMN,ROW.
 std::string address_of(const SensorEntry& sensor, const ups_sample& sample);
+// What is wrong with the address whatever the scene; nothing: it may be one.
+std::string malformed_address(const std::string& address);
 // Throws Failure that says what is wrong, and which sensors there are.
 ups_sample sample_at(const LoadedScene& scene, const std::string& address);
 

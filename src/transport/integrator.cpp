@@ -128,7 +128,7 @@ Photons Integrator::trace_light(const Iteration& in, const SensorIndex& sensors,
   pool_.for_blocks(in.has(UPS_TECHNIQUE_MERGE) ? 2 : 0, 1, [&](size_t, size_t which, size_t) {
     const float radius = float(std::sqrt(which == 0 ? pixel_radius2 : in.walk_radius2));
     if (radius > 0)
-      (which == 0 ? photons.of_pixels : photons.of_walks) = PhotonIndex(photons.paths, radius);
+      (which == 0 ? photons.of_pixels : photons.of_walks) = PhotonIndex(photons.paths, radius, in.stop);
   });
   return photons;
 }

@@ -324,6 +324,7 @@ LightPaths LightPass::trace(const Iteration& in, const SensorIndex& sensors, Thr
   reserve(blocks_, sensors, tally);
   const size_t columns = in.plan.separation.columns.size();
   for (const Block& b : blocks_) {
+    if (in.stop.is_set()) break;
     for (const Block::CameraSplat& s : b.splats) {
       tally.splats[s.camera].push_back(s.splat);
       if (in.moments) {

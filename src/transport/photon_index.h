@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/prefetch.h"
+#include "base/stop.h"
 #include "transport/light_vertex.h"
 
 namespace ups {
@@ -14,27 +15,10 @@ namespace ups {
 class PhotonIndex {
  public:
   PhotonIndex() = default;
-  // Holds the vertices whose `merge` gate is open. max_radius > 0 bounds every later query.
-  PhotonIndex(const LightPaths& paths, float max_radius) : per_cell_(1 / (2 * max_radius)) {
-    std::vector<Photon> photons;
-    photons.reserve(paths.merged);
-    paths.each([&](uint32_t place, const LightVertex& v) {
-      if (v.merge) photons.push_back({v.p, place});
-    });
-    const size_t buckets = std::bit_ceil(std::max<size_t>(photons.size(), 16));
-    mask_ = uint32_t(buckets - 1);
-    begin_.assign(buckets + 1, 0);
-    std::vector<uint32_t> bucket(photons.size());
-    for (size_t i = 0; i < photons.size(); ++i) {
-      const Cell c = cell_of(photons[i].p);
-      bucket[i] = bucket_of(row_of(c.y, c.z), c.x);
-      ++begin_[bucket[i] + 1];
-    }
-    for (size_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
-    std::vector<uint32_t> next(begin_.begin(), begin_.end() - 1);
-    photons_.resize(photons.size());
-    for (size_t i = 0; i < photons.size(); ++i) photons_[next[bucket[i]]++] = photons[i];
-    mark_neighbourhoods(max_radius);
+  // Holds the vertices whose `merge` gate is open. max_radius > 0 bounds every later query. Empty where `stop` is set on
+  // the way.
+  PhotonIndex(const LightPaths& paths, float max_radius, const StopSignal& stop = {}) : per_cell_(1 / (2 * max_radius)) {
+    if (!fill(paths, stop) || !mark_neighbourhoods(max_radius, stop)) photons_.clear();
   }
 
   bool empty() const { return photons_.empty(); }
@@ -102,11 +86,34 @@ class PhotonIndex {
     Vec3 p;
     uint32_t place;  // of LightPaths
   };
+  bool fill(const LightPaths& paths, const StopSignal& stop) {
+    std::vector<Photon> photons;
+    photons.reserve(paths.merged);
+    for (size_t b = 0; b < paths.blocks.size(); ++b) {
+      if (stop.is_set()) return false;
+      for (size_t i = 0; i < paths.blocks[b].size(); ++i)
+        if (paths.blocks[b][i].merge) photons.push_back({paths.blocks[b][i].p, paths.place(b, i)});
+    }
+    const size_t count = photons.size(), buckets = std::bit_ceil(std::max<size_t>(count, 16));
+    mask_ = uint32_t(buckets - 1);
+    begin_.assign(buckets + 1, 0);
+    std::vector<uint32_t> bucket(count);
+    const auto find_bucket = [&](size_t i) {
+      const Cell c = cell_of(photons[i].p);
+      bucket[i] = bucket_of(row_of(c.y, c.z), c.x);
+      ++begin_[bucket[i] + 1];
+    };
+    if (!stop.for_each(count, find_bucket)) return false;
+    for (size_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
+    std::vector<uint32_t> next(begin_.begin(), begin_.end() - 1);
+    photons_.resize(count);
+    return stop.for_each(count, [&](size_t i) { photons_[next[bucket[i]]++] = photons[i]; });
+  }
   // Caustics are mostly elsewhere: a coarse grid of bits about all photons says so at once.
   static constexpr int side = 32;
   int coarse(float x, float low) const { return std::clamp(int((x - low) * to_coarse_), 0, side - 1); }
-  void mark_neighbourhoods(float radius) {
-    if (photons_.empty()) return;
+  bool mark_neighbourhoods(float radius, const StopSignal& stop) {
+    if (photons_.empty()) return true;
     Vec3 high = low_ = photons_[0].p;
     for (const Photon& f : photons_) {
       low_ = {std::min(low_.x, f.p.x), std::min(low_.y, f.p.y), std::min(low_.z, f.p.z)};
@@ -117,11 +124,13 @@ class PhotonIndex {
     extent_ = max_abs(high - low_) + radius;
     to_coarse_ = 1 / std::max(extent_ * 1.001f / side, 2 * radius);  // so a photon marks few cells, crowded or not
     near_.assign(side * side, 0);
-    for (const Photon& f : photons_)
+    return stop.for_each(photons_.size(), [&](size_t i) {
+      const Photon& f = photons_[i];
       for (int z = coarse(f.p.z - radius, low_.z); z <= coarse(f.p.z + radius, low_.z); ++z)
         for (int y = coarse(f.p.y - radius, low_.y); y <= coarse(f.p.y + radius, low_.y); ++y)
           for (int x = coarse(f.p.x - radius, low_.x); x <= coarse(f.p.x + radius, low_.x); ++x)
             near_[z * side + y] |= 1u << x;
+    });
   }
   bool may_find(const Vec3& p) const {
     if (photons_.empty()) return false;

@@ -13,6 +13,10 @@ SensorIndex::SensorIndex(const Iteration& in, const std::shared_ptr<const DiscIn
     const mis::Counts counts = in.meter_counts(s);
     if (cell ? !(counts.land > 0) : !in.merges_at(s)) continue;
     for (uint32_t i = 0; i < in.plan.visited_meters(in.number, set.meters.size()); ++i) {
+      if (i % 4096 == 0 && in.stop.is_set()) {
+        entries_.clear();
+        return;
+      }
       const uint32_t m = in.plan.visited_meter(in.number, i);
       const Meter& meter = set.meters[m];
       const double radius2 = cell ? 0 : in.meter_radius2(s, m);
@@ -33,7 +37,7 @@ SensorIndex::SensorIndex(const Iteration& in, const std::shared_ptr<const DiscIn
     }
   }
   if (discs.empty()) return;
-  discs_ = before && before->holds(discs) ? before : std::make_shared<const DiscIndex>(std::move(discs));
+  discs_ = before && before->holds(discs) ? before : std::make_shared<const DiscIndex>(std::move(discs), in.stop);
 }
 
 }  // namespace ups

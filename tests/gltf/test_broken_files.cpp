@@ -206,8 +206,21 @@ TEST_F(BrokenFile, SparseIndexOutOfRange) {
                                            {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
                                            {"values", {{"bufferView", values}}}};
   expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "sparse", "index 4"});
-  builder.doc["accessors"][0]["sparse"]["values"]["bufferView"] = 17;
+  json& sparse = builder.doc["accessors"][0]["sparse"];
+  const json good = sparse;
+  sparse["values"]["bufferView"] = 17;
   expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "sparse", "17"});
+  for (const char* part : {"indices", "values"})
+    for (const json& offset : {json("x"), json(-1), json(1e300)}) {
+      sparse = good;
+      sparse[part]["byteOffset"] = offset;
+      expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "sparse", part, "byteOffset"});
+    }
+  for (const json& count : {json(1.9), json(0)}) {
+    sparse = good;
+    sparse["count"] = count;
+    expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "sparse", "count"});
+  }
 }
 
 TEST_F(BrokenFile, NodesThatAreNoTree) {
@@ -217,7 +230,7 @@ TEST_F(BrokenFile, NodesThatAreNoTree) {
   expect_failure(builder, UPS_ERROR_PARSE, {"node 1 \"snake\"", "tree"});
   builder = square();
   builder.doc["nodes"][0]["children"] = {8};
-  expect_failure(builder, UPS_ERROR_PARSE, {"node 8"});
+  expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", "children", "node 8"});
   builder = square();
   builder.doc["scene"] = 4;
   expect_failure(builder, UPS_ERROR_PARSE, {"scene 4"});
@@ -230,6 +243,17 @@ TEST_F(BrokenFile, BadNodeTransforms) {
     builder.doc["nodes"][0][key] = value;
     expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", key});
   }
+  SceneBuilder builder = square();
+  builder.doc["nodes"][0]["scale"] = {1e200, 1e200, 1e200};
+  expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", "1e+99"});
+}
+
+TEST_F(BrokenFile, MembersOfTheWrongLengthOrMissing) {
+  SceneBuilder builder = with_material({{"name", "lamp"}, {"emissiveFactor", {1, 1}}});
+  expect_failure(builder, UPS_ERROR_PARSE, {"material 0 \"lamp\"", "emissiveFactor", "3"});
+  builder = square();
+  builder.doc["accessors"][1].erase("componentType");
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 1", "componentType", "missing"});
 }
 
 TEST_F(BrokenFile, EmissiveTextureIsNotLeftOut) {

@@ -110,6 +110,7 @@ class Usage(ProgramTest):
                           ["render", scene, "--method", "magic"], ["render", scene, "--time", "-1"],
                           ["render", scene, "--time", "nan"], ["render", scene, "--time", "soon"],
                           ["render", scene, "--iterations", "0"], ["render", scene, "--iterations", "-5"],
+                          ["render", scene, "--out", ""],
                           ["render", scene, "--target-error", "0"], ["render", scene, "--seed", "-1"],
                           ["render", scene, "--target-of", "best"], ["render", scene, "--above", "nan"],
                           ["render", scene, "--above", "1e400"],
@@ -215,7 +216,7 @@ class Render(ProgramTest):
         self.assertLessEqual(ratio["low"], ratio["value"])
         self.assertGreaterEqual(ratio["high"], ratio["value"])
         self.assertNotIn("meter_by_meter", ratio)  # 1 meter, 8 meters
-        self.expect_failure("render", self.path("room.gltf"), "--iterations", 1, "--ratio", "spot/floor",
+        self.expect_failure("render", self.path("room.gltf"), "--time", 1000, "--ratio", "spot/floor",
                             words=["no meters of the name floor; it has work_plane, spot"])
         self.assertIn("not two names", self.run_program("render", self.path("room.gltf"), "--ratio", "spot", code=2).stderr)
 

@@ -56,12 +56,16 @@ class Replay(test_program.ProgramTest):
             self.assertIn(word, words)
 
     def test_a_wrong_address_says_what_is_wrong(self):
-        for address, words in (("spot", ["NAME/INDEX"]), ("moon/0/0/eye/0/1", ["moon", "there are", "spot"]),
-                               ("spot/x/0/eye/0/1", ["'x'"]), ("spot/0/0/up/0/1", ["'up'", "eye"]),
-                               ("spot/0/0/eye/0/-1", ["'-1'"]), ("spot/999/0/eye/0/1", ["999"]),
-                               ("spot/0/0/light/4096/1", ["no such path"])):
+        for address, words in (("moon/0/0/eye/0/1", ["moon", "there are", "spot"]), ("spot/x/0/eye/0/1", ["'x'"]),
+                               ("spot/999/0/eye/0/1", ["999"]), ("spot/0/0/light/4096/1", ["no such path"])):
             with self.subTest(address=address):
                 self.expect_failure("replay", self.scene, "--sample", address, *self.method, words=words)
+        for address, words in (("spot", ["NAME/INDEX"]), ("spot/0/0/up/0/1", ["'up'", "eye"]),
+                               ("spot/0/0/eye/0/-1", ["'-1'"])):
+            with self.subTest(address=address):
+                wrong = self.run_program("replay", self.scene, "--sample", address, *self.method, code=2).stderr
+                for word in ["--sample", *words]:
+                    self.assertIn(word, wrong)
         self.run_program("replay", self.scene, code=2)
 
 

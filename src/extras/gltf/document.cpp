@@ -3,6 +3,7 @@
 #include "gltf/document.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -80,6 +81,33 @@ void check_index(const JsonReader& reader, const char* key, const JsonReader& ro
   }
 }
 
+void require(const JsonReader& reader, const char* key) {
+  if (!reader.has(key)) reader.fail(key, "is missing");
+}
+
+void check_sparse(const JsonReader& sparse, const JsonReader& root) {
+  require(sparse, "count");
+  sparse.integer("count", 1, 1, max_integer);
+  for (const char* key : {"indices", "values"}) {
+    require(sparse, key);
+    const JsonReader part = *sparse.object(key);
+    require(part, "bufferView");
+    check_index(part, "bufferView", root, "bufferViews");
+    part.integer("byteOffset", 0, 0, max_integer);
+  }
+}
+
+void check_children(const JsonReader& node, const JsonReader& root) {
+  const size_t count = root.array("nodes").size();
+  for (const Json& child : node.array("children")) {
+    if (child.kind != Json::Kind::number || child.number != std::floor(child.number))
+      node.fail("children", "must be an array of whole numbers");
+    if (!(child.number >= 0 && child.number < double(count)))
+      node.fail("children",
+                "has node " + json_text(child) + ", out of range: the file has " + std::to_string(count) + " nodes");
+  }
+}
+
 void check_primitives(const JsonReader& root) {
   for_each(root, "meshes", "mesh", [&](const JsonReader& mesh, size_t) {
     const std::vector<Json>& primitives = mesh.array("primitives");
@@ -108,15 +136,18 @@ void check_arrays(const JsonReader& root) {
   for_each(root, "accessors", "accessor", [&](const JsonReader& accessor, size_t) {
     check_index(accessor, "bufferView", root, "bufferViews");
     accessor.integer("byteOffset", 0, 0, max_integer);
+    require(accessor, "componentType");
+    require(accessor, "count");
     accessor.integer("count", 1, 1, max_integer);
+    if (const auto sparse = accessor.object("sparse")) check_sparse(*sparse, root);
   });
   for_each(root, "nodes", "node", [&](const JsonReader& node, size_t) {
     check_index(node, "mesh", root, "meshes");
     check_index(node, "camera", root, "cameras");
-    for (const Json& child : node.array("children")) {
-      if (child.kind != Json::Kind::number) node.fail("children", "must be an array of whole numbers");
-    }
+    check_children(node, root);
   });
+  for_each(root, "materials", "material",
+           [&](const JsonReader& material, size_t) { material.numbers("emissiveFactor", 3, 0, unlimited); });
   for_each(root, "images", "image",
            [&](const JsonReader& image, size_t) { check_index(image, "bufferView", root, "bufferViews"); });
   for_each(root, "cameras", "camera", [&](const JsonReader& camera, size_t) {

@@ -11,6 +11,7 @@ namespace ups::gltf {
 namespace {
 
 constexpr int64_t default_width = 512, max_width = 16384;
+constexpr double largest_element = 1e99;  // of a matrix: its third power is a number
 constexpr double flat = 1e-14;  // relative: as the core, which refuses such matrices
 
 bool is_unit(const std::vector<double>& scale) {
@@ -130,6 +131,8 @@ void Importer::read_node(int index, const Affine& parent) {
 
 void Importer::add_instances(int index, const Affine& to_world, const std::string& where) {
   // Relative to the axes' lengths: a scale of 0 hides the node, a small one does not.
+  const auto is_large = [](double element) { return !(std::abs(element) <= largest_element); };
+  if (std::any_of(std::begin(to_world.m), std::end(to_world.m), is_large)) fail(where, "its matrix has an element beyond 1e+99");
   const double volume = length(to_world.column(0)) * length(to_world.column(1)) * length(to_world.column(2));
   if (!(std::abs(determinant(to_world)) > flat * volume)) {
     warn(where + ": its mesh is skipped, as its matrix has a scale of 0");

@@ -1,0 +1,212 @@
+// See builder.h: where the scene's origin is, and what lies too far from all else to have a place near it.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "scene/builder.h"
+#include "scene/check.h"
+#include "scene/length_text.h"
+
+namespace ups {
+namespace {
+
+constexpr double max_coordinate_m = 1e9, least_extent_m = 1e-9;
+// Floats resolve 2^-24 of the extent. Where that is a millimetre and what matters takes this share of the extent or less,
+// it is told; where it is a centimetre, light between surfaces so close together cannot be computed.
+constexpr double coarse_m = 0.001, coarse_share = 0x1p-12, lost_m = 0.01, lost_share = 0x1p-16;
+constexpr double least_angle = 0x1p-12;  // rad; some arc minute, the least that an eye resolves
+
+double diagonal(const Box& b) { return length(b.upper - b.lower); }
+Vec3d middle(const Box& b) { return b.lower * 0.5 + b.upper * 0.5; }
+
+double gap(const Box& a, const Box& b) {
+  const auto apart = [](double lower, double upper, double l, double u) { return std::max({0.0, l - upper, lower - u}); };
+  return std::hypot(apart(a.lower.x, a.upper.x, b.lower.x, b.upper.x), apart(a.lower.y, a.upper.y, b.lower.y, b.upper.y),
+                    apart(a.lower.z, a.upper.z, b.lower.z, b.upper.z));
+}
+
+double step(const Box& b) { return 0x1p-24 * diagonal(b); }
+
+// By value: what is asked reorders them.
+double lower_median(std::vector<double> values) {
+  const auto at = values.begin() + std::ptrdiff_t(values.size() - 1) / 2;
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+// What has a place, with what it takes up.
+class Builder::Places {
+ public:
+  struct Item {
+    Box box;
+    const char* noun;
+    uint32_t id;
+  };
+
+  void add(const Box& box, const char* noun, uint32_t id) {
+    const double farthest = std::max(max_abs(box.lower), max_abs(box.upper));
+    if (!(farthest <= max_coordinate_m))
+      fail_argument(std::string(noun) + " id " + std::to_string(id) + " reaches a coordinate of " +
+                    check::text(farthest) + " m; the library works within " + check::text(max_coordinate_m) +
+                    " m of the world's origin");
+    items_.push_back({box, noun, id});
+    grow(bounds_, box);
+  }
+  static void grow(Box& all, const Box& box) { all.grow(box.lower), all.grow(box.upper); }
+
+  template <class Test>
+  void remove(const Test& test) {
+    std::erase_if(items_, test);
+    bounds_ = {};
+    for (const Item& i : items_) grow(bounds_, i.box);
+  }
+
+  const Box& bounds() const { return bounds_; }
+
+  // The extent of most of what there is, around its middle; both by medians, which single things far away do not move.
+  double typical_extent() const {
+    std::vector<double> distances;
+    for (const Item& i : items_) distances.push_back(reach(i, median()));
+    return 2 * lower_median(std::move(distances));
+  }
+  const Item& farthest() const {
+    const Vec3d m = median();
+    return *std::max_element(items_.begin(), items_.end(),
+                             [&](const Item& a, const Item& b) { return reach(a, m) < reach(b, m); });
+  }
+
+ private:
+  static double reach(const Item& i, const Vec3d& from) { return length(middle(i.box) - from) + diagonal(i.box) / 2; }
+  Vec3d median() const {
+    std::vector<double> of_axis[3];
+    for (const Item& i : items_) {
+      const Vec3d m = middle(i.box);
+      of_axis[0].push_back(m.x), of_axis[1].push_back(m.y), of_axis[2].push_back(m.z);
+    }
+    return {lower_median(std::move(of_axis[0])), lower_median(std::move(of_axis[1])),
+            lower_median(std::move(of_axis[2]))};
+  }
+
+  std::vector<Item> items_;
+  Box bounds_;
+};
+
+// The origin is near the centre of all that has a place; distances from it are what floats have to hold. It stays
+// while things move within these bounds, and a little beyond.
+void Builder::place() {
+  Places places;
+  find_places(places);
+  if (places.bounds().empty()) return;
+  if (step(places.bounds()) >= coarse_m) check_extent(places);
+  const Box& box = places.bounds();
+  const Vec3d size = box.upper - box.lower;
+  out_->extent = std::exp2(std::ceil(std::log2(std::max({size.x, size.y, size.z, least_extent_m}))));
+  const double step = out_->extent / 4;
+  out_->origin = {step * std::round(middle(box).x / step), step * std::round(middle(box).y / step),
+                  step * std::round(middle(box).z / step)};
+  out_->centre = Vec3(middle(box) - out_->origin);
+  out_->radius = float(length(size) * 0.5 * (1 + 0x1p-20));
+}
+
+void Builder::find_places(Places& places) {
+  const auto point = [](const Vec3d& p, double reach = 0) {
+    const Vec3d r(reach, reach, reach);
+    return Box{p - r, p + r};
+  };
+  for (const Raytracer::Instance& i : out_->instances)  // its origin is the world's yet
+    places.add(out_->mesh_boxes[i.mesh].transformed(i.to_scene), "instance", i.number);
+  in_.sources().each([&](uint32_t id, const SourceDescription& s) {
+    if (const auto* light = std::get_if<LightDescription>(&s.kind)) {
+      if (light->kind != UPS_LIGHT_DIRECTIONAL) places.add(point(light->to_world.column(3)), "luminaire", id);
+      return;
+    }
+    const auto& luminaire = std::get<LuminaireDescription>(s.kind);
+    const Vec3d p = luminaire.to_world.column(3);
+    if (const auto rays = rays_of(luminaire)) {
+      const Axes axes(luminaire.to_world);
+      const Box own{Vec3d(rays->lower()), Vec3d(rays->upper())};
+      Box box;
+      for (int k = 0; k < 8; ++k) {
+        const Vec3d c = own.corner(k);
+        box.grow(p + axes.x * c.x + axes.y * c.y + axes.z * c.z);
+      }
+      return places.add(box, "luminaire", id);
+    }
+    const float* size = luminaire.profile->opening.size_m;
+    places.add(point(p, luminaire.use_opening
+                            ? 0.5 * std::hypot(double(size[0]), double(size[1]), double(size[2])) : 0),
+               "luminaire", id);
+  });
+  in_.sensors().each([&](uint32_t id, const Description::Sensor& s) {
+    if (const auto* camera = std::get_if<CameraDescription>(&s))
+      return places.add(point(camera->to_world.column(3)), "sensor", id);
+    if (const auto* o = std::get_if<ObserverDescription>(&s))
+      return places.add(point(o->to_world.column(3)), "sensor", id);
+    const auto* meters = std::get_if<MetersDescription>(&s);
+    if (!meters) return;  // a goniometer is at infinity, what measures a surface lies on it
+    const double reach = 0.5 * std::max(std::hypot(double(meters->cell_width), double(meters->cell_height)),
+                                        double(meters->footprint));
+    const Vec3d r(reach, reach, reach);
+    places.add({meters->bounds.lower - r, meters->bounds.upper + r}, "sensor", id);
+  });
+}
+
+// One surface far away would cost all others their precision.
+void Builder::check_extent(Places& places) {
+  const auto takes = [&](double share) {
+    return places.typical_extent() <= share * diagonal(places.bounds());
+  };
+  if (!takes(coarse_share)) return;
+  leave_out_far_surfaces(places);
+  const double resolved = step(places.bounds());
+  if (resolved < coarse_m || !takes(coarse_share)) return;
+  const Places::Item& far = places.farthest();
+  const std::string text = "the scene is " + length_text(diagonal(places.bounds())) + " wide, and most of it lies within " +
+                           length_text(places.typical_extent()) + ": places are known to " + length_text(resolved) +
+                           " in it. " + far.noun + " id " + std::to_string(far.id) + " reaches farthest: ";
+  if (resolved >= lost_m && takes(lost_share)) fail_argument(text + "move it, or leave it out");
+  warn(text + "without it readings would be more exact");
+}
+
+// Surfaces that light and sensors hardly see, and that do not shine themselves.
+void Builder::leave_out_far_surfaces(Places& places) {
+  if (sees_infinity()) return;
+  std::set<uint32_t> kept;
+  in_.sensors().each([&](uint32_t, const Description::Sensor& s) {
+    if (const auto* measured = std::get_if<SurfaceMetersDescription>(&s))
+      for (const ups_instance_id id : measured->instances) kept.insert(number_of(id.v));
+  });
+  for (const Raytracer::Instance& i : out_->instances)
+    if (!is_black(to_rgb(in_.materials().at(out_->material_numbers[i.material]).luminance_cd_m2))) kept.insert(i.number);
+  const auto is_kept = [&](const Places::Item& i) { return std::string_view(i.noun) != "instance" || kept.count(i.id); };
+  Places near = places;
+  near.remove([&](const Places::Item& i) { return !is_kept(i); });
+  if (near.bounds().empty()) return;
+  places.remove([&](const Places::Item& i) {
+    const double distance = gap(near.bounds(), i.box);
+    if (is_kept(i) || !(diagonal(i.box) < least_angle * distance) || !(0x1p-24 * distance >= coarse_m)) return false;
+    far_surfaces_.insert(i.id);
+    warn_of("instance", i.id, "left out, as it lies " + length_text(distance) + " away from all luminaires and sensors, "
+            "which see it smaller than an arc minute: with it, places would be known to " +
+            length_text(0x1p-24 * distance) + " only");
+    return true;
+  });
+  if (!far_surfaces_.empty()) list_surfaces();
+}
+
+// Parallel light throws shadows of any size at any distance, and a goniometer measures there.
+bool Builder::sees_infinity() const {
+  bool does = false;
+  in_.sources().each([&](uint32_t, const SourceDescription& s) {
+    const auto* light = std::get_if<LightDescription>(&s.kind);
+    does |= light && light->kind == UPS_LIGHT_DIRECTIONAL;
+  });
+  in_.sensors().each([&](uint32_t, const Description::Sensor& s) {
+    does |= std::holds_alternative<GoniometerDescription>(s);
+  });
+  return does;
+}
+
+}  // namespace ups
