@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/zeroed.h"
 #include "render/goniometer_sums.h"
 #include "render/image_sums.h"
 #include "render/meter_statistics.h"
@@ -92,8 +93,8 @@ class Accumulator {
   const double scene_lx_;  // on the scene's bounding sphere, were all light to reach it
   const bool emits_;
   uint32_t iterations_ = 0;
-  std::vector<std::vector<MeterSums>> meters_;
-  std::vector<std::vector<MeterSums>> separated_;  // a meter by a column, column fastest
+  std::vector<ZeroedVector<MeterSums>> meters_;
+  std::vector<ZeroedVector<MeterSums>> separated_;  // a meter by a column, column fastest
   // That one path brought to any meter: by set; by set and column. Exact light of any meter, by set.
   std::vector<Largest> largest_;
   std::vector<std::vector<Largest>> largest_separated_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/zeroed.h"
 #include "render/largest_samples.h"
 #include "render/layer_sums.h"
 #include "render/pixel_bias.h"
@@ -78,18 +79,18 @@ class ImageSums {
   const double emitted_cd_m2_;
   std::vector<bool> blank_;          // pixels that see nothing at all: they are black without error; empty: none
   LayerSums layers_;
-  std::vector<double> illuminance_;  // of all visits; empty where not asked for
-  std::array<std::vector<float>, batch_count> illuminance_batches_;  // the same, by a pixel's own visits
-  std::vector<double> eye_;          // 3 a pixel, of all visits
-  std::vector<double> splat_;        // 3 a pixel, of all iterations; empty until light paths bring something
-  std::vector<float> pending_;       // eye and splats of the pass under way
-  std::vector<Sample> largest_;      // of each pixel, luminance
+  ZeroedVector<double> illuminance_;  // of all visits; empty where not asked for
+  std::array<ZeroedVector<float>, batch_count> illuminance_batches_;  // the same, by a pixel's own visits
+  ZeroedVector<double> eye_;          // 3 a pixel, of all visits
+  ZeroedVector<double> splat_;        // 3 a pixel, of all iterations; empty until light paths bring something
+  ZeroedVector<float> pending_;       // eye and splats of the pass under way
+  ZeroedVector<Sample> largest_;      // of each pixel, luminance
   // 3 a pixel, of whole passes; each is empty before its first.
-  std::array<std::vector<float>, batch_count> batches_;
+  std::array<ZeroedVector<float>, batch_count> batches_;
   std::optional<PixelBias> bias_;  // where photons are merged
   // Of all iterations, 3 a pixel, technique by technique; empty where not asked for.
-  std::vector<double> weighted_, unweighted_;
-  std::array<std::vector<double>, 2> families_;  // of eye paths
+  ZeroedVector<double> weighted_, unweighted_;
+  std::array<ZeroedVector<double>, 2> families_;  // of eye paths
 };
 
 }  // namespace ups

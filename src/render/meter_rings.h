@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/zeroed.h"
 #include "render/largest_samples.h"
 #include "transport/meter_discs.h"
 #include "transport/plan.h"
@@ -112,11 +113,11 @@ class MeterRings {
   }
 
   uint32_t rings_;
-  std::vector<double> flux_, direct_;  // a row by a batch by a ring
-  std::vector<double> square_;         // a row by a half by a ring
-  std::vector<uint32_t> count_;        // the same
-  std::vector<double> lean_;           // flux by its direction from the meter, a row by a ring by s and t
-  std::vector<Largest> largest_;       // a row by a ring
+  ZeroedVector<double> flux_, direct_;  // a row by a batch by a ring
+  ZeroedVector<double> square_;         // a row by a half by a ring
+  ZeroedVector<uint32_t> count_;        // the same
+  ZeroedVector<double> lean_;           // flux by its direction from the meter, a row by a ring by s and t
+  ZeroedVector<Largest> largest_;       // a row by a ring
 };
 
 }  // namespace ups

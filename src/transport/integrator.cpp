@@ -68,7 +68,7 @@ void reset(const Iteration& in, IterationTally& tally) {
   if (in.settings.technique_edges) {
     techniques.resize(scene.cameras.size());
     for (size_t c = 0; c < techniques.size(); ++c)
-      techniques[c].reset(in.settings.technique_edges, scene.cameras[c].pixel_count());
+      techniques[c].reset(in.settings.technique_edges, scene.cameras[c].pixel_count(), in.stop);
     tally.techniques = std::move(techniques);
   }
   tally.pixels.resize(scene.cameras.size());

@@ -3,9 +3,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "base/rgb.h"
+#include "base/stop.h"
+#include "base/zeroed.h"
 
 namespace ups {
 
@@ -38,15 +39,21 @@ inline Technique technique_at(uint32_t index) {
 // One iteration's images of one camera: technique by technique, each pixel by pixel.
 struct TechniqueTally {
   uint32_t max_edges = 0, pixels = 0;
-  std::vector<Rgb> weighted, unweighted;
-  std::array<std::vector<Rgb>, 2> families;  // weighted, of eye paths (t > 1) of any length, by Family
+  ZeroedVector<Rgb> weighted, unweighted;
+  std::array<ZeroedVector<Rgb>, 2> families;  // weighted, of eye paths (t > 1) of any length, by Family
 
-  void reset(uint32_t edges, uint32_t pixel_count) {
+  // Of no use where `stop` is set on the way.
+  void reset(uint32_t edges, uint32_t pixel_count, const StopSignal& stop) {
     max_edges = edges, pixels = pixel_count;
     const size_t n = size_t(technique_count(edges)) * pixels;
-    weighted.assign(n, Rgb(0.0f));
-    unweighted.assign(n, Rgb(0.0f));
-    for (auto& f : families) f.assign(pixels, Rgb(0.0f));
+    for (auto* images : {&weighted, &unweighted}) clear(*images, n, stop);
+    for (auto& f : families) clear(f, pixels, stop);
+  }
+  static void clear(ZeroedVector<Rgb>& images, size_t size, const StopSignal& stop) {
+    if (images.size() != size)
+      images = ZeroedVector<Rgb>(size);
+    else
+      stop.for_each(size, [&](size_t i) { images[i] = Rgb(0.0f); });
   }
   // Each pixel by one thread at a time.
   void add(const Technique& t, uint32_t pixel, const Rgb& with_weight, const Rgb& without) {
