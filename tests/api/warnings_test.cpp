@@ -1,6 +1,7 @@
 // What a commit tells of a scene that is no error but hardly meant, through the C API; and what it keeps silent about.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -300,6 +301,21 @@ TEST(SceneWarnings, ThinTrianglesHaveAnArea) {
   add_scaled_room(scene, p, 1);
   scene.add(quad({1, 1, 1}, {2, 0, 0}, {0, 1e-5, 0}), matte(0.5));
   EXPECT_EQ(warnings_of(scene), "");
+}
+
+TEST(SceneWarnings, TransmittanceAboveThatOfAClearPane) {
+  const auto told = [](double transmittance) {
+    Room room;
+    auto pane = material(UPS_MATERIAL_GLAZING, 1);
+    pane.ior = 1.52f;
+    for (float& t : pane.transmittance_rgb) t = float(transmittance);
+    room.add(quad({1, 1, 1}, {0, 0, 1}, {1, 0, 0}), pane);
+    return room.warnings();
+  };
+  const double reflectance = std::pow(0.52 / 2.52, 2), clear = (1 - reflectance) / (1 + reflectance);
+  EXPECT_TRUE(tells(told(1), {"material 2", "transmittance of 1 ", "ior 1.52", "0.92 is taken"}));
+  EXPECT_EQ(told(clear), "");
+  EXPECT_EQ(told(-1), "");
 }
 
 }  // namespace

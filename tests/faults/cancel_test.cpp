@@ -1,6 +1,6 @@
 // Renders that are cancelled at random moments, on 2 threads: from the wish to the end of the job. Times are told and
-// fail nothing; who takes 10 s hangs. The environment variable UPS_STABILITY=full: 100 renders of each scene, one of
-// them of ten million triangles; without it 12, and 200 000 triangles.
+// fail nothing; who takes 10 s hangs. The environment variable UPS_STABILITY=full: 100 renders of each scene, of ten
+// million triangles, a million meters, images of techniques of twelve megapixels; without it 6, of a fiftieth of that.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -30,8 +30,8 @@ bool is_full() {
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 // Half of the moments while the render is prepared, half while it is under way.
-void cancel_often(Scene& scene, const char* what) {
-  const int count = is_full() ? 100 : 12;
+void cancel_often(Scene& scene, const char* what, uint32_t technique_images = 0) {
+  const int count = is_full() ? 100 : 6;
   const unsigned seed = std::random_device()();
   std::mt19937 random(seed);
   std::vector<double> delays;
@@ -39,6 +39,7 @@ void cancel_often(Scene& scene, const char* what) {
     auto d = make_desc<ups_render_desc>(ups_render_desc_init);
     d.method = k % 2 ? UPS_METHOD_AUTO : UPS_METHOD_UPS;
     d.time_limit_s = 600;
+    d.technique_images = technique_images;
     const double moment = std::uniform_real_distribution<double>(0, k % 4 < 2 ? 0.3 : 3)(random);
     ups_job* job = nullptr;
     ASSERT_EQ(ups_job_start(scene.get(), &d, &job), UPS_OK) << ups_last_error();
@@ -89,6 +90,30 @@ TEST(Cancel, ManyTriangles) {
   ASSERT_EQ(ups_scene_commit(scene.get()), UPS_OK) << ups_last_error();
   std::printf("%zu triangles: commit took %.2f s\n", floor.triangles.size(), seconds_since(begin));
   cancel_often(scene, "many triangles");
+}
+
+Scene& add_room(Scene& scene) {
+  scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), matte(0.5));
+  scene.add_point_light({2, 1.5, 2}, 100);
+  return scene;
+}
+
+TEST(Cancel, ManyMeters) {
+  Scene scene(2);
+  const int side = is_full() ? 1000 : 140;
+  std::vector<P3> places;
+  for (int i = 0; i < side * side; ++i)
+    places.push_back({0.1 + 3.8 * (i % side) / side, 0.1 + 2.8 * (i / side) / side, 0.75});
+  add_room(scene).add_meters(places, {0, 0, 1});
+  ASSERT_EQ(ups_scene_commit(scene.get()), UPS_OK) << ups_last_error();
+  cancel_often(scene, "many meters");
+}
+
+TEST(Cancel, ImagesOfTechniques) {
+  Scene scene(2);
+  add_room(scene).add_camera({2, 1.5, 2.4}, {0.3, 0.2, -1}, is_full() ? 4000 : 560, is_full() ? 3000 : 420, 1);
+  ASSERT_EQ(ups_scene_commit(scene.get()), UPS_OK) << ups_last_error();
+  cancel_often(scene, "images of techniques", 3);
 }
 
 #ifdef UPS_HAS_GLTF

@@ -122,5 +122,17 @@ TEST(DiscIndex, BallsAreCrossedWhereTheyAreEntered) {
   }
 }
 
+TEST(DiscIndex, OneThatIsStoppedFindsNothing) {
+  Discs discs;
+  for (int i = 0; i < 10000; ++i) discs.push_back({{0, 0, float(i)}, {0, 0, 1}, 1});
+  StopSignal stop;
+  stop.cancel();
+  const DiscIndex index(discs, stop);
+  EXPECT_TRUE(index.empty());
+  std::vector<DiscIndex::Crossing> found;
+  index.intersect_all({0, 0, -1}, {0, 0, 1}, 1e6f, found);
+  EXPECT_TRUE(found.empty());
+}
+
 }  // namespace
 }  // namespace ups

@@ -83,4 +83,15 @@ TEST(Hazard24, AnEmptyIndexFindsNothing) {
   PhotonIndex(LightPaths::of(std::vector<LightVertex>(3)), 1.0f).query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
 }
 
+// What is cut off is of no use, but may be asked.
+TEST(Hazard24, AnIndexThatIsStoppedFindsNothing) {
+  std::vector<LightVertex> vertices(100);
+  for (LightVertex& v : vertices) v.merge = true;
+  StopSignal stop;
+  stop.cancel();
+  PhotonIndex index(LightPaths::of(vertices), 1.0f, stop);
+  EXPECT_TRUE(index.empty());
+  index.query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
+}
+
 }  // namespace
