@@ -32,7 +32,7 @@ def parse(cases):
                         help="cases or groups of cases: " + " ".join(groups))
     parser.add_argument("--fast", action="store_true", help="only what the tests run")
     low_effort = os.environ.get("UPS_TEST_EFFORT") == "low"  # of tests under sanitizers
-    parser.add_argument("--unjudged", type=int, default=16 if low_effort else 0, metavar="N",
+    parser.add_argument("--unjudged", type=int, default=64 if low_effort else 0, metavar="N",
                         help="nothing is judged: an Nth of the iterations, to see that all of it runs")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="renders at once, each on one thread")
     parser.add_argument("--plot", action="store_true", help="needs matplotlib")

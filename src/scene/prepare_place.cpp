@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/text.h"
 #include "scene/builder.h"
 #include "scene/check.h"
 #include "scene/length_text.h"
@@ -184,16 +185,19 @@ void Builder::leave_out_far_surfaces(Places& places) {
   Places near = places;
   near.remove([&](const Places::Item& i) { return !is_kept(i); });
   if (near.bounds().empty()) return;
+  double nearest = INFINITY;
   places.remove([&](const Places::Item& i) {
     const double distance = gap(near.bounds(), i.box);
     if (is_kept(i) || !(diagonal(i.box) < least_angle * distance) || !(0x1p-24 * distance >= coarse_m)) return false;
     far_surfaces_.insert(i.id);
-    warn_of("instance", i.id, "left out, as it lies " + length_text(distance) + " away from all luminaires and sensors, "
-            "which see it smaller than an arc minute: with it, places would be known to " +
-            length_text(0x1p-24 * distance) + " only");
+    nearest = std::min(nearest, distance);
     return true;
   });
-  if (!far_surfaces_.empty()) list_surfaces();
+  if (far_surfaces_.empty()) return;
+  warn(listed("instance", {far_surfaces_.begin(), far_surfaces_.end()}) + ": left out, " + length_text(nearest) +
+       " and more away from all luminaires and sensors, which see nothing of it larger than an arc minute: with it, places "
+       "would be known to " + length_text(0x1p-24 * nearest) + " at best");
+  list_surfaces();
 }
 
 // Parallel light throws shadows of any size at any distance, and a goniometer measures there.

@@ -276,7 +276,7 @@ class Scene {
     d.iteration_count = with_effort(options.iterations);
     d.seed = options.seed;
     d.merge_radius_m = float(options.merge_radius_m);
-    d.light_paths_per_iteration = options.light_paths;
+    d.light_paths_per_iteration = paths_with_effort(options.light_paths);
     d.techniques = options.techniques;
     d.max_path_length = options.max_path_length;
     d.perturbation = options.perturbation;
