@@ -51,7 +51,8 @@ class Builder {
   void place();
   void find_places(Places& places);
   void check_extent(Places& places);
-  void leave_out_far_surfaces(Places& places);
+  Places places_that_matter(const Places& places) const;
+  void leave_out_far_surfaces(const Places& near, Places& places);
   bool sees_infinity() const;
   Box mesh_box(size_t mesh) const;
   void add_materials();

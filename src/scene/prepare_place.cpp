@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "base/text.h"
 #include "scene/builder.h"
@@ -12,18 +13,20 @@ namespace ups {
 namespace {
 
 constexpr double max_coordinate_m = 1e9, least_extent_m = 1e-9;
-// Floats resolve 2^-24 of the extent. Where that is a millimetre and what matters takes this share of the extent or less,
-// it is told; where it is a centimetre, light between surfaces so close together cannot be computed.
+// Floats resolve 2^-24 of the extent. Where that is a millimetre and what matters takes this share of the extent or
+// less, it is told; where it is a centimetre, light between surfaces so close together cannot be computed.
 constexpr double coarse_m = 0.001, coarse_share = 0x1p-12, lost_m = 0.01, lost_share = 0x1p-16;
-constexpr double least_angle = 0x1p-12;  // rad; some arc minute, the least that an eye resolves
+constexpr double least_angle = 0x1p-12;     // rad; some arc minute, the least that an eye resolves
+constexpr double most_solid_angle = 1e-4;   // of all that is left out
 
 double diagonal(const Box& b) { return length(b.upper - b.lower); }
 Vec3d middle(const Box& b) { return b.lower * 0.5 + b.upper * 0.5; }
 
 double gap(const Box& a, const Box& b) {
-  const auto apart = [](double lower, double upper, double l, double u) { return std::max({0.0, l - upper, lower - u}); };
-  return std::hypot(apart(a.lower.x, a.upper.x, b.lower.x, b.upper.x), apart(a.lower.y, a.upper.y, b.lower.y, b.upper.y),
-                    apart(a.lower.z, a.upper.z, b.lower.z, b.upper.z));
+  const auto apart = [&](double Vec3d::*axis) {
+    return std::max({0.0, b.lower.*axis - a.upper.*axis, a.lower.*axis - b.upper.*axis});
+  };
+  return std::hypot(apart(&Vec3d::x), apart(&Vec3d::y), apart(&Vec3d::z));
 }
 
 double step(const Box& b) { return 0x1p-24 * diagonal(b); }
@@ -44,7 +47,9 @@ class Builder::Places {
     Box box;
     const char* noun;
     uint32_t id;
+    bool is_instance() const { return std::string_view(noun) == instance_noun; }
   };
+  static constexpr const char* instance_noun = "instance";
 
   void add(const Box& box, const char* noun, uint32_t id) {
     const double farthest = std::max(max_abs(box.lower), max_abs(box.upper));
@@ -57,6 +62,10 @@ class Builder::Places {
   }
   static void grow(Box& all, const Box& box) { all.grow(box.lower), all.grow(box.upper); }
 
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (const Item& i : items_) visit(i);
+  }
   template <class Test>
   void remove(const Test& test) {
     std::erase_if(items_, test);
@@ -68,18 +77,15 @@ class Builder::Places {
 
   // The extent of most of what there is, around its middle; both by medians, which single things far away do not move.
   double typical_extent() const {
+    const Vec3d from = median();
     std::vector<double> distances;
-    for (const Item& i : items_) distances.push_back(reach(i, median()));
+    for (const Item& i : items_) distances.push_back(reach(i, from));
     return 2 * lower_median(std::move(distances));
   }
-  const Item& farthest() const {
-    const Vec3d m = median();
+  const Item& farthest(const Vec3d& from) const {
     return *std::max_element(items_.begin(), items_.end(),
-                             [&](const Item& a, const Item& b) { return reach(a, m) < reach(b, m); });
+                             [&](const Item& a, const Item& b) { return reach(a, from) < reach(b, from); });
   }
-
- private:
-  static double reach(const Item& i, const Vec3d& from) { return length(middle(i.box) - from) + diagonal(i.box) / 2; }
   Vec3d median() const {
     std::vector<double> of_axis[3];
     for (const Item& i : items_) {
@@ -89,6 +95,10 @@ class Builder::Places {
     return {lower_median(std::move(of_axis[0])), lower_median(std::move(of_axis[1])),
             lower_median(std::move(of_axis[2]))};
   }
+
+
+ private:
+  static double reach(const Item& i, const Vec3d& from) { return length(middle(i.box) - from) + diagonal(i.box) / 2; }
 
   std::vector<Item> items_;
   Box bounds_;
@@ -117,7 +127,7 @@ void Builder::find_places(Places& places) {
     return Box{p - r, p + r};
   };
   for (const Raytracer::Instance& i : out_->instances)  // its origin is the world's yet
-    places.add(out_->mesh_boxes[i.mesh].transformed(i.to_scene), "instance", i.number);
+    places.add(out_->mesh_boxes[i.mesh].transformed(i.to_scene), Places::instance_noun, i.number);
   in_.sources().each([&](uint32_t id, const SourceDescription& s) {
     if (const auto* light = std::get_if<LightDescription>(&s.kind)) {
       if (light->kind != UPS_LIGHT_DIRECTIONAL) places.add(point(light->to_world.column(3)), "luminaire", id);
@@ -154,49 +164,58 @@ void Builder::find_places(Places& places) {
   });
 }
 
-// One surface far away would cost all others their precision.
+// One surface far away would cost all others their precision. What matters is what shines or measures, or, where that
+// stands in one place, most of all there is.
 void Builder::check_extent(Places& places) {
-  const auto takes = [&](double share) {
-    return places.typical_extent() <= share * diagonal(places.bounds());
-  };
-  if (!takes(coarse_share)) return;
-  leave_out_far_surfaces(places);
-  const double resolved = step(places.bounds());
-  if (resolved < coarse_m || !takes(coarse_share)) return;
-  const Places::Item& far = places.farthest();
-  const std::string text = "the scene is " + length_text(diagonal(places.bounds())) + " wide, and most of it lies within " +
-                           length_text(places.typical_extent()) + ": places are known to " + length_text(resolved) +
-                           " in it. " + far.noun + " id " + std::to_string(far.id) + " reaches farthest: ";
-  if (resolved >= lost_m && takes(lost_share)) fail_argument(text + "move it, or leave it out");
+  const Places near = places_that_matter(places);
+  leave_out_far_surfaces(near, places);
+  const double resolved = step(places.bounds()), width = diagonal(places.bounds()), typical = places.typical_extent(),
+               of_near = near.bounds().empty() ? 0 : diagonal(near.bounds());
+  const bool is_near = of_near > 0 && of_near < typical;
+  const double matters = is_near ? of_near : typical;
+  if (resolved < coarse_m || matters > coarse_share * width) return;
+  const Places::Item& far = places.farthest(is_near ? middle(near.bounds()) : places.median());
+  const std::string text = "the scene is " + length_text(width) + " wide, and what matters in it " +
+                           length_text(matters) + ": places are known to " + length_text(resolved) + ". " + far.noun +
+                           " id " + std::to_string(far.id) + " reaches farthest: ";
+  if (resolved >= lost_m && matters <= lost_share * width) fail_argument(text + "move it, or leave it out");
   warn(text + "without it readings would be more exact");
 }
 
-// Surfaces that light and sensors hardly see, and that do not shine themselves.
-void Builder::leave_out_far_surfaces(Places& places) {
-  if (sees_infinity()) return;
-  std::set<uint32_t> kept;
+// Sources, sensors, and surfaces that shine or are measured.
+Builder::Places Builder::places_that_matter(const Places& places) const {
+  std::set<uint32_t> instances;
   in_.sensors().each([&](uint32_t, const Description::Sensor& s) {
     if (const auto* measured = std::get_if<SurfaceMetersDescription>(&s))
-      for (const ups_instance_id id : measured->instances) kept.insert(number_of(id.v));
+      for (const ups_instance_id id : measured->instances) instances.insert(number_of(id.v));
   });
-  for (const Raytracer::Instance& i : out_->instances)
-    if (!is_black(to_rgb(in_.materials().at(out_->material_numbers[i.material]).luminance_cd_m2))) kept.insert(i.number);
-  const auto is_kept = [&](const Places::Item& i) { return std::string_view(i.noun) != "instance" || kept.count(i.id); };
+  for (const Raytracer::Instance& i : out_->instances) {
+    const ups_material_desc& material = in_.materials().at(out_->material_numbers[i.material]);
+    if (!is_black(to_rgb(material.luminance_cd_m2))) instances.insert(i.number);
+  }
   Places near = places;
-  near.remove([&](const Places::Item& i) { return !is_kept(i); });
-  if (near.bounds().empty()) return;
-  double nearest = INFINITY;
-  places.remove([&](const Places::Item& i) {
-    const double distance = gap(near.bounds(), i.box);
-    if (is_kept(i) || !(diagonal(i.box) < least_angle * distance) || !(0x1p-24 * distance >= coarse_m)) return false;
-    far_surfaces_.insert(i.id);
+  near.remove([&](const Places::Item& i) { return i.is_instance() && instances.count(i.id) == 0; });
+  return near;
+}
+
+// Surfaces that light and sensors hardly see, all of them together.
+void Builder::leave_out_far_surfaces(const Places& near, Places& places) {
+  if (near.bounds().empty() || sees_infinity()) return;
+  std::set<uint32_t> far;
+  double nearest = INFINITY, solid_angle = 0;
+  places.each([&](const Places::Item& i) {
+    const double distance = gap(near.bounds(), i.box), angle = diagonal(i.box) / distance;
+    if (!i.is_instance() || !(0x1p-24 * distance >= coarse_m) || !(angle < least_angle)) return;
+    far.insert(i.id);
     nearest = std::min(nearest, distance);
-    return true;
+    solid_angle += angle * angle;
   });
-  if (far_surfaces_.empty()) return;
-  warn(listed("instance", {far_surfaces_.begin(), far_surfaces_.end()}) + ": left out, " + length_text(nearest) +
-       " and more away from all luminaires and sensors, which see nothing of it larger than an arc minute: with it, places "
-       "would be known to " + length_text(0x1p-24 * nearest) + " at best");
+  if (far.empty() || solid_angle > most_solid_angle) return;
+  places.remove([&](const Places::Item& i) { return i.is_instance() && far.count(i.id) > 0; });
+  warn(listed("instance", {far.begin(), far.end()}) + ": left out, " + length_text(nearest) +
+       " and more away from all luminaires and sensors, smaller than an arc minute from there; with it, places would "
+       "be known to " + length_text(0x1p-24 * nearest) + " at best");
+  far_surfaces_ = std::move(far);
   list_surfaces();
 }
 

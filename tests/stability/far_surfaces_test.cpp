@@ -1,5 +1,6 @@
-// Surfaces far from all that a scene is about: floats hold places relative to its middle, so that a stray triangle would
-// cost the room its precision. What nobody can see is left out and told; what cannot be left out is told, or refused.
+// Surfaces far from all that a scene is about: floats hold places relative to its middle, so that a stray triangle
+// would cost the room its precision. What nobody can see is left out and told; what cannot be left out is told, or
+// refused.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -50,6 +51,10 @@ TEST(Taught, OneSurfaceFarAwayCostsNoPrecision) {
     EXPECT_EQ(room.lux(), expected) << distance;
     EXPECT_NE(scene_warnings(room.scene).find("instance 2: left out"), std::string::npos) << scene_warnings(room.scene);
   }
+  Room many;  // most of what there is, together still nothing to be seen
+  for (int i = 0; i < 100; ++i) many.add_far(1e6 + 1e5 * i, 10, matte(0.5));
+  EXPECT_EQ(many.lux(), expected);
+  EXPECT_NE(scene_warnings(many.scene).find("instances 2, 3, 4 and 97 more: left out"), std::string::npos);
   Room edited;
   const ups_instance_id far = edited.add_far(3e6, 1, matte(0.5));
   EXPECT_EQ(edited.lux(), expected);
@@ -65,7 +70,9 @@ TEST(Taught, OneSurfaceFarAwayCostsNoPrecision) {
 
 // What shines, is measured, may throw a shadow of parallel light, or is wide enough to be seen is not left out.
 TEST(Taught, SurfacesFarAwayThatCountAreNamed) {
-  const auto names_it = [](const std::string& text) { return text.find("instance id 2 reaches farthest") != std::string::npos; };
+  const auto names_it = [](const std::string& text) {
+    return text.find("instance id 2 reaches farthest") != std::string::npos;
+  };
   Room shining;
   shining.add_far(3e6, 100, emitter(1000));
   EXPECT_TRUE(names_it(shining.refusal())) << shining.refusal();
@@ -80,6 +87,9 @@ TEST(Taught, SurfacesFarAwayThatCountAreNamed) {
   wide.add_far(1e5, 1e3, matte(0.5));
   EXPECT_EQ(wide.refusal(), "");
   EXPECT_TRUE(names_it(scene_warnings(wide.scene))) << scene_warnings(wide.scene);
+  Room horizon;  // each tile is too small to be seen, not all of them
+  for (int i = 0; i < 6000; ++i) horizon.add_far(1e6 + i, 100, matte(0.5));
+  EXPECT_NE(horizon.refusal().find("instance id 6001 reaches farthest"), std::string::npos) << horizon.refusal();
   Room plain;
   plain.add_far(1e3, 100, matte(0.5));
   EXPECT_EQ(plain.refusal(), "");
