@@ -76,6 +76,18 @@ int tell_usage(const CLI::App& app, const CLI::ParseError& e) {
   return code == 0 ? ups::tool::exit_done : ups::tool::exit_usage;
 }
 
+// CLI11 asks for a command where it does not know the one that is there. Nothing: it does.
+std::string unknown_command(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments[0].empty() || arguments[0][0] == '-') return {};
+  if (app.get_option_no_throw(arguments[0])) return {};  // not built yet
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == arguments[0]) return {};
+    if (!command->get_group().empty()) names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  return "'" + arguments[0] + "' is no command; there are " + names;
+}
+
 int run(const std::vector<std::string>& arguments) {
   CLI::App app("Illuminance and luminance by Unified Path Sampling", "ups");
   app.set_version_flag("--version", "ups " + ups::tool::version_number());
@@ -109,6 +121,10 @@ int run(const std::vector<std::string>& arguments) {
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes the last word first
   } catch (const CLI::ParseError& e) {
+    if (const std::string unknown = unknown_command(app, arguments); !unknown.empty()) {
+      ups::tool::put_error(unknown);
+      return ups::tool::exit_usage;
+    }
     return tell_usage(app, e);
   }
   if (info->parsed()) return ups::tool::info(info_options);

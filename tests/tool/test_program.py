@@ -125,6 +125,11 @@ class Usage(ProgramTest):
                 self.assertEqual(done.stdout, "")
                 self.assertNotEqual(done.stderr, "")
 
+    def test_an_unknown_command_is_named(self):
+        done = self.run_program("paint", code=2)
+        for word in ("'paint' is no command", "render", "replay", "goniometer", "info", "map", "convert", "compare"):
+            self.assertIn(word, done.stderr)
+
     def test_words_that_are_not_built_yet_say_so(self):
         scene = self.write("room.gltf", room())
         for arguments in (["render", scene, "--state", "a"], ["render", scene, "--resume", "a"],
