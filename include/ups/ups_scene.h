@@ -207,11 +207,12 @@ UPS_API ups_status ups_scene_remove_sensor(ups_scene *scene, ups_sensor_id id);
  * count from: then all is built. Warnings that need a search of all surfaces (triangles that lie on one another or have
  * no area, glass that overlaps, light that is swallowed) are found at the first commit, and after edits of the geometry
  * when somebody reads the scene's or a result's warnings; the log has those of the first commit alone.
- * Places are held in floats about the scene's middle, to 2^-24 of its width. In scenes of tens of kilometres a warning names
- * surfaces that are left out: those so far from all luminaires and sensors that they are smaller than an arc minute from
- * there, as long as they neither shine nor are measured and there is neither parallel light nor a goniometer. What then still
- * makes the scene too wide for the rest is named by a warning, or by an error (UPS_ERROR_INVALID_ARGUMENT) where places
- * would be known to a centimetre only, and the rest is 2^16 times narrower. */
+ * Places are held in floats about the scene's middle, to 2^-24 of its width. In scenes of tens of kilometres a warning
+ * names surfaces that are left out: those so far from all luminaires and sensors that they are smaller than an arc
+ * minute from there, as long as they neither shine nor are measured and there is neither parallel light nor a
+ * goniometer. What then still makes the scene too wide for the rest is named by a warning, too, which says so where
+ * readings are wrong: where places are known to a centimetre at best, and what shines and measures, or most of the
+ * scene, lies within a 2^16th of the width. */
 UPS_API ups_status ups_scene_commit(ups_scene *scene);
 /* The same on a thread of the library: poll, wait for, cancel and destroy the job as a render's (ups_render.h);
  * ups_progress.fraction tells how far it is, iterations_done stays 0, and the functions that ask for a render's findings

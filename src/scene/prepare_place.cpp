@@ -14,7 +14,7 @@ namespace {
 
 constexpr double max_coordinate_m = 1e9, least_extent_m = 1e-9;
 // Floats resolve 2^-24 of the extent. Where that is a millimetre and what matters takes this share of the extent or
-// less, it is told; where it is a centimetre, light between surfaces so close together cannot be computed.
+// less, it is told; where it is a centimetre, light between surfaces so close together is not to be trusted.
 constexpr double coarse_m = 0.001, coarse_share = 0x1p-12, lost_m = 0.01, lost_share = 0x1p-16;
 constexpr double least_angle = 0x1p-12;     // rad; some arc minute, the least that an eye resolves
 constexpr double most_solid_angle = 1e-4;   // of all that is left out
@@ -178,8 +178,9 @@ void Builder::check_extent(Places& places) {
   const std::string text = "the scene is " + length_text(width) + " wide, and what matters in it " +
                            length_text(matters) + ": places are known to " + length_text(resolved) + ". " + far.noun +
                            " id " + std::to_string(far.id) + " reaches farthest: ";
-  if (resolved >= lost_m && matters <= lost_share * width) fail_argument(text + "move it, or leave it out");
-  warn(text + "without it readings would be more exact");
+  const bool lost = resolved >= lost_m && matters <= lost_share * width;
+  warn(text + (lost ? "readings are wrong as long as it does, and bounds do not tell; move it, or leave it out"
+                    : "without it readings would be more exact"));
 }
 
 // Sources, sensors, and surfaces that shine or are measured.
