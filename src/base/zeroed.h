@@ -1,5 +1,5 @@
-// Large arrays that start as zeros: the machine gives pages of zeros when they are first touched, so that making one takes
-// no time, however large it is.
+// Large arrays that start as zeros: the machine gives pages of zeros when they are first touched, so that making one
+// takes no time, however large it is.
 #pragma once
 #include <cstdlib>
 #include <new>

@@ -300,7 +300,8 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->allow_extra_args(false)
       ->type_name("A/B");
   command->add_option("--out", options.out, "Folder for images and tables; without it no file is written")
-      ->check(CLI::Validator([](const std::string& text) { return std::string(text.empty() ? "must name a folder" : ""); }, ""))
+      ->check(CLI::Validator(
+          [](const std::string& text) { return std::string(text.empty() ? "must name a folder" : ""); }, ""))
       ->type_name("DIR");
   command
       ->add_flag("--report", options.report,

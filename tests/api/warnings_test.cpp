@@ -5,20 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "../support/scene_builder.h"
+#include "../support/scene_warnings.h"
 
 namespace ups::test {
 namespace {
-
-std::string warnings_of(Scene& scene) {
-  check(ups_scene_commit(scene.get()), "ups_scene_commit");
-  size_t needed = 0;
-  ups_scene_get_text(scene.get(), UPS_SCENE_TEXT_WARNINGS, nullptr, 0, &needed);
-  std::string text(needed, '\0');
-  check(ups_scene_get_text(scene.get(), UPS_SCENE_TEXT_WARNINGS, text.data(), needed, &needed), "ups_scene_get_text");
-  text.resize(needed - 1);
-  return text;
-}
 
 using Profile = std::unique_ptr<ups_profile, decltype(&ups_profile_destroy)>;
 
@@ -58,7 +48,7 @@ struct Room {
   void luminaire(const Profile& p, const P3& position, const P3& direction) {
     scene.add_luminaire(p.get(), position + at, direction, true);
   }
-  std::string warnings() { return warnings_of(scene); }
+  std::string warnings() { return scene_warnings(scene); }
 };
 
 testing::AssertionResult tells(const std::string& text, const std::vector<std::string>& words) {
@@ -243,7 +233,7 @@ TEST(SwallowedLight, IsNotThatOfAFixtureOnAGoniometer) {
   scene.add(box_with_hole({-0.005, -0.005, 0}, {0.005, 0.005, 0.006}, 0.009), matte(0.9));
   scene.add(quad({-0.001, -0.001, 0.0055}, {0, 0.002, 0}, {0.002, 0, 0}), emitter(1e6));
   scene.add_goniometer(24, 37);
-  EXPECT_EQ(warnings_of(scene), "");
+  EXPECT_EQ(scene_warnings(scene), "");
 }
 
 // ---- units ----
@@ -259,7 +249,7 @@ TEST(SceneWarnings, ARoomInMillimetres) {
     Scene scene;
     const Profile p = profile(scene, size, size);
     add_scaled_room(scene, p, 1000);
-    EXPECT_TRUE(tells(warnings_of(scene), {"the scene is 5 km wide", "about 0.00014 lx", "metres"}));
+    EXPECT_TRUE(tells(scene_warnings(scene), {"the scene is 5 km wide", "about 0.00014 lx", "metres"}));
   }
 }
 TEST(SceneWarnings, ALargeSiteInMetres) {
@@ -268,7 +258,7 @@ TEST(SceneWarnings, ALargeSiteInMetres) {
   scene.add(quad({-3000, -3000, 0}, {6000, 0, 0}, {0, 6000, 0}), matte(0.2));
   for (int i = 0; i < 8; ++i) scene.add_luminaire(p.get(), {30.0 * i, 0, 8}, down, true);
   scene.add_meters({{10, 2, 0}}, up);
-  EXPECT_EQ(warnings_of(scene), "");
+  EXPECT_EQ(scene_warnings(scene), "");
 }
 // Daylight alone is the same whatever the unit.
 TEST(SceneWarnings, ALargeSiteInTheSun) {
@@ -276,7 +266,7 @@ TEST(SceneWarnings, ALargeSiteInTheSun) {
   scene.add(quad({-3000, -3000, 0}, {6000, 0, 0}, {0, 6000, 0}), matte(0.2));
   scene.add_directional({0, 0.5, -1}, 50000);
   scene.add_meters({{10, 2, 0}}, up);
-  EXPECT_EQ(warnings_of(scene), "");
+  EXPECT_EQ(scene_warnings(scene), "");
 }
 
 // ---- triangles ----
@@ -290,9 +280,9 @@ TEST(SceneWarnings, TrianglesWithoutArea) {
   odd.triangles.insert(odd.triangles.begin() + 1, {0, 4, 2});  // on the diagonal
   odd.triangles.push_back({1, 1, 3});
   scene.add(odd, matte(0.5));
-  EXPECT_EQ(warnings_of(scene), "2 triangles of mesh 2 have no area, the first triangle 1: nothing is seen of them\n");
+  EXPECT_EQ(scene_warnings(scene), "2 triangles of mesh 2 have no area, the first triangle 1: nothing is seen of them\n");
   scene.add(Shape{{{3, 3, 1}, {3, 3, 1}, {3, 4, 1}}, {{0, 1, 2}}}, matte(0.5));
-  EXPECT_EQ(warnings_of(scene),
+  EXPECT_EQ(scene_warnings(scene),
             "3 triangles of 2 meshes have no area, the first triangle 1 of mesh 2: nothing is seen of them\n");
 }
 TEST(SceneWarnings, ThinTrianglesHaveAnArea) {
@@ -300,7 +290,7 @@ TEST(SceneWarnings, ThinTrianglesHaveAnArea) {
   const Profile p = profile(scene, 0, 0);
   add_scaled_room(scene, p, 1);
   scene.add(quad({1, 1, 1}, {2, 0, 0}, {0, 1e-5, 0}), matte(0.5));
-  EXPECT_EQ(warnings_of(scene), "");
+  EXPECT_EQ(scene_warnings(scene), "");
 }
 
 TEST(SceneWarnings, TransmittanceAboveThatOfAClearPane) {

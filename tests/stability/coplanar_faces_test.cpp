@@ -5,19 +5,13 @@
 
 #include "../analytic/ies_text.h"
 #include "../support/expect_lx.h"
+#include "../support/scene_warnings.h"
 #include "measured.h"
 
 namespace ups::test {
 namespace {
 
 constexpr ups_method methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING, UPS_METHOD_PPM};
-
-std::string scene_warnings(Scene& scene) {
-  check(ups_scene_commit(scene.get()), "ups_scene_commit");
-  char text[4096];
-  check(ups_scene_get_text(scene.get(), UPS_SCENE_TEXT_WARNINGS, text, sizeof text, nullptr), "ups_scene_get_text");
-  return text;
-}
 
 enum class Floor { once, twice, twice_and_turned, other_diagonal };
 

@@ -2,40 +2,32 @@
 // would cost the room its precision. What nobody can see is left out and told; what cannot be left out is told.
 #include <gtest/gtest.h>
 
-#include "../support/scene_builder.h"
+#include "../support/scene_warnings.h"
 
 namespace ups::test {
 namespace {
 
-std::string scene_warnings(Scene& scene) {
-  check(ups_scene_commit(scene.get()), "ups_scene_commit");
-  char text[4096];
-  check(ups_scene_get_text(scene.get(), UPS_SCENE_TEXT_WARNINGS, text, sizeof text, nullptr), "ups_scene_get_text");
-  return text;
-}
-
 struct Room {
   Scene scene{1};
   Sensor meters;
-  ups_instance_id walls;
 
   Room() {
-    walls = scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), matte(0.5));
+    scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), matte(0.5));
     scene.add_point_light({2, 1.5, 2}, 100);
     meters = scene.add_meters({{1, 1, 0.75}, {2, 2, 0.75}, {3, 1, 0.2}}, {0, 0, 1});
   }
   ups_instance_id add_far(double distance, double size, const ups_material_desc& material) {
     return scene.add(quad({0, 0, 0}, {size, 0, 0}, {0, size, 0}), material, {distance, 0, 0});
   }
-  std::vector<float> lux(ups_method method = UPS_METHOD_UPS) {
+  std::vector<float> lux() {
     std::vector<float> out;
-    for (const ups_meter_reading& r : scene.render({.method = method, .iterations = 8}).readings(meters))
+    for (const ups_meter_reading& r : scene.render({.iterations = 8}).readings(meters))
       out.push_back(r.illuminance_lx);
     return out;
   }
 };
 
-// The same bits as without it, by every method; it comes back with the edit that brings it near.
+// The same bits as without it; it comes back with the edit that brings it near.
 TEST(Taught, OneSurfaceFarAwayCostsNoPrecision) {
   Room alone;
   const auto expected = alone.lux();

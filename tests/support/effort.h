@@ -1,6 +1,6 @@
 // The environment variable UPS_TEST_EFFORT=low: renders of tests take a sixteenth of their iterations beyond eight and of
-// their light paths beyond 1024, and no more where that is too noisy. Sanitizers run tests so (tests/sanitizers/run.sh): they look at the code that runs, not at
-// what it reads.
+// their light paths beyond 1024, and no more where that is too noisy. Sanitizers run tests so
+// (tests/sanitizers/run.sh): they look at the code that runs, not at what it reads.
 #pragma once
 #include <cstdint>
 #include <cstdlib>

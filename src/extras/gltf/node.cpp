@@ -130,9 +130,10 @@ void Importer::read_node(int index, const Affine& parent) {
 }
 
 void Importer::add_instances(int index, const Affine& to_world, const std::string& where) {
-  // Relative to the axes' lengths: a scale of 0 hides the node, a small one does not.
   const auto is_large = [](double element) { return !(std::abs(element) <= largest_element); };
-  if (std::any_of(std::begin(to_world.m), std::end(to_world.m), is_large)) fail(where, "its matrix has an element beyond 1e+99");
+  if (std::any_of(std::begin(to_world.m), std::end(to_world.m), is_large))
+    fail(where, "its matrix has an element beyond 1e+99");
+  // Relative to the axes' lengths: a scale of 0 hides the node, a small one does not.
   const double volume = length(to_world.column(0)) * length(to_world.column(1)) * length(to_world.column(2));
   if (!(std::abs(determinant(to_world)) > flat * volume)) {
     warn(where + ": its mesh is skipped, as its matrix has a scale of 0");
