@@ -50,7 +50,8 @@ SampleAddress address_of(const Integrator& integrator, const ups_sample& s) {
   if (s.iteration >= 0xfffffff0u) fail_argument("sample->iteration is " + std::to_string(s.iteration));
   if (s.walk != UPS_WALK_EYE && s.walk != UPS_WALK_LIGHT)
     fail_argument("sample->walk: " + std::to_string(s.walk) + " is not a UPS_WALK_* value");
-  if (s.path >= PathNumber::light_bit) fail_argument("sample->path is " + std::to_string(s.path));
+  if (s.path >= PathNumber::light_bit)
+    fail_argument("sample->path is " + std::to_string(s.path) + "; paths are numbered from 0 to 2^31 - 1");
   a.path = s.walk == UPS_WALK_LIGHT ? PathNumber::light(s.path) : PathNumber{s.path};
   if (s.walk == UPS_WALK_LIGHT) return a;
   const uint32_t eye_paths = a.camera ? 1 : integrator.plan().meter_samples;

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <sstream>
+#include <string_view>
 
 #include "platform/files.h"
 #include "platform/paths.h"
@@ -16,12 +17,16 @@
 namespace ups::tool {
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // as spreadsheets write before UTF-8
+
 std::string read_whole(const std::string& path) {
   const auto file = platform::open_to_read(path);
   if (!file || platform::is_folder(path)) throw Failure("cannot read '" + path + "'");
   std::ostringstream text;
   text << file.rdbuf();
-  return text.str();
+  std::string all = text.str();
+  if (all.starts_with(byte_order_mark)) all.erase(0, byte_order_mark.size());
+  return all;
 }
 
 std::vector<std::string> fields_of(const std::string& line) {

@@ -26,9 +26,13 @@ step "Configure (cmake --preset $preset)"
 cmake --preset "$preset"
 step "Build on $cores cores"
 cmake --build --preset "$preset" --parallel "$cores"
+step "Build without sanitizers, for the judgement"
+cmake --preset release
+cmake --build --preset release --parallel "$cores"
 step "Test (ctest --preset $preset)"
+export UPS_TEST_EFFORT=${UPS_TEST_EFFORT:-low}
 results=$PWD/build/$preset/results.xml
 rm -f "$results"
-UPS_TEST_EFFORT=${UPS_TEST_EFFORT:-low} ctest --preset "$preset" --parallel "$cores" --output-junit "$results" "$@" ||
-  true # what failed is judged below
-python3 tests/sanitizers/judge.py "$results"
+ctest --preset "$preset" --parallel "$cores" --output-junit "$results" "$@" || true # what failed is judged below
+step "Judge (tests/sanitizers/judge.py)"
+python3 tests/sanitizers/judge.py "build/$preset" build/release

@@ -65,6 +65,18 @@ class Maps(test_program.ProgramTest):
         for side, size in zip(box.groups(), (width, height)):
             self.assertAlmostEqual(float(side), 0.75 * size, delta=0.01)
 
+    def test_a_table_from_a_spreadsheet(self):
+        """Written again with a byte order mark and line ends of Windows: the same drawing."""
+        with open(self.grid(), encoding="utf-8") as file:
+            text = file.read()
+        self.run_program("map", self.path("plane.csv"), self.path("as_written.svg"))
+        spreadsheet = os.path.join(os.path.dirname(self.path("x")), "again")
+        os.mkdir(spreadsheet)
+        with open(os.path.join(spreadsheet, "plane.csv"), "w", encoding="utf-8-sig", newline="\r\n") as file:
+            file.write(text)
+        self.run_program("map", os.path.join(spreadsheet, "plane.csv"), self.path("again.svg"))
+        self.assertEqual(self.read("again.svg"), self.read("as_written.svg"))
+
     def test_scales_ranges_and_verdicts(self):
         file = self.grid()
         told = {}
