@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/pooled_bias.h"
+#include "render/tails.h"
 
 namespace ups {
 
@@ -294,10 +295,9 @@ ErrorSummary Accumulator::summarize() const {
   std::optional<ErrorSummary::Place> worst;
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
+    const std::vector<MeterLight> lights = measured(s, lights_of(s, choose_discs(s)));
     std::vector<ups_meter_reading> readings;
-    std::vector<uint32_t> visits;
-    for (const MeterLight& light : measured(s, lights_of(s, choose_discs(s))))
-      readings.push_back(light.reading()), visits.push_back(light.visits);
+    for (const MeterLight& light : lights) readings.push_back(light.reading());
     double mean = 0;
     for (const ups_meter_reading& m : readings) mean += double(m.illuminance_lx) / double(readings.size());
     if (!(mean > 0)) mean = scene_lx_;
@@ -305,7 +305,8 @@ ErrorSummary Accumulator::summarize() const {
     for (size_t i = 0; i < readings.size(); ++i) {
       const ups_meter_reading& m = readings[i];
       if (m.error_bound_lx < 0) return {};
-      parts.push_back(emits_ ? meter_error(m, floor, visits[i]) : MeterError{});
+      parts.push_back(emits_ ? meter_error(m, floor, lights[i].visits) : MeterError{});
+      parts.back().halves = float(log_ratio_of_halves(lights[i].sums.value, lights[i].visits));
       errors.push_back(emits_ ? m.error_bound_lx / std::max(double(m.illuminance_lx), floor) : 0);
       if (!worst || parts.back().error() > worst->error.error()) worst = {s, i, parts.back()};
       bias += std::abs(m.bias_lx);

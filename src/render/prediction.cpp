@@ -20,6 +20,9 @@ constexpr double interval = 2.1;  // standard deviations of a 95 % interval; Stu
 constexpr double step = 0.1;      // of the curve, in the logarithm of iterations
 constexpr size_t steps = 185;     // to 10^8 times the last look's
 constexpr size_t most_parts = 512;
+// Variance of the logarithm of a deviation by 16 Gaussian batches, and by 8: a quarter of trigamma(7.5) and (3.5).
+constexpr double chance_of_16 = 0.0357, chance_of_8 = 0.0826;
+constexpr double meters_of_knowledge = 20;  // what few meters tell of it counts beside so many of Gaussian batches
 
 double log_of(double error) { return std::log(std::max(error, least_error)); }
 
@@ -72,6 +75,7 @@ void Prediction::add_look(const Look& look, std::vector<MeterError> meters) {
 
 // A curve of the criterion is found many times over: of many meters some stand for all.
 void Prediction::reduce(std::vector<MeterError>&& meters) {
+  find_chance(meters);
   exponent_deviation_ = exponent_deviation(meters);
   // Of many meters the worst one's bias is the largest of many that chance makes.
   const double threshold = criterion_ == UPS_CRITERION_WORST ? 2 * std::max(1.0, std::log(double(meters.size()))) : 2;
@@ -95,12 +99,34 @@ void Prediction::reduce(std::vector<MeterError>&& meters) {
   }
 }
 
+// Of many stated errors a quantile or the worst is partly chance: 16 batches know a deviation the less surely the more
+// seldom what makes it. As batches grow they turn Gaussian, and stated errors come closer together. How far chance
+// moves them is seen from two halves of the batches.
+void Prediction::find_chance(const std::vector<MeterError>& meters) {
+  double halves = 0, sum = 0, squares = 0, count = 0;
+  for (const MeterError& m : meters) {
+    if (!(m.noise > least_error) || m.halves == 0) continue;
+    const double log_noise = std::log(double(m.noise));
+    halves += double(m.halves) * m.halves / 2, sum += log_noise, squares += log_noise * log_noise, ++count;
+  }
+  excess_ = std::max(0.0, (halves - count * chance_of_8) / (count + meters_of_knowledge) / 2);
+  log_mean_ = count > 0 ? sum / count : 0;
+  log_variance_ = count > 1 ? (squares - sum * log_mean_) / (count - 1) : 0;
+}
+
 Prediction::Model Prediction::model(double factor) const {
+  const double now = chance_of_16 + excess_, then = chance_of_16 + excess_ / factor,
+               all_variance = std::max(log_variance_, now);
+  const double nearer = std::sqrt((all_variance - now + then) / all_variance), rise = now - then;
+  const auto noise = [&](const MeterError& m) {
+    return m.noise > least_error ? m.noise * std::exp(rise + (nearer - 1) * (std::log(double(m.noise)) - log_mean_))
+                                 : double(m.noise);
+  };
   const double of_rest = 1 / factor, of_merged = std::pow(factor, -alpha_), of_bias = std::pow(factor, alpha_ - 1);
   std::vector<std::pair<double, double>> all;  // error, bias
   for (const MeterError& m : parts_) {
     const double bias = m.bias * of_bias;
-    all.emplace_back(m.noise * std::sqrt((1 - m.merged) * of_rest + m.merged * of_merged) + bias, bias);
+    all.emplace_back(noise(m) * std::sqrt((1 - m.merged) * of_rest + m.merged * of_merged) + bias, bias);
   }
   const double q = criterion_ == UPS_CRITERION_P95 ? 0.95 : criterion_ == UPS_CRITERION_MEDIAN ? 0.5 : 1;
   const auto at = all.begin() + ptrdiff_t(std::min(all.size() - 1, size_t(q * double(all.size()))));

@@ -13,6 +13,7 @@ struct MeterError {
   float noise = 0, bias = 0;
   float merged = 0;  // share of noise^2 that merging makes: it falls with the radius too
   float deviations = 0;  // of the estimated bias from 0, in its own standard errors
+  float halves = 0;  // log_ratio_of_halves() of the batches
   float error() const { return noise + bias; }
 };
 // visits: for the quantile that is in the bound. The reading's error is known.
@@ -51,6 +52,7 @@ class Prediction {
     double error, bias_share;
   };
   void reduce(std::vector<MeterError>&& meters);
+  void find_chance(const std::vector<MeterError>& meters);
   Model model(double factor) const;  // of the criterion, at so many times the last look's iterations
   void fit();
 
@@ -58,6 +60,8 @@ class Prediction {
   double alpha_;
   std::vector<Look> looks_;
   std::vector<MeterError> parts_;  // of the last look: what the criterion is found from
+  double excess_ = 0;  // of the last look: variance by chance of stated noises' logarithms, less that of Gaussian ones
+  double log_mean_ = 0, log_variance_ = 0;  // of the noises that meters state
   double exponent_deviation_ = 0;  // of the fitted exponent, before any look is fitted
   std::vector<LogError> curve_;    // from the last look on, in equal steps of the logarithm of iterations
   std::vector<float> bias_share_;  // beside curve_

@@ -21,6 +21,21 @@ double batch_kurtosis(const T* sums, uint32_t samples) {
   return m2 > 0 ? m4 / (m2 * m2) : 0;
 }
 
+// Logarithm of the ratio of the deviations that even and odd batches have among themselves; 0: not known.
+inline double log_ratio_of_halves(const double* sums, uint32_t samples) {
+  if (samples < batch_count) return 0;
+  double square[2] = {};
+  for (uint32_t half = 0; half < 2; ++half) {
+    double sum = 0, visits = 0;
+    for (uint32_t b = half; b < batch_count; b += 2) sum += sums[b], visits += visits_of_batch(samples, b);
+    for (uint32_t b = half; b < batch_count; b += 2) {
+      const double n = visits_of_batch(samples, b);
+      square[half] += n * std::pow(sums[b] / n - sum / visits, 2);
+    }
+  }
+  return square[0] > 0 && square[1] > 0 ? 0.5 * std::log(square[0] / square[1]) : 0;
+}
+
 // One of so many paths brought more than a tenth of its batch, and without it the reading would be another by more than
 // half of its standard error: it makes a quarter of the variance. Of few paths one always brings much: then it must
 // stand out by six of their standard deviations, which one of Gaussian values does not.

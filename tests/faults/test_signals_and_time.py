@@ -24,7 +24,7 @@ class Time(faults.FaultTest):
     def test_time_of_day_that_runs_backwards(self):
         scene, _ = self.write_scene()
         begin = time.monotonic()
-        done = self.run_program([faults.program, "render", str(scene), "--time", "1", "--json", "--size", "30x20"],
+        done = self.run_program([faults.program, "render", str(scene), "--time", "2", "--json", "--size", "10x8"],
                                 env=disturbed("clock"))
         took, report = time.monotonic() - begin, json.loads(done.stdout)
         times = [point["time_s"] for point in report["convergence"]]

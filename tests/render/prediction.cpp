@@ -10,6 +10,7 @@
 
 #include "render/progress.h"
 #include "render/spread.h"
+#include "render/tails.h"
 
 namespace {
 
@@ -21,8 +22,10 @@ constexpr double alpha = 2.0 / 3;
 struct Room {
   size_t meters;
   double noise, merge_noise, bias;  // the first meter has all of the bias, the last one a tenth
+  double rarity = 0;  // kurtosis of the noise beyond a Gaussian's; 0: Gaussian
 };
-constexpr Room rays{25, 0.3, 0, 0}, merging{25, 0, 0.1, 0}, both{25, 0.3, 0.05, 0.1}, caustic{25, 0.02, 0.02, 0.5};
+constexpr Room rays{25, 0.3, 0, 0}, merging{25, 0, 0.1, 0}, both{25, 0.3, 0.05, 0.1}, caustic{25, 0.02, 0.02, 0.5},
+    rare{300, 0.3, 0, 0, 20};
 
 // Sums of one room's meters, iteration by iteration.
 class Simulation {
@@ -34,7 +37,7 @@ class Simulation {
     const size_t batch = (iterations_ - 1) % batch_count;
     for (size_t m = 0; m < room_.meters; ++m) {
       const double bias = room_.bias * r2 * (1 - 0.9 * double(m) / double(room_.meters));
-      sums_[m].value[batch] += 1 + bias + room_.noise * normal_(random_) + merge_noise * normal_(random_);
+      sums_[m].value[batch] += 1 + bias + room_.noise * ray() + merge_noise * normal_(random_);
       sums_[m].bias[batch] += bias + 2 * merge_noise * normal_(random_);
     }
   }
@@ -47,11 +50,18 @@ class Simulation {
       const ups_meter_reading r{float(value.mean), float(value.standard_error), float(bias.mean),
                                 error_bound(value, bias, iterations_), 0, 0};
       all.push_back(meter_error(r, 0.05, iterations_));
+      all.back().halves = float(log_ratio_of_halves(s.value, iterations_));
     }
     return all;
   }
 
  private:
+  // Of mean 0 and variance 1: a gamma distribution's kurtosis is 6 / shape beyond a Gaussian's.
+  double ray() {
+    if (room_.rarity == 0) return normal_(random_);
+    const double shape = 6 / room_.rarity;
+    return (std::gamma_distribution<double>(shape)(random_) - shape) / std::sqrt(shape);
+  }
   struct Sums {
     double value[batch_count] = {}, bias[batch_count] = {};
   };
@@ -114,12 +124,12 @@ double crossing(const std::vector<double>& looks, const std::vector<double>& err
 }
 
 // At a quarter of the way: shares of the renders whose prediction is right to a factor of 1.5, whose interval holds the
-// iteration at which that render itself met the target, and that name bias.
+// iteration at which that render itself met the target, and that name bias; mean logarithm of foretold over actual.
 struct Score {
-  double within = 0, held = 0, by_bias = 0;
+  double within = 0, held = 0, by_bias = 0, log_ratio = 0;
 };
-std::array<Score, 4> scores(const Room& room, uint32_t renders) {
-  constexpr double quarter = 124, whole = 475;  // looks
+// quarter, whole: looks.
+std::array<Score, 4> scores(const Room& room, uint32_t renders, double quarter = 124, double whole = 475) {
   std::vector<Render> all;
   for (uint32_t seed = 1; seed <= renders; ++seed) all.push_back(render(room, 5 * whole, quarter, seed));
   const std::vector<double>& looks = all[0].looks;
@@ -133,6 +143,7 @@ std::array<Score, 4> scores(const Room& room, uint32_t renders) {
       s[c].within += share * (e.iterations > 0 && std::abs(std::log(e.iterations / whole)) < std::log(1.5));
       s[c].held += share * (e.low <= run && (e.high < 0 || e.high >= run));
       s[c].by_bias += share * e.by_bias;
+      s[c].log_ratio += share * std::log(e.iterations / whole);
     }
   }
   return s;
@@ -165,6 +176,15 @@ TEST(Prediction, IntervalsHoldWhereLittleIsKnown) {
     EXPECT_GE(s.held, 0.9);
     EXPECT_LE(s.held, 0.98) << "or the interval says too little";
   }
+}
+
+// Where rare light makes the noise, 16 short batches know it badly: the largest of many stated errors are large by
+// chance, which fades. Without that, the 95th percentile is foretold 1.27 times too late, the median 1.21 times too soon.
+TEST(Prediction, ChanceInStatedErrorsFades) {
+  const std::array<Score, 4> s = scores(rare, 40, 32, 124);
+  EXPECT_NEAR(s[1].log_ratio, 0, 0.1) << names[1];
+  EXPECT_NEAR(s[3].log_ratio, 0, 0.1) << names[3];
+  for (const size_t c : {1, 3}) EXPECT_GE(s[c].within, 0.9) << names[c];
 }
 
 // Errors that are exactly c / sqrt(n) are foretold exactly; of a target that is met the look is told that met it.
