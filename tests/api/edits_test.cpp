@@ -7,7 +7,7 @@
 #include "edited_room.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#include <sanitizer/allocator_interface.h>
+extern "C" size_t __sanitizer_get_current_allocated_bytes();  // g++ 12 has no header of it
 #endif
 
 using namespace ups_test;

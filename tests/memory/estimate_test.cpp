@@ -111,7 +111,9 @@ void expect_near(double measured, double estimated, const char* what) {
   std::printf("%-10s %9.2f MB, estimated %9.2f MB, ratio %.3f\n", what, measured / 1e6, estimated / 1e6,
               measured / estimated);
   EXPECT_GE(measured, 0.7 * estimated) << what;
+#ifndef UPS_SANITIZE  // what the sanitizer reads for the stacks of a report, of a suppressed one too, is measured with it
   EXPECT_LE(measured, 1.3 * estimated) << what;
+#endif
 }
 
 TEST_P(MemoryEstimate, HoldsThePeak) {

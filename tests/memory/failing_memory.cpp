@@ -179,9 +179,12 @@ class Next {
   constexpr explicit Next(const char* name) : name_(name) {}
   template <class... Arguments>
   auto operator()(Arguments... arguments) {
+    return reinterpret_cast<Function*>(find())(arguments...);
+  }
+  void* find() {
     void* at = at_.load(std::memory_order_relaxed);
     if (!at) at_.store(at = dlsym(RTLD_NEXT, name_), std::memory_order_relaxed);
-    return reinterpret_cast<Function*>(at)(arguments...);
+    return at;
   }
 
  private:
@@ -191,6 +194,9 @@ class Next {
 constinit Next<void*(void*, size_t, int, int, int, off_t)> next_mmap("mmap");
 constinit Next<int(void*, size_t)> next_munmap("munmap");
 constinit Next<int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)> next_pthread_create("pthread_create");
+
+// Before a sanitizer unmaps what it has read for a report's stacks: within that, dlsym() ends the process.
+[[gnu::constructor]] void find_next() { next_mmap.find(), next_munmap.find(), next_pthread_create.find(); }
 
 }  // namespace
 
