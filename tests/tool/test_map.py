@@ -70,11 +70,10 @@ class Maps(test_program.ProgramTest):
         with open(self.grid(), encoding="utf-8") as file:
             text = file.read()
         self.run_program("map", self.path("plane.csv"), self.path("as_written.svg"))
-        spreadsheet = os.path.join(os.path.dirname(self.path("x")), "again")
-        os.mkdir(spreadsheet)
-        with open(os.path.join(spreadsheet, "plane.csv"), "w", encoding="utf-8-sig", newline="\r\n") as file:
+        os.mkdir(self.path("again"))  # of the same name, which is the drawing's title
+        with open(self.path("again/plane.csv"), "w", encoding="utf-8-sig", newline="\r\n") as file:
             file.write(text)
-        self.run_program("map", os.path.join(spreadsheet, "plane.csv"), self.path("again.svg"))
+        self.run_program("map", self.path("again/plane.csv"), self.path("again.svg"))
         self.assertEqual(self.read("again.svg"), self.read("as_written.svg"))
 
     def test_scales_ranges_and_verdicts(self):
