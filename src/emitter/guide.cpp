@@ -12,6 +12,7 @@ namespace {
 
 constexpr double by_flux = 0.25;      // of the choice of emitter: no more than four times the noise where training errs
 constexpr double uniform = 0.2;       // of every histogram
+constexpr double aimed = 0.2;         // of one that has aims
 constexpr uint32_t coarsest = 2;      // 4 x 4
 constexpr double least_gain = 1.2;    // of a histogram, in variance: less is not worth looking densities up
 constexpr size_t paths_per_cell = 8;  // of the cells that are worth anything
@@ -51,6 +52,15 @@ std::vector<double> shares(const std::vector<double>& moment, uint32_t n) {
   return out;
 }
 
+// The same of more cells a side.
+std::vector<double> refined(const std::vector<double>& share, uint32_t from, uint32_t to) {
+  std::vector<double> out(size_t(to) * to);
+  const uint32_t k = to / from;
+  for (uint32_t y = 0; y < to; ++y)
+    for (uint32_t x = 0; x < to; ++x) out[size_t(y) * to + x] = share[size_t(y / k) * from + x / k] / (double(k) * k);
+  return out;
+}
+
 double moment_through(const std::vector<double>& share, const std::vector<double>& moment) {
   double sum = 0;
   for (size_t k = 0; k < share.size(); ++k) sum += moment[k] / (share[k] * double(share.size()));
@@ -80,6 +90,10 @@ float probability_at(const float* cumulative, uint32_t k) { return cumulative[k]
 }  // namespace
 
 // ---- training ----
+
+uint32_t GuideTraining::finest_cell(const Vec2& square) {
+  return cell_of(square.y, 1u << finest) << finest | cell_of(square.x, 1u << finest);
+}
 
 uint64_t GuideTraining::key_of(uint32_t emitter, const Vec2& square) const {
   const uint32_t x = cell_of(square.x, 1u << level_), y = cell_of(square.y, 1u << level_);
@@ -150,7 +164,8 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
   const auto is_dark = [&](size_t i) { return !dark.empty() && dark[i] != 0; };
   for (size_t i = 0; i < emitters.size(); ++i) {
     if (emitters[i].kind() != EmitterKind::rays && !is_dark(i))
-      histograms_[i].n = training.resolution(begin[i], begin[i + 1]);
+      histograms_[i].n =
+          training.has_aims(i) ? 1u << GuideTraining::finest : training.resolution(begin[i], begin[i + 1]);
     total += numbers(histograms_[i].n);
   }
   for (uint32_t most = 1u << GuideTraining::finest; total > most_numbers; most /= 2)
@@ -166,7 +181,7 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
   double worth_sum = 0, flux_sum = 0;
   for (size_t i = 0; i < emitters.size(); ++i) {
     if (is_dark(i)) continue;
-    worth_sum += worth[i] = std::sqrt(fill(histograms_[i], training, begin[i], begin[i + 1]));
+    worth_sum += worth[i] = std::sqrt(fill(histograms_[i], training, i, begin[i], begin[i + 1]));
     flux_sum += flux[i] = std::max(0.0, emitters[i].flux_lm());
   }
   const double share = worth_sum > 0 ? by_flux : 1;
@@ -176,11 +191,42 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
   choice_ = DiscreteDistribution(worth);
 }
 
-// Returns the second moment of what the emitter's paths will be worth. Each half of the training is judged by the
-// histogram of the other, as a few paths of great worth make any histogram look good that has seen them; one that does
-// not pass is dropped.
-double EmissionGuide::fill(Histogram& h, const GuideTraining& training, size_t begin, size_t end) {
-  const uint32_t n = std::max(h.n, 1u);
+namespace {
+
+// Into the probabilities of cells.
+void add_aims(const std::vector<GuideTraining::Aim>& aims, uint32_t n, std::vector<double>& share) {
+  double sum = 0;
+  for (const GuideTraining::Aim& a : aims) sum += a.weight;
+  for (double& s : share) s *= 1 - aimed;
+  const uint32_t finest = 1u << GuideTraining::finest, k = finest / n;
+  for (const GuideTraining::Aim& a : aims)
+    share[size_t(a.cell / finest / k) * n + a.cell % finest / k] += aimed * a.weight / sum;
+}
+
+struct Trained {
+  std::vector<double> share;  // n x n
+  uint32_t n = 1;
+  double moment = 0;  // second, of what the emitter's paths will be worth
+};
+
+// halves: of the moments. Each is judged by the histogram of the other, as a few paths of great worth make any histogram
+// look good that has seen them; one that does not pass is dropped.
+Trained trained(const std::vector<double> (&halves)[2], uint32_t n) {
+  std::vector<double> all(halves[0]);
+  for (size_t k = 0; k < all.size(); ++k) all[k] += halves[1][k];
+  const Trained even{{1.0}, 1, std::accumulate(all.begin(), all.end(), 0.0)};
+  if (n == 1 || !(even.moment > 0)) return even;
+  const double guided =
+      moment_through(shares(halves[0], n), halves[1]) + moment_through(shares(halves[1], n), halves[0]);
+  return guided * least_gain > even.moment ? even : Trained{shares(all, n), n, guided};
+}
+
+}  // namespace
+
+// Returns the second moment of what the emitter's paths will be worth.
+double EmissionGuide::fill(Histogram& h, const GuideTraining& training, size_t emitter, size_t begin, size_t end) {
+  const bool aims = h.n > 0 && training.has_aims(emitter);
+  const uint32_t n = std::max(1u, aims ? std::min(h.n, training.resolution(begin, end)) : h.n);
   std::vector<double> halves[2] = {std::vector<double>(size_t(n) * n), std::vector<double>(size_t(n) * n)};
   for (size_t k = begin; k < end; ++k) {
     const uint32_t side = 1u << training.level_, x = even_bits(training.cells_[k].key) % side,
@@ -188,26 +234,25 @@ double EmissionGuide::fill(Histogram& h, const GuideTraining& training, size_t b
     for (int half = 0; half < 2; ++half)
       halves[half][size_t(y / (side / n)) * n + x / (side / n)] += training.cells_[k].moment[half];
   }
-  std::vector<double> all(halves[0]);
-  for (size_t k = 0; k < all.size(); ++k) all[k] += halves[1][k];
-  const double even = std::accumulate(all.begin(), all.end(), 0.0);
-  if (h.n == 0 || !(even > 0)) return even;
-  const double guided =
-      moment_through(shares(halves[0], n), halves[1]) + moment_through(shares(halves[1], n), halves[0]);
-  if (guided * least_gain > even) return h.n = 0, even;
-
-  const std::vector<double> share = shares(all, n);
-  h.first = uint32_t(cumulative_.size());
-  cumulative_.resize(h.first + numbers(n));
-  float* row_end = cumulative_.data() + h.first;
-  std::vector<double> rows(n);
-  for (uint32_t y = 0; y < n; ++y) {
-    const double* in_row = share.data() + size_t(y) * n;
-    rows[y] = std::accumulate(in_row, in_row + n, 0.0);
-    accumulate_to_one(in_row, n, row_end + n + size_t(y) * n);
+  Trained t = trained(halves, n);
+  if (aims) {
+    t.share = refined(t.share, t.n, h.n), t.n = h.n;
+    add_aims(training.aims_[emitter], h.n, t.share);
   }
-  accumulate_to_one(rows.data(), n, row_end);
-  return guided;
+  h.n = t.n > 1 ? t.n : 0;
+  if (h.n == 0) return t.moment;
+
+  h.first = uint32_t(cumulative_.size());
+  cumulative_.resize(h.first + numbers(h.n));
+  float* row_end = cumulative_.data() + h.first;
+  std::vector<double> rows(h.n);
+  for (uint32_t y = 0; y < h.n; ++y) {
+    const double* in_row = t.share.data() + size_t(y) * h.n;
+    rows[y] = std::accumulate(in_row, in_row + h.n, 0.0);
+    accumulate_to_one(in_row, h.n, row_end + h.n + size_t(y) * h.n);
+  }
+  accumulate_to_one(rows.data(), h.n, row_end);
+  return t.moment;
 }
 
 float EmissionGuide::warp(const Histogram& h, Vec2& u) const {

@@ -44,7 +44,7 @@ class EmissionGuide {
   struct Histogram {
     uint32_t first = 0, n = 0;
   };
-  double fill(Histogram& h, const GuideTraining& training, size_t begin, size_t end);
+  double fill(Histogram& h, const GuideTraining& training, size_t emitter, size_t begin, size_t end);
   float warp(const Histogram& h, Vec2& u) const;
 
   DiscreteDistribution choice_;  // empty: as without
@@ -60,12 +60,21 @@ class GuideTraining {
   // what it contributed relative to the means; the first is steadier, as a few contributions outweigh all others.
   void add(const EmitterSet& emitters, const EmissionGuide& drawn_with, uint32_t emitter, const Vec2& square,
            double value);
-  bool empty() const { return cells_.empty(); }
+  static constexpr uint32_t finest = 6;  // 64 x 64
+  // Cells of an emitter's finest square, counted row by row, that have a share of its paths whatever these have been worth
+  // so far: of something too small for them to find.
+  struct Aim {
+    uint32_t cell;
+    float weight;
+  };
+  // aims: by emitter.
+  void aim(std::vector<std::vector<Aim>> aims) { aims_ = std::move(aims); }
+  static uint32_t finest_cell(const Vec2& square);
+  bool empty() const { return cells_.empty() && aims_.empty(); }
   size_t bytes() const { return cells_.capacity() * sizeof(Cell); }
 
  private:
   friend class EmissionGuide;
-  static constexpr uint32_t finest = 6;  // 64 x 64
   static constexpr size_t most_cells = size_t(1) << 18;
   // Cells in z-order within an emitter, so that four neighbours in turn are one of the next coarser grid.
   struct Cell {
@@ -77,7 +86,9 @@ class GuideTraining {
   uint32_t emitter_of(size_t cell) const { return uint32_t(cells_[cell].key >> (2 * level_)); }
   uint32_t resolution(size_t begin, size_t end) const;
   void compact();
+  bool has_aims(size_t emitter) const { return emitter < aims_.size() && !aims_[emitter].empty(); }
 
+  std::vector<std::vector<Aim>> aims_;
   uint32_t level_ = finest;
   size_t compact_at_ = 1 << 16;
   uint64_t added_ = 0;

@@ -6,11 +6,15 @@
 
 #include "render/pooled_bias.h"
 #include "render/tails.h"
+#include "render/zero_bound.h"
 
 namespace ups {
 
 namespace {
 
+// Light by way of casters, that photons alone bring, hides in other light that the batches know: so few photons do not
+// know their own error.
+constexpr uint32_t few_caustics = 8;
 constexpr double pi_d = 3.14159265358979323846;
 
 ErrorSummary summary_of(std::vector<double> errors, double bias_share) {
@@ -144,6 +148,9 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
     light.largest[part] = std::max(largest_path(set, m, area, found, part), double(light.sums.paths[part].largest));
     light.exact[part] = !emits_ || (point && (part == direct_light ? plan_.exact_direct : plan_.exact_light));
+    if (part != direct_light && area > 0 && light.photons.caustics < few_caustics)
+      light.unfound[part] = work_.brightest_caustic_lm * poisson_excess(light.photons.caustics) /
+                            (double(plan_.light_paths) * area * light.visits);
   }
   return light;
 }
@@ -260,9 +267,10 @@ void Accumulator::add_statistics(const std::vector<MeterLight>& lights, MeterSet
     lights[m].batch_means(means, batches.used());
     for (uint32_t b = 0; b < batches.used(); ++b) biases[b] = sums.bias[b] / visits_of_batch(n, b);
     const Spread& bias = lights[m].bias;
-    const double unfound = readings[m].error_bound_lx - std::abs(bias.mean);
-    batches.add({spread(sums.value, n).mean, bias, readings[m].standard_error_lx < 0 ? std::max(0.0, unfound) : 0,
-                 lights[m].weight},
+    const bool known = readings[m].standard_error_lx >= 0;
+    const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean));
+    batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] : all,
+                 lights[m].weight, known},
                 means, biases);
     reached |= sums.batches[whole_light];
   }

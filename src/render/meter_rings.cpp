@@ -98,7 +98,7 @@ struct MeterRings::Sums {
 MeterRings::MeterRings(size_t rows, uint32_t rings, bool direct)
     : rings_(rings), flux_(rows * batch_count * rings), direct_(direct ? flux_.size() : 0),
       square_(rows * halves * rings), count_(rows * halves * rings), lean_(rows * rings * 2),
-      largest_(rows * rings) {}
+      largest_(rows * rings), caustics_(rows) {}
 
 void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l, uint32_t iteration) {
   const size_t of_half = (row * halves + batch % halves) * rings_ + l.ring;
@@ -106,6 +106,7 @@ void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l, uint32_t
   flux_[of_batch] += l.lm;
   square_[of_half] += l.lm * l.lm;
   ++count_[of_half];
+  caustics_[row] += l.caustic;
   // The mean direction over an octant: between pi/8 and its neighbours' edges, sin(pi/8) / (pi/8) long.
   const double near = 0.9003163, off = 0.3729232;
   const double s = l.octant & 1 ? off : near, t = l.octant & 1 ? near : off;
@@ -251,6 +252,7 @@ RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits)
 
 MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const {
   Photons p;
+  p.caustics = caustics_[row];
   const Sums s = sums_of(row, rings, 0, halves, visits);
   if (s.count[rings.count - 1] == 0) return p;
   p.halves_differ = choice[0] != choice[1];

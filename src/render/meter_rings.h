@@ -64,7 +64,7 @@ class MeterRings {
   MeterRings(size_t rows, uint32_t rings, bool direct);
   static double bytes_per_row(uint32_t rings, bool direct) {
     return rings * (sizeof(double) * (batch_count + halves + 2 + (direct ? batch_count : 0)) +
-                    sizeof(uint32_t) * halves + sizeof(Largest));
+                    sizeof(uint32_t) * halves + sizeof(Largest)) + sizeof(uint32_t);
   }
   bool empty() const { return flux_.empty(); }
   void add(size_t row, uint32_t batch, const MeterLanding& landing, uint32_t iteration);
@@ -84,6 +84,7 @@ class MeterRings {
     std::array<double, batch_count> value{}, direct{}, bias{};  // lx, sums of each batch; bias as estimated
     double lx = 0;  // mean value
     PathRecord paths;
+    uint32_t caustics = 0;  // photons of the whole disc that came by way of casters alone
     uint8_t largest_batch = 0;                // that with paths.largest
     SampleOrigin largest;                     // the same
     double choice_variance = 0;               // lx2, of the reading by which discs were chosen
@@ -118,6 +119,7 @@ class MeterRings {
   ZeroedVector<uint32_t> count_;        // the same
   ZeroedVector<double> lean_;           // flux by its direction from the meter, a row by a ring by s and t
   ZeroedVector<Largest> largest_;       // a row by a ring
+  ZeroedVector<uint32_t> caustics_;     // a row: photons
 };
 
 }  // namespace ups

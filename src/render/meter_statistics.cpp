@@ -68,7 +68,7 @@ double MeterBatches::standard_error(size_t m) const {
 }
 
 double MeterBatches::bound(size_t m) const {
-  return offset(m) + (meters_[m].unfound > 0 ? 0 : t_quantile(used_) * std::hypot(standard_error(m), bias_error(m)));
+  return offset(m) + (meters_[m].known ? t_quantile(used_) * std::hypot(standard_error(m), bias_error(m)) : 0);
 }
 
 double MeterBatches::mean() const {
@@ -101,7 +101,7 @@ MeterBatches MeterBatches::over_mean() const {
     const double ratio = value(m) / mean;
     for (uint32_t b = 0; b < used_; ++b) own[b] = ratio + (double(batch(m, b)) - ratio * of_set[b]) / mean;
     const Spread own_bias{(meters_[m].bias.mean - ratio * bias) / mean, bias_error(m) / mean};
-    out.add({ratio, own_bias, meters_[m].unfound / mean, meters_[m].weight}, own, no_bias);
+    out.add({ratio, own_bias, meters_[m].unfound / mean, meters_[m].weight, meters_[m].known}, own, no_bias);
   }
   return out;
 }

@@ -16,8 +16,9 @@ class MeterBatches {
   struct Meter {
     double value;
     Spread bias;
-    double unfound;  // bound on light that few paths have found; 0: the batches know the error
+    double unfound;  // bound on light that few paths have found
     double weight = 1;  // in the mean and in percentiles: an area, or all alike
+    bool known = true;  // the batches know the error of all other light
   };
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);
@@ -30,7 +31,7 @@ class MeterBatches {
   double weight(size_t m) const { return meters_[m].weight; }
   float batch(size_t m, uint32_t b) const { return batches_[m * used_ + b]; }
   double standard_error(size_t m) const;
-  // 95 %, noise and bias, or unfound.
+  // 95 %, noise where it is known, bias, and what is unfound.
   double bound(size_t m) const;
   // Bias and what is unfound, without noise: magnitude, and the bias's standard error.
   double offset(size_t m) const { return std::abs(meters_[m].bias.mean) + meters_[m].unfound; }

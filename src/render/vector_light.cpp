@@ -41,7 +41,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
       out.largest[part] = std::max(out.largest[part], side.largest[part]);
       out.exact[part] = out.exact[part] && side.exact[part];
       const auto [error, bound] = side.error_of(part);
-      if (error < 0 && bound > 0) out.unfound[part] += size * bound;
+      out.unfound[part] += size * (error < 0 ? std::max(bound, 0.0f) : float(side.unfound[part]));
     }
     out.bias.mean += share * side.bias.mean;
     bias_variance += std::pow(share * std::max(0.0, side.bias.standard_error), 2);

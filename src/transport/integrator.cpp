@@ -29,10 +29,13 @@ Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSet
       direct_(*scene_, plan_, settings_) {
   plan_.exact_direct = direct_.finds_all() && finds_all_emitters(*scene_, plan_);
   plan_.exact_light = plan_.exact_direct && (settings_.max_path_length == 1 || !scatters(*scene_));
+  std::optional<CasterAims> aims;
+  if (settings_.has(UPS_TECHNIQUE_MERGE)) aims.emplace(*scene_, pool_);
+  if (aims) plan_.guide = EmissionGuide(scene_->emitters, aims->missed_by(plan_.light_paths));
   choose_first_radii(stop);
   for (const auto& radii : plan_.pixel_radius)
     for (const float r : radii) largest_pixel_radius_ = std::max(largest_pixel_radius_, r);
-  if (settings_.automatic && !stop.is_set()) select(stop);
+  if (settings_.automatic && !stop.is_set()) select(aims, stop);
   complete(*scene_, plan_, settings_, selection_.sensors);
 }
 
@@ -44,8 +47,8 @@ void Integrator::choose_first_radii(const StopSignal& stop) {
   plan_.light_paths = all;
 }
 
-void Integrator::select(const StopSignal& stop) {
-  const EmissionGuide guide = settings_.has(UPS_TECHNIQUE_MERGE) ? train_guide(stop) : EmissionGuide();
+void Integrator::select(const std::optional<CasterAims>& aims, const StopSignal& stop) {
+  const EmissionGuide guide = aims ? train_guide(*aims, stop) : EmissionGuide();
   selection_ = select_techniques(*scene_, plan_, settings_, guide, stop,
                                  [this](const Iteration& in, IterationTally& tally) { return trace(in, tally); });
   if (selection_.shares.empty()) return;
@@ -96,12 +99,13 @@ void reset(const Iteration& in, IterationTally& tally) {
 }  // namespace
 
 // Light paths for caustics alone start towards what focuses light. Each round finds more of that than the one before.
-EmissionGuide Integrator::train_guide(const StopSignal& stop) {
+EmissionGuide Integrator::train_guide(const CasterAims& aims, const StopSignal& stop) {
   constexpr uint32_t rounds = 4, paths = 1u << 12;
-  GuideTraining training;
+  GuideTraining training = aims.missed_by(paths);
   Plan small = plan_;
   small.light_paths = paths;
   small.shares.assign(plan_.units.count, {false, false, TechniqueShare::merge_caustics});
+  small.guide = EmissionGuide(scene_->emitters, training);
   TransportSettings of_pilot = settings_;
   of_pilot.seed = mix64(~settings_.seed);  // not the numbers of the pilots that choose
   for (uint32_t k = 0; k < rounds; ++k) {

@@ -1,9 +1,11 @@
 // One iteration of Unified Path Sampling, in reading order: light pass, photon index, eye pass. Called by render/job.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "base/parallel.h"
 #include "base/stop.h"
+#include "transport/caster_aim.h"
 #include "transport/direct_light.h"
 #include "transport/light_pass.h"
 #include "transport/selection.h"
@@ -40,8 +42,8 @@ class Integrator {
 
  private:
   void choose_first_radii(const StopSignal& stop);
-  void select(const StopSignal& stop);
-  EmissionGuide train_guide(const StopSignal& stop);
+  void select(const std::optional<CasterAims>& aims, const StopSignal& stop);
+  EmissionGuide train_guide(const CasterAims& aims, const StopSignal& stop);
   bool trace(const Iteration& in, IterationTally& tally);
   Photons trace_light(const Iteration& in, const SensorIndex& sensors, IterationTally& tally);
   // What meters see for the whole render, of those that the iteration is the first to visit.

@@ -28,6 +28,7 @@ struct LightPass::Block {
     MeterTally value;
     uint32_t ring;  // of a point's disc; none: a cell
     uint8_t octant;
+    bool caustic;
     double lm;
     mis::Classes relative;
   };
@@ -106,7 +107,10 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
         for (uint32_t c = 0; c < scene_.cameras.size(); ++c) splat(c, light);
       if (!scatter(light, [&](const BsdfSample& s) { return is_finite(s.weight) || drop(Drop::light_walk); })) return;
       casters_ = casters_ && (edge_.kind == Edge::delta || light.caster);
-      if (ends_with_casters_ && !casters_) return;
+      if (casters_)
+        work_.brightest_caustic_lm = std::max(work_.brightest_caustic_lm, luminance(carried_));
+      else if (ends_with_casters_)
+        return;
     }
     work_.flux.cut += luminance(carried_);
   }
@@ -208,7 +212,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
         block_.landings,
         {crossing.disc, emitter_index_,
          MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0, PathNumber::light(path_)), ring,
-         MeterDiscs::octant_of(x, y), value * e.area, c.relative(1)});
+         MeterDiscs::octant_of(x, y), casters_ && a > 1, value * e.area, c.relative(1)});
   }
 
   void store(const LightEnd& light, bool lit) {
@@ -341,7 +345,7 @@ LightPaths LightPass::trace(const Iteration& in, const SensorIndex& sensors, Thr
       const uint32_t column = columns ? in.plan.separation.column_of_emitter[l.emitter] : 0;
       if (l.ring != none && !in.moments) {
         tally.landings[e.set].push_back({e.visited, column, uint8_t(l.ring), l.value.direct != 0, l.octant,
-                                         l.value.largest.number(), l.lm});
+                                         l.value.largest.number(), l.lm, l.caustic});
         continue;
       }
       // A pilot takes whole discs: its photons are too few to choose by.

@@ -37,6 +37,7 @@ struct WorkCounts {
   uint64_t rays = 0, light_paths = 0, eye_paths = 0, light_vertices = 0, merges = 0, connections = 0;
   uint64_t caster_rays = 0;  // of light paths that have met nothing but casters
   float brightest_lm = 0;    // of all light paths, as they started
+  float brightest_caustic_lm = 0;  // of those that a caster sent on, from no other surface
   std::array<uint64_t, size_t(Drop::count)> dropped{};
   std::vector<DroppedSample> first_dropped;  // one of each Drop: the first, in an order that threads do not change
   FluxBooks flux;
@@ -56,6 +57,7 @@ struct WorkCounts {
     connections += o.connections;
     caster_rays += o.caster_rays;
     brightest_lm = std::max(brightest_lm, o.brightest_lm);
+    brightest_caustic_lm = std::max(brightest_caustic_lm, o.brightest_caustic_lm);
     for (const DroppedSample& d : o.first_dropped)
       if (dropped[size_t(d.where)] == 0) first_dropped.push_back(d);
     for (size_t i = 0; i < dropped.size(); ++i) dropped[i] += o.dropped[i];
@@ -128,6 +130,7 @@ struct MeterLanding {
   uint8_t octant;    // of MeterDiscs, about the meter
   uint32_t path;     // that brought it
   double lm;         // weighted, already divided by N
+  bool caustic = false;  // by way of casters alone
 };
 
 // What a light path brought to a pixel, already divided by N.

@@ -122,6 +122,40 @@ TEST(Guide, DensityIntegratesToOneAndLeavesNothingOut) {
   EXPECT_GT(trained(set, target, 1200, 41).resolution(0), trained(set, target, 200, 41).resolution(0));
 }
 
+// What is too small for training to have met has its share, beside what training found and without it.
+TEST(Guide, AimsHaveAShareOfTheirOwn) {
+  const EmitterSet set = single(std::make_unique<PointEmitter>(Vec3(), Rgb(1), 0.0f));
+  const Vec2 small{0.8f, 0.1f}, other{0.3f, 0.6f}, nowhere{0.55f, 0.9f};
+  std::vector<std::vector<GuideTraining::Aim>> aims(1);
+  aims[0] = {{GuideTraining::finest_cell(small), 3}, {GuideTraining::finest_cell(nowhere), 1}};
+  GuideTraining untrained, training;
+  untrained.aim(aims);
+  EXPECT_FALSE(untrained.empty());
+  const EmissionGuide of_aims(set, untrained);
+  EXPECT_NEAR(of_aims.density(0, small), 0.8 + 0.15 * 64 * 64, 0.1);
+  EXPECT_NEAR(of_aims.density(0, nowhere), 0.8 + 0.05 * 64 * 64, 0.1);
+  EXPECT_NEAR(of_aims.density(0, other), 0.8, 1e-3);
+  arriving(set, of_aims, target_of(set[0], other), 200, 47, &training);
+  const EmissionGuide without(set, training);
+  training.aim(aims);
+  const EmissionGuide guide(set, training);
+  EXPECT_GT(guide.density(0, small), 0.15 * 64 * 64);
+  EXPECT_NEAR(guide.density(0, other), 0.8 * without.density(0, other), 0.01 * without.density(0, other));
+  double sum = 0;
+  for (int k = 0; k < 64 * 64; ++k) sum += guide.density(0, {(float(k / 64) + 0.5f) / 64, (float(k % 64) + 0.5f) / 64});
+  EXPECT_NEAR(sum / (64 * 64), 1, 1e-4);
+  int aimed = 0;
+  Random random(48);
+  for (int k = 0; k < 10000; ++k) {
+    EmissionSample s;
+    Vec2 square;
+    ASSERT_TRUE(guide.sample(set, 0, random.pair(), random.pair(), s, square));
+    aimed += GuideTraining::finest_cell(square) == aims[0][0].cell;
+    ASSERT_NEAR(s.flux.g * guide.density(0, square), luminance(set[0].flux_rgb()), 1e-3);
+  }
+  EXPECT_NEAR(aimed, 1500, 4 * std::sqrt(1500 * 0.85));  // false alarm: 6e-5
+}
+
 // Sampling, the square and the way back from the direction: one number. What differs fell beside a border.
 TEST(Guide, SampleAndDensityAgree) {
   for (NamedEmitter& named : all_emitters()) {

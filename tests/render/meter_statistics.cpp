@@ -218,7 +218,7 @@ TEST(MeterRatios, AnUnknownDenominatorGivesNoInterval) {
   MeterBatches light(batch_count), dark(batch_count), vague(batch_count);
   std::fill(batch, batch + batch_count, 5.0);
   light.add({5, {0, 0}, 0}, batch, no_bias);
-  vague.add({5, {0, 0}, 3}, batch, no_bias);
+  vague.add({5, {0, 0}, 3, 1, false}, batch, no_bias);
   std::fill(batch, batch + batch_count, 0.0);
   dark.add({0, {0, 0}, 0}, batch, no_bias);
   EXPECT_EQ(ratio_of_means(light, dark).value, -1);

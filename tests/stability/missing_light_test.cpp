@@ -79,5 +79,32 @@ TEST(Hazard30, WarnsOfTheLightOfAPointSourceInGlossyMetal) {
   EXPECT_GT(merged, 0);
 }
 
+// A lamp in a white room, and a mirror of 10 cm that lights one meter by a sixth more. One light path of 40,000 leaves
+// for it, and the walls' light, which comes from all sides, hides that none has come. Closed forms: what the lamp's image
+// brings, beside a render of the room without the mirror, which hides 0.02 % of the walls. Seeds are fixed; the smallest
+// error found: 1 %, a sixteenth of the mirror's light.
+TEST(Taught, ASmallMirrorIsNotMissed) {
+  constexpr double candela = 800;
+  const auto room = [](bool with_mirror, Sensor& meter) {
+    Scene scene;
+    scene.add(box({-5, -5, 0}, {5, 5, 5}).flipped(), matte(0.5));
+    if (with_mirror) scene.add(quad({-1, -0.05, 1.49}, {0, 0.1, 0}, {0, 0, 0.1}), mirror(0.95));
+    scene.add_point_light({3, 0, 4.5}, candela);
+    meter = scene.add_meters({{0, 0, 0.8}}, {0, 0, 1});
+    return scene;
+  };
+  Sensor meter;
+  const double without = room(false, meter).render({.iterations = 256}).readings(meter)[0].illuminance_lx,
+               by_mirror = 0.95 * candela * 3.7 / std::pow(5 * 5 + 3.7 * 3.7, 1.5), expected = without + by_mirror;
+  for (const ups_method method : {UPS_METHOD_AUTO, UPS_METHOD_UPS})
+    for (uint64_t seed = 1; seed <= (method == UPS_METHOD_AUTO ? 4 : 1); ++seed) {
+      const Result result = room(true, meter).render(
+          {.method = method, .iterations = 1024, .seed = seed, .target_relative_error = 0.04});
+      const ups_meter_reading r = result.readings(meter)[0];
+      EXPECT_NEAR(r.illuminance_lx, expected, r.error_bound_lx) << method_name(method) << ", seed " << seed;
+      EXPECT_NEAR(r.illuminance_lx, expected, 0.01 * expected) << method_name(method) << ", seed " << seed;
+    }
+}
+
 }  // namespace
 }  // namespace ups::test

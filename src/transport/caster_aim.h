@@ -1,0 +1,28 @@
+// Where light leaves emitters towards what casts caustics, told by points of those surfaces: a small mirror gets its
+// share of light paths though none of a pilot has met it.
+#pragma once
+#include "base/parallel.h"
+#include "emitter/guide.h"
+#include "scene/snapshot.h"
+
+namespace ups {
+
+class CasterAims {
+ public:
+  CasterAims(const Snapshot& scene, ThreadPool& pool);
+  // Those at surfaces that so many light paths, unguided, would hardly meet: the others they find by themselves.
+  GuideTraining missed_by(double paths) const;
+
+ private:
+  struct Caster {
+    uint32_t number;  // of casters
+    float share;      // of the emitter's light that may go there
+    std::vector<uint32_t> cells;
+  };
+  class Search;
+  size_t casters_ = 0;
+  std::vector<std::vector<Caster>> of_emitter_;
+  std::vector<double> share_;  // of all light, by caster
+};
+
+}  // namespace ups
