@@ -194,13 +194,15 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
 namespace {
 
 // Into the probabilities of cells.
-void add_aims(const std::vector<GuideTraining::Aim>& aims, uint32_t n, std::vector<double>& share) {
+void add_aims(const std::vector<GuideTraining::Aim>& aims, double densest, uint32_t n,
+              std::vector<double>& share) {
   double sum = 0;
   for (const GuideTraining::Aim& a : aims) sum += a.weight;
-  for (double& s : share) s *= 1 - aimed;
   const uint32_t finest = 1u << GuideTraining::finest, k = finest / n;
+  const double of_aims = std::min(aimed, densest * double(aims.size()) / (double(finest) * finest));
+  for (double& s : share) s *= 1 - of_aims;
   for (const GuideTraining::Aim& a : aims)
-    share[size_t(a.cell / finest / k) * n + a.cell % finest / k] += aimed * a.weight / sum;
+    share[size_t(a.cell / finest / k) * n + a.cell % finest / k] += of_aims * a.weight / sum;
 }
 
 struct Trained {
@@ -237,7 +239,7 @@ double EmissionGuide::fill(Histogram& h, const GuideTraining& training, size_t e
   Trained t = trained(halves, n);
   if (aims) {
     t.share = refined(t.share, t.n, h.n), t.n = h.n;
-    add_aims(training.aims_[emitter], h.n, t.share);
+    add_aims(training.aims_[emitter], training.densest_, h.n, t.share);
   }
   h.n = t.n > 1 ? t.n : 0;
   if (h.n == 0) return t.moment;

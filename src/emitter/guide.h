@@ -4,6 +4,7 @@
 //
 // The guided square is u_direction, of directional lights u_position: what Emitter::emission_square finds again.
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -67,8 +68,10 @@ class GuideTraining {
     uint32_t cell;
     float weight;
   };
-  // aims: by emitter.
-  void aim(std::vector<std::vector<Aim>> aims) { aims_ = std::move(aims); }
+  // aims: by emitter. densest: of what they add, over a uniform density.
+  void aim(std::vector<std::vector<Aim>> aims, double densest = INFINITY) {
+    aims_ = std::move(aims), densest_ = densest;
+  }
   static uint32_t finest_cell(const Vec2& square);
   bool empty() const { return cells_.empty() && aims_.empty(); }
   size_t bytes() const { return cells_.capacity() * sizeof(Cell); }
@@ -89,6 +92,7 @@ class GuideTraining {
   bool has_aims(size_t emitter) const { return emitter < aims_.size() && !aims_[emitter].empty(); }
 
   std::vector<std::vector<Aim>> aims_;
+  double densest_ = INFINITY;
   uint32_t level_ = finest;
   size_t compact_at_ = 1 << 16;
   uint64_t added_ = 0;

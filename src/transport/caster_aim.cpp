@@ -115,7 +115,7 @@ CasterAims::CasterAims(const Snapshot& scene, ThreadPool& pool) {
       share_[c.number] += double(scene.emitters.emission_probability(i)) * c.share / looked_at;
 }
 
-GuideTraining CasterAims::missed_by(double paths) const {
+GuideTraining CasterAims::missed_by(double paths, double densest) const {
   std::vector<std::vector<GuideTraining::Aim>> aims(of_emitter_.size());
   bool any = false;
   for (size_t i = 0; i < aims.size(); ++i)
@@ -125,7 +125,7 @@ GuideTraining CasterAims::missed_by(double paths) const {
       any = true;
     }
   GuideTraining out;
-  if (any) out.aim(std::move(aims));
+  if (any) out.aim(std::move(aims), densest);
   return out;
 }
 

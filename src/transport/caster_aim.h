@@ -11,7 +11,8 @@ class CasterAims {
  public:
   CasterAims(const Snapshot& scene, ThreadPool& pool);
   // Those at surfaces that so many light paths, unguided, would hardly meet: the others they find by themselves.
-  GuideTraining missed_by(double paths) const;
+  // densest: see GuideTraining::aim.
+  GuideTraining missed_by(double paths, double densest) const;
 
  private:
   struct Caster {

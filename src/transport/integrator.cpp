@@ -9,6 +9,10 @@ namespace ups {
 
 namespace {
 
+// Of light paths towards small casters, over those elsewhere, where photons of all kinds are read from one disc: what is
+// noise there and what a caustic's edge is told by their number, and few that weigh much would hide many that do not.
+constexpr double densest_among_others = 16;
+
 bool finds_all_emitters(const Snapshot& scene, const Plan& plan) {
   for (size_t i = 0; i < plan.exact.size(); ++i)
     if (!plan.exact[i] && max_component(scene.emitters[i].flux_rgb()) > 0) return false;
@@ -31,7 +35,7 @@ Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSet
   plan_.exact_light = plan_.exact_direct && (settings_.max_path_length == 1 || !scatters(*scene_));
   std::optional<CasterAims> aims;
   if (settings_.has(UPS_TECHNIQUE_MERGE)) aims.emplace(*scene_, pool_);
-  if (aims) plan_.guide = EmissionGuide(scene_->emitters, aims->missed_by(plan_.light_paths));
+  if (aims) plan_.guide = EmissionGuide(scene_->emitters, aims->missed_by(plan_.light_paths, densest_among_others));
   choose_first_radii(stop);
   for (const auto& radii : plan_.pixel_radius)
     for (const float r : radii) largest_pixel_radius_ = std::max(largest_pixel_radius_, r);
@@ -101,7 +105,7 @@ void reset(const Iteration& in, IterationTally& tally) {
 // Light paths for caustics alone start towards what focuses light. Each round finds more of that than the one before.
 EmissionGuide Integrator::train_guide(const CasterAims& aims, const StopSignal& stop) {
   constexpr uint32_t rounds = 4, paths = 1u << 12;
-  GuideTraining training = aims.missed_by(paths);
+  GuideTraining training = aims.missed_by(paths, INFINITY);
   Plan small = plan_;
   small.light_paths = paths;
   small.shares.assign(plan_.units.count, {false, false, TechniqueShare::merge_caustics});
