@@ -98,6 +98,12 @@ double Accumulator::largest_path(size_t set, size_t m, double disc_area, const L
   return std::max({double(found[part]), photon, seen});
 }
 
+// As long as no light path has met a caster, any might have.
+double Accumulator::brightest_caustic_lm() const {
+  if (!scene_.effects.sharp_caster) return 0;
+  return work_.brightest_caustic_lm > 0 ? work_.brightest_caustic_lm : work_.brightest_lm;
+}
+
 NeighbourProfiles Accumulator::profiles_of(size_t set, size_t column) const {
   const size_t rows = plan_.separation.columns.size() + 1;
   std::vector<RingProfile> profiles(rings_[set].empty() ? 0 : meters_[set].size());
@@ -149,7 +155,7 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
     light.largest[part] = std::max(largest_path(set, m, area, found, part), double(light.sums.paths[part].largest));
     light.exact[part] = !emits_ || (point && (part == direct_light ? plan_.exact_direct : plan_.exact_light));
     if (part != direct_light && area > 0 && light.photons.caustics < few_caustics)
-      light.unfound[part] = work_.brightest_caustic_lm * poisson_excess(light.photons.caustics) /
+      light.unfound[part] = brightest_caustic_lm() * poisson_excess(light.photons.caustics) /
                             (double(plan_.light_paths) * area * light.visits);
   }
   return light;

@@ -73,6 +73,7 @@ class Accumulator {
   }
   using Largest = std::array<float, light_part_count>;
   using Choices = std::vector<MeterRings::Choice>;  // by meter; of cells and where nothing is merged, none
+  double brightest_caustic_lm() const;  // that one light path may bring by way of casters alone, before division by N
   NeighbourProfiles profiles_of(size_t set, size_t column) const;
   Choices choose_discs(size_t set) const;
   // column: 0, all its light, or one more than that of a separated source's; all take the disc that the meter chooses.
