@@ -49,7 +49,8 @@ typedef struct ups_material_desc {
   int32_t priority;                               /* GLASS, any integer (0): where solids overlap, or their faces
                                                    * coincide, the medium of the highest counts; at equal priority
                                                    * that of the instance of smallest volume. A solid is an instance
-                                                   * whose mesh is closed, its front outwards, without holes. */
+                                                   * whose mesh is closed, without holes, its front outwards; where
+                                                   * it is inwards a warning says so, and the glass lies within. */
   /* GLAZING: what the pane lets through and reflects by angle of incidence, instead of transmittance_rgb. */
   const float *pane_angle_deg;                    /* ascending from 0 to 90; straight lines between */
   const float *pane_transmittance;                /* [0, 1], directional-hemispherical, reflections within included */

@@ -62,6 +62,7 @@ class Builder {
   bool scatters_as_before(uint32_t material) const;
   void warn_of_transmittance(uint32_t number, const Material& material);
   void add_geometry();
+  void warn_of_inside_out();
   bool is_same_instance(size_t i) const;
   bool has_same_origin() const { return max_abs(earlier_->origin - out_->origin) == 0; }
   void add_emissive_instances();

@@ -1,6 +1,7 @@
 // See media.h: which meshes enclose a volume, the order of media, what a point lies in. Overlaps are in overlaps.cpp.
 #include "scene/media.h"
 
+#include <optional>
 #include <tuple>
 
 #include "base/per_thread.h"
@@ -14,9 +15,16 @@ namespace {
 // holes and open ends; this share of the area (times the extent) may be cracks.
 constexpr double closed_within = 1e-4;
 
-// What a mesh encloses, front outwards; infinite where it does not.
-double enclosed_volume(const Mesh& mesh) {
-  if (mesh.positions.empty()) return INFINITY;
+// A volume below this share of area times extent is none: two sheets back to back enclose what rounding makes.
+constexpr double rounding_of_volume = 1e-7;
+
+struct Enclosed {
+  double volume = INFINITY;  // infinite: nothing
+  bool inside_out = false;   // as a whole; shells of hollows within it are wound the other way
+};
+
+Enclosed enclosed_by(const Mesh& mesh) {
+  if (mesh.positions.empty()) return {};
   const Vec3d o(mesh.positions[0]);
   Vec3d sum, moment[3];  // of n; of n times x, y, z
   double area = 0, extent = 0;
@@ -34,7 +42,9 @@ double enclosed_volume(const Mesh& mesh) {
   moment[0].x -= volume, moment[1].y -= volume, moment[2].z -= volume;
   const double excess = std::max({max_abs(moment[0]), max_abs(moment[1]), max_abs(moment[2])});
   const bool closed = length(sum) <= closed_within * area && excess <= closed_within * area * extent;
-  return closed && volume > 0 ? volume : INFINITY;
+  if (!closed) return {};
+  if (volume > 0) return {volume, false};
+  return volume < -rounding_of_volume * area * extent ? Enclosed{-volume, true} : Enclosed{};
 }
 
 struct Extent {
@@ -86,7 +96,8 @@ Media list(const std::vector<Medium>& of_glass, size_t instance_count, bool soli
 Media rank_media(const std::vector<std::shared_ptr<const Mesh>>& meshes,
                  const std::vector<Raytracer::Instance>& instances, const std::vector<Material>& materials,
                  const std::vector<SurfaceTexturing>& texturing) {
-  std::vector<double> volumes(meshes.size(), -1);  // of each mesh, once it was asked for
+  std::vector<std::optional<Enclosed>> enclosed(meshes.size());  // by each mesh, once it was asked for
+  std::vector<bool> inside_out(instances.size());
   std::vector<Medium> glass;
   bool index_of_air = false;
   size_t solids = 0;
@@ -94,10 +105,12 @@ Media rank_media(const std::vector<std::shared_ptr<const Mesh>>& meshes,
     const Mesh& mesh = *meshes[instances[i].mesh];
     const Material& material = materials[instances[i].material];
     if (material.model != MaterialModel::glass) continue;
-    double& volume = volumes[instances[i].mesh];
+    std::optional<Enclosed>& by_mesh = enclosed[instances[i].mesh];
     const bool holes = texturing[instances[i].material].alpha_mode != SurfaceTexturing::opaque;
-    if (volume < 0) volume = holes ? INFINITY : enclosed_volume(mesh);
-    glass.push_back({instances[i].material, material.priority, volume * std::abs(instances[i].to_scene.determinant()), i});
+    if (!by_mesh) by_mesh = holes ? Enclosed{} : enclosed_by(mesh);
+    const double scale = std::abs(instances[i].to_scene.determinant());
+    glass.push_back({instances[i].material, material.priority, by_mesh->volume * scale, i});
+    inside_out[i] = by_mesh->inside_out;
     solids += !glass.back().is_open();
     index_of_air |= material.ior == 1;
   }
@@ -113,7 +126,10 @@ Media rank_media(const std::vector<std::shared_ptr<const Mesh>>& meshes,
     extents.push_back({padded(box.transformed(instance.to_scene)), media.of_instance[m.instance]});
   }
   mark_meetings(std::move(extents), media);
-  return media.nest ? media : list(glass, instances.size(), false);
+  if (!media.nest) media = list(glass, instances.size(), false);
+  if (std::find(inside_out.begin(), inside_out.end(), true) != inside_out.end())
+    media.inside_out = std::move(inside_out);
+  return media;
 }
 
 namespace {
@@ -126,7 +142,7 @@ MediaStack open_medium_at(const Snapshot& scene, Vec3 p, const Vec3& d) {
     const SurfacePoint s = scene.raytracer->surface_at(hit);
     const uint32_t m = scene.media.of_instance[s.instance];
     if (m != none) {
-      if (dot(d, s.ng) > 0) stack.set_open(m);
+      if (scene.media.leaves(s.instance, d, s.ng)) stack.set_open(m);
       break;
     }
     p = s.ray_origin(d);
@@ -152,7 +168,7 @@ MediaStack media_at(const Snapshot& scene, const Vec3& p) {
     const bool open = scene.media.by_rank[m].is_open();
     if (open ? open_seen : std::find(seen.begin(), seen.end(), m) != seen.end()) continue;
     open ? void(open_seen = true) : seen.push_back(m);
-    if (!(dot(d, scene.raytracer->surface_at(hit).ng) > 0)) continue;
+    if (!scene.media.leaves(hit.instance, d, scene.raytracer->surface_at(hit).ng)) continue;
     open ? stack.set_open(m) : stack.add(m);
   }
   return stack;

@@ -2,8 +2,9 @@
 // priority, at equal priority that of smaller volume (Schmidt, Budge 2002, who take the one entered last): a property
 // of the solids, so that both walks of a path agree. Made at commit; read by the walks (transport/encounter.h).
 //
-// A solid is an instance whose mesh encloses a volume. The other surfaces of glass are open, such as a water surface
-// without a body: of them the last that was entered counts, told by its material, and who leaves one is outside of all.
+// A solid is an instance whose mesh encloses a volume; one that is inside out as a whole is taken as if it were turned.
+// The other surfaces of glass are open, such as a water surface without a body: of them the last that was entered
+// counts, told by its material, and who leaves one is outside of all.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/vec.h"
 #include "bsdf/material.h"
 #include "geometry/raytracer.h"
 
@@ -36,6 +38,14 @@ struct Media {
   // Solids may overlap, or have the index of air. Else every surface of glass is treated as an open one, which comes to
   // the same and costs less: its index counts against 1, whatever lies around it.
   bool nest = false;
+  // By instance: closed, but its front is inwards, so that the glass lies before its faces. Empty: none is.
+  std::vector<bool> inside_out;
+
+  bool is_inside_out(uint32_t instance) const { return !inside_out.empty() && inside_out[instance]; }
+  // Does a ray along d come out of the glass where it meets a face of this instance?
+  bool leaves(uint32_t instance, const Vec3& d, const Vec3& ng) const {
+    return (dot(d, ng) > 0) != is_inside_out(instance);
+  }
 };
 
 // The media that a point lies in. Fixed size: of more than `capacity` solids about one point the weakest are forgotten.

@@ -105,7 +105,8 @@ class Overlaps {
     hits.clear();
     scene_.raytracer->intersect_all(p, d, float(2 * size(solid)), hits);
     for (const Hit& hit : hits)
-      if (scene_.media.of_instance[hit.instance] == solid) return dot(d, scene_.raytracer->surface_at(hit).ng) > 0;
+      if (scene_.media.of_instance[hit.instance] == solid)
+        return scene_.media.leaves(hit.instance, d, scene_.raytracer->surface_at(hit).ng);
     return false;
   }
 

@@ -176,6 +176,7 @@ void Builder::add_geometry() {
   same_surfaces_ = same_surfaces_ && same_geometry_;
   out_->media = same_surfaces_ ? earlier_->media
                                : rank_media(out_->meshes, instances, out_->materials, out_->texturing);
+  warn_of_inside_out();
   same_geometry_ = same_geometry_ && earlier_->media.nest == out_->media.nest;
   same_surfaces_ = same_surfaces_ && same_geometry_;
   same_places_ = same_surfaces_ && earlier_->radius == out_->radius;
@@ -185,6 +186,14 @@ void Builder::add_geometry() {
     out_->raytracer =
         std::make_shared<const Raytracer>(out_->meshes, instances, out_->texturing, threads_, out_->media.nest,
                                           earlier_ ? earlier_->raytracer.get() : nullptr, &monitor_);
+}
+
+void Builder::warn_of_inside_out() {
+  for (size_t i = 0; i < out_->instances.size(); ++i)
+    if (out_->media.is_inside_out(uint32_t(i)))
+      warn_of("instance", out_->instance_ids[i],
+              "a closed mesh of glass whose front is inwards: the glass is taken to lie within it; turn the winding of "
+              "its triangles. A hollow in glass is a part of the same mesh, or a solid of ior 1");
 }
 
 // At the same index. Meshes and materials may have other indices.

@@ -63,7 +63,7 @@ float index_of(const Snapshot& scene, const MediaStack& media) {
 }
 
 Face face_of(const Snapshot& scene, const SurfacePoint& s, const Vec3& d) {
-  return {scene.media.of_instance[s.instance], dot(d, s.ng) > 0};
+  return {scene.media.of_instance[s.instance], scene.media.leaves(s.instance, d, s.ng)};
 }
 
 // The other faces that lie within rounding of the one at e.surface. The strongest solid's stands for all, whichever a
@@ -98,9 +98,11 @@ void find_sides(const Snapshot& scene, const Vec3& d, Encounter& e) {
   }
   before(scene, own, e.media);
   e.front = e.back = e.media;
-  set_side(scene, own.medium, false, e.front);
-  set_side(scene, own.medium, true, e.back);
-  e.relative_ior = scene.materials[e.surface.material].ior;
+  const bool in_front = scene.media.is_inside_out(e.surface.instance);
+  set_side(scene, own.medium, in_front, e.front);
+  set_side(scene, own.medium, !in_front, e.back);
+  const float ior = scene.materials[e.surface.material].ior;
+  e.relative_ior = in_front ? 1 / ior : ior;
 }
 
 void find_nested_sides(const Snapshot& scene, const Vec3& d, Encounter& e) {

@@ -61,6 +61,37 @@ struct Solids {
     instances.push_back({uint32_t(meshes.size()), place, 0, material});
     meshes.push_back(std::make_shared<Mesh>(std::move(m)));
   }
+  // The winding of an instance's mesh.
+  void turn(size_t i) {
+    edit(i, [](Mesh& m) {
+      for (size_t t = 0; t < m.indices.size(); t += 3) std::swap(m.indices[t + 1], m.indices[t + 2]);
+    });
+  }
+  // The surface of a hollow around the middle, the same but smaller and turned.
+  void add_shell(size_t i, float size) {
+    edit(i, [&](Mesh& m) {
+      const Vec3 middle(0.5f, 0.5f, 0.5f);
+      const auto first = uint32_t(m.positions.size());
+      const std::vector<uint32_t> outer = m.indices;
+      for (uint32_t v = 0; v < first; ++v) m.positions.push_back(middle + (m.positions[v] - middle) * size);
+      for (size_t t = 0; t < outer.size(); t += 3)
+        for (const size_t k : {t, t + 2, t + 1}) m.indices.push_back(first + outer[k]);
+    });
+  }
+  // Each triangle with its back.
+  void double_sheets(size_t i) {
+    edit(i, [](Mesh& m) {
+      const std::vector<uint32_t> front = m.indices;
+      for (size_t t = 0; t < front.size(); t += 3)
+        for (const size_t k : {t, t + 2, t + 1}) m.indices.push_back(front[k]);
+    });
+  }
+  template <class Change>
+  void edit(size_t i, const Change& change) {
+    auto mesh = std::make_shared<Mesh>(*meshes[instances[i].mesh]);
+    change(*mesh);
+    meshes[instances[i].mesh] = mesh;
+  }
   Media rank() const { return rank_media(meshes, instances, materials, texturing); }
 };
 
@@ -77,6 +108,40 @@ TEST(Media, ByPriorityThenByVolume) {
   EXPECT_EQ(media.of_instance, (std::vector<uint32_t>{2, 4, 1, 0, 3}));
   EXPECT_NEAR(media.by_rank[2].volume, 27, 1e-9);
   EXPECT_TRUE(media.by_rank[3].is_open());
+}
+
+TEST(Media, ASolidMayBeInsideOut) {
+  Solids s;
+  const uint32_t a = s.glass(1.5f);
+  s.cube(a, 0, 1);
+  s.cube(a, 2, 3);
+  s.turn(1);
+  s.cube(a, 6, -2);  // mirrored, which turns its front with it
+  s.cube(a, 9, -1);
+  s.turn(3);
+  s.cube(a, 11, 1, 10);  // open
+  s.turn(4);
+  const Media media = s.rank();
+  EXPECT_EQ(media.inside_out, (std::vector<bool>{false, true, false, true, false}));
+  EXPECT_NEAR(media.by_rank[media.of_instance[1]].volume, 27, 1e-9);
+  EXPECT_NEAR(media.by_rank[media.of_instance[3]].volume, 1, 1e-9);
+  EXPECT_TRUE(media.by_rank[media.of_instance[4]].is_open());
+  for (const uint32_t turned : {0u, 1u})
+    EXPECT_EQ(media.leaves(turned, {1, 0, 0}, {1, 0, 0}), turned == 0);
+}
+
+TEST(Media, HollowsAndDoubledSheetsAreNotInsideOut) {
+  Solids s;
+  const uint32_t a = s.glass(1.5f);
+  s.cube(a, 0, 1);
+  s.add_shell(0, 0.5f);
+  s.cube(a, 2, 1, 2);
+  s.double_sheets(1);
+  const Media media = s.rank();
+  EXPECT_TRUE(media.inside_out.empty());
+  EXPECT_NEAR(media.by_rank[media.of_instance[0]].volume, 1 - 0.125, 1e-6);
+  s.turn(0);
+  EXPECT_EQ(s.rank().inside_out, (std::vector<bool>{true, false})) << "with its hollow";
 }
 
 TEST(Media, NestWhereBoxesMeet) {

@@ -125,6 +125,40 @@ TEST(Taught, NestedMediaABlockWithinTheSameGlassChangesNothing) {
   }
 }
 
+void mirror_x(const Scene& scene, ups_instance_id id) {
+  auto d = make_desc<ups_instance_desc>(ups_instance_desc_init);
+  check(ups_scene_get_instance(scene.get(), id, &d), "ups_scene_get_instance");
+  d.to_world[0] = -1;
+  check(ups_scene_set_instance(scene.get(), id, &d), "ups_scene_set_instance");
+}
+
+// Glass that was wound inwards is what it would be turned, bit for bit: alone, in other glass and around it, mirrored.
+TEST(Taught, NestedMediaASolidInsideOutIsThatSolid) {
+  struct Turned {
+    bool outer, inner;
+  };
+  const auto read = [](Turned turned, bool nested, bool mirrored) {
+    Scene scene;
+    const Shape outer = box({-3, -3, 0.2}, {3, 3, 1}), inner = box({-2, -2, 0.4}, {2, 2, 0.6});
+    const ups_instance_id id = scene.add(turned.outer ? outer.flipped() : outer, absorbing(1.5, 0.2));
+    if (mirrored) mirror_x(scene, id);
+    if (nested) scene.add(turned.inner ? inner.flipped() : inner, absorbing(1.8, 0.5));
+    scene.add_spot({0, 0, 2}, {0, 0, -1}, 1000, 0.3, 0.35);
+    const Sensor meters = scene.add_meters({{0.1, 0, 0}, {0.1, 0, 0.5}}, {0, 0, 1});
+    const Result result = scene.render({.iterations = 4, .merge_radius_m = 0.05, .light_paths = 4096});
+    const auto readings = result.readings(meters);
+    return std::make_pair(readings[0].illuminance_lx, readings[1].illuminance_lx);
+  };
+  const auto alone = read({false, false}, false, false), both = read({false, false}, true, false);
+  EXPECT_GT(alone.second, alone.first);
+  EXPECT_NE(alone, both);
+  EXPECT_EQ(read({true, false}, false, false), alone);
+  EXPECT_EQ(read({true, false}, true, false), both);
+  EXPECT_EQ(read({false, true}, true, false), both);
+  EXPECT_EQ(read({true, true}, true, false), both);
+  EXPECT_EQ(read({true, false}, false, true), read({false, false}, false, true)) << "mirrored";
+}
+
 // ---- shadow rays ----------------------------------------------------------------------------------------------------
 
 // Light, meter and a block between them, all in one block of the same index: the block between them is seen in its
@@ -352,14 +386,27 @@ TEST(Taught, NestedMediaABubbleInAFurnaceHasTheRadianceOfItsIndex) {
 
 // ---- warnings -------------------------------------------------------------------------------------------------------
 
+std::string warnings(const std::vector<Part>& parts) {
+  Scene scene;
+  scene.add_point_light({0, 0, 9}, 1);
+  scene.add_meters({{0, 0, 8}}, {0, 0, 1});
+  for (const Part& p : parts) scene.add(p.shape, p.material);
+  return warnings_of(scene);
+}
+
+TEST(Taught, NestedMediaSolidsInsideOutAreWarnedOf) {
+  const Shape block = box({0, 0, 0}, {1, 1, 1}), other = box({2, 0, 0}, {3, 1, 1});
+  const Shape sheet = quad({5, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const auto told = warnings({{block.flipped(), glass(1.5)}, {other, glass(1.5)}, {sheet.flipped(), glass(1.33)},
+                              {box({7, 0, 0}, {8, 1, 1}).flipped(), matte(0.5)},
+                              {box({9, 0, 0}, {10, 1, 1}).flipped(), glass(1.4)}});
+  EXPECT_NE(told.find("instances 1 and 5: a closed mesh of glass whose front is inwards"), std::string::npos) << told;
+  Shape hollow = block;
+  hollow.append(box({0.2, 0.2, 0.2}, {0.8, 0.8, 0.8}).flipped());
+  EXPECT_EQ(warnings({{hollow, glass(1.5)}}), "");
+}
+
 TEST(Taught, NestedMediaOverlapsInPartAreWarnedOf) {
-  const auto warnings = [](const std::vector<Part>& parts) {
-    Scene scene;
-    scene.add_point_light({0, 0, 9}, 1);
-    scene.add_meters({{0, 0, 8}}, {0, 0, 1});
-    for (const Part& p : parts) scene.add(p.shape, p.material);
-    return warnings_of(scene);
-  };
   const Shape block = box({0, 0, 0}, {1, 1, 1}), shifted = box({0.7, 0.1, 0}, {1.7, 0.9, 1});
   EXPECT_NE(warnings({{block, glass(1.5)}, {box({5, 5, 5}, {6, 6, 6}), glass(1.5)}, {shifted, glass(1.6)}})
                 .find("instances 1 and 3 are glass of different index and overlap in part"),
