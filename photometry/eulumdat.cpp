@@ -32,7 +32,9 @@ class EulumdatReader {
   std::vector<double> read_angles(const char* name, size_t n);
   std::vector<double> stored_planes(const std::vector<double>& c_deg);
   void read_intensities(const std::vector<double>& stored);
-  void check_gamma_step();
+  void check_circle(const std::vector<double>& c_deg);
+  void check_step(const std::vector<double>& angle, double stated, size_t line, const char* distance,
+                  const char* angles);
   void check_flux(const Photometry& photometry);
 
   EulumdatText in_;
@@ -40,10 +42,10 @@ class EulumdatReader {
   std::vector<std::string> warnings_;
   std::vector<Keyword> keywords_;
   size_t isym_ = 0, plane_count_ = 0, gamma_count_ = 0, lamp_line_ = 0, table_line_ = 0, ratio_line_ = 0;
-  size_t opening_line_ = 0, gamma_step_line_ = 0, down_line_ = 0;
+  size_t opening_line_ = 0, plane_step_line_ = 0, gamma_step_line_ = 0, down_line_ = 0;
   double luminaire_mm_ = 0, opening_mm_ = 0;  // the longest of each
   Opening opening_;
-  double light_output_percent_ = 0, conversion_ = 1, gamma_step_ = 0;
+  double light_output_percent_ = 0, conversion_ = 1, plane_step_ = 0, gamma_step_ = 0;
   double down_percent_ = -1;  // < 0: not stated
   std::vector<LampSet> lamps_;
   std::vector<double> gamma_deg_;
@@ -73,7 +75,8 @@ void EulumdatReader::read_head() {
   if (!isym.empty() && isym[0].empty())
     warn(in_.at(), "the symmetry indicator Isym is blank; taken as 0, so that the table must have all C planes");
   plane_count_ = in_.count("the number Mc of C planes", 1, Distribution::max_values);
-  in_.number_or_zero("the distance Dc of the C planes", warnings_);
+  plane_step_ = in_.number_or_zero("the distance Dc of the C planes", warnings_);
+  plane_step_line_ = in_.at();
   gamma_count_ = in_.count("the number Ng of intensities in a plane", 2, Distribution::max_values);
   if (plane_count_ > Distribution::max_values / gamma_count_)
     fail_at(in_.at(), std::to_string(plane_count_) + " x " + std::to_string(gamma_count_) +
@@ -246,6 +249,20 @@ std::vector<double> EulumdatReader::read_angles(const char* name, size_t n) {
   return angle;
 }
 
+// Without a symmetry the planes go all round.
+void EulumdatReader::check_circle(const std::vector<double>& c_deg) {
+  constexpr double most_deg = 90;  // wider ones are no planes that were left out, but a half or a quarter of the circle
+  const double open = open_end_deg(c_deg), last = c_deg.back();
+  if (open == 0) return;
+  const std::string what = "the C angles end at " + shown(last) + " and leave " + shown(open) +
+                           " degrees without a plane, at least twice their own steps";
+  if (open <= most_deg) return warn(in_.at(), what + "; the intensities between are interpolated");
+  const char* meant = last == 180  ? "; planes that are mirrored about C0-C180 have Isym 2"
+                      : last == 90 ? "; planes that are mirrored about both axes have Isym 4"
+                                   : "";
+  fail_at(in_.at(), what + "; without a symmetry (Isym 0 in line 3) they must go all round" + meant);
+}
+
 // The C angles of the planes that are stored, in the file's order; 360 stands for the closing plane.
 std::vector<double> EulumdatReader::stored_planes(const std::vector<double>& c_deg) {
   if (c_deg.front() != 0 || c_deg.back() > 360)
@@ -264,6 +281,7 @@ std::vector<double> EulumdatReader::stored_planes(const std::vector<double>& c_d
   };
   switch (isym_) {
     case 0:
+      check_circle(c_deg);
       return c_deg;
     case 1:
       return {0};
@@ -307,16 +325,16 @@ void EulumdatReader::read_intensities(const std::vector<double>& stored) {
     warn(in_.at(), counted(more, "line follows", "lines follow") + " the intensities; ignored");
 }
 
-// Dg is 0 where the steps differ.
-void EulumdatReader::check_gamma_step() {
-  constexpr double tolerance = 0.02;  // degrees: two angles and Dg, each to two decimals
-  if (gamma_step_ == 0) return;
-  for (size_t i = 0; i + 1 < gamma_deg_.size(); ++i) {
-    const double step = gamma_deg_[i + 1] - gamma_deg_[i];
-    if (std::abs(step - gamma_step_) <= tolerance) continue;
-    return warn(gamma_step_line_, "the distance Dg of the intensities is " + shown(gamma_step_) +
-                                      " degrees, but the angles gamma have a step of " + shown(step) +
-                                      "; they are used as they are");
+// Dc or Dg, which is 0 where the steps differ.
+void EulumdatReader::check_step(const std::vector<double>& angle, double stated, size_t line, const char* distance,
+                                const char* angles) {
+  constexpr double tolerance = 0.02;  // degrees: two angles and the distance, each to two decimals
+  if (stated == 0) return;
+  for (size_t i = 0; i + 1 < angle.size(); ++i) {
+    const double step = angle[i + 1] - angle[i];
+    if (std::abs(step - stated) <= tolerance) continue;
+    return warn(line, std::string("the distance ") + distance + " is " + shown(stated) + " degrees, but the " + angles +
+                          " have a step of " + shown(step) + "; they are used as they are");
   }
 }
 
@@ -347,7 +365,7 @@ Photometry EulumdatReader::read() {
     direct_ratios.append(i ? " " : "").append(shortest(in_.number_or_zero("a direct ratio", warnings_)));
   keywords_.push_back({"_DIRECT_RATIOS", direct_ratios});
 
-  const std::vector<double> stored = stored_planes(read_angles("C angle ", plane_count_));
+  const std::vector<double> c_deg = read_angles("C angle ", plane_count_), stored = stored_planes(c_deg);
   gamma_deg_ = read_angles("gamma ", gamma_count_);
   table_line_ = in_.at();
   if (gamma_deg_.front() < 0 || gamma_deg_.back() > 180)
@@ -356,7 +374,8 @@ Photometry EulumdatReader::read() {
   if (!(gamma_deg_.front() == 0 || gamma_deg_.front() == 90) || !(gamma_deg_.back() == 90 || gamma_deg_.back() == 180))
     warn(table_line_, "the angles gamma from " + shown(gamma_deg_.front()) + " to " + shown(gamma_deg_.back()) +
                           " do not reach the poles or the horizon; nothing is emitted beyond them");
-  check_gamma_step();
+  if (isym_ != 1) check_step(c_deg, plane_step_, plane_step_line_, "Dc of the C planes", "C angles");
+  check_step(gamma_deg_, gamma_step_, gamma_step_line_, "Dg of the intensities", "angles gamma");
   read_intensities(stored);
   if (planes_.size() > 1 && planes_.back().c_deg == 360) {
     warn(table_line_, "the C angles end with 360, which is C0 again");

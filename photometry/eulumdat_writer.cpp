@@ -70,6 +70,19 @@ Distribution in_fields(const Distribution& d) {
   return Distribution(c.deg, gamma.deg, std::move(table));
 }
 
+// A table that leaves a part of the circle open, which readers take for a file that lacks a symmetry, has a plane more
+// in the middle of it. It is interpolated, and changes nothing.
+Distribution closed(const Distribution& d) {
+  const double open = open_end_deg(d.c_deg());
+  if (open == 0 || symmetry_of(d) != Symmetry::none) return d;
+  std::vector<double> c = d.c_deg(), table;
+  for (size_t i = 0; i < c.size(); ++i)
+    for (size_t j = 0; j < d.gamma_deg().size(); ++j) table.push_back(d.at(i, j));
+  for (size_t j = 0; j < d.gamma_deg().size(); ++j) table.push_back(0.5 * (d.at(c.size() - 1, j) + d.at(0, j)));
+  c.push_back(c.back() + open / 2);
+  return Distribution(std::move(c), d.gamma_deg(), std::move(table));
+}
+
 // All C angles, and the planes that are stored, in the format's order.
 struct StoredPlanes {
   int isym;
@@ -216,7 +229,7 @@ void add_direct_ratios(const std::vector<Keyword>& keywords, EulumdatFields& out
 std::string write_eulumdat(const Photometry& p, std::vector<std::string>* warnings) {
   std::vector<std::string> cut;
   EulumdatFields out(cut);
-  const Distribution d = in_fields(in_c_gamma(p.distribution));
+  const Distribution d = in_fields(closed(in_c_gamma(p.distribution)));
   const StoredPlanes planes = stored_planes(d);
   bool absolute;
   const double flux = reference_flux(p, absolute), per_klm = 1000 / flux,

@@ -81,6 +81,13 @@ void complete_circle(Planes& planes, Symmetry symmetry) {
   start_at_zero(planes);
 }
 
+double open_end_deg(const std::vector<double>& c_deg) {
+  double widest = 0;
+  for (size_t i = 0; i + 1 < c_deg.size(); ++i) widest = std::max(widest, c_deg[i + 1] - c_deg[i]);
+  const double open = 360 - c_deg.back();
+  return c_deg.size() > 1 && open > 2 * widest - 1e-3 ? open : 0;
+}
+
 void join_ends(Planes& planes, size_t line, std::vector<std::string>& warnings) {
   double peak = 0, difference = 0;
   for (const Plane& p : planes)

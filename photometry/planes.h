@@ -19,6 +19,10 @@ inline bool is_near(double a, double b) { return std::abs(a - b) < 1e-3; }
 // mirror images where there is a symmetry, an interpolated plane at 0 where there is none.
 void complete_circle(std::vector<Plane>& planes, Symmetry symmetry);
 
+// What planes that start at 0 leave open before 360, degrees, where that is at least twice any step between them: more
+// than a plane that was left out, so that a symmetry was meant. Else 0.
+double open_end_deg(const std::vector<double>& c_deg);
+
 // 0 to 360 states the first plane twice: the last one is taken out, their mean stays. Warns where they differ by more
 // than 1 % of the peak.
 void join_ends(std::vector<Plane>& planes, size_t line, std::vector<std::string>& warnings);

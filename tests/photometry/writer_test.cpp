@@ -106,11 +106,20 @@ TEST(Writer, SymmetriesTakeTheFewestPlanes) {
 TEST(Writer, OddPlanesReadBack) {
   for (const Distribution& d :
        {Distribution({0, 120, 240}, {0, 90}, {1, 2, 1, 3, 1, 3}), Distribution({0, 180}, {0, 90}, {1, 2, 1, 3}),
-        Distribution({0, 359.95}, {0, 0.0005, 90}, {1, 2, 3, 4, 5, 6}), Distribution({0, 90}, {10, 20}, {1, 2, 3, 4}),
+        Distribution({0, 359.95}, {0, 0.0005, 90}, {1, 2, 3, 4, 5, 6}),
         Distribution({0, 90, 180, 270}, {90, 180}, {1, 2, 3, 4, 5, 6, 7, 8})}) {
     expect_same(again(write_ies(Photometry{d})).distribution, d);
     expect_same(again(write_eulumdat(Photometry{d})).distribution, d, six_characters);
   }
+}
+
+// Which the reader of EULUMDAT would refuse.
+TEST(Writer, AnOpenCircleHasAnInterpolatedPlaneMore) {
+  const Distribution d({0, 90}, {10, 20}, {1, 2, 3, 4});
+  expect_same(again(write_ies(Photometry{d})).distribution, d);
+  const Photometry p = again(write_eulumdat(Photometry{d}));
+  expect_same(p.distribution, Distribution({0, 90, 225}, {10, 20}, {1, 2, 3, 4, 2, 3}), six_characters);
+  expect_same(again(write_eulumdat(p)).distribution, p.distribution, six_characters);
 }
 
 TEST(Writer, TypesAAndBAreWrittenAsTheyAre) {
