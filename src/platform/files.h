@@ -9,7 +9,8 @@
 
 namespace ups::platform {
 
-// Binary; not open where there is no such file or it may not be read. Some systems open folders, too.
+// Binary. Failed where there is no such file, it may not be read, or reading might never end or begin: of a folder, a
+// device, or a pipe that is not open in this process (as /dev/stdin is, and what a shell puts for <(command)).
 std::ifstream open_to_read(const std::string& path);
 
 // It is on the disk when this returns. Throws std::system_error: "cannot write 'PATH': WHY".

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "platform/files.h"
 #include "platform/native_path.h"
 
 namespace ups::platform {
@@ -34,11 +35,22 @@ bool is_regular_file(const std::string& path) {
   return fs::is_regular_file(native_path(path), error);
 }
 
+std::string why_not_open(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(native_path(path), error);
+  if (status.type() == fs::file_type::not_found) return "there is no such file";
+  if (error) return message_of(error);
+  if (fs::is_directory(status)) return "it is a folder, not a file";
+  return fs::is_regular_file(status) ? "it may not be read" : "it is a device or a pipe, not a file";
+}
+
 bool lies_within(const std::string& path, const std::string& folder) {
   std::error_code error;
   const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : native_path(folder), error);
   if (error) return true;
-  const fs::path file = fs::weakly_canonical(native_path(path), error);
+  const fs::path whole = fs::absolute(native_path(path), error);  // what is not there stays as it is given
+  if (error) return true;
+  const fs::path file = fs::weakly_canonical(whole, error);
   return error || std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
 }
 

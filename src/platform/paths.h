@@ -22,6 +22,8 @@ std::string relative_to(const std::string& folder, const std::string& path);
 
 bool is_folder(const std::string& path);
 bool is_regular_file(const std::string& path);
+// Why open_to_read() of files.h has failed: "there is no such file".
+std::string why_not_open(const std::string& path);
 // Links are followed first: what counts is where the bytes lie. A path that does not resolve is no file: true.
 bool lies_within(const std::string& path, const std::string& folder);
 

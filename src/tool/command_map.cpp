@@ -21,7 +21,7 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // as spreadsheets
 
 std::string read_whole(const std::string& path) {
   const auto file = platform::open_to_read(path);
-  if (!file || platform::is_folder(path)) throw Failure("cannot read '" + path + "'");
+  if (!file) throw Failure("cannot read '" + path + "': " + platform::why_not_open(path));
   std::ostringstream text;
   text << file.rdbuf();
   std::string all = text.str();

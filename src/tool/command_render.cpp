@@ -83,6 +83,7 @@ int render(const RenderOptions& options) {
   if (scene.sensors.empty()) {
     throw Failure(options.scene + ": there is nothing to render; add a camera, or meters in a node's extras.ups");
   }
+  if (!options.out.empty()) prepare_files(options, scene);
   if (targets) check_names(*targets, scene);
   const MeterQuestions questions = questions_of(options, scene);
   const Finished finished = run_render(scene.scene, options.desc);

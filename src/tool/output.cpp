@@ -327,6 +327,28 @@ void probe_folder(const std::string& option, const std::string& folder) {
     throw Failure(option + ": cannot write into the folder '" + folder + "': " + platform::message_of(error));
 }
 
+// What follows its name in the files that write_outputs() writes of a sensor.
+std::vector<std::string> endings_of(const SensorEntry& sensor, const ups_render_desc& desc) {
+  using Endings = std::vector<std::string>;
+  const auto map = [](const std::string& base) { return Endings{base + ".png", base + ".svg", base + ".pdf"}; };
+  Endings endings;
+  const auto add = [&](const Endings& more) { endings.insert(endings.end(), more.begin(), more.end()); };
+  if (sensor.info.kind == SensorKind::goniometer) return {".csv"};
+  if (sensor.info.kind == SensorKind::camera) {
+    add({".exr", ".png"});
+    add(map("_luminance"));
+    if (sensor.info.illuminance) add(map("_illuminance"));
+    if (desc.technique_images > 0) add({"_techniques.exr"});
+  } else if (sensor.info.kind == SensorKind::meters) {
+    add({".csv"});
+    add(map(""));
+    if (sensor.info.columns > 0 || sensor.info.layout == MeterLayout::lightmap) add({".exr"});
+    if (desc.separation != UPS_SEPARATE_NOTHING)
+      add({desc.separation == UPS_SEPARATE_GROUPS ? "_groups.csv" : "_luminaires.csv"});
+  }
+  return endings;
+}
+
 }  // namespace
 
 void prepare_folder(const std::string& folder) {
@@ -346,6 +368,16 @@ void prepare_file(const std::string& option, const std::string& path) {
   if (!platform::is_folder(*folder))
     throw Failure(option + ": cannot write '" + path + "': there is no folder '" + *folder + "'; make it first");
   probe_folder(option, *folder);
+}
+
+void prepare_files(const RenderOptions& options, const LoadedScene& scene) {
+  std::vector<std::string> names;
+  for (const SensorEntry& sensor : scene.sensors)
+    for (const std::string& ending : endings_of(sensor, options.desc)) names.push_back(sensor.name + ending);
+  if (options.report) names.push_back("report.html");
+  for (const std::string& name : names)
+    if (const std::string path = platform::joined(options.out, name); platform::is_folder(path))
+      throw Failure("--out: '" + path + "' is a folder, where a file of that name would be written");
 }
 
 Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result,

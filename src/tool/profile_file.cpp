@@ -13,7 +13,7 @@ namespace {
 
 std::string read_bytes(const std::string& file) {
   auto in = platform::open_to_read(file);
-  if (!in || platform::is_folder(file)) throw Failure("cannot open '" + file + "'");
+  if (!in) throw Failure("cannot open '" + file + "': " + platform::why_not_open(file));
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
@@ -92,7 +92,7 @@ bool is_scene_file(const std::string& file) {
   const std::string extension = lower_extension(file);
   if (extension == ".gltf" || extension == ".glb") return true;
   char first[4] = {};
-  platform::open_to_read(file).read(first, sizeof first);
+  if (platform::is_regular_file(file)) platform::open_to_read(file).read(first, sizeof first);  // a pipe is read once
   return std::equal(first, first + 4, "glTF") || (!photometric_format(file) && first[0] == '{');
 }
 

@@ -1,5 +1,6 @@
 // How the commands load a scene file: context, import, commit, sensors and warnings.
 #include "tool/handles.h"
+#include "tool/profile_file.h"
 
 namespace ups::tool {
 
@@ -53,7 +54,11 @@ LoadedScene import_scene(const std::string& path, const SceneOptions& options) {
   desc.allow_outside = options.allow_outside;
   desc.camera_layers = options.camera_layers;
   ups_gltf_import* imported = nullptr;
-  check(ups_gltf_import_file(loaded.context.get(), path.c_str(), &desc, scene, &imported), ups_gltf_last_error);
+  const ups_status status = ups_gltf_import_file(loaded.context.get(), path.c_str(), &desc, scene, &imported);
+  if (status == UPS_ERROR_PARSE && photometric_format(path))
+    throw Failure(path + ": is a photometric file by its name, no scene; `ups info` reads it, and the luminaires of a "
+                  "scene (.gltf, .glb) name such files");
+  check(status, ups_gltf_last_error);
   loaded.import_result.reset(imported);
   loaded.source_words = [imported](ups_source_kind kind, uint32_t id) { return words_of(imported, kind, id); };
   uint32_t count = 0;

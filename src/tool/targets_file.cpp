@@ -20,7 +20,9 @@ std::string own_folder() {
 
 Targets read_targets(const std::string& path) {
   auto file = platform::open_to_read(path);
-  if (!file) throw Failure(path + ": cannot be read; --targets wants a JSON file of targets");
+  if (!file)
+    throw Failure(path + ": cannot be read: " + platform::why_not_open(path) +
+                  "; --targets wants a JSON file of targets");
   return parse_targets({std::istreambuf_iterator<char>(file), {}}, path, {platform::folder_of(path), own_folder()});
 }
 

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#ifndef _WIN32
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
 #include <iterator>
 
 #include "scratch_folder.h"
@@ -35,7 +40,33 @@ TEST(Files, WrittenReadAndReplaced) {
   EXPECT_EQ(count_in(scratch.path("")), 1u) << "a temporary file is left";
 }
 
+TEST(Files, WhatMayNotEndIsNotOpened) {
+  const ScratchFolder scratch;
+  EXPECT_FALSE(open_to_read(scratch.path(strange)));
+  EXPECT_EQ(why_not_open(scratch.path(strange)), "there is no such file");
+  EXPECT_FALSE(open_to_read(scratch.path("")));
+  EXPECT_EQ(why_not_open(scratch.path("")), "it is a folder, not a file");
+#ifndef _WIN32
+  const std::string pipe = scratch.path("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe, std::string("/dev/zero")}) {
+    EXPECT_FALSE(open_to_read(path));
+    EXPECT_EQ(why_not_open(path), "it is a device or a pipe, not a file");
+  }
+#endif
+}
+
 #ifndef _WIN32  // where a file that is open cannot be replaced
+// As a shell's <(command) and /dev/stdin are.
+TEST(Files, APipeThatIsOpenIsRead) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  ASSERT_EQ(::write(ends[1], "through", 7), 7);
+  ::close(ends[1]);
+  EXPECT_EQ(text_of("/dev/fd/" + std::to_string(ends[0])), "through");
+  ::close(ends[0]);
+}
+
 // A reader that opened the file before sees the old bytes to their end.
 TEST(Files, AReaderKeepsWhatItOpened) {
   const ScratchFolder scratch;

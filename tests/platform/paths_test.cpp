@@ -70,6 +70,9 @@ TEST(Paths, WithinAFolder) {
   EXPECT_TRUE(lies_within(scratch.path(strange + "/a"), scratch.path(strange)));
   EXPECT_FALSE(lies_within(scratch.path(strange + "/../a"), scratch.path(strange)));
   EXPECT_FALSE(lies_within(scratch.path(strange + "b"), scratch.path(strange)));
+  EXPECT_TRUE(lies_within("none.ies", "")) << "not there, in the working folder";
+  EXPECT_TRUE(lies_within("none/none.ies", ""));
+  EXPECT_FALSE(lies_within("../none.ies", ""));
 }
 
 }  // namespace

@@ -167,9 +167,36 @@ class BrokenFiles(ProgramTest):
         self.expect_failure("info", "none.gltf", words=["none.gltf"])
         self.expect_failure("info", "none.ies", words=["none.ies"])
         self.expect_failure("compare", "a.exr", "b.exr", words=["a.exr"])
+        scene = room()
+        scene["nodes"][0]["extras"] = {"ups": {"luminaire": {"file": "gone.ies"}}}
+        self.write("room.gltf", scene)
+        here = os.getcwd()
+        os.chdir(self.folder.name)
+        self.addCleanup(os.chdir, here)
+        self.expect_failure("render", "room.gltf", words=["gone.ies", "no such file"])
+
+    def test_files_that_might_never_end(self):
+        os.mkfifo(self.path("pipe.ies"))
+        scene = room()
+        scene["nodes"][0]["extras"] = {"ups": {"luminaire": {"file": "pipe.ies"}}}
+        self.write("room.gltf", scene)
+        for arguments in (["info", self.path("pipe.ies")], ["info", "/dev/zero"], ["render", "/dev/zero"],
+                          ["render", self.path("pipe.ies")], ["render", self.path("room.gltf")],
+                          ["convert", self.path("pipe.ies"), self.path("out.ldt")], ["compare", "/dev/zero", "a.exr"],
+                          ["render", self.write("right.gltf", room()), "--targets", self.path("pipe.ies")]):
+            self.expect_failure(*arguments, words=["a device or a pipe"])
+        self.expect_failure("render", self.path("right.gltf"), "--targets", self.folder.name, words=["is a folder"])
+
+    def test_a_pipe_that_is_open(self):
+        for command, text in (("info", IES), ("render", json.dumps(room()))):
+            more = ["--iterations", "1"] if command == "render" else []
+            done = subprocess.run([PROGRAM, command, "/dev/stdin", *more], input=text.encode(), capture_output=True,
+                                  timeout=60)
+            self.assertEqual(done.returncode, 0, msg=done.stderr)
 
     def test_bad_content(self):
         self.expect_failure("render", self.write("bad.gltf", "{"), words=["bad.gltf", "JSON"])
+        self.expect_failure("render", self.write("lamp.ies", IES), words=["lamp.ies", "photometric file", "ups info"])
         self.expect_failure("render", self.write("bad.glb", b"glTF\2\0\0\0"), words=["bad.glb", "truncated"])
         self.expect_failure("info", self.write("bad.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 2"), words=["bad.ies"])
         self.expect_failure("info", self.write("bad.txt", ""), words=["bad.txt", ".gltf"])
@@ -386,8 +413,9 @@ class Render(ProgramTest):
 
     def test_a_file_that_cannot_be_written_does_not_take_the_others(self):
         out = self.path("out")
-        for name in ("view.exr", "work_plane.csv"):  # folders stand where the files must go
-            os.makedirs(os.path.join(out, name, "in the way"))
+        os.mkdir(out)
+        for name in ("view.exr", "work_plane.csv"):  # links that lead into no folder
+            os.symlink(self.path("none/" + name), os.path.join(out, name))
         done = self.run_program("render", self.write("room.gltf", room()), "--iterations", 16, "--json", "--out", out,
                                 code=1)
         self.assertIn("work_plane", json.loads(done.stdout)["meters"])
@@ -395,8 +423,20 @@ class Render(ProgramTest):
         for name in ("view.exr", "work_plane.csv"):
             self.assertTrue(any("error" in line and name in line for line in errors), msg=done.stderr)
         self.assertEqual(sorted(os.listdir(out)), FILES)
-        self.assertEqual([name for name in os.listdir(out) if os.path.isdir(os.path.join(out, name))],
+        self.assertEqual([name for name in os.listdir(out) if not os.path.exists(os.path.join(out, name))],
                          [name for name in os.listdir(out) if name in ("view.exr", "work_plane.csv")])
+
+    def test_folders_in_the_place_of_files_fail_before_the_render(self):
+        scene = self.write("room.gltf", room())
+        for name, more in (("view.exr", []), ("view_illuminance.svg", []), ("work_plane.csv", []), ("spot.pdf", []),
+                           ("report.html", ["--report"]), ("view_techniques.exr", ["--technique-images", 2]),
+                           ("spot_luminaires.csv", ["--separate", "luminaires"])):
+            out = self.path("out_" + name)
+            os.makedirs(os.path.join(out, name))
+            start = time.monotonic()
+            self.expect_failure("render", scene, "--time", 60, "--out", out, *more, words=["--out", name, "is a folder"])
+            self.assertLess(time.monotonic() - start, 50)
+            self.assertEqual(os.listdir(out), [name])
 
     def test_a_folder_that_takes_no_file_fails_before_the_render(self):
         out = self.path("out")

@@ -17,6 +17,7 @@
 
 #include "common/atomic_file.h"
 #include "common/boundary.h"
+#include "platform/paths.h"
 
 struct ups_exr_image {
   uint32_t width = 0, height = 0;
@@ -159,7 +160,8 @@ ups_status ups_exr_read(const char* path, ups_exr_image** out) {
     errno = 0;
     auto file = ups::platform::open_to_read(path);
     if (!file && errno == ENOMEM) throw std::bad_alloc();
-    if (!file) throw Error(UPS_ERROR_IO, std::string("cannot open '") + path + "': no such file, or not readable");
+    if (!file)
+      throw Error(UPS_ERROR_IO, std::string("cannot open '") + path + "': " + ups::platform::why_not_open(path));
     if (file.peek(); file.bad()) throw Error(UPS_ERROR_IO, std::string("cannot read '") + path + "': no file?");
     auto image = std::make_unique<ups_exr_image>();
     try {

@@ -217,9 +217,8 @@ JsonReader Document::element(const char* array, size_t index, const std::string&
 namespace {
 
 Bytes read_file(const std::string& path, const std::string& where) {
-  if (platform::is_folder(path)) throw Error(UPS_ERROR_IO, where + ": '" + path + "' is a folder, not a file");
   auto in = platform::open_to_read(path);
-  if (!in) throw Error(UPS_ERROR_IO, where + ": cannot open the file '" + path + "'");
+  if (!in) throw Error(UPS_ERROR_IO, where + ": cannot open the file '" + path + "': " + platform::why_not_open(path));
   Bytes bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (in.bad()) throw Error(UPS_ERROR_IO, where + ": cannot read the file '" + path + "'");
   return bytes;

@@ -98,7 +98,7 @@ Json parse(const std::string& json, const std::string& file) {
 
 Json parse_file(const std::string& path) {
   auto file = platform::open_to_read(path);
-  if (!file) throw Failure(path + ": cannot be read", UPS_ERROR_IO);
+  if (!file) throw Failure(path + ": cannot be read: " + platform::why_not_open(path), UPS_ERROR_IO);
   return parse({std::istreambuf_iterator<char>(file), {}}, path);
 }
 

@@ -70,6 +70,13 @@ Destination destination_of(const std::string& path) {
   return to;
 }
 
+// See open_to_read; of folders, too.
+bool may_not_end(const std::string& path) {
+  struct stat status;
+  if (::stat(native_path(path).c_str(), &status) != 0 || S_ISREG(status.st_mode)) return false;
+  return !S_ISFIFO(status.st_mode) || destination_of(path).descriptor < 0;
+}
+
 // An open file; the functions set errno where they return false.
 class Descriptor {
  public:
@@ -141,7 +148,14 @@ void write_into(const Destination& to, const std::string& path, const void* byte
 
 }  // namespace
 
-std::ifstream open_to_read(const std::string& path) { return std::ifstream(native_path(path), std::ios::binary); }
+std::ifstream open_to_read(const std::string& path) {
+  std::ifstream file;
+  if (may_not_end(path))
+    file.setstate(std::ios::failbit);
+  else
+    file.open(native_path(path), std::ios::binary);
+  return file;
+}
 
 void replace_file(const std::string& path, const void* bytes, size_t size) {
   const Destination to = destination_of(path);

@@ -103,7 +103,16 @@ class TemporaryFile {
 
 }  // namespace
 
-std::ifstream open_to_read(const std::string& path) { return std::ifstream(native_path(path), std::ios::binary); }
+std::ifstream open_to_read(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(native_path(path), error);
+  std::ifstream file;
+  if (fs::is_directory(status) || fs::is_character_file(status))
+    file.setstate(std::ios::failbit);
+  else
+    file.open(native_path(path), std::ios::binary);
+  return file;
+}
 
 void replace_file(const std::string& path, const void* bytes, size_t size) {
   const Destination to = destination_of(path);
