@@ -37,6 +37,7 @@ class Tm33Reader {
   void children(const Child& child) {
     while (xml_.enter_child()) child(xml_.name());
   }
+  void take_once(std::vector<std::string>& seen);  // seen: of the parent's children before
   void read_root();
   void check_version(const std::string& version, size_t line);
   void read_header();
@@ -59,6 +60,17 @@ class Tm33Reader {
   XmlReader xml_;
   Tm33File file_;
 };
+
+// What scales the light or says what the values are stands once: of two, neither is known to be meant.
+void Tm33Reader::take_once(std::vector<std::string>& seen) {
+  static constexpr std::string_view once[] = {"AbsolutePhotometry", "BallastFactor", "Metric", "Multiplier",
+                                              "NumberHorz", "NumberMeasured", "NumberVert", "PhotometryType",
+                                              "Quantity", "RatedLumens", "Symm", "Units"};
+  const std::string name(xml_.name());
+  if (std::find(std::begin(once), std::end(once), name) == std::end(once)) return;
+  if (std::find(seen.begin(), seen.end(), name) != seen.end()) xml_.fail("<" + name + "> stands twice");
+  seen.push_back(name);
+}
 
 double Tm33Reader::number() {
   const std::string name(xml_.name());
@@ -208,8 +220,10 @@ void Tm33Reader::read_intensity(Tm33Intensity& out) {
   if (out.line) xml_.fail("the emitter has luminous intensities twice");
   out.line = xml_.line();
   size_t negative = 0;
+  std::vector<std::string> seen;
   children([&](std::string_view name) {
     if (name == "IntData" || name == "IntensityData") return read_value(out, negative);
+    take_once(seen);
     if (name == "Multiplier") {
       out.multiplier = factor("the Multiplier");
     } else if (name == "AbsolutePhotometry") {
@@ -308,7 +322,9 @@ std::string Tm33Reader::colour_rendering() {
 void Tm33Reader::read_emitter() {
   Tm33Emitter e;
   e.line = xml_.line();
+  std::vector<std::string> seen;
   children([&](std::string_view name) {
+    take_once(seen);
     if (name == "Quantity") {
       const double n = number();
       e.lamp.count = n >= 1 && n <= 1e6 ? int(n) : 0;

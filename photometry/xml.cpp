@@ -46,10 +46,19 @@ std::string_view XmlReader::up_to(std::string_view mark, const char* what) {
   return out;
 }
 
+// A comment or a processing instruction.
+void XmlReader::pass_aside() {
+  if (starts_with("<?")) return void(up_to("?>", "a processing instruction"));
+  advance(4);
+  up_to("-->", "a comment");
+}
+
 // A document type and its internal declarations, unread.
 void XmlReader::pass_doctype() {
   int depth = 0;
   for (char quote = 0; at_ < text_.size(); advance(1)) {
+    while (!quote && (starts_with("<!--") || starts_with("<?"))) pass_aside();  // whose quotes are none
+    if (at_ >= text_.size()) break;
     const char c = text_[at_];
     if (quote) {
       if (c == quote) quote = 0;
@@ -104,9 +113,13 @@ std::string XmlReader::decoded(std::string_view raw) const {
   return out;
 }
 
-void XmlReader::read_attribute() {
+// names: of the element's attributes before, with their prefixes.
+void XmlReader::read_attribute(std::vector<std::string>& names) {
   if (attributes_.size() >= max_attributes) fail("<" + open_.back() + "> has more than 64 attributes");
   const std::string attribute = read_name();
+  if (std::find(names.begin(), names.end(), attribute) != names.end())
+    fail("<" + open_.back() + "> has the attribute \"" + attribute + "\" twice");
+  names.push_back(attribute);
   pass_blank();
   if (!starts_with("="))
     fail("the attribute \"" + attribute + "\" of <" + open_.back() + "> has no value: = is missing");
@@ -124,12 +137,13 @@ void XmlReader::read_start() {
   if (open_.size() >= max_depth) fail("elements lie more than 64 deep");
   open_.push_back(read_name());
   attributes_.clear();
+  std::vector<std::string> names;
   for (;;) {
     const size_t before = at_;
     pass_blank();
     if (starts_with("/>") || starts_with(">")) break;
     if (at_ == before || at_ >= text_.size()) fail("the start of <" + open_.back() + "> does not end with \">\"");
-    read_attribute();
+    read_attribute(names);
   }
   empty_element_ = starts_with("/>");
   advance(empty_element_ ? 2 : 1);
@@ -162,11 +176,8 @@ XmlReader::Event XmlReader::next() {
       event_text_ = up_to("]]>", "CDATA");
       return Event::text;
     }
-    if (starts_with("<!--")) {
-      advance(4);
-      up_to("-->", "a comment");
-    } else if (starts_with("<?")) {
-      up_to("?>", "a processing instruction");
+    if (starts_with("<!--") || starts_with("<?")) {
+      pass_aside();
     } else if (starts_with("<!")) {
       pass_doctype();
     } else if (starts_with("</")) {
@@ -227,8 +238,7 @@ std::string XmlReader::text() {
 }
 
 bool XmlReader::has_more() {
-  for (pass_blank(); starts_with("<!--") || starts_with("<?"); pass_blank())
-    starts_with("<?") ? up_to("?>", "a processing instruction") : up_to("-->", "a comment");
+  for (pass_blank(); starts_with("<!--") || starts_with("<?"); pass_blank()) pass_aside();
   return at_ < text_.size();
 }
 

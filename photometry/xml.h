@@ -40,12 +40,13 @@ class XmlReader {
   Event next();
   bool starts_with(std::string_view s) const { return std::string_view(text_).substr(at_, s.size()) == s; }
   std::string_view up_to(std::string_view mark, const char* what);
+  void pass_aside();
   void pass_doctype();
   void pass_blank();
   std::string read_name();
   void read_start();
   void read_end();
-  void read_attribute();
+  void read_attribute(std::vector<std::string>& names);
   std::string decoded(std::string_view raw) const;
   void advance(size_t n);
 

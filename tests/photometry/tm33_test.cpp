@@ -128,7 +128,7 @@ TEST(Tm33, GenerationOf2018) {
   for (size_t at = 0; (at = table.find("IntData", at)) != table.npos; at += 13) table.replace(at, 7, "IntensityData");
   for (const char* root : {"LuminaireOpticalData", "tm33:UNI11733"}) {
     const std::string name = root;
-    const Photometry p = read("\xEF\xBB\xBF<!-- a lamp -->\n<!DOCTYPE x [<!ENTITY y \"z>\">]>\n<" + name +
+    const Photometry p = read("\xEF\xBB\xBF<!-- a lamp -->\n<!DOCTYPE x [<!-- it's > --><?it's?><!ENTITY y \"z><!--\">]>\n<" + name +
                               " version='1.0' xmlns:tm33='urn:x'><Header/><Emitter><InputWatts>3</InputWatts>"
                               "<IntensityDistribution><PhotometryType>TypeC</PhotometryType><Metric>Luminous</Metric>"
                               "<Units><![CDATA[cd]]></Units>" +
@@ -190,6 +190,10 @@ TEST(Tm33, OddFilesAreReadWithAWarning) {
   expect_refused<ParseError>(file(emitter("<Multiplier>-1</Multiplier>" + table)),
                              "the Multiplier is -1; it must be greater than 0");
   expect_refused<ParseError>(file(emitter(table, "<BallastFactor>-1</BallastFactor>")), "the BallastFactor is -1");
+  expect_refused<ParseError>(file(emitter("<Multiplier>2</Multiplier><Multiplier>3</Multiplier>" + table)),
+                             "<Multiplier> stands twice");
+  expect_refused<ParseError>(file(emitter(table, "<RatedLumens>2</RatedLumens><RatedLumens>3</RatedLumens>")),
+                             "<RatedLumens> stands twice");
 }
 
 TEST(Tm33, LampsHaveColours) {
@@ -315,6 +319,7 @@ TEST(Xml, BrokenFilesNameTheirLine) {
   refused("<IESTM33-22>\r<!-- ", "line 2: the file ends inside a comment");
   refused("<IESTM33-22 a>", "the attribute \"a\" of <IESTM33-22> has no value");
   refused("<IESTM33-22 a=1>", "is not in quotes");
+  refused("<IESTM33-22 a='1'\nb='2' a='3'>", "line 2: <IESTM33-22> has the attribute \"a\" twice");
   refused("<IESTM33-22 a='1'b='2'>", "does not end with");
   refused("<IESTM33-22 a='1", "the file ends inside an attribute's value");
   refused("<IESTM33-22", "does not end with");
@@ -324,6 +329,7 @@ TEST(Xml, BrokenFilesNameTheirLine) {
   refused("<IESTM33-22>&#xZZ;", "is no character reference");
   refused("<IESTM33-22>&#0;", "is no character reference");
   refused("<!DOCTYPE x [", "inside a document type");
+  refused("<!DOCTYPE x [<!-- ' ]>", "inside a comment");
   refused("<?xml ", "inside a processing instruction");
   refused("<!-- x -->", "the file has no element");
   refused("<IESTM33-22><![CDATA[", "inside CDATA");
