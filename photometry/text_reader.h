@@ -13,7 +13,8 @@
 
 namespace photometry {
 
-inline std::string at_line(size_t line, const std::string& what) {
+inline std::string at_line(size_t line, std::string what) {
+  std::replace(what.begin(), what.end(), '\0', '?');  // quoted from a file; what a C string says would end there
   return "line " + std::to_string(line) + ": " + what;
 }
 [[noreturn]] inline void fail_at(size_t line, const std::string& what) { throw ParseError(at_line(line, what)); }

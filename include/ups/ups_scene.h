@@ -102,7 +102,8 @@ typedef struct ups_luminaire_desc {
   int32_t use_opening;        /* 1: emits from the profile's luminous opening, or its rays; 0: from a point */
   const ups_profile *profile; /* may be destroyed after the call */
   double to_world[12];        /* profile nadir is local -Z, C0 is local +X, C90 local +Y; scale is ignored,
-                               * what mirrors mirrors the light */
+                               * what mirrors mirrors the light; of sheared axes Z counts, then X, with a
+                               * warning */
   float color_rgb[3];         /* chromaticity only: luminance is normalised away */
   float flux_lm;              /* what band-rule flux (of rays: their sum) is scaled to; < 0: as the profile */
   float dimming;              /* >= 0, multiplies the flux */

@@ -9,6 +9,7 @@
 #include "photometry/metrics.h"
 #include "scene/builder.h"
 #include "scene/check.h"
+#include "scene/length_text.h"
 #include "scene/probe.h"
 
 namespace ups {
@@ -19,6 +20,14 @@ float smallest_extent(const photometry::Opening& opening) {
   for (const float size : opening.size_m)
     if (size > 0) smallest = smallest > 0 ? std::min(smallest, size) : size;
   return smallest;
+}
+
+// By how much the axes miss right angles, degrees: a shear, as of a scale of axes that were turned before. A table of
+// intensities has no such form.
+double shear_deg(const Affine& m) {
+  const Vec3d x = normalize(m.column(0)), y = normalize(m.column(1)), z = normalize(m.column(2));
+  const double cosine = std::max({std::abs(dot(x, y)), std::abs(dot(y, z)), std::abs(dot(z, x))});
+  return std::asin(std::min(1.0, cosine)) * (180 / double(pi));
 }
 
 Vec3d opening_reach(const LuminaireDescription& luminaire) {
@@ -234,6 +243,10 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
                             const SourceDescription& source) {
   ++out_->luminaire_count;
   for (const std::string& text : luminaire.profile->warnings) warn_of(out_->sources.back(), text);
+  constexpr double least_shear_deg = 0.1;
+  if (const double shear = shear_deg(luminaire.to_world); shear > least_shear_deg)
+    warn_of(out_->sources.back(), "to_world is sheared, its axes are " + short_text(shear) +
+                                      " degrees off right angles: the light is aimed by its z and turned by its x alone");
   const photometry::Opening& opening = luminaire.profile->opening;
   const double file_flux = photometry::flux_lm(*luminaire.profile);
   if (!(file_flux > 0)) return warn_of(out_->sources.back(), "the profile has no flux: nothing is emitted");

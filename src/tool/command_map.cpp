@@ -78,7 +78,11 @@ class MeterTable {
       const auto parsed = std::from_chars(field.data(), field.data() + field.size(), number);
       if (parsed.ec == std::errc() && parsed.ptr == field.data() + field.size() && std::isfinite(number)) return number;
     }
-    throw Failure(path_ + ", line " + std::to_string(line) + ": '" + header_[column] + "' is no number");
+    const std::string where = path_ + ", line " + std::to_string(line) + ": ";
+    if (fields.size() < header_.size())
+      throw Failure(where + "has " + std::to_string(fields.size()) + " of the " + std::to_string(header_.size()) +
+                    " fields that the first line names");
+    throw Failure(where + "'" + header_[column] + "' is no number");
   }
 
   const std::string& path_;

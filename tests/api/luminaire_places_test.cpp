@@ -54,6 +54,27 @@ class LuminairePlaces : public Api {
   }
 };
 
+TEST_F(LuminairePlaces, AShearIsWarnedOf) {
+  ups_profile* profile = lopsided();
+  for (const double along : {0.0, 1e-4, 0.5}) {
+    ups_scene* scene = nullptr;
+    EXPECT_OK(ups_scene_create(context, &scene));
+    auto l = make(&ups_luminaire_desc_init);
+    l.profile = profile;
+    l.to_world[0] = 2, l.to_world[4] = 2 * along;  // x; scale is no shear
+    ups_luminaire_id luminaire;
+    EXPECT_OK(ups_scene_add_luminaire(scene, &l, &luminaire));
+    EXPECT_OK(ups_scene_commit(scene));
+    char text[4096] = {};
+    size_t needed = 0;
+    EXPECT_OK(ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, text, sizeof text, &needed));
+    const char* told = "luminaire 1: to_world is sheared, its axes are 27 degrees off right angles";
+    EXPECT_EQ(std::string(text).find(told) != std::string::npos, along == 0.5) << text;
+    ups_scene_destroy(scene);
+  }
+  ups_profile_destroy(profile);
+}
+
 // A point exactly, an opening to the noise of its sampling: 1 % would be found with certainty.
 TEST_F(LuminairePlaces, WhatIsMirroredShinesMirrored) {
   for (const int32_t use_opening : {0, 1}) {

@@ -357,6 +357,7 @@ TEST_F(BrokenFile, NodeExtras) {
       {"projection without camera", {{"projection", "panorama"}}, {"projection", "camera"}},
       {"no file", {{"luminaire", {{"flux_lm", 900}}}}, {"file"}},
       {"negative dimming", {{"luminaire", {{"file", "a.ies"}, {"dimming", -1}}}}, {"dimming"}},
+      {"flux beyond a float", {{"luminaire", {{"file", "a.ies"}, {"flux_lm", 1e300}}}}, {"flux_lm", "from 0 to 3.4"}},
       {"too cold", {{"luminaire", {{"file", "a.ies"}, {"colour_temperature_k", 500}}}}, {"colour_temperature_k"}},
       {"black", {{"luminaire", {{"file", "a.ies"}, {"color", {0, 0, 0}}}}}, {"color"}},
       {"negative colour", {{"luminaire", {{"file", "a.ies"}, {"color", {1, -1, 0}}}}}, {"color"}},

@@ -79,6 +79,15 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"huge", [](P& p) { p.conversion = "1e30"; }, "line 47: an intensity of"}),
     case_name);
 
+// Which is no signature any more: the error is that of the field all the same, and whole.
+TEST(EulumdatMalformed, AHeadThatIsDamagedIsStillOfEulumdat) {
+  EulumdatParts parts;
+  parts.isym = std::string("n\0n", 3);
+  const std::string text = parts.text();
+  expect_refused<ParseError>(text, "line 3: \"n?n\" is not a number; the symmetry indicator Isym is expected here");
+  expect_refused<ParseError>("a\n1\n2\n3\n4\n5\nTILT=NONE\n", "the file ends before");
+}
+
 class EulumdatDoubtful : public testing::TestWithParam<Case> {};
 
 TEST_P(EulumdatDoubtful, IsReadWithAWarning) {

@@ -132,7 +132,8 @@ class Maps(test_program.ProgramTest):
                 self.assertIn(word, error)
         self.run_program("map", file, self.path("x.gif"), code=2)
         self.run_program("map", file, code=2)
-        broken = {"no column": "a,b\n1,2\n", "no number": table([(0, 0, 0, "x", 1)]), "empty": "", "no meter": HEADER,
+        broken = {"line 3: has 2 of the 12 fields": table([(0, 0, 0, 5, 1)]) + "1,0\n",
+                  "no column": "a,b\n1,2\n", "no number": table([(0, 0, 0, "x", 1)]), "empty": "", "no meter": HEADER,
                   "one line": table([(x, 2 * x, 0, 5, 1) for x in range(3)]),
                   "no plane": table([(0, 0, 0, 5, 1), (1, 0, 0, 5, 1), (0, 1, 0, 5, 1), (1, 1, 1, 5, 1),
                                      (2, 1, 5, 5, 1)])}

@@ -124,7 +124,7 @@ void Importer::add_emitter(ups_fixture* fixture, const JsonReader& part) {
                       {"length_m", &desc.length_m},
                       {"chord_tolerance_m", &desc.chord_tolerance_m}});
   if (!part.has("flux_lm")) part.fail("flux_lm", "is missing: what leaves the emitter");
-  desc.flux_lm = float(part.number("flux_lm", 0, 0, unlimited));
+  desc.flux_lm = float(part.number("flux_lm", 0, 0, largest_float));
   desc.reflectance = float(part.number("reflectance", 0, 0, 1));
   read_colour_temperature(part, desc.color_rgb);
   check_part(ups_fixture_add_emitter(fixture, &desc, nullptr), part.where());
@@ -266,8 +266,8 @@ void Importer::add_fixture(const JsonReader& reader, const Affine& frame) {
   ups_fixture_instance_desc desc;
   ups_fixture_instance_desc_init(&desc, sizeof desc);
   desc.group = group_;
-  desc.dimming = float(reader.number("dimming", 1, 0, unlimited));
-  if (reader.has("flux_lm")) desc.flux_lm = float(reader.number("flux_lm", 0, 0, unlimited));
+  desc.dimming = float(reader.number("dimming", 1, 0, largest_float));
+  if (reader.has("flux_lm")) desc.flux_lm = float(reader.number("flux_lm", 0, 0, largest_float));
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
   ups_fixture_id id{};
   check(ups_scene_add_fixture(scene_, fixture_of(reader), &desc, &id), reader.where());

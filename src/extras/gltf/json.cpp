@@ -84,7 +84,7 @@ std::string number_text(double value) {
 
 std::string range_text(double low, double high) {
   if (std::isinf(low)) return "of any size";
-  if (high >= largest_integer) return "at least " + number_text(low);
+  if (high >= largest_integer && high != largest_float) return "at least " + number_text(low);
   return "from " + number_text(low) + " to " + number_text(high);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +38,9 @@ struct JsonMember {
 Json parse_json(const char* begin, const char* end);
 
 std::string json_text(const Json& json);
+
+// The most that a number may be which becomes a float.
+inline constexpr double largest_float = std::numeric_limits<float>::max();
 
 const Json& empty_object();
 

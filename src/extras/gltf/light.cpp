@@ -144,8 +144,8 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   source.lamp_set = uint32_t(luminaire.integer("lamp_set", 0, 0, 999));
   desc.profile = profile(source, where);
   desc.use_opening = luminaire.boolean("opening", true);
-  desc.dimming = float(luminaire.number("dimming", 1, 0, unlimited));
-  if (luminaire.has("flux_lm")) desc.flux_lm = float(luminaire.number("flux_lm", 0, 0, unlimited));
+  desc.dimming = float(luminaire.number("dimming", 1, 0, largest_float));
+  if (luminaire.has("flux_lm")) desc.flux_lm = float(luminaire.number("flux_lm", 0, 0, largest_float));
   if (luminaire.has("color")) {
     if (luminaire.has("colour_temperature_k"))
       luminaire.fail("color", "and \"colour_temperature_k\" exclude each other");
