@@ -1,5 +1,6 @@
 // The making of a snapshot from a description, for prepare.cpp (sensors, media), prepare_place.cpp, prepare_surfaces.cpp,
-// prepare_meters.cpp, prepare_sources.cpp (what emits) and prepare_warnings.cpp.
+// prepare_contacts.cpp (emitters that touch glass), prepare_meters.cpp, prepare_sources.cpp (what emits) and
+// prepare_warnings.cpp.
 #pragma once
 #include <functional>
 #include <map>
@@ -10,6 +11,7 @@
 
 #include "base/monitor.h"
 #include "base/parallel.h"
+#include "emitter/area.h"
 #include "emitter/emitter.h"
 #include "emitter/rays.h"
 #include "scene/description.h"
@@ -26,6 +28,8 @@ struct Axes {
   }
   Frame frame() const { return {Vec3(x), Vec3(y), Vec3(z)}; }
 };
+
+std::vector<EmitterTriangle> emitting_triangles(const Mesh& mesh, const Affine& to_scene);  // in prepare_sources.cpp
 
 // Errors of what is built inside say whose they are.
 template <class Build>
@@ -65,6 +69,22 @@ class Builder {
   void warn_of_inside_out();
   bool is_same_instance(size_t i) const;
   bool has_same_origin() const { return max_abs(earlier_->origin - out_->origin) == 0; }
+  // Emitters that touch glass, and what is near enough to be touched.
+  using SourceKey = std::pair<ups_source_kind, uint32_t>;
+  double rounding_of_places() const;
+  double contact_error() const;
+  double contact_reach() const;
+  ContactPart::Role emission(const Raytracer::Instance& instance) const;
+  TouchableParts touchable_parts() const;
+  std::map<SourceKey, Contact> possible_contacts(const TouchableParts& touchable) const;
+  Box emission_box(const LuminaireDescription& luminaire) const;
+  std::vector<EmittingPoint> points_of(const Contact& contact) const;
+  TouchableParts find_contacts();
+  void set_back_emitters();
+  void trace_surfaces(const TouchableParts& touchable);
+  const Contact* contact_of_source();
+  Vec3 place_of(const LuminaireDescription& luminaire);
+  void warn_of_contacts();
   void add_emissive_instances();
   void add_panes();
   void bound(Source& source, const Mesh& mesh, const Affine& to_scene) const;  // in the scene's frame
@@ -120,6 +140,7 @@ class Builder {
   std::vector<UnitEmitter> unit_emitters_;
   std::vector<Vec3> emitter_fronts_;  // a point of each, off any surface
   std::vector<DiscIndex::Disc> openings_;
+  std::vector<std::pair<SourceKey, const Contact*>> touching_;  // of what emits
   std::set<uint32_t> far_surfaces_;  // ids of instances that are left out
   uint32_t unmaintained_ = 0;  // lamps that are no luminaires
   std::map<const photometry::Photometry*, std::shared_ptr<const RaySet>> ray_sets_;  // one a profile

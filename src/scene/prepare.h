@@ -17,7 +17,8 @@ namespace ups {
 //   origin, extent                        the power of two of the bounds of all
 //   tables of a material                  its description, its textures
 //   index of a mesh or group              mesh, transform, origin, whether it has holes; with flat emitters `extent`
-//   the ray tracer above                  those of all instances; whether glass nests
+//   the ray tracer above                  those of all instances; whether glass nests, or an emitter touches some
+//   what emitters touch                   their placement, that of glass around them; extent, radius
 //   media, panes                          ray tracer, materials; panes: what emits, radius
 //   place and error of an emitter         its own placement; ray tracer, radius
 //   its exposed share, concentration      the same; materials

@@ -54,19 +54,6 @@ bool stands_as(const SourceDescription& a, const SourceDescription& b) {
   return one.profile == other.profile && one.use_opening == other.use_opening && one.to_world == other.to_world;
 }
 
-std::vector<EmitterTriangle> emitting_triangles(const Mesh& mesh, const Affine& to_scene) {
-  const bool mirrored = to_scene.determinant() < 0;
-  const auto corner = [&](size_t i) { return Vec3(to_scene.point(Vec3d(mesh.positions[mesh.indices[i]]))); };
-  std::vector<EmitterTriangle> triangles;
-  triangles.reserve(mesh.triangle_count());
-  for (size_t t = 0; t < mesh.indices.size(); t += 3) {
-    EmitterTriangle triangle{corner(t), corner(t + 1), corner(t + 2)};
-    if (mirrored) std::swap(triangle.p1, triangle.p2);  // keeps the front in front
-    triangles.push_back(triangle);
-  }
-  return triangles;
-}
-
 // None that is all mirror or clear glass, here or there.
 bool all_surfaces_scatter(const Snapshot& scene) {
   for (const Material& material : scene.materials) {
@@ -94,6 +81,19 @@ Source source_of(const SourceDescription& from, uint32_t id) {
 }
 
 }  // namespace
+
+std::vector<EmitterTriangle> emitting_triangles(const Mesh& mesh, const Affine& to_scene) {
+  const bool mirrored = to_scene.determinant() < 0;
+  const auto corner = [&](size_t i) { return Vec3(to_scene.point(Vec3d(mesh.positions[mesh.indices[i]]))); };
+  std::vector<EmitterTriangle> triangles;
+  triangles.reserve(mesh.triangle_count());
+  for (size_t t = 0; t < mesh.indices.size(); t += 3) {
+    EmitterTriangle triangle{corner(t), corner(t + 1), corner(t + 2)};
+    if (mirrored) std::swap(triangle.p1, triangle.p2);  // keeps the front in front
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
 
 void Builder::bound(Source& source, const Mesh& mesh, const Affine& to_scene) const {
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -164,6 +164,7 @@ void Builder::add_emissive_instances() {
     in_context(name, [&] {
       if (!add_emitter(name, emitter, unit, s.ray_origin(s.ng), probe))
         return warn_of(out_->sources.back(), "a luminance but no area: nothing is emitted");
+      contact_of_source();
       out_->emitter_of_instance[i] = index;
       ++out_->emissive_instance_count;
     });
@@ -258,7 +259,7 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   const std::shared_ptr<const photometry::Distribution> distribution(luminaire.profile,
                                                                      &luminaire.profile->distribution);
   const Frame frame = Axes(luminaire.to_world).frame();
-  const Vec3 nadir = -frame.n, p = to_scene(luminaire.to_world.column(3));
+  const Vec3 nadir = -frame.n, p = place_of(luminaire);
   const bool has_area = LuminousBody::has_area(opening);
   const float size = smallest_extent(opening);
   if (!luminaire.use_opening || !has_area) {
@@ -298,6 +299,11 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   out_->emitter_of_opening.push_back(index);
 }
 
+Vec3 Builder::place_of(const LuminaireDescription& luminaire) {
+  const Contact* contact = contact_of_source();
+  return to_scene(luminaire.to_world.column(3) + (contact && contact->is_moved() ? contact->shift : Vec3d()));
+}
+
 // Of the opening's surface: a side of its box may lie on a surface of the scene.
 float Builder::opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const {
   const Vec3 half[3] = {frame.s * (0.5f * opening.size_m[0]), frame.t * (0.5f * opening.size_m[1]),
@@ -331,7 +337,7 @@ void Builder::add_rays(const std::string& name, const LuminaireDescription& lumi
               " rays of a file, a sample with a noise of its own that no reported error contains: about 1 / sqrt(n) " +
               "where n of them arrive, " + check::text(100 / std::sqrt(rays->effective_size())) + " % where all do");
   const Frame frame = Axes(luminaire.to_world).frame();
-  const Vec3 p = to_scene(luminaire.to_world.column(3));
+  const Vec3 p = place_of(luminaire);
   const auto make = [=](const Rgb& of) { return std::make_unique<RayEmitter>(rays, frame, p, of); };
   auto emitter = make(scale);
   EmissionSample start;

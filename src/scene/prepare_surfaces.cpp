@@ -168,10 +168,14 @@ void Builder::add_geometry() {
   for (Raytracer::Instance& i : instances) {
     i.to_scene = to_scene(i.to_scene);
     if (emits_from_one_side(in_.materials().at(out_->material_numbers[i.material])))
-      lift_flat_emitter(*out_->meshes[i.mesh], 4 * 0x1p-24 * out_->extent, i.to_scene);
+      lift_flat_emitter(*out_->meshes[i.mesh], rounding_of_places(), i.to_scene);
   }
+  const TouchableParts touchable = find_contacts();
+  set_back_emitters();
+  const auto moved = [](const auto& c) { return c.second.is_moved(); };
+  out_->finds_all = std::any_of(out_->contacts.begin(), out_->contacts.end(), moved);
   same_geometry_ = earlier_ && has_same_origin() && earlier_->instances.size() == instances.size() &&
-                   earlier_->texturing == out_->texturing;
+                   earlier_->texturing == out_->texturing && earlier_->finds_all == out_->finds_all;
   for (size_t i = 0; same_geometry_ && i < instances.size(); ++i) same_geometry_ = is_same_instance(i);
   same_surfaces_ = same_surfaces_ && same_geometry_;
   out_->media = same_surfaces_ ? earlier_->media
@@ -183,9 +187,7 @@ void Builder::add_geometry() {
   if (same_geometry_)
     out_->raytracer = earlier_->raytracer;
   else
-    out_->raytracer =
-        std::make_shared<const Raytracer>(out_->meshes, instances, out_->texturing, threads_, out_->media.nest,
-                                          earlier_ ? earlier_->raytracer.get() : nullptr, &monitor_);
+    trace_surfaces(touchable);
 }
 
 void Builder::warn_of_inside_out() {

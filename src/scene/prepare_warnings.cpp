@@ -18,6 +18,7 @@ void Builder::add_warnings() {
       warn_of(out_->sources[out_->source_of_emitter[i]],
               "parallel light: where it leaves the scene, a goniometer's intensity depends on its grid, as it would be "
               "infinite");
+  warn_of_contacts();
   warn_of_unit();
   warn_of_maintenance();
   for (const auto& [what, ids] : shared_warnings_) warn(listed(what.first, ids) + ": " + what.second);

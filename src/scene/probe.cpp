@@ -46,9 +46,22 @@ Vec3 off_walls(const Snapshot& scene, const Vec3& p, const Frame& frame) {
   return moved;
 }
 
+namespace {
+
+// A solid of glass that light towards n would enter: what lies on it is outside.
+bool lies_on_glass(const Snapshot& scene, const Vec3& p, const Vec3& n, float error) {
+  Hit hit;
+  if (!scene.raytracer->intersect(p - n * (2 * error), n, 4 * error, hit)) return false;
+  const SurfacePoint s = scene.raytracer->surface_at(hit);
+  return scene.materials[s.material].model == MaterialModel::glass && dot(s.ng, n) < 0;
+}
+
+}  // namespace
+
 Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n) {
   const float error = error_at(scene, p, n);
-  return error > free_error(p) ? p + n * (2 * error) : p;
+  if (!(error > free_error(p))) return p;
+  return p + n * (lies_on_glass(scene, p, n, error) ? -2 * error : 2 * error);
 }
 
 FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i) {

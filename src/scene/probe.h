@@ -16,7 +16,7 @@ float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& 
 // A point of a surface that lies in the plane of a wall, too, as on an edge or in a corner: moved to the wall's front by
 // what rounding makes, so that light from that side reaches it.
 Vec3 off_walls(const Snapshot& scene, const Vec3& p, const Frame& frame);
-// A source without extent that lies on a surface shines from the side that n points to.
+// A source without extent that lies on a surface shines from the side that n points to, on glass into it.
 Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n);
 
 // Where light of an emitter meets a surface first; numbers of its own for each i.

@@ -14,6 +14,7 @@
 #include "geometry/raytracer.h"
 #include "photometry/photometry.h"
 #include "photometry/position_index.h"
+#include "scene/contact.h"
 #include "scene/ids.h"
 #include "scene/media.h"
 #include "scene/panes.h"
@@ -94,6 +95,9 @@ struct Snapshot {
   std::shared_ptr<const Raytracer> raytracer;   // never null; may hold no triangle
   std::vector<Raytracer::Instance> instances;   // by SurfacePoint::instance
   std::vector<uint32_t> instance_ids;           // by the same index
+
+  std::map<std::pair<ups_source_kind, uint32_t>, Contact> contacts;  // emitters near glass, by their sources
+  bool finds_all = false;                       // the ray tracer, for their sake
 
   EmitterSet emitters;
   std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": by their numbers

@@ -228,6 +228,31 @@ TEST(Prepare, FindsTheGlassThatThingsLieIn) {
   EXPECT_TRUE(s->effects.sharp_caster);
 }
 
+// Set back by what rays need, and no further as builds go on; where it would end up behind a board it stays.
+TEST(Prepare, SetsEmittersBackFromGlassThatTheyTouch) {
+  const auto build = [](bool board, bool apart, bool glass, const std::shared_ptr<const Snapshot>& earlier) {
+    Things t;
+    t.box(t.material(UPS_MATERIAL_MATTE, 100), {0, 0, 1}, {1, 1, 2});
+    if (glass) t.box(t.material(UPS_MATERIAL_GLASS), {-1, -1, 0}, {2, 2, apart ? 0.99 : 1});
+    if (board) t.box(t.material(UPS_MATERIAL_MATTE), {-1, -1, 1}, {3, 3, 1.5});
+    t.meter({0.5, 0.5, -1}, {0, 0, 1});
+    ThreadPool pool(2);
+    return prepare(t.description, pool, earlier);
+  };
+  const auto height = [](const auto& s) { return s->instances[0].to_scene.m[11] + s->origin.z; };
+  const auto touching = build(false, false, true, nullptr), alone = build(false, false, false, nullptr);
+  const double set_back = height(touching);
+  EXPECT_GT(set_back, 1 + 5e-6);
+  EXPECT_LT(set_back, 1 + 1e-4);
+  const auto again = build(false, false, true, touching), apart = build(false, true, true, touching),
+             behind = build(true, false, true, touching), cleared = build(false, false, true, behind);
+  EXPECT_EQ(height(again), set_back);
+  EXPECT_EQ(height(apart), height(alone));
+  EXPECT_LT(height(behind), 1 + 1e-6);
+  EXPECT_EQ(height(cleared), set_back);
+  EXPECT_NE(behind->warnings.at(0).find("no room to be set back"), std::string::npos);
+}
+
 TEST(Prepare, PathTracingIsCompleteWithoutDeltaSurfacesOrWithoutDeltaEmitters) {
   Things diffuse;
   diffuse.box(diffuse.material(UPS_MATERIAL_MATTE), {-1, -1, -1}, {1, 1, 1});
