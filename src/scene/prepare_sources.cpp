@@ -246,8 +246,9 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   for (const std::string& text : luminaire.profile->warnings) warn_of(out_->sources.back(), text);
   constexpr double least_shear_deg = 0.1;
   if (const double shear = shear_deg(luminaire.to_world); shear > least_shear_deg)
-    warn_of(out_->sources.back(), "to_world is sheared, its axes are " + short_text(shear) +
-                                      " degrees off right angles: the light is aimed by its z and turned by its x alone");
+    warn_of(out_->sources.back(),
+            "to_world is sheared, its axes are " + short_text(shear) +
+                " degrees off right angles: the light is aimed by its z and turned by its x alone");
   const photometry::Opening& opening = luminaire.profile->opening;
   const double file_flux = photometry::flux_lm(*luminaire.profile);
   if (!(file_flux > 0)) return warn_of(out_->sources.back(), "the profile has no flux: nothing is emitted");

@@ -128,7 +128,8 @@ TEST(Tm33, GenerationOf2018) {
   for (size_t at = 0; (at = table.find("IntData", at)) != table.npos; at += 13) table.replace(at, 7, "IntensityData");
   for (const char* root : {"LuminaireOpticalData", "tm33:UNI11733"}) {
     const std::string name = root;
-    const Photometry p = read("\xEF\xBB\xBF<!-- a lamp -->\n<!DOCTYPE x [<!-- it's > --><?it's?><!ENTITY y \"z><!--\">]>\n<" + name +
+    const Photometry p = read("\xEF\xBB\xBF<!-- a lamp -->\n"
+                              "<!DOCTYPE x [<!-- it's > --><?it's?><!ENTITY y \"z><!--\">]>\n<" + name +
                               " version='1.0' xmlns:tm33='urn:x'><Header/><Emitter><InputWatts>3</InputWatts>"
                               "<IntensityDistribution><PhotometryType>TypeC</PhotometryType><Metric>Luminous</Metric>"
                               "<Units><![CDATA[cd]]></Units>" +

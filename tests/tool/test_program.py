@@ -434,7 +434,8 @@ class Render(ProgramTest):
             out = self.path("out_" + name)
             os.makedirs(os.path.join(out, name))
             start = time.monotonic()
-            self.expect_failure("render", scene, "--time", 60, "--out", out, *more, words=["--out", name, "is a folder"])
+            self.expect_failure("render", scene, "--time", 60, "--out", out, *more,
+                                words=["--out", name, "is a folder"])
             self.assertLess(time.monotonic() - start, 50)
             self.assertEqual(os.listdir(out), [name])
 
