@@ -145,12 +145,13 @@ void Builder::trace_surfaces(const TouchableParts& touchable) {
   for (auto& [key, contact] : out_->contacts) contact.blocked = false;
   set_back_emitters();
   trace(earlier_ ? earlier_->raytracer.get() : nullptr);
-  bool any = false;
+  std::vector<Contact*> moved;
   for (auto& [key, contact] : out_->contacts)
-    if (contact.is_moved() &&
-        touchable.is_blocked(points_of(contact), contact, *out_->raytracer, out_->instances))
-      contact.blocked = any = true;
-  if (!any) return;
+    if (contact.is_moved()) moved.push_back(&contact);
+  parallel_for(threads_, moved.size(), [&](size_t i) {
+    moved[i]->blocked = touchable.is_blocked(points_of(*moved[i]), *moved[i], *out_->raytracer, out_->instances);
+  });
+  if (std::none_of(moved.begin(), moved.end(), [](const Contact* c) { return c->blocked; })) return;
   set_back_emitters();
   const auto before = out_->raytracer;
   trace(before.get());
