@@ -104,6 +104,25 @@ float exposed_share(const Snapshot& scene, const Emitter& emitter) {
 
 namespace {
 
+// Squared, how far light sees that scatters where it arrives; 0: it meets nothing. At a diffuser on the side where that
+// is farther, as on the other it may see an emitter close by; the open is as far as the scene.
+double reach2_from(const Snapshot& scene, const FirstLight& light, const Vec2& u) {
+  const SurfacePoint& s = light.surface;
+  const bool through = Bsdf(scene.materials[s.material], s.uv).transmits_continuously();
+  const Vec3 lit = dot(light.direction, s.ng) < 0 ? s.ng : -s.ng;
+  double farthest2 = 0;
+  for (const Vec3& side : {lit, -lit}) {
+    const Vec3 onwards = Frame(side).to_world(square_to_cosine_hemisphere(u));
+    Hit hit;
+    const bool met =
+        scene.raytracer->intersect(s.ray_origin(onwards), onwards, std::numeric_limits<float>::infinity(), hit);
+    const double distance = met ? double(hit.t) : through ? double(scene.radius) : 0;
+    farthest2 = std::max(farthest2, distance * distance);
+    if (!through) break;
+  }
+  return farthest2;
+}
+
 // Of one emitter. Pairs of points where its light arrives that lie within some distance r of each other give the mean
 // of E^2 over discs of that size: the largest over r, as long as there are pairs enough for a fifth's error. How far
 // the patches see is told by one bounce more.
@@ -117,14 +136,9 @@ double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t ray
     if (!(light.flux > 0) || !light.hit || !is_continuous(scene, light.surface)) continue;
     points.push_back(light.surface.p);
     const auto u = philox({i, 2, 0, 0}, {0, 0});
-    const Vec3 up = dot(light.direction, light.surface.ng) < 0 ? light.surface.ng : -light.surface.ng;
-    const Vec3 onwards =
-        Frame(up).to_world(square_to_cosine_hemisphere({to_unit_float(u[0]), to_unit_float(u[1])}));
-    Hit hit;
-    if (!scene.raytracer->intersect(light.surface.ray_origin(onwards), onwards,
-                                    std::numeric_limits<float>::infinity(), hit))
-      continue;
-    reach2 += double(hit.t) * double(hit.t);
+    const double d2 = reach2_from(scene, light, {to_unit_float(u[0]), to_unit_float(u[1])});
+    if (!(d2 > 0)) continue;
+    reach2 += d2;
     ++arrived;
   }
   reach2 = arrived > 0 ? reach2 / arrived : double(scene.radius) * double(scene.radius);

@@ -120,5 +120,24 @@ TEST_F(Taught_SmallMirror, IsInTheBoundThoughNoPhotonHasMetIt) {
   EXPECT_LE(missed, 2);  // of 95 % bounds
 }
 
+// A lamp of 2 cm right behind a diffuser, which eye paths from afar hardly ever meet; the lamp sees its own light scattered
+// back, but nothing far. `auto` takes light paths. E = tau flux / (pi d^2).
+TEST(Taught, ALampRightBehindADiffuserIsNotMissed) {
+  const double luminance = 1e6, radius = 0.01, distance = 2, transmittance = 0.5;
+  constexpr int corners = 64;
+  const double area = radius * radius * corners / 2 * std::sin(2 * pi_d / corners);
+  const double expected = transmittance * luminance * area / (distance * distance);
+  for (const double gap : {1e-4, 1e-3}) {
+    Scene scene;
+    scene.add(disc({0, 0, distance + gap}, {0, 0, -1}, radius, corners), emitter(luminance));
+    ups_material_desc sheet = material(UPS_MATERIAL_DIFFUSER, 0.3);
+    std::fill(std::begin(sheet.transmittance_rgb), std::end(sheet.transmittance_rgb), float(transmittance));
+    scene.add(quad({-0.1, -0.1, distance}, {0.2, 0, 0}, {0, 0.2, 0}), sheet);
+    const Sensor meter = scene.add_meters({{0, 0, 0}}, {0, 0, 1});
+    const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 128});
+    expect_lx(result.readings(meter)[0], expected, 0.01, std::to_string(gap));
+  }
+}
+
 }  // namespace
 }  // namespace ups::test
