@@ -211,8 +211,8 @@ struct Trained {
   double moment = 0;  // second, of what the emitter's paths will be worth
 };
 
-// halves: of the moments. Each is judged by the histogram of the other, as a few paths of great worth make any histogram
-// look good that has seen them; one that does not pass is dropped.
+// halves: of the moments. Each is judged by the histogram of the other, as a few paths of great worth make any
+// histogram look good that has seen them; one that does not pass is dropped.
 Trained trained(const std::vector<double> (&halves)[2], uint32_t n) {
   std::vector<double> all(halves[0]);
   for (size_t k = 0; k < all.size(); ++k) all[k] += halves[1][k];

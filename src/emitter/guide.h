@@ -62,8 +62,8 @@ class GuideTraining {
   void add(const EmitterSet& emitters, const EmissionGuide& drawn_with, uint32_t emitter, const Vec2& square,
            double value);
   static constexpr uint32_t finest = 6;  // 64 x 64
-  // Cells of an emitter's finest square, counted row by row, that have a share of its paths whatever these have been worth
-  // so far: of something too small for them to find.
+  // Cells of an emitter's finest square, counted row by row, that have a share of its paths whatever these have been
+  // worth so far: of something too small for them to find.
   struct Aim {
     uint32_t cell;
     float weight;

@@ -77,9 +77,9 @@ class CasterAims::Search {
     Caster out{number, 0, {}};
     Vec2 low{1, 1}, high{0, 0};
     for (uint32_t k = 0; k < points_; ++k) {
+      const Vec3 point = point_of(scene_.instances[instance], random(instance, 2 * k));
       Vec2 u;
-      if (!square_towards(point_of(scene_.instances[instance], random(instance, 2 * k)), random(instance, 2 * k + 1), u))
-        continue;
+      if (!square_towards(point, random(instance, 2 * k + 1), u)) continue;
       out.cells.push_back(GuideTraining::finest_cell(u));
       low = {std::min(low.x, u.x), std::min(low.y, u.y)}, high = {std::max(high.x, u.x), std::max(high.y, u.y)};
     }
