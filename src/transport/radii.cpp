@@ -15,6 +15,7 @@ namespace {
 
 constexpr size_t walk_photons = 1;
 constexpr double max_radius_rays = 1u << 18;
+constexpr size_t few_meters = 16;
 
 // r_1 = 1.5 sqrt(A / pi), A the pixel's footprint at the first diffuse point; of a square of pixels that of its middle,
 // so that the rays of a large image take no longer than an iteration.
@@ -83,8 +84,9 @@ void plan_meter_discs(const Snapshot& scene, const TransportSettings& settings, 
   const bool whole = settings.actual_perturbation;  // path integration draws from one disc, whatever is around
   const uint32_t rings = whole ? 1 : MeterDiscs::rings_for(ring_rows(scene, plan.separation));
   for (const MeterSet& set : scene.meter_sets) {
-    // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them.
-    const float spacing = meter_spacing(set),
+    // Half the spacing would keep discs apart; 8 times its area is as far as noise may widen them. Few meters may lie as
+    // close as they like, and share photons.
+    const float spacing = std::max(meter_spacing(set), set.meters.size() <= few_meters ? 0.01f * scene.radius : 0.0f),
                 given = given_radius(scene, settings), fixed = given > 0 ? std::max(given, plan.min_radius) : 0;
     const float largest = fixed > 0 ? fixed : std::min(largest_meter_disc * scene.radius, std::sqrt(2.0f) * spacing);
     const size_t visited = std::max<size_t>(1, set.meters.size() / plan.meter_subsets);

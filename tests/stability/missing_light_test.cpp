@@ -139,5 +139,19 @@ TEST(Taught, ALampRightBehindADiffuserIsNotMissed) {
   }
 }
 
+// Two meters a tenth of a millimetre apart under a slab of glass share the photons of wider discs: those of their own
+// size would wait for one for hours. A lamp straight above: E = I T^2 / (air + glass / n)^2, and 0.1 % of reflections
+// within the slab.
+TEST(Taught, MetersCloseTogetherSharePhotons) {
+  const double candela = 800, faces = 0.96 * 0.96, apparent = 2.1 + 0.5 / 1.5;
+  Scene scene;
+  scene.add(box({-1, -1, -0.5}, {1, 1, 0}), glass(1.5));
+  scene.add_point_light({0, 0, 2}, candela);
+  const Sensor meters = scene.add_meters({{0, 0, -0.6}, {1e-4, 0, -0.6}}, {0, 0, 1});
+  const Result result = scene.render({.iterations = 1024});
+  for (const ups_meter_reading& r : result.readings(meters))
+    expect_inside_bound(r, 1.0016 * faces * candela / (apparent * apparent), 0.25, "");
+}
+
 }  // namespace
 }  // namespace ups::test
