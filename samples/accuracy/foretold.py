@@ -100,7 +100,7 @@ def parse():
     parser.add_argument("--error", type=float, default=0.01, choices=ERRORS, help="the target (0.01)")
     parser.add_argument("--target-of", choices=("worst", "p95", "mean", "median"),
                         help="its criterion (of the bathroom and the atrium median, of the office p95)")
-    parser.add_argument("--threads", type=int, help="of a render (all)")
+    parser.add_argument("--threads", type=int, default=1, help="of a render (1: of more, the clock wavers)")
     parser.add_argument("--out", default="out/foretold")
     return parser.parse_args()
 
