@@ -154,7 +154,7 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
     light.largest[part] = std::max(largest_path(set, m, area, found, part), double(light.sums.paths[part].largest));
     light.exact[part] = !emits_ || (point && (part == direct_light ? plan_.exact_direct : plan_.exact_light));
-    if (part != direct_light && area > 0 && light.photons.caustics < few_caustics)
+    if (part != direct_light && area > 0 && plan_.light_paths > 0 && light.photons.caustics < few_caustics)
       light.unfound[part] = brightest_caustic_lm() * poisson_excess(light.photons.caustics) /
                             (double(plan_.light_paths) * area * light.visits);
   }

@@ -83,12 +83,14 @@ class CasterAims::Search {
       out.cells.push_back(GuideTraining::finest_cell(u));
       low = {std::min(low.x, u.x), std::min(low.y, u.y)}, high = {std::max(high.x, u.x), std::max(high.y, u.y)};
     }
+    const size_t seen = out.cells.size();
     std::sort(out.cells.begin(), out.cells.end());
     out.cells.erase(std::unique(out.cells.begin(), out.cells.end()), out.cells.end());
     constexpr float cell = 1.0f / (1 << 2 * GuideTraining::finest);
     if (!out.cells.empty())
       out.share = std::min(float(out.cells.size()) * cell, (high.x - low.x) * (high.y - low.y));
-    if (out.cells.size() > points_ / 2) out.share = 1, out.cells.resize(1);  // too large to be looked for
+    // Too large to be looked for, or much of it is where the emitter does not shine: so is what it shines on.
+    if (2 * seen < points_ || 2 * out.cells.size() > seen) out.share = 1, out.cells.resize(std::min<size_t>(seen, 1));
     return out;
   }
 
