@@ -12,6 +12,9 @@ namespace {
 constexpr size_t most_points = size_t(1) << 17, of_emitter = 1024, of_caster = 128, fewest = 8;
 constexpr double enough = 16;  // light paths that meet a surface
 
+// Of so many casters, those that an emitter takes.
+size_t looked_at(size_t casters, size_t points) { return std::min(casters, points / fewest); }
+
 // Surfaces with a delta lobe or a sharp one.
 std::vector<uint32_t> casters_of(const Snapshot& scene) {
   std::vector<uint32_t> out;
@@ -28,7 +31,7 @@ std::vector<uint32_t> casters_of(const Snapshot& scene) {
 class CasterAims::Search {
  public:
   Search(const Snapshot& scene, const std::vector<uint32_t>& casters, size_t points, uint32_t emitter)
-      : scene_(scene), casters_(casters), emitter_(emitter), count_(std::min(casters.size(), points / fewest)),
+      : scene_(scene), casters_(casters), emitter_(emitter), count_(looked_at(casters.size(), points)),
         points_(std::min(of_caster, points / count_)) {}
 
   // Where there are too many casters, an emitter takes some, another one others.
@@ -38,7 +41,7 @@ class CasterAims::Search {
       const double u = to_unit_float(random(uint32_t(k), none)[0]),
                    at = (double(k) + u) / double(count_) * double(casters_.size());
       const auto number = uint32_t(std::min(size_t(at), casters_.size() - 1));
-      if (Caster c = look_at(number); !c.cells.empty()) out.push_back(std::move(c));
+      if (Caster c = look_at(number); c.share > 0 || !c.cells.empty()) out.push_back(std::move(c));
     }
     return out;
   }
@@ -87,10 +90,10 @@ class CasterAims::Search {
     std::sort(out.cells.begin(), out.cells.end());
     out.cells.erase(std::unique(out.cells.begin(), out.cells.end()), out.cells.end());
     constexpr float cell = 1.0f / (1 << 2 * GuideTraining::finest);
-    if (!out.cells.empty())
-      out.share = std::min(float(out.cells.size()) * cell, (high.x - low.x) * (high.y - low.y));
-    // Too large to be looked for, or much of it is where the emitter does not shine: so is what it shines on.
-    if (2 * seen < points_ || 2 * out.cells.size() > seen) out.share = 1, out.cells.resize(std::min<size_t>(seen, 1));
+    if (seen == 0) return out;
+    // Or much of it is where the emitter does not shine, and too large is what it shines on.
+    if (2 * seen < points_ || 2 * out.cells.size() > seen) return {number, 1, {}};
+    out.share = std::min(float(out.cells.size()) * cell, (high.x - low.x) * (high.y - low.y));
     return out;
   }
 
@@ -103,18 +106,17 @@ class CasterAims::Search {
 CasterAims::CasterAims(const Snapshot& scene, ThreadPool& pool) {
   const std::vector<uint32_t> casters = casters_of(scene);
   if (casters.empty() || scene.emitters.size() == 0) return;
-  casters_ = casters.size();
   of_emitter_.resize(scene.emitters.size());
   const size_t points = std::clamp(most_points / scene.emitters.size(), fewest, of_emitter);
   parallel_for(pool, of_emitter_.size(), [&](size_t i) {
     if (scene.emitters[i].kind() != EmitterKind::rays && scene.emitters[i].flux_lm() > 0)
       of_emitter_[i] = Search(scene, casters, points, uint32_t(i)).find();
   });
-  share_.resize(casters_);
-  const double looked_at = double(std::min(casters_, points / fewest)) / double(casters_);
+  share_.resize(casters.size());
+  const double sampled = double(looked_at(casters.size(), points)) / double(casters.size());
   for (size_t i = 0; i < of_emitter_.size(); ++i)
     for (const Caster& c : of_emitter_[i])
-      share_[c.number] += double(scene.emitters.emission_probability(i)) * c.share / looked_at;
+      share_[c.number] += double(scene.emitters.emission_probability(i)) * c.share / sampled;
 }
 
 GuideTraining CasterAims::missed_by(double paths, double densest) const {
@@ -122,7 +124,7 @@ GuideTraining CasterAims::missed_by(double paths, double densest) const {
   bool any = false;
   for (size_t i = 0; i < aims.size(); ++i)
     for (const Caster& c : of_emitter_[i]) {
-      if (c.share == 1 || paths * share_[c.number] > enough) continue;
+      if (c.cells.empty() || paths * share_[c.number] > enough) continue;
       for (const uint32_t cell : c.cells) aims[i].push_back({cell, 1 / float(c.cells.size())});
       any = true;
     }

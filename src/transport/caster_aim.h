@@ -18,10 +18,9 @@ class CasterAims {
   struct Caster {
     uint32_t number;  // of casters
     float share;      // of the emitter's light that may go there
-    std::vector<uint32_t> cells;
+    std::vector<uint32_t> cells;  // none: it is too large to be looked for
   };
   class Search;
-  size_t casters_ = 0;
   std::vector<std::vector<Caster>> of_emitter_;
   std::vector<double> share_;  // of all light, by caster
 };

@@ -34,8 +34,10 @@ Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSet
   plan_.exact_direct = direct_.finds_all() && finds_all_emitters(*scene_, plan_);
   plan_.exact_light = plan_.exact_direct && (settings_.max_path_length == 1 || !scatters(*scene_));
   std::optional<CasterAims> aims;
-  if (settings_.has(UPS_TECHNIQUE_MERGE)) aims.emplace(*scene_, pool_);
-  if (aims) plan_.guide = EmissionGuide(scene_->emitters, aims->missed_by(plan_.light_paths, densest_among_others));
+  if (settings_.has(UPS_TECHNIQUE_MERGE)) {
+    aims.emplace(*scene_, pool_);
+    plan_.guide = EmissionGuide(scene_->emitters, aims->missed_by(plan_.light_paths, densest_among_others));
+  }
   choose_first_radii(stop);
   for (const auto& radii : plan_.pixel_radius)
     for (const float r : radii) largest_pixel_radius_ = std::max(largest_pixel_radius_, r);
