@@ -213,6 +213,7 @@ namespace Ups
         SensorConnect = 8,
         Merge = 16,
         SensorHit = 32,
+        MirrorSample = 64,
     }
 
     public enum Perturbation : int

@@ -70,7 +70,8 @@ typedef struct ups_path_vertex {
 } ups_path_vertex;
 
 typedef struct ups_path_contribution {
-  double from_m[3], to_m[3]; /* the edge that was made for it; the same: none was */
+  double from_m[3], to_m[3]; /* the edge that was made for it, of a mirror sample as far as the mirror; the same: none
+                              * was */
   float value;               /* lx, cd/m^2: its part of the sample, weight included */
   float weight;              /* of multiple importance sampling */
   uint32_t technique;        /* UPS_TECHNIQUE_* */

@@ -22,7 +22,7 @@ import exr  # noqa: E402
 import numpy as np  # noqa: E402
 from renders import Renderer, read_table, squared_errors  # noqa: E402
 
-TECHNIQUES = ("emitter_hit", "light_sample", "connect", "sensor_connect", "merge", "sensor_hit")
+TECHNIQUES = ("emitter_hit", "light_sample", "connect", "sensor_connect", "merge", "sensor_hit", "mirror_sample")
 DARK_METERS = 0.05   # of the set's mean: darker meters are judged as if they had so much
 DARK_PIXELS = 1e-2   # of the squared mean, as `ups compare` has it
 TRIMMED = 1e-3       # of the pixels

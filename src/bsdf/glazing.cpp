@@ -56,6 +56,12 @@ PaneCrossing cross_pane(const Material& m, float cosine) {
   return out;
 }
 
+MirrorLobe mirror_lobe(const Material& m, float cosine) {
+  if (m.model == MaterialModel::mirror) return {Textured(m, {}, m.ior).reflectance, 1};
+  const PaneCrossing pane = cross_pane(m, cosine);
+  return {pane.reflectance, pane.reflected};
+}
+
 namespace glazing {
 
 Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, BsdfSample& out) {

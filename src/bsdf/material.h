@@ -127,6 +127,13 @@ struct PaneCrossing {
 };
 PaneCrossing cross_pane(const Material& glazing, float cosine);
 
+// What a mirror or pane reflects at an angle of incidence, and the probability that a walk is reflected.
+struct MirrorLobe {
+  Rgb reflectance;
+  float probability = 0;
+};
+MirrorLobe mirror_lobe(const Material& mirror_or_glazing, float cosine);
+
 // Classes of a whole material, for the scene's analysis (scene/effects.h): over all texture values.
 struct MaterialTraits {
   bool delta;       // has a delta lobe

@@ -305,8 +305,8 @@ float EmissionGuide::factor(const EmitterSet& emitters, size_t i, const Vec3& p,
   return resolution(i) > 0 && emitters[i].emission_square(p, primitive, direction, square) ? density(i, square) : 1;
 }
 
-void EmissionGuide::apply(const EmitterSet& emitters, size_t i, DirectSample& sample) const {
-  const float f = factor(emitters, i, sample.p, sample.primitive, -sample.wi);
+void EmissionGuide::apply(const EmitterSet& emitters, size_t i, const Vec3& direction, DirectSample& sample) const {
+  const float f = factor(emitters, i, sample.p, sample.primitive, direction);
   (emitters[i].is_directional() ? sample.pdf_position_a : sample.pdf_direction_w) *= f;
 }
 

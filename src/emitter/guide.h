@@ -34,7 +34,8 @@ class EmissionGuide {
   // What an emitter's own pdf_direction_w (of directional lights pdf_position_a) is to be multiplied by: light that
   // leaves p in that direction. `primitive`: as for Emitter::eval_hit.
   float factor(const EmitterSet& emitters, size_t i, const Vec3& p, uint32_t primitive, const Vec3& direction) const;
-  void apply(const EmitterSet& emitters, size_t i, DirectSample& sample) const;  // factor() to a DirectSample
+  // factor() to a DirectSample. direction: as the light of it leaves the emitter.
+  void apply(const EmitterSet& emitters, size_t i, const Vec3& direction, DirectSample& sample) const;
 
   size_t histogram_count() const;
   uint32_t resolution(size_t i) const { return i < histograms_.size() ? histograms_[i].n : 0; }  // a side; 0: none

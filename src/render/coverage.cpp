@@ -34,6 +34,12 @@ bool can_light_sample(std::string_view v, SensorKind sensor, const TransportSett
   return v.empty() ? sensor != SensorKind::camera : is_continuous(v.front());
 }
 
+// A light without extent in a flat mirror.
+bool can_mirror_sample(std::string_view v, SourceKind source, SensorKind sensor, const TransportSettings& s) {
+  return source == SourceKind::punctual && s.has(UPS_TECHNIQUE_MIRROR_SAMPLE) && !v.empty() && is_specular(v[0]) &&
+         (v.size() > 1 ? is_continuous(v[1]) : sensor != SensorKind::camera);
+}
+
 bool can_connect(std::string_view v, SensorKind sensor, const TransportSettings& s) {
   if (!s.has(UPS_TECHNIQUE_CONNECT) || v.empty()) return false;
   const bool to_meter = sensor != SensorKind::camera && is_continuous(v.back());
@@ -77,7 +83,8 @@ SourceKind source_kind(const Emitter& emitter) {
 
 bool can_sample(std::string_view v, SourceKind source, SensorKind sensor, const TransportSettings& s) {
   return (source == SourceKind::hittable && can_hit(v, sensor, s)) ||
-         (source != SourceKind::rays && can_light_sample(v, sensor, s)) || can_connect(v, sensor, s) ||
+         (source != SourceKind::rays && can_light_sample(v, sensor, s)) || can_mirror_sample(v, source, sensor, s) ||
+         can_connect(v, sensor, s) ||
          can_splat(v, source, sensor, s) || can_merge(v, source, sensor, s) ||
          (sensor == SensorKind::cell && s.has(UPS_TECHNIQUE_SENSOR_HIT));
 }
@@ -104,13 +111,17 @@ bool contains(const std::string& longer, const std::string& part) {
   return at == part.size();
 }
 
+// Straight from one mirror to another.
+bool begins_with_two_mirrors(std::string_view v) { return v.size() > 1 && is_specular(v[0]) && is_specular(v[1]); }
+
 // The shortest; others that contain one of them are not listed.
 std::vector<std::string> missing_patterns(const std::string& letters, SourceKind source, SensorKind sensor,
-                                          const TransportSettings& s) {
+                                          const TransportSettings& s, const FlatMirrors& mirrors) {
   std::vector<std::string> missing;
   for (const std::string& v : patterns(letters)) {
     if (s.max_path_length && v.size() + 1 > s.max_path_length) continue;  // not asked for
     if (!is_measurable(v, source, sensor) || can_sample(v, source, sensor, s)) continue;
+    if (source == SourceKind::punctual && mirrors.complete && begins_with_two_mirrors(v)) continue;  // there are none
     const bool known =
         std::any_of(missing.begin(), missing.end(), [&](const std::string& m) { return !m.empty() && contains(v, m); });
     if (!known && missing.size() < most_patterns) missing.push_back(v);
@@ -149,8 +160,10 @@ struct Letters {
 
 }  // namespace
 
-std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& settings) {
+std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& of_render) {
   const Sensors has = sensors_of(scene);
+  TransportSettings settings = of_render;
+  if (!scene.flat_mirrors.all_flat) settings.techniques &= ~uint32_t(UPS_TECHNIQUE_MIRROR_SAMPLE);
   std::vector<std::pair<SensorKind, const char*>> sensors;
   if (has.cameras) sensors.emplace_back(SensorKind::camera, "camera");
   if (has.illuminance_cameras) sensors.emplace_back(SensorKind::point_meter, "illuminance camera");
@@ -165,7 +178,7 @@ std::vector<std::string> missing_light(const Snapshot& scene, const TransportSet
       if (source_kind(scene.emitters[i]) == source) emitters.push_back(scene.emitter_names[i]);
     if (emitters.empty()) continue;
     for (const auto& [kind, name] : sensors)
-      for (const std::string& v : missing_patterns(letters.available, source, kind, settings))
+      for (const std::string& v : missing_patterns(letters.available, source, kind, settings, scene.flat_mirrors))
         lines.push_back("light of " + listed(emitters) + remark[int(source)] + " on paths " + letters.words(v) + " - " +
                         name + " is missing: no technique of this set samples it; method ups with all of its has one");
   }

@@ -54,7 +54,7 @@ void check(const ups_render_desc& d) {
     fail_argument("target_criterion: " + std::to_string(d.target_criterion) + " is not a UPS_CRITERION_* value");
   if (d.flux_paths > (1u << 24)) fail_argument("flux_paths: at most 16777216");
   check_priority(d.priority);
-  if (d.techniques >= 64)
+  if (d.techniques >= 2 * uint32_t(UPS_TECHNIQUE_MIRROR_SAMPLE))
     fail_argument("techniques: " + std::to_string(d.techniques) + " has bits that are no UPS_TECHNIQUE_*");
   if (d.time_limit_s == 0 && d.target_relative_error == 0 && d.iteration_count == 0)
     fail_argument("nothing would end this render: set time_limit_s, target_relative_error or iteration_count");

@@ -39,6 +39,7 @@ void MeterSums::add(uint32_t batch, const MeterTally& t, uint32_t iteration) {
   direct[batch] += t.direct;
   bias[batch] += t.bias;
   exact += t.exact;
+  exact_mirrored += t.exact_mirrored;
   rounding += t.rounding;
   if (t.paths[whole_light].largest > paths[whole_light].largest)
     largest_batch = uint8_t(batch), largest = {iteration, t.largest};
@@ -73,8 +74,8 @@ void MeterLight::batch_means(double* means, uint32_t used) const {
 
 std::pair<float, float> MeterLight::error_of(LightPart part) const {
   const bool direct = part == direct_light;
-  const double of_exact = part == indirect_light ? 0 : sums.exact / visits,
-               rounding = part == indirect_light ? 0 : sums.rounding / visits;
+  const double exact_of[] = {sums.exact, sums.exact - sums.exact_mirrored, sums.exact_mirrored},
+               of_exact = exact_of[part] / visits, rounding = exact_of[part] > 0 ? sums.rounding / visits : 0;
   if (exact[part]) return {0.0f, float(rounding)};
   double values[batch_count];
   ChanceLight light{sums.paths[part].count, uint32_t(std::popcount(sums.batches[part])), 0};

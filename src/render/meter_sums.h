@@ -11,7 +11,7 @@ namespace ups {
 // Of a meter, or of one source's part of its light. By batch where they are arrays.
 struct MeterSums {
   double value[batch_count] = {}, direct[batch_count] = {}, bias[batch_count] = {};
-  double exact = 0, rounding = 0;
+  double exact = 0, exact_mirrored = 0, rounding = 0;
   std::array<PathRecord, light_part_count> paths;
   std::array<uint16_t, light_part_count> batches{};  // a bit for each that such paths have brought light to
   uint8_t largest_batch = 0;                         // that with paths[whole_light].largest

@@ -16,7 +16,8 @@ namespace {
 
 constexpr uint32_t hit = UPS_TECHNIQUE_EMITTER_HIT, light_sample = UPS_TECHNIQUE_LIGHT_SAMPLE,
                    connect = UPS_TECHNIQUE_CONNECT, sensor_connect = UPS_TECHNIQUE_SENSOR_CONNECT,
-                   merge = UPS_TECHNIQUE_MERGE, sensor_hit = UPS_TECHNIQUE_SENSOR_HIT;
+                   merge = UPS_TECHNIQUE_MERGE, sensor_hit = UPS_TECHNIQUE_SENSOR_HIT,
+                   mirror_sample = UPS_TECHNIQUE_MIRROR_SAMPLE;
 
 // First light on so small patches is what eye paths miss for long, with errors that know nothing of it: from an even
 // illuminance of a room (about 2) to a pendant below a ceiling (tens) they find it.
@@ -30,6 +31,15 @@ int32_t automatic(const Snapshot& scene, const Sensors& s) {
                                                                                       : UPS_METHOD_UPS;
 }
 
+// No caster of light but flat mirrors, in which all emitters have images.
+bool images_suffice(const Snapshot& scene, const Sensors& s) {
+  const SceneEffects& e = scene.effects;
+  for (size_t i = 0; i < scene.emitters.size(); ++i)
+    if (!scene.emitters[i].is_delta() && scene.emitters[i].flux_lm() > 0) return false;
+  return scene.flat_mirrors.complete && !(e.effects & UPS_EFFECT_GLOSSY) && e.concentration < concentrated &&
+         !s.goniometers;
+}
+
 void describe(std::string& text, uint32_t techniques, uint32_t bit, const char* name, const std::string& on,
               const std::string& off) {
   text += std::string(name) + ((techniques & bit) ? ": on, " + on : ": off, " + off) + "\n";
@@ -38,11 +48,16 @@ void describe(std::string& text, uint32_t techniques, uint32_t bit, const char* 
 std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_automatic) {
   const std::string absent = was_automatic ? "not in the set" : "not in the set (the method asked for leaves it out)";
   const std::string off = !was_automatic ? absent
-                                         : "no surface is specular or nearly so: eye paths find all light, light paths "
-                                           "would cost more than they bring";
+                          : scene.effects.sharp_caster
+                              ? "eye paths find all light: what is specular are flat mirrors, in which lights have images"
+                              : "no surface is specular or nearly so: eye paths find all light, light paths would cost "
+                                "more than they bring";
   std::string text;
   describe(text, t, hit, "emitter_hit", "eye paths that run into an emitter", absent);
   describe(text, t, light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex", absent);
+  if (!scene.flat_mirrors.empty())
+    describe(text, t, mirror_sample, "mirror_sample",
+             "next-event estimation by way of flat mirrors and panes, in which lights without extent have images", absent);
   describe(text, t, connect, "connect", "eye and light subpaths are joined by an edge", off);
   describe(text, t, sensor_connect, "sensor_connect", "light paths are joined to the camera",
            s.cameras ? off : "the scene has no camera: no light image");
@@ -95,11 +110,13 @@ MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
   if (!method)
     throw Error(UPS_ERROR_INVALID_ARGUMENT,
                 "method: " + std::to_string(choice.method) + " is not a UPS_METHOD_* value");
-  choice.possible = (s.cameras ? ~0u : ~sensor_connect) & (s.cells || s.goniometers ? ~0u : ~sensor_hit);
+  choice.possible = (s.cameras ? ~0u : ~sensor_connect) & (s.cells || s.goniometers ? ~0u : ~sensor_hit) &
+                    (scene.flat_mirrors.empty() || desc.perturbation == UPS_PERTURBATION_ACTUAL ? ~mirror_sample : ~0u);
   choice.techniques = method->techniques & choice.possible;
   if (method->eye_end == Method::EyeEnd::first_surface && !s.points && !s.illuminance_cameras)
     choice.techniques &= ~connect;
   if (desc.techniques) choice.techniques &= desc.techniques;
+  if (!(choice.techniques & light_sample)) choice.techniques &= ~mirror_sample;
   if (choice.techniques == 0 && (s.cameras || s.points || s.cells || s.goniometers))
     throw Error(UPS_ERROR_INVALID_ARGUMENT,
                 "techniques: none of the method's techniques is allowed; 0 allows them all");
@@ -107,6 +124,10 @@ MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
   choice.selects = is_automatic && !desc.techniques && !desc.technique_images && !s.goniometers &&
                    !scene.effects.ray_emitters && desc.perturbation == UPS_PERTURBATION_VIRTUAL &&
                    scene.emitters.flux_lm() > 0 && (s.cameras || s.points || s.cells);
+  if (choice.selects && choice.method == UPS_METHOD_UPS && images_suffice(scene, s)) {
+    choice.method = UPS_METHOD_PATH_TRACING;
+    choice.techniques &= hit | light_sample | mirror_sample;
+  }
   choice.text = words(scene, choice.techniques, s, is_automatic);
   choice.warnings = missing_light(scene, settings_of(desc, choice));
   return choice;

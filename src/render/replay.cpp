@@ -203,6 +203,9 @@ class Teller {
       case UPS_TECHNIQUE_EMITTER_HIT: text += "runs into an emitter"; break;
       case UPS_TECHNIQUE_LIGHT_SAMPLE: text += "next-event estimation, from " + place(c.from) + " to " + place(c.to);
         break;
+      case UPS_TECHNIQUE_MIRROR_SAMPLE:
+        text += "next-event estimation by way of a mirror, from " + place(c.from) + " to " + place(c.to) + " in it";
+        break;
       case UPS_TECHNIQUE_CONNECT:
         text += format("connected to vertex %u of light path %u, from ", c.light_vertex, c.light_path) +
                 place(c.from) + " to " + place(c.to);

@@ -30,6 +30,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
     }
     const double visits = double(out.visits) / side.visits;
     out.sums.exact += share * visits * side.sums.exact;
+    out.sums.exact_mirrored += share * visits * side.sums.exact_mirrored;
     out.sums.rounding += size * visits * side.sums.rounding;
     if (side.sums.paths[whole_light].largest > out.sums.paths[whole_light].largest) {
       out.sums.largest_batch = side.sums.largest_batch, out.sums.largest = side.sums.largest;

@@ -101,7 +101,8 @@ SceneEffects Analysis::find() const {
   if (!textured.empty()) add(UPS_EFFECT_TEXTURES, "textures: " + textured + " has textures");
 
   out.ray_emitters = has_ray_emitter();
-  out.path_tracing_complete = (delta.empty() || !has_delta_emitter()) && !out.ray_emitters;
+  out.path_tracing_complete =
+      (delta.empty() || !has_delta_emitter() || scene_.flat_mirrors.complete) && !out.ray_emitters;
   out.sharp_caster = !caster.empty();
   out.transmits_solid = !materials([&](size_t i) { return scene_.materials[i].model == MaterialModel::glass; }).empty();
   out.coloured = (out.effects & UPS_EFFECT_COLOUR) != 0;

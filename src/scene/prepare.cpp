@@ -11,6 +11,7 @@
 #include "scene/builder.h"
 #include "scene/check.h"
 #include "scene/effects.h"
+#include "scene/flat_mirrors.h"
 #include "scene/searched.h"
 
 namespace ups {
@@ -36,6 +37,7 @@ std::shared_ptr<const Snapshot> Builder::build() {
   monitor_.begin_part(0.8f);
   add_sensors();
   find_media();
+  out_->flat_mirrors = find_flat_mirrors(*out_);
   out_->effects = find_effects(*out_);
   find_concentration();
   monitor_.begin_part(1);

@@ -15,6 +15,7 @@
 #include "photometry/photometry.h"
 #include "photometry/position_index.h"
 #include "scene/contact.h"
+#include "scene/flat_mirrors.h"
 #include "scene/ids.h"
 #include "scene/media.h"
 #include "scene/panes.h"
@@ -29,7 +30,8 @@ inline constexpr float largest_meter_disc = 0.1f;  // radius within which a poin
 
 struct SceneEffects {
   uint32_t effects = 0;       // UPS_EFFECT_*
-  bool path_tracing_complete = true;  // no emitter without extent beside a mirror-like surface, and no ray emitter
+  // No emitter without extent beside a mirror-like surface, but for flat mirrors in which it has an image; no ray emitter.
+  bool path_tracing_complete = true;
   bool ray_emitters = false;  // some light comes from the rays of a file: light paths alone carry it
   float concentration = 1;    // of first light on small patches, see scene/probe.h
   bool sharp_caster = false;  // some material has a delta lobe or a continuous lobe with alpha < 0.2
@@ -118,6 +120,7 @@ struct Snapshot {
   std::vector<photometry::Opening> goniometer_openings;  // that their distributions are given
 
   Panes panes;
+  FlatMirrors flat_mirrors;
   Media media;
   // What free-standing things lie in, as found by a probe ray at commit: indices into media_stacks, 0: air.
   std::vector<MediaStack> media_stacks;

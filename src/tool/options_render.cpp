@@ -98,7 +98,7 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
           [&desc](const std::vector<std::string>& words) {
             for (const std::string& word : words) desc.techniques |= technique_bit(word);
           },
-          "Only these of the method's: emitter_hit,light_sample,connect,sensor_connect,merge,sensor_hit")
+          "Only these of the method's: emitter_hit,light_sample,connect,sensor_connect,merge,sensor_hit,mirror_sample")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::Validator(

@@ -15,14 +15,15 @@ constexpr float unit_roundoff = 0x1p-24f;
 
 // At most, relative: of some dozens of operations, and of both ends' places in distance and response, E ~ W / d^2.
 float relative_rounding(const Iteration& in, const Meter& meter, const EyeEnd& eye, const Contribution& c) {
-  const Vec3 way = c.to - c.from;
-  const float d = length(way),
+  const bool mirrored = c.mirror != none;  // which doubles what the plane is off by
+  const Vec3 way = (mirrored ? c.at_mirror : c.to) - c.from;
+  const float d = length(way), whole = mirrored ? d + length(c.to - c.at_mirror) : d,
               response = eye.response.kind == UPS_METER_PLANAR
                              ? dot(way, meter.frame.n) / d
                              : eye.response.value(eye.surface.shading.to_local(way / d)),
               cosine = std::max(response, min_cosine);
-  const float place = 2 * unit_roundoff * in.scene.radius + meter.error;
-  return 64 * unit_roundoff + place / d * (2 + 2 / cosine);
+  const float place = (mirrored ? 32 : 2) * unit_roundoff * in.scene.radius + meter.error;
+  return 64 * unit_roundoff + place / whole * (2 + 2 / cosine);
 }
 
 }  // namespace
@@ -32,7 +33,9 @@ DirectLight::DirectLight(const Snapshot& scene, const Plan& plan, const Transpor
   for (const MeterSet& set : scene.meter_sets) points += set.is_cell() ? 0 : set.meters.size();
   for (uint32_t i = 0; i < plan.exact.size(); ++i)
     if (plan.exact[i]) emitters_.push_back(i);
-  if (points == 0 || emitters_.empty() || settings.actual_perturbation || points > most_looks / emitters_.size())
+  if (settings.has(UPS_TECHNIQUE_MIRROR_SAMPLE)) images_ = uint32_t(scene.flat_mirrors.images.size());
+  if (points == 0 || emitters_.empty() || settings.actual_perturbation ||
+      points > most_looks / (emitters_.size() + images_))
     return;
   most_ = std::max<size_t>(1, most_rays / points);
   for (const MeterSet& set : scene.meter_sets) {
@@ -45,7 +48,7 @@ DirectLight::DirectLight(const Snapshot& scene, const Plan& plan, const Transpor
 size_t DirectLight::bytes() const {
   size_t sum = 0;
   for (const auto& set : meters_) sum += set.size() * sizeof(OfMeter);
-  for (const auto& set : separated_) sum += set.size() * sizeof(double);
+  for (const auto& set : separated_) sum += set.size() * sizeof(OfColumn);
   return sum;
 }
 
@@ -73,13 +76,14 @@ void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& 
   static const PerThread<std::vector<std::pair<float, Contribution>>> kept;
   auto& lights = kept.get();
   lights.clear();
-  for (const uint32_t e : emitters_)
-    if (const Found c = light_from(in, alone, eye, arrival, {e, 1}, {})) {
-      if (is_finite(c->value))
-        lights.emplace_back(luminance(c->value), *c);
-      else
-        work.drop(Drop::light_sample, {{Stream::meters, uint32_t(set)}, in.number, m * in.plan.meter_samples}, meter.p);
-    }
+  const auto keep = [&](const Found& c) {
+    if (c && is_finite(c->value))
+      lights.emplace_back(luminance(c->value), *c);
+    else if (c)
+      work.drop(Drop::light_sample, {{Stream::meters, uint32_t(set)}, in.number, m * in.plan.meter_samples}, meter.p);
+  };
+  for (const uint32_t e : emitters_) keep(light_from(in, alone, eye, arrival, {e, 1}, {}));
+  for (uint32_t i = 0; i < images_ && !in.is_too_long(2); ++i) keep(light_from_image(in, alone, eye, arrival, {i, 1}));
   float found_from = 0;
   if (lights.size() > most_) {
     std::nth_element(lights.begin(), lights.begin() + ptrdiff_t(most_ - 1), lights.end(),
@@ -87,19 +91,24 @@ void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& 
     found_from = lights[most_ - 1].first;
   }
   OfMeter& out = meters_[set][m];
-  out = {0, found_from, 0};
+  out = {0, 0, found_from, 0};
   const size_t columns = in.plan.separation.columns.size();
-  for (size_t k = 0; k < columns; ++k) separated_[set][m * columns + k] = 0;
+  for (size_t k = 0; k < columns; ++k) separated_[set][m * columns + k] = {};
   std::sort(lights.begin(), lights.end(),  // so that the sum does not depend on how they were parted
-            [](const auto& a, const auto& b) { return a.second.emitter < b.second.emitter; });
+            [](const auto& a, const auto& b) {
+              return std::pair(a.second.emitter, a.second.mirror) < std::pair(b.second.emitter, b.second.mirror);
+            });
   for (const auto& [size, c] : lights) {
     Passage way;
     if (!(size >= found_from)) continue;
-    if (!segment_free(in.scene, *c.media, c.from, c.to, work, way)) continue;
+    if (!edge_free(in.scene, c, work, way)) continue;
     const double lx = luminance(c.value * way.transmittance);
-    out.lx += lx;
+    const double mirrored = c.mirror != none ? lx : 0;
+    out.lx += lx, out.mirrored += mirrored;
     out.rounding += float(lx) * relative_rounding(in, meter, eye, c);
-    if (columns) separated_[set][m * columns + in.plan.separation.column_of_emitter[c.emitter]] += lx;
+    if (!columns) continue;
+    OfColumn& column = separated_[set][m * columns + in.plan.separation.column_of_emitter[c.emitter]];
+    column.lx += lx, column.mirrored += mirrored;
   }
 }
 
@@ -109,11 +118,11 @@ void DirectLight::add(const Iteration& in, IterationTally& tally) const {
     for (size_t i = 0; i < (meters_[s].empty() ? 0 : tally.meters[s].size()); ++i) {
       const size_t m = in.plan.visited_meter(in.number, i);
       const OfMeter& found = meters_[s][m];
-      tally.meters[s][i].add({found.lx, found.lx, 0, found.lx, found.rounding, {}});
+      tally.meters[s][i].add({found.lx, found.lx - found.mirrored, 0, found.lx, found.mirrored, found.rounding, {}});
       for (size_t k = 0; k < columns; ++k) {
-        const double lx = separated_[s][m * columns + k];
+        const auto [lx, mirrored] = separated_[s][m * columns + k];
         const float rounding = lx > 0 ? float(lx / found.lx) * found.rounding : 0;
-        tally.separated[s][i * columns + k].add({lx, lx, 0, lx, rounding, {}});
+        tally.separated[s][i * columns + k].add({lx, lx - mirrored, 0, lx, mirrored, rounding, {}});
       }
     }
 }

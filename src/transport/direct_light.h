@@ -1,5 +1,6 @@
-// Light straight from emitters without extent to point meters is no matter of chance: one shadow ray each finds it, once
-// a render. It is next-event estimation at the meter's own point (k = 1), which no other technique makes then.
+// Light of emitters without extent that reaches point meters straight, or by way of one flat mirror, is no matter of
+// chance: one shadow ray each finds it, once a render. It is next-event estimation at the meter's own point (k = 1 and 2),
+// which no other technique makes then.
 #pragma once
 #include <vector>
 
@@ -18,23 +19,27 @@ class DirectLight {
   void add(const Iteration& in, IterationTally& tally) const;
   size_t bytes() const;
   // All light straight from the emitters of plan.exact to every point meter is found here.
-  bool finds_all() const { return !meters_.empty() && emitters_.size() <= most_; }
-  // Light of an emitter of plan.exact that would bring at least so much, unoccluded, is found here.
+  bool finds_all() const { return !meters_.empty() && emitters_.size() + images_ <= most_; }
+  // Light of an emitter of plan.exact, or an image, that would bring at least so much, unoccluded, is found here.
   float found_from(size_t set, uint32_t meter) const {
     return meters_.empty() || meters_[set].empty() ? INFINITY : meters_[set][meter].found_from;
   }
 
  private:
   struct OfMeter {
-    double lx = 0;
+    double lx = 0, mirrored = 0;  // mirrored: of lx
     float found_from = 0, rounding = 0;  // found_from 0: all is
+  };
+  struct OfColumn {
+    double lx = 0, mirrored = 0;
   };
   void find(const Iteration& in, size_t set, uint32_t meter, WorkCounts& work);
 
   size_t most_ = 0;  // of a meter: its strongest
   std::vector<uint32_t> emitters_;
+  uint32_t images_ = 0;
   std::vector<std::vector<OfMeter>> meters_;      // empty sets: cells
-  std::vector<std::vector<double>> separated_;    // a meter by a column, column fastest
+  std::vector<std::vector<OfColumn>> separated_;  // a meter by a column, column fastest
 };
 
 }  // namespace ups

@@ -63,6 +63,7 @@ void EyeWalk::gather_at_meter(EyeEnd& eye) {
     if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(0, Slot::choice), rng_.position(0),
                                      sensor_.direct_found_from))
       offer(*c, Drop::light_sample);
+  look_into_mirrors(eye, arrival, sensor_.direct_found_from);
   if (counts_.connect > 0) connect_one(eye, arrival);
   if (ends) return;
 
@@ -119,9 +120,16 @@ void EyeWalk::gather(const EyeEnd& eye) {
     if (const Found c = sample_light(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::choice),
                                      rng_.position(eye.edges)))
       offer(*c, Drop::light_sample);
+  if (arrives) look_into_mirrors(eye, arrival, INFINITY);
   if (merges) disc(eye).photons->find_rows(photons);
   if (arrives && counts_.connect > 0) connect_one(eye, arrival);
   if (merges) merge(eye, photons);
+}
+
+void EyeWalk::look_into_mirrors(const EyeEnd& eye, const Arrival& arrival, float found_from) {
+  if (!in_.looks_into_mirrors() || found_from == 0) return;  // 0: all is found elsewhere
+  if (const Found c = sample_mirror(in_, counts_, eye, arrival, rng_.get(eye.edges, Slot::mirror), found_from))
+    offer(*c, Drop::light_sample);
 }
 
 // Emptied: of a path that was broken off some may be left.
@@ -186,7 +194,7 @@ void EyeWalk::test_edges() {
 
 void EyeWalk::test_edge(const Contribution& c, Drop drop, double share) {
   Passage way;
-  if (c.media && is_finite(c.value) && !segment_free(scene_, *c.media, c.from, c.to, work_, way)) return;
+  if (c.media && is_finite(c.value) && !edge_free(scene_, c, work_, way)) return;
   const Rgb unweighted = c.value * way.transmittance * float(share);
   const double weight = c.weight(in_, way.pass);
   if (in_.recorder) in_.recorder->found(c, {way.pass, unweighted, weight}, none);

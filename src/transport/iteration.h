@@ -41,6 +41,7 @@ struct Iteration {
 
   bool has(uint32_t technique) const { return settings.has(technique); }
   bool weighted() const { return settings.method.weighted; }
+  bool looks_into_mirrors() const { return has(UPS_TECHNIQUE_MIRROR_SAMPLE) && !scene.flat_mirrors.empty(); }
   bool is_too_long(uint32_t edges) const { return settings.max_path_length && edges > settings.max_path_length; }
   // Squared radii of this iteration; 0: photons are not merged there.
   double pixel_radius2(size_t c, uint32_t pixel) const {

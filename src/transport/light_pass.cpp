@@ -96,7 +96,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       if (!carry(met_.transmittance(scene_, met_.distance))) return;
       if (std::abs(dot(direction_, met_.surface.ng)) < min_cosine) return;
       const bool lit = shade(a, light), continuous = lit && light.bsdf->has_continuous();
-      light.merge = merge_gate(*light.bsdf) && (a > 1 || in_.gates_of(emitter_index_).merge_at_first);
+      light.merge = merge_gate(*light.bsdf) && (!light.state.first || in_.gates_of(emitter_index_).merge_at_first);
       if (in_.stores_vertices && (light.merge || continuous)) store(light, lit);
       // Light from behind a bump: nothing goes on, but next to it, where photons are merged, the normal may be another.
       if (!lit) {
@@ -107,9 +107,10 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
         for (uint32_t c = 0; c < scene_.cameras.size(); ++c) splat(c, light);
       if (!scatter(light, [&](const BsdfSample& s) { return is_finite(s.weight) || drop(Drop::light_walk); })) return;
       casters_ = casters_ && (edge_.kind == Edge::delta || light.caster);
-      if (casters_)
+      if (a == 1 && edge_.kind == Edge::delta) begin_at_image();
+      if (casters_ && !is_first_edge())
         work_.brightest_caustic_lm = std::max(work_.brightest_caustic_lm, luminance(carried_));
-      else if (ends_with_casters_)
+      else if (!casters_ && ends_with_casters_)
         return;
     }
     work_.flux.cut += luminance(carried_);
@@ -137,8 +138,26 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     return true;
   }
 
+  bool is_first_edge() const { return edge_.kind == Edge::first; }
+
+  // Light that a flat mirror reflects straight from the emitter is that of its image: its path begins there.
+  void begin_at_image() {
+    if (!in_.looks_into_mirrors()) return;
+    const uint32_t plane = scene_.flat_mirrors.plane_of(met_.surface.instance, met_.surface.primitive);
+    if (plane == none || (image_ = scene_.flat_mirrors.image_of(emitter_index_, plane)) == none) return;
+    to_mirror_ = met_.distance, pass_to_mirror_ = met_.pass(met_.distance), mirrored_ = edge_.scatter.pdf;
+    edge_.kind = Edge::first;
+  }
+  mis::LightState first_state_of_image(const Receiver& at, float cos_in, double d2, double pass) const {
+    const double choose = double(image_probability(scene_, at, image_)) / emit_probability_,
+                 distance = to_mirror_ + std::sqrt(d2);
+    return mis::light_first(counts_, choose, start_.pdf_direction_w * mirrored_, distance * distance, cos_in,
+                            pass * pass_to_mirror_, false, 1.0, 1.0);
+  }
+
   // x_1 needs to know how next-event estimation would have found x_0.
   mis::LightState first_state(const Receiver& at, float cos_in, double d2, double pass) const {
+    if (image_ != none) return first_state_of_image(at, cos_in, d2, pass);
     const double choose = counts_.light_sample > 0
                               ? double(scene_.emitters.direct_probability(at, emitter_index_)) / emit_probability_
                               : 0.0;
@@ -155,7 +174,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   }
 
   void cross_sensors(uint32_t a) {
-    if (a == 1 && !in_.gates_of(emitter_index_).merge_at_first && !in_.has(UPS_TECHNIQUE_SENSOR_HIT)) return;
+    if (is_first_edge() && !in_.gates_of(emitter_index_).merge_at_first && !in_.has(UPS_TECHNIQUE_SENSOR_HIT)) return;
     block_.crossings.clear();
     sensors_.crossings(origin_, direction_, met_.distance, block_.crossings);
     for (const DiscIndex::Crossing& c : block_.crossings) land(a, c);
@@ -182,7 +201,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const Meter& meter = set.piece(e.meter, e.piece);
     const bool cell = set.is_cell();
     if (!cell && !casters_ && !(e.counts.merge_all > 0)) return;
-    if (!cell && a == 1 && !in_.gates_of(emitter_index_).merge_at_first) return;
+    if (!cell && is_first_edge() && !in_.gates_of(emitter_index_).merge_at_first) return;
     const Vec3 center = lifted(meter.p, meter.frame.n, meter.error);
     const MeterResponse response = set.response(e.meter);
     const Seen seen = see(response, meter.frame);
@@ -207,12 +226,12 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const double weight = c.weight(in_, 1), value = luminance(c.value) * weight;
     if (in_.recorder) in_.recorder->landed(c, {1, c.value, weight}, p, e.set, e.meter);
     if (!std::isfinite(value)) return drop(cell ? Drop::sensor_hit : Drop::merge, p);
-    useful_ |= casters_ && a > 1;
+    useful_ |= casters_ && !is_first_edge();
     block_.share.push_back(
         block_.landings,
         {crossing.disc, emitter_index_,
          MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0, PathNumber::light(path_)), ring,
-         MeterDiscs::octant_of(x, y), casters_ && a > 1, value * e.area, c.relative(1)});
+         MeterDiscs::octant_of(x, y), casters_ && !is_first_edge(), value * e.area, c.relative(1)});
   }
 
   void store(const LightEnd& light, bool lit) {
@@ -236,7 +255,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     block_.share.push_back(block_.vertices, v);
     ++block_.counts.back();
     block_.merged += light.merge;
-    useful_ |= casters_ && light.edges > 1;
+    useful_ |= casters_ && !light.state.first;
     ++work_.light_vertices;
     if (in_.recorder) in_.recorder->store();
   }
@@ -263,6 +282,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   Vec2 square_;  // where on the emitter's square the path started
   uint32_t emitter_index_ = 0;
   float emit_probability_ = 1;
+  uint32_t image_ = none;  // of the emitter, where its light was mirrored first; with how:
+  double to_mirror_ = 0, pass_to_mirror_ = 1, mirrored_ = 1;
   EmissionSample start_;
 };
 

@@ -25,7 +25,8 @@ constexpr uint32_t eye = UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE,
 }  // namespace method_detail
 
 inline constexpr Method methods[] = {
-    {UPS_METHOD_UPS, method_detail::eye | method_detail::light | UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_MERGE},
+    {UPS_METHOD_UPS, method_detail::eye | method_detail::light | UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_MERGE |
+                         UPS_TECHNIQUE_MIRROR_SAMPLE},
     {UPS_METHOD_PATH_TRACING, method_detail::eye},
     // A point's t = 1 are connections.
     {UPS_METHOD_LIGHT_TRACING, method_detail::light | UPS_TECHNIQUE_CONNECT, Method::EyeEnd::first_surface, false,

@@ -48,7 +48,7 @@ ReplayedContribution& ReplayRecorder::add(const Contribution& c, const Brought& 
   out.brought = brought;
   out.relative = c.relative(brought.pass);
   out.has_edge = c.media;
-  out.from = c.from, out.to = c.to;
+  out.from = c.from, out.to = c.mirror == none ? c.to : c.at_mirror;
   return out;
 }
 
@@ -62,7 +62,8 @@ void ReplayRecorder::found(const Contribution& c, const Brought& brought, uint32
   const uint32_t s = c.technique.s;
   if (photon != none) return join(photon, add(c, brought, UPS_TECHNIQUE_MERGE));
   if (s == 0) return void(add(c, brought, UPS_TECHNIQUE_EMITTER_HIT));
-  if (s == 1) return void(add(c, brought, UPS_TECHNIQUE_LIGHT_SAMPLE));
+  if (s == 1)
+    return void(add(c, brought, c.mirror == none ? UPS_TECHNIQUE_LIGHT_SAMPLE : UPS_TECHNIQUE_MIRROR_SAMPLE));
   join(first_light_vertex_, add(c, brought, UPS_TECHNIQUE_CONNECT));
 }
 

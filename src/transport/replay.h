@@ -47,7 +47,7 @@ struct ReplayedContribution {
   uint32_t emitter = 0;
   Brought brought;
   mis::Classes relative;  // densities of all techniques over this one's
-  bool has_edge = false;  // a new one, from `from` to `to`
+  bool has_edge = false;  // a new one, from `from` to `to`; of a mirror sample as far as the mirror
   Vec3 from, to;
   uint32_t light_path = none, light_vertex = 0;  // that it was joined to or merged with; edges from the emitter
   double value() const { return luminance(brought.unweighted) * brought.weight; }

@@ -211,7 +211,8 @@ ups_sensor_choice choice_of(const Chooser::Outcome& best, double operations_of_a
   const uint32_t light = camera ? UPS_TECHNIQUE_SENSOR_CONNECT : UPS_TECHNIQUE_SENSOR_HIT,
                  begin = plan.units.begin(sensor), end = plan.units.end(sensor);
   double variance = 0;
-  c.techniques = settings.techniques & (UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE);
+  c.techniques = settings.techniques &
+                 (UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_MIRROR_SAMPLE);
   for (uint32_t u = begin; u < end; ++u) {
     const TechniqueShare& share = best.shares[u];
     if (share.connect) c.techniques |= UPS_TECHNIQUE_CONNECT;

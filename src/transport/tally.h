@@ -96,7 +96,8 @@ struct MeterTally {
   double value = 0;
   double direct = 0;  // part of value that came straight from an emitter
   double bias = 0;    // 2 (M_r - M_{r/sqrt 2}) of eye paths' merges: its mean is their bias to O(r^4)
-  double exact = 0;   // part of direct that is no matter of chance
+  double exact = 0;    // part of value that is no matter of chance
+  double exact_mirrored = 0;  // part of that which is not direct
   float rounding = 0;  // of exact, at most
   std::array<PathRecord, light_part_count> paths;
   PathNumber largest;  // that of paths[whole_light]
@@ -115,6 +116,7 @@ struct MeterTally {
     direct += o.direct * scale;
     bias += o.bias * scale;
     exact += o.exact * scale;
+    exact_mirrored += o.exact_mirrored * scale;
     rounding += float(o.rounding * scale);
     if (float(o.paths[whole_light].largest * scale) > paths[whole_light].largest) largest = o.largest;
     for (size_t k = 0; k < light_part_count; ++k) paths[k].add(o.paths[k], scale);

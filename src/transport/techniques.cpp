@@ -66,23 +66,25 @@ EyeEnd meter_end(const Vec3& p, float error, const Frame& frame, const MeterResp
   return eye;
 }
 
-Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                 const EmitterSet::Choice& choice, const Vec2& u_position) {
-  DirectSample s;
+namespace {
+
+// Of a sample of the emitter. leaves: its light's direction there; edges: to the eye's vertex.
+Found light_of(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+               const EmitterSet::Choice& choice, DirectSample s, const Vec3& leaves, uint32_t edges) {
   const Emitter& emitter = in.scene.emitters[choice.index];
   Vec3 local;
-  if (!emitter.sample_direct(arrival.surface.p, u_position, s) || !scatters(eye, s.wi, local)) return {};
+  if (!scatters(eye, s.wi, local)) return {};
   const Scattering f = eye.evaluate(local, TransportMode::radiance);
   if (is_black(f.value)) return {};
   const MediaStack& media = eye.beyond(s.wi);
   const float scale = terminator(eye, s.wi) * arrival_factor(eye, arrival, s.wi);
-  Contribution c{{Family::path_integration, 1, eye.edges + 1}, choice.index,
+  Contribution c{{Family::path_integration, 1, eye.edges + edges}, choice.index,
                  eye.carried * f.value * s.weight * attenuation_ahead(in.scene, media, s.distance) * scale};
   if (is_black(c.value)) return {};
   if (in.weighted()) {
     const mis::Classes from_emitter =
         mis::from_emitter_at_light_sample(eye.state, n, in.gates_of(choice.index), eye.scatter(f));
-    if (from_emitter.sum() > 0) in.plan.guide.apply(in.scene.emitters, choice.index, s);
+    if (from_emitter.sum() > 0) in.plan.guide.apply(in.scene.emitters, choice.index, leaves, s);
     const double cos_1 = eye.cosine(arrival.surface, s.wi), d2 = double(s.distance) * s.distance;
     const DirectDensities d = direct_densities(in.scene, in.plan.guide, choice, s, cos_1);
     const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * s.cos_0 / d2;
@@ -94,12 +96,68 @@ Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, c
   return c;
 }
 
+Receiver receiver_of(const EyeEnd& eye, const Arrival& arrival) {
+  return eye.bsdf ? receiver_at(arrival.surface, eye.wo, *eye.bsdf)
+                  : meter_receiver(arrival.surface.p, eye.surface.ng, eye.response);
+}
+
+}  // namespace
+
+Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+                 const EmitterSet::Choice& choice, const Vec2& u_position) {
+  DirectSample s;
+  if (!in.scene.emitters[choice.index].sample_direct(arrival.surface.p, u_position, s)) return {};
+  return light_of(in, n, eye, arrival, choice, s, -s.wi, 1);
+}
+
+// As straight light to the vertex's own image behind the mirror, along a path of the same length: its weights are those
+// of an emitter whose light paths begin with being mirrored.
+Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+                       const EmitterChoice& choice) {
+  const FlatMirrors::Image& image = in.scene.flat_mirrors.images[choice.index];
+  const FlatMirrors::Plane& plane = in.scene.flat_mirrors.planes[image.plane];
+  DirectSample s;
+  if (!in.scene.emitters[image.emitter].sample_direct(plane.mirrored(arrival.surface.p), {}, s)) return {};
+  const Vec3 leaves = -s.wi;
+  s.wi = plane.mirrored_direction(s.wi);
+  const MirrorLobe lobe = mirror_lobe(in.scene.materials[plane.material], std::abs(dot(s.wi, plane.n)));
+  s.weight *= lobe.reflectance;
+  s.pdf_direction_w *= lobe.probability;
+  Found c = light_of(in, n, eye, arrival, {image.emitter, choice.probability, 0}, s, leaves, 2);
+  if (!c) return {};
+  const float here = std::abs(plane.height(arrival.surface.p)), there = std::abs(plane.height(s.p));
+  c->mirror = image.plane;
+  c->at_mirror = arrival.surface.p + s.wi * (s.distance * (here / (here + there)));
+  return c;
+}
+
+Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
+                    float found_from) {
+  if (in.is_too_long(eye.edges + 2)) return {};
+  const EmitterChoice choice = choose_image(in.scene, receiver_of(eye, arrival), u_choice);
+  if (!(choice.probability > 0)) return {};
+  Found c = light_from_image(in, n, eye, arrival, choice);
+  if (!c || luminance(c->value) >= found_from) return {};
+  c->value *= 1 / choice.probability;
+  return c;
+}
+
+bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, Passage& passage) {
+  if (c.mirror == none) return segment_free(scene, *c.media, c.from, c.to, work, passage);
+  const FlatMirrors::Plane& plane = scene.flat_mirrors.planes[c.mirror];
+  const Vec3 up = plane.height(c.to) > 0 ? plane.n : -plane.n, above = c.at_mirror + up * (4 * plane.error);
+  Hit hit;
+  ++work.rays;
+  const bool met = scene.raytracer->intersect(above, -up, 8 * plane.error, hit) &&
+                   scene.flat_mirrors.plane_of(hit.instance, hit.primitive) == c.mirror;
+  return met && segment_free(scene, *c.media, c.from, above, work, passage) &&
+         segment_free(scene, *c.media, above, c.to, work, passage);
+}
+
 Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
                    const Vec2& u_position, float found_from) {
   if (in.is_too_long(eye.edges + 1)) return {};
-  const Receiver at = eye.bsdf ? receiver_at(arrival.surface, eye.wo, *eye.bsdf)
-                               : meter_receiver(arrival.surface.p, eye.surface.ng, eye.response);
-  const EmitterSet::Choice choice = in.scene.emitters.choose_direct(at, u_choice);
+  const EmitterSet::Choice choice = in.scene.emitters.choose_direct(receiver_of(eye, arrival), u_choice);
   if (!(choice.probability > 0)) return {};
   Found c = light_from(in, n, eye, arrival, choice, u_position);
   if (!c || (in.plan.exact[choice.index] && luminance(c->value) >= found_from)) return {};
@@ -168,7 +226,7 @@ float connection_estimate(const Iteration& in, const mis::Counts& n, const EyeEn
 std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd& light, uint32_t emitter) {
   const Camera& camera = in.scene.cameras[index];
   const uint32_t edges = light.edges + 1;
-  if (light.edges == 1 && !in.gates_of(emitter).sensor_connect_at_first) return {};
+  if (light.state.first && !in.gates_of(emitter).sensor_connect_at_first) return {};
   if (in.is_too_long(edges)) return {};
   const Vec3 to = camera.position() - light.surface.p;
   const float d2 = length2(to);

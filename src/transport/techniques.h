@@ -30,6 +30,8 @@ struct Contribution {
   mis::Classes others;  // for a new edge without panes
   Vec3 from, to;        // ends of a new edge
   const MediaStack* media = nullptr;  // around `from`; null: no new edge
+  uint32_t mirror = none;             // a plane of FlatMirrors by way of which the edge goes, at:
+  Vec3 at_mirror;
   double mis::Classes::*own = &mis::Classes::eye;  // its class
 
   mis::Classes relative(double pass) const {  // all techniques of the path, this one included
@@ -61,6 +63,13 @@ Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, c
 // found_from: what an emitter of Plan::exact brings from there on is found elsewhere.
 Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
                    const Vec2& u_position, float found_from = INFINITY);
+// The same by way of a flat mirror: choice: among the scene's images.
+Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+                       const EmitterChoice& choice);
+Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
+                    float found_from = INFINITY);
+// Is the new edge free, but for panes?
+bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, Passage& passage);
 Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // 2 <= s <= k
               const LightEnd& light, uint32_t emitter);
 // About what that brings, unoccluded, where both ends are Lambertian: for a choice among light vertices.

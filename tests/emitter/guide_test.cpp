@@ -213,7 +213,7 @@ TEST(Guide, NextEventEstimationAndHitsTakeTheSameFactor) {
       DirectSample d;
       if (!e.sample_direct(reference, random.pair(), d)) continue;
       const DirectSample own = d;
-      guide.apply(set, 0, d);
+      guide.apply(set, 0, -d.wi, d);
       const float factor = guide.factor(set, 0, d.p, d.primitive, -d.wi);
       ASSERT_EQ(d.pdf_direction_w, e.is_directional() ? own.pdf_direction_w : own.pdf_direction_w * factor);
       ASSERT_EQ(d.pdf_position_a, e.is_directional() ? own.pdf_position_a * factor : own.pdf_position_a);

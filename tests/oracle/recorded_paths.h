@@ -46,10 +46,12 @@ struct Replayed {
   mis::Classes found;                  // by the engine, this technique included
 };
 
-// Local quantities of a path, by definition.
+// Local quantities of a path, by definition. mirrors: light that a flat mirror reflects straight from an emitter without
+// extent counts as that of an emitter behind it: the path is one edge shorter.
 class LocalQuantities {
  public:
-  LocalQuantities(const Room& room, const EmissionGuide& guide, const Replayed& r) : room_(room), guide_(guide), r_(r) {
+  LocalQuantities(const Room& room, const EmissionGuide& guide, const Replayed& r, bool mirrors)
+      : room_(room), guide_(guide), r_(r) {
     const int s = int(r.by_light.size()), t = int(r.by_eye.size());
     const bool merge = r.technique == Technique::merge;
     path_.k = s + t - (merge ? 2 : 1);
@@ -59,6 +61,7 @@ class LocalQuantities {
       near_.push_back(&r.by_eye[i]);
       if (!(merge && i == 0)) far_.push_back(&r.by_eye[i]);
     }
+    if (mirrors) unfold();
     path_.sensor = r.sensor;
     path_.cell_area = r.sensor == SensorType::cell ? room.scene->meter_sets[r.set].area(0) : 1;
     resize();
@@ -73,12 +76,26 @@ class LocalQuantities {
     return std::any_of(path_.pass.begin(), path_.pass.end(), [](double p) { return p < 1; });
   }
   bool resolved() const { return resolved_; }  // every delta lobe was found again
+  bool of_image() const { return mirror_ != nullptr; }
 
  private:
   // As vertices that edge i leaves towards the sensor, and that edge i - 1 reaches.
   const Node& near(int i) const { return *near_[i]; }
   const Node& far(int i) const { return *far_[i]; }
   const Snapshot& scene() const { return *room_.scene; }
+
+  // x_1 is left out where it is such a mirror.
+  void unfold() {
+    const FlatMirrors& all = scene().flat_mirrors;
+    const Emitter& e = scene().emitters[r_.emitter];
+    if (path_.k < 2 || !far(1).bsdf || !near(1).delta || !e.is_delta() || e.is_directional()) return;
+    const std::vector<uint32_t>& planes = all.planes_of_instance[far(1).instance];
+    if (planes.empty() || (image_ = all.image_of(r_.emitter, planes[0])) == none) return;
+    mirror_ = &all.planes[planes[0]];
+    at_mirror_ = far(1).p;
+    near_.erase(near_.begin() + 1), far_.erase(far_.begin() + 1);
+    --path_.k;
+  }
 
   void resize() {
     const size_t k = size_t(path_.k);
@@ -97,10 +114,11 @@ class LocalQuantities {
       const bool meter = !x_1.bsdf;
       const Vec3d n = meter || dot(away, x_1.ng) < 0 ? x_1.ng : -x_1.ng;
       const Receiver at{reference, x_1.is_planar() ? Vec3(n) : Vec3(), !meter && x_1.bsdf->transmits_continuously()};
-      return double(scene().emitters.direct_probability(at, r_.emitter));
+      return double(mirror_ ? image_probability(scene(), at, image_)
+                            : scene().emitters.direct_probability(at, r_.emitter));
     };
     DirectSample s;
-    if (e.is_delta()) e.sample_direct(reference, {0.5f, 0.5f}, s);
+    if (e.is_delta()) e.sample_direct(mirror_ ? mirror_->mirrored(reference) : reference, {0.5f, 0.5f}, s);
     if (e.is_directional()) {
       path_.emitter = EmitterType::directional;
       x_0_ = x_1.p + Vec3d(s.wi) * (4.0 * scene().radius);
@@ -110,9 +128,13 @@ class LocalQuantities {
     } else if (e.is_delta()) {
       path_.emitter = EmitterType::point;
       x_0_ = Vec3d(e.center());
-      const Vec3d d = normalize(x_1.p - x_0_);
+      Vec3d d = normalize((mirror_ ? at_mirror_ : x_1.p) - x_0_);
       path_.pdf_to_sensor[0] =
           double(s.pdf_direction_w) * guide_.factor(scene().emitters, r_.emitter, Vec3(x_0_), 0, Vec3(d));
+      if (mirror_) {
+        d = normalize(x_1.p - at_mirror_);
+        path_.pdf_to_sensor[0] *= mirrored_share(d);
+      }
       path_.nee_a = choose(d);
     } else {
       path_.emitter = EmitterType::area;
@@ -154,13 +176,25 @@ class LocalQuantities {
     return nearest;
   }
 
+  double mirrored_share(const Vec3d& d) const {
+    const Vec3d n(mirror_->n);
+    return double(mirror_lobe(scene().materials[mirror_->material], float(std::abs(dot(d, n)))).probability);
+  }
+
   void edge(int i) {
-    const Vec3d from = i == 0 ? x_0_ : near(i).p, to = far(i + 1).p, w = to - from;
+    const bool folded = i == 0 && mirror_;
+    if (folded) cross_panes(0, x_0_, at_mirror_);
+    const Vec3d from = folded ? at_mirror_ : i == 0 ? x_0_ : near(i).p, to = far(i + 1).p, w = to - from;
     const double distance = length(w);
     const Vec3d d = direction_[i] = w / distance;
-    path_.distance[i] = distance;
+    path_.distance[i] = distance + (folded ? length(at_mirror_ - x_0_) : 0);
     path_.cos_near[i] = i == 0 && path_.emitter != EmitterType::area ? 1 : std::abs(dot(d, i == 0 ? n_0_ : near(i).ng));
     path_.cos_far[i] = far(i + 1).response.across ? 1 : std::abs(dot(d, far(i + 1).ng));
+    cross_panes(i, from, to);
+  }
+  void cross_panes(int i, const Vec3d& from, const Vec3d& to) {
+    const double distance = length(to - from);
+    const Vec3d d = (to - from) / distance;
     for (const Pane& pane : room_.panes) {
       const Vec3d n = normalize(cross(pane.u, pane.v));
       const double cosine = dot(d, n), t = dot(pane.corner - from, n) / cosine;
@@ -227,6 +261,9 @@ class LocalQuantities {
   std::vector<const Node*> near_, far_;
   std::vector<Vec3d> direction_;
   Vec3d x_0_, n_0_;
+  const FlatMirrors::Plane* mirror_ = nullptr;  // that was unfolded
+  uint32_t image_ = none;
+  Vec3d at_mirror_;
   bool resolved_ = true;
 };
 
@@ -271,7 +308,8 @@ class Recorder : public PathRecorder {
     } else if (s == 1) {
       r.technique = Technique::light_sample, r.at = 1;
       r.by_light.push_back({.p = Vec3d(c.to), .error = error_of(c.emitter)});
-      add_eye(k - 1, r);
+      if (c.mirror != none) r.by_light.push_back(mirror_of(c));
+      add_eye(k - uint32_t(r.by_light.size()), r);
     } else {
       r.technique = s == k ? Technique::sensor_connect : Technique::connect, r.at = int(s);
       add_light(light_[stored_[first_light_vertex_].first], s - 1, r);
@@ -309,6 +347,16 @@ class Recorder : public PathRecorder {
     r.sensor = sensor_, r.of_pixel = of_pixels, r.pixel = pixel_, r.emitter = c.emitter, r.found = c.relative(pass);
     r.set = meter_set;
     return r;
+  }
+  Node mirror_of(const Contribution& c) const {
+    const auto& planes = room_.scene->flat_mirrors.planes_of_instance;
+    const FlatMirrors::Plane& plane = room_.scene->flat_mirrors.planes[c.mirror];
+    const auto is_there = [&](const std::vector<uint32_t>& of) { return !of.empty() && of[0] == c.mirror; };
+    Node node{.p = Vec3d(c.at_mirror), .ng = Vec3d(plane.n), .shading = Frame(plane.n), .delta = true};
+    node.bsdf.emplace(room_.scene->materials[plane.material], Vec2());
+    node.instance = uint32_t(std::find_if(planes.begin(), planes.end(), is_there) - planes.begin());
+    node.error = plane.error;
+    return node;
   }
   float error_of(uint32_t emitter) const {
     EmissionSample s;

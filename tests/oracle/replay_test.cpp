@@ -68,6 +68,7 @@ class Replay {
     const bool first = std::all_of(r.by_eye.begin() + 1, r.by_eye.end() - 1, [](const Node& n) { return n.delta; });
     return first ? pixel_radius2(r) : shrunk(plan_.walk_radius, number);
   }
+  bool looks_into_mirrors() const { return has(UPS_TECHNIQUE_MIRROR_SAMPLE); }
   const Room& room() const { return room_; }
   const Plan& plan() const { return plan_; }
   const std::vector<Replayed>& paths() const { return recorder_.paths; }
@@ -210,16 +211,17 @@ double difference(const mis::Classes& a, const mis::Classes& b) {
 struct Weighed {
   Path path;
   Vec3d x_0;
-  bool resolved = false, panes = false;
+  bool resolved = false, panes = false, of_image = false;
   std::optional<mis::Classes> expected;  // none: the technique could not have made the path
 };
 Weighed weigh(const Replay& replay, const Replayed& r) {
-  const LocalQuantities local(replay.room(), replay.plan().guide, r);
-  Weighed out{local.path(), local.x_0(), local.resolved(), local.panes_crossed(), {}};
+  const LocalQuantities local(replay.room(), replay.plan().guide, r, replay.looks_into_mirrors());
+  Weighed out{local.path(), local.x_0(), local.resolved(), local.panes_crossed(), local.of_image(), {}};
+  const int at = r.at - (local.of_image() && r.technique != Technique::light_sample);
   out.path.sensor_merge_share = replay.sensor_merge_share(r);
   const std::vector<Term> terms = slow_weights(out.path, replay.counts(r), replay.plan().gates[r.emitter]);
   for (const Term& t : terms)
-    if (t.technique == r.technique && t.at == r.at) out.expected = by_definition(out.path, terms, t.log_density);
+    if (t.technique == r.technique && t.at == at) out.expected = by_definition(out.path, terms, t.log_density);
   return out;
 }
 
@@ -289,6 +291,7 @@ void compare(const Replay& replay, const Replayed& r, Random& random, Counted& c
   if (mirrored) add("mirrored");
   if (glossy) add("glossy casters");
   if (r.found.caustic > 0) add("caustics");
+  if (w.of_image) add("image: " + std::string(r.technique == Technique::light_sample ? "light sample" : "others"));
 }
 
 // Every kind of contribution that the options leave is found so often.
@@ -301,6 +304,8 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
   for (const Replayed& r : replay.paths()) ASSERT_NO_FATAL_FAILURE(compare(replay, r, random, counted));
   size_t above = 0;
   double largest = 0;
+  for (const char* name : {"image: light sample", "image: others"})
+    EXPECT_TRUE(counted[name].all >= (replay.looks_into_mirrors() ? enough : 0)) << name << ' ' << counted[name].all;
   std::vector<std::string> names = {"refracted", "mirrored", "glossy casters", "caustics"};
   for (const char* sensor : {"camera", "pixel", "meter", "cell", "solid point", "solid cell"})
     for (const char* technique : {"hit", "light sample", "connect", "sensor connect", "merge"})
@@ -329,6 +334,12 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
 }
 
 TEST(Replay, AllTechniques) { run({}); }
+
+TEST(Replay, ImagesInFlatMirrors) { run({.techniques = all_techniques | UPS_TECHNIQUE_MIRROR_SAMPLE}); }
+
+TEST(Replay, ImagesWithGuidedEmission) {
+  run({.techniques = all_techniques | UPS_TECHNIQUE_MIRROR_SAMPLE, .guided = true});
+}
 
 TEST(Replay, GuidedEmission) { run({.guided = true}); }
 

@@ -193,6 +193,7 @@ class Technique(enum.IntFlag):
     SENSOR_CONNECT = 8
     MERGE = 16
     SENSOR_HIT = 32
+    MIRROR_SAMPLE = 64
 
 
 class Perturbation(enum.IntEnum):

@@ -19,7 +19,8 @@ constexpr Bit technique_names[] = {{UPS_TECHNIQUE_EMITTER_HIT, "emitter_hit"},
                                    {UPS_TECHNIQUE_CONNECT, "connect"},
                                    {UPS_TECHNIQUE_SENSOR_CONNECT, "sensor_connect"},
                                    {UPS_TECHNIQUE_MERGE, "merge"},
-                                   {UPS_TECHNIQUE_SENSOR_HIT, "sensor_hit"}};
+                                   {UPS_TECHNIQUE_SENSOR_HIT, "sensor_hit"},
+                                   {UPS_TECHNIQUE_MIRROR_SAMPLE, "mirror_sample"}};
 constexpr Bit effect_names[] = {{UPS_EFFECT_SPECULAR_REFLECTION, "specular_reflection"},
                                 {UPS_EFFECT_TRANSMISSION, "transmission"},
                                 {UPS_EFFECT_CAUSTICS, "caustics"},

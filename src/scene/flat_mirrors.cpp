@@ -1,0 +1,278 @@
+// See flat_mirrors.h: which surfaces are flat mirrors, and the choice among the images in them.
+#include "scene/flat_mirrors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/frame.h"
+#include "scene/snapshot.h"
+
+namespace ups {
+namespace {
+
+constexpr size_t most_planes_of_instance = 6;       // a slab's
+constexpr size_t most_triangles = size_t(1) << 16;  // that are looked at of an instance
+constexpr float most_leaning = 1e-4f;               // sine, of normals that are interpolated
+
+bool has_image(const Emitter& e) { return e.is_delta() && e.is_direct() && !e.is_directional() && e.flux_lm() > 0; }
+
+struct Side {  // of triangles
+  Vec3d n;
+  double offset;
+  bool holds(const Vec3d& p, double error) const { return std::abs(dot(n, p) - offset) <= error; }
+};
+
+// A plane with what lies in it.
+struct Part {
+  Side side;
+  uint32_t material;
+  std::vector<Vec3d> corners;  // 3 a triangle
+};
+
+class Search {
+ public:
+  explicit Search(const Snapshot& scene) : scene_(scene), error_(0x1p-20 * double(scene.radius)) {}
+
+  FlatMirrors find() {
+    for (size_t e = 0; e < scene_.emitters.size(); ++e)
+      if (has_image(scene_.emitters[e])) emitters_.push_back(uint32_t(e));
+    if (emitters_.empty() || scene_.media.nest) return {};
+    out_.planes_of_instance.resize(scene_.instances.size());
+    for (size_t i = 0; i < scene_.instances.size(); ++i)
+      if (!add(i)) others_ |= traits_of(material_of(i)).delta;
+    choose_planes();
+    if (out_.images.empty()) return {};
+    judge();
+    return std::move(out_);
+  }
+
+ private:
+  const Material& material_of(size_t instance) const { return scene_.materials[scene_.instances[instance].material]; }
+
+  // That reflects by one delta lobe, alike everywhere.
+  bool is_mirror(size_t instance) const {
+    const Material& m = material_of(instance);
+    const SurfaceTexturing& texturing = scene_.texturing[scene_.instances[instance].material];
+    return (m.model == MaterialModel::mirror || m.model == MaterialModel::glazing) && !m.reflectance_texture &&
+           traits_of(m).delta && !texturing.normal && texturing.alpha_mode == SurfaceTexturing::opaque &&
+           scene_.emitter_of_instance[instance] == none;
+  }
+
+  // False where the instance is no flat mirror.
+  bool add(size_t instance) {
+    const Raytracer::Instance& placed = scene_.instances[instance];
+    const Mesh& mesh = *scene_.meshes[placed.mesh];
+    if (!is_mirror(instance) || mesh.revolution || mesh.triangle_count() > most_triangles) return false;
+    std::vector<Side> sides;
+    std::vector<uint32_t> of_triangle;
+    std::vector<std::array<Vec3d, 3>> triangles;
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+      std::array<Vec3d, 3> p;
+      for (size_t c = 0; c < 3; ++c) p[c] = placed.to_scene.point(Vec3d(mesh.positions[mesh.indices[3 * t + c]]));
+      triangles.push_back(p);
+      of_triangle.push_back(side_of(p, sides));
+      if (of_triangle.back() == none || leans(mesh, t)) return false;
+    }
+    if (sides.empty()) return false;
+    std::vector<uint32_t> part_of_side;
+    for (const Side& side : sides) part_of_side.push_back(part_of(side, placed.material));
+    for (size_t t = 0; t < triangles.size(); ++t) {
+      of_triangle[t] = part_of_side[of_triangle[t]];
+      Part& part = parts_[of_triangle[t]];
+      part.corners.insert(part.corners.end(), triangles[t].begin(), triangles[t].end());
+    }
+    if (sides.size() == 1) of_triangle.resize(1);
+    out_.planes_of_instance[instance] = std::move(of_triangle);
+    return true;
+  }
+
+  // Of those found so far, or a new one; none: there are too many.
+  uint32_t side_of(const std::array<Vec3d, 3>& p, std::vector<Side>& sides) const {
+    for (size_t i = 0; i < sides.size(); ++i)
+      if (std::all_of(p.begin(), p.end(), [&](const Vec3d& q) { return sides[i].holds(q, error_); }))
+        return uint32_t(i);
+    const Vec3d n = cross(p[1] - p[0], p[2] - p[0]);
+    const double twice_area = length(n);
+    if (sides.size() == most_planes_of_instance || !(twice_area > 0)) return none;
+    sides.push_back({n / twice_area, dot(n / twice_area, p[0])});
+    return uint32_t(sides.size() - 1);
+  }
+
+  // Normals of vertices that are not those of the triangle.
+  static bool leans(const Mesh& mesh, size_t triangle) {
+    if (mesh.normals.empty()) return false;
+    const uint32_t* at = &mesh.indices[3 * triangle];
+    const Vec3d p(mesh.positions[at[0]]),
+        n = normalize(cross(Vec3d(mesh.positions[at[1]]) - p, Vec3d(mesh.positions[at[2]]) - p));
+    for (int c = 0; c < 3; ++c)
+      if (!(length(cross(n, normalize(Vec3d(mesh.normals[at[c]])))) < most_leaning)) return true;
+    return false;
+  }
+
+  // Two that lie in one plane and reflect alike are one, so that a point has one image in them.
+  uint32_t part_of(const Side& side, uint32_t material) {
+    for (size_t i = 0; i < parts_.size(); ++i) {
+      const Part& part = parts_[i];
+      const auto is_in = [&](const Vec3d& p) { return side.holds(p, error_); };
+      if (part.material == material && length(cross(part.side.n, side.n)) < most_leaning &&
+          is_in(part.side.n * part.side.offset) &&
+          std::all_of(part.corners.begin(), part.corners.end(), is_in))
+        return uint32_t(i);
+    }
+    parts_.push_back({side, material, {}});
+    return uint32_t(parts_.size() - 1);
+  }
+
+  // Along the longest edge, which rectangles have.
+  static Frame frame_of(const Part& part) {
+    Vec3d longest = part.corners[1] - part.corners[0];
+    for (size_t c = 0; c < part.corners.size(); c += 3)
+      for (size_t k = 0; k < 3; ++k) {
+        const Vec3d edge = part.corners[c + (k + 1) % 3] - part.corners[c + k];
+        if (length2(edge) > 1.0001 * length2(longest)) longest = edge;
+      }
+    const Vec3d s = normalize(longest - part.side.n * dot(longest, part.side.n));
+    return {Vec3(s), Vec3(cross(part.side.n, s)), Vec3(part.side.n)};
+  }
+
+  static FlatMirrors::Plane plane_of(const Part& part, double error) {
+    const Frame frame = frame_of(part);
+    FlatMirrors::Plane out{};
+    out.n = frame.n, out.s = frame.s, out.t = frame.t;
+    out.offset = float(part.side.offset);
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (const Vec3d& p : part.corners) {
+      const double at[2] = {dot(p, Vec3d(frame.s)), dot(p, Vec3d(frame.t))};
+      for (int k = 0; k < 2; ++k) low[k] = std::min(low[k], at[k]), high[k] = std::max(high[k], at[k]);
+    }
+    const double s = 0.5 * (low[0] + high[0]), t = 0.5 * (low[1] + high[1]), margin = 8 * error;
+    out.center = Vec3(Vec3d(frame.s) * s + Vec3d(frame.t) * t + Vec3d(frame.n) * part.side.offset);
+    out.half_s = float(0.5 * (high[0] - low[0]) + margin), out.half_t = float(0.5 * (high[1] - low[1]) + margin);
+    out.error = float(error);
+    out.material = part.material;
+    return out;
+  }
+
+  // The largest, as far as their images are few enough to be weighed one by one.
+  void choose_planes() {
+    std::vector<FlatMirrors::Plane> planes;
+    std::vector<uint32_t> order;
+    for (const Part& part : parts_) order.push_back(uint32_t(order.size())), planes.push_back(plane_of(part, error_));
+    const auto area = [&](uint32_t i) { return double(planes[i].half_s) * planes[i].half_t; };
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return area(a) > area(b); });
+    const size_t most = FlatMirrors::most_images / emitters_.size();
+    if (order.size() > most) order.resize(most);
+    others_ |= order.size() < parts_.size();
+    std::vector<uint32_t> number(parts_.size(), none);
+    for (const uint32_t i : order) {
+      number[i] = uint32_t(out_.planes.size());
+      out_.planes.push_back(planes[i]);
+      for (const uint32_t e : emitters_) add_image(e, number[i]);
+    }
+    for (auto& of_triangle : out_.planes_of_instance)
+      for (uint32_t& plane : of_triangle) plane = number[plane];
+  }
+
+  // Of a lamp on the mirror itself there is none.
+  void add_image(uint32_t emitter, uint32_t plane) {
+    if (std::abs(out_.planes[plane].height(scene_.emitters[emitter].center())) > 16 * error_)
+      out_.images.push_back({emitter, plane});
+    else
+      others_ = true;
+  }
+
+  void judge() {
+    constexpr float often = 4;  // over the reflectance of what faces the light
+    out_.frequency = 0;
+    for (const FlatMirrors::Plane& p : out_.planes)
+      out_.frequency = std::max(out_.frequency, often * max_component(mirror_lobe(scene_.materials[p.material], 1).reflectance));
+    out_.frequency = std::clamp(out_.frequency, 0.25f, 1.0f);
+    for (size_t e = 0; e < scene_.emitters.size(); ++e)
+      others_ |= scene_.emitters[e].is_delta() && scene_.emitters[e].flux_lm() > 0 && !has_image(scene_.emitters[e]);
+    out_.all_flat = !others_;
+    const auto lies_in_first = [&](const FlatMirrors::Plane& p) {
+      const FlatMirrors::Plane& first = out_.planes[0];
+      return length(cross(p.n, first.n)) < most_leaning && std::abs(first.height(p.center)) <= 2 * p.error;
+    };
+    out_.complete = out_.all_flat && std::all_of(out_.planes.begin(), out_.planes.end(), lies_in_first);
+  }
+
+  const Snapshot& scene_;
+  const double error_;  // of triangles' corners
+  std::vector<uint32_t> emitters_;
+  std::vector<Part> parts_;
+  bool others_ = false;  // some specular light has no image
+  FlatMirrors out_;
+};
+
+// visit(index of an image, what it would bring): those that are seen in their mirrors and bring anything.
+template <class Visit>
+void weigh_images(const Snapshot& scene, const Receiver& r, const Visit& visit) {
+  const FlatMirrors& mirrors = scene.flat_mirrors;
+  const FlatMirrors::Plane* plane = nullptr;
+  Vec3 behind;  // the receiver's own image
+  float height = 0;
+  for (uint32_t i = 0; i < mirrors.images.size(); ++i) {
+    const FlatMirrors::Image& image = mirrors.images[i];
+    if (plane != &mirrors.planes[image.plane]) {
+      plane = &mirrors.planes[image.plane];
+      height = plane->height(r.p);
+      behind = plane->mirrored(r.p);
+    }
+    const Emitter& emitter = scene.emitters[image.emitter];
+    const Vec3 p = emitter.center(), way = behind - p;
+    const float above = plane->height(p);
+    if (!(above * height > 0) || !plane->holds(p + way * (above / (above + height)))) continue;
+    DirectSample s;
+    if (!emitter.sample_direct(behind, {0.5f, 0.5f}, s)) continue;
+    const Vec3 wi = plane->mirrored_direction(s.wi);
+    const float facing = dot(wi, r.n), cosine = max_abs(r.n) == 0 ? 1.0f : r.both_sides ? std::abs(facing) : facing;
+    if (!(cosine > 0)) continue;
+    const MirrorLobe lobe = mirror_lobe(scene.materials[plane->material], std::abs(dot(wi, plane->n)));
+    const float size = luminance(s.weight) * luminance(lobe.reflectance) * cosine;
+    if (size > 0 && std::isfinite(size)) visit(i, size);
+  }
+}
+
+}  // namespace
+
+FlatMirrors find_flat_mirrors(const Snapshot& scene) { return Search(scene).find(); }
+
+uint32_t FlatMirrors::image_of(uint32_t emitter, uint32_t plane) const {
+  for (uint32_t i = 0; i < images.size(); ++i)
+    if (images[i].emitter == emitter && images[i].plane == plane) return i;
+  return none;
+}
+
+size_t FlatMirrors::bytes() const {
+  size_t sum = planes.capacity() * sizeof(Plane) + images.capacity() * sizeof(Image);
+  for (const auto& of_triangle : planes_of_instance) sum += of_triangle.capacity() * sizeof(uint32_t);
+  return sum;
+}
+
+EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, float u) {
+  const float frequency = scene.flat_mirrors.frequency;
+  if (!(u < frequency)) return {};
+  u /= frequency;
+  std::array<std::pair<uint32_t, float>, FlatMirrors::most_images> seen;
+  size_t count = 0;
+  float sum = 0;
+  weigh_images(scene, receiver, [&](uint32_t image, float size) { seen[count++] = {image, size}, sum += size; });
+  if (count == 0) return {};
+  float below = 0;
+  for (size_t i = 0; i < count; ++i) {
+    const auto [image, size] = seen[i];
+    if (i + 1 == count || u * sum < below + size) return {image, frequency * size / sum, 0};
+    below += size;
+  }
+  return {};
+}
+
+float image_probability(const Snapshot& scene, const Receiver& receiver, uint32_t image) {
+  float own = 0, sum = 0;
+  weigh_images(scene, receiver, [&](uint32_t i, float size) { sum += size, own = i == image ? size : own; });
+  return sum > 0 ? scene.flat_mirrors.frequency * own / sum : 0;
+}
+
+}  // namespace ups

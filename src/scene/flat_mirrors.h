@@ -1,0 +1,64 @@
+// Flat mirrors and panes, in which emitters without extent have images: light that such a surface reflects comes as if
+// from behind it, so that next-event estimation finds what else light paths alone would. Made at commit; sampled by
+// transport/techniques.h.
+#pragma once
+#include <vector>
+
+#include "emitter/emitter_set.h"
+#include "emitter/receiver.h"
+#include "geometry/raytracer.h"
+
+namespace ups {
+
+struct Snapshot;
+
+struct FlatMirrors {
+  // All of one material that lies in it. Both sides reflect.
+  struct Plane {
+    Vec3 n;        // unit
+    float offset;  // dot(n, p) of its points
+    Vec3 center, s, t;  // of the rectangle that holds it
+    float half_s, half_t;
+    float error;  // surface points lie within this distance of it
+    uint32_t material;
+
+    float height(const Vec3& p) const { return dot(n, p) - offset; }
+    Vec3 mirrored(const Vec3& p) const { return p - n * (2 * height(p)); }
+    Vec3 mirrored_direction(const Vec3& d) const { return d - n * (2 * dot(n, d)); }
+    bool holds(const Vec3& p) const {  // of a point of the plane
+      return std::abs(dot(p - center, s)) <= half_s && std::abs(dot(p - center, t)) <= half_t;
+    }
+  };
+  struct Image {
+    uint32_t emitter, plane;
+  };
+  static constexpr size_t most_images = 64;  // each is weighed at every vertex
+
+  std::vector<Plane> planes;
+  std::vector<Image> images;  // those of a plane together
+  // Of each instance: planes by triangle; one for all; empty: it is no flat mirror.
+  std::vector<std::vector<uint32_t>> planes_of_instance;
+  // Share of the receivers that look at an image at all: what reflects little is not asked for as often as what lights
+  // straight.
+  float frequency = 1;
+  bool all_flat = false;  // every surface with a delta lobe is one, in which every emitter without extent has an image
+  bool complete = false;  // and no such light is reflected by two of them in turn
+
+  bool empty() const { return images.empty(); }
+  uint32_t plane_of(uint32_t instance, uint32_t primitive) const {  // none
+    if (planes_of_instance.empty() || planes_of_instance[instance].empty()) return uint32_t(-1);
+    const std::vector<uint32_t>& of = planes_of_instance[instance];
+    return of[of.size() > 1 ? primitive : 0];
+  }
+  uint32_t image_of(uint32_t emitter, uint32_t plane) const;  // none
+  size_t bytes() const;
+};
+
+FlatMirrors find_flat_mirrors(const Snapshot& scene);
+
+// Which image a receiver looks at, if at any: in proportion to what each would bring there, unoccluded. Its index in
+// `images`.
+EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, float u);
+float image_probability(const Snapshot& scene, const Receiver& receiver, uint32_t image);
+
+}  // namespace ups
