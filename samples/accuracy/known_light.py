@@ -68,6 +68,11 @@ def square_of(count, centre, pitch, z):
     return np.stack([x.ravel(), y.ravel(), np.full(x.size, z)], 1)
 
 
+def photon_mirror(scene):
+    """A mask without holes: such a mirror shows no lamp as its image, so that photons carry the light it reflects."""
+    return scene.material("mirror", MIRROR, alphaMode="MASK")
+
+
 # ---- flat mirrors: as much light as the lamp's image behind them would bring -----------------------------------------
 
 def facing_down(centre, z, side):
@@ -84,7 +89,7 @@ LARGE, LARGE_Z, BELOW = 2.0, 2.999, (2.9, 3.0, 0.9)  # side and height of a mirr
 
 def large_mirror(scene):
     add_room(scene, (0, 0, 0), (6, 6, 3))
-    scene.shape("mirror", facing_down((3, 3), LARGE_Z, LARGE), scene.material("mirror", MIRROR))
+    scene.shape("mirror", facing_down((3, 3), LARGE_Z, LARGE), photon_mirror(scene))
     scene.point_light("lamp", BELOW, CANDELA)
 
 
@@ -130,7 +135,7 @@ def caustic(light_paths, iterations):
     def build(scene):
         add_room(scene, (0, 0, 0), (6, 6, 3))
         scene.shape("screen", box((2.5, 2, 0), (2.6, 4, 1.2)), scene.material("black", BLACK))
-        scene.shape("mirrors", merged([facing_down(c, z, side) for c in centres]), scene.material("mirror", MIRROR))
+        scene.shape("mirrors", merged([facing_down(c, z, side) for c in centres]), photon_mirror(scene))
         aim = np.array([*centres.mean(0), z]) - lamp
         widest = max(angle_between(aim, np.array([*c, z]) - lamp) for c in centres)
         scene.spot_light("lamp", lamp, aim, CANDELA, widest + 0.02, widest + 0.03)

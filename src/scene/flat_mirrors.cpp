@@ -41,9 +41,11 @@ class Search {
     out_.planes_of_instance.resize(scene_.instances.size());
     for (size_t i = 0; i < scene_.instances.size(); ++i)
       if (!add(i)) others_ |= traits_of(material_of(i)).delta;
+    out_.emitter_count = scene_.emitters.size();
     choose_planes();
     if (out_.images.empty()) return {};
     judge();
+    if (out_.images.size() > FlatMirrors::most_weighed) out_.tree = tree_of_images();
     return std::move(out_);
   }
 
@@ -168,6 +170,7 @@ class Search {
     for (const uint32_t i : order) {
       number[i] = uint32_t(out_.planes.size());
       out_.planes.push_back(planes[i]);
+      out_.image_numbers.resize(out_.planes.size() * out_.emitter_count, none);
       for (const uint32_t e : emitters_) add_image(e, number[i]);
     }
     for (auto& of_triangle : out_.planes_of_instance)
@@ -177,7 +180,8 @@ class Search {
   // Of a lamp on the mirror itself there is none.
   void add_image(uint32_t emitter, uint32_t plane) {
     if (std::abs(out_.planes[plane].height(scene_.emitters[emitter].center())) > 16 * error_)
-      out_.images.push_back({emitter, plane});
+      out_.image_numbers[plane * out_.emitter_count + emitter] = uint32_t(out_.images.size()),
+          out_.images.push_back({emitter, plane});
     else
       others_ = true;
   }
@@ -196,6 +200,20 @@ class Search {
       return length(cross(p.n, first.n)) < most_leaning && std::abs(first.height(p.center)) <= 2 * p.error;
     };
     out_.complete = out_.all_flat && std::all_of(out_.planes.begin(), out_.planes.end(), lies_in_first);
+  }
+
+  LightTree tree_of_images() const {
+    std::vector<LightTree::Entry> entries;
+    for (const FlatMirrors::Image& image : out_.images) {
+      const FlatMirrors::Plane& plane = out_.planes[image.plane];
+      const Emitter& emitter = scene_.emitters[image.emitter];
+      Outline o = emitter.outline();
+      o.center = plane.mirrored(o.center);
+      for (Vec3* axis : {&o.frame.s, &o.frame.t, &o.frame.n}) *axis = plane.mirrored_direction(*axis);
+      const float reflectance = luminance(mirror_lobe(scene_.materials[plane.material], 0.7f).reflectance);
+      entries.push_back({o, emitter.flux_lm() * double(reflectance), reflectance, uint32_t(entries.size())});
+    }
+    return LightTree(entries, entries.size());
   }
 
   const Snapshot& scene_;
@@ -239,14 +257,9 @@ void weigh_images(const Snapshot& scene, const Receiver& r, const Visit& visit) 
 
 FlatMirrors find_flat_mirrors(const Snapshot& scene) { return Search(scene).find(); }
 
-uint32_t FlatMirrors::image_of(uint32_t emitter, uint32_t plane) const {
-  for (uint32_t i = 0; i < images.size(); ++i)
-    if (images[i].emitter == emitter && images[i].plane == plane) return i;
-  return none;
-}
-
 size_t FlatMirrors::bytes() const {
-  size_t sum = planes.capacity() * sizeof(Plane) + images.capacity() * sizeof(Image);
+  size_t sum = planes.capacity() * sizeof(Plane) + images.capacity() * sizeof(Image) +
+               image_numbers.capacity() * sizeof(uint32_t) + tree.bytes();
   for (const auto& of_triangle : planes_of_instance) sum += of_triangle.capacity() * sizeof(uint32_t);
   return sum;
 }
@@ -255,7 +268,12 @@ EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, floa
   const float frequency = scene.flat_mirrors.frequency;
   if (!(u < frequency)) return {};
   u /= frequency;
-  std::array<std::pair<uint32_t, float>, FlatMirrors::most_images> seen;
+  if (scene.flat_mirrors.images.size() > FlatMirrors::most_weighed) {
+    EmitterChoice choice = scene.flat_mirrors.tree.choose(receiver, u);
+    choice.probability *= frequency;
+    return choice;
+  }
+  std::array<std::pair<uint32_t, float>, FlatMirrors::most_weighed> seen;
   size_t count = 0;
   float sum = 0;
   weigh_images(scene, receiver, [&](uint32_t image, float size) { seen[count++] = {image, size}, sum += size; });
@@ -270,6 +288,8 @@ EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, floa
 }
 
 float image_probability(const Snapshot& scene, const Receiver& receiver, uint32_t image) {
+  if (scene.flat_mirrors.images.size() > FlatMirrors::most_weighed)
+    return scene.flat_mirrors.frequency * scene.flat_mirrors.tree.probability(receiver, image);
   float own = 0, sum = 0;
   weigh_images(scene, receiver, [&](uint32_t i, float size) { sum += size, own = i == image ? size : own; });
   return sum > 0 ? scene.flat_mirrors.frequency * own / sum : 0;

@@ -32,10 +32,14 @@ struct FlatMirrors {
   struct Image {
     uint32_t emitter, plane;
   };
-  static constexpr size_t most_images = 64;  // each is weighed at every vertex
+  static constexpr size_t most_weighed = 64;  // one by one, where they are seen; more by a tree, wherever they are
+  static constexpr size_t most_images = size_t(1) << 16;
 
   std::vector<Plane> planes;
   std::vector<Image> images;  // those of a plane together
+  std::vector<uint32_t> image_numbers;  // by plane and emitter, emitter fastest; none
+  size_t emitter_count = 0;
+  LightTree tree;  // of images, where they are more than are weighed
   // Of each instance: planes by triangle; one for all; empty: it is no flat mirror.
   std::vector<std::vector<uint32_t>> planes_of_instance;
   // Share of the receivers that look at an image at all: what reflects little is not asked for as often as what lights
@@ -50,7 +54,7 @@ struct FlatMirrors {
     const std::vector<uint32_t>& of = planes_of_instance[instance];
     return of[of.size() > 1 ? primitive : 0];
   }
-  uint32_t image_of(uint32_t emitter, uint32_t plane) const;  // none
+  uint32_t image_of(uint32_t emitter, uint32_t plane) const { return image_numbers[plane * emitter_count + emitter]; }
   size_t bytes() const;
 };
 

@@ -131,6 +131,16 @@ class Chooser {
     const Outcome first = at(light_paths, whole, 1, operations_of_all());
     return first.shares.empty() ? first : at(light_paths, whole, first.score / first.operations, first.operations);
   }
+  // Light paths for caustics alone are few where these are little of the light, which says nothing of what none of them
+  // has found yet: a bound of that falls with their number. So they may cost as much as a tenth of all else.
+  void add_caustic_paths(Outcome& of) const {
+    constexpr double tenth = 0.1;
+    const double all_else = of.operations - of.light_paths * cost_.caustic_light;
+    while (2 * of.light_paths <= 1 && 2 * of.light_paths * cost_.caustic_light <= tenth * all_else) {
+      of.operations += of.light_paths * cost_.caustic_light;
+      of.light_paths *= 2;
+    }
+  }
   double operations_of_all() const {
     double sum = cost_.light;
     for (uint32_t u = 0; u < units_.count; ++u) sum += eye_operations(u, {});
@@ -252,6 +262,8 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
     if (o.score * least_gain < of.score) of = std::move(o);
   };
   for (const double n : of_caustics(settings)) take(plain, chooser.at(n, false));
+  if (!settings.light_paths && settings.has(UPS_TECHNIQUE_MERGE) && !plain.shares.empty())
+    chooser.add_caustic_paths(plain);
   best = plain;
   for (const double n : of_light(settings)) take(best, chooser.at(n, true));
   if (!settings.prefers_eye_paths && !(best.score * least_gain < whole)) return out;

@@ -67,7 +67,7 @@ TEST(IlluminanceCamera, MeasuresWhatItSees) {
 TEST(IlluminanceCamera, MeasuresWhatAMirrorShows) {
   const double ceiling_z = 3, reach = half_extent * (camera_z + ceiling_z) / camera_z;
   Scene scene;
-  scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), mirror(0.5));
+  scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), photon_mirror(0.5));
   scene.add(quad({-3, -3, ceiling_z}, {0, 6, 0}, {6, 0, 0}), matte(0));
   scene.add_point_light(lamp, candela);
   const Sensor camera = add_camera_above(scene);

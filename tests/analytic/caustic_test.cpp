@@ -59,7 +59,7 @@ class MirrorImage : public ::testing::Test {
     return rho * intensity * d.z / std::pow(length(d), 3);
   }
   void SetUp() override {
-    scene.add(quad({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}), mirror(rho));
+    scene.add(quad({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}), photon_mirror(rho));
     scene.add(quad({0, -3, 0.8}, {0, 6, 0}, {0, 0, 3}),
               matte(0));  // in the way of direct light, outside the cone as well
     scene.add_spot({-1, 0, 1.5}, {1, 0, -1.5}, intensity, 0.35, 0.4);  // full intensity towards all that is measured

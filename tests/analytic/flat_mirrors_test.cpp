@@ -220,7 +220,7 @@ TEST(FlatMirrorsAmongAllElse, TheLightIsTheSame) {
   const Sensor meters = scene.add_meters(at, {0, 0, 1}),
                camera = scene.add_camera({3.6, 0.4, 1.8}, {-0.7, 0.6, -0.3}, 48, 36, 1.2);
   const auto measure = [&](uint32_t techniques, uint64_t seed) {
-    return scene.render({.iterations = 96, .seed = seed, .merge_radius_m = 0.08, .light_paths = 1u << 12, .techniques = techniques});
+    return scene.render({.iterations = 64, .seed = seed, .merge_radius_m = 0.08, .light_paths = 1u << 13, .techniques = techniques});
   };
   constexpr uint32_t all = all_but_mirrors | UPS_TECHNIQUE_MIRROR_SAMPLE;
   const Result with = measure(all, 1), without = measure(all_but_mirrors, 2);
@@ -238,6 +238,25 @@ TEST(FlatMirrorsAmongAllElse, TheLightIsTheSame) {
   RenderOptions mirrors = of_picture, none = of_picture;
   mirrors.techniques = all, none.techniques = all_but_mirrors;
   expect_same(image_mean(scene, camera, mirrors), image_mean(scene, camera, none), "picture");
+}
+
+// Ninety lamps, whose images are a tree's, in a window and in a mirror; the same judgement.
+TEST(FlatMirrorsAmongAllElse, TheLightOfManyLampsIsTheSame) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {6, 5, 3}).flipped(), matte(0.6));
+  scene.add(quad({0.01, 1, 0.5}, {0, 3, 0}, {0, 0, 1.6}), mirror(0.9));
+  scene.add(quad({1, 0.01, 0.5}, {0, 0, 2}, {4, 0, 0}), clear_pane());
+  for (int i = 0; i < 90; ++i) scene.add_spot({0.3 + 0.6 * (i % 10), 0.3 + 0.55 * (i / 10), 2.9}, {0, 0, -1}, 20, 0.5, 1.2);
+  std::vector<P3> at;
+  for (int i = 0; i < 24; ++i) at.push_back({0.5 + (i % 6), 0.5 + (i / 6), 0.75});
+  const Sensor meters = scene.add_meters(at, {0, 0, 1});
+  const auto measure = [&](uint32_t techniques, uint64_t seed) {
+    return scene.render({.iterations = 32, .seed = seed, .light_paths = 1u << 13, .techniques = techniques}).statistics(meters);
+  };
+  const auto a = measure(all_but_mirrors | UPS_TECHNIQUE_MIRROR_SAMPLE, 1), b = measure(all_but_mirrors, 2);
+  const double s = std::hypot(a.mean_standard_error_lx, b.mean_standard_error_lx), difference = std::abs(a.mean_lx - b.mean_lx);
+  EXPECT_LE(s, 0.0025 * b.mean_lx) << "too noisy to judge";
+  EXPECT_GE(0.01 * b.mean_lx - difference, 2.04 * s) << a.mean_lx << " and " << b.mean_lx << " +- " << s;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 TEST(HonestErrors, AMeterThatASmallMirrorLights) {
   Scene scene;
   scene.add(box({0, 0, 0}, {6, 6, 3}).flipped(), matte(0));
-  scene.add(quad({2.99, 2.99, 2.999}, {0, 0.02, 0}, {0.02, 0, 0}), mirror(0.9));
+  scene.add(quad({2.99, 2.99, 2.999}, {0, 0.02, 0}, {0.02, 0, 0}), photon_mirror(0.9));
   scene.add(box({2.5, 2, 0}, {2.6, 4, 1.2}), matte(0));
   scene.add_point_light({1, 3, 1}, 1000);
   const Sensor meters = scene.add_meters({P3{0.5, 0.5, 0.75}, P3{5, 3, 1}}, {0, 0, 1});

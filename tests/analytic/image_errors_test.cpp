@@ -41,7 +41,7 @@ struct Coverage {
 Coverage coverage(ups_method method, uint32_t seeds) {
   Scene scene;
   scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(reflectance));
-  scene.add(quad({-mirror_half, -mirror_half, mirror_z}, {0, 2 * mirror_half, 0}, {2 * mirror_half, 0, 0}), mirror(1));
+  scene.add(quad({-mirror_half, -mirror_half, mirror_z}, {0, 2 * mirror_half, 0}, {2 * mirror_half, 0, 0}), photon_mirror(1));
   scene.add_point_light(lamp, candela);
   const Sensor camera =
       scene.add_camera({0, 0, camera_z}, {0, 0, -1}, side, side, 2 * std::atan(half_extent / camera_z));

@@ -90,7 +90,7 @@ TEST(Accuracy, NoiseOfAnOfficeIsForetold) {
 TEST(Accuracy, BiasAtAnEdgeIsForetold) {
   Scene scene;
   scene.add(box({0, 0, 0}, {6, 6, 3}).flipped(), matte(0));
-  scene.add(quad({2.8, 2.8, 2.999}, {0, 0.4, 0}, {0.4, 0, 0}), mirror(0.9));
+  scene.add(quad({2.8, 2.8, 2.999}, {0, 0.4, 0}, {0.4, 0, 0}), photon_mirror(0.9));
   scene.add_point_light({2.9, 3, 0.9}, 1000);
   std::vector<P3> points;
   for (int i = 0; i < 25; ++i) points.push_back({2.75 + 0.175 * (i / 5), 2.65 + 0.175 * (i % 5), 0.95});

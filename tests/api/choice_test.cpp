@@ -57,9 +57,20 @@ TEST_F(Choice, AMatteOfficeNeedsNoLightPaths) {
   EXPECT_EQ(result.info().light_paths, 0u);
 }
 
-TEST_F(Choice, APictureGlassNeedsCausticPhotonsAlone) {
+TEST_F(Choice, APictureGlassNeedsNoLightPathsEither) {
   auto glazing = material(UPS_MATERIAL_GLAZING, 1);
   for (float& t : glazing.transmittance_rgb) t = 0.84f;
+  scene.add(quad({2, 0.01, 1.1}, {0, 0, 0.8}, {0.8, 0, 0}), glazing);
+  const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 2});
+  EXPECT_EQ(choice_of(result, points).techniques, eye | UPS_TECHNIQUE_MIRROR_SAMPLE);
+  EXPECT_EQ(result.info().light_paths, 0u);
+}
+
+// One that shows no images, see photon_mirror().
+TEST_F(Choice, ACasterNeedsCausticPhotonsAlone) {
+  auto glazing = material(UPS_MATERIAL_GLAZING, 1);
+  for (float& t : glazing.transmittance_rgb) t = 0.84f;
+  glazing.alpha_mode = UPS_ALPHA_MASK;
   scene.add(quad({2, 0.01, 1.1}, {0, 0, 0.8}, {0.8, 0, 0}), glazing);
   const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 2});
   const ups_sensor_choice c = choice_of(result, points);
@@ -71,6 +82,7 @@ TEST_F(Choice, APictureGlassNeedsCausticPhotonsAlone) {
 TEST_F(Choice, ANumberOfLightPathsThatIsAskedForStays) {
   auto glazing = material(UPS_MATERIAL_GLAZING, 1);
   for (float& t : glazing.transmittance_rgb) t = 0.84f;
+  glazing.alpha_mode = UPS_ALPHA_MASK;
   scene.add(quad({2, 0.01, 1.1}, {0, 0, 0.8}, {0.8, 0, 0}), glazing);
   const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 2, .light_paths = 2048});
   EXPECT_EQ(choice_of(result, points).light_paths_per_iteration, 2048u);

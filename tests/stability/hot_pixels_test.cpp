@@ -19,7 +19,7 @@ struct Fireflies {
   Shape image;  // of the lamp in the mirror
   Sensor meters, camera;
   Fireflies(double candela, double rho, double lamp_half) {
-    scene.add(quad({-0.5, -0.5, mirror_z}, {0, 1, 0}, {1, 0, 0}), mirror(reflectance));
+    scene.add(quad({-0.5, -0.5, mirror_z}, {0, 1, 0}, {1, 0, 0}), photon_mirror(reflectance));
     scene.add(quad({-lamp_half, -lamp_half, 1.2}, {2 * lamp_half, 0, 0}, {0, 2 * lamp_half, 0}), emitter(luminance));
     scene.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), matte(rho));
     if (candela > 0) scene.add_point_light({0, 0, 1.19}, candela);

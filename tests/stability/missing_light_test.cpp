@@ -25,7 +25,7 @@ void expect_dark_where_said(bool dark, const Result& result, ups_method method, 
 struct MirrorRoom {
   Scene scene;
   explicit MirrorRoom(double floor_reflectance) {
-    scene.add(quad({-1, -1, 2}, {0, 2, 0}, {2, 0, 0}), mirror(0.9));
+    scene.add(quad({-1, -1, 2}, {0, 2, 0}, {2, 0, 0}), photon_mirror(0.9));
     if (floor_reflectance > 0) scene.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), matte(floor_reflectance));
     scene.add_spot({0, 0, 1}, {0, 0, 1}, 1000, 0.15, 0.2);
   }
@@ -91,7 +91,7 @@ class Taught_SmallMirror : public ::testing::Test {
   ups_meter_reading read(bool with_mirror, const RenderOptions& options) const {
     Scene scene;
     scene.add(box({-5, -5, 0}, {5, 5, 5}).flipped(), matte(0.5));
-    if (with_mirror) scene.add(quad({-1, -0.05, 1.49}, {0, 0.1, 0}, {0, 0, 0.1}), mirror(0.95));
+    if (with_mirror) scene.add(quad({-1, -0.05, 1.49}, {0, 0.1, 0}, {0, 0, 0.1}), photon_mirror(0.95));
     scene.add_point_light({3, 0, 4.5}, candela);
     const Sensor meter = scene.add_meters({{0, 0, 0.8}}, {0, 0, 1});
     return scene.render(options).readings(meter)[0];

@@ -281,7 +281,7 @@ TEST(Taught, LightThroughAPaneMeasuredByAngle) {
       mirrored[k] += 1000 * share * 1.5 / (d * d * d) / (64 * 64);
     }
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING}) {
-    const Result result = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 16});
+    const Result result = scene.render({.method = method, .iterations = 160, .light_paths = 1u << 16});
     const auto r = result.readings(below);
     for (size_t i = 0; i < r.size(); ++i) {
       const double a = halfway[i][0] * pi_d / 180, expected = 250 * halfway[i][1] * std::pow(std::cos(a), 3);

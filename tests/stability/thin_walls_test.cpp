@@ -24,7 +24,7 @@ struct TwoRooms {
   TwoRooms() {
     scene.add(box({-4, 0, 0}, {4, 4, 3}).flipped(), matte(0.6));
     scene.add(box({-wall, -0.01, -0.01}, {0, 4.01, 3.01}), matte(0.6));
-    scene.add(quad({0.5, 1, 2.9}, {0, 2, 0}, {2, 0, 0}), mirror(0.9));
+    scene.add(quad({0.5, 1, 2.9}, {0, 2, 0}, {2, 0, 0}), photon_mirror(0.9));
     scene.add_point_light({0.4, 2, 1}, 1000);
     std::vector<P3> at, n;
     for (const double d : {0.001, 0.01, 0.02, 0.2})
@@ -92,7 +92,7 @@ TEST(Hazard18, MetersBesideAThinWallHaveTheirOwnLightAlone) {
     Scene scene;
     scene.add(box({-10, 0, 0}, {-wall, 10, 3}).flipped(), matte(0));
     scene.add(box({0, 0, 0}, {10, 10, 3}).flipped(), matte(0.5));
-    scene.add(quad({0, 4, 2.9}, {0, 2, 0}, {1, 0, 0}), mirror(0.9));
+    scene.add(quad({0, 4, 2.9}, {0, 2, 0}, {1, 0, 0}), photon_mirror(0.9));
     scene.add_point_light({0.5, 5, 0.3}, 1000);
     scene.add_point_light(lamp, 1);
     const P3 p{-wall - distance, 5, 0.75}, to = lamp - p;

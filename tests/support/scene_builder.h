@@ -38,6 +38,12 @@ inline ups_material_desc material(ups_material_model model, double reflectance) 
 }
 inline ups_material_desc matte(double reflectance) { return material(UPS_MATERIAL_MATTE, reflectance); }
 inline ups_material_desc mirror(double reflectance) { return material(UPS_MATERIAL_MIRROR, reflectance); }
+// A mask without holes: such a mirror shows no lamp as its image, so that photons carry the light that it reflects.
+inline ups_material_desc photon_mirror(double reflectance) {
+  auto d = mirror(reflectance);
+  d.alpha_mode = UPS_ALPHA_MASK;
+  return d;
+}
 inline ups_material_desc glass(double ior, double roughness = 0) {
   auto d = material(UPS_MATERIAL_GLASS, 1);
   d.ior = float(ior);
