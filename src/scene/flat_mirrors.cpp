@@ -187,11 +187,11 @@ class Search {
   }
 
   void judge() {
-    constexpr float often = 4;  // over the reflectance of what faces the light
+    constexpr float often = 1;  // over the reflectance of what faces the light
     out_.frequency = 0;
     for (const FlatMirrors::Plane& p : out_.planes)
       out_.frequency = std::max(out_.frequency, often * max_component(mirror_lobe(scene_.materials[p.material], 1).reflectance));
-    out_.frequency = std::clamp(out_.frequency, 0.25f, 1.0f);
+    out_.frequency = std::clamp(out_.frequency, 0.05f, 1.0f);
     for (size_t e = 0; e < scene_.emitters.size(); ++e)
       others_ |= scene_.emitters[e].is_delta() && scene_.emitters[e].flux_lm() > 0 && !has_image(scene_.emitters[e]);
     out_.all_flat = !others_;

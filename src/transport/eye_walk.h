@@ -70,7 +70,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
                    const Rgb& transmittance);
   bool perturb(const EyeEnd& eye, Arrival& out);
-  void look_into_mirrors(const EyeEnd& eye, const Arrival& arrival, float found_from);
+  void look_for_light(const EyeEnd& eye, const Arrival& arrival, float found_from);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
   bool ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) const;
   void merge(const EyeEnd& eye, const PhotonIndex::Query& query);

@@ -16,7 +16,6 @@ enum class Slot {
   perturb_x, perturb_y,  // where path integration arrives beside the vertex
   count,
   pane = cell_x,         // of a later vertex: which panes the edge to it goes through
-  mirror = perturb_x,    // which image in a flat mirror
   later_edges = cell_y   // of number k > 0: which of a long path's edges that waited for test k get their shadow rays
 };
 

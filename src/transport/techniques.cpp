@@ -133,7 +133,7 @@ Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& 
 
 Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
                     float found_from) {
-  if (in.is_too_long(eye.edges + 2)) return {};
+  if (in.is_too_long(eye.edges + 2) || !(u_choice < in.scene.flat_mirrors.frequency)) return {};
   const EmitterChoice choice = choose_image(in.scene, receiver_of(eye, arrival), u_choice);
   if (!(choice.probability > 0)) return {};
   Found c = light_from_image(in, n, eye, arrival, choice);
@@ -154,11 +154,12 @@ bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, P
          segment_free(scene, *c.media, above, c.to, work, passage);
 }
 
-Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
+Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float& u_choice,
                    const Vec2& u_position, float found_from) {
   if (in.is_too_long(eye.edges + 1)) return {};
   const EmitterSet::Choice choice = in.scene.emitters.choose_direct(receiver_of(eye, arrival), u_choice);
   if (!(choice.probability > 0)) return {};
+  u_choice = choice.u;
   Found c = light_from(in, n, eye, arrival, choice, u_position);
   if (!c || (in.plan.exact[choice.index] && luminance(c->value) >= found_from)) return {};
   c->value *= 1 / choice.probability;
