@@ -49,7 +49,7 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
   const std::string absent = was_automatic ? "not in the set" : "not in the set (the method asked for leaves it out)";
   const std::string off = !was_automatic ? absent
                           : scene.effects.sharp_caster
-                              ? "eye paths find all light: what is specular are flat mirrors, in which lights have images"
+                              ? "eye paths find all light: only flat mirrors are specular, in which lights have images"
                               : "no surface is specular or nearly so: eye paths find all light, light paths would cost "
                                 "more than they bring";
   std::string text;
@@ -57,7 +57,8 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
   describe(text, t, light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex", absent);
   if (!scene.flat_mirrors.empty())
     describe(text, t, mirror_sample, "mirror_sample",
-             "next-event estimation by way of flat mirrors and panes, in which lights without extent have images", absent);
+             "next-event estimation by way of flat mirrors and panes, in which lights without extent have images",
+             absent);
   describe(text, t, connect, "connect", "eye and light subpaths are joined by an edge", off);
   describe(text, t, sensor_connect, "sensor_connect", "light paths are joined to the camera",
            s.cameras ? off : "the scene has no camera: no light image");

@@ -179,18 +179,18 @@ class Search {
 
   // Of a lamp on the mirror itself there is none.
   void add_image(uint32_t emitter, uint32_t plane) {
-    if (std::abs(out_.planes[plane].height(scene_.emitters[emitter].center())) > 16 * error_)
-      out_.image_numbers[plane * out_.emitter_count + emitter] = uint32_t(out_.images.size()),
-          out_.images.push_back({emitter, plane});
-    else
+    if (std::abs(out_.planes[plane].height(scene_.emitters[emitter].center())) > 16 * error_) {
+      out_.image_numbers[plane * out_.emitter_count + emitter] = uint32_t(out_.images.size());
+      out_.images.push_back({emitter, plane});
+    } else {
       others_ = true;
+    }
   }
 
   void judge() {
-    constexpr float often = 1;  // over the reflectance of what faces the light
-    out_.frequency = 0;
+    out_.frequency = 0;  // by what the strongest reflects of light that it faces
     for (const FlatMirrors::Plane& p : out_.planes)
-      out_.frequency = std::max(out_.frequency, often * max_component(mirror_lobe(scene_.materials[p.material], 1).reflectance));
+      out_.frequency = std::max(out_.frequency, max_component(mirror_lobe(scene_.materials[p.material], 1).reflectance));
     out_.frequency = std::clamp(out_.frequency, 0.05f, 1.0f);
     for (size_t e = 0; e < scene_.emitters.size(); ++e)
       others_ |= scene_.emitters[e].is_delta() && scene_.emitters[e].flux_lm() > 0 && !has_image(scene_.emitters[e]);

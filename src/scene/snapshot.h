@@ -30,7 +30,7 @@ inline constexpr float largest_meter_disc = 0.1f;  // radius within which a poin
 
 struct SceneEffects {
   uint32_t effects = 0;       // UPS_EFFECT_*
-  // No emitter without extent beside a mirror-like surface, but for flat mirrors in which it has an image; no ray emitter.
+  // No emitter without extent beside a mirror-like surface, but for flat mirrors that show its image; no ray emitter.
   bool path_tracing_complete = true;
   bool ray_emitters = false;  // some light comes from the rays of a file: light paths alone carry it
   float concentration = 1;    // of first light on small patches, see scene/probe.h

@@ -1,5 +1,5 @@
 // Light of emitters without extent that reaches point meters straight, or by way of one flat mirror, is no matter of
-// chance: one shadow ray each finds it, once a render. It is next-event estimation at the meter's own point (k = 1 and 2),
+// chance: one shadow ray each finds it, once a render. It is next-event estimation at the meter's own point (k = 1, 2),
 // which no other technique makes then.
 #pragma once
 #include <vector>

@@ -131,8 +131,8 @@ Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& 
   return c;
 }
 
-Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
-                    float found_from) {
+Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+                    float u_choice, float found_from) {
   if (in.is_too_long(eye.edges + 2) || !(u_choice < in.scene.flat_mirrors.frequency)) return {};
   const EmitterChoice choice = choose_image(in.scene, receiver_of(eye, arrival), u_choice);
   if (!(choice.probability > 0)) return {};
@@ -154,8 +154,8 @@ bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, P
          segment_free(scene, *c.media, above, c.to, work, passage);
 }
 
-Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float& u_choice,
-                   const Vec2& u_position, float found_from) {
+Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+                   float& u_choice, const Vec2& u_position, float found_from) {
   if (in.is_too_long(eye.edges + 1)) return {};
   const EmitterSet::Choice choice = in.scene.emitters.choose_direct(receiver_of(eye, arrival), u_choice);
   if (!(choice.probability > 0)) return {};

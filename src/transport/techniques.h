@@ -60,14 +60,14 @@ Found hit(const Iteration& in, const EyeHit& eye, uint32_t emitter, uint32_t pri
 // Light of one emitter, chosen with a probability; of it at the eye.
 Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // s = 1
                  const EmitterSet::Choice& choice, const Vec2& u_position);
-// found_from: what an emitter of Plan::exact brings from there on is found elsewhere. u_choice: afterwards uniform again.
-Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float& u_choice,
-                   const Vec2& u_position, float found_from = INFINITY);
+// found_from: what an emitter of Plan::exact brings from there on is found elsewhere. u_choice: uniform again afterwards.
+Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+                   float& u_choice, const Vec2& u_position, float found_from = INFINITY);
 // The same by way of a flat mirror: choice: among the scene's images.
 Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
                        const EmitterChoice& choice);
-Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival, float u_choice,
-                    float found_from = INFINITY);
+Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
+                    float u_choice, float found_from = INFINITY);
 // Is the new edge free, but for panes?
 bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, Passage& passage);
 Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // 2 <= s <= k

@@ -96,7 +96,9 @@ TEST_P(FlatMirrors, AreSlabsToo) {
 // Two windows in one wall: none shows what would lie between them.
 TEST_P(FlatMirrors, ReflectOnlyWhereTheyAre) {
   const P3 n{0, 0, 1};
-  const auto where = [&](size_t i) { return points[i].x + (lamp.x - points[i].x) * points[i].y / (points[i].y + lamp.y); };
+  const auto where = [&](size_t i) {
+    return points[i].x + (lamp.x - points[i].x) * points[i].y / (points[i].y + lamp.y);
+  };
   scene.add(quad({where(0) - 0.05, 0, -3}, {0, 0, 8}, {0.1, 0, 0}), mirror(0.9));
   scene.add(quad({where(2) - 0.05, 0, -3}, {0, 0, 8}, {0.1, 0, 0}), mirror(0.9));
   const Sensor meters = scene.add_meters(points, n);
@@ -145,7 +147,8 @@ TEST(FlatMirrorsOfLuminaires, ShowThemByTheirTables) {
   scene.add_point_light({-1, 0.5, 1.5}, 100);
   scene.add(wall_mirror, mirror(0.85));
   const Sensor meters = scene.add_meters(points, {0, 0, 1});
-  const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 16, .separation = UPS_SEPARATE_LUMINAIRES});
+  const Result result =
+      scene.render({.method = UPS_METHOD_AUTO, .iterations = 16, .separation = UPS_SEPARATE_LUMINAIRES});
   const auto candela = [](const P3& from, const P3& to) {  // 1000, 700 and 0 cd at 0, 45 and 90 degrees
     const P3 way = to - from;
     const double gamma = std::acos(-way.z / std::sqrt(dot(way, way))) * 180 / pi_d;
@@ -158,7 +161,8 @@ TEST(FlatMirrorsOfLuminaires, ShowThemByTheirTables) {
       expected += r * straight(from, points[i], {0, 0, 1}, candela(from, points[i]));
     }
     const P3 other{-1, 0.5, 1.5};
-    const double of_other = straight(other, points[i], {0, 0, 1}, 100) + 0.85 * straight(in_mirror(other), points[i], {0, 0, 1}, 100);
+    const P3 up{0, 0, 1};
+    const double of_other = straight(other, points[i], up, 100) + 0.85 * straight(in_mirror(other), points[i], up, 100);
     EXPECT_NEAR(result.readings(meters)[i].illuminance_lx, expected + of_other, 2e-3 * expected) << i;
   }
 }
@@ -192,9 +196,10 @@ TEST(FlatMirrorsThatAreNone, AreNotAskedForWithoutLightSamples) {
   const auto techniques = [&](uint32_t mask, ups_method method) {
     return scene.render({.method = method, .iterations = 16, .techniques = mask}).info().techniques;
   };
-  EXPECT_FALSE(techniques(UPS_TECHNIQUE_MIRROR_SAMPLE | UPS_TECHNIQUE_MERGE, UPS_METHOD_UPS) & UPS_TECHNIQUE_MIRROR_SAMPLE);
-  EXPECT_FALSE(techniques(all_but_mirrors, UPS_METHOD_UPS) & UPS_TECHNIQUE_MIRROR_SAMPLE);
-  EXPECT_FALSE(techniques(0, UPS_METHOD_PATH_TRACING) & UPS_TECHNIQUE_MIRROR_SAMPLE);
+  constexpr uint32_t mirrors = UPS_TECHNIQUE_MIRROR_SAMPLE;
+  EXPECT_FALSE(techniques(mirrors | UPS_TECHNIQUE_MERGE, UPS_METHOD_UPS) & mirrors);
+  EXPECT_FALSE(techniques(all_but_mirrors, UPS_METHOD_UPS) & mirrors);
+  EXPECT_FALSE(techniques(0, UPS_METHOD_PATH_TRACING) & mirrors);
 }
 
 // A room with two mirrors that face each other, a pane, gloss, a glass ball and lamps with and without extent: all
@@ -220,7 +225,8 @@ TEST(FlatMirrorsAmongAllElse, TheLightIsTheSame) {
   const Sensor meters = scene.add_meters(at, {0, 0, 1}),
                camera = scene.add_camera({3.6, 0.4, 1.8}, {-0.7, 0.6, -0.3}, 48, 36, 1.2);
   const auto measure = [&](uint32_t techniques, uint64_t seed) {
-    return scene.render({.iterations = 64, .seed = seed, .merge_radius_m = 0.08, .light_paths = 1u << 13, .techniques = techniques});
+    return scene.render({.iterations = 64, .seed = seed, .merge_radius_m = 0.08, .light_paths = 1u << 13,
+                         .techniques = techniques});
   };
   constexpr uint32_t all = all_but_mirrors | UPS_TECHNIQUE_MIRROR_SAMPLE;
   const Result with = measure(all, 1), without = measure(all_but_mirrors, 2);
@@ -246,15 +252,18 @@ TEST(FlatMirrorsAmongAllElse, TheLightOfManyLampsIsTheSame) {
   scene.add(box({0, 0, 0}, {6, 5, 3}).flipped(), matte(0.6));
   scene.add(quad({0.01, 1, 0.5}, {0, 3, 0}, {0, 0, 1.6}), mirror(0.9));
   scene.add(quad({1, 0.01, 0.5}, {0, 0, 2}, {4, 0, 0}), clear_pane());
-  for (int i = 0; i < 90; ++i) scene.add_spot({0.3 + 0.6 * (i % 10), 0.3 + 0.55 * (i / 10), 2.9}, {0, 0, -1}, 20, 0.5, 1.2);
+  for (int i = 0; i < 90; ++i)
+    scene.add_spot({0.3 + 0.6 * (i % 10), 0.3 + 0.55 * (i / 10), 2.9}, {0, 0, -1}, 20, 0.5, 1.2);
   std::vector<P3> at;
   for (int i = 0; i < 24; ++i) at.push_back({0.5 + (i % 6), 0.5 + (i / 6), 0.75});
   const Sensor meters = scene.add_meters(at, {0, 0, 1});
   const auto measure = [&](uint32_t techniques, uint64_t seed) {
-    return scene.render({.iterations = 32, .seed = seed, .light_paths = 1u << 13, .techniques = techniques}).statistics(meters);
+    const RenderOptions options{.iterations = 32, .seed = seed, .light_paths = 1u << 13, .techniques = techniques};
+    return scene.render(options).statistics(meters);
   };
   const auto a = measure(all_but_mirrors | UPS_TECHNIQUE_MIRROR_SAMPLE, 1), b = measure(all_but_mirrors, 2);
-  const double s = std::hypot(a.mean_standard_error_lx, b.mean_standard_error_lx), difference = std::abs(a.mean_lx - b.mean_lx);
+  const double s = std::hypot(a.mean_standard_error_lx, b.mean_standard_error_lx),
+               difference = std::abs(a.mean_lx - b.mean_lx);
   EXPECT_LE(s, 0.0025 * b.mean_lx) << "too noisy to judge";
   EXPECT_GE(0.01 * b.mean_lx - difference, 2.04 * s) << a.mean_lx << " and " << b.mean_lx << " +- " << s;
 }

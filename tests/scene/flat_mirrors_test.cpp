@@ -13,7 +13,8 @@ const ups_material_desc mirror = RoomBuilder::material(UPS_MATERIAL_MIRROR, 0.8f
 
 void add_lamps(RoomBuilder& b, int count) {
   for (int i = 0; i < count; ++i)
-    b.add_light(i % 3 ? UPS_LIGHT_POINT : UPS_LIGHT_SPOT, {0.3 + 0.37 * (i % 10), 0.5 + 0.21 * (i / 10), 2.5}, 100.0f + float(i));
+    b.add_light(i % 3 ? UPS_LIGHT_POINT : UPS_LIGHT_SPOT, {0.3 + 0.37 * (i % 10), 0.5 + 0.21 * (i / 10), 2.5},
+                100.0f + float(i));
 }
 
 TEST(FlatMirrors, WhatLiesInOnePlaneIsOne) {
@@ -83,7 +84,9 @@ TEST(FlatMirrors, ImagesAreChosenAsOftenAsIsSaid) {
       ASSERT_EQ(scene.flat_mirrors.images.size(), size_t(2 * lamps));
       EXPECT_NEAR(scene.flat_mirrors.frequency, panes ? 2 * 0.04 / 1.04 : 0.8, 1e-3);
       const auto at = [&](const Vec3d& p, const Vec3& n) { return Receiver{Vec3(p - scene.origin), n}; };
-      for (const Receiver& r : {at({1, 1, 0}, {0, 0, 1}), at({3, 2, 1}, normalize(Vec3(-1, -1, 0))), at({2, 2, 1}, Vec3())}) {
+      const Receiver receivers[] = {at({1, 1, 0}, {0, 0, 1}), at({3, 2, 1}, normalize(Vec3(-1, -1, 0))),
+                                    at({2, 2, 1}, Vec3())};
+      for (const Receiver& r : receivers) {
         constexpr int count = 1 << 14;
         std::vector<double> share(scene.flat_mirrors.images.size());
         for (int i = 0; i < count; ++i) {
