@@ -27,12 +27,13 @@ struct Side {  // of triangles
 struct Part {
   Side side;
   uint32_t material;
+  double rounding;             // of its corners
   std::vector<Vec3d> corners;  // 3 a triangle
 };
 
 class Search {
  public:
-  explicit Search(const Snapshot& scene) : scene_(scene), error_(0x1p-20 * double(scene.radius)) {}
+  explicit Search(const Snapshot& scene) : scene_(scene) {}
 
   FlatMirrors find() {
     for (size_t e = 0; e < scene_.emitters.size(); ++e)
@@ -66,6 +67,7 @@ class Search {
     const Raytracer::Instance& placed = scene_.instances[instance];
     const Mesh& mesh = *scene_.meshes[placed.mesh];
     if (!is_mirror(instance) || mesh.revolution || mesh.triangle_count() > most_triangles) return false;
+    const double rounding = rounding_of(mesh, placed.to_scene);
     std::vector<Side> sides;
     std::vector<uint32_t> of_triangle;
     std::vector<std::array<Vec3d, 3>> triangles;
@@ -73,12 +75,12 @@ class Search {
       std::array<Vec3d, 3> p;
       for (size_t c = 0; c < 3; ++c) p[c] = placed.to_scene.point(Vec3d(mesh.positions[mesh.indices[3 * t + c]]));
       triangles.push_back(p);
-      of_triangle.push_back(side_of(p, sides));
+      of_triangle.push_back(side_of(p, rounding, sides));
       if (of_triangle.back() == none || leans(mesh, t)) return false;
     }
     if (sides.empty()) return false;
     std::vector<uint32_t> part_of_side;
-    for (const Side& side : sides) part_of_side.push_back(part_of(side, placed.material));
+    for (const Side& side : sides) part_of_side.push_back(part_of(side, rounding, placed.material));
     for (size_t t = 0; t < triangles.size(); ++t) {
       of_triangle[t] = part_of_side[of_triangle[t]];
       Part& part = parts_[of_triangle[t]];
@@ -89,10 +91,19 @@ class Search {
     return true;
   }
 
+  // How far its vertices may lie off a plane that they were meant to lie in: by their floats, and a little of its size.
+  // What bends more is bent, however large the scene is.
+  static double rounding_of(const Mesh& mesh, const Affine& to_scene) {
+    const Box box = bounding_box(mesh), placed = box.transformed(to_scene);
+    const double scale = std::max({length(to_scene.column(0)), length(to_scene.column(1)), length(to_scene.column(2))});
+    return 0x1p-22 * scale * std::max(max_abs(box.lower), max_abs(box.upper)) +
+           0x1p-20 * length(placed.upper - placed.lower);
+  }
+
   // Of those found so far, or a new one; none: there are too many.
-  uint32_t side_of(const std::array<Vec3d, 3>& p, std::vector<Side>& sides) const {
+  static uint32_t side_of(const std::array<Vec3d, 3>& p, double rounding, std::vector<Side>& sides) {
     for (size_t i = 0; i < sides.size(); ++i)
-      if (std::all_of(p.begin(), p.end(), [&](const Vec3d& q) { return sides[i].holds(q, error_); }))
+      if (std::all_of(p.begin(), p.end(), [&](const Vec3d& q) { return sides[i].holds(q, rounding); }))
         return uint32_t(i);
     const Vec3d n = cross(p[1] - p[0], p[2] - p[0]);
     const double twice_area = length(n);
@@ -113,16 +124,19 @@ class Search {
   }
 
   // Two that lie in one plane and reflect alike are one, so that a point has one image in them.
-  uint32_t part_of(const Side& side, uint32_t material) {
+  uint32_t part_of(const Side& side, double rounding, uint32_t material) {
     for (size_t i = 0; i < parts_.size(); ++i) {
-      const Part& part = parts_[i];
-      const auto is_in = [&](const Vec3d& p) { return side.holds(p, error_); };
+      Part& part = parts_[i];
+      const double apart = std::max(rounding, part.rounding) + 0x1p-23 * double(scene_.radius);
+      const auto is_in = [&](const Vec3d& p) { return side.holds(p, apart); };
       if (part.material == material && length(cross(part.side.n, side.n)) < most_leaning &&
           is_in(part.side.n * part.side.offset) &&
-          std::all_of(part.corners.begin(), part.corners.end(), is_in))
+          std::all_of(part.corners.begin(), part.corners.end(), is_in)) {
+        part.rounding = std::max(rounding, part.rounding);
         return uint32_t(i);
+      }
     }
-    parts_.push_back({side, material, {}});
+    parts_.push_back({side, material, rounding, {}});
     return uint32_t(parts_.size() - 1);
   }
 
@@ -138,7 +152,7 @@ class Search {
     return {Vec3(s), Vec3(cross(part.side.n, s)), Vec3(part.side.n)};
   }
 
-  static FlatMirrors::Plane plane_of(const Part& part, double error) {
+  FlatMirrors::Plane plane_of(const Part& part) const {
     const Frame frame = frame_of(part);
     FlatMirrors::Plane out{};
     out.n = frame.n, out.s = frame.s, out.t = frame.t;
@@ -148,9 +162,12 @@ class Search {
       const double at[2] = {dot(p, Vec3d(frame.s)), dot(p, Vec3d(frame.t))};
       for (int k = 0; k < 2; ++k) low[k] = std::min(low[k], at[k]), high[k] = std::max(high[k], at[k]);
     }
-    const double s = 0.5 * (low[0] + high[0]), t = 0.5 * (low[1] + high[1]), margin = 8 * error;
+    const double s = 0.5 * (low[0] + high[0]), t = 0.5 * (low[1] + high[1]);
     out.center = Vec3(Vec3d(frame.s) * s + Vec3d(frame.t) * t + Vec3d(frame.n) * part.side.offset);
-    out.half_s = float(0.5 * (high[0] - low[0]) + margin), out.half_t = float(0.5 * (high[1] - low[1]) + margin);
+    const double half_s = 0.5 * (high[0] - low[0]), half_t = 0.5 * (high[1] - low[1]),
+                 error = part.rounding + 0x1p-23 * (double(max_abs(out.center)) + half_s + half_t) +
+                         0x1p-24 * double(scene_.radius);
+    out.half_s = float(half_s + 8 * error), out.half_t = float(half_t + 8 * error);
     out.error = float(error);
     out.material = part.material;
     return out;
@@ -160,7 +177,7 @@ class Search {
   void choose_planes() {
     std::vector<FlatMirrors::Plane> planes;
     std::vector<uint32_t> order;
-    for (const Part& part : parts_) order.push_back(uint32_t(order.size())), planes.push_back(plane_of(part, error_));
+    for (const Part& part : parts_) order.push_back(uint32_t(order.size())), planes.push_back(plane_of(part));
     const auto area = [&](uint32_t i) { return double(planes[i].half_s) * planes[i].half_t; };
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return area(a) > area(b); });
     const size_t most = FlatMirrors::most_images / emitters_.size();
@@ -179,7 +196,8 @@ class Search {
 
   // Of a lamp on the mirror itself there is none.
   void add_image(uint32_t emitter, uint32_t plane) {
-    if (std::abs(out_.planes[plane].height(scene_.emitters[emitter].center())) > 16 * error_) {
+    const FlatMirrors::Plane& p = out_.planes[plane];
+    if (std::abs(p.height(scene_.emitters[emitter].center())) > 16 * p.error) {
       out_.image_numbers[plane * out_.emitter_count + emitter] = uint32_t(out_.images.size());
       out_.images.push_back({emitter, plane});
     } else {
@@ -217,7 +235,6 @@ class Search {
   }
 
   const Snapshot& scene_;
-  const double error_;  // of triangles' corners
   std::vector<uint32_t> emitters_;
   std::vector<Part> parts_;
   bool others_ = false;  // some specular light has no image

@@ -44,6 +44,7 @@ size_t bytes_of(const Snapshot& scene) {
     scene.described->textures().each([&](uint32_t, const TextureDescription& t) { sum += t.texture->bytes(); });
   }
   if (scene.openings) sum += scene.openings->bytes();
+  sum += scene.flat_mirrors.bytes();
   for (const MeterSet& s : scene.meter_sets)
     sum += s.bytes() + (s.positions ? s.positions->size() * of_position : 0);
   for (const Goniometer& g : scene.goniometers)
