@@ -47,11 +47,12 @@ void describe(std::string& text, uint32_t techniques, uint32_t bit, const char* 
 
 std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_automatic) {
   const std::string absent = was_automatic ? "not in the set" : "not in the set (the method asked for leaves it out)";
-  const std::string off = !was_automatic ? absent
-                          : scene.effects.sharp_caster
-                              ? "eye paths find all light: only flat mirrors are specular, in which lights have images"
-                              : "no surface is specular or nearly so: eye paths find all light, light paths would cost "
-                                "more than they bring";
+  const std::string cost = "light paths would cost more than they bring";
+  const std::string off =
+      !was_automatic                  ? absent
+      : !scene.effects.sharp_caster   ? "no surface is specular or nearly so: eye paths find all light, " + cost
+      : scene.flat_mirrors.complete   ? "eye paths find all light, lights' images in flat mirrors too: " + cost
+                                      : "eye paths find all light: " + cost;
   std::string text;
   describe(text, t, hit, "emitter_hit", "eye paths that run into an emitter", absent);
   describe(text, t, light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex", absent);
