@@ -127,8 +127,9 @@ class Search {
   uint32_t part_of(const Side& side, double rounding, uint32_t material) {
     for (size_t i = 0; i < parts_.size(); ++i) {
       Part& part = parts_[i];
-      const double apart = std::max(rounding, part.rounding) + 0x1p-23 * double(scene_.radius);
-      const auto is_in = [&](const Vec3d& p) { return side.holds(p, apart); };
+      const auto is_in = [&](const Vec3d& p) {
+        return side.holds(p, std::max(rounding, part.rounding) + 0x1p-23 * max_abs(p));
+      };
       if (part.material == material && length(cross(part.side.n, side.n)) < most_leaning &&
           is_in(part.side.n * part.side.offset) &&
           std::all_of(part.corners.begin(), part.corners.end(), is_in)) {
@@ -152,7 +153,7 @@ class Search {
     return {Vec3(s), Vec3(cross(part.side.n, s)), Vec3(part.side.n)};
   }
 
-  FlatMirrors::Plane plane_of(const Part& part) const {
+  static FlatMirrors::Plane plane_of(const Part& part) {
     const Frame frame = frame_of(part);
     FlatMirrors::Plane out{};
     out.n = frame.n, out.s = frame.s, out.t = frame.t;
@@ -165,8 +166,7 @@ class Search {
     const double s = 0.5 * (low[0] + high[0]), t = 0.5 * (low[1] + high[1]);
     out.center = Vec3(Vec3d(frame.s) * s + Vec3d(frame.t) * t + Vec3d(frame.n) * part.side.offset);
     const double half_s = 0.5 * (high[0] - low[0]), half_t = 0.5 * (high[1] - low[1]),
-                 error = part.rounding + 0x1p-23 * (double(max_abs(out.center)) + half_s + half_t) +
-                         0x1p-24 * double(scene_.radius);
+                 error = part.rounding + 0x1p-23 * (double(max_abs(out.center)) + half_s + half_t);
     out.half_s = float(half_s + 8 * error), out.half_t = float(half_t + 8 * error);
     out.error = float(error);
     out.material = part.material;

@@ -347,9 +347,9 @@ void Builder::add_rays(const std::string& name, const LuminaireDescription& lumi
               probe_of(source, [] { return EmitterProbe{}; }));
 }
 
-// Read where it decides, see render/method.h: where eye paths reach all light, and nothing focuses it.
+// Read where it decides, see render/method.h: where eye paths reach all light, and nothing but flat mirrors focuses it.
 void Builder::find_concentration() {
-  if (out_->effects.path_tracing_complete && !out_->effects.sharp_caster)
+  if (out_->effects.path_tracing_complete && (!out_->effects.sharp_caster || out_->flat_mirrors.complete))
     out_->effects.concentration = first_light_concentration(*out_, out_->emitter_probes, threads_);
 }
 

@@ -123,17 +123,33 @@ double reach2_from(const Snapshot& scene, const FirstLight& light, const Vec2& u
   return farthest2;
 }
 
+// What a flat mirror or pane makes of it, if that is what it meets first.
+bool by_mirror(const Snapshot& scene, FirstLight& light) {
+  Hit hit;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  if (!scene.raytracer->intersect(light.origin, light.direction, infinity, hit) ||
+      scene.flat_mirrors.plane_of(hit.instance, hit.primitive) == none)
+    return false;
+  const SurfacePoint mirror = scene.raytracer->surface_at(hit);
+  light.direction = light.direction - mirror.ng * (2 * dot(light.direction, mirror.ng));
+  light.origin = mirror.ray_origin(light.direction);
+  light.hit = intersect_beyond_panes(scene, light.origin, light.direction, hit);
+  if (light.hit) light.surface = scene.raytracer->surface_at(hit);
+  return light.hit;
+}
+
 // Of one emitter. Pairs of points where its light arrives that lie within some distance r of each other give the mean
 // of E^2 over discs of that size: the largest over r, as long as there are pairs enough for a fifth's error. How far
 // the patches see is told by one bounce more.
-double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t rays) {
+double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t rays, bool mirrored) {
   constexpr uint32_t least_pairs = 25;
   std::vector<Vec3> points;
   double reach2 = 0;
   uint32_t arrived = 0;
   for (uint32_t i = 0; i < rays; ++i) {
-    const FirstLight light = first_light(scene, emitter, i);
-    if (!(light.flux > 0) || !light.hit || !is_continuous(scene, light.surface)) continue;
+    FirstLight light = first_light(scene, emitter, i);
+    if (!(light.flux > 0) || (mirrored && !by_mirror(scene, light))) continue;
+    if (!light.hit || !is_continuous(scene, light.surface)) continue;
     points.push_back(light.surface.p);
     const auto u = philox({i, 2, 0, 0}, {0, 0});
     const double d2 = reach2_from(scene, light, {to_unit_float(u[0]), to_unit_float(u[1])});
@@ -171,7 +187,11 @@ float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>
     const Emitter& emitter = scene.emitters[i * stride];
     if (!(emitter.flux_lm() >= std::min(least_share, 0.1 / double(count)) * total)) return;
     EmitterProbe& probe = probes[i * stride];
-    if (probe.concentration_rays != rays) probe.concentration = concentration(scene, emitter, rays);
+    if (probe.concentration_rays != rays) {
+      probe.concentration = concentration(scene, emitter, rays, false);
+      if (!scene.flat_mirrors.empty())
+        probe.concentration = std::max(probe.concentration, concentration(scene, emitter, rays, true));
+    }
     probe.concentration_rays = rays;
     found[i] = probe.concentration;
   });

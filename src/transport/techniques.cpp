@@ -142,15 +142,38 @@ Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye
   return c;
 }
 
+namespace {
+
+// Where paths leave the mirror that they meet at p: off its surface. Something else may lie close before it, as a pane.
+// `place` is exact to `error`. False where the mirror is not there.
+bool leave_mirror(const Snapshot& scene, uint32_t mirror, const Vec3& place, const Vec3& up, float error,
+                  WorkCounts& work, Vec3& out) {
+  constexpr int most = 8;  // surfaces
+  Vec3 o = place + up * (4 * error);
+  Hit hit;
+  for (int i = 0; i < most && ++work.rays; ++i) {
+    const float left = dot(o - place, up) + 4 * error;
+    if (!(left > 0) || !scene.raytracer->intersect(o, -up, left, hit)) return false;
+    const SurfacePoint s = scene.raytracer->surface_at(hit);
+    if (scene.flat_mirrors.plane_of(hit.instance, hit.primitive) == mirror) {
+      out = s.ray_origin(up);
+      return true;
+    }
+    o = s.ray_origin(-up);
+  }
+  return false;
+}
+
+}  // namespace
+
 bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, Passage& passage) {
   if (c.mirror == none) return segment_free(scene, *c.media, c.from, c.to, work, passage);
   const FlatMirrors::Plane& plane = scene.flat_mirrors.planes[c.mirror];
-  const Vec3 up = plane.height(c.to) > 0 ? plane.n : -plane.n, above = c.at_mirror + up * (4 * plane.error);
-  Hit hit;
-  ++work.rays;
-  const bool met = scene.raytracer->intersect(above, -up, 8 * plane.error, hit) &&
-                   scene.flat_mirrors.plane_of(hit.instance, hit.primitive) == c.mirror;
-  return met && segment_free(scene, *c.media, c.from, above, work, passage) &&
+  const Vec3 up = plane.height(c.to) > 0 ? plane.n : -plane.n;
+  const float error = plane.error + 0x1p-22f * (max_abs(c.from) + length(c.at_mirror - c.from));
+  Vec3 above;
+  return leave_mirror(scene, c.mirror, c.at_mirror, up, error, work, above) &&
+         segment_free(scene, *c.media, c.from, above, work, passage) &&
          segment_free(scene, *c.media, above, c.to, work, passage);
 }
 

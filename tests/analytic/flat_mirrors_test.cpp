@@ -136,8 +136,39 @@ TEST_P(FlatMirrors, SeeThroughPanes) {
   });
 }
 
+// The same, 1 mm before the mirror, while black ground reaches 700 m: the extent of a scene is no measure of its mirrors.
+TEST_P(FlatMirrors, AreAsFineAsRaysAre) {
+  scene.add(quad({-700, -700, -50}, {1400, 0, 0}, {0, 1400, 0}), matte(0));
+  scene.add(wall_mirror, mirror(0.9));
+  auto sheet = clear_pane();
+  sheet.ior = 1;
+  for (float& t : sheet.transmittance_rgb) t = 0.7f;
+  scene.add(quad({-3, 0.001, -3}, {0, 0, 8}, {6, 0, 0}), sheet);
+  const P3 n{0, 0, 1};
+  const Sensor meters = scene.add_meters(points, n);
+  expect(meters, render(), [&](size_t i) {
+    return straight(lamp, points[i], n) +
+           mirrored(points[i], n, 0.9 * std::pow(0.7, 2 / cosine_at_mirror(points[i])));
+  });
+}
+
 INSTANTIATE_TEST_SUITE_P(By, FlatMirrors, ::testing::Values(UPS_METHOD_UPS, UPS_METHOD_AUTO),
                          [](const auto& p) { return p.param == UPS_METHOD_UPS ? "UPS" : "auto"; });
+
+// What a narrow beam lights, straight or by way of the mirror, is a small patch that eye paths find by chance alone: its
+// light is a photon's.
+TEST(FlatMirrorsAndBeams, LeaveSmallPatchesToPhotons) {
+  for (const bool at_mirror : {false, true}) {
+    Scene scene;
+    scene.add(box({-2, -2, 0}, {2, 2, 3}).flipped(), matte(0.5));
+    scene.add(quad({-1.99, -1, 0.5}, {0, 2, 0}, {0, 0, 2}), mirror(0.8));
+    scene.add_spot(at_mirror ? P3{-1, 0, 1.5} : P3{1.5, 0, 1.5}, {at_mirror ? -1.0 : 1.0, 0, 0}, 5000, 0.01, 0.02);
+    scene.add_meters({{0, 1, 0.8}}, {0, 0, 1});
+    const uint32_t techniques = scene.render({.method = UPS_METHOD_AUTO, .iterations = 16}).info().techniques;
+    EXPECT_TRUE(techniques & UPS_TECHNIQUE_MERGE) << at_mirror;
+    EXPECT_TRUE(techniques & UPS_TECHNIQUE_MIRROR_SAMPLE) << at_mirror;
+  }
+}
 
 // A luminaire as a point, by its table; sources apart.
 TEST(FlatMirrorsOfLuminaires, ShowThemByTheirTables) {
