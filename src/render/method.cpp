@@ -141,7 +141,8 @@ void tell_selection(const Integrator& integrator, MethodChoice& method) {
   const Snapshot& scene = integrator.scene();
   method.techniques = integrator.settings().techniques;
   const bool light = integrator.settings().traces_light();
-  method.method = light ? UPS_METHOD_UPS : UPS_METHOD_PATH_TRACING;
+  const bool as_path_tracing = !light && !(method.techniques & mirror_sample);
+  method.method = as_path_tracing ? UPS_METHOD_PATH_TRACING : UPS_METHOD_UPS;
   method.text = words(scene, method.techniques, sensors_of(scene), true);
   method.text += light ? "light paths: " + std::to_string(chosen.light_paths) + " an iteration" +
                              (integrator.plan().traces_caustics_alone()

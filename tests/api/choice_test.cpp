@@ -63,6 +63,7 @@ TEST_F(Choice, APictureGlassNeedsNoLightPathsEither) {
   scene.add(quad({2, 0.01, 1.1}, {0, 0, 0.8}, {0.8, 0, 0}), glazing);
   const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 2});
   EXPECT_EQ(choice_of(result, points).techniques, eye | UPS_TECHNIQUE_MIRROR_SAMPLE);
+  EXPECT_EQ(result.info().method, UPS_METHOD_UPS);  // path tracing, as a method, has no images
   EXPECT_EQ(result.info().light_paths, 0u);
 }
 
