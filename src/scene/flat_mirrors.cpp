@@ -173,7 +173,7 @@ class Search {
     return out;
   }
 
-  // The largest, as far as their images are few enough to be weighed one by one.
+  // The largest, as far as there may be images in them.
   void choose_planes() {
     std::vector<FlatMirrors::Plane> planes;
     std::vector<uint32_t> order;

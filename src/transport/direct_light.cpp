@@ -10,7 +10,7 @@ namespace ups {
 
 namespace {
 
-constexpr size_t most_rays = size_t(1) << 22, most_looks = size_t(1) << 26;
+constexpr size_t most_rays = size_t(1) << 22, most_looks = size_t(1) << 26, most_looks_at_images = size_t(1) << 23;
 constexpr float unit_roundoff = 0x1p-24f;
 
 // At most, relative: of some dozens of operations, and of both ends' places in distance and response, E ~ W / d^2.
@@ -33,10 +33,10 @@ DirectLight::DirectLight(const Snapshot& scene, const Plan& plan, const Transpor
   for (const MeterSet& set : scene.meter_sets) points += set.is_cell() ? 0 : set.meters.size();
   for (uint32_t i = 0; i < plan.exact.size(); ++i)
     if (plan.exact[i]) emitters_.push_back(i);
-  if (settings.has(UPS_TECHNIQUE_MIRROR_SAMPLE)) images_ = uint32_t(scene.flat_mirrors.images.size());
-  if (points == 0 || emitters_.empty() || settings.actual_perturbation ||
-      points > most_looks / (emitters_.size() + images_))
+  if (points == 0 || emitters_.empty() || settings.actual_perturbation || points > most_looks / emitters_.size())
     return;
+  const size_t images = settings.has(UPS_TECHNIQUE_MIRROR_SAMPLE) ? scene.flat_mirrors.images.size() : 0;
+  if (points * images <= most_looks_at_images) images_ = uint32_t(images);
   most_ = std::max<size_t>(1, most_rays / points);
   for (const MeterSet& set : scene.meter_sets) {
     const size_t count = set.is_cell() ? 0 : set.meters.size();

@@ -20,10 +20,11 @@ class DirectLight {
   size_t bytes() const;
   // All light straight from the emitters of plan.exact to every point meter is found here.
   bool finds_all() const { return !meters_.empty() && emitters_.size() + images_ <= most_; }
-  // Light of an emitter of plan.exact, or an image, that would bring at least so much, unoccluded, is found here.
+  // Light of an emitter of plan.exact that would bring at least so much, unoccluded, is found here; and of an image.
   float found_from(size_t set, uint32_t meter) const {
     return meters_.empty() || meters_[set].empty() ? INFINITY : meters_[set][meter].found_from;
   }
+  float image_found_from(size_t set, uint32_t meter) const { return images_ ? found_from(set, meter) : INFINITY; }
 
  private:
   struct OfMeter {

@@ -185,6 +185,7 @@ class MeterPaths {
     if (in_.moments) sensor.excess = &tally_.excess_of_meters[s_][i * in_.moments->row()];
     sensor.media = &in_.scene.media_stacks[in_.scene.media_of_meter[s_][m]];
     sensor.direct_found_from = direct_.found_from(s_, m);
+    sensor.image_found_from = direct_.image_found_from(s_, m);
     const size_t columns = in_.plan.separation.columns.size();
     sensor.separated = columns ? &tally_.separated[s_][i * columns] : nullptr;
     sensor.share = 1.0 / samples;

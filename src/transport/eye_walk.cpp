@@ -59,7 +59,8 @@ void EyeWalk::gather_at_meter(EyeEnd& eye) {
   const bool ends = method.eye_end == EyeEndOf::first_surface;
   if (ends && sensor_.cell) return;  // so do light paths
   const Arrival arrival{eye.surface};
-  if (ends || in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) look_for_light(eye, arrival, sensor_.direct_found_from);
+  if (ends || in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE))
+    look_for_light(eye, arrival, sensor_.direct_found_from, sensor_.image_found_from);
   if (counts_.connect > 0) connect_one(eye, arrival);
   if (ends) return;
 
@@ -112,19 +113,20 @@ void EyeWalk::gather(const EyeEnd& eye) {
   const bool merges = ask_photons(eye, photons);
   const bool arrives = in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_CONNECT) &&
                        (!in_.settings.actual_perturbation || perturb(eye, arrival));
-  if (arrives && in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) look_for_light(eye, arrival, INFINITY);
+  if (arrives && in_.has(UPS_TECHNIQUE_LIGHT_SAMPLE)) look_for_light(eye, arrival, INFINITY, INFINITY);
   if (merges) disc(eye).photons->find_rows(photons);
   if (arrives && counts_.connect > 0) connect_one(eye, arrival);
   if (merges) merge(eye, photons);
 }
 
-// Straight and by way of mirrors. found_from: 0 where all such light of emitters without extent is found elsewhere.
-void EyeWalk::look_for_light(const EyeEnd& eye, const Arrival& arrival, float found_from) {
+// Straight and by way of mirrors. image_found_from: 0 where all light of images is found elsewhere.
+void EyeWalk::look_for_light(const EyeEnd& eye, const Arrival& arrival, float direct_found_from,
+                             float image_found_from) {
   float u = rng_.get(eye.edges, Slot::choice);
-  if (const Found c = sample_light(in_, counts_, eye, arrival, u, rng_.position(eye.edges), found_from))
+  if (const Found c = sample_light(in_, counts_, eye, arrival, u, rng_.position(eye.edges), direct_found_from))
     offer(*c, Drop::light_sample);
-  if (!in_.looks_into_mirrors() || found_from == 0) return;
-  if (const Found c = sample_mirror(in_, counts_, eye, arrival, u, found_from)) offer(*c, Drop::light_sample);
+  if (!in_.looks_into_mirrors() || image_found_from == 0) return;
+  if (const Found c = sample_mirror(in_, counts_, eye, arrival, u, image_found_from)) offer(*c, Drop::light_sample);
 }
 
 // Emptied: of a path that was broken off some may be left.

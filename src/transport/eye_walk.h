@@ -32,7 +32,7 @@ struct EyeSensor {
   LightPaths::Path light;  // that it connects to
   const MediaStack* media = nullptr;
   double* excess = nullptr;  // of this pixel or meter, where a pilot measures moments
-  float direct_found_from = INFINITY;  // see DirectLight
+  float direct_found_from = INFINITY, image_found_from = INFINITY;  // see DirectLight
   TechniqueTally* techniques = nullptr;  // of the camera, where asked for
   uint32_t pixel = 0;
   MeterTally* separated = nullptr;  // of the meter, a column of Plan::separation each, where asked for
@@ -70,7 +70,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
                    const Rgb& transmittance);
   bool perturb(const EyeEnd& eye, Arrival& out);
-  void look_for_light(const EyeEnd& eye, const Arrival& arrival, float found_from);
+  void look_for_light(const EyeEnd& eye, const Arrival& arrival, float direct_found_from, float image_found_from);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
   bool ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) const;
   void merge(const EyeEnd& eye, const PhotonIndex::Query& query);
