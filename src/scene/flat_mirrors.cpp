@@ -209,6 +209,7 @@ class Search {
     out_.frequency = 0;  // by what the strongest reflects of light that it faces
     for (const FlatMirrors::Plane& p : out_.planes)
       out_.frequency = std::max(out_.frequency, max_component(mirror_lobe(scene_.materials[p.material], 1).reflectance));
+    if (out_.images.size() > FlatMirrors::most_weighed) out_.frequency *= share_of_sight();
     out_.frequency = std::clamp(out_.frequency, 0.05f, 1.0f);
     for (size_t e = 0; e < scene_.emitters.size(); ++e)
       others_ |= scene_.emitters[e].is_delta() && scene_.emitters[e].flux_lm() > 0 && !has_image(scene_.emitters[e]);
@@ -218,6 +219,13 @@ class Search {
       return length(cross(p.n, first.n)) < most_leaning && std::abs(first.height(p.center)) <= 2 * p.error;
     };
     out_.complete = out_.all_flat && std::all_of(out_.planes.begin(), out_.planes.end(), lies_in_first);
+  }
+
+  // Roughly, of receivers that see a given image: a tree chooses those that its mirror does not show, too.
+  float share_of_sight() const {
+    float area = 0;
+    for (const FlatMirrors::Plane& p : out_.planes) area = std::max(area, 4 * p.half_s * p.half_t);
+    return std::min(1.0f, 2 * area / (3.14159265f * scene_.radius * scene_.radius));
   }
 
   LightTree tree_of_images() const {
