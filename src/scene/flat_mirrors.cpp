@@ -254,21 +254,16 @@ template <class Visit>
 void weigh_images(const Snapshot& scene, const Receiver& r, const Visit& visit) {
   const FlatMirrors& mirrors = scene.flat_mirrors;
   const FlatMirrors::Plane* plane = nullptr;
-  Vec3 behind;  // the receiver's own image
-  float height = 0;
+  Vec3 behind, at;  // behind: the receiver's own image
   for (uint32_t i = 0; i < mirrors.images.size(); ++i) {
     const FlatMirrors::Image& image = mirrors.images[i];
     if (plane != &mirrors.planes[image.plane]) {
       plane = &mirrors.planes[image.plane];
-      height = plane->height(r.p);
       behind = plane->mirrored(r.p);
     }
     const Emitter& emitter = scene.emitters[image.emitter];
-    const Vec3 p = emitter.center(), way = behind - p;
-    const float above = plane->height(p);
-    if (!(above * height > 0) || !plane->holds(p + way * (above / (above + height)))) continue;
     DirectSample s;
-    if (!emitter.sample_direct(behind, {0.5f, 0.5f}, s)) continue;
+    if (!plane->shows(emitter.center(), r.p, at) || !emitter.sample_direct(behind, {0.5f, 0.5f}, s)) continue;
     const Vec3 wi = plane->mirrored_direction(s.wi);
     const float facing = dot(wi, r.n), cosine = max_abs(r.n) == 0 ? 1.0f : r.both_sides ? std::abs(facing) : facing;
     if (!(cosine > 0)) continue;

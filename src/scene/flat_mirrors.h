@@ -7,6 +7,7 @@
 #include "emitter/emitter_set.h"
 #include "emitter/receiver.h"
 #include "geometry/raytracer.h"
+#include "scene/media.h"
 
 namespace ups {
 
@@ -27,6 +28,13 @@ struct FlatMirrors {
     Vec3 mirrored_direction(const Vec3& d) const { return d - n * (2 * dot(n, d)); }
     bool holds(const Vec3& p) const {  // of a point of the plane
       return std::abs(dot(p - center, s)) <= half_s && std::abs(dot(p - center, t)) <= half_t;
+    }
+    // Where it shows a lamp to p; false where it does not.
+    bool shows(const Vec3& lamp, const Vec3& p, Vec3& at) const {
+      const float above = height(lamp), here = height(p);
+      if (!(above * here > 0)) return false;
+      at = p + (mirrored(lamp) - p) * (here / (above + here));
+      return holds(at);
     }
   };
   struct Image {
@@ -50,7 +58,7 @@ struct FlatMirrors {
 
   bool empty() const { return images.empty(); }
   uint32_t plane_of(uint32_t instance, uint32_t primitive) const {  // none
-    if (planes_of_instance.empty() || planes_of_instance[instance].empty()) return uint32_t(-1);
+    if (planes_of_instance.empty() || planes_of_instance[instance].empty()) return none;
     const std::vector<uint32_t>& of = planes_of_instance[instance];
     return of[of.size() > 1 ? primitive : 0];
   }

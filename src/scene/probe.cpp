@@ -127,12 +127,11 @@ double reach2_from(const Snapshot& scene, const FirstLight& light, const Vec2& u
 bool by_mirror(const Snapshot& scene, FirstLight& light) {
   Hit hit;
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  if (!scene.raytracer->intersect(light.origin, light.direction, infinity, hit) ||
-      scene.flat_mirrors.plane_of(hit.instance, hit.primitive) == none)
-    return false;
-  const SurfacePoint mirror = scene.raytracer->surface_at(hit);
-  light.direction = light.direction - mirror.ng * (2 * dot(light.direction, mirror.ng));
-  light.origin = mirror.ray_origin(light.direction);
+  if (!scene.raytracer->intersect(light.origin, light.direction, infinity, hit)) return false;
+  const uint32_t plane = scene.flat_mirrors.plane_of(hit.instance, hit.primitive);
+  if (plane == none) return false;
+  light.direction = scene.flat_mirrors.planes[plane].mirrored_direction(light.direction);
+  light.origin = scene.raytracer->surface_at(hit).ray_origin(light.direction);
   light.hit = intersect_beyond_panes(scene, light.origin, light.direction, hit);
   if (light.hit) light.surface = scene.raytracer->surface_at(hit);
   return light.hit;

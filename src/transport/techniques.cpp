@@ -116,8 +116,12 @@ Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& 
                        const EmitterChoice& choice) {
   const FlatMirrors::Image& image = in.scene.flat_mirrors.images[choice.index];
   const FlatMirrors::Plane& plane = in.scene.flat_mirrors.planes[image.plane];
+  const Emitter& emitter = in.scene.emitters[image.emitter];
   DirectSample s;
-  if (!in.scene.emitters[image.emitter].sample_direct(plane.mirrored(arrival.surface.p), {}, s)) return {};
+  Vec3 at;
+  if (!plane.shows(emitter.center(), arrival.surface.p, at) ||
+      !emitter.sample_direct(plane.mirrored(arrival.surface.p), {}, s))
+    return {};
   const Vec3 leaves = -s.wi;
   s.wi = plane.mirrored_direction(s.wi);
   const MirrorLobe lobe = mirror_lobe(in.scene.materials[plane.material], std::abs(dot(s.wi, plane.n)));
@@ -125,9 +129,8 @@ Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& 
   s.pdf_direction_w *= lobe.probability;
   Found c = light_of(in, n, eye, arrival, {image.emitter, choice.probability, 0}, s, leaves, 2);
   if (!c) return {};
-  const float here = std::abs(plane.height(arrival.surface.p)), there = std::abs(plane.height(s.p));
   c->mirror = image.plane;
-  c->at_mirror = arrival.surface.p + s.wi * (s.distance * (here / (here + there)));
+  c->at_mirror = at;
   return c;
 }
 
