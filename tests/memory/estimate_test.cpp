@@ -91,8 +91,8 @@ const Case cases[] = {
 #endif
     {"camera_4k", large_camera, [](auto& d) { d.iteration_count = 2; }},
     {"camera_4k_all_passes", large_camera, [](auto& d) { d.iteration_count = 16 * 254; d.max_path_length = 2; }, true},
-    {"illuminance", small_camera, [](auto& d) { by_ups(d), d.iteration_count = 24; }},
-    {"layers", layered_camera, [](auto& d) { by_ups(d), d.iteration_count = 24; }},
+    {"illuminance", small_camera, [](auto& d) { by_ups(d), d.iteration_count = with_effort(24); }},
+    {"layers", layered_camera, [](auto& d) { by_ups(d), d.iteration_count = with_effort(24); }},
     {"technique_images", small_camera, [](auto& d) { by_ups(d), d.technique_images = 5; }},
     {"meters_1e5", many_meters, automatic},
     {"meters_1e6", million_meters, [](auto& d) { d.iteration_count = 64; }, true},
@@ -129,7 +129,7 @@ TEST_P(MemoryEstimate, HoldsThePeak) {
   ASSERT_EQ(ups_scene_commit(scene.get()), UPS_OK) << ups_last_error();
   const long committed = bytes_allocated() - before;
   auto d = make_desc<ups_render_desc>(ups_render_desc_init);
-  d.iteration_count = 16;
+  d.iteration_count = with_effort(16);
   c.change(d);
   ups_memory_estimate e{};
   e.struct_size = sizeof e;
