@@ -87,7 +87,7 @@ enum {
 typedef struct ups_context ups_context; /* threads and log; thread-safe */
 typedef struct ups_profile ups_profile; /* one luminous intensity distribution; immutable, thread-safe */
 typedef struct ups_scene ups_scene;     /* description; many threads read, or one changes it */
-typedef struct ups_job ups_job;         /* a render on the library's own threads; thread-safe */
+typedef struct ups_job ups_job;         /* a render or commit on the library's own threads; thread-safe */
 typedef struct ups_result ups_result;   /* what a render has found so far: immutable, any thread */
 
 typedef struct { uint32_t v; } ups_texture_id;

@@ -16,7 +16,7 @@
 
 #include "ups_scene.h"
 
-typedef struct ups_fixture ups_fixture; /* parts of a luminaire; one thread at a time */
+typedef struct ups_fixture ups_fixture; /* parts of a luminaire; many threads read, or one changes it */
 typedef struct { uint32_t v; } ups_fixture_part_id;
 typedef struct { uint32_t v; } ups_fixture_id; /* of a scene: a fixture that stands in it */
 

@@ -64,7 +64,9 @@ typedef struct ups_render_desc {
   ups_method method;
   uint64_t seed;                      /* same seed and iterations, same bits, whatever the thread count */
   double time_limit_s;                /* 0: none. From the start of the call; overrun by at most 0.1 s or 5 %,
-                                       * whichever is more. An iteration that it cuts off leaves no trace */
+                                       * whichever is more, but where millions of light paths an iteration were asked
+                                       * for, whose memory is given back first. An iteration that it cuts off leaves no
+                                       * trace */
   float target_relative_error;        /* stop when the relative error that target_criterion says is below: by default
                                        * the worst meter's error_bound / max(E, 5 % of its set's mean), without meters
                                        * the mean pixel's; without cameras too a goniometer's, whatever the criterion:
@@ -77,8 +79,8 @@ typedef struct ups_render_desc {
                                        * whose diameter is the most */
   uint32_t iteration_count;           /* 0: until a limit or the target is met */
   uint32_t max_path_length;           /* edges; 0: none, roulette ends paths without bias */
-  uint32_t light_paths_per_iteration; /* a power of two, or rounded up to one; auto may still trace none. 0: chosen by
-                                       * the library */
+  uint32_t light_paths_per_iteration; /* a power of two, or rounded up to one, at most 2^24; auto may still trace none.
+                                       * 0: chosen by the library */
   uint32_t techniques;                /* UPS_TECHNIQUE_* to allow; 0: those of the method */
   float radius_alpha;                 /* (0, 1): r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1), but for point meters'
                                        * discs; 0: 2/3, where UPS falls fastest */
@@ -137,7 +139,7 @@ typedef struct ups_result_info {
 } ups_result_info;
 
 /* Plain array elements: these never grow. < 0 where not known (too few iterations). Of more than 32768 meters an
- * iteration visits each second, third, ... in turn; before its first visit nothing is known of a meter.
+ * iteration visits each third, fifth, ... in turn; before its first visit nothing is known of a meter.
  * Light that no path has found, or that few have, is not known to be dark: until half of the 16 batches have any, the
  * standard error is -1, and the bound is that of the rule of three and its continuation: the most that one path may
  * bring, times 3.00, 3.74, 4.30, ... after 0, 1, 2, ... paths, over the iterations. Where photons are merged, the bound
@@ -303,7 +305,7 @@ UPS_API void ups_job_cancel(ups_job *job); /* asks; returns at once; NULL ok */
 UPS_API ups_status ups_job_result(const ups_job *job, ups_result **out);
 UPS_API void ups_job_destroy(ups_job *job); /* cancels and joins; NULL ok */
 
-/* Results are copied into the caller's memory. info->struct_size must be set. */
+/* Results are copied into the caller's memory, but by ups_result_view_*. info->struct_size must be set. */
 UPS_API ups_status ups_result_get_info(const ups_result *result, ups_result_info *info);
 /* How the light of one sensor is found, as UPS_METHOD_AUTO chose for it or as the method says. */
 typedef int32_t ups_photons;
@@ -463,7 +465,7 @@ UPS_API ups_status ups_result_view_image(const ups_result *result, ups_sensor_id
  * of density estimation, where both have a vertex at the same place, edges + 2. */
 typedef struct ups_technique_info {
   uint32_t struct_size;
-  uint32_t technique;      /* the UPS_TECHNIQUE_* that it is */
+  uint32_t technique;      /* the UPS_TECHNIQUE_* that it is; MIRROR_SAMPLE is LIGHT_SAMPLE, its mirror a vertex of t */
   uint32_t light_vertices; /* s; 0: an emitter was hit, 1: next-event estimation */
   uint32_t eye_vertices;   /* t; 1: a light path was joined to the camera */
   uint32_t edges;

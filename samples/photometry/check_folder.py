@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Reads every photometric file of a folder with `ups info --json` and compares what comes out with what a list expects.
 
-    samples/photometry/check_folder.py FOLDER [EXPECTED] [--ups build/dev/bin/ups] [--tolerance 0.0005]
+    samples/photometry/check_folder.py FOLDER [EXPECTED] [--ups build/release/bin/ups] [--tolerance 0.0005]
 
 EXPECTED (MANIFEST.md of the folder if left out) names the files, relative to FOLDER:
   - .csv with the columns file, flux_lm, twin, refused. flux_lm: by the band rule; twin: another file's name or its
@@ -118,7 +118,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("folder")
     parser.add_argument("expected", nargs="?")
-    parser.add_argument("--ups", default="build/dev/bin/ups")
+    parser.add_argument("--ups", default="build/release/bin/ups")
     parser.add_argument("--tolerance", type=float, default=0.0005, help="of the flux, relative (0.0005)")
     arguments = parser.parse_args()
     path = arguments.expected or os.path.join(arguments.folder, "MANIFEST.md")
