@@ -23,6 +23,7 @@ import stopping  # noqa: E402
 
 SEEDS, METERS = 50, 40
 FAST_SEEDS = range(1, 7)
+LOW_EFFORT = os.environ.get("UPS_TEST_EFFORT") == "low"  # under sanitizers: two seeds, which tell nothing of bounds
 
 
 def gaussian(stated=1.0, bias=0.0, shared=0.0, reference=0.0):
@@ -118,7 +119,10 @@ class FastSet(unittest.TestCase):
     def test_bounds_hold_and_are_no_wider_than_wanted(self):
         with tempfile.TemporaryDirectory() as out, calibrate.ProcessPoolExecutor(1) as pool:
             for scene in (known_light.mirror(64), known_light.water()):
-                row = calibration.figures(calibrate.readings_of(UPS, pool, scene, FAST_SEEDS, out))
+                seeds = FAST_SEEDS[:2] if LOW_EFFORT else FAST_SEEDS
+                row = calibration.figures(calibrate.readings_of(UPS, pool, scene, seeds, out))
+                if LOW_EFFORT:
+                    continue
                 self.assertEqual(calibration.failures(row), [], scene.name)
                 self.assertLess(row["rms_error"], 0.03, scene.name)
 
