@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "photometry/metrics.h"
+#include "photometry/planes.h"
 
 namespace photometry {
 namespace {
@@ -160,7 +161,9 @@ BugRating bug_rating(const Photometry& p, double front_c_deg) {
   }
   out.up_lm[0] = zonal_flux_lm(p, 90, 100, FluxRule::band);
   out.up_lm[1] = zonal_flux_lm(p, 100, 180, FluxRule::band);
-  out.type_v = p.symmetry == Symmetry::axial || p.symmetry == Symmetry::quadrants;
+  // Stated, or seen in values that are measured: a file may write the whole circle out.
+  const auto is_v = [](Symmetry s) { return s == Symmetry::axial || s == Symmetry::quadrants; };
+  out.type_v = is_v(p.symmetry) || (p.type == PhotometricType::c && is_v(symmetry_of(p.distribution, 0.01)));
   out.backlight = rating({out.back_lm[0], out.back_lm[1], out.back_lm[2]}, backlight_limits);
   out.uplight = rating({out.up_lm[0], out.up_lm[1]}, uplight_limits);
   const double high[4] = {out.front_lm[2], out.front_lm[3], out.back_lm[2], out.back_lm[3]};

@@ -34,8 +34,8 @@ bool close_circle(std::vector<Plane>& planes, const Context& context) {
 Distribution arrange_c(IesTable table, const Context& context, Symmetry& symmetry) {
   std::vector<double>& vertical = table.vertical_deg;
   double &lowest = vertical.front(), &highest = vertical.back();
-  if (lowest < 0 && is_near(lowest, 0)) lowest = 0;
-  if (highest > 180 && is_near(highest, 180)) highest = 180;
+  if (is_near(lowest, 0)) lowest = 0;  // or the pole itself would be dark
+  if (is_near(highest, 180)) highest = 180;
   if (lowest < 0 || highest > 180)
     fail_at(context.lines.vertical, range_text("vertical", lowest, highest) + " are not within 0 to 180 of type C");
   if (!(is_near(lowest, 0) || is_near(lowest, 90)) || !(is_near(highest, 90) || is_near(highest, 180)))

@@ -52,9 +52,9 @@ size_t find_angle(const std::vector<double>& angle, double wanted) {
 
 // Whether rows and planes have their images: image(index) gives the index of the mirrored one, or past the end.
 template <class PlaneImage, class RowImage>
-bool repeats(const Distribution& d, const PlaneImage& plane_image, const RowImage& row_image) {
+bool repeats(const Distribution& d, const PlaneImage& plane_image, const RowImage& row_image, double share = 1e-12) {
   const size_t planes = d.c_deg().size(), rows = d.gamma_deg().size();
-  const double tolerance = 1e-12 * d.peak_cd();
+  const double tolerance = share * d.peak_cd();
   for (size_t i = 0; i < planes; ++i) {
     const size_t k = plane_image(i);
     if (k >= planes) return false;
@@ -132,13 +132,13 @@ Distribution distribution_of(PhotometricType type, Planes planes, std::vector<do
   return Distribution(type, std::move(plane_deg), std::move(row_deg), std::move(table));
 }
 
-Symmetry symmetry_of(const Distribution& d) {
+Symmetry symmetry_of(const Distribution& d, double tolerance) {
   const std::vector<double>& c = d.c_deg();
   const auto same_row = [](size_t j) { return j; };
-  if (repeats(d, [](size_t) { return size_t(0); }, same_row)) return Symmetry::axial;
+  if (repeats(d, [](size_t) { return size_t(0); }, same_row, tolerance)) return Symmetry::axial;
   const auto has = [&](double angle) { return find_angle(c, angle) < c.size(); };
   const auto mirrored = [&](double about) {
-    return repeats(d, [&](size_t i) { return find_angle(c, wrapped(2 * about - c[i])); }, same_row);
+    return repeats(d, [&](size_t i) { return find_angle(c, wrapped(2 * about - c[i])); }, same_row, tolerance);
   };
   const bool lateral = has(180) && mirrored(0), across = has(90) && has(270) && mirrored(90);
   return lateral && across ? Symmetry::quadrants

@@ -34,9 +34,9 @@ void check_poles(const Distribution& distribution, size_t line, std::vector<std:
 // Of a type C table, or of a table of type A or B, planes of ascending angle and their rows.
 Distribution distribution_of(PhotometricType type, std::vector<Plane> planes, std::vector<double> row_deg);
 
-// The symmetry that the values of a type C table have, to 1e-12 of the peak. The planes on which the mirror images meet
+// The symmetry that the values of a type C table have, to so much of the peak. The planes on which the mirror images meet
 // must exist (0 and 180; 90 and 270; all four), or a part of the circle could not state the table.
-Symmetry symmetry_of(const Distribution& distribution);
+Symmetry symmetry_of(const Distribution& distribution, double tolerance = 1e-12);
 
 // How a table of type A or B repeats: c0_c180 for H and -H, c90_c270 for V and -V, each with a value at 0.
 Symmetry mirror_symmetry_of(const Distribution& distribution);

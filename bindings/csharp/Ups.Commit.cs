@@ -82,14 +82,19 @@ namespace Ups
         {
             Elements.Expect(pointM.Length, 3, "pointM");
             Elements.Expect(normal.Length, 3, "normal");
-            UIntPtr needed;
             fixed (double* p = pointM, n = normal)
             {
-                Library.Check(read(p, n, null, UIntPtr.Zero, &needed));
-                var segments = new Segment[(int)needed];
-                fixed (Segment* s = segments)
-                    Library.Check(read(p, n, s, needed, &needed));
-                return segments;
+                for (;;)
+                {
+                    UIntPtr needed;
+                    Library.Check(read(p, n, null, UIntPtr.Zero, &needed));
+                    var segments = new Segment[(int)needed];
+                    Status status;
+                    fixed (Segment* s = segments) status = read(p, n, s, (UIntPtr)segments.Length, &needed);
+                    if (!Library.Fits(status)) continue;
+                    Array.Resize(ref segments, (int)needed);
+                    return segments;
+                }
             }
         }
 

@@ -95,9 +95,16 @@ namespace Ups
         /// <summary>Who waits in another thread gets Cancelled.</summary>
         public void Dispose()
         {
-            try { Cancel(); }
-            catch (ObjectDisposedException) { }  // already
+            CancelIfThere();
             Handle.Dispose();
+        }
+
+        internal bool IsDisposed { get { return Handle.IsClosed; } }
+
+        internal void CancelIfThere()
+        {
+            try { Cancel(); }
+            catch (ObjectDisposedException) { }
         }
     }
 
@@ -115,7 +122,7 @@ namespace Ups
 
         internal static Status Watch(Job job, IProgress<Progress> progress, CancellationToken cancel)
         {
-            using (cancel.Register(job.Cancel))
+            using (cancel.Register(job.CancelIfThere))
             {
                 try
                 {
@@ -124,9 +131,13 @@ namespace Ups
                     progress.Report(job.Poll());
                     return status;
                 }
+                catch (ObjectDisposedException) when (job.IsDisposed)
+                {
+                    return Status.Cancelled;  // by Dispose, in another thread
+                }
                 catch
                 {
-                    job.Cancel();
+                    job.CancelIfThere();
                     throw;
                 }
             }

@@ -173,12 +173,18 @@ namespace Ups
         /// <summary>What each meter of the committed scene measures.</summary>
         public MeterPlace[] MeterPlaces(SensorId meters)
         {
-            UIntPtr needed;
-            Library.Check(Native.ups_scene_read_meter_places(Handle, meters, null, UIntPtr.Zero, &needed));
-            var places = new MeterPlace[(int)needed];
-            fixed (MeterPlace* p = places)
-                Library.Check(Native.ups_scene_read_meter_places(Handle, meters, p, needed, &needed));
-            return places;
+            for (;;)
+            {
+                UIntPtr needed;
+                Library.Check(Native.ups_scene_read_meter_places(Handle, meters, null, UIntPtr.Zero, &needed));
+                var places = new MeterPlace[(int)needed];
+                Status status;
+                fixed (MeterPlace* p = places)
+                    status = Native.ups_scene_read_meter_places(Handle, meters, p, (UIntPtr)places.Length, &needed);
+                if (!Library.Fits(status)) continue;
+                Array.Resize(ref places, (int)needed);
+                return places;
+            }
         }
 
         /// <summary>An eye whose glare is rated; its meter's readings are those of a set of one.</summary>

@@ -53,6 +53,13 @@ namespace Ups
             return status;
         }
 
+        /// <summary>Of the second of two calls, the first of which told the size: false where a commit that came between
+        /// has more to tell; both are to be made anew. It may have less.</summary>
+        internal static bool Fits(Status status)
+        {
+            return status != Status.ErrorBufferTooSmall && Check(status) == Status.Ok;
+        }
+
         /// <summary>An argument, which is not null.</summary>
         internal static T Given<T>(T argument, string name) where T : class
         {
@@ -86,13 +93,19 @@ namespace Ups
         /// is none.</summary>
         internal static unsafe bool TryBytes(TextCall call, Checked check, out byte[] bytes)
         {
-            UIntPtr needed;
-            check(call(null, UIntPtr.Zero, &needed));
-            bytes = new byte[(int)needed];
-            if (bytes.Length == 0) return false;
-            fixed (byte* p = bytes) check(call(p, needed, &needed));
-            Array.Resize(ref bytes, bytes.Length - 1);
-            return true;
+            for (;;)
+            {
+                UIntPtr needed;
+                check(call(null, UIntPtr.Zero, &needed));
+                bytes = new byte[(int)needed];
+                if (bytes.Length == 0) return false;
+                Status status;
+                fixed (byte* p = bytes) status = call(p, (UIntPtr)bytes.Length, &needed);
+                if (status == Status.ErrorBufferTooSmall) continue;  // a commit that came between has more to tell
+                check(status);
+                Array.Resize(ref bytes, Math.Max((int)needed, 1) - 1);
+                return true;
+            }
         }
 
         internal static string Text(TextCall call) { return Text(call, Check); }

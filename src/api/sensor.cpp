@@ -146,6 +146,7 @@ ups_status ups_en12464_grid(const ups_en12464_desc* desc, ups_en12464_info* info
                             size_t capacity, size_t* needed) {
   return guard(__func__, [&] {
     const En12464Grid grid = en12464_grid(area_of(read_desc(desc, &ups_en12464_desc_init)));
+    if (info) checked_size(info, "info");  // before anything is written
     copy_array(grid.points.size(), points, capacity, needed, "points", [&](size_t i) {
       const En12464Grid::Point& p = grid.points[i];
       return ups_en12464_point{p.at.x, p.at.y, p.column, p.row};

@@ -93,7 +93,9 @@ double Accumulator::largest_path(size_t set, size_t m, double disc_area, const L
   const MeterSet& meters = scene_.meter_sets[set];
   const TechniqueShare share = plan_.shares.empty() ? TechniqueShare{} : plan_.shares[plan_.units.of_set(set)];
   const double area = meters.is_cell() && share.light ? meters.area(m) : disc_area;
-  const double photon = plan_.light_paths > 0 && area > 0 ? work_.brightest_lm / (plan_.light_paths * area) : 0;
+  const bool photons = plan_.light_paths > 0 && area > 0 &&
+                       (part != direct_light || meters.is_cell() || plan_.merges_direct_light());
+  const double photon = photons ? work_.brightest_lm / (plan_.light_paths * area) : 0;
   const double seen = std::max(largest_exact_[set], scene_lx_) / plan_.meter_samples;
   return std::max({double(found[part]), photon, seen});
 }
@@ -108,8 +110,9 @@ NeighbourProfiles Accumulator::profiles_of(size_t set, size_t column) const {
   const size_t rows = plan_.separation.columns.size() + 1;
   std::vector<RingProfile> profiles(rings_[set].empty() ? 0 : meters_[set].size());
   for (size_t m = 0; m < profiles.size(); ++m) {
+    if (visits(m) == 0) continue;  // what its disc reaches may be found right now
     const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
-    if (visits(m) > 0) profiles[m] = rings_[set].profile(m * rows + column, rings, visits(m));
+    profiles[m] = rings_[set].profile(m * rows + column, rings, visits(m));
   }
   return NeighbourProfiles(std::move(profiles));
 }
@@ -270,14 +273,17 @@ void Accumulator::add_statistics(const std::vector<MeterLight>& lights, MeterSet
     if (n == 0) continue;
     const MeterSums& sums = lights[m].sums;
     double means[batch_count] = {}, biases[batch_count] = {};
-    lights[m].batch_means(means, batches.used());
-    for (uint32_t b = 0; b < batches.used(); ++b) biases[b] = sums.bias[b] / visits_of_batch(n, b);
+    for (uint32_t b = 0; b < batches.used(); ++b) {
+      means[b] = sums.value[b] / visits_of_batch(n, b);
+      biases[b] = sums.bias[b] / visits_of_batch(n, b);
+    }
     const Spread& bias = lights[m].bias;
     const bool known = readings[m].standard_error_lx >= 0;
     const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean));
     batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] : all,
-                 lights[m].weight, known},
+                 lights[m].weight, known, lights[m].photons.halves_differ},
                 means, biases);
+    batches.widen(double(readings[m].error_bound_lx));
     reached |= sums.batches[whole_light];
   }
   const ChanceLight light{0, uint32_t(std::popcount(reached)), 0};

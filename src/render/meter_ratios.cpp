@@ -24,27 +24,26 @@ Quantity meter_of(const MeterBatches& meters, size_t m) {
   return q;
 }
 
-double error_of_mean(const double* batches, uint32_t used) {
-  return ups::error_of_mean(used, 1, [&](uint32_t b) { return batches[b]; });
-}
-
-Ratio ratio_of(const Quantity& x, const Quantity& y, uint32_t used) {
+// means: that batches are about.
+Ratio ratio_of(const Quantity& x, const Quantity& y, uint32_t used, uint32_t means) {
   Ratio r;
   if (!(y.value > 0) || x.value < 0) return r;
   r.value = x.value / y.value;
   if (used < min_batches_of_interval) return r;
-  const double t = t_quantile(used), y_error = std::abs(y.bias) + y.unfound +
-                                               t * std::hypot(error_of_mean(y.batches, used), y.bias_error);
+  const auto error_of = [&](const double* batches) {
+    return error_of_mean(used, means, [&](uint32_t b) { return batches[b]; });
+  };
+  const double t = t_quantile(used, means),
+               y_error = std::abs(y.bias) + y.unfound + t * std::hypot(error_of(y.batches), y.bias_error);
   if (y_error > 0.5 * y.value) return r;  // first order is not enough
   double noise[batch_count], bias[batch_count];
   for (uint32_t b = 0; b < used; ++b) {
     noise[b] = (x.batches[b] - r.value * y.batches[b]) / y.value;
     bias[b] = (x.bias_batches[b] - r.value * y.bias_batches[b]) / y.value;
   }
-  const double s_bias = error_of_mean(bias, used), own_bias = std::hypot(x.bias_error, r.value * y.bias_error) / y.value,
+  const double s_bias = error_of(bias), own_bias = std::hypot(x.bias_error, r.value * y.bias_error) / y.value,
                offset = (std::abs(x.bias - r.value * y.bias) + x.unfound + r.value * y.unfound) / y.value,
-               error = offset + t * std::sqrt(std::pow(error_of_mean(noise, used), 2) + s_bias * s_bias +
-                                              own_bias * own_bias);
+               error = offset + t * std::sqrt(std::pow(error_of(noise), 2) + s_bias * s_bias + own_bias * own_bias);
   r.interval = {std::max(0.0, r.value - error), r.value + error};
   return r;
 }
@@ -53,12 +52,13 @@ Ratio ratio_of(const Quantity& x, const Quantity& y, uint32_t used) {
 
 Ratio ratio_of_means(const MeterBatches& numerator, const MeterBatches& denominator) {
   if (numerator.count() == 0 || denominator.count() == 0) return {};
-  return ratio_of(mean_of(numerator), mean_of(denominator), std::min(numerator.used(), denominator.used()));
+  return ratio_of(mean_of(numerator), mean_of(denominator), std::min(numerator.used(), denominator.used()),
+                  std::max(numerator.means(), denominator.means()));
 }
 
 Ratio ratio_at(const MeterBatches& numerator, size_t m, const MeterBatches& denominator, size_t n) {
   return ratio_of(meter_of(numerator, m), meter_of(denominator, n),
-                  std::min(numerator.used(), denominator.used()));
+                  std::min(numerator.used(), denominator.used()), std::max(numerator.means(), denominator.means()));
 }
 
 }  // namespace ups

@@ -256,6 +256,7 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const Sums s = sums_of(row, rings, 0, halves, visits);
   if (s.count[rings.count - 1] == 0) return p;
   p.halves_differ = choice[0] != choice[1];
+  p.brings_direct = !direct_.empty();
   for (uint32_t b = 0; b < batch_count; ++b) {
     const uint32_t out_to = choice[b % 2];
     for (uint32_t k = 0; k <= out_to; ++k) {

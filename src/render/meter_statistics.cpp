@@ -13,11 +13,18 @@ namespace ups {
 
 void MeterBatches::add(const Meter& meter, const double* batch, const double* bias_batch) {
   meters_.push_back(meter);
+  widened_.push_back(0);
+  if (meter.halves_differ) means_ = 2;
   weights_ += meter.weight;
   for (uint32_t b = 0; b < used_; ++b) {
     batches_.push_back(float(batch[b]));
     bias_sums_[b] += meter.weight * bias_batch[b];
   }
+}
+
+void MeterBatches::widen(double bound) {
+  if (meters_.back().known && used_ >= min_batches)
+    widened_.back() = float(std::max(0.0, bound - this->bound(meters_.size() - 1)));
 }
 
 namespace {
@@ -58,17 +65,17 @@ CrossReading cross_reading(const MeterBatches& meters, const std::span<const uin
   const double noise = error_of_mean(used, 2, [&](uint32_t b) { return batches[b]; });
   double halves[2] = {};
   for (uint32_t b = 0; b < used; ++b) halves[b % 2] += batches[b] / (used / 2 + (used % 2 && b % 2 == 0));
-  return {0.5 * (halves[0] + halves[1]), offset + t_quantile(used - 1) * std::hypot(noise, bias_error)};
+  return {0.5 * (halves[0] + halves[1]), offset + t_quantile(used, 2) * std::hypot(noise, bias_error)};
 }
 
 }  // namespace
 
 double MeterBatches::standard_error(size_t m) const {
-  return error_of_mean(used_, 1, [&](uint32_t b) { return double(batch(m, b)); });
+  return error_of_mean(used_, means_, [&](uint32_t b) { return double(batch(m, b)); });
 }
 
 double MeterBatches::bound(size_t m) const {
-  return offset(m) + (meters_[m].known ? t_quantile(used_) * std::hypot(standard_error(m), bias_error(m)) : 0);
+  return offset(m) + (meters_[m].known ? t_quantile(used_, means_) * std::hypot(standard_error(m), bias_error(m)) : 0);
 }
 
 double MeterBatches::mean() const {
@@ -92,7 +99,7 @@ double MeterBatches::mean_of_batch(uint32_t b) const {
 // First order: (x_b - r mean_b) / mean about r = x / mean.
 MeterBatches MeterBatches::over_mean() const {
   MeterBatches out(used_);
-  const double mean = this->mean();
+  const double mean = this->mean(), unfound = this->unfound();
   double of_set[batch_count], own[batch_count], bias = 0;
   const double no_bias[batch_count] = {};
   for (uint32_t b = 0; b < used_; ++b) of_set[b] = mean_of_batch(b);
@@ -101,7 +108,10 @@ MeterBatches MeterBatches::over_mean() const {
     const double ratio = value(m) / mean;
     for (uint32_t b = 0; b < used_; ++b) own[b] = ratio + (double(batch(m, b)) - ratio * of_set[b]) / mean;
     const Spread own_bias{(meters_[m].bias.mean - ratio * bias) / mean, bias_error(m) / mean};
-    out.add({ratio, own_bias, meters_[m].unfound / mean, meters_[m].weight, meters_[m].known}, own, no_bias);
+    out.add({ratio, own_bias, (meters_[m].unfound + ratio * unfound) / mean, meters_[m].weight, meters_[m].known,
+             meters_[m].halves_differ},
+            own, no_bias);
+    out.widened_.back() = widened_[m] / float(mean);
   }
   return out;
 }
@@ -202,8 +212,8 @@ Interval LowerRanks::interval_at(size_t rank) const {
     bias_error += part * meters_.bias_error(m);
     for (uint32_t b = 0; b < meters_.used(); ++b) batches[b] += part * double(meters_.batch(m, b));
   }
-  const double own = error_of_mean(meters_.used(), 1, [&](uint32_t b) { return batches[b]; });
-  const double below = offset + t_quantile(meters_.used()) * std::hypot(own, bias_error);
+  const double own = error_of_mean(meters_.used(), meters_.means(), [&](uint32_t b) { return batches[b]; });
+  const double below = offset + t_quantile(meters_.used(), meters_.means()) * std::hypot(own, bias_error);
   const CrossReading cross =
       cross_reading(meters_, {by_half_[0].between(before, up_to), by_half_[1].between(before, up_to)});
   return {std::min(value - below, cross.value - cross.above), std::max(value + below, cross.value + cross.above)};
@@ -267,11 +277,13 @@ void add_mean(const MeterBatches& meters, uint32_t passes, bool known, ups_meter
     values[b] = meters.mean_of_batch(b) * visits_of_batch(passes, b);
     biases[b] = meters.bias_of_batch(b) * visits_of_batch(passes, b);
   }
-  const Spread value = spread(values, passes), bias = spread(biases, passes);
+  const Spread value = meters.means() == 2 ? spread_of_halves(values, passes) : spread(values, passes),
+               bias = spread(biases, passes);
   s.mean_bias_lx = bias.mean;
   if (value.standard_error < 0) return;
   if (known) s.mean_standard_error_lx = value.standard_error;
-  s.mean_error_bound_lx = meters.unfound() + (known ? double(error_bound(value, bias, passes)) : std::abs(bias.mean));
+  s.mean_error_bound_lx =
+      meters.unfound() + (known ? double(error_bound(value, bias, passes, meters.means())) : std::abs(bias.mean));
 }
 
 }  // namespace

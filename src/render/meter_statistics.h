@@ -19,14 +19,18 @@ class MeterBatches {
     double unfound;  // bound on light that few paths have found
     double weight = 1;  // in the mean and in percentiles: an area, or all alike
     bool known = true;  // the batches know the error of all other light
+    bool halves_differ = false;  // even and odd batches have a bias of their own each
   };
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);
+  // Of the one added last: its own bound, which knows more than its batches do, is not undercut.
+  void widen(double bound);
 
-  static constexpr double bytes_per_meter = batch_count * sizeof(float) + sizeof(Meter);
+  static constexpr double bytes_per_meter = batch_count * sizeof(float) + sizeof(Meter) + sizeof(float);
 
   size_t count() const { return meters_.size(); }
   uint32_t used() const { return used_; }
+  uint32_t means() const { return means_; }  // that batches are about: 2 where some meter's halves differ
   double value(size_t m) const { return meters_[m].value; }
   double weight(size_t m) const { return meters_[m].weight; }
   float batch(size_t m, uint32_t b) const { return batches_[m * used_ + b]; }
@@ -34,10 +38,10 @@ class MeterBatches {
   // 95 %, noise where it is known, bias, and what is unfound.
   double bound(size_t m) const;
   // Bias and what is unfound, without noise: magnitude, and the bias's standard error.
-  double offset(size_t m) const { return std::abs(meters_[m].bias.mean) + meters_[m].unfound; }
+  double offset(size_t m) const { return std::abs(meters_[m].bias.mean) + unfound(m); }
   double bias(size_t m) const { return meters_[m].bias.mean; }
   double bias_error(size_t m) const { return std::max(0.0, meters_[m].bias.standard_error); }
-  double unfound(size_t m) const { return meters_[m].unfound; }
+  double unfound(size_t m) const { return meters_[m].unfound + double(widened_[m]); }
 
   double mean() const;
   double unfound() const;  // of the mean
@@ -48,9 +52,9 @@ class MeterBatches {
   MeterBatches negative() const;
 
  private:
-  uint32_t used_;
+  uint32_t used_, means_ = 1;
   std::vector<Meter> meters_;
-  std::vector<float> batches_;
+  std::vector<float> batches_, widened_;
   double bias_sums_[batch_count] = {};
   double weights_ = 0;
 };

@@ -9,31 +9,6 @@
 
 namespace ups {
 
-namespace {
-
-// Even and odd batches apart: their discs differ, and so does their bias.
-Spread spread_of_halves(const double* sums, uint32_t visits) {
-  Spread s = spread(sums, visits);
-  if (s.standard_error < 0) return s;
-  double variance = 0;
-  for (uint32_t half = 0; half < 2; ++half) {
-    uint32_t n = 0, used = 0;
-    double mean = 0, square = 0;
-    for (uint32_t b = half; b < std::min(visits, batch_count); b += 2, ++used)
-      n += visits_of_batch(visits, b), mean += sums[b];
-    mean /= n;
-    for (uint32_t b = half; b < std::min(visits, batch_count); b += 2) {
-      const double of_batch = visits_of_batch(visits, b), d = sums[b] / of_batch - mean;
-      square += of_batch * d * d;
-    }
-    variance += double(n) / visits * n / visits * square / (double(n) * (used - 1));
-  }
-  s.standard_error = std::sqrt(variance);
-  return s;
-}
-
-}  // namespace
-
 void MeterSums::add(uint32_t batch, const MeterTally& t, uint32_t iteration) {
   value[batch] += t.value;
   direct[batch] += t.direct;
@@ -60,16 +35,8 @@ void MeterSums::add(const MeterRings::Photons& photons) {
     for (size_t k = 0; k < light_part_count; ++k)
       if (parts[k] > 1e-9 * photons.value[b]) batches[k] |= uint16_t(1u << b);
   }
-  for (PathRecord& part : paths) part.add(photons.paths);
-}
-
-void MeterLight::batch_means(double* means, uint32_t used) const {
-  double mean[2] = {}, count[2] = {}, all = 0;
-  for (uint32_t b = 0; b < used; ++b) {
-    means[b] = sums.value[b] / visits_of_batch(visits, b);
-    mean[b % 2] += means[b], count[b % 2] += 1, all += means[b] / used;
-  }
-  for (uint32_t b = 0; b < used && photons.halves_differ; ++b) means[b] += all - mean[b % 2] / count[b % 2];
+  for (const LightPart part : {whole_light, direct_light, indirect_light})
+    if (part != direct_light || photons.brings_direct) paths[part].add(photons.paths);
 }
 
 std::pair<float, float> MeterLight::error_of(LightPart part) const {
@@ -95,7 +62,8 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
   // than its model: a fit of even curvature sees three fifths of a slope's, so 95 % are taken to be within two thirds.
   const bool noise = offset <= 2 * bias.standard_error,
              once = noise && photons.bias_scale > 0 && bias.standard_error < 3 * e.standard_error;
-  const double t = noise ? t_quantile(visits, offset, e.standard_error) : t_quantile(visits),
+  const uint32_t means = photons.halves_differ ? 2 : 1;
+  const double t = noise ? t_quantile(visits, means, offset, e.standard_error) : t_quantile(visits, means),
                model = 0.31 * offset,
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * bias.standard_error, t * model);
   return {float(e.standard_error), float(std::max(bound, photons.narrower) + added)};

@@ -41,8 +41,6 @@ struct MeterLight {
   uint32_t flags(const ups_meter_reading& reading) const;
   Sample largest_sample() const { return {sums.paths[whole_light].largest, sums.largest}; }
   OwnBias own_bias() const { return {spread(sums.bias, visits), spread(sums.value, visits).mean, photons.bias_scale}; }
-  // Of the first batches; without what the discs of even and odd ones differ by in bias, which is no noise.
-  void batch_means(double* means, uint32_t used) const;
   std::pair<float, float> error_of(LightPart part) const;  // standard error and bound; -1: not known
 };
 

@@ -137,7 +137,7 @@ std::vector<double> angles_of(const float* given, uint32_t count, double step, d
                               const std::string& field) {
   std::vector<double> angles;
   for (uint32_t i = 0; i < count; ++i) {
-    const double a = given ? double(given[i]) : i * step;
+    const double a = given ? double(given[i]) : std::min(i * step, limit);  // which rounding may pass
     check::require(a >= 0 && (a < limit || (limit_allowed && a == limit)),
                    check::element(field, i) + " is " + check::text(a) + "; it must be in [0, " + check::text(limit) +
                        (limit_allowed ? "]" : ")"));

@@ -69,8 +69,8 @@ class Surface {
       check::require(!shown.revolution, "measures instance " + std::to_string(number) +
                                             ", which has become a curved part of a fixture");
       triangles += shown.triangle_count();
-      check::require(triangles <= max_surface_triangles || in.width > 0,
-                     "measures more than " + std::to_string(max_surface_triangles) + " triangles");
+      const uint64_t most = in.width > 0 ? UINT32_MAX : max_surface_triangles;
+      check::require(triangles <= most, "measures more than " + std::to_string(most) + " triangles");
       ends_.push_back(uint32_t(triangles));
     }
   }

@@ -65,6 +65,12 @@ LoadedScene load(const GoniometerOptions& options) {
     if (sensor.info.sensor.v != chosen.info.sensor.v)
       check(ups_scene_remove_sensor(scene.owned.get(), sensor.info.sensor));
   scene.sensors = {chosen};
+  double maintenance = 1;
+  check(ups_scene_get_maintenance_factor(scene.owned.get(), &maintenance));
+  if (maintenance != 1) {  // of an installation: a photometric file holds what a luminaire gives when it is new
+    check(ups_scene_set_maintenance_factor(scene.owned.get(), 1));
+    put_warning(format("the scene's maintenance factor of %g is left out of what is measured", maintenance));
+  }
   commit_scene(scene, options.scene);
   ups_scene_info info{};
   info.struct_size = sizeof info;

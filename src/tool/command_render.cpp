@@ -63,9 +63,7 @@ std::string page_of(const RenderOptions& options, const LoadedScene& scene, cons
     auto file = platform::open_to_read(platform::joined(options.out, scene.sensors[sensor].name + ".png"));
     return std::vector<uint8_t>{std::istreambuf_iterator<char>(file), {}};
   };
-  const std::string file = options.scene.substr(options.scene.find_last_of('/') + 1);
-  const size_t dot = file.find_last_of('.');
-  const std::string title = dot == 0 || dot == std::string::npos ? file : file.substr(0, dot);
+  const std::string title = platform::stem_of(options.scene);
   return report_page({scene, result, report, targets, options.map, title,
                       command_text(options.arguments, report.info), date_text(), picture});
 }

@@ -10,12 +10,8 @@ namespace ups::tool {
 class Csv {
  public:
   explicit Csv(std::string header) : text_(std::move(header) + "\n") {}
-  void add(double value) {
-    char number[40];
-    std::snprintf(number, sizeof number, "%s%.9g", at_start_ ? "" : ",", value == 0 ? 0.0 : value);  // no "-0"
-    text_ += number;
-    at_start_ = false;
-  }
+  void add(double value) { add(value, 9); }  // of a float
+  void add_place(double metres) { add(metres, 12); }
   void end_row() {
     text_ += "\n";
     at_start_ = true;
@@ -23,6 +19,13 @@ class Csv {
   void write(const std::string& path) const { extras::write_file(path, text_.data(), text_.size()); }
 
  private:
+  void add(double value, int digits) {
+    char number[40];
+    std::snprintf(number, sizeof number, "%s%.*g", at_start_ ? "" : ",", digits, value == 0 ? 0.0 : value);  // no "-0"
+    text_ += number;
+    at_start_ = false;
+  }
+
   std::string text_;
   bool at_start_ = true;
 };

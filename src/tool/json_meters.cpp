@@ -35,7 +35,7 @@ ordered_json meters_json(const std::vector<MeterReport>& sets) {
                            {"worst_relative_error_bound", number(s.worst_relative_error_bound)}};
     for (const IntervalAt& p : set.percentiles)
       meters["percentiles_lx"][format("%g", 100 * p.at)] = interval_json(p.interval);
-    for (const IntervalAt& a : set.above) meters["share_above"][format("%g", a.at)] = interval_json(a.interval);
+    for (const IntervalAt& a : set.above) meters["share_above"][format("%.9g", a.at)] = interval_json(a.interval);
     all[set.name] = meters;
   }
   return all;

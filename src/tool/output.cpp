@@ -232,7 +232,7 @@ void write_csv(const std::string& path, const MeterTable& table, uint32_t map_wi
   if (map_width > 0) header += ",column,row";
   Csv csv(header);
   for (const size_t i : table.places.listed) {
-    for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(table.places.positions[k]);
+    for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add_place(table.places.positions[k]);
     for (size_t k = 3 * i; k < 3 * i + 3; ++k) csv.add(double(table.places.normals[k]));
     for (const float value : values_of(table.readings[i])) csv.add(double(value));
     if (!vectors.empty()) {
@@ -378,6 +378,10 @@ void prepare_files(const RenderOptions& options, const LoadedScene& scene) {
   for (const std::string& name : names)
     if (const std::string path = platform::joined(options.out, name); platform::is_folder(path))
       throw Failure("--out: '" + path + "' is a folder, where a file of that name would be written");
+  std::sort(names.begin(), names.end());
+  if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
+    throw Failure("--out: two of the scene's cameras, meters and goniometers would write the file '" + *twice +
+                  "'; give one of them another name");
 }
 
 Written write_outputs(const std::string& folder, const LoadedScene& scene, const ups_result* result,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "platform/paths.h"
 #include "report/drawing_file.h"
 #include "tool/text_format.h"
 
@@ -80,7 +81,7 @@ Drawing plot_of(const ups_profile* profile, const ProfileReport& report) {
   const double legend_height = legend_row * double(drawn_planes(report).size());
   const double height = (shines_up(profile, report) ? 600 : 460) + legend_height;
   Drawing drawing{width, height, {}};
-  const std::string name = report.file.substr(report.file.find_last_of('/') + 1);
+  const std::string name = platform::file_name_of(report.file);
   drawing.add(Label{{margin, 40}, shortened(name, 22, 620), 22, black, Anchor::start, true});
   drawing.add(Label{{width - margin, 40}, report.format, 13, grey, Anchor::end});
   const std::string maker = keyword(report, "MANUFAC"), luminaire = keyword(report, "LUMINAIRE");

@@ -143,6 +143,13 @@ TEST(En12464, SaysWhatIsWrong) {
   d = desc_of(room, 0.2);
   ups_en12464_point one;
   expect_error(ups_en12464_grid(&d, nullptr, &one, 1, &count), UPS_ERROR_BUFFER_TOO_SMALL, {"capacity is 1", "points"});
+  std::vector<ups_en12464_point> points(count, {-7, -7, 0, 0});
+  ups_en12464_info info{};  // without its size
+  size_t untouched = 7;
+  expect_error(ups_en12464_grid(&d, &info, points.data(), points.size(), &untouched), UPS_ERROR_INVALID_ARGUMENT,
+               {"info", "struct_size"});
+  EXPECT_EQ(untouched, 7u);
+  EXPECT_EQ(points[0].x_m, -7);
   expect_error(ups_en12464_grid(&d, nullptr, nullptr, 0, nullptr), UPS_ERROR_INVALID_ARGUMENT, {"needed is NULL"});
   expect_error(ups_en12464_grid(nullptr, nullptr, nullptr, 0, &count), UPS_ERROR_INVALID_ARGUMENT, {"desc is NULL"});
   d.corners_m = nullptr;

@@ -145,6 +145,21 @@ TEST_F(Sources, ADarkGoniometerEndsItsRender) {
   }
 }
 
+// Equal steps of any number end at 180, which their rounding would pass; many planes find their images quickly.
+TEST_F(Sources, GoniometersOfManyEqualSteps) {
+  ups_sensor_id id{};
+  for (const uint32_t count : {170u, 339u, 340u, 1001u}) {
+    auto d = gonio;
+    d.gamma_count = count, d.c_deg = d.gamma_deg = nullptr;
+    EXPECT_OK(ups_scene_add_goniometer(scene, &d, &id));
+    EXPECT_OK(ups_scene_remove_sensor(scene, id));
+  }
+  auto d = gonio;
+  d.c_count = 1000000, d.gamma_count = 2, d.c_deg = d.gamma_deg = nullptr;
+  d.symmetry = UPS_SYMMETRY_QUADRANTS;
+  EXPECT_OK(ups_scene_add_goniometer(scene, &d, &id));
+}
+
 TEST_F(Sources, GoniometerFieldsAreChecked) {
   const float falling[] = {0, 90, 45}, late[] = {10, 20, 30}, far[] = {0, 90, 181};
   ups_sensor_id id{};

@@ -87,6 +87,8 @@ def test_sensors_on_surfaces_and_by_direction(context):
     texels = scene.add_lightmap([ids["instance"]], 2, 3)
     directions = scene.add_goniometer(c_deg=[0, 90, 180, 270], gamma_deg=[0, 90, 180])
     eye = scene.add_observer(to_world=ups.translation(0, 0, 1))
+    with pytest.raises(TypeError, match="c_count"):  # an array has its own
+        scene.add_goniometer(c_deg=[0, 90], gamma_deg=[0, 90, 180], c_count=1000)
     scene.set_surface_meters(triangles, back=1)
     scene.set_lightmap(texels, width=4)
     scene.set_goniometer(directions, gamma_count=5)

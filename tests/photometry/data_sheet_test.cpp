@@ -119,8 +119,27 @@ TEST(BugRating, LimitsOfGlare) {
   EXPECT_EQ(of(600, Symmetry::axial), 0);
   EXPECT_EQ(of(700, Symmetry::axial), 1);
   EXPECT_EQ(of(12100, Symmetry::axial), 5);
-  EXPECT_EQ(of(105, Symmetry::none), 0);
-  EXPECT_EQ(of(600, Symmetry::none), 2);
+  const auto to_one_side = [&](double lm) {
+    const double cd = 4 * lm / unit;  // a quarter of it behind, as planes are interpolated
+    return bug_rating({Distribution({0, 90, 180, 270}, {60, 80}, {cd, cd, cd, cd, 0, 0, 0, 0})}, 0).glare;
+  };
+  EXPECT_EQ(to_one_side(105), 0);
+  EXPECT_EQ(to_one_side(600), 2);
+}
+
+// A file may write the whole circle out, as it was measured: the light tells, not the planes that are stated.
+TEST(BugRating, RoundLightIsTypeVHoweverItIsWritten) {
+  const auto of = [](double at_90, double at_180, Symmetry stated) {
+    Photometry p{Distribution({0, 90, 180, 270}, {60, 70, 80},
+                              {100, 100, 100, at_90, at_90, at_90, at_180, at_180, at_180, at_90, at_90, at_90})};
+    p.symmetry = stated;
+    return bug_rating(p, 0).type_v;
+  };
+  EXPECT_TRUE(of(100.4, 99.8, Symmetry::none));
+  EXPECT_TRUE(of(60, 100.3, Symmetry::none));  // to both planes
+  EXPECT_FALSE(of(60, 80, Symmetry::none));
+  EXPECT_FALSE(of(100, 80, Symmetry::none));
+  EXPECT_TRUE(of(60, 80, Symmetry::quadrants));
 }
 
 TEST(UtilisationFactors, OfLambertianLightAreFormFactors) {

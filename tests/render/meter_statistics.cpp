@@ -47,8 +47,9 @@ struct Coverage {
 
 bool holds(double low, double high, double truth) { return low <= truth && truth <= high; }
 
-// common: share of the variance that all meters have together.
-Coverage coverage_of(const Field& field, double common, std::mt19937_64& random) {
+// common: share of the variance that all meters have together. halves: how far even and odd batches of every other meter
+// are off, to either side, as discs of different width are.
+Coverage coverage_of(const Field& field, double common, double halves, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   std::vector<double> truth;
   for (size_t m = 0; m < field.meters; ++m) truth.push_back(200 + field.truth(m));
@@ -71,11 +72,13 @@ Coverage coverage_of(const Field& field, double common, std::mt19937_64& random)
     MeterBatches meters(batch_count);
     for (const Weighted& w : all) {
       value = 0;
+      const bool differ = halves > 0 && meters.count() % 2 == 0;
+      const double off = differ ? halves * normal(random) : 0;
       for (uint32_t b = 0; b < batch_count; ++b) {
-        batch[b] = w.value + shared[b] + 4 * std::sqrt(1 - common) * normal(random);
+        batch[b] = w.value + shared[b] + (b % 2 ? off : -off) + 4 * std::sqrt(1 - common) * normal(random);
         value += batch[b] / batch_count;
       }
-      meters.add({value, {0, 0}, 0, w.weight}, batch, no_bias);
+      meters.add({value, {0, 0}, 0, w.weight, true, differ}, batch, no_bias);
     }
     const ups_meter_statistics s = meter_statistics(meters, 3 * batch_count, true);
     c.minimum += holds(s.min_low_lx, s.min_high_lx, least) / double(repetitions);
@@ -122,9 +125,10 @@ TEST(MeterStatistics, IntervalsCoverTheTruth) {
                            [](size_t m) { return m == 30 ? 40.0 : 1; }}};
   std::mt19937_64 random(11);
   for (const Field& f : fields)
-    for (const double common : {0.0, 0.6}) {
-      const Coverage c = coverage_of(f, common, random);
-      const std::string what = std::string(f.name) + ", common " + std::to_string(common);
+    for (const auto& [common, halves] : {std::pair{0.0, 0.0}, {0.6, 0.0}, {0.0, 0.5}}) {
+      const Coverage c = coverage_of(f, common, halves, random);
+      const std::string what =
+          std::string(f.name) + ", common " + std::to_string(common) + ", halves " + std::to_string(halves);
       RecordProperty(what, std::to_string(c.minimum));
       std::printf("%-22s min %.3f max %.3f U0 %.3f Ud %.3f p5 %.3f p50 %.3f p90 %.3f share %.3f mean %.3f\n",
                   what.c_str(), c.minimum, c.maximum, c.uniformity, c.diversity, c.percentile, c.median, c.high,
@@ -146,6 +150,26 @@ TEST(MeterStatistics, TheLeastOfOneIsItself) {
   const Interval i = minimum_interval(meters);
   EXPECT_NEAR(i.low, 8.5 - 2.131 * std::sqrt(340.0 / (16 * 15)), 1e-6);   // 15 degrees of freedom
   EXPECT_NEAR(i.high, 8.5 + 2.145 * std::sqrt(336.0 / (16 * 14)), 1e-6);  // 14: halves have means of their own
+}
+
+// Even and odd batches that are biased by another amount each: what they differ in is no noise.
+TEST(MeterStatistics, HalvesOfTheirOwnBiasAreNoNoise) {
+  double batch[batch_count];
+  const double no_bias[batch_count] = {};
+  MeterBatches meters(batch_count);
+  for (const double off : {0.0, 40.0}) {
+    for (uint32_t b = 0; b < batch_count; ++b) batch[b] = 100 + double(b / 2) + (b % 2 ? off : -off);
+    meters.add({103.5, {0, 0}, 0, 1, true, off > 0}, batch, no_bias);
+  }
+  EXPECT_EQ(meters.means(), 2u);
+  for (size_t m = 0; m < 2; ++m) {  // 42 about the mean of each half
+    EXPECT_NEAR(meters.standard_error(m), std::sqrt(84.0 / (16 * 14)), 1e-5) << m;
+    EXPECT_NEAR(meters.bound(m), 2.145 * std::sqrt(84.0 / (16 * 14)), 1e-4) << m;
+  }
+  meters.widen(7);  // the meter's own, which knows more
+  EXPECT_NEAR(meters.bound(1), 7, 1e-5);
+  meters.widen(0.5);
+  EXPECT_NEAR(meters.bound(1), 2.145 * std::sqrt(84.0 / (16 * 14)), 1e-4);
 }
 
 // Meters that rise and fall together: their ratio to the mean has no noise.

@@ -40,6 +40,8 @@ TEST(Spread, QuantilesAreStudents) {  // of 3, 4, 14 and 15 degrees of freedom
   EXPECT_EQ(t_quantile(15), 2.145);
   EXPECT_EQ(t_quantile(16), 2.131);
   EXPECT_EQ(t_quantile(1000), 2.131);
+  EXPECT_EQ(t_quantile(4, 2), 4.303);
+  EXPECT_EQ(t_quantile(16, 2), 2.145);
 }
 
 TEST(Spread, ABoundHoldsBiasOfEitherSign) {

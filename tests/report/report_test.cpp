@@ -286,6 +286,13 @@ TEST(ReportMap, RefusesWhatItCannotDraw) {
   MapDesc flat;
   flat.positions_m = line, flat.values = lx, flat.count = 3;
   expect_no_map(flat, UPS_ERROR_UNSUPPORTED, "on one line");
+  const double point[6] = {0, 0, 0, 1e-320, 0, 0};  // a metre of paper would be more than there are floats
+  MapDesc tiny;
+  tiny.positions_m = point, tiny.values = lx, tiny.count = 2, tiny.columns = 2;
+  StyleDesc verdicts;
+  verdicts.threshold_lx = 1;
+  tiny.style = &verdicts;
+  expect_no_map(tiny, UPS_ERROR_UNSUPPORTED, "the points");
   const ups_report_sensor twice[2] = {{room.eye, 0, "a"}, {room.eye, 0, "b"}};
   MapDesc named(room.points);
   named.sensors = twice, named.sensor_count = 2;

@@ -161,6 +161,14 @@ class Measures(GoniometerTest):
             error = math.hypot(a["out_standard_error_lm"], b["out_standard_error_lm"])
             self.assertLess(abs(a["out_lm"] - b["out_lm"]), 6 * error + 1e-6 * FLUX, run["method"])
 
+    def test_maintenance_is_no_matter_of_the_luminaire(self):
+        scene = alone()
+        own = self.measure("--iterations", 8, "--seed", 3)
+        scene["scenes"][0]["extras"] = {"ups": {"maintenance_factor": 0.5}}
+        done = self.run_program("goniometer", self.write("old.gltf", scene), "--json", "--iterations", 8, "--seed", 3)
+        self.assertEqual(json.loads(done.stdout)["flux"], own["flux"])
+        self.assertIn("maintenance factor of 0.5 is left out", done.stderr)
+
     def test_the_scenes_own_goniometer(self):
         """One upright, one whose nadir is the world's zenith: what is down lies at gamma 180."""
         over = {"rotation": [0.70710678, 0, 0, 0.70710678], **goniometer("over", gamma_step_deg=10)}

@@ -242,7 +242,7 @@ class Render(ProgramTest):
         meters = result["meters"]
         for statistics in meters.values():
             self.assertEqual(statistics["share_above"]["1"], {"value": 1, "low": 1, "high": 1})
-            self.assertEqual(statistics["share_above"]["1e+06"]["value"], 0)
+            self.assertEqual(statistics["share_above"]["1000000"]["value"], 0)
         ratio = result["ratios"]["spot/work_plane"]
         self.assertAlmostEqual(ratio["value"], meters["spot"]["mean_lx"] / meters["work_plane"]["mean_lx"], delta=1e-5)
         self.assertLessEqual(ratio["low"], ratio["value"])
@@ -438,6 +438,16 @@ class Render(ProgramTest):
                                 words=["--out", name, "is a folder"])
             self.assertLess(time.monotonic() - start, 50)
             self.assertEqual(os.listdir(out), [name])
+
+    def test_two_that_would_write_one_file_fail_before_the_render(self):
+        scene = room()
+        scene["nodes"][2]["extras"]["ups"]["meters"]["name"] = "spot_luminaires"
+        path = self.write("room.gltf", scene)
+        start = time.monotonic()
+        self.expect_failure("render", path, "--time", 60, "--separate", "luminaires", "--out", self.path("out"),
+                            words=["--out", "two of the scene's", "spot_luminaires.csv"])
+        self.assertLess(time.monotonic() - start, 50)
+        self.run_program("render", path, "--iterations", 1, "--out", self.path("out"))
 
     def test_a_folder_that_takes_no_file_fails_before_the_render(self):
         out = self.path("out")

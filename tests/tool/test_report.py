@@ -292,6 +292,28 @@ class Targets(ReportTest):
             ("desks", "spot", "mean_lx", 500), ("desks", "spot", "uniformity", 0.6),
             ("around", "work_plane", "mean_lx", 300), ("around", "work_plane", "uniformity", 0.3)])
 
+    def test_parts_of_a_row_are_of_their_kind_of_meters(self):
+        scene = lamp_room()
+        scene["nodes"][2]["extras"]["ups"]["meters"]["kind"] = "cylindrical"
+        areas = [{"name": "faces", "row": "office.writing", "part": "cylindrical", "meters": "*"}]
+        targets = {"include": "en12464-1.json", "areas": areas}
+        _, result = self.report("--iterations", 16, scene=scene, targets=targets)
+        self.assertEqual({v["meters"] for v in result["targets"]}, {"work_plane"})
+        self.expect_failure("render", self.write("room.gltf", test_program.room()), "--iterations", 16,
+                            "--targets", self.write("targets.json", targets), words=["no cylindrical meters '*'"])
+
+    def test_a_luminaire_shines_as_its_file_whatever_the_maintenance(self):
+        def sheet(factor):
+            scene = lamp_room()
+            scene["scenes"][0]["extras"] = {"ups": {"maintenance_factor": factor}}
+            words = Page(self.report("--iterations", 16, scene=scene)[0]).words()
+            return re.search(r"Luminance from 65.*?cd/m", words), re.search(r"Schedule.*?|Luminaires as they.*?Places",
+                                                                           words).group(0)
+        new, old = sheet(1), sheet(0.8)
+        self.assertEqual(new[0] and new[0].group(0), old[0] and old[0].group(0))
+        self.assertEqual(new[1].replace(" in the scene", ""),
+                         old[1].replace(" in the scene, new, without the maintenance factor", ""))
+
     def test_what_is_wrong_with_a_file(self):
         area = {"meters": "work_plane", "mean_lx": 100}
         for content, words in (

@@ -227,12 +227,15 @@ def read_count(function: Callable[..., int], owner: Any) -> int:
 def read_bytes(function: Callable[..., int], *arguments: Any, checked: Callable[[int], Any] = check) -> bytes:
     """The two calls that every text takes: its size, then its bytes. Without the final zero."""
     needed = ctypes.c_size_t()
-    checked(function(*arguments, None, 0, byref(needed)))
-    if needed.value == 0:
-        return b""
-    buffer = ctypes.create_string_buffer(needed.value)
-    checked(function(*arguments, buffer, needed.value, byref(needed)))
-    return buffer.raw[:-1]
+    while True:
+        checked(function(*arguments, None, 0, byref(needed)))
+        if needed.value == 0:
+            return b""
+        buffer = ctypes.create_string_buffer(needed.value)
+        status = function(*arguments, buffer, len(buffer), byref(needed))
+        if status != _ffi.Status.ERROR_BUFFER_TOO_SMALL:  # a commit that came between may have more to tell, or less
+            checked(status)
+            return buffer.raw[:max(needed.value, 1) - 1]
 
 
 def read_text(function: Callable[..., int], *arguments: Any, checked: Callable[[int], Any] = check) -> str:
@@ -248,11 +251,15 @@ def dtype_of(cls: Any) -> np.dtype[np.void]:
 def read_array(cls: type[ctypes.Structure], function: Callable[..., int], *arguments: Any) -> NDArray[np.void]:
     """The two calls of an array of plain elements: its length, then a record array of `cls`."""
     needed = ctypes.c_size_t()
-    check(function(*arguments, None, 0, byref(needed)))
-    out = np.empty(needed.value, dtype=dtype_of(cls))
-    if len(out):
-        check(function(*arguments, target(out, cls), len(out), byref(needed)))
-    return out
+    while True:
+        check(function(*arguments, None, 0, byref(needed)))
+        out = np.empty(needed.value, dtype=dtype_of(cls))
+        if not len(out):
+            return out
+        status = function(*arguments, target(out, cls), len(out), byref(needed))
+        if status != _ffi.Status.ERROR_BUFFER_TOO_SMALL:  # a commit that came between may have more of them, or less
+            check(status)
+            return out[:needed.value]
 
 
 def target(out: NDArray[Any], ctype: Any) -> Any:

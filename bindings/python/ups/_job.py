@@ -48,7 +48,12 @@ class Job(Handle):
             except KeyboardInterrupt:
                 self.cancel()
                 status = self.wait()
-            view(self.poll())
+            except Error:
+                if self._as_parameter_ is not None:
+                    raise
+                status = Status.CANCELLED  # by close() in another thread
+            if self._as_parameter_ is not None:
+                view(self.poll())
         return status
 
     def predict(self, relative_error: float) -> _ffi.Prediction:

@@ -130,7 +130,7 @@ class Scene(Edits):
         """Light that leaves the scene, by direction. Angles ascending, of shape (n,); or equal steps, so many as the
         fields c_count and gamma_count say."""
         own, rest = angle_fields(c_deg, gamma_deg, fields)
-        return self._add(lib.ups_scene_add_goniometer, SensorId, describe(_ffi.GoniometerDesc, {**own, **rest}))
+        return self._add(lib.ups_scene_add_goniometer, SensorId, describe(_ffi.GoniometerDesc, merged(own, rest)))
 
     def add_observer(self, **fields: Unpack[_fields.ObserverDescFields]) -> SensorId:
         """An eye whose glare is rated; its meter's readings are those of a set of one."""

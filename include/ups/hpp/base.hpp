@@ -110,14 +110,22 @@ std::vector<T> all(Count count, Function function, Arguments... arguments) {
   return out;
 }
 
-// What is asked for by two calls: how much there is, then all of it.
+// What is asked for by two calls: how much there is, then all of it. A commit that comes between may have more of it, or
+// less.
 template <typename T, ups_status (*Check)(ups_status) = check, typename Function, typename... Arguments>
 std::vector<T> list(Function function, Arguments... arguments) {
-  std::size_t needed = 0;
-  Check(function(arguments..., static_cast<T *>(nullptr), std::size_t{0}, &needed));
-  std::vector<T> out(needed);
-  if (needed != 0) Check(function(arguments..., out.data(), out.size(), &needed));
-  return out;
+  std::vector<T> out;
+  for (;;) {
+    std::size_t needed = 0;
+    Check(function(arguments..., static_cast<T *>(nullptr), std::size_t{0}, &needed));
+    out.resize(needed);
+    if (needed == 0) return out;
+    const ups_status status = function(arguments..., out.data(), out.size(), &needed);
+    if (status == UPS_ERROR_BUFFER_TOO_SMALL) continue;
+    Check(status);
+    out.resize(needed);
+    return out;
+  }
 }
 
 template <ups_status (*Check)(ups_status) = check, typename Function, typename... Arguments>

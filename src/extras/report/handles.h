@@ -37,23 +37,35 @@ inline void check(ups_status status, const char* (*last_error)() = ups_last_erro
 // read(text, capacity, needed) is one of the API's two-call functions.
 template <class Read>
 std::string read_text(Read&& read, const char* (*last_error)() = ups_last_error) {
-  size_t needed = 0;
-  check(read(nullptr, 0, &needed), last_error);
-  if (needed == 0) return {};
-  std::string text(needed, '\0');
-  check(read(text.data(), needed, &needed), last_error);
-  text.resize(needed - 1);
-  return text;
+  std::string text;
+  for (;;) {
+    size_t needed = 0;
+    check(read(nullptr, 0, &needed), last_error);
+    if (needed == 0) return {};
+    text.resize(needed);
+    const ups_status status = read(text.data(), text.size(), &needed);
+    if (status == UPS_ERROR_BUFFER_TOO_SMALL) continue;  // a commit that came between may have more to tell, or less
+    check(status, last_error);
+    text.resize(std::max<size_t>(needed, 1) - 1);
+    return text;
+  }
 }
 
 // The same of arrays of plain elements.
 template <class Element, class Read>
 std::vector<Element> read_array(Read&& read) {
-  size_t needed = 0;
-  check(read(nullptr, 0, &needed));
-  std::vector<Element> all(needed);
-  if (needed > 0) check(read(all.data(), needed, &needed));
-  return all;
+  std::vector<Element> all;
+  for (;;) {
+    size_t needed = 0;
+    check(read(nullptr, 0, &needed));
+    all.resize(needed);
+    if (needed == 0) return all;
+    const ups_status status = read(all.data(), all.size(), &needed);
+    if (status == UPS_ERROR_BUFFER_TOO_SMALL) continue;
+    check(status);
+    all.resize(needed);
+    return all;
+  }
 }
 
 // An info struct that a getter fills.

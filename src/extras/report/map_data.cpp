@@ -53,6 +53,8 @@ bool lies_across(const std::vector<MeterPoint>& points, const Vector& normal, do
 std::optional<Vector> normal_of(const std::vector<MeterPoint>& points, bool is_grid) {
   double extent;
   const Vector longest = longest_of(points, extent);
+  constexpr double least = 1e-9;  // m, below which there is no map
+  if (extent > 0 && extent < least) return std::nullopt;
   Vector mean{};
   for (const MeterPoint& p : points)
     for (int k = 0; k < 3; ++k) mean[size_t(k)] += p.normal[k];
@@ -296,7 +298,7 @@ std::string summary_text(double mean, double mean_bound, double min, double max,
   std::string text = format("mean %.4g", mean);
   if (mean_bound >= 0) text += format(" \u00b1 %.2g", mean_bound);
   text += " " + unit + format(", min %.4g, max %.4g ", min, max) + unit;
-  if (unit == "lx" && mean > 0) text += format(", U0 %.2f", min / mean);
+  if (unit == "lx" && mean > 0) text += format(", U0 %.3f", min / mean);
   if (worst_relative_bound >= 0) text += format(", 95 %% bound of the worst value %.2g %%", 100 * worst_relative_bound);
   return text;
 }

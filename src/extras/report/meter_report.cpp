@@ -4,13 +4,13 @@
 #include <algorithm>
 
 namespace ups::report {
-namespace {
-
 std::string kind_word(ups_meter_kind kind) {
   static constexpr const char* words[] = {"planar", "cylindrical", "semicylindrical", "hemispherical", "spherical",
                                           "vector"};
   return words[kind];
 }
+
+namespace {
 
 // Meter by meter, least and greatest: of cylindrical over horizontal ones the modelling index.
 void read_points(const ups_result* result, const SensorInfo& a, const SensorInfo& b, RatioReport& r) {

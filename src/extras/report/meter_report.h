@@ -9,6 +9,8 @@
 
 namespace ups::report {
 
+std::string kind_word(ups_meter_kind kind);  // "planar"
+
 // What is asked of meters beside what is always told.
 struct MeterQuestions {
   std::vector<double> above;                      // lx

@@ -75,7 +75,8 @@ struct PlacedSource {
 struct LuminaireType {
   std::string file;        // or what it is
   std::string photometry;  // what tells it from others: the file, or what its profile says
-  double flux_lm;    // of each
+  double flux_lm;    // of each, as it is dimmed, new: without the maintenance factor
+  double scale;      // that over the flux of its file
   std::vector<PlacedSource> sources;
 };
 // By file and flux, in the scene's order; sources that emit nothing are left out.

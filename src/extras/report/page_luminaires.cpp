@@ -69,6 +69,20 @@ std::string keyword(const ProfileReport& report, const char* name) {
   return {};
 }
 
+ups_profile_info info_of(const PlacedSource& source) {
+  auto info = sized<ups_profile_info>();
+  check(ups_profile_get_info(source.profile.get(), &info));
+  return info;
+}
+
+// By which it shines more or less than its file says, new. What a render emits is the flux of the table as it is
+// interpolated, or of the rays of a file.
+double scale_of(const PlacedSource& source, const ups_scene_info& scene) {
+  const ups_profile_info info = info_of(source);
+  const double filed = info.ray_count > 0 ? info.flux_lm : info.interpolated_flux_lm;
+  return source.info.flux_lm / (filed * scene.maintenance_factor);
+}
+
 // "desk_1, desk_2, desk_3 and 5 more"
 std::string names_of(const LuminaireType& type) {
   constexpr size_t shown = 3;
@@ -86,8 +100,7 @@ std::string product_of(const ProfileReport& report) {
 
 // Of a luminaire that shines as its file says; else the file's power says nothing of it.
 double power_w(const LuminaireType& type, const ProfileReport& report) {
-  const bool as_filed = std::abs(type.flux_lm - report.info.flux_lm) < 0.01 * report.info.flux_lm;
-  return as_filed && report.info.input_power_w > 0 ? report.info.input_power_w : -1;
+  return std::abs(type.scale - 1) < 0.01 && report.info.input_power_w > 0 ? report.info.input_power_w : -1;
 }
 
 // In all, and of the scene's extent seen from above, which is the room's where nothing stands outside it.
@@ -100,7 +113,8 @@ std::string connected_load(const ups_scene_info& scene, double power_w) {
 }
 
 std::string schedule(const std::vector<LuminaireType>& types, const ups_scene_info& scene) {
-  HtmlTable table{"Luminaires <span class=\"soft\">as they are dimmed in the scene</span>",
+  const char* maintained = scene.maintenance_factor < 1 ? ", new, without the maintenance factor" : "";
+  HtmlTable table{std::string("Luminaires <span class=\"soft\">as they are dimmed in the scene") + maintained + "</span>",
                   {"Type", "Luminaire", "Count", "Flux of each, lm", "Flux of all, lm"}, {}, 2};
   double flux = 0, power = 0;
   size_t count = 0;
@@ -144,21 +158,20 @@ std::string rating(float table_value, double flux_ratio) {
 // What data sheets are compared by: flux code, luminance that troubles screens, UGR of the standard room.
 std::string sheet_text(const LuminaireType& type, const ProfileReport& report) {
   const DataSheet sheet = data_sheet_of(report, type.sources[0].profile.get());
-  const double flux_ratio = type.flux_lm / report.info.flux_lm;
   std::string text = " CIE flux code";
   for (const float part : sheet.sheet.flux_code) text += format(" %.0f", double(part));
   text += ".";
   if (sheet.sheet.highest_luminance_cd_m2 >= 0)
     text += " Luminance from 65\u00b0 to 85\u00b0: at most " +
-            lux(flux_ratio * double(sheet.sheet.highest_luminance_cd_m2)) + " cd/m\u00b2.";
+            lux(type.scale * double(sheet.sheet.highest_luminance_cd_m2)) + " cd/m\u00b2.";
   if (!sheet.ugr) return text;
   const std::string room = "4H 8H", reflectances = "70/50/20";
   for (int r = 0; r < ugr_rooms; ++r)
     for (int k = 0; k < ugr_sets; ++k)
       if (room_name(*sheet.ugr, r) == room && reflectance_name(sheet.ugr->reflectances + 3 * k) == reflectances)
         text += " UGR in the room " + room + ", " + reflectances + " (CIE 190, spacing 0.25 H): " +
-                rating(sheet.ugr->crosswise[r * ugr_sets + k], flux_ratio) + " crosswise, " +
-                rating(sheet.ugr->endwise[r * ugr_sets + k], flux_ratio) + " endwise.";
+                rating(sheet.ugr->crosswise[r * ugr_sets + k], type.scale) + " crosswise, " +
+                rating(sheet.ugr->endwise[r * ugr_sets + k], type.scale) + " endwise.";
   return text;
 }
 
@@ -246,7 +259,10 @@ std::vector<LuminaireType> luminaire_types(const LitScene& scene) {
     const std::string file = source.file.empty() ? what_it_is(source.info) : source.file,
                       photometry = photometry_of(source);
     const auto [at, is_new] = known.try_emplace({photometry, format("%.4g", source.info.flux_lm)}, types.size());
-    if (is_new) types.push_back({file, photometry, source.info.flux_lm, {}});
+    if (is_new) {
+      const double scale = source.profile ? scale_of(source, info_of(scene)) : 1;
+      types.push_back({file, photometry, source.profile ? scale * info_of(source).flux_lm : source.info.flux_lm, scale, {}});
+    }
     types[at->second].sources.push_back(std::move(source));
   }
   return types;

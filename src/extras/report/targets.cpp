@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "report/findings.h"
+#include "report/meter_report.h"
 
 namespace ups::report {
 namespace {
@@ -57,12 +58,15 @@ void judge_observer(const Targets& targets, size_t index, const ObserverReport& 
   const ups_observer_reading& r = observer.reading;
   const double required = targets.areas[index].ugr, low = double(r.ugr_low), high = double(r.ugr_high);
   Judgement judgement = Judgement::not_sure;
+  // What is left out, and makes the rating too low: enough to fail, never to pass.
+  const bool lacks = r.flags & (UPS_OBSERVER_UNRATED_SOURCE | UPS_OBSERVER_FIXTURE | UPS_OBSERVER_LARGE_SOURCE);
   if (r.flags & UPS_OBSERVER_NO_SOURCE)
     judgement = Judgement::met;  // nothing in view troubles
   else if (!(r.flags & UPS_OBSERVER_NO_BACKGROUND) && low != -1)  // ratings may be below 0
     judgement = low > required                ? Judgement::not_met
                 : high != -1 && high <= required ? Judgement::met
                                                  : Judgement::not_sure;
+  if (lacks && judgement == Judgement::met) judgement = Judgement::not_sure;
   verdicts.push_back({index, observer.name, "ugr", true, required, double(r.ugr), low, high, judgement});
 }
 
@@ -79,13 +83,15 @@ bool matches(const std::string& name, const std::string& pattern) {
 }
 
 void check_names(const Targets& targets, const LitScene& scene) {
-  std::vector<std::string> meters, observers;
-  for (const SensorEntry& sensor : scene.sensors) {
-    if (sensor.info.kind == SensorKind::meters) meters.push_back(sensor.name);
-    if (sensor.info.kind == SensorKind::observer) observers.push_back(sensor.name);
-  }
+  const auto names_of = [&](SensorKind kind, const std::string& meter_kind) {
+    std::vector<std::string> names;
+    for (const SensorEntry& sensor : scene.sensors)
+      if (sensor.info.kind == kind && (meter_kind.empty() || kind_word(sensor.info.meter_kind) == meter_kind))
+        names.push_back(sensor.name);
+    return names;
+  };
   const auto check_all = [&](const TargetArea& area, const std::vector<std::string>& patterns,
-                             const std::vector<std::string>& names, const char* what) {
+                             const std::vector<std::string>& names, const std::string& what) {
     for (const std::string& pattern : patterns) {
       bool found = false;
       for (const std::string& name : names) found = found || matches(name, pattern);
@@ -95,8 +101,9 @@ void check_names(const Targets& targets, const LitScene& scene) {
     }
   };
   for (const TargetArea& area : targets.areas) {
-    check_all(area, area.meters, meters, "meters");
-    check_all(area, area.observers, observers, "observer");
+    check_all(area, area.meters, names_of(SensorKind::meters, area.kind),
+              area.kind.empty() ? "meters" : area.kind + " meters");
+    check_all(area, area.observers, names_of(SensorKind::observer, {}), "observer");
   }
 }
 
@@ -104,7 +111,9 @@ std::vector<TargetVerdict> judge(const Targets& targets, const Report& report) {
   std::vector<TargetVerdict> verdicts;
   for (size_t i = 0; i < targets.areas.size(); ++i) {
     for (const MeterReport& meters : report.meters)
-      if (is_of(meters.name, targets.areas[i].meters)) judge_meters(targets, i, meters, verdicts);
+      if (is_of(meters.name, targets.areas[i].meters) &&
+          (targets.areas[i].kind.empty() || targets.areas[i].kind == meters.kind))
+        judge_meters(targets, i, meters, verdicts);
     for (const ObserverReport& observer : report.observers)
       if (is_of(observer.name, targets.areas[i].observers)) judge_observer(targets, i, observer, verdicts);
   }

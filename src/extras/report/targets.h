@@ -13,6 +13,7 @@ struct Report;
 struct TargetArea {
   std::string name, use, reference;  // use: of its row, with the standard's reference; either may be empty
   std::vector<std::string> meters, observers;  // names, or patterns with * and ?
+  std::string kind;  // of the meters that a part of a row is about (kind_word); empty: any
   double mean_lx = -1, min_lx = -1, uniformity = -1, ugr = -1, colour_rendering = -1;  // < 0: not asked for
 };
 

@@ -152,6 +152,7 @@ void take_row(const Json& words, const std::string& where, const Rows& rows, Tar
   else if (words.contains("meters"))
     fail(where + ".part", "the row '" + key + "' says nothing of '" + part + "'");
   read_room(row->second.words, row->second.where, area);
+  area.kind = part == "cylindrical" ? "cylindrical" : "planar";
   if (part != "task") area.colour_rendering = -1;  // once a room is enough
   area.use = row->second.name.empty() ? key : row->second.name;
   if (part != "task") area.use += " (" + part + ")";

@@ -128,6 +128,23 @@ public sealed class AsyncTest : IDisposable
     }
 
     [Fact]
+    public async Task TestDisposingAJobEndsItsTask()
+    {
+        for (var i = 0; i < 8; ++i)  // between two looks of it, and within one
+        {
+            var job = scene.Start(Endless());
+            using (var cancel = new CancellationTokenSource())
+            {
+                var task = job.WaitAsync(cancel.Token);
+                await Task.Delay(10 + 15 * i);
+                job.Dispose();
+                Assert.Equal(Status.Cancelled, await task);
+                cancel.Cancel();
+            }
+        }
+    }
+
+    [Fact]
     public async Task TestErrorsAreTheTasks()
     {
         var told = new Told { Then = p => { throw new InvalidOperationException("a listener's own"); } };
