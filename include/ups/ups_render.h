@@ -26,8 +26,8 @@ enum {
   UPS_TECHNIQUE_SENSOR_CONNECT = 8, /* an edge from a light path to a camera */
   UPS_TECHNIQUE_MERGE = 16,         /* photon density estimation at eye vertices and meters */
   UPS_TECHNIQUE_SENSOR_HIT = 32,    /* a light path lands on a meter's cell */
-  UPS_TECHNIQUE_MIRROR_SAMPLE = 64  /* next-event estimation by way of a flat mirror or pane, of lights without extent;
-                                     * not without LIGHT_SAMPLE */
+  UPS_TECHNIQUE_MIRROR_SAMPLE = 64  /* next-event estimation by way of a flat mirror or pane; not without
+                                     * LIGHT_SAMPLE */
 };
 
 /* Path integration in the extended path space of the paper (Hachisuka, Pantaleoni, Jensen 2012, section 3). */

@@ -45,6 +45,13 @@ AreaEmitter::AreaEmitter(std::vector<EmitterTriangle> triangles, const Rgb& radi
   bound(triangles_, center_, half_, radius_);
 }
 
+float AreaEmitter::reach(const Vec3& n) const {
+  float most = 0;
+  for (const EmitterTriangle& t : triangles_)
+    for (const Vec3* p : {&t.p0, &t.p1, &t.p2}) most = std::max(most, std::abs(dot(n, *p - center_)));
+  return most + 0x1p-20f * max_abs(center_);
+}
+
 // A plane is told by its cosine; what is bent by its areas, gathered into as many directions as matter.
 Outline AreaEmitter::outline() const {
   Outline out;

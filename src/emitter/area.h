@@ -29,6 +29,7 @@ class AreaEmitter : public Emitter {
   Rgb flux_rgb() const override;
   Vec3 center() const override { return center_; }
   float radius() const override { return radius_; }
+  float reach(const Vec3& n) const override;
   size_t bytes() const override {
     return triangles_.capacity() * sizeof(EmitterTriangle) + normals_.capacity() * sizeof(Vec3) + by_area_.bytes();
   }

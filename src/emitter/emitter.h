@@ -68,6 +68,7 @@ class Emitter {
   virtual Rgb flux_rgb() const = 0;
   virtual Vec3 center() const = 0;          // of its bounds
   virtual float radius() const = 0;         // of its bounds; 0 for a point
+  virtual float reach(const Vec3&) const { return radius(); }  // from the centre along a unit vector, either way
   virtual size_t bytes() const { return 0; }  // of its own tables
   virtual Outline outline() const { return {}; }  // of one that next-event estimation can sample
   // False where nothing is emitted at u. u_position.x may be used to choose a part; all numbers in [0, 1).

@@ -213,6 +213,12 @@ EmitterChoice LightTree::choose(const Receiver& receiver, float u) const {
   return {emitter_of_node_[k], shares.sum(), std::min(float(rest), below_1)};
 }
 
+float LightTree::brings(const Receiver& receiver, size_t emitter) const {
+  const uint32_t leaf = emitter < leaf_of_emitter_.size() ? leaf_of_emitter_[emitter] : none;
+  Shares shares;
+  return leaf != none && weigh(View(receiver), nodes_[leaf], shares) ? shares.estimate * float(flux_lm_) : 0;
+}
+
 float LightTree::probability(const Receiver& receiver, size_t emitter) const {
   const uint32_t leaf = emitter < leaf_of_emitter_.size() ? leaf_of_emitter_[emitter] : none;
   if (leaf == none) return 0;

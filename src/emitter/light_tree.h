@@ -43,6 +43,8 @@ class LightTree {
 
   EmitterChoice choose(const Receiver& receiver, float u) const;
   float probability(const Receiver& receiver, size_t emitter) const;
+  // What one of them is estimated to bring, unoccluded, lx.
+  float brings(const Receiver& receiver, size_t emitter) const;
   size_t bytes() const {
     return nodes_.capacity() * sizeof(Node) + lobes_.capacity() * sizeof(Lobe) + fine_.size() * sizeof(FineTable) +
            coarse_.size() * sizeof(CoarseTable) + lanes_.capacity() * sizeof(Lanes) +
@@ -102,6 +104,7 @@ class LightTree {
   std::vector<Lobe> lobes_;
   std::deque<FineTable> fine_;  // that lobes point to
   std::deque<CoarseTable> coarse_;
+  double flux_lm_ = 0;  // of all
   bool listed_ = true;
   bool single_ = false;  // one emitter, which needs no weighing: 12 % of an office with one luminaire
   std::vector<Lanes> lanes_;  // of a list

@@ -89,6 +89,7 @@ LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count, bo
     all.grow({e.outline.center - e.outline.half, e.outline.center + e.outline.half, e.flux});
   }
   if (!(total > 0)) return;
+  flux_lm_ = total;
   // Emitters at one place are told apart by intensity: nothing divides by zero.
   const float extent = length(all.upper - all.lower), least = extent > 0 ? std::max(1e-9f * extent, 1e-15f) : 1;
   std::vector<Node> leaves;

@@ -112,13 +112,14 @@ bool ProfileOpeningEmitter::emitted(const Vec3& direction, const Vec3d& w, const
   return out.pdf_direction_w > 0;
 }
 
-Outline ProfileOpeningEmitter::outline() const {
+float ProfileOpeningEmitter::reach(const Vec3& n) const {
   const Vec3 extent(body_.half());
-  const auto reach = [&](float s, float t, float n) {
-    return std::abs(s) * extent.x + std::abs(t) * extent.y + std::abs(n) * extent.z + 2 * error_;
-  };
-  return profile_.outline(p_, {reach(frame_.s.x, frame_.t.x, frame_.n.x), reach(frame_.s.y, frame_.t.y, frame_.n.y),
-                               reach(frame_.s.z, frame_.t.z, frame_.n.z)});
+  return std::abs(dot(n, frame_.s)) * extent.x + std::abs(dot(n, frame_.t)) * extent.y +
+         std::abs(dot(n, frame_.n)) * extent.z + 2 * error_;
+}
+
+Outline ProfileOpeningEmitter::outline() const {
+  return profile_.outline(p_, {reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})});
 }
 
 bool ProfileOpeningEmitter::sample_emission(const Vec2& u_position, const Vec2& u_direction,

@@ -63,6 +63,7 @@ class ProfileOpeningEmitter : public Emitter {
   Rgb flux_rgb() const override { return profile_.flux(); }
   Vec3 center() const override { return p_; }
   float radius() const override { return circumscribed_radius(); }
+  float reach(const Vec3& n) const override;
   Outline outline() const override;
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
   bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override;

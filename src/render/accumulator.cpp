@@ -100,9 +100,9 @@ double Accumulator::largest_path(size_t set, size_t m, double disc_area, const L
   return std::max({double(found[part]), photon, seen});
 }
 
-// As long as no light path has met a caster, any might have.
+// As long as no light path has met a caster whose light is not that of an image, any might have.
 double Accumulator::brightest_caustic_lm() const {
-  if (!scene_.effects.sharp_caster) return 0;
+  if (!scene_.effects.sharp_caster || plan_.images_suffice) return 0;
   return work_.brightest_caustic_lm > 0 ? work_.brightest_caustic_lm : work_.brightest_lm;
 }
 

@@ -34,9 +34,9 @@ bool can_light_sample(std::string_view v, SensorKind sensor, const TransportSett
   return v.empty() ? sensor != SensorKind::camera : is_continuous(v.front());
 }
 
-// A light without extent in a flat mirror.
+// A light in a flat mirror.
 bool can_mirror_sample(std::string_view v, SourceKind source, SensorKind sensor, const TransportSettings& s) {
-  return source == SourceKind::punctual && s.has(UPS_TECHNIQUE_MIRROR_SAMPLE) && !v.empty() && is_specular(v[0]) &&
+  return source != SourceKind::rays && s.has(UPS_TECHNIQUE_MIRROR_SAMPLE) && !v.empty() && is_specular(v[0]) &&
          (v.size() > 1 ? is_continuous(v[1]) : sensor != SensorKind::camera);
 }
 
@@ -114,6 +114,11 @@ bool contains(const std::string& longer, const std::string& part) {
 // Straight from one mirror to another.
 bool begins_with_two_mirrors(std::string_view v) { return v.size() > 1 && is_specular(v[0]) && is_specular(v[1]); }
 
+// All light of such emitters that flat mirrors reflect straight is that of images.
+bool is_shown(SourceKind source, const FlatMirrors& mirrors) {
+  return source == SourceKind::punctual || (source == SourceKind::hittable && mirrors.of_all);
+}
+
 // The shortest; others that contain one of them are not listed.
 std::vector<std::string> missing_patterns(const std::string& letters, SourceKind source, SensorKind sensor,
                                           const TransportSettings& s, const FlatMirrors& mirrors) {
@@ -121,7 +126,8 @@ std::vector<std::string> missing_patterns(const std::string& letters, SourceKind
   for (const std::string& v : patterns(letters)) {
     if (s.max_path_length && v.size() + 1 > s.max_path_length) continue;  // not asked for
     if (!is_measurable(v, source, sensor) || can_sample(v, source, sensor, s)) continue;
-    if (source == SourceKind::punctual && mirrors.complete && begins_with_two_mirrors(v)) continue;  // there are none
+    const bool all_shown = mirrors.complete && is_shown(source, mirrors);
+    if (all_shown && begins_with_two_mirrors(v)) continue;  // there are none
     const bool known =
         std::any_of(missing.begin(), missing.end(), [&](const std::string& m) { return !m.empty() && contains(v, m); });
     if (!known && missing.size() < most_patterns) missing.push_back(v);
@@ -163,7 +169,6 @@ struct Letters {
 std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& of_render) {
   const Sensors has = sensors_of(scene);
   TransportSettings settings = of_render;
-  if (!scene.flat_mirrors.all_flat) settings.techniques &= ~uint32_t(UPS_TECHNIQUE_MIRROR_SAMPLE);
   std::vector<std::pair<SensorKind, const char*>> sensors;
   if (has.cameras) sensors.emplace_back(SensorKind::camera, "camera");
   if (has.illuminance_cameras) sensors.emplace_back(SensorKind::point_meter, "illuminance camera");
@@ -177,6 +182,8 @@ std::vector<std::string> missing_light(const Snapshot& scene, const TransportSet
     for (size_t i = 0; i < scene.emitters.size(); ++i)
       if (source_kind(scene.emitters[i]) == source) emitters.push_back(scene.emitter_names[i]);
     if (emitters.empty()) continue;
+    const bool shown = scene.flat_mirrors.all_flat && is_shown(source, scene.flat_mirrors);
+    settings.techniques = of_render.techniques & (shown ? ~0u : ~uint32_t(UPS_TECHNIQUE_MIRROR_SAMPLE));
     for (const auto& [kind, name] : sensors)
       for (const std::string& v : missing_patterns(letters.available, source, kind, settings, scene.flat_mirrors))
         lines.push_back("light of " + listed(emitters) + remark[int(source)] + " on paths " + letters.words(v) + " - " +

@@ -31,13 +31,8 @@ int32_t automatic(const Snapshot& scene, const Sensors& s) {
                                                                                       : UPS_METHOD_UPS;
 }
 
-// No caster of light but flat mirrors, in which all emitters have images.
-bool images_suffice(const Snapshot& scene, const Sensors& s) {
-  const SceneEffects& e = scene.effects;
-  for (size_t i = 0; i < scene.emitters.size(); ++i)
-    if (!scene.emitters[i].is_delta() && scene.emitters[i].flux_lm() > 0) return false;
-  return scene.flat_mirrors.complete && !(e.effects & UPS_EFFECT_GLOSSY) && e.concentration < concentrated &&
-         !s.goniometers;
+bool images_suffice(const SceneEffects& e, const Sensors& s) {
+  return e.images_suffice && e.concentration < concentrated && !s.goniometers;
 }
 
 void describe(std::string& text, uint32_t techniques, uint32_t bit, const char* name, const std::string& on,
@@ -58,7 +53,7 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
   describe(text, t, light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex", absent);
   if (!scene.flat_mirrors.empty())
     describe(text, t, mirror_sample, "mirror_sample",
-             "next-event estimation by way of flat mirrors and panes, in which lights without extent have images",
+             "next-event estimation by way of flat mirrors and panes, in which lights have images",
              absent);
   describe(text, t, connect, "connect", "eye and light subpaths are joined by an edge", off);
   describe(text, t, sensor_connect, "sensor_connect", "light paths are joined to the camera",
@@ -126,7 +121,7 @@ MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
   choice.selects = is_automatic && !desc.techniques && !desc.technique_images && !s.goniometers &&
                    !scene.effects.ray_emitters && desc.perturbation == UPS_PERTURBATION_VIRTUAL &&
                    scene.emitters.flux_lm() > 0 && (s.cameras || s.points || s.cells);
-  if (choice.selects && choice.method == UPS_METHOD_UPS && images_suffice(scene, s)) {
+  if (choice.selects && choice.method == UPS_METHOD_UPS && images_suffice(scene.effects, s)) {
     choice.method = UPS_METHOD_PATH_TRACING;
     choice.techniques &= hit | light_sample | mirror_sample;
   }

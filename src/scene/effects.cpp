@@ -104,6 +104,7 @@ SceneEffects Analysis::find() const {
   out.path_tracing_complete =
       (delta.empty() || !has_delta_emitter() || scene_.flat_mirrors.complete) && !out.ray_emitters;
   out.sharp_caster = !caster.empty();
+  out.images_suffice = glossy.empty() && scene_.flat_mirrors.complete && scene_.flat_mirrors.of_all;
   out.transmits_solid = !materials([&](size_t i) { return scene_.materials[i].model == MaterialModel::glass; }).empty();
   out.coloured = (out.effects & UPS_EFFECT_COLOUR) != 0;
   return out;

@@ -1,4 +1,4 @@
-// See flat_mirrors.h: which surfaces are flat mirrors, and the choice among the images in them.
+// See flat_mirrors.h: which surfaces are flat mirrors, and which emitters have images in them.
 #include "scene/flat_mirrors.h"
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "scene/probe.h"
 #include "scene/snapshot.h"
 
 namespace ups {
@@ -15,7 +16,7 @@ constexpr size_t most_planes_of_instance = 6;       // a slab's
 constexpr size_t most_triangles = size_t(1) << 16;  // that are looked at of an instance
 constexpr float most_leaning = 1e-4f;               // sine, of normals that are interpolated
 
-bool has_image(const Emitter& e) { return e.is_delta() && e.is_direct() && !e.is_directional() && e.flux_lm() > 0; }
+bool has_image(const Emitter& e) { return e.is_direct() && !e.is_directional() && e.flux_lm() > 0; }
 
 struct Side {  // of triangles
   Vec3d n;
@@ -37,16 +38,18 @@ class Search {
 
   FlatMirrors find() {
     for (size_t e = 0; e < scene_.emitters.size(); ++e)
-      if (has_image(scene_.emitters[e])) emitters_.push_back(uint32_t(e));
-    if (emitters_.empty() || scene_.media.nest) return {};
+      if (has_image(scene_.emitters[e])) (scene_.emitters[e].is_delta() ? punctual_ : extended_).push_back(uint32_t(e));
+    if (extended_.size() > FlatMirrors::most_weighed) extended_.clear();
+    if ((punctual_.empty() && extended_.empty()) || scene_.media.nest) return {};
     out_.planes_of_instance.resize(scene_.instances.size());
     for (size_t i = 0; i < scene_.instances.size(); ++i)
       if (!add(i)) others_ |= traits_of(material_of(i)).delta;
     out_.emitter_count = scene_.emitters.size();
+    leave_out_hidden();
     choose_planes();
     if (out_.images.empty()) return {};
     judge();
-    if (out_.images.size() > FlatMirrors::most_weighed) out_.tree = tree_of_images();
+    if (out_.images.size() > FlatMirrors::most_weighed || out_.of_extended) out_.tree = tree_of_images();
     return std::move(out_);
   }
 
@@ -173,35 +176,60 @@ class Search {
     return out;
   }
 
-  // The largest, as far as there may be images in them.
+  // Lamps behind lenses and in reflectors, of which flat mirrors show nothing.
+  void leave_out_hidden() {
+    if (!others_) return;
+    constexpr uint32_t rays = 64, least_rays = 2;
+    const auto is_hidden = [&](uint32_t e) {
+      uint32_t open = 0;
+      for (uint32_t i = 0; i < rays; ++i) {
+        const FirstLight light = first_light(scene_, scene_.emitters[e], i);
+        open += !light.hit || traits_of(scene_.materials[light.surface.material]).continuous ||
+                !out_.planes_of_instance[light.surface.instance].empty();
+      }
+      return open < least_rays;
+    };
+    extended_.erase(std::remove_if(extended_.begin(), extended_.end(), is_hidden), extended_.end());
+  }
+
+  // The largest, as far as there may be images in them. Lamps with extent, whose light eye paths find in mirrors anyhow,
+  // have some as long as all can be weighed.
   void choose_planes() {
     std::vector<FlatMirrors::Plane> planes;
     std::vector<uint32_t> order;
     for (const Part& part : parts_) order.push_back(uint32_t(order.size())), planes.push_back(plane_of(part));
     const auto area = [&](uint32_t i) { return double(planes[i].half_s) * planes[i].half_t; };
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return area(a) > area(b); });
-    const size_t most = FlatMirrors::most_images / emitters_.size();
+    if (punctual_.empty() && extended_.empty()) return;
+    const size_t most = punctual_.empty() ? FlatMirrors::most_weighed / extended_.size()
+                                          : FlatMirrors::most_images / punctual_.size();
     if (order.size() > most) order.resize(most);
     others_ |= order.size() < parts_.size();
     std::vector<uint32_t> number(parts_.size(), none);
+    size_t weighed = order.size() * punctual_.size();
     for (const uint32_t i : order) {
       number[i] = uint32_t(out_.planes.size());
       out_.planes.push_back(planes[i]);
       out_.image_numbers.resize(out_.planes.size() * out_.emitter_count, none);
-      for (const uint32_t e : emitters_) add_image(e, number[i]);
+      for (const uint32_t e : punctual_) add_image(e, number[i]);
+      if ((weighed += extended_.size()) > FlatMirrors::most_weighed) continue;
+      for (const uint32_t e : extended_) add_image(e, number[i]);
     }
     for (auto& of_triangle : out_.planes_of_instance)
       for (uint32_t& plane : of_triangle) plane = number[plane];
   }
 
-  // Of a lamp on the mirror itself there is none.
+  // Of a lamp on the mirror itself there is none, nor of one that reaches through its plane.
   void add_image(uint32_t emitter, uint32_t plane) {
     const FlatMirrors::Plane& p = out_.planes[plane];
-    if (std::abs(p.height(scene_.emitters[emitter].center())) > 16 * p.error) {
+    const Emitter& e = scene_.emitters[emitter];
+    const float reach = e.is_delta() ? 0 : e.reach(p.n);
+    if (std::abs(p.height(e.center())) > reach + 16 * p.error) {
       out_.image_numbers[plane * out_.emitter_count + emitter] = uint32_t(out_.images.size());
-      out_.images.push_back({emitter, plane});
+      out_.images.push_back({emitter, plane, e.center(), e.is_delta() ? 0 : e.radius(), reach});
+      out_.of_extended |= !e.is_delta();
     } else {
-      others_ = true;
+      others_ |= e.is_delta();
     }
   }
 
@@ -211,9 +239,15 @@ class Search {
       out_.frequency = std::max(out_.frequency, max_component(mirror_lobe(scene_.materials[p.material], 1).reflectance));
     if (out_.images.size() > FlatMirrors::most_weighed) out_.frequency *= share_of_sight();
     out_.frequency = std::clamp(out_.frequency, 0.05f, 1.0f);
-    for (size_t e = 0; e < scene_.emitters.size(); ++e)
-      others_ |= scene_.emitters[e].is_delta() && scene_.emitters[e].flux_lm() > 0 && !has_image(scene_.emitters[e]);
+    size_t shining = 0;
+    for (size_t e = 0; e < scene_.emitters.size(); ++e) {
+      const Emitter& emitter = scene_.emitters[e];
+      if (!(emitter.flux_lm() > 0)) continue;
+      ++shining;
+      others_ |= emitter.is_delta() && !has_image(emitter);
+    }
     out_.all_flat = !others_;
+    out_.of_all = out_.images.size() == shining * out_.planes.size();
     const auto lies_in_first = [&](const FlatMirrors::Plane& p) {
       const FlatMirrors::Plane& first = out_.planes[0];
       return length(cross(p.n, first.n)) < most_leaning && std::abs(first.height(p.center)) <= 2 * p.error;
@@ -235,43 +269,32 @@ class Search {
       const Emitter& emitter = scene_.emitters[image.emitter];
       Outline o = emitter.outline();
       o.center = plane.mirrored(o.center);
+      o.half = half_of_image(plane, o.half);
       for (Vec3* axis : {&o.frame.s, &o.frame.t, &o.frame.n}) *axis = plane.mirrored_direction(*axis);
-      const float reflectance = luminance(mirror_lobe(scene_.materials[plane.material], 0.7f).reflectance);
+      for (Vec3& area : o.areas) area = plane.mirrored_direction(area);
+      // Where they are weighed each has its own.
+      const float reflectance =
+          out_.of_extended ? 1 : luminance(mirror_lobe(scene_.materials[plane.material], 0.7f).reflectance);
       entries.push_back({o, emitter.flux_lm() * double(reflectance), reflectance, uint32_t(entries.size())});
     }
     return LightTree(entries, entries.size());
   }
 
+  // Of the box along the axes that holds the image of such a box.
+  static Vec3 half_of_image(const FlatMirrors::Plane& plane, const Vec3& half) {
+    const auto along = [&](const Vec3& axis) {
+      const Vec3 v = plane.mirrored_direction(axis);
+      return std::abs(v.x) * half.x + std::abs(v.y) * half.y + std::abs(v.z) * half.z;
+    };
+    return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
+  }
+
   const Snapshot& scene_;
-  std::vector<uint32_t> emitters_;
+  std::vector<uint32_t> punctual_, extended_;  // emitters, without extent and with
   std::vector<Part> parts_;
   bool others_ = false;  // some specular light has no image
   FlatMirrors out_;
 };
-
-// visit(index of an image, what it would bring): those that are seen in their mirrors and bring anything.
-template <class Visit>
-void weigh_images(const Snapshot& scene, const Receiver& r, const Visit& visit) {
-  const FlatMirrors& mirrors = scene.flat_mirrors;
-  const FlatMirrors::Plane* plane = nullptr;
-  Vec3 behind, at;  // behind: the receiver's own image
-  for (uint32_t i = 0; i < mirrors.images.size(); ++i) {
-    const FlatMirrors::Image& image = mirrors.images[i];
-    if (plane != &mirrors.planes[image.plane]) {
-      plane = &mirrors.planes[image.plane];
-      behind = plane->mirrored(r.p);
-    }
-    const Emitter& emitter = scene.emitters[image.emitter];
-    DirectSample s;
-    if (!plane->shows(emitter.center(), r.p, at) || !emitter.sample_direct(behind, {0.5f, 0.5f}, s)) continue;
-    const Vec3 wi = plane->mirrored_direction(s.wi);
-    const float facing = dot(wi, r.n), cosine = max_abs(r.n) == 0 ? 1.0f : r.both_sides ? std::abs(facing) : facing;
-    if (!(cosine > 0)) continue;
-    const MirrorLobe lobe = mirror_lobe(scene.materials[plane->material], std::abs(dot(wi, plane->n)));
-    const float size = luminance(s.weight) * luminance(lobe.reflectance) * cosine;
-    if (size > 0 && std::isfinite(size)) visit(i, size);
-  }
-}
 
 }  // namespace
 
@@ -282,37 +305,6 @@ size_t FlatMirrors::bytes() const {
                image_numbers.capacity() * sizeof(uint32_t) + tree.bytes();
   for (const auto& of_triangle : planes_of_instance) sum += of_triangle.capacity() * sizeof(uint32_t);
   return sum;
-}
-
-EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, float u) {
-  const float frequency = scene.flat_mirrors.frequency;
-  if (!(u < frequency)) return {};
-  u /= frequency;
-  if (scene.flat_mirrors.images.size() > FlatMirrors::most_weighed) {
-    EmitterChoice choice = scene.flat_mirrors.tree.choose(receiver, u);
-    choice.probability *= frequency;
-    return choice;
-  }
-  std::array<std::pair<uint32_t, float>, FlatMirrors::most_weighed> seen;
-  size_t count = 0;
-  float sum = 0;
-  weigh_images(scene, receiver, [&](uint32_t image, float size) { seen[count++] = {image, size}, sum += size; });
-  if (count == 0) return {};
-  float below = 0;
-  for (size_t i = 0; i < count; ++i) {
-    const auto [image, size] = seen[i];
-    if (i + 1 == count || u * sum < below + size) return {image, frequency * size / sum, 0};
-    below += size;
-  }
-  return {};
-}
-
-float image_probability(const Snapshot& scene, const Receiver& receiver, uint32_t image) {
-  if (scene.flat_mirrors.images.size() > FlatMirrors::most_weighed)
-    return scene.flat_mirrors.frequency * scene.flat_mirrors.tree.probability(receiver, image);
-  float own = 0, sum = 0;
-  weigh_images(scene, receiver, [&](uint32_t i, float size) { sum += size, own = i == image ? size : own; });
-  return sum > 0 ? scene.flat_mirrors.frequency * own / sum : 0;
 }
 
 }  // namespace ups

@@ -1,6 +1,6 @@
-// Flat mirrors and panes, in which emitters without extent have images: light that such a surface reflects comes as if
-// from behind it, so that next-event estimation finds what else light paths alone would. Made at commit; sampled by
-// transport/techniques.h.
+// Flat mirrors and panes, in which emitters have images: light that such a surface reflects comes as if from behind it,
+// so that next-event estimation finds what else light paths alone would, or eye paths by a rare chance. Made at commit;
+// sampled by transport/techniques.h.
 #pragma once
 #include <vector>
 
@@ -26,8 +26,8 @@ struct FlatMirrors {
     float height(const Vec3& p) const { return dot(n, p) - offset; }
     Vec3 mirrored(const Vec3& p) const { return p - n * (2 * height(p)); }
     Vec3 mirrored_direction(const Vec3& d) const { return d - n * (2 * dot(n, d)); }
-    bool holds(const Vec3& p) const {  // of a point of the plane
-      return std::abs(dot(p - center, s)) <= half_s && std::abs(dot(p - center, t)) <= half_t;
+    bool holds(const Vec3& p, float beside = 0) const {  // of a point of the plane, or one so far beside
+      return std::abs(dot(p - center, s)) <= half_s + beside && std::abs(dot(p - center, t)) <= half_t + beside;
     }
     // Where it shows a lamp to p; false where it does not.
     bool shows(const Vec3& lamp, const Vec3& p, Vec3& at) const {
@@ -39,15 +39,20 @@ struct FlatMirrors {
   };
   struct Image {
     uint32_t emitter, plane;
+    Vec3 center;          // of the emitter
+    float radius, reach;  // of it, about that, and along the mirror's normal; without extent: 0
   };
   static constexpr size_t most_weighed = 64;  // one by one, where they are seen; more by a tree, wherever they are
   static constexpr size_t most_images = size_t(1) << 16;
+
+  // False where the mirror shows no part of the emitter to p.
+  bool may_show(const Image& image, const Vec3& p) const;
 
   std::vector<Plane> planes;
   std::vector<Image> images;  // those of a plane together
   std::vector<uint32_t> image_numbers;  // by plane and emitter, emitter fastest; none
   size_t emitter_count = 0;
-  LightTree tree;  // of images, where they are more than are weighed
+  LightTree tree;  // of images, where they are more than are weighed or some have extent
   // Of each instance: planes by triangle; one for all; empty: it is no flat mirror.
   std::vector<std::vector<uint32_t>> planes_of_instance;
   // Share of the receivers that look at an image at all: what reflects little is not asked for as often as what lights
@@ -55,6 +60,8 @@ struct FlatMirrors {
   float frequency = 1;
   bool all_flat = false;  // every surface with a delta lobe is one, in which every emitter without extent has an image
   bool complete = false;  // and no such light is reflected by two of them in turn
+  bool of_all = false;    // every emitter has an image in every plane
+  bool of_extended = false;  // some emitter with extent has an image
 
   bool empty() const { return images.empty(); }
   uint32_t plane_of(uint32_t instance, uint32_t primitive) const {  // none
@@ -69,7 +76,7 @@ struct FlatMirrors {
 FlatMirrors find_flat_mirrors(const Snapshot& scene);
 
 // Which image a receiver looks at, if at any: in proportion to what each would bring there, unoccluded. Its index in
-// `images`.
+// `images`. See image_choice.cpp.
 EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, float u);
 float image_probability(const Snapshot& scene, const Receiver& receiver, uint32_t image);
 

@@ -35,6 +35,7 @@ struct SceneEffects {
   bool ray_emitters = false;  // some light comes from the rays of a file: light paths alone carry it
   float concentration = 1;    // of first light on small patches, see scene/probe.h
   bool sharp_caster = false;  // some material has a delta lobe or a continuous lobe with alpha < 0.2
+  bool images_suffice = false;  // those are flat mirrors, which reflect nobody's light in turn, and show all emitters
   bool transmits_solid = false;
   bool coloured = false;
   std::string text;           // a line per effect, with its cause

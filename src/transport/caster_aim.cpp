@@ -30,8 +30,8 @@ std::vector<uint32_t> casters_of(const Snapshot& scene) {
 // Of one emitter.
 class CasterAims::Search {
  public:
-  Search(const Snapshot& scene, const std::vector<uint32_t>& casters, size_t points, uint32_t emitter)
-      : scene_(scene), casters_(casters), emitter_(emitter), count_(looked_at(casters.size(), points)),
+  Search(const Snapshot& scene, const std::vector<uint32_t>& casters, bool shown, size_t points, uint32_t emitter)
+      : scene_(scene), casters_(casters), shown_(shown), emitter_(emitter), count_(looked_at(casters.size(), points)),
         points_(std::min(of_caster, points / count_)) {}
 
   // Where there are too many casters, an emitter takes some, another one others.
@@ -41,12 +41,21 @@ class CasterAims::Search {
       const double u = to_unit_float(random(uint32_t(k), none)[0]),
                    at = (double(k) + u) / double(count_) * double(casters_.size());
       const auto number = uint32_t(std::min(size_t(at), casters_.size() - 1));
+      if (shown_ && shows(casters_[number])) continue;
       if (Caster c = look_at(number); c.share > 0 || !c.cells.empty()) out.push_back(std::move(c));
     }
     return out;
   }
 
  private:
+  // A flat mirror with the emitter's image.
+  bool shows(uint32_t instance) const {
+    const FlatMirrors& mirrors = scene_.flat_mirrors;
+    if (mirrors.empty() || mirrors.planes_of_instance[instance].size() != 1) return false;
+    const uint32_t plane = mirrors.planes_of_instance[instance][0];
+    return plane != none && mirrors.image_of(emitter_, plane) != none;
+  }
+
   using Numbers = decltype(philox({}, {}));
   Numbers random(uint32_t a, uint32_t b) const { return philox({a, b, emitter_, 0}, {0x61696d, 0}); }
 
@@ -99,18 +108,19 @@ class CasterAims::Search {
 
   const Snapshot& scene_;
   const std::vector<uint32_t>& casters_;
+  const bool shown_;
   const uint32_t emitter_;
   const size_t count_, points_;
 };
 
-CasterAims::CasterAims(const Snapshot& scene, ThreadPool& pool) {
+CasterAims::CasterAims(const Snapshot& scene, bool shown, ThreadPool& pool) {
   const std::vector<uint32_t> casters = casters_of(scene);
   if (casters.empty() || scene.emitters.size() == 0) return;
   of_emitter_.resize(scene.emitters.size());
   const size_t points = std::clamp(most_points / scene.emitters.size(), fewest, of_emitter);
   parallel_for(pool, of_emitter_.size(), [&](size_t i) {
     if (scene.emitters[i].kind() != EmitterKind::rays && scene.emitters[i].flux_lm() > 0)
-      of_emitter_[i] = Search(scene, casters, points, uint32_t(i)).find();
+      of_emitter_[i] = Search(scene, casters, shown, points, uint32_t(i)).find();
   });
   share_.resize(casters.size());
   const double sampled = double(looked_at(casters.size(), points)) / double(casters.size());

@@ -9,7 +9,8 @@ namespace ups {
 
 class CasterAims {
  public:
-  CasterAims(const Snapshot& scene, ThreadPool& pool);
+  // shown: no caster sends on what a flat mirror reflects, so that nothing need be aimed at one that shows the emitter.
+  CasterAims(const Snapshot& scene, bool shown, ThreadPool& pool);
   // Those at surfaces that so many light paths, unguided, would hardly meet: the others they find by themselves.
   // densest: see GuideTraining::aim.
   GuideTraining missed_by(double paths, double densest) const;

@@ -35,8 +35,9 @@ DirectLight::DirectLight(const Snapshot& scene, const Plan& plan, const Transpor
     if (plan.exact[i]) emitters_.push_back(i);
   if (points == 0 || emitters_.empty() || settings.actual_perturbation || points > most_looks / emitters_.size())
     return;
-  const size_t images = settings.has(UPS_TECHNIQUE_MIRROR_SAMPLE) ? scene.flat_mirrors.images.size() : 0;
-  if (points * images <= most_looks_at_images) images_ = uint32_t(images);
+  for (uint32_t i = 0; settings.has(UPS_TECHNIQUE_MIRROR_SAMPLE) && i < scene.flat_mirrors.images.size(); ++i)
+    if (plan.exact[scene.flat_mirrors.images[i].emitter]) images_.push_back(i);
+  if (points * images_.size() > most_looks_at_images) images_.clear();
   most_ = std::max<size_t>(1, most_rays / points);
   for (const MeterSet& set : scene.meter_sets) {
     const size_t count = set.is_cell() ? 0 : set.meters.size();
@@ -83,7 +84,8 @@ void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& 
       work.drop(Drop::light_sample, {{Stream::meters, uint32_t(set)}, in.number, m * in.plan.meter_samples}, meter.p);
   };
   for (const uint32_t e : emitters_) keep(light_from(in, alone, eye, arrival, {e, 1}, {}));
-  for (uint32_t i = 0; i < images_ && !in.is_too_long(2); ++i) keep(light_from_image(in, alone, eye, arrival, {i, 1}));
+  if (!in.is_too_long(2))
+    for (const uint32_t i : images_) keep(light_from_image(in, alone, eye, arrival, {i, 1}, {}));
   float found_from = 0;
   if (lights.size() > most_) {
     std::nth_element(lights.begin(), lights.begin() + ptrdiff_t(most_ - 1), lights.end(),

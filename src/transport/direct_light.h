@@ -19,12 +19,12 @@ class DirectLight {
   void add(const Iteration& in, IterationTally& tally) const;
   size_t bytes() const;
   // All light straight from the emitters of plan.exact to every point meter is found here.
-  bool finds_all() const { return !meters_.empty() && emitters_.size() + images_ <= most_; }
+  bool finds_all() const { return !meters_.empty() && emitters_.size() + images_.size() <= most_; }
   // Light of an emitter of plan.exact that would bring at least so much, unoccluded, is found here; and of an image.
   float found_from(size_t set, uint32_t meter) const {
     return meters_.empty() || meters_[set].empty() ? INFINITY : meters_[set][meter].found_from;
   }
-  float image_found_from(size_t set, uint32_t meter) const { return images_ ? found_from(set, meter) : INFINITY; }
+  float image_found_from(size_t set, uint32_t meter) const { return images_.empty() ? INFINITY : found_from(set, meter); }
 
  private:
   struct OfMeter {
@@ -37,8 +37,7 @@ class DirectLight {
   void find(const Iteration& in, size_t set, uint32_t meter, WorkCounts& work);
 
   size_t most_ = 0;  // of a meter: its strongest
-  std::vector<uint32_t> emitters_;
-  uint32_t images_ = 0;
+  std::vector<uint32_t> emitters_, images_;
   std::vector<std::vector<OfMeter>> meters_;      // empty sets: cells
   std::vector<std::vector<OfColumn>> separated_;  // a meter by a column, column fastest
 };

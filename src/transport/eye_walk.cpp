@@ -97,6 +97,7 @@ void EyeWalk::walk() {
     const bool passes = method.passes_glossy && eye.bsdf->is_glossy(in_.settings.glossy_alpha);
     eye.merge = merge_gate(*eye.bsdf) && !passes;
     if (eye.bsdf->has_continuous()) gather(eye);
+    bend_ = bend_here();
     const bool goes_on = scatter(eye, [&](const BsdfSample& s) {  // where the walk ends, its continuous part was merged
       return s.delta || passes || method.eye_end != EyeEndOf::first_merge;
     });
@@ -125,8 +126,9 @@ void EyeWalk::look_for_light(const EyeEnd& eye, const Arrival& arrival, float di
   float u = rng_.get(eye.edges, Slot::choice);
   if (const Found c = sample_light(in_, counts_, eye, arrival, u, rng_.position(eye.edges), direct_found_from))
     offer(*c, Drop::light_sample);
-  if (!in_.looks_into_mirrors() || image_found_from == 0) return;
-  if (const Found c = sample_mirror(in_, counts_, eye, arrival, u, image_found_from)) offer(*c, Drop::light_sample);
+  if (!in_.looks_into_mirrors() || (image_found_from == 0 && !scene_.flat_mirrors.of_extended)) return;
+  if (const Found c = sample_mirror(in_, counts_, eye, arrival, u, rng_.position(eye.edges), image_found_from))
+    offer(*c, Drop::light_sample);
 }
 
 // Emptied: of a path that was broken off some may be left.
@@ -253,11 +255,37 @@ void EyeWalk::hit_openings(uint32_t edges) {
   }
 }
 
+// Of a walk that has left a vertex by a continuous lobe, where it meets a flat mirror, which has no other lobe.
+EyeWalk::Bend EyeWalk::bend_here() const {
+  if (edge_.kind != Edge::continuous || !in_.looks_into_mirrors()) return {};
+  const uint32_t plane = scene_.flat_mirrors.plane_of(met_.surface.instance, met_.surface.primitive);
+  if (plane == none) return {};
+  return {plane, edge_, last_, met_.distance, met_.pass(met_.distance)};
+}
+
+// The image's light comes straight, along the edge that the mirror has bent.
+bool EyeWalk::hit_image(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance,
+                        uint32_t edges, const Rgb& transmittance) {
+  if (bend_.plane == none) return false;
+  const uint32_t image = scene_.flat_mirrors.image_of(emitter, bend_.plane);
+  if (image == none) return false;
+  mis::Scatter scatter = bend_.edge.scatter;
+  scatter.pdf *= edge_.scatter.pdf;
+  const double whole = double(bend_.distance) + distance, d2 = whole * whole,
+               pass = bend_.pass * met_.pass(distance);
+  const EyeHit eye{mis::eye_step(bend_.edge.state, counts_, scatter, cos_in, d2, pass), counts_, bend_.from, p,
+                   -direction_, scatter.pdf * pass * cos_in / d2, true, edges, carried_ * transmittance, image,
+                   edge_.scatter.pdf};
+  if (const Found c = hit(in_, eye, emitter, primitive)) offer(*c, Drop::emitter_hit);
+  return true;
+}
+
 void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance,
                           uint32_t edges, const Rgb& transmittance) {
   const Method& method = in_.settings.method;
   if (!in_.has(UPS_TECHNIQUE_EMITTER_HIT) && method.eye_end != EyeEndOf::first_surface) return;
   if (method.hits_after_specular && !specular_) return;
+  if (hit_image(emitter, primitive, p, cos_in, distance, edges, transmittance)) return;
   const double pdf_a = edge_.scatter.pdf * met_.pass(distance) * cos_in / (double(distance) * distance);
   const EyeHit eye{arrive({p, {}}, cos_in, distance), counts_, last_, p, -direction_, pdf_a,
                    edge_.kind == Edge::continuous, edges, carried_ * transmittance};

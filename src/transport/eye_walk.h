@@ -69,6 +69,18 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void hit_openings(uint32_t edges);
   void hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
                    const Rgb& transmittance);
+  // The edge by which the walk has come to the flat mirror that it has just left: where it runs into an emitter with an
+  // image there, both edges are one.
+  struct Bend {
+    uint32_t plane = none;
+    Edge edge;
+    Receiver from;
+    float distance = 0;  // to the mirror
+    double pass = 1;
+  };
+  Bend bend_here() const;
+  bool hit_image(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
+                 const Rgb& transmittance);  // false where there is none
   bool perturb(const EyeEnd& eye, Arrival& out);
   void look_for_light(const EyeEnd& eye, const Arrival& arrival, float direct_found_from, float image_found_from);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
@@ -111,6 +123,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
     uint32_t used = 0;
   };
   LightEnds* light_ends_ = nullptr;
+  Bend bend_;
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
 };

@@ -35,7 +35,8 @@ Integrator::Integrator(std::shared_ptr<const Snapshot> scene, const TransportSet
   plan_.exact_light = plan_.exact_direct && (settings_.max_path_length == 1 || !scatters(*scene_));
   std::optional<CasterAims> aims;
   if (settings_.has(UPS_TECHNIQUE_MERGE)) {
-    aims.emplace(*scene_, pool_);
+    const bool shown = scene_->flat_mirrors.complete && settings_.has(UPS_TECHNIQUE_MIRROR_SAMPLE);
+    aims.emplace(*scene_, shown, pool_);
     plan_.guide = EmissionGuide(scene_->emitters, aims->missed_by(plan_.light_paths, densest_among_others));
   }
   choose_first_radii(stop);

@@ -138,29 +138,37 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     to_mirror_ = met_.distance, pass_to_mirror_ = met_.pass(met_.distance), mirrored_ = edge_.scatter.pdf;
     edge_.kind = Edge::first;
   }
+  // Along the edge of the image's light, which the mirror bends: an eye walk goes on there with the same probability.
   mis::LightState first_state_of_image(const Receiver& at, float cos_in, double d2, double pass) const {
-    const double choose = double(image_probability(scene_, at, image_)) / emit_probability_,
-                 distance = to_mirror_ + std::sqrt(d2);
-    return mis::light_first(counts_, choose, start_.pdf_direction_w * mirrored_, distance * distance, cos_in,
-                            pass * pass_to_mirror_, false, 1.0, 1.0);
+    const FlatMirrors& mirrors = scene_.flat_mirrors;
+    const double distance = to_mirror_ + std::sqrt(d2);
+    return first_state(image_probability(scene_, at, image_),
+                       mirrors.planes[mirrors.images[image_].plane].mirrored(at.p), mirrored_, cos_in,
+                       distance * distance, pass * pass_to_mirror_);
   }
 
   // x_1 needs to know how next-event estimation would have found x_0.
   mis::LightState first_state(const Receiver& at, float cos_in, double d2, double pass) const {
     if (image_ != none) return first_state_of_image(at, cos_in, d2, pass);
-    const double choose = counts_.light_sample > 0
-                              ? double(scene_.emitters.direct_probability(at, emitter_index_)) / emit_probability_
-                              : 0.0;
+    const float chosen = counts_.light_sample > 0 ? scene_.emitters.direct_probability(at, emitter_index_) : 0;
+    return first_state(chosen, at.p, 1, cos_in, d2, pass);
+  }
+
+  // reference: x_1 as the emitter sees it, straight ahead. goes_on: see mirrored_.
+  mis::LightState first_state(float chosen, const Vec3& reference, double goes_on, float cos_in, double d2,
+                              double pass) const {
+    const double choose = double(chosen) / emit_probability_;
     if (emitter_->is_directional())
       return mis::light_first_directional(counts_, choose, 1.0 / start_.pdf_position_a, cos_in, pass);
+    const double pdf_direction_w = start_.pdf_direction_w * goes_on;
     if (emitter_->is_delta())
-      return mis::light_first(counts_, choose, start_.pdf_direction_w, d2, cos_in, pass, false, 1.0, 1.0);
+      return mis::light_first(counts_, choose, pdf_direction_w, d2, cos_in, pass, false, 1.0, 1.0);
     EmitterHit hit;
     const uint32_t primitive = start_.primitive == EmissionSample::invalid ? 0 : start_.primitive;
-    const bool seen = emitter_->eval_hit(at.p, start_.p, primitive, start_.direction, hit);
+    const bool seen = emitter_->eval_hit(reference, start_.p, primitive, start_.direction, hit);
     const double pf_0 = double(emit_probability_) * start_.pdf_position_a;
     const double ratio = seen ? choose * hit.pdf_nee_a / start_.pdf_position_a : 0.0;
-    return mis::light_first(counts_, ratio, start_.pdf_direction_w, d2, cos_in, pass, true, start_.cos_0, pf_0);
+    return mis::light_first(counts_, ratio, pdf_direction_w, d2, cos_in, pass, true, start_.cos_0 * goes_on, pf_0);
   }
 
   void cross_sensors(uint32_t a) {

@@ -85,6 +85,7 @@ struct Plan {
   std::vector<bool> exact;
   // Of point meters: all light straight from emitters is found so; no other light can reach them.
   bool exact_direct = false, exact_light = false;
+  bool images_suffice = false;  // all that casters make of light straight from emitters is that of their images
   Separation separation;  // of meters' readings
   // r_1 of each pixel, for the first vertex of its eye paths that scatters; empty without merging. All other vertices
   // merge within walk_radius: a hemisphere away from the sensor blur is not seen, but few photons are.

@@ -38,13 +38,19 @@ DirectDensities direct_densities(const Snapshot& scene, const EmissionGuide& gui
 
 Found hit(const Iteration& in, const EyeHit& eye, uint32_t index, uint32_t primitive) {
   const EmitterSet& emitters = in.scene.emitters;
+  const FlatMirrors& mirrors = in.scene.flat_mirrors;
+  const bool mirrored = eye.image != none;
+  const Vec3 reference = mirrored ? mirrors.planes[mirrors.images[eye.image].plane].mirrored(eye.from.p) : eye.from.p;
   EmitterHit h;
-  if (!emitters[index].eval_hit(eye.from.p, eye.p, primitive, eye.wo, h)) return {};
+  if (!emitters[index].eval_hit(reference, eye.p, primitive, eye.wo, h)) return {};
   Contribution c{{Family::path_integration, 0, eye.edges}, index, eye.carried * h.radiance};
   if (in.weighted()) {
-    const double pn_0 = double(emitters.direct_probability(eye.from, index)) * h.pdf_nee_a;
+    const float chosen = mirrored ? image_probability(in.scene, eye.from, eye.image)
+                                  : emitters.direct_probability(eye.from, index);
+    const double pn_0 = double(chosen) * h.pdf_nee_a;
     const double pf_0 = double(in.plan.guide.probability(emitters, index)) * h.pdf_position_a;
-    const double emitted = h.pdf_direction_w * in.plan.guide.factor(emitters, index, eye.p, primitive, eye.wo);
+    const double emitted =
+        eye.goes_on * h.pdf_direction_w * in.plan.guide.factor(emitters, index, eye.p, primitive, eye.wo);
     c.others = mis::others_of_hit(eye.state, eye.counts, in.gates_of(index), pn_0, pf_0, emitted, eye.pdf_a,
                                   eye.connectable);
   }
@@ -68,9 +74,10 @@ EyeEnd meter_end(const Vec3& p, float error, const Frame& frame, const MeterResp
 
 namespace {
 
-// Of a sample of the emitter. leaves: its light's direction there; edges: to the eye's vertex.
+// Of a sample of the emitter. leaves: its light's direction there; edges: to the eye's vertex; goes_on: probability that
+// a walk from there is reflected to the emitter.
 Found light_of(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-               const EmitterSet::Choice& choice, DirectSample s, const Vec3& leaves, uint32_t edges) {
+               const EmitterSet::Choice& choice, DirectSample s, const Vec3& leaves, uint32_t edges, double goes_on) {
   const Emitter& emitter = in.scene.emitters[choice.index];
   Vec3 local;
   if (!scatters(eye, s.wi, local)) return {};
@@ -87,7 +94,7 @@ Found light_of(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, con
     if (from_emitter.sum() > 0) in.plan.guide.apply(in.scene.emitters, choice.index, leaves, s);
     const double cos_1 = eye.cosine(arrival.surface, s.wi), d2 = double(s.distance) * s.distance;
     const DirectDensities d = direct_densities(in.scene, in.plan.guide, choice, s, cos_1);
-    const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * s.cos_0 / d2;
+    const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * goes_on * s.cos_0 / d2;
     c.others = mis::others_of_light_sample(from_emitter, n, pb_0, d.pn_0, d.pf_0, d.pf_1);
   }
   c.from = arrival.surface.ray_origin(s.wi);
@@ -107,27 +114,28 @@ Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, c
                  const EmitterSet::Choice& choice, const Vec2& u_position) {
   DirectSample s;
   if (!in.scene.emitters[choice.index].sample_direct(arrival.surface.p, u_position, s)) return {};
-  return light_of(in, n, eye, arrival, choice, s, -s.wi, 1);
+  return light_of(in, n, eye, arrival, choice, s, -s.wi, 1, 1);
 }
 
 // As straight light to the vertex's own image behind the mirror, along a path of the same length: its weights are those
 // of an emitter whose light paths begin with being mirrored.
 Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                       const EmitterChoice& choice) {
+                       const EmitterChoice& choice, const Vec2& u_position) {
   const FlatMirrors::Image& image = in.scene.flat_mirrors.images[choice.index];
   const FlatMirrors::Plane& plane = in.scene.flat_mirrors.planes[image.plane];
   const Emitter& emitter = in.scene.emitters[image.emitter];
   DirectSample s;
   Vec3 at;
-  if (!plane.shows(emitter.center(), arrival.surface.p, at) ||
-      !emitter.sample_direct(plane.mirrored(arrival.surface.p), {}, s))
+  if (!emitter.sample_direct(plane.mirrored(arrival.surface.p), u_position, s) ||
+      !plane.shows(s.p, arrival.surface.p, at))
     return {};
   const Vec3 leaves = -s.wi;
   s.wi = plane.mirrored_direction(s.wi);
   const MirrorLobe lobe = mirror_lobe(in.scene.materials[plane.material], std::abs(dot(s.wi, plane.n)));
   s.weight *= lobe.reflectance;
   s.pdf_direction_w *= lobe.probability;
-  Found c = light_of(in, n, eye, arrival, {image.emitter, choice.probability, 0}, s, leaves, 2);
+  Found c =
+      light_of(in, n, eye, arrival, {image.emitter, choice.probability, 0}, s, leaves, 2, double(lobe.probability));
   if (!c) return {};
   c->mirror = image.plane;
   c->at_mirror = at;
@@ -135,12 +143,12 @@ Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& 
 }
 
 Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                    float u_choice, float found_from) {
+                    float u_choice, const Vec2& u_position, float found_from) {
   if (in.is_too_long(eye.edges + 2) || !(u_choice < in.scene.flat_mirrors.frequency)) return {};
   const EmitterChoice choice = choose_image(in.scene, receiver_of(eye, arrival), u_choice);
   if (!(choice.probability > 0)) return {};
-  Found c = light_from_image(in, n, eye, arrival, choice);
-  if (!c || luminance(c->value) >= found_from) return {};
+  Found c = light_from_image(in, n, eye, arrival, choice, u_position);
+  if (!c || (in.plan.exact[c->emitter] && luminance(c->value) >= found_from)) return {};
   c->value *= 1 / choice.probability;
   return c;
 }

@@ -55,6 +55,8 @@ struct EyeHit {
   bool connectable;  // the vertex before could have sampled it
   uint32_t edges;
   Rgb carried;
+  uint32_t image = none;  // of the emitter, that `from` has seen: the path is that of light straight from it
+  double goes_on = 1;     // then: probability that the mirror's light goes this way
 };
 Found hit(const Iteration& in, const EyeHit& eye, uint32_t emitter, uint32_t primitive);                  // s = 0
 // Light of one emitter, chosen with a probability; of it at the eye.
@@ -65,9 +67,9 @@ Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye,
                    float& u_choice, const Vec2& u_position, float found_from = INFINITY);
 // The same by way of a flat mirror: choice: among the scene's images.
 Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                       const EmitterChoice& choice);
+                       const EmitterChoice& choice, const Vec2& u_position);
 Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                    float u_choice, float found_from = INFINITY);
+                    float u_choice, const Vec2& u_position, float found_from = INFINITY);
 // Is the new edge free, but for panes?
 bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, Passage& passage);
 Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // 2 <= s <= k

@@ -46,8 +46,8 @@ struct Replayed {
   mis::Classes found;                  // by the engine, this technique included
 };
 
-// Local quantities of a path, by definition. mirrors: light that a flat mirror reflects straight from an emitter without
-// extent counts as that of an emitter behind it: the path is one edge shorter.
+// Local quantities of a path, by definition. mirrors: light that a flat mirror reflects straight from an emitter counts as
+// that of an emitter behind it: the path is one edge shorter.
 class LocalQuantities {
  public:
   LocalQuantities(const Room& room, const EmissionGuide& guide, const Replayed& r, bool mirrors)
@@ -69,6 +69,7 @@ class LocalQuantities {
     for (int i = 0; i < path_.k; ++i) edge(i);
     for (int i = 1; i < path_.k; ++i) scattering(i);
     sensor();
+    if (mirror_) path_.pdf_to_emitter[1] *= mirrored_share();
   }
   const Path& path() const { return path_; }
   const Vec3d& x_0() const { return x_0_; }
@@ -87,8 +88,7 @@ class LocalQuantities {
   // x_1 is left out where it is such a mirror.
   void unfold() {
     const FlatMirrors& all = scene().flat_mirrors;
-    const Emitter& e = scene().emitters[r_.emitter];
-    if (path_.k < 2 || !far(1).bsdf || !near(1).delta || !e.is_delta() || e.is_directional()) return;
+    if (path_.k < 2 || !far(1).bsdf || !near(1).delta) return;
     const std::vector<uint32_t>& planes = all.planes_of_instance[far(1).instance];
     if (planes.empty() || (image_ = all.image_of(r_.emitter, planes[0])) == none) return;
     mirror_ = &all.planes[planes[0]];
@@ -108,17 +108,19 @@ class LocalQuantities {
   void emission() {
     const Emitter& e = scene().emitters[r_.emitter];
     const Node& x_1 = far(1);
-    const Vec3 reference(x_1.p);
+    const Vec3 place(x_1.p), reference = mirror_ ? mirror_->mirrored(place) : place;
     path_.emission_a = guide_.probability(scene().emitters, r_.emitter);
     const auto choose = [&](const Vec3d& away) {  // away: from the emitter
       const bool meter = !x_1.bsdf;
       const Vec3d n = meter || dot(away, x_1.ng) < 0 ? x_1.ng : -x_1.ng;
-      const Receiver at{reference, x_1.is_planar() ? Vec3(n) : Vec3(), !meter && x_1.bsdf->transmits_continuously()};
+      const Receiver at{place, x_1.is_planar() ? Vec3(n) : Vec3(), !meter && x_1.bsdf->transmits_continuously()};
       return double(mirror_ ? image_probability(scene(), at, image_)
                             : scene().emitters.direct_probability(at, r_.emitter));
     };
     DirectSample s;
-    if (e.is_delta()) e.sample_direct(mirror_ ? mirror_->mirrored(reference) : reference, {0.5f, 0.5f}, s);
+    if (e.is_delta()) e.sample_direct(reference, {0.5f, 0.5f}, s);
+    const Vec3d& towards = mirror_ ? at_mirror_ : x_1.p;
+    const auto arriving = [&](const Vec3d& d) { return mirror_ ? normalize(x_1.p - at_mirror_) : d; };
     if (e.is_directional()) {
       path_.emitter = EmitterType::directional;
       x_0_ = x_1.p + Vec3d(s.wi) * (4.0 * scene().radius);
@@ -128,26 +130,23 @@ class LocalQuantities {
     } else if (e.is_delta()) {
       path_.emitter = EmitterType::point;
       x_0_ = Vec3d(e.center());
-      Vec3d d = normalize((mirror_ ? at_mirror_ : x_1.p) - x_0_);
+      const Vec3d d = normalize(towards - x_0_);
       path_.pdf_to_sensor[0] =
           double(s.pdf_direction_w) * guide_.factor(scene().emitters, r_.emitter, Vec3(x_0_), 0, Vec3(d));
-      if (mirror_) {
-        d = normalize(x_1.p - at_mirror_);
-        path_.pdf_to_sensor[0] *= mirrored_share(d);
-      }
-      path_.nee_a = choose(d);
+      path_.nee_a = choose(arriving(d));
     } else {
       path_.emitter = EmitterType::area;
       x_0_ = near(0).p;
       const uint32_t primitive = find_surface();
-      const Vec3d d = normalize(x_1.p - x_0_);
+      const Vec3d d = normalize(towards - x_0_);
       EmitterHit hit;
       resolved_ = e.eval_hit(reference, Vec3(x_0_), primitive, Vec3(d), hit);
       path_.emission_a *= hit.pdf_position_a;
       path_.pdf_to_sensor[0] =
           double(hit.pdf_direction_w) * guide_.factor(scene().emitters, r_.emitter, Vec3(x_0_), primitive, Vec3(d));
-      path_.nee_a = choose(d) * hit.pdf_nee_a;
+      path_.nee_a = choose(arriving(d)) * hit.pdf_nee_a;
     }
+    if (mirror_) path_.pdf_to_sensor[0] *= mirrored_share();
   }
 
   // The triangle that x_0 lies on, which puts it exactly there, and its normal; openings are no surface.
@@ -176,8 +175,8 @@ class LocalQuantities {
     return nearest;
   }
 
-  double mirrored_share(const Vec3d& d) const {
-    const Vec3d n(mirror_->n);
+  double mirrored_share() const {
+    const Vec3d n(mirror_->n), d = normalize(far(1).p - at_mirror_);
     return double(mirror_lobe(scene().materials[mirror_->material], float(std::abs(dot(d, n)))).probability);
   }
 
@@ -188,7 +187,9 @@ class LocalQuantities {
     const double distance = length(w);
     const Vec3d d = direction_[i] = w / distance;
     path_.distance[i] = distance + (folded ? length(at_mirror_ - x_0_) : 0);
-    path_.cos_near[i] = i == 0 && path_.emitter != EmitterType::area ? 1 : std::abs(dot(d, i == 0 ? n_0_ : near(i).ng));
+    const Vec3d leaves = folded ? normalize(at_mirror_ - x_0_) : d;
+    path_.cos_near[i] =
+        i == 0 && path_.emitter != EmitterType::area ? 1 : std::abs(dot(leaves, i == 0 ? n_0_ : near(i).ng));
     path_.cos_far[i] = far(i + 1).response.across ? 1 : std::abs(dot(d, far(i + 1).ng));
     cross_panes(i, from, to);
   }

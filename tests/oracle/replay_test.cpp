@@ -217,7 +217,8 @@ struct Weighed {
 Weighed weigh(const Replay& replay, const Replayed& r) {
   const LocalQuantities local(replay.room(), replay.plan().guide, r, replay.looks_into_mirrors());
   Weighed out{local.path(), local.x_0(), local.resolved(), local.panes_crossed(), local.of_image(), {}};
-  const int at = r.at - (local.of_image() && r.technique != Technique::light_sample);
+  const bool at_emitter = r.technique == Technique::hit || r.technique == Technique::light_sample;
+  const int at = r.at - (local.of_image() && !at_emitter);
   out.path.sensor_merge_share = replay.sensor_merge_share(r);
   const std::vector<Term> terms = slow_weights(out.path, replay.counts(r), replay.plan().gates[r.emitter]);
   for (const Term& t : terms)
@@ -291,7 +292,10 @@ void compare(const Replay& replay, const Replayed& r, Random& random, Counted& c
   if (mirrored) add("mirrored");
   if (glossy) add("glossy casters");
   if (r.found.caustic > 0) add("caustics");
-  if (w.of_image) add("image: " + std::string(r.technique == Technique::light_sample ? "light sample" : "others"));
+  if (w.of_image)
+    add("image: " + std::string(r.technique == Technique::hit            ? "hit"
+                                : r.technique == Technique::light_sample ? "light sample"
+                                                                         : "others"));
 }
 
 // Every kind of contribution that the options leave is found so often.
@@ -304,7 +308,7 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
   for (const Replayed& r : replay.paths()) ASSERT_NO_FATAL_FAILURE(compare(replay, r, random, counted));
   size_t above = 0;
   double largest = 0;
-  for (const char* name : {"image: light sample", "image: others"})
+  for (const char* name : {"image: hit", "image: light sample", "image: others"})
     EXPECT_TRUE(counted[name].all >= (replay.looks_into_mirrors() ? enough : 0)) << name << ' ' << counted[name].all;
   std::vector<std::string> names = {"refracted", "mirrored", "glossy casters", "caustics"};
   for (const char* sensor : {"camera", "pixel", "meter", "cell", "solid point", "solid cell"})

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../oracle/random_path.h"
 #include "../oracle/replay_room.h"
 
 namespace ups::test {
@@ -15,6 +16,15 @@ void add_lamps(RoomBuilder& b, int count) {
   for (int i = 0; i < count; ++i)
     b.add_light(i % 3 ? UPS_LIGHT_POINT : UPS_LIGHT_SPOT, {0.3 + 0.37 * (i % 10), 0.5 + 0.21 * (i / 10), 2.5},
                 100.0f + float(i));
+}
+
+void add_luminous_quads(RoomBuilder& b, int count) {
+  for (int i = 0; i < count; ++i) {
+    ups_material_desc shining = RoomBuilder::material(UPS_MATERIAL_MATTE, 0, 0);
+    std::fill_n(shining.luminance_cd_m2, 3, 100.0f + float(i));
+    b.add(quad({0.3 + 0.37 * (i % 10), 0.5 + 0.21 * (i / 10), 2.5}, {0, 0.2, 0}, {0.05 + 0.2 * (i % 2), 0, 0.1}),
+          shining);
+  }
 }
 
 TEST(FlatMirrors, WhatLiesInOnePlaneIsOne) {
@@ -69,16 +79,19 @@ TEST(FlatMirrors, WhatIsBentOrShinesOrHasALampOnItIsNone) {
 }
 
 // Chosen as often as it is said, each with the probability that can be asked for: few images, which are weighed, and
-// many, which are a tree's; of mirrors, and of panes, which are looked into more seldom.
+// many, which are a tree's; of mirrors, and of panes, which are looked into more seldom; of lamps with extent and
+// without, of which a tree has none with extent.
 TEST(FlatMirrors, ImagesAreChosenAsOftenAsIsSaid) {
-  for (const int lamps : {3, 90})
-    for (const bool panes : {false, true}) {
+  for (const int kinds : {0, 1, 2, 3}) {
+    const bool panes = kinds & 1, extended = kinds & 2;
+    for (const int lamps : {3, extended ? 30 : 90}) {
       RoomBuilder b;
       if (panes)
         b.add_pane({0, 0, 0}, {0, 0, 3}, {4, 0, 0}, 1), b.add_pane({0, 0, 0}, {0, 4, 0}, {0, 0, 3}, 1);
       else
         b.add(quad({0, 0, 0}, {0, 0, 3}, {4, 0, 0}), mirror), b.add(quad({0, 0, 0}, {0, 4, 0}, {0, 0, 3}), other);
-      add_lamps(b, lamps);
+      if (extended) add_luminous_quads(b, lamps);
+      else add_lamps(b, lamps);
       const Room room = b.build();
       const Snapshot& scene = *room.scene;
       ASSERT_EQ(scene.flat_mirrors.images.size(), size_t(2 * lamps));
@@ -103,6 +116,125 @@ TEST(FlatMirrors, ImagesAreChosenAsOftenAsIsSaid) {
         EXPECT_NEAR(sum, scene.flat_mirrors.frequency, 1e-3);
       }
     }
+  }
+}
+
+// At 45 degrees to the axes: a lamp of 1.4 m, along the mirror and 0.28 m before it, and across it. An opening of 0.3 m by
+// 0.4 m, whose corners are 0.25 m from its middle, 0.22 and 0.1 m before a mirror.
+TEST(FlatMirrors, ALampsExtentIsThatAcrossTheMirror) {
+  for (const bool along : {false, true}) {
+    RoomBuilder b;
+    b.add(quad({0, 0, 0}, {0, 0, 1}, {1, 1, 0}), mirror);
+    ups_material_desc shining = RoomBuilder::material(UPS_MATERIAL_MATTE, 0, 0);
+    std::fill_n(shining.luminance_cd_m2, 3, 100.0f);
+    const P3 s = along ? P3{1, 1, 0} : P3{1, -1, 0}, at{0.2, 0.6, 1.5};
+    b.add(quad(at - s * 0.5, s, {0, 0, 0.05}), shining);
+    EXPECT_EQ(b.build().scene->flat_mirrors.images.size(), along ? 1u : 0u);
+  }
+  for (const double before : {0.22, 0.1}) {
+    RoomBuilder b;
+    b.add(quad({0, 0, 0}, {0, 0, 1}, {1, 0, 0}), mirror);
+    b.add_luminaire({0.5, before, 2}, true);
+    EXPECT_EQ(b.build().scene->flat_mirrors.images.size(), before > 0.2 ? 1u : 0u);
+  }
+}
+
+// Lamps without extent come first; of the others those in the largest mirrors, as long as all images can be weighed.
+TEST(FlatMirrors, LampsWithExtentTakeNoRoomFromOthers) {
+  const auto find = [](int points, int quads, bool straddling) {
+    RoomBuilder b;
+    b.add(quad({0, 0, 0}, {0, 0, 3}, {4, 0, 0}), mirror);
+    b.add(quad({0, 0, 0}, {0, 1, 0}, {0, 0, 1}), other);
+    add_lamps(b, points);
+    add_luminous_quads(b, quads);
+    if (straddling) {
+      ups_material_desc shining = RoomBuilder::material(UPS_MATERIAL_MATTE, 0, 0);
+      std::fill_n(shining.luminance_cd_m2, 3, 100.0f);
+      b.add(quad({1, -0.1, 3.5}, {0, 0.5, 0}, {0.6, 0, 0}), shining);
+    }
+    const Room room = b.build();
+    const FlatMirrors& m = room.scene->flat_mirrors;
+    EXPECT_EQ(m.of_extended, m.images.size() > size_t(2 * points));
+    return std::pair(m.images.size(), m.of_all);
+  };
+  EXPECT_EQ(find(3, 20, false), (std::pair<size_t, bool>(46, true)));
+  EXPECT_EQ(find(3, 20, true), (std::pair<size_t, bool>(47, false)));  // it stands before the small one
+  EXPECT_EQ(find(0, 40, false), (std::pair<size_t, bool>(40, false)));
+  EXPECT_EQ(find(10, 40, false), (std::pair<size_t, bool>(60, false)));
+  EXPECT_EQ(find(10, 70, false), (std::pair<size_t, bool>(20, false)));
+  EXPECT_EQ(find(40, 5, false), (std::pair<size_t, bool>(80, false)));
+}
+
+// A lamp in a box of glass, one beside a ball of glass, one that shines into the mirror alone.
+TEST(FlatMirrors, WhatGlassHidesHasNoImage) {
+  RoomBuilder b;
+  b.add(quad({-4, 0, -4}, {0, 0, 8}, {8, 0, 0}), mirror);
+  ups_material_desc shining = RoomBuilder::material(UPS_MATERIAL_MATTE, 0, 0);
+  std::fill_n(shining.luminance_cd_m2, 3, 100.0f);
+  b.add(icosphere({0, 1, 0}, 0.05, 1), shining);
+  b.add(box({-0.1, 0.9, -0.1}, {0.1, 1.1, 0.1}), RoomBuilder::material(UPS_MATERIAL_GLASS, 1, 0));
+  b.add(icosphere({2, 1, 0}, 0.05, 1), shining);
+  b.add(quad({-2, 0.5, 0}, {0.1, 0, 0}, {0, 0, 0.1}), shining);
+  const Room room = b.build();
+  const FlatMirrors& m = room.scene->flat_mirrors;
+  EXPECT_EQ(m.image_of(0, 0), none);
+  EXPECT_NE(m.image_of(1, 0), none);
+  EXPECT_NE(m.image_of(2, 0), none);
+  EXPECT_FALSE(m.of_all);
+}
+
+// Of boxes that stand before the mirror anyhow, and seen from anywhere: whatever point of one the mirror shows, the box is
+// seen; and where it is seen, some point often is.
+TEST(FlatMirrors, WhereAPartIsShownTheWholeIsSeen) {
+  RoomBuilder b;
+  b.add(quad({0, 0, 0}, {0, 0, 0.5}, {0.8, 0, 0}), mirror);
+  add_lamps(b, 1);
+  const Room room = b.build();
+  const FlatMirrors& m = room.scene->flat_mirrors;
+  const FlatMirrors::Plane& plane = m.planes[0];
+  const Vec3 origin(room.scene->origin);
+  Random random(4);
+  const auto in = [&](float low, float high) { return float(random.uniform(double(low), double(high))); };
+  int seen = 0, shown = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 half(in(0, 0.8f), in(0, 0.8f), in(0, 0.8f)), center(in(-2, 2), half.y + in(1e-4f, 2), in(-2, 2)),
+        p = Vec3(in(-2, 2), in(0.01f, 3), in(-2, 2)) - origin;
+    const FlatMirrors::Image image{0, 0, center - origin, length(half), half.y};
+    const bool may = m.may_show(image, p);
+    bool is = false;
+    for (int k = 0; k < 64; ++k) {
+      const auto corner = [&](int axis) { return k < 8 ? (k >> axis & 1 ? 1.0f : -1.0f) : in(-1, 1); };
+      const Vec3 x = image.center + Vec3(half.x * corner(0), half.y * corner(1), half.z * corner(2));
+      Vec3 at;
+      is |= plane.shows(x, p, at);
+    }
+    EXPECT_TRUE(may || !is) << i;
+    seen += may, shown += is;
+  }
+  EXPECT_GT(shown, 2000);
+  EXPECT_GT(shown, seen / 4);
+}
+
+// A lamp through whose body the mirror's plane goes has no image, nor has one on it.
+TEST(FlatMirrors, LampsWithExtentHaveImagesWhereTheyStandOnOneSide) {
+  const auto images = [](const Shape& lamp, bool pane) {
+    RoomBuilder b;
+    ups_material_desc shining = RoomBuilder::material(UPS_MATERIAL_MATTE, 0, 0);
+    std::fill_n(shining.luminance_cd_m2, 3, 100.0f);
+    b.add(lamp, shining);
+    if (pane) b.add_pane({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 1);
+    else b.add(quad({0, 0, 0}, {0, 0, 1}, {1, 0, 0}), mirror);
+    const Room room = b.build();
+    EXPECT_TRUE(room.scene->flat_mirrors.empty() || room.scene->flat_mirrors.of_all);
+    EXPECT_EQ(room.scene->flat_mirrors.of_extended, !room.scene->flat_mirrors.empty());
+    return room.scene->flat_mirrors.images.size();
+  };
+  for (const bool pane : {false, true}) {
+    EXPECT_EQ(images(icosphere({0.5, 1, 0.5}, 0.9, 1), pane), 1u);
+    EXPECT_EQ(images(icosphere({0.5, 1, 0.5}, 1.1, 1), pane), 0u);
+    EXPECT_EQ(images(quad({0.2, 0.1, 2}, {0, 0.5, 0}, {0.6, 0, 0}), pane), 1u);
+    EXPECT_EQ(images(quad({0.2, 0, 2}, {0, 0.5, 0}, {0.6, 0, 0}), pane), 0u);
+  }
 }
 
 }  // namespace
