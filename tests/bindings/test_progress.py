@@ -74,7 +74,8 @@ def test_a_function_is_told(context):
 
 
 def test_a_notebook_replaces_one_output():
-    cell = nbformat.v4.new_code_cell("result = scene.render(time_limit_s=1, progress=True)\nresult.info.iterations")
+    cell = nbformat.v4.new_code_cell(
+        f"result = scene.render(time_limit_s={2 * SECONDS}, progress=True)\nresult.info.iterations")
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(
         f"import sys; sys.path.insert(0, {os.path.dirname(__file__)!r})\n" + IMPORTS), cell])
     nbclient.NotebookClient(notebook, timeout=60, kernel_name="python3").execute()
