@@ -159,7 +159,7 @@ TEST(FlatMirrors, LampsWithExtentTakeNoRoomFromOthers) {
   };
   EXPECT_EQ(find(3, 20, false), (std::pair<size_t, bool>(46, true)));
   EXPECT_EQ(find(3, 20, true), (std::pair<size_t, bool>(47, false)));  // it stands before the small one
-  EXPECT_EQ(find(0, 40, false), (std::pair<size_t, bool>(40, false)));
+  EXPECT_EQ(find(0, 40, false), (std::pair<size_t, bool>(40, true)));  // of one plane; the other is none
   EXPECT_EQ(find(10, 40, false), (std::pair<size_t, bool>(60, false)));
   EXPECT_EQ(find(10, 70, false), (std::pair<size_t, bool>(20, false)));
   EXPECT_EQ(find(40, 5, false), (std::pair<size_t, bool>(80, false)));

@@ -54,7 +54,7 @@ std::optional<Vector> normal_of(const std::vector<MeterPoint>& points, bool is_g
   double extent;
   const Vector longest = longest_of(points, extent);
   constexpr double least = 1e-9;  // m, below which there is no map
-  if (extent > 0 && extent < least) return std::nullopt;
+  if (points.size() > 1 && extent < least) return std::nullopt;
   Vector mean{};
   for (const MeterPoint& p : points)
     for (int k = 0; k < 3; ++k) mean[size_t(k)] += p.normal[k];
