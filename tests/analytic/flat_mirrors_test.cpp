@@ -263,7 +263,7 @@ TEST(FlatMirrorsAmongAllElse, TheLightIsTheSame) {
   };
   const auto a = with.statistics(meters), b = without.statistics(meters);
   expect_same({a.mean_lx, a.mean_standard_error_lx}, {b.mean_lx, b.mean_standard_error_lx}, "meters");
-  const RenderOptions of_picture{.iterations = 4, .light_paths = 1u << 12};
+  const RenderOptions of_picture{.iterations = 6, .light_paths = 1u << 12};
   RenderOptions mirrors = of_picture, none = of_picture;
   mirrors.techniques = all, none.techniques = all_but_mirrors;
   expect_same(image_mean(scene, camera, mirrors), image_mean(scene, camera, none), "picture");
