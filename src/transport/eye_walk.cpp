@@ -97,7 +97,7 @@ void EyeWalk::walk() {
     const bool passes = method.passes_glossy && eye.bsdf->is_glossy(in_.settings.glossy_alpha);
     eye.merge = merge_gate(*eye.bsdf) && !passes;
     if (eye.bsdf->has_continuous()) gather(eye);
-    bend_ = bend_here();
+    note_bend();
     const bool goes_on = scatter(eye, [&](const BsdfSample& s) {  // where the walk ends, its continuous part was merged
       return s.delta || passes || method.eye_end != EyeEndOf::first_merge;
     });
@@ -256,11 +256,11 @@ void EyeWalk::hit_openings(uint32_t edges) {
 }
 
 // Of a walk that has left a vertex by a continuous lobe, where it meets a flat mirror, which has no other lobe.
-EyeWalk::Bend EyeWalk::bend_here() const {
-  if (edge_.kind != Edge::continuous || !in_.looks_into_mirrors()) return {};
+void EyeWalk::note_bend() {
+  bend_.plane = none;
+  if (edge_.kind != Edge::continuous || !in_.looks_into_mirrors() || !scene_.flat_mirrors.of_extended) return;
   const uint32_t plane = scene_.flat_mirrors.plane_of(met_.surface.instance, met_.surface.primitive);
-  if (plane == none) return {};
-  return {plane, edge_, last_, met_.distance, met_.pass(met_.distance)};
+  if (plane != none) bend_ = {plane, edge_, last_, met_.distance, met_.pass(met_.distance)};
 }
 
 // The image's light comes straight, along the edge that the mirror has bent.

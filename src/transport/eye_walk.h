@@ -78,7 +78,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
     float distance = 0;  // to the mirror
     double pass = 1;
   };
-  Bend bend_here() const;
+  void note_bend();
   bool hit_image(uint32_t emitter, uint32_t primitive, const Vec3& p, float cos_in, float distance, uint32_t edges,
                  const Rgb& transmittance);  // false where there is none
   bool perturb(const EyeEnd& eye, Arrival& out);
