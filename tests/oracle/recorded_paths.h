@@ -149,9 +149,22 @@ class LocalQuantities {
     if (mirror_) path_.pdf_to_sensor[0] *= mirrored_share();
   }
 
+  // Of a luminous opening, a box along the axes: the face that x_0 lies on, either side of it.
+  Vec3d face_of_opening() const {
+    const Emitter& e = scene().emitters[r_.emitter];
+    const Vec3d from_center = x_0_ - Vec3d(e.center());
+    Vec3d face;
+    double least = INFINITY;
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+      const double beside = std::abs(std::abs(dot(from_center, Vec3d(axis))) - double(e.reach(axis)));
+      if (beside < least) least = beside, face = Vec3d(axis);
+    }
+    return face;
+  }
+
   // The triangle that x_0 lies on, which puts it exactly there, and its normal; openings are no surface.
   uint32_t find_surface() {
-    n_0_ = {0, 0, -1};
+    n_0_ = face_of_opening();
     const auto& emitters = scene().emitter_of_instance;
     const size_t instance = size_t(std::find(emitters.begin(), emitters.end(), r_.emitter) - emitters.begin());
     if (instance == emitters.size()) return 0;
@@ -373,6 +386,16 @@ class Recorder : public PathRecorder {
     for (size_t i = nodes; i-- > 0;) r.by_eye.push_back(eye_.nodes[i]);
     r.by_eye.push_back(eye_.start);
   }
+  // Where a line from outside enters a luminous opening, a box along the axes: in d.
+  static double entry_of(const Emitter& box, const Vec3d& from, const Vec3d& d) {
+    double entry = 0;
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+      const double along = dot(d, Vec3d(axis)), far = dot(Vec3d(box.center()) - from, Vec3d(axis)),
+                   half = double(box.reach(axis));
+      if (along != 0) entry = std::max(entry, std::min((far - half) / along, (far + half) / along));
+    }
+    return entry;
+  }
   // What was hit may be an opening on the way to the vertex that was met.
   void add_hit(uint32_t emitter, size_t k, Replayed& r) const {
     const Node& met = eye_.nodes[k - 1];
@@ -380,7 +403,7 @@ class Recorder : public PathRecorder {
     const Snapshot& scene = *room_.scene;
     if (scene.emitter_of_instance[met.instance] != emitter) {
       const Vec3d from = k > 1 ? eye_.nodes[k - 2].p : eye_.start.p, d = met.p - from;
-      x_0.p = from + d * ((double(scene.emitters[emitter].center().z) - from.z) / d.z);
+      x_0.p = from + d * entry_of(scene.emitters[emitter], from, d);
     }
     r.by_eye.push_back(x_0);
     add_eye(k - 1, r);

@@ -66,7 +66,7 @@ class RoomBuilder {
   void add_luminaire(const P3& p, bool opening) {
     const std::string ies =
         "IESNA:LM-63-2002\n[TEST] -\n[TESTLAB] -\n[ISSUEDATE] -\n[MANUFAC] -\nTILT=NONE\n"
-        "1 -1 1 5 1 1 2 0.3 0.4 0\n1 1 1\n0 25 50 75 90\n0\n300 280 190 60 0\n";
+        "1 -1 1 5 1 1 2 0.3 0.4 0.15\n1 1 1\n0 25 50 75 90\n0\n300 280 190 60 0\n";  // a box
     ups_luminaire_desc luminaire{};
     luminaire.use_opening = opening;
     luminaire.flux_lm = -1;

@@ -120,7 +120,7 @@ TEST(FlatMirrors, ImagesAreChosenAsOftenAsIsSaid) {
 }
 
 // At 45 degrees to the axes: a lamp of 1.4 m, along the mirror and 0.28 m before it, and across it. An opening of 0.3 m by
-// 0.4 m, whose corners are 0.25 m from its middle, 0.22 and 0.1 m before a mirror.
+// 0.4 m by 0.15 m, whose corners are 0.26 m from its middle, 0.22 and 0.1 m before a mirror.
 TEST(FlatMirrors, ALampsExtentIsThatAcrossTheMirror) {
   for (const bool along : {false, true}) {
     RoomBuilder b;
