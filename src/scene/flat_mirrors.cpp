@@ -178,7 +178,7 @@ class Search {
 
   // Lamps behind lenses and in reflectors, of which flat mirrors show nothing.
   void leave_out_hidden() {
-    if (!others_) return;
+    if (!others_ || parts_.empty()) return;
     constexpr uint32_t rays = 64, least_rays = 2;
     const auto is_hidden = [&](uint32_t e) {
       uint32_t open = 0;

@@ -34,38 +34,28 @@ inline void check(ups_status status, const char* (*last_error)() = ups_last_erro
   if (status != UPS_OK) throw Failure(without_functions(last_error()), status);
 }
 
-// read(text, capacity, needed) is one of the API's two-call functions.
-template <class Read>
-std::string read_text(Read&& read, const char* (*last_error)() = ups_last_error) {
-  std::string text;
-  for (;;) {
-    size_t needed = 0;
-    check(read(nullptr, 0, &needed), last_error);
-    if (needed == 0) return {};
-    text.resize(needed);
-    const ups_status status = read(text.data(), text.size(), &needed);
-    if (status == UPS_ERROR_BUFFER_TOO_SMALL) continue;  // a commit that came between may have more to tell, or less
-    check(status, last_error);
-    text.resize(std::max<size_t>(needed, 1) - 1);
-    return text;
-  }
-}
-
-// The same of arrays of plain elements.
+// read(elements, capacity, needed) is one of the API's two-call functions, of an array of plain elements.
 template <class Element, class Read>
-std::vector<Element> read_array(Read&& read) {
+std::vector<Element> read_array(Read&& read, const char* (*last_error)() = ups_last_error) {
   std::vector<Element> all;
   for (;;) {
     size_t needed = 0;
-    check(read(nullptr, 0, &needed));
+    check(read(nullptr, 0, &needed), last_error);
     all.resize(needed);
     if (needed == 0) return all;
     const ups_status status = read(all.data(), all.size(), &needed);
-    if (status == UPS_ERROR_BUFFER_TOO_SMALL) continue;
-    check(status);
+    if (status == UPS_ERROR_BUFFER_TOO_SMALL) continue;  // a commit that came between may have more to tell, or less
+    check(status, last_error);
     all.resize(needed);
     return all;
   }
+}
+
+// The same of a text.
+template <class Read>
+std::string read_text(Read&& read, const char* (*last_error)() = ups_last_error) {
+  const std::vector<char> all = read_array<char>(read, last_error);  // the final zero is among them
+  return all.empty() ? std::string() : std::string(all.data(), all.size() - 1);
 }
 
 // An info struct that a getter fills.

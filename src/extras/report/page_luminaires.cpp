@@ -34,6 +34,12 @@ PlacedSource source_at(const LitScene& scene, uint32_t index) {
   return source;
 }
 
+ups_profile_info info_of(const PlacedSource& source) {
+  auto info = sized<ups_profile_info>();
+  check(ups_profile_get_info(source.profile.get(), &info));
+  return info;
+}
+
 // The photometry itself where no file is told, so that two luminaires of the same flux are not taken for one type.
 std::string photometry_of(const PlacedSource& source) {
   if (!source.profile) return what_it_is(source.info);
@@ -52,8 +58,7 @@ std::string photometry_of(const PlacedSource& source) {
   std::string all = read_text([&](char* to, size_t capacity, size_t* needed) {
     return ups_profile_get_text(source.profile.get(), UPS_PROFILE_TEXT_KEYWORDS, to, capacity, needed);
   });
-  auto info = sized<ups_profile_info>();
-  check(ups_profile_get_info(source.profile.get(), &info));
+  const ups_profile_info info = info_of(source);
   for (const float x : cd) all += format(" %.5g", double(x));
   return all + format(" %.5g %d %.5g %.5g %.5g", double(info.input_power_w), int(info.opening_shape),
                       double(info.opening_m[0]), double(info.opening_m[1]), double(info.opening_m[2]));
@@ -67,12 +72,6 @@ std::string keyword(const ProfileReport& report, const char* name) {
   for (const auto& [key, value] : report.keywords)
     if (key == name) return value;
   return {};
-}
-
-ups_profile_info info_of(const PlacedSource& source) {
-  auto info = sized<ups_profile_info>();
-  check(ups_profile_get_info(source.profile.get(), &info));
-  return info;
 }
 
 // By which it shines more or less than its file says, new. What a render emits is the flux of the table as it is
@@ -114,7 +113,7 @@ std::string connected_load(const ups_scene_info& scene, double power_w) {
 
 std::string schedule(const std::vector<LuminaireType>& types, const ups_scene_info& scene) {
   const char* maintained = scene.maintenance_factor < 1 ? ", new, without the maintenance factor" : "";
-  HtmlTable table{std::string("Luminaires <span class=\"soft\">as they are dimmed in the scene") + maintained + "</span>",
+  HtmlTable table{"Luminaires <span class=\"soft\">as they are dimmed in the scene" + std::string(maintained) + "</span>",
                   {"Type", "Luminaire", "Count", "Flux of each, lm", "Flux of all, lm"}, {}, 2};
   double flux = 0, power = 0;
   size_t count = 0;
@@ -261,7 +260,8 @@ std::vector<LuminaireType> luminaire_types(const LitScene& scene) {
     const auto [at, is_new] = known.try_emplace({photometry, format("%.4g", source.info.flux_lm)}, types.size());
     if (is_new) {
       const double scale = source.profile ? scale_of(source, info_of(scene)) : 1;
-      types.push_back({file, photometry, source.profile ? scale * info_of(source).flux_lm : source.info.flux_lm, scale, {}});
+      const double flux = source.profile ? scale * info_of(source).flux_lm : source.info.flux_lm;
+      types.push_back({file, photometry, flux, scale, {}});
     }
     types[at->second].sources.push_back(std::move(source));
   }
