@@ -20,7 +20,7 @@ import plots
 
 FULL = {"seconds": 5.0, "rungs": 4, "least": 24, "reference": 12.0, "full": True}
 FAST = {"seconds": 0.3, "rungs": 2, "least": 2, "reference": 2.0, "full": False,
-        "methods": ("auto", "ups", "pt")}
+        "methods": ("auto", "ups", "pt"), "light_paths": 2048}
 A_RENDER = 0.25  # seconds beside its budget: start, reading the scene, files
 PICTURES = 15.0
 

@@ -57,6 +57,7 @@ class Settings:
     reference: float       # budget of the reference over that of a render
     full: bool             # every value of every knob
     methods: tuple = METHODS
+    light_paths: Optional[int] = None  # of an iteration, but where a knob says so; None: as the program takes
 
 
 def make_scene(settings, name, folder=None, **options):
@@ -90,8 +91,10 @@ class Candidate:
     more: tuple = ()
 
     def __post_init__(self):
-        words = (*self.more, "--map-cells")  # nobody looks at the maps
-        self.renderer = Renderer(self.settings.ups, self.scene.path, self.threads, self.size, words)
+        words = [*self.more, "--map-cells"]  # nobody looks at the maps
+        if self.settings.light_paths and "--light-paths" not in words:
+            words += ["--light-paths", str(self.settings.light_paths)]
+        self.renderer = Renderer(self.settings.ups, self.scene.path, self.threads, self.size, tuple(words))
         self.first = self.renderer.render(self.method, 1, ["--iterations", "1"])
         first = self.seconds(self.first)
         count = min(16, round(0.15 * self.settings.seconds / first))

@@ -114,5 +114,6 @@ if __name__ == "__main__":
         print("skipped: no python3 imports numpy and matplotlib (Debian: python3-matplotlib)")
         sys.exit(77)
     shutil.rmtree(FOLDER, ignore_errors=True)
-    subprocess.run(["bash", RUN, "--fast", "--ups", UPS, "--out", FOLDER], check=True)
+    shorter = ["--seconds", "0.1"] if os.environ.get("UPS_TEST_EFFORT") == "low" else []
+    subprocess.run(["bash", RUN, "--fast", *shorter, "--ups", UPS, "--out", FOLDER], check=True)
     unittest.main(argv=sys.argv[:1])

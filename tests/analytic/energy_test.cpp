@@ -72,7 +72,7 @@ TEST(Energy, ClosedFurnaceIsUniform) {
 // 0.25 % (path tracing, whose flux has 2^16 of its own) in the room with every material, less elsewhere: 0.2 % is 3.9
 // standard errors or more of the mean of 24 seeds, a false alarm of 1e-4. That error is itself bounded.
 void expect_balance(Scene& scene, double emitted, const std::string& what) {
-  const uint32_t seeds = less_with_effort(24, 3);
+  const uint32_t seeds = less_with_effort(24, 3), flux_paths = paths_with_effort(1u << 16);
   for (ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING}) {
     const std::string name = what + ", " + method_name(method);
     const uint32_t iterations = method == UPS_METHOD_UPS ? 32 : 1;
@@ -80,7 +80,7 @@ void expect_balance(Scene& scene, double emitted, const std::string& what) {
     double stated_variance = 0;
     for (uint64_t seed = 1; seed <= seeds; ++seed) {
       const auto info =
-          scene.render({.method = method, .iterations = iterations, .seed = seed, .flux_paths = 1u << 16}).info();
+          scene.render({.method = method, .iterations = iterations, .seed = seed, .flux_paths = flux_paths}).info();
       EXPECT_NEAR(info.emitted_flux_lm, emitted, 1e-5 * emitted) << name;
       EXPECT_LE(info.escaped_flux_lm, 1e-6 * emitted) << name << ": a closed room leaks";
       sums.push_back(info.absorbed_flux_lm + info.escaped_flux_lm);

@@ -73,11 +73,12 @@ TEST(Accuracy, NoiseOfAnOfficeIsForetold) {
   d.method = UPS_METHOD_PATH_TRACING;
   int far = 0;
   double mean = 0;
-  for (d.seed = 1; d.seed <= 6; ++d.seed) {
+  const uint32_t seeds = less_with_effort(6, 2);
+  for (d.seed = 1; d.seed <= seeds; ++d.seed) {
     const double ratio = foretold_from_a_quarter(scene, 124, d);
     ASSERT_GT(ratio, 0);
     far += std::abs(std::log(ratio)) > std::log(1.6);
-    mean += std::log(ratio) / 6;
+    mean += std::log(ratio) / seeds;
   }
   EXPECT_LE(far, 1);
   EXPECT_NEAR(mean, 0, std::log(1.3));
@@ -97,7 +98,7 @@ TEST(Accuracy, BiasAtAnEdgeIsForetold) {
   scene.add_meters(points, {0, 0, 1});
   check(ups_scene_commit(scene.get()), "ups_scene_commit");
   auto d = make_desc<ups_render_desc>(ups_render_desc_init);
-  d.light_paths_per_iteration = 16384;
+  d.light_paths_per_iteration = paths_with_effort(16384);
   double mean = 0;
   for (d.seed = 1; d.seed <= 3; ++d.seed) {
     const double ratio = foretold_from_a_quarter(scene, 243, d);
@@ -171,7 +172,8 @@ TEST(Accuracy, TargetsAreMetByTheTrueError) {
   check(ups_scene_commit(scene.get()), "ups_scene_commit");
   constexpr float target = 0.006f;
   int wrong = 0;
-  for (uint64_t seed = 1; seed <= 60; ++seed) {
+  const uint32_t seeds = less_with_effort(60, 8);
+  for (uint64_t seed = 1; seed <= seeds; ++seed) {
     const Outcome o = render(scene, [&](ups_render_desc& d) {
       d.method = UPS_METHOD_PATH_TRACING;
       d.target_relative_error = target;
