@@ -1,4 +1,4 @@
-// One field a line, as EULUMDAT files have them: decimal commas, thousands marks, blanks, empty for 0. Used by
+// One field a line, as EULUMDAT files have them: decimal commas, thousands marks (_), blanks, empty for 0. Used by
 // eulumdat.cpp and by read.cpp, which recognises the format.
 #pragma once
 #include <cmath>
@@ -33,14 +33,14 @@ class EulumdatText {
   double number(const char* name) {
     const std::string_view text = line(name);
     double value = 0;
-    if (!parse_eulumdat_number(text, value)) fail_number(text, name);
+    if (!parse(text, value)) fail_number(text, name);
     return value;
   }
   // For what the light does not depend on: 0 with a warning.
   double number_or_zero(const char* name, std::vector<std::string>& warnings) {
     const std::string_view text = line(name);
     double value = 0;
-    if (parse_eulumdat_number(text, value)) return value;
+    if (parse(text, value)) return value;
     warnings.push_back(at_line(in_.line(), std::string(name) + " is \"" + std::string(text.substr(0, 40)) +
                                                "\", which is not a number; taken as not stated"));
     return 0;
@@ -58,7 +58,7 @@ class EulumdatText {
     const auto what = [&] { return name + std::to_string(i) + " of " + std::to_string(n); };
     if (!in_.next_line(text)) fail_at(in_.line(), "the file ends before " + what());
     double value = 0;
-    if (!parse_eulumdat_number(text, value)) fail_number(trimmed(text), what());
+    if (!parse(text, value)) fail_number(trimmed(text), what());
     empty = trimmed(text).empty();
     return value;
   }
@@ -84,7 +84,26 @@ class EulumdatText {
   [[noreturn]] void fail_number(std::string_view text, const std::string& name) const {
     fail_at(in_.line(), "\"" + std::string(text.substr(0, 40)) + "\" is not a number; " + name + " is expected here");
   }
+  // A comma before three digits is decimal where all others may be; beside decimal points nobody can tell.
+  bool parse(std::string_view text, double& value) {
+    if (!parse_eulumdat_number(text, value)) return false;
+    const std::string_view field = trimmed(text);
+    has_points_ |= field.find('.') != field.npos && field.find(',') == field.npos;
+    if (ambiguous_line_ == 0 && looks_like_thousands(field)) ambiguous_line_ = in_.line(), ambiguous_ = field;
+    if (has_points_ && ambiguous_line_ > 0)
+      fail_at(ambiguous_line_, "\"" + ambiguous_ + "\" has a comma inside, which may be decimal or a thousands mark: "
+                               "other numbers have decimal points");
+    return true;
+  }
+  static bool looks_like_thousands(std::string_view field) {
+    const size_t comma = field.find(',');
+    return comma >= 1 && comma <= 3 && field[0] != '0' && field.size() == comma + 4 &&
+           std::all_of(field.begin(), field.end(), [](char c) { return c == ',' || is_digit(c); });
+  }
   TextReader in_;
+  bool has_points_ = false;
+  size_t ambiguous_line_ = 0;
+  std::string ambiguous_;
 };
 
 }  // namespace photometry

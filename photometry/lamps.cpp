@@ -26,8 +26,11 @@ std::vector<FoundNumber> numbers_in(const std::string& given) {
     FoundNumber number{};
     parse_number(std::string_view(text).substr(first, i - first), number.value);
     const size_t word_end = text.find_last_not_of(" >=:", first > 0 ? first - 1 : text.npos);
-    for (size_t k = word_end + 1; first > 0 && k > 0 && is_letter(text[k - 1]); --k)
-      number.before.insert(0, 1, text[k - 1]);
+    if (first > 0) {
+      size_t begin = word_end + 1;
+      while (begin > 0 && is_letter(text[begin - 1])) --begin;
+      number.before = text.substr(begin, word_end + 1 - begin);
+    }
     for (size_t k = text.find_first_not_of(' ', i); k < text.size() && is_letter(text[k]); ++k) number.after += text[k];
     out.push_back(std::move(number));
   }

@@ -79,7 +79,7 @@ typedef struct ups_fixture_emitter_desc {
   uint32_t struct_size;
   ups_emitter_shape shape;
   double to_fixture[12];
-  double radius_m, width_m, length_m; /* > 0 where the shape has them, else 0 */
+  double radius_m, width_m, length_m; /* > 0 where the shape has them, at most 1e9, as of all parts, else 0 */
   double chord_tolerance_m;
   float flux_lm;                      /* >= 0: what leaves the emitter */
   float color_rgb[3];                 /* chromaticity only: luminance is normalised away */

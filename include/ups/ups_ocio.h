@@ -64,10 +64,10 @@ typedef struct ups_ocio_false_color_desc {
   uint32_t columns, rows;
   int32_t first_row_at_bottom; /* 1: grids of meters, 0: images */
   const float *values;         /* columns * rows, columns fastest; < 0 or not finite: not known, shown grey */
-  const char *title;           /* ASCII, printed over the picture; NULL: none */
+  const char *title;           /* ASCII, printed over the picture, at most 16384 pixels wide; NULL: none */
   const char *unit;            /* ASCII, printed at the scale; NULL: "lx" */
-  double scale_min, scale_max; /* of the colour scale, its end rounded up; both 0: 0 to the 99th percentile of the known
-                                * values. Values beyond its end get its last colour, and a >= marks the top label. */
+  double scale_min, scale_max; /* of the colour scale, within +-1e30, its end rounded up; both 0: 0 to the known values'
+                                * 99th percentile. Values beyond its end get its last colour; >= marks the top label. */
 } ups_ocio_false_color_desc;
 
 UPS_API void ups_ocio_false_color_desc_init(ups_ocio_false_color_desc *desc, uint32_t struct_size);

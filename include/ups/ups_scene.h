@@ -33,13 +33,13 @@ typedef struct ups_material_desc {
   float reflectance_rgb[3], transmittance_rgb[3]; /* [0, 1], linear Rec.709; transmittance < 0: the model's default */
   float roughness;                                /* [0, 1]; GGX alpha = roughness squared */
   float ior;                                      /* >= 1 for dielectrics */
-  float ior_rgb[3], ior_k_rgb[3];                 /* METAL's complex index; all k 0: reflectance is F0 */
+  float ior_rgb[3], ior_k_rgb[3];                 /* METAL's complex index, <= 1e6; all k 0: reflectance is F0 */
   float absorption_per_m_rgb[3];                  /* GLASS, >= 0 */
   float metallic;                                 /* [0, 1], PLASTIC only: share of METAL with
                                                    * the same reflectance, roughness */
   ups_alpha_mode alpha_mode;
-  float alpha, alpha_cutoff;                      /* alpha multiplies alpha_texture;
-                                                   * MASK: a hole where alpha < cutoff */
+  float alpha, alpha_cutoff;                      /* times alpha_texture; MASK: a hole where it is < cutoff; BLEND:
+                                                   * the share of the light that meets it, not for GLASS */
   float luminance_cd_m2[3];                       /* Lambertian emission, front side; 0: none */
   int32_t emits_both_sides;                       /* 0 or 1; 1: twice the flux */
   float normal_scale;                             /* of the normal texture's x and y */

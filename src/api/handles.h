@@ -7,6 +7,7 @@
 #include <string>
 
 #include "api/guard.h"
+#include "base/owner.h"
 #include "base/parallel.h"
 #include "fixture/placed.h"
 #include "photometry/photometry.h"
@@ -44,26 +45,7 @@ class ContextCore {
 
 namespace api {
 
-// The first member of every handle: which loaded copy of the library made it, and of which kind it is. A handle of
-// another copy, one that was mixed up or one that was destroyed (as far as its memory can still be read) is told by it.
-template <class Handle>
-class Owner {
- public:
-  Owner() : mark_(&here_) {}
-  ~Owner() { mark_ = nullptr; }
-  Owner(const Owner&) = delete;
-  Owner& operator=(const Owner&) = delete;
-  bool is_ours() const { return mark_ == &here_; }
-
- private:
-  const void* volatile mark_;  // volatile: the destructor's write counts, although nobody may read it any more
-  static char here_;           // its address is that of this copy, as the library exports its functions alone
-};
-template <class Handle>
-char Owner<Handle>::here_ = 0;
-
-template <class T>
-concept HandleType = requires(const T& handle) { handle.owner.is_ours(); };
+using ups::destroy;
 
 // A handle that must not be NULL, and this copy's own. For other pointers see guard.h.
 template <HandleType T>
@@ -75,32 +57,26 @@ T& require(T* handle, const char* argument) {
   return *handle;
 }
 
-// What is not ours stays: its maker alone knows how to.
-template <HandleType T>
-void destroy(T* handle) {
-  if (handle && handle->owner.is_ours()) delete handle;
-}
-
 }  // namespace api
 }  // namespace ups
 
 struct ups_context {
-  ups::api::Owner<ups_context> owner;
+  ups::Owner<ups_context> owner;
   std::shared_ptr<ups::ContextCore> core;
 };
 
 struct ups_profile {
-  ups::api::Owner<ups_profile> owner;
+  ups::Owner<ups_profile> owner;
   std::shared_ptr<const photometry::Photometry> data;
 };
 
 struct ups_fixture {
-  ups::api::Owner<ups_fixture> owner;
+  ups::Owner<ups_fixture> owner;
   ups::Fixture data;
 };
 
 struct ups_scene {
-  ups::api::Owner<ups_scene> owner;
+  ups::Owner<ups_scene> owner;
   std::shared_ptr<ups::ContextCore> context;
   ups::Description description{std::make_shared<const ups::SceneTag>()};
   std::shared_ptr<ups::SceneBuilds> builds = std::make_shared<ups::SceneBuilds>();

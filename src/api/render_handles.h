@@ -8,14 +8,14 @@
 #include "render/job.h"
 
 struct ups_job {
-  ups::api::Owner<ups_job> owner;
+  ups::Owner<ups_job> owner;
   std::shared_ptr<ups::ContextCore> context;  // keeps threads and log alive
   std::unique_ptr<ups::RenderJob> render;     // this,
   std::unique_ptr<ups::CommitJob> commit;     // or this
 };
 
 struct ups_result {
-  ups::api::Owner<ups_result> owner;
+  ups::Owner<ups_result> owner;
   std::shared_ptr<const ups::RenderResult> data;
   // Sets of which some meters do not measure, whole, from the first look at them on.
   mutable std::mutex whole_mutex;

@@ -3,7 +3,7 @@
 #include "api/render_handles.h"
 
 struct ups_path {
-  ups::api::Owner<ups_path> owner;
+  ups::Owner<ups_path> owner;
   ups::PathReplay data;
 };
 

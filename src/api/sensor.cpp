@@ -35,10 +35,16 @@ PlanOutline outline(const double* corners, size_t count) {
 En12464Area area_of(const ups_en12464_desc& d) {
   if (d.corner_count > 0) require(d.corners_m, "corners_m");
   if (d.reserved != 0) fail_argument("reserved is " + std::to_string(d.reserved) + "; it must be 0");
+  if (d.hole_count > 0) {
+    require(d.hole_corners_m, "hole_corners_m");
+    require(d.hole_corner_counts, "hole_corner_counts");
+  }
+  // Before any corner is read.
+  uint64_t corners = d.corner_count;
+  for (uint32_t h = 0; h < d.hole_count && corners <= most_en12464_corners; ++h)
+    corners += std::max(d.hole_corner_counts[h], 1u);
+  check_en12464_corners(corners);
   En12464Area area{outline(d.corners_m, d.corner_count), {}, d.border_m};
-  if (d.hole_count == 0) return area;
-  require(d.hole_corners_m, "hole_corners_m");
-  require(d.hole_corner_counts, "hole_corner_counts");
   size_t begin = 0;
   for (uint32_t h = 0; h < d.hole_count; ++h) {
     area.holes.push_back(outline(d.hole_corners_m + 2 * begin, d.hole_corner_counts[h]));

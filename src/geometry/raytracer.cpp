@@ -18,6 +18,8 @@ constexpr float min_side_cosine = 1e-3f;
 
 }  // namespace
 
+float SurfaceTexturing::alpha_at(const Vec2& uv) const { return alpha ? alpha->last(uv) * alpha_factor : alpha_factor; }
+
 Raytracer::~Raytracer() = default;
 
 // ---- rays ----

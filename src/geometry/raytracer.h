@@ -35,6 +35,7 @@ struct SurfaceTexturing {
   enum { opaque, mask, blend } alpha_mode = opaque;
   const Texture* normal = nullptr;
   float normal_scale = 1;
+  float alpha_at(const Vec2& uv) const;
   bool operator==(const SurfaceTexturing&) const = default;
 };
 

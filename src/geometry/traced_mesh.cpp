@@ -1,10 +1,6 @@
 // See traced_mesh.h.
 #include "geometry/traced_mesh.h"
 
-#include <bit>
-
-#include "base/rng.h"
-
 namespace ups {
 
 bool meet_plane(const Triangle& triangle, const Vec3d& o, const Vec3d& d, double (&weights)[3], double& t) {
@@ -80,17 +76,10 @@ Affine inverse(const Affine& m) {
 // A triangle lower than this share of its longest edge can be "hit" far from where it is (Embree issue 387).
 constexpr double thin_share = 1e-3;
 
-uint64_t bits_of(float a, float b) { return uint64_t(std::bit_cast<uint32_t>(a)) << 32 | std::bit_cast<uint32_t>(b); }
-
-bool is_hole(const TracedMesh& mesh, const SurfaceTexturing& t, uint32_t primitive, const RTCRay& ray, float u,
-             float v) {
-  const float texel = t.alpha ? t.alpha->last(uv_at(*mesh.source, primitive, u, v)) : 1.0f;
-  const float alpha = texel * t.alpha_factor;
-  if (t.alpha_mode == SurfaceTexturing::mask) return alpha < t.alpha_cutoff;
-  // Blended: let a share of the rays through; the same ray always decides the same way.
-  uint64_t h = hash_combine(bits_of(ray.org_x, ray.org_y), bits_of(ray.org_z, ray.dir_x));
-  h = hash_combine(hash_combine(h, bits_of(ray.dir_y, ray.dir_z)), primitive);
-  return to_unit_float(uint32_t(h >> 32)) >= alpha;
+// What is blended is there for every ray: transport/encounter.h lets a share of the light by.
+bool is_hole(const TracedMesh& mesh, const SurfaceTexturing& t, uint32_t primitive, float u, float v) {
+  const float alpha = t.alpha_at(uv_at(*mesh.source, primitive, u, v));
+  return t.alpha_mode == SurfaceTexturing::mask ? alpha < t.alpha_cutoff : !(alpha > 0);
 }
 
 // A true hit has t between those of the vertices, and the line passes the triangle within rounding. Hits of thin
@@ -125,7 +114,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
   const uint32_t primitive = mesh.primitive(hit.primID);
   const SurfaceTexturing* holes = mesh.has_holes ? embree::holes_of(args->context, mesh) : nullptr;
   const bool reject = (mesh.has_thin && is_false_hit(mesh.triangle(primitive), ray)) ||
-                      (holes && is_hole(mesh, *holes, primitive, ray, hit.u, hit.v));
+                      (holes && is_hole(mesh, *holes, primitive, hit.u, hit.v));
   if (reject) args->valid[0] = 0;
 }
 

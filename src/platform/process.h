@@ -13,6 +13,9 @@ std::string program_file();
 
 bool standard_error_is_terminal();
 
+// A file that grows beyond what the process may write (ulimit -f) ends it no more: writing fails.
+void let_large_files_fail();
+
 // Ctrl-C calls this from now on, within a signal handler or on a thread of the system's: it may set lock-free atomics
 // and call std::_Exit().
 void on_interrupt(void (*handler)());

@@ -145,7 +145,10 @@ void RenderJob::make_integrator() {
 }
 
 ups_memory_estimate RenderJob::estimate() {
-  allowed_ = allowed_memory(double(bytes_of(*scene_)), desc_);
+  const TransportSettings settings = settings_of(desc_, method_);
+  const MemoryEstimate least = least_memory(*scene_, settings, make_plan(*scene_, settings), desc_);
+  allowed_ = allowed_memory(least.scene, desc_);
+  if (least.peak() > allowed_.bytes) return in_bytes(least, allowed_);  // the render's pilots would not be reached
   memory_.set(whole_bytes(double(platform::available_memory().bytes)), "");  // of its pilots
   make_integrator();
   return in_bytes(estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_), allowed_);

@@ -105,7 +105,7 @@ void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l, uint32_t
   const size_t of_batch = (row * batch_count + batch) * rings_ + l.ring, of_row = row * rings_ + l.ring;
   flux_[of_batch] += l.lm;
   square_[of_half] += l.lm * l.lm;
-  ++count_[of_half];
+  count_up(count_[of_half], 1);
   caustics_[row] += l.caustic;
   // The mean direction over an octant: between pi/8 and its neighbours' edges, sin(pi/8) / (pi/8) long.
   const double near = 0.9003163, off = 0.3729232;
@@ -274,7 +274,7 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
     if (k <= out_to && largest > p.paths.largest)
       p.paths.largest = largest, p.largest_batch = of_ring.batch, p.largest = of_ring.photon.from;
     for (size_t half = 0; half < halves; ++half)
-      if (k <= choice[half]) p.paths.count += count_[(row * halves + half) * rings_ + k];
+      if (k <= choice[half]) count_up(p.paths.count, count_[(row * halves + half) * rings_ + k]);
   }
 
   const BiasKernel kernel(rings);

@@ -1,5 +1,6 @@
-// Thin panes of glass, which light crosses straight: a segment has a transmittance, and a walk along it goes on through
-// each with the probability that is left of reflection. Made at commit; read by transport/encounter.h.
+// Thin panes of glass and blended surfaces (alpha), which light crosses straight: a segment has a transmittance, and a
+// walk along it goes on through each with the probability that is left of reflection, or of alpha. Made at commit; read
+// by transport/encounter.h.
 #pragma once
 #include <vector>
 
@@ -12,17 +13,27 @@ struct Snapshot;
 
 struct Panes {
   std::vector<bool> of_instance;  // of glazing, and emits nothing; empty: there is none
+  std::vector<bool> blended;      // where alpha lets a share of the light by, through glazing too; empty: none
   Box bounds;                     // of all
 
+  bool empty() const { return of_instance.empty() && blended.empty(); }
   bool is_pane(uint32_t instance) const { return !of_instance.empty() && of_instance[instance]; }
-  bool is_pane(const Hit& hit) const { return is_pane(hit.instance); }
+  bool is_blended(uint32_t instance) const { return !blended.empty() && blended[instance]; }
+  bool is_crossed(uint32_t instance) const { return is_pane(instance) || is_blended(instance); }
+  bool operator==(const Panes& b) const { return of_instance == b.of_instance && blended == b.blended; }
   // False where the segment cannot meet one.
   bool may_lie_between(const Vec3& a, const Vec3& b) const;
 };
 
 Panes find_panes(const Snapshot& scene, const std::vector<Raytracer::Instance>& instances);
 
-// The first hit along d that is no pane's.
+// The share of the light that meets a surface: alpha where it is blended.
+float coverage(const Snapshot& scene, const SurfacePoint& s);
+
+// The first hit along d for rays that tell of many: each blended surface is there for a share of them, the same ones
+// each time.
+bool intersect_blended(const Snapshot& scene, const Vec3& o, const Vec3& d, Hit& hit);
+// And that is no pane's.
 bool intersect_beyond_panes(const Snapshot& scene, const Vec3& o, const Vec3& d, Hit& hit);
 
 }  // namespace ups

@@ -224,7 +224,9 @@ void Builder::add_light(const std::string& name, const LightDescription& light, 
   const Vec3 axis = -Axes(light.to_world).frame().n;
   const EmitterProbe probe = probe_of(source, [&] {
     EmitterProbe found;
-    found.place = off_surface(*out_, to_scene(light.to_world.column(3)), axis);
+    found.place = light.kind == UPS_LIGHT_DIRECTIONAL  // which has none, wherever it says it is
+                      ? Vec3()
+                      : off_surface(*out_, to_scene(light.to_world.column(3)), axis);
     return found;
   });
   const Vec3 p = probe.place;

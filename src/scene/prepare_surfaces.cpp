@@ -134,6 +134,10 @@ SurfaceTexturing Builder::make_texturing(uint32_t number, const MaterialDescript
     t.alpha_mode = SurfaceTexturing::opaque;  // holes in an emitter would have to be left out of its sampling too
     warn_of("material", number, "emits light: the alpha is ignored, so there are no holes in what bears it");
   }
+  if (t.alpha_mode == SurfaceTexturing::blend && d.model == UPS_MATERIAL_GLASS) {
+    t.alpha_mode = SurfaceTexturing::opaque;  // a boundary that is there for some light alone bounds nothing
+    warn_of("material", number, "is of glass, which says itself what it lets through: its blended alpha is ignored");
+  }
   return t;
 }
 
@@ -206,14 +210,15 @@ bool Builder::is_same_instance(size_t i) const {
          out_->meshes[now.mesh] == earlier_->meshes[then.mesh];
 }
 
-// Glazing that begins to emit is no pane any more: then probe rays may find other surfaces than they did.
+// Glazing that begins to emit is no pane any more: then probe rays may find other surfaces than they did. Where texturing
+// changes, the ray tracer is another, too.
 void Builder::add_panes() {
   if (same_places_ && earlier_->emitter_of_instance == out_->emitter_of_instance) {
     out_->panes = earlier_->panes;
     return;
   }
   out_->panes = find_panes(*out_, out_->instances);
-  if (!same_places_ || out_->panes.of_instance == earlier_->panes.of_instance) return;
+  if (!same_places_ || out_->panes == earlier_->panes) return;
   same_places_ = same_emitters_ = false;
   for (EmitterProbe& probe : out_->emitter_probes) probe = {};
 }

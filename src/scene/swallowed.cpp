@@ -84,7 +84,7 @@ class Suspect {
       d = s.shading.to_world(next.wi);
       o = s.ray_origin(d);
       Hit hit;
-      found = scene_.raytracer->intersect(o, d, std::numeric_limits<float>::infinity(), hit);
+      found = intersect_blended(scene_, o, d, hit);
       if (found) s = scene_.raytracer->surface_at(hit);
     }
   }

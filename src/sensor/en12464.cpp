@@ -14,7 +14,6 @@ namespace ups {
 
 namespace {
 
-constexpr size_t most_corners = 4096;  // of the polygon and all holes
 constexpr uint32_t most_points = 16'777'216;
 constexpr double rounding = 1e-9;  // relative, of coordinates
 
@@ -104,11 +103,9 @@ Extent extent_of(const PlanOutline& o) {
 }
 
 void check_area(const En12464Area& area) {
-  size_t corners = area.polygon.size();
+  uint64_t corners = area.polygon.size();
   for (const PlanOutline& hole : area.holes) corners += hole.size();
-  if (corners > most_corners)
-    fail_argument("the polygon and its holes have " + std::to_string(corners) + " corners; " +
-                  std::to_string(most_corners) + " are the most");
+  check_en12464_corners(corners);
   check_outline(area.polygon, "polygon");
   const Extent e = extent_of(area.polygon);
   const double slack = rounding * (std::hypot(e.width(), e.height()) + std::hypot(e.low.x, e.low.y));
@@ -142,6 +139,12 @@ void limit_aspect(double width, double height, double& columns, double& rows) {
 }  // namespace
 
 double en12464_largest_spacing(double d) { return std::min(10.0, 0.2 * std::pow(5.0, std::log10(d))); }
+
+void check_en12464_corners(uint64_t count) {
+  if (count > most_en12464_corners)
+    fail_argument("the polygon and its holes have " + std::to_string(count) + " corners or more; " +
+                  std::to_string(most_en12464_corners) + " are the most");
+}
 
 En12464Grid en12464_grid(const En12464Area& area) {
   check_area(area);

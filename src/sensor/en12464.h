@@ -29,6 +29,9 @@ struct En12464Grid {
 
 // 0.2 * 5^log10(d) m, at most 10 m.
 double en12464_largest_spacing(double d);
+// Throws Error INVALID_ARGUMENT where those of polygon and holes are too many.
+constexpr uint64_t most_en12464_corners = 4096;
+void check_en12464_corners(uint64_t count);
 // Throws Error INVALID_ARGUMENT that names the corner or hole.
 En12464Grid en12464_grid(const En12464Area& area);
 

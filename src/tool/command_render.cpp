@@ -56,11 +56,13 @@ RenderReport report_of(const RenderOptions& options, const LoadedScene& scene, c
   return report;
 }
 
-// The pictures on it are the files that were written.
+// The pictures on it are the files that were written; none where one could not be.
 std::string page_of(const RenderOptions& options, const LoadedScene& scene, const ups_result* result,
-                    const Report& report, const Targets* targets) {
+                    const Report& report, const Targets* targets, const Written& written) {
   const auto picture = [&](size_t sensor) {
-    auto file = platform::open_to_read(platform::joined(options.out, scene.sensors[sensor].name + ".png"));
+    const std::string path = platform::joined(options.out, scene.sensors[sensor].name + ".png");
+    if (std::count(written.failed.begin(), written.failed.end(), path) > 0) return std::vector<uint8_t>();
+    auto file = platform::open_to_read(path);
     return std::vector<uint8_t>{std::istreambuf_iterator<char>(file), {}};
   };
   const std::string title = platform::stem_of(options.scene);
@@ -95,7 +97,7 @@ int render(const RenderOptions& options) {
   if (options.report)
     attempt(written, options.out + "/report.html", [&](const std::string& path) {
       const std::string page =
-          page_of(options, scene, finished.result.get(), report, targets ? &*targets : nullptr);
+          page_of(options, scene, finished.result.get(), report, targets ? &*targets : nullptr, written);
       extras::write_file(path, page.data(), page.size());
     });
   put(stdout, options.json ? to_json(report) : to_text(report));

@@ -141,6 +141,7 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
   try {
+    ups::platform::let_large_files_fail();
     const int code = run(ups::platform::program_arguments(argc, argv));
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) {  // what did not fit its buffer may have failed before
       ups::tool::put_error("cannot write to standard output");

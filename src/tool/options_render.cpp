@@ -47,13 +47,19 @@ std::string finite(const std::string& text) { return between(text, -DBL_MAX, DBL
 std::string target(const std::string& text) { return between(text, 1e-30, 1e30, "from 1e-30 to 1e30, such as 0.02"); }
 std::string fraction(const std::string& text) { return between(text, 1e-6, 0.999999, "between 0 and 1"); }
 
-// CLI11 lets "-1" wrap around, and cuts what is too large.
-std::string whole(const std::string& text) {
-  uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, value);
-  const bool good = parsed.ec == std::errc() && parsed.ptr == end;
-  return good ? "" : "must be a whole number from 0 to 18446744073709551615, not '" + text + "'";
+// Decimal digits for CLI11, which would read "010" as octal, let "-1" wrap around and cut what is too large.
+CLI::Validator whole(uint64_t least, uint64_t most) {
+  return {[=](std::string& text) -> std::string {
+            uint64_t value = 0;
+            const char* end = text.data() + text.size();
+            const auto parsed = std::from_chars(text.data(), end, value);
+            if (parsed.ec != std::errc() || parsed.ptr != end || value < least || value > most)
+              return "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most) + ", not '" +
+                     text + "'";
+            text = std::to_string(value);
+            return "";
+          },
+          ""};
 }
 
 // WxH into the two numbers; the text of what is wrong, or none.
@@ -110,11 +116,11 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
       ->group(group);
   command
       .add_option("--max-path-length", desc.max_path_length, "Edges of the longest path; without it there is no limit")
-      ->check(CLI::Range(uint32_t(1), UINT32_MAX))
+      ->transform(whole(1, UINT32_MAX))
       ->type_name("N")
       ->group(group);
   command.add_option("--light-paths", desc.light_paths_per_iteration, "Of an iteration; rounded up to a power of two")
-      ->check(CLI::Range(uint32_t(1), uint32_t(1) << 24))
+      ->transform(whole(1, uint32_t(1) << 24))
       ->type_name("N")
       ->group(group);
   command.add_option("--merge-radius", desc.merge_radius_m,
@@ -147,7 +153,7 @@ void add_method_options(CLI::App& command, ups_render_desc& desc) {
       .add_option(
           "--technique-images", desc.technique_images,
           "With --out: NAME_techniques.exr, what each technique brings for paths of up to so many edges (at most 16)")
-      ->check(CLI::Range(1, 16))
+      ->transform(whole(1, 16))
       ->type_name("N")
       ->group(group);
 }
@@ -169,7 +175,7 @@ void add_scene_options(CLI::App& command, JobOptions& options, const std::vector
       ->check(CLI::IsMember(words))
       ->type_name("METHOD");
   command.add_option("--threads", options.threads, "0: all hardware threads")
-      ->check(CLI::Range(0, 1024))
+      ->transform(whole(0, 1024))
       ->type_name("N");
   add_allow_outside(command, options.allow_outside);
   command.add_flag("--json", options.json, "Print one JSON object on standard output");
@@ -233,7 +239,7 @@ void add_job_options(CLI::App& command, JobOptions& options, const std::vector<s
       ->check(CLI::Validator(positive, ""))
       ->type_name("S");
   command.add_option("--iterations", options.desc.iteration_count, "Stop after this many iterations")
-      ->check(CLI::Range(uint32_t(1), UINT32_MAX))
+      ->transform(whole(1, UINT32_MAX))
       ->type_name("N");
   command
       .add_option("--target-error", options.desc.target_relative_error,
@@ -241,7 +247,7 @@ void add_job_options(CLI::App& command, JobOptions& options, const std::vector<s
       ->check(CLI::Validator(target, ""))
       ->type_name("R");
   command.add_option("--seed", options.desc.seed, "Same seed and iterations, same result (1)")
-      ->check(CLI::Validator(whole, ""))
+      ->transform(whole(0, UINT64_MAX))
       ->type_name("N");
   command
       .add_option_function<std::string>(

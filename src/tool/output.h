@@ -21,6 +21,7 @@ void prepare_files(const RenderOptions& options, const LoadedScene& scene);
 // Each file on its own: one that cannot be written does not take the others with it.
 struct Written {
   std::vector<std::string> errors, warnings;  // each names its file
+  std::vector<std::string> failed;            // files of the errors: what lies there is of before
 };
 // Runs write(path); what it throws becomes an error that names the file.
 template <class Write>
@@ -29,6 +30,7 @@ void attempt(Written& written, const std::string& path, Write&& write) {
     write(path);
   } catch (const std::exception& e) {
     const std::string message = e.what();
+    written.failed.push_back(path);
     written.errors.push_back(message.find(path) == std::string::npos ? path + ": " + message : message);
   }
 }

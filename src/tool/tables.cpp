@@ -18,7 +18,7 @@ void write_sources_csv(const std::string& path, const std::vector<double>& posit
   }
   Csv csv(header);
   for (const size_t m : listed) {
-    for (size_t k = 0; k < 3; ++k) csv.add(positions_m[3 * m + k]);
+    for (size_t k = 0; k < 3; ++k) csv.add_place(positions_m[3 * m + k]);
     for (const auto& column : columns) {
       csv.add(double(column[m].illuminance_lx));
       csv.add(double(column[m].standard_error_lx));

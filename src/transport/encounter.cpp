@@ -133,7 +133,11 @@ bool is_without_effect(const Snapshot& scene, const Encounter& e) {
 }
 
 PaneCrossing crossing(const Snapshot& scene, const SurfacePoint& s, const Vec3& d) {
-  return cross_pane(scene.materials[s.material], std::abs(dot(d, s.shading.n)));
+  PaneCrossing c{Rgb(1.0f), Rgb(0.0f), 1};
+  if (scene.panes.is_pane(s.instance)) c = cross_pane(scene.materials[s.material], std::abs(dot(d, s.shading.n)));
+  if (!scene.panes.is_blended(s.instance)) return c;
+  const float met = coverage(scene, s);
+  return {c.reflectance * met, Rgb(1 - met) + c.transmittance * met, c.reflected * met};
 }
 
 // One number serves all panes of an edge: what is left of it after each is uniform again.
@@ -189,11 +193,11 @@ void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack&
     out.found = ray.next(infinity, work, hit, out.distance);
     if (!out.found) return;
     out.surface = scene.raytracer->surface_at(hit);
-    const bool pane = scene.panes.is_pane(hit);
-    if (pane && goes_through(scene, d, u, out)) continue;
+    const bool crossed = scene.panes.is_crossed(hit.instance);
+    if (crossed && goes_through(scene, d, u, out)) continue;
     if (!scene.media.nest) return find_sides(scene, d, out);
     find_nested_sides(scene, d, out);
-    if (pane || !is_without_effect(scene, out)) return;
+    if (crossed || !is_without_effect(scene, out)) return;
     out.earlier.push_back({out.distance, out.media});
     out.media = out.beyond(d);
   }
@@ -212,7 +216,7 @@ bool is_free_through(const Snapshot& scene, const MediaStack& media, const Vec3&
   float before = 0, distance = 0;
   Hit hit;
   for (Ray ray{scene, a, d}; ray.next(length, work, hit, distance); ray.pass(e.surface, distance)) {
-    const bool pane = scene.panes.is_pane(hit);
+    const bool pane = scene.panes.is_crossed(hit.instance);
     if (!pane && !(nest && scene.media.of_instance[hit.instance] != none)) return false;
     e.surface = scene.raytracer->surface_at(hit);
     if (nest) find_nested_sides(scene, d, e);  // which changes nothing at a pane

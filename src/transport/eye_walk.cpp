@@ -131,12 +131,25 @@ void EyeWalk::look_for_light(const EyeEnd& eye, const Arrival& arrival, float di
     offer(*c, Drop::light_sample);
 }
 
+namespace {
+
 // Emptied: of a path that was broken off some may be left.
+template <class T>
+std::vector<T>& emptied(const PerThread<std::vector<T>>& kept) {
+  std::vector<T>& out = kept.get();
+  out.clear();
+  return out;
+}
+
+}  // namespace
+
 std::vector<EyeWalk::WaitingEdge>& EyeWalk::kept_edges() {
   static const PerThread<std::vector<WaitingEdge>> kept;
-  std::vector<WaitingEdge>& edges = kept.get();
-  edges.clear();
-  return edges;
+  return emptied(kept);
+}
+std::vector<EyeWalk::Column>& EyeWalk::kept_columns() {
+  static const PerThread<std::vector<Column>> kept;
+  return emptied(kept);
 }
 
 constexpr size_t most_waiting = 1024;  // edges, half a megabyte
@@ -212,30 +225,18 @@ void EyeWalk::add(const Contribution& c, const Rgb& unweighted, double pass, flo
   keep_separated(c.emitter, lx, is_direct ? lx : 0.0, 0.0);
 }
 
-namespace {
-
-// The columns that a path has brought light to, which are few.
-std::vector<std::pair<uint32_t, MeterTally>>& kept_columns() {
-  static const PerThread<std::vector<std::pair<uint32_t, MeterTally>>> kept;
-  return kept.get();
-}
-
-}  // namespace
-
 void EyeWalk::keep_separated(uint32_t emitter, double lx, double direct, double bias) {
   if (!sensor_.separated) return;
   const uint32_t column = in_.plan.separation.column_of_emitter[emitter];
-  auto& columns = kept_columns();
-  auto at = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.first == column; });
-  if (at == columns.end()) at = columns.insert(at, {column, {}});
+  auto at = std::find_if(columns_.begin(), columns_.end(), [&](const Column& c) { return c.first == column; });
+  if (at == columns_.end()) at = columns_.insert(at, {column, {}});
   at->second.value += lx, at->second.direct += direct, at->second.bias += bias;
 }
 
 void EyeWalk::add_separated() {
   if (!sensor_.separated) return;
-  for (const auto& [column, t] : kept_columns())
+  for (const auto& [column, t] : columns_)
     sensor_.separated[column].add(MeterTally::of_path(t.value, t.direct, t.bias), sensor_.share);
-  kept_columns().clear();
 }
 
 // Luminous openings block nothing: they are found beside the surfaces.
@@ -356,76 +357,6 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
                                    [](const auto& e, uint32_t number) { return e.first < number; });
   if (at != evaluated.end() && at->first == chosen) return offer(at->second, Drop::connect, share);
   if (const Found c = found(chosen)) offer(*c, Drop::connect, share);
-}
-
-// For photons on the same side of the same surface within the radius: density estimation. False where there is none.
-bool EyeWalk::ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) const {
-  const EyeSensor::Disc& disc = this->disc(eye);
-  if (!eye.merge || !(disc.radius > 0)) return false;
-  disc.photons->ask(eye.surface.p, float(disc.radius), query);
-  return query.count > 0;
-}
-
-// Vertices lie anywhere in memory: some are asked for before the first of them is read.
-void EyeWalk::merge(const EyeEnd& eye, const PhotonIndex::Query& query) {
-  const EyeSensor::Disc& disc = this->disc(eye);
-  struct Photon {
-    uint32_t place;
-    float d2;
-  } waiting[32];
-  size_t count = 0;
-  const auto merge_waiting = [&] {
-    for (size_t i = 0; i < count; ++i) merge_photon(eye, waiting[i].place, waiting[i].d2, disc.radius);
-    count = 0;
-  };
-  disc.photons->visit(query, [&](uint32_t place, float d2) {
-    prefetch(&photons_.paths.at(place));
-    waiting[count++] = {place, d2};
-    if (count == std::size(waiting)) merge_waiting();
-  });
-  merge_waiting();
-}
-
-void EyeWalk::merge_photon(const EyeEnd& eye, uint32_t place, float d2, double radius) {
-  const LightVertex& light = photons_.paths.at(place);
-  const Found c = ups::merge(in_, counts_, eye, light, radius);
-  if (!c || !nothing_between(scene_, eye.surface, light.wo, light.p, light.error, radius, work_)) return;
-  ++work_.merges;
-  const float weight = float(c->weight(in_, 1));
-  if (in_.recorder) in_.recorder->found(*c, {1, c->value, weight}, photons_.paths.running_number(place));
-  add(*c, c->value, 1, weight, Drop::merge);
-  const float r2 = float(radius * radius);
-  const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);
-  if (!std::isfinite(bias)) return;
-  tally_.bias += bias;
-  keep_separated(c->emitter, 0.0, 0.0, bias);
-}
-
-// y_{s+1} of the extended path space (Hachisuka, Pantaleoni, Jensen 2012, section 3) is drawn from the merging kernel on
-// the surface around z_t, and takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the
-// normal onto a surface where a photon would be stored and merged; false where there is none: the kernel reaches beyond
-// the surface. Of two such surfaces that close to each other it takes the upper one, where merging counts both.
-bool EyeWalk::perturb(const EyeEnd& eye, Arrival& out) {
-  const float radius = float(disc(eye).radius);
-  if (!(radius > 0)) return true;  // no merging here either
-  const SurfacePoint& own = eye.surface;
-  const Vec2 disc = square_to_disc({rng_.get(eye.edges, Slot::perturb_x), rng_.get(eye.edges, Slot::perturb_y)});
-  const Frame frame(own.ng);
-  float reach = 2 * max_merge_height * radius;
-  Vec3 start = own.p + (frame.s * disc.x + frame.t * disc.y) * radius + own.ng * (0.5f * reach);
-  for (Hit hit; reach > 0 && scene_.raytracer->intersect(start, -own.ng, reach, hit);) {
-    ++work_.rays;
-    out.surface = scene_.raytracer->surface_at(hit);
-    const float cosine = dot(out.surface.ng, own.ng);
-    const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
-    if (merge_gate(bsdf) && cosine >= min_merge_cosine && length2(out.surface.p - own.p) <= radius * radius) {
-      out.ratio = 1 / cosine;
-      return nothing_between(scene_, own, eye.wo, out.surface.p, out.surface.error, double(radius), work_);
-    }
-    start = out.surface.ray_origin(-own.ng);
-    reach -= hit.t + 2 * out.surface.error;
-  }
-  return false;
 }
 
 }  // namespace ups

@@ -43,7 +43,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
  public:
   EyeWalk(const Iteration& in, const Photons& photons, const EyeSensor& sensor, const PathSampler& rng,
           WorkCounts& work)
-      : Subpath(in, rng, work), photons_(photons), sensor_(sensor), edges_(kept_edges()) {
+      : Subpath(in, rng, work), photons_(photons), sensor_(sensor), edges_(kept_edges()), columns_(kept_columns()) {
     counts_ = sensor.counts;
     media_ = *sensor.media;
     if (counts_.connect > 0) prefetch(sensor.light.vertices, std::min(sensor.light.count, 8u));
@@ -101,6 +101,8 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
     double size;  // lx or cd/m^2 that it brings if it is free
   };
   static std::vector<WaitingEdge>& kept_edges();
+  using Column = std::pair<uint32_t, MeterTally>;  // of Plan::separation, and what the path has brought it
+  static std::vector<Column>& kept_columns();
   // Adds it up, or where it makes an edge keeps it until the path's end; `share` of it was chosen to stand for the whole.
   void offer(const Contribution& c, Drop drop, double share = 1);
   Vec3 place_of(const Contribution& c) const { return c.media ? c.from : last_met(); }
@@ -115,6 +117,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   const EyeSensor& sensor_;
   EyeTally tally_;
   std::vector<WaitingEdge>& edges_;
+  std::vector<Column>& columns_;  // few
   uint32_t tests_ = 0;  // of edges_, so far
   // Those vertices of the light path that were asked for; a path may have many thousand.
   struct LightEnds {

@@ -18,6 +18,7 @@ struct End {
   Vec3 wo, local_wo;         // towards the vertex before
   State state;
   bool merge = false;   // photons are merged here
+  float coverage = 1;   // of an eye's: chance of being met, where the surface is blended
   bool caster = false;  // a continuous lobe here is so sharp that it casts caustics as a mirror does
   uint32_t edges = 0;   // from the walk's start
   Rgb carried;          // throughput, lm for a light path
@@ -46,8 +47,7 @@ class Subpath {
       : in_(in), scene_(in.scene), rng_(rng), work_(work) {}
 
   void trace(uint32_t edges) {
-    meet(scene_, origin_, direction_, media_, scene_.panes.of_instance.empty() ? 0 : rng_.get(edges, Slot::pane), work_,
-         met_);
+    meet(scene_, origin_, direction_, media_, scene_.panes.empty() ? 0 : rng_.get(edges, Slot::pane), work_, met_);
     if (in_.recorder && met_.found) in_.recorder->meet(met_);
   }
 
@@ -98,6 +98,7 @@ class Subpath {
     v.front = &met_.front, v.back = &met_.back;
     v.state = arrive(receiver_at(v.surface, v.wo, *v.bsdf), std::abs(dot(direction_, v.surface.ng)), met_.distance);
     v.caster = v.bsdf->is_glossy(default_glossy_alpha);
+    if constexpr (!from_emitter) v.coverage = coverage(scene_, v.surface);
     if (consistent_side(v.surface, v.wo, v.local_wo)) return true;
     lose_by_leaning(luminance(carried_ * v.bsdf->textured().reflectance));
     return false;

@@ -69,6 +69,9 @@ struct WorkCounts {
 
 enum LightPart { whole_light, direct_light, indirect_light, light_part_count };
 
+// Of as many as it can hold: whether they are few is what is asked.
+inline void count_up(uint32_t& count, uint32_t more) { count += std::min(more, UINT32_MAX - count); }
+
 // Paths that brought light to one meter by chance: how many, and the most that one of them brought to one iteration.
 struct PathRecord {
   float largest = 0;  // lx
@@ -76,7 +79,7 @@ struct PathRecord {
 
   void add(const PathRecord& o, double scale = 1) {
     largest = std::max(largest, float(o.largest * scale));
-    count += o.count;
+    count_up(count, o.count);
   }
 };
 

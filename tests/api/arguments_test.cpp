@@ -39,7 +39,9 @@ template <class Desc>
 std::vector<Case<Desc>> transform_cases() {
   return {{[](Desc& d) { d.to_world[7] = NAN; }, {"to_world[7]", "nan", "finite"}},
           {[](Desc& d) { d.to_world[0] = 0; }, {"to_world", "singular", "invertible"}},
-          {[](Desc& d) { d.to_world[0] = INFINITY; }, {"to_world[0]", "inf"}}};
+          {[](Desc& d) { d.to_world[0] = INFINITY; }, {"to_world[0]", "inf"}},
+          {[](Desc& d) { d.to_world[10] = 1e-170; }, {"to_world", "singular", "axis 2"}},
+          {[](Desc& d) { d.to_world[0] = 1e-320; }, {"to_world", "singular", "axis 0"}}};
 }
 
 template <class Desc>
@@ -101,6 +103,7 @@ TEST_F(Api, MaterialFields) {
       {[](D& d) { d.ior = INFINITY; }, {"ior is inf"}},
       {[](D& d) { d.ior_k_rgb[0] = -1; }, {"ior_k_rgb[0] is -1"}},
       {[](D& d) { d.ior_rgb[2] = NAN; }, {"ior_rgb[2]"}},
+      {[](D& d) { d.ior_k_rgb[1] = 1e10f; }, {"ior_k_rgb[1] is 1e+10", "1e+06"}},
       {[](D& d) { d.model = UPS_MATERIAL_METAL, d.ior_k_rgb[0] = 3, d.ior_rgb[1] = 0; }, {"ior_rgb[1] is 0"}},
       {[](D& d) { d.absorption_per_m_rgb[0] = -2; }, {"absorption_per_m_rgb[0] is -2", "at least 0"}},
       {[](D& d) { d.metallic = 2; }, {"metallic is 2"}},

@@ -159,5 +159,18 @@ TEST(En12464, SaysWhatIsWrong) {
   expect_error(ups_en12464_grid(&d, nullptr, nullptr, 0, &count), UPS_ERROR_INVALID_ARGUMENT, {"reserved is 1"});
 }
 
+// Too many are refused before one is read.
+TEST(En12464, CountsBeyondTheLimit) {
+  const Outline four = rectangle(0, 0, 5, 4);
+  size_t count = 0;
+  auto d = desc_of(four, 0);
+  d.corner_count = UINT32_MAX;
+  expect_error(ups_en12464_grid(&d, nullptr, nullptr, 0, &count), UPS_ERROR_INVALID_ARGUMENT, {"corners", "4096"});
+  d = desc_of(four, 0);
+  const uint32_t of_hole = UINT32_MAX;
+  d.hole_corners_m = four.corners.data(), d.hole_corner_counts = &of_hole, d.hole_count = 1;
+  expect_error(ups_en12464_grid(&d, nullptr, nullptr, 0, &count), UPS_ERROR_INVALID_ARGUMENT, {"corners", "4096"});
+}
+
 }  // namespace
 }  // namespace ups_test

@@ -93,6 +93,7 @@ TEST_F(Fixtures, ReflectorFields) {
         },
         {"profile_rz_m is NULL"}},
        {[](D& d) { d.profile = UPS_REFLECTOR_ELLIPSOID, d.focal_length_m = 0; }, {"semi_axis_m is 0"}},
+       {[](D& d) { d.aperture_radius_m = 1e39; }, {"aperture_radius_m is 1e+39", "at most 1e+09 m"}},
        {[](D& d) { d.profile = UPS_REFLECTOR_CONE, d.focal_length_m = 0; }, {"depth_m is 0"}}});
 }
 
@@ -100,6 +101,7 @@ TEST_F(Fixtures, LensFields) {
   using D = ups_lens_desc;
   expect_refused<D>(fixture, plate(), &ups_fixture_add_lens, "lens",
                     {{[](D& d) { d.radius_m = -1; }, {"radius_m is -1"}},
+                     {[](D& d) { d.radius_m = 1e150; }, {"radius_m is 1e+150", "at most 1e+09 m"}},
                      {[](D& d) { d.thickness_m = 0; }, {"thickness_m is 0"}},
                      {[](D& d) { d.exit_radius_m = 0.05; }, {"thickness_m is 0.003", "faces cross"}},
                      {[](D& d) { d.entry_radius_m = 0.02; }, {"entry_radius_m is 0.02", "rim"}},

@@ -102,6 +102,18 @@ TEST_F(Api, ThingsBeyondReachAreNamed) {
   expect_error(ups_scene_commit(scene), UPS_ERROR_INVALID_ARGUMENT, {"instance id 1", "1e+10"});
 }
 
+// A directional light has no place, whatever its transform says.
+TEST_F(Api, DirectionalLightsShineFromAnywhere) {
+  auto light = make(&ups_light_desc_init);
+  light.kind = UPS_LIGHT_DIRECTIONAL;
+  ups_luminaire_id id{};
+  for (const double far : {1e19, 1e300}) {
+    light.to_world[11] = far;
+    EXPECT_OK(ups_scene_add_light(scene, &light, &id));
+    EXPECT_OK(ups_scene_commit(scene));
+  }
+}
+
 TEST_F(Api, EffectsNameTheirCause) {
   EXPECT_OK(ups_scene_commit(scene));
   EXPECT_EQ(info_of(scene).effects, uint32_t(UPS_EFFECT_INTERREFLECTION)) << text_of(scene, UPS_SCENE_TEXT_EFFECTS);

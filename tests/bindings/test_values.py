@@ -2,6 +2,7 @@
 import contextlib
 import ctypes
 import gc
+import math
 import pickle
 import threading
 import time
@@ -258,6 +259,19 @@ def test_complex_numbers_are_no_coordinates(context):
         scene.add_mesh(np.array(SQUARE) * 1j, [(0, 1, 2)], scene.add_material())
     with pytest.raises(TypeError, match="normals: expected real numbers"):
         scene.add_meters([(1, 1, 1)], (0, 0, 1j))
+    with pytest.raises(TypeError, match="texels: expected real numbers"):
+        scene.add_texture(np.full((1, 1, 3), 0.25 + 5j))
+    with pytest.raises(TypeError, match="to_world: expected real numbers"):
+        scene.set_transform(ups.InstanceId(1), np.eye(3, 4) * 1j)
+
+
+def test_a_job_is_waited_for_without_end(context):
+    scene, _ = box(context)
+    scene.commit()
+    with scene.start(iteration_count=4) as job:
+        with pytest.raises(ValueError, match="timeout_s is nan"):
+            job.wait(math.nan)
+        assert job.wait(math.inf) == ups.Status.OK
 
 
 def test_ids_are_equal_where_they_name_the_same(context):

@@ -20,7 +20,7 @@ def mount_small_disk(folder, kilobytes):
 
 def small_files(kilobytes):
     def limit():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # the write fails instead
+        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)  # which would end a program that does not mind it
         resource.setrlimit(resource.RLIMIT_FSIZE, (kilobytes * 1024, kilobytes * 1024))
     return limit
 

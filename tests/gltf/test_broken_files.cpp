@@ -122,6 +122,40 @@ TEST_F(BrokenFile, TruncatedBinaryFileAtEveryLength) {
   expect_words({"truncated"});
 }
 
+TEST_F(BrokenFile, ThatCannotBeReadToItsEnd) {
+  if (!std::filesystem::exists("/proc/self/mem")) GTEST_SKIP() << "no such file here";
+  EXPECT_EQ(ups_gltf_import_file(&context, "/proc/self/mem", nullptr, &scene, &imported), UPS_ERROR_IO);
+  const std::string message = ups_gltf_last_error();
+  EXPECT_NE(message.find("cannot read the file '/proc/self/mem'"), std::string::npos) << message;
+}
+
+// Of another kind: the first member of a handle says what it is.
+TEST_F(BrokenFile, ThatIsNoImportIsRefused) {
+  const void* zeros[8] = {};
+  auto* wrong = reinterpret_cast<ups_gltf_import*>(zeros);
+  uint32_t count = 7;
+  EXPECT_EQ(ups_gltf_get_sensor_count(wrong, &count), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(count, 7u);
+  ups_gltf_import_destroy(wrong);  // stays
+}
+
+TEST_F(BrokenFile, BinaryFileWhoseHeaderIsTooShort) {
+  std::string bytes = square().glb();
+  for (const char length : {0, 12, 19}) {
+    bytes.replace(8, 4, {length, 0, 0, 0});
+    EXPECT_EQ(import_text(bytes, "scene.glb"), UPS_ERROR_PARSE);
+    expect_words({"bad .glb", "bytes, less than"});
+  }
+}
+
+TEST_F(BrokenFile, VersionThatIsNotReadYet) {
+  SceneBuilder later = square(), too_late = square();
+  later.doc["asset"]["version"] = too_late.doc["asset"]["version"] = "2.5";
+  import(later);
+  too_late.doc["asset"]["minVersion"] = "2.5";
+  expect_failure(too_late, UPS_ERROR_UNSUPPORTED, {"asset.minVersion", "2.5"});
+}
+
 TEST_F(BrokenFile, NanVertex) {
   SceneBuilder builder = square();
   const float nan = std::nanf("");

@@ -127,7 +127,7 @@ TEST_F(GoodFile, IesExtension) {
                    {{"uri", "data:application/x-ies-lm-63;base64,ZnJvbSB1cmk="}}});
   const auto node = [&](const json& use) { builder.add_node({{"extensions", {{"EXT_lights_ies", use}}}}); };
   node({{"light", 0}, {"multiplier", 2}, {"color", {1, 0.5, 0.25}}});
-  node({{"light", 1}});
+  node({{"light", 1}, {"color", {3, 1, 0.5}}});  // which the extension clamps
   node({{"light", 2}, {"color", {0, 0, 0}}});
   import(builder);
   ASSERT_EQ(scene.luminaires.size(), 3u);
@@ -140,6 +140,10 @@ TEST_F(GoodFile, IesExtension) {
   for (int i = 0; i < 3; ++i) {  // what the core makes of it: scale * color / luminance(color)
     EXPECT_NEAR(d.intensity_scale * d.color_rgb[i] / y, std::vector<double>({2, 1, 0.5})[size_t(i)], 1e-5);
   }
+  const ups_luminaire_desc& clamped = scene.luminaires[1].desc;
+  EXPECT_EQ(clamped.color_rgb[0], 1);
+  EXPECT_EQ(clamped.color_rgb[2], 0.5f);
+  EXPECT_TRUE(warned("color is more than 1")) << warnings();
   EXPECT_EQ(scene.luminaires[2].desc.intensity_scale, 0);
 }
 

@@ -70,6 +70,20 @@ class MemoryLimit : public testing::TestWithParam<int> {
   Scene scene;
 };
 
+// What could not be rendered in any case is told without being prepared, which takes some of it already.
+TEST_P(MemoryLimit, IsNotPassedByItsOwnEstimate) {
+  add_box(scene);
+  scene.add_camera({0.5, 0.5, 0.5}, {0, 1, 0}, 16384, 16384, 1);
+  commit();
+  auto d = desc(UPS_METHOD_UPS, 16);
+  d.memory_limit_bytes = 100'000'000;
+  begin_peak();
+  const ups_memory_estimate e = estimate(d);
+  EXPECT_LT(peak_allocated() - before_, 10'000'000);
+  EXPECT_GT(e.peak_bytes, uint64_t(16384) * 16384 * 50);
+  EXPECT_EQ(e.allowed_bytes, d.memory_limit_bytes);
+}
+
 TEST_P(MemoryLimit, TooManyPixels) {
   add_box(scene);
   scene.add_camera({0.3, 0.3, 2}, {1, 1, -0.7}, 1280, 720, 1);

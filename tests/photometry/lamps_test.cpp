@@ -34,6 +34,13 @@ TEST(Lamps, ColourRendering) {
   EXPECT_EQ(index("", "T16 54 W"), -1);
 }
 
+// Letter by letter this took time by the square of their number: minutes.
+TEST(Lamps, AWordOfAMillionLettersIsRead) {
+  LampSet lamps;
+  lamps.type = std::string(1000000, 'A') + "1 Ra 80";
+  EXPECT_EQ(colour_rendering_index(lamps), 80);
+}
+
 TEST(Lamps, OfIesFilesFromTheirKeywords) {
   const Photometry p = read_text(
       "IES:LM-63-2019\n[TEST] x\n[LAMP] LED\n[_CCT] 4000\n[_COLOR RENDERING] 83\nTILT=NONE\n"

@@ -297,6 +297,49 @@ TEST_F(Images, FalseColorOfNothing) {
   EXPECT_EQ(ups_ocio_write_false_color_png(path("f.png").c_str(), &desc), UPS_ERROR_INVALID_ARGUMENT);
 }
 
+TEST_F(Images, FalseColorOfScalesWithoutSteps) {
+  const float values[] = {1, 2, 3, 4};
+  ups_ocio_false_color_desc desc;
+  ups_ocio_false_color_desc_init(&desc, sizeof desc);
+  desc.columns = desc.rows = 2;
+  desc.values = values;
+  for (const auto& [least, most] : {std::pair{0.0, 5e-324}, {-5e-324, 0.0}, {-1e308, 1e308}, {0.0, 1.7e308}, {1.0, 1 + 1e-15}}) {
+    desc.scale_min = least, desc.scale_max = most;
+    EXPECT_EQ(ups_ocio_write_false_color_png(path("f.png").c_str(), &desc), UPS_ERROR_INVALID_ARGUMENT) << most;
+  }
+  for (const auto& [least, most] : {std::pair{0.0, 1e-30}, {-1e30, 1e30}, {1.0, 1 + 1e-8}}) {
+    desc.scale_min = least, desc.scale_max = most;
+    EXPECT_EQ(ups_ocio_write_false_color_png(path("f.png").c_str(), &desc), UPS_OK) << ups_ocio_last_error();
+  }
+}
+
+TEST_F(Images, FalseColorOfATitleThatIsTooWide) {
+  const float values[] = {1};
+  ups_ocio_false_color_desc desc;
+  ups_ocio_false_color_desc_init(&desc, sizeof desc);
+  desc.columns = desc.rows = 1;
+  desc.values = values;
+  const std::string title(10000, 'W');
+  desc.title = title.c_str();
+  EXPECT_EQ(ups_ocio_write_false_color_png(path("f.png").c_str(), &desc), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(std::string(ups_ocio_last_error()).find("title or unit"), std::string::npos) << ups_ocio_last_error();
+}
+
+TEST_F(Images, ExposuresBeyondWhatCanBeGivenBack) {
+  double ev100 = 0;
+  for (const double exposure : {1e-320, 1e-300, 1e300})
+    EXPECT_EQ(ups_ocio_get_ev100(exposure, &ev100), UPS_ERROR_INVALID_ARGUMENT) << exposure;
+  EXPECT_EQ(ups_ocio_get_ev100(1, &ev100), UPS_OK);
+}
+
+TEST_F(Images, HandlesOfAnotherKindAreRefused) {
+  const void* zeros[32] = {};
+  auto* wrong = reinterpret_cast<ups_exr_image*>(zeros);
+  uint32_t width = 0, height = 0;
+  EXPECT_EQ(ups_exr_get_size(wrong, &width, &height), UPS_ERROR_INVALID_ARGUMENT);
+  ups_exr_image_destroy(wrong);
+}
+
 TEST_F(Images, PixelsStayAsTheyAre) {
   std::vector<uint8_t> rgb(3 * 5 * 2);
   for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = uint8_t(7 * i);

@@ -116,7 +116,7 @@ class Usage(ProgramTest):
                           ["render", scene, "--above", "1e400"],
                           ["render", scene, "--seed", "x"], ["render", scene, "--seed", "18446744073709551616"],
                           ["render", scene, "--iterations", "4294967296"], ["render", scene, "--threads", "-1"],
-                          ["render", scene, "--threads", "4294967296"],
+                          ["render", scene, "--threads", "4294967296"], ["render", scene, "--iterations", "0x10"],
                           ["render", scene, "--size", "640"], ["render", scene, "--size", "0x9"],
                           ["render", scene, "--size", "640x480x3"], ["render", scene, "--out"], ["info"],
                           ["compare", "a.exr"]):
@@ -148,6 +148,12 @@ class Usage(ProgramTest):
         largest = str(2**64 - 1)
         done = self.run_program("render", scene, "--iterations", 16, "--seed", largest, "--json")
         self.assertEqual(json.loads(done.stdout)["seed"], int(largest))
+
+    def test_zeros_before_a_number_are_no_octal(self):
+        scene = self.write("room.gltf", room())
+        summary = json.loads(self.run_program("render", scene, "--iterations", "016", "--seed", "09", "--threads", "01",
+                                              "--light-paths", "010", "--json").stdout)
+        self.assertEqual((summary["iterations"], summary["seed"], summary["threads"]), (16, 9, 1))
 
     def test_help_and_version_are_0(self):
         self.assertRegex(self.run_program("--version").stdout, r"^ups \d+\.\d+\.\d+\n$")

@@ -57,6 +57,17 @@ class SourcesTest(unittest.TestCase):
                                    delta=1e-5 * whole["illuminance_lx"])
             self.assertGreater(part["luminaire_2_lx"], 0)
 
+    def test_far_away_both_tables_tell_the_same_places(self):
+        scene = two_lights()
+        for node in scene["nodes"]:
+            x, y, z = node.get("translation", [0, 0, 0])
+            node["translation"] = [x + 4500000.123, y, z + 0.0625]
+        self.assertEqual(self.render(scene, "--separate", "luminaires").returncode, 0)
+        total, parts = self.table("work_plane.csv"), self.table("work_plane_luminaires.csv")
+        for whole, part in zip(total, parts):
+            self.assertEqual([part[k] for k in ("x_m", "y_m", "z_m")], [whole[k] for k in ("x_m", "y_m", "z_m")])
+        self.assertAlmostEqual(total[0]["x_m"] % 1, 0.623, delta=1e-5)
+
     def test_columns_bear_the_nodes_names(self):
         scene = two_lights()
         scene["nodes"][1]["name"] = "desk lamp"

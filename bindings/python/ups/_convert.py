@@ -35,7 +35,7 @@ def translation(x: float, y: float, z: float) -> NDArray[np.float64]:
 
 
 def as_matrix(transform: ArrayLike, name: str) -> NDArray[np.float64]:
-    m = np.asarray(transform, dtype=np.float64)
+    m = np.asarray(_real(transform, name), dtype=np.float64)
     if m.shape == (4, 4):
         if not np.array_equal(m[3], (0, 0, 0, 1)):
             raise ValueError(f"{name}: the last row of a 4x4 transform must be 0 0 0 1")
@@ -141,7 +141,7 @@ def c_path(path: str | os.PathLike[str]) -> bytes:
 
 def texture_fields(texels: ArrayLike) -> dict[str, Any]:
     """Texels (height, width) or (height, width, channels)."""
-    t = np.ascontiguousarray(texels, dtype=np.float32)
+    t = np.ascontiguousarray(_real(texels, "texels"), dtype=np.float32)
     t = as_array(t[:, :, None] if t.ndim == 2 else t, np.float32, (-1, -1, -1), "texels")
     return {"width": t.shape[1], "height": t.shape[0], "channel_count": t.shape[2],
             "texels": address(t, ctypes.c_float)}

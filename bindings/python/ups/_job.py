@@ -5,6 +5,7 @@ Used by programs, as ups.Job, which Scene.start makes.
 from __future__ import annotations
 
 import ctypes
+import math
 from typing import Callable, Union
 
 from . import _ffi
@@ -30,8 +31,10 @@ class Job(Handle):
 
     def wait(self, timeout_s: float | None = None) -> Status:
         """Status.OK, TIMEOUT or CANCELLED; raises the job's own error. Without a timeout, an interrupt gets through."""
-        if timeout_s is not None:
-            return check(lib.ups_job_wait(self, min(max(0, round(timeout_s * 1000)), 0xFFFFFFFF)))
+        if timeout_s is not None and math.isnan(timeout_s):
+            raise ValueError("timeout_s is nan; it must be a number of seconds, or None")
+        if timeout_s is not None and timeout_s != math.inf:
+            return check(lib.ups_job_wait(self, round(min(max(0, timeout_s * 1000), 0xFFFFFFFF))))
         while True:
             status = check(lib.ups_job_wait(self, 100))
             if status != Status.TIMEOUT:

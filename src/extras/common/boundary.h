@@ -11,6 +11,7 @@
 
 #include "base/floating_point.h"
 #include "base/last_error.h"
+#include "base/owner.h"
 #include "ups/ups_base.h"
 
 namespace ups::extras {
@@ -26,6 +27,15 @@ class Error : public std::runtime_error {
 
 inline void require(bool condition, const char* message) {
   if (!condition) throw Error(UPS_ERROR_INVALID_ARGUMENT, message);
+}
+
+// Of this library's own making, and not destroyed.
+template <HandleType T>
+void require_handle(const T* handle, const char* argument) {
+  if (!handle) throw Error(UPS_ERROR_INVALID_ARGUMENT, std::string(argument) + " is NULL");
+  if (!handle->owner.is_ours())
+    throw Error(UPS_ERROR_INVALID_ARGUMENT, std::string(argument) + " is no handle of its kind that this library made, "
+                                                                    "or it was destroyed already");
 }
 
 // Libraries that answer exhausted memory by an exception of their own tell of it in words.
@@ -77,14 +87,21 @@ void write_defaults(Desc* desc, uint32_t struct_size, Desc defaults) {
     std::memset(reinterpret_cast<char*>(desc) + sizeof(Desc), 0, struct_size - sizeof(Desc));
 }
 
+// As of the core: struct_size and one field; whole 4-byte units, as all fields are; no more than any version will need.
+inline void check_size(uint32_t size, const char* advice) {
+  if (size < 8 || size > 4096 || size % 4 != 0)
+    throw Error(UPS_ERROR_INVALID_ARGUMENT, "struct_size is " + std::to_string(size) +
+                                                "; it must be the struct's sizeof, a multiple of 4 from 8 to 4096: " +
+                                                advice);
+}
+
 // The caller's desc over this version's defaults. Where it is longer, the fields that this version does not know must
 // be 0: they would be ignored.
 template <class Desc>
 Desc read_desc(const Desc* given, Desc defaults) {
   if (!given) return defaults;
   const uint32_t size = given->struct_size;
-  require(size >= sizeof(uint32_t) && size <= 4096,
-          "struct_size must be the struct's sizeof: fill the desc by its init function first");
+  check_size(size, "fill the desc by its init function first");
   for (size_t i = sizeof(Desc); i < size; ++i)
     if (reinterpret_cast<const char*>(given)[i] != 0)
       throw Error(UPS_ERROR_UNSUPPORTED, "struct_size is " + std::to_string(size) + "; this version knows " +
@@ -99,7 +116,7 @@ template <class Info>
 void write_info(const Info& from, Info* to) {
   require(to != nullptr, "info is NULL");
   const uint32_t size = to->struct_size;
-  require(size >= sizeof(uint32_t), "info->struct_size is not set");
+  check_size(size, "it must be set before the call");
   std::memcpy(static_cast<void*>(to), &from, std::min<size_t>(size, sizeof(Info)));
   to->struct_size = size;
 }

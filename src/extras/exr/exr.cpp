@@ -15,11 +15,13 @@
 #include <string>
 #include <vector>
 
+#include "base/owner.h"
 #include "common/atomic_file.h"
 #include "common/boundary.h"
 #include "platform/paths.h"
 
 struct ups_exr_image {
+  ups::Owner<ups_exr_image> owner;
   uint32_t width = 0, height = 0;
   std::vector<std::string> names;
   std::vector<std::vector<float>> channels;
@@ -178,11 +180,11 @@ ups_status ups_exr_read(const char* path, ups_exr_image** out) {
   });
 }
 
-void ups_exr_image_destroy(ups_exr_image* image) { delete image; }
+void ups_exr_image_destroy(ups_exr_image* image) { ups::destroy(image); }
 
 ups_status ups_exr_get_size(const ups_exr_image* image, uint32_t* width, uint32_t* height) {
   return guarded([&] {
-    require(image != nullptr, "image is NULL");
+    ups::extras::require_handle(image, "image");
     require(width != nullptr && height != nullptr, "width or height is NULL");
     *width = image->width;
     *height = image->height;
@@ -191,7 +193,7 @@ ups_status ups_exr_get_size(const ups_exr_image* image, uint32_t* width, uint32_
 
 ups_status ups_exr_get_channel_count(const ups_exr_image* image, uint32_t* out) {
   return guarded([&] {
-    require(image != nullptr, "image is NULL");
+    ups::extras::require_handle(image, "image");
     require(out != nullptr, "out is NULL");
     *out = uint32_t(image->names.size());
   });
@@ -200,7 +202,7 @@ ups_status ups_exr_get_channel_count(const ups_exr_image* image, uint32_t* out) 
 ups_status ups_exr_get_channel_name(const ups_exr_image* image, uint32_t index, char* text, size_t capacity,
                                     size_t* needed) {
   return guarded([&] {
-    require(image != nullptr, "image is NULL");
+    ups::extras::require_handle(image, "image");
     require(index < image->names.size(), "index is not below the channel count");
     ups::extras::copy_text(image->names[index], text, capacity, needed);
   });
@@ -209,7 +211,7 @@ ups_status ups_exr_get_channel_name(const ups_exr_image* image, uint32_t index, 
 ups_status ups_exr_get_attribute(const ups_exr_image* image, const char* name, char* text, size_t capacity,
                                  size_t* needed) {
   return guarded([&] {
-    require(image != nullptr, "image is NULL");
+    ups::extras::require_handle(image, "image");
     require(name != nullptr, "name is NULL");
     for (const auto& [key, value] : image->attributes) {
       if (key == name) return ups::extras::copy_text(value, text, capacity, needed);
@@ -220,7 +222,7 @@ ups_status ups_exr_get_attribute(const ups_exr_image* image, const char* name, c
 
 ups_status ups_exr_read_channel(const ups_exr_image* image, const char* name, float* out, size_t count) {
   return guarded([&] {
-    require(image != nullptr, "image is NULL");
+    ups::extras::require_handle(image, "image");
     require(name != nullptr, "name is NULL");
     require(out != nullptr, "out is NULL");
     std::string all;

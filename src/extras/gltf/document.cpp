@@ -39,6 +39,10 @@ Chunks chunks_of(const Bytes& file) {
   if (file.size() < header + chunk_header) fail_parse("truncated .glb: no room for its header");
   const uint32_t version = little_endian(&file[4]), length = little_endian(&file[8]);
   if (version != 2) throw Error(UPS_ERROR_UNSUPPORTED, ".glb version " + std::to_string(version) + ", only 2 is read");
+  if (length < header + chunk_header) {
+    fail_parse("bad .glb: its header says " + std::to_string(length) + " bytes, less than its own and its first chunk's "
+               "headers have");
+  }
   if (length > file.size()) {
     fail_parse("truncated .glb: its header says " + std::to_string(length) + " bytes, the file has " +
                std::to_string(file.size()));
@@ -178,6 +182,10 @@ void check_version(const JsonReader& root) {
   if (version.rfind("2.", 0) != 0) {
     throw Error(UPS_ERROR_UNSUPPORTED, "asset.version is \"" + version + "\"; only glTF 2.0 is read");
   }
+  const std::string least = asset->text("minVersion", "2.0");
+  if (least != "2.0") {
+    throw Error(UPS_ERROR_UNSUPPORTED, "asset.minVersion is \"" + least + "\"; only glTF 2.0 is read");
+  }
 }
 
 }  // namespace
@@ -219,7 +227,13 @@ namespace {
 Bytes read_file(const std::string& path, const std::string& where) {
   auto in = platform::open_to_read(path);
   if (!in) throw Error(UPS_ERROR_IO, where + ": cannot open the file '" + path + "': " + platform::why_not_open(path));
-  Bytes bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  Bytes bytes;
+  constexpr size_t block = size_t(1) << 16;
+  for (size_t size = 0; in; bytes.resize(size)) {  // what fails sets a bit, where iterators throw
+    bytes.resize(size + block);
+    in.read(reinterpret_cast<char*>(bytes.data()) + size, block);
+    size += size_t(in.gcount());
+  }
   if (in.bad()) throw Error(UPS_ERROR_IO, where + ": cannot read the file '" + path + "'");
   return bytes;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/owner.h"
+
 namespace ups::gltf {
 
 using extras::Error;
@@ -62,6 +64,7 @@ void Importer::run(const std::string& path) {
 }  // namespace ups::gltf
 
 struct ups_gltf_import {
+  ups::Owner<ups_gltf_import> owner;
   std::vector<ups::gltf::Sensor> sensors;
   std::vector<ups::gltf::SourceName> sources;
   std::string warnings;
@@ -79,13 +82,13 @@ ups_status guarded(Body&& body) {
 }
 
 const ups::gltf::Sensor& sensor_of(const ups_gltf_import* import_result, uint32_t index) {
-  require(import_result != nullptr, "import_result is NULL");
+  ups::extras::require_handle(import_result, "import_result");
   require(index < import_result->sensors.size(), "index is not below the sensor count");
   return import_result->sensors[index];
 }
 
 const ups::gltf::SourceName& source_of(const ups_gltf_import* import_result, ups_source_kind kind, uint32_t id) {
-  require(import_result != nullptr, "import_result is NULL");
+  ups::extras::require_handle(import_result, "import_result");
   const auto& sources = import_result->sources;
   const auto found = std::find_if(sources.begin(), sources.end(),
                                   [&](const auto& source) { return source.kind == kind && source.id == id; });
@@ -116,15 +119,15 @@ ups_status ups_gltf_import_file(ups_context* context, const char* path, const up
     importer.run(path);
     std::string warnings;
     for (const std::string& warning : importer.warnings) warnings += (warnings.empty() ? "" : "\n") + warning;
-    *out = new ups_gltf_import{std::move(importer.sensors), std::move(importer.sources), std::move(warnings)};
+    *out = new ups_gltf_import{{}, std::move(importer.sensors), std::move(importer.sources), std::move(warnings)};
   });
 }
 
-void ups_gltf_import_destroy(ups_gltf_import* import_result) { delete import_result; }
+void ups_gltf_import_destroy(ups_gltf_import* import_result) { ups::destroy(import_result); }
 
 ups_status ups_gltf_get_sensor_count(const ups_gltf_import* import_result, uint32_t* out) {
   return guarded([&] {
-    require(import_result != nullptr, "import_result is NULL");
+    ups::extras::require_handle(import_result, "import_result");
     require(out != nullptr, "out is NULL");
     *out = uint32_t(import_result->sensors.size());
   });
@@ -167,7 +170,7 @@ ups_status ups_gltf_read_meters(const ups_gltf_import* import_result, uint32_t i
 
 ups_status ups_gltf_get_warnings(const ups_gltf_import* import_result, char* text, size_t capacity, size_t* needed) {
   return guarded([&] {
-    require(import_result != nullptr, "import_result is NULL");
+    ups::extras::require_handle(import_result, "import_result");
     ups::extras::copy_text(import_result->warnings, text, capacity, needed);
   });
 }

@@ -23,6 +23,11 @@ struct Sensor {
   std::vector<float> normals;
 };
 
+struct UniqueNames {
+  std::set<std::string> taken;
+  std::map<std::string, int> next;  // of a base, the number that it is worth trying: all below are taken
+};
+
 struct ProfileDeleter {
   void operator()(ups_profile* profile) const { ups_profile_destroy(profile); }
 };
@@ -150,7 +155,8 @@ class Importer {
   std::vector<std::pair<std::string, ProfilePtr>> profiles_;
   std::vector<std::pair<const Json*, FixturePtr>> fixtures_;  // by their "parts"
   std::vector<std::pair<std::string, ups_texture_id>> textures_;
-  std::set<std::string> names_, source_names_, warned_;
+  UniqueNames names_, source_names_;
+  std::set<std::string> warned_;
   std::map<std::string, uint32_t> nameless_;  // sources on nodes without a name, by their word
   std::vector<char> visited_;  // nodes
   uint32_t group_ = 0;         // of what the present node emits

@@ -115,7 +115,11 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
     const ByteRange range = buffer_view(document_, int(view), where);
     desc.profile = profile({light.where(), Bytes(range.data, range.data + range.size), {}}, where);
   }
-  const Rgb color = use.rgb("color", {1, 1, 1}, 0, unlimited, false);
+  Rgb color = use.rgb("color", {1, 1, 1}, 0, unlimited, false);
+  if (*std::max_element(color.begin(), color.end()) > 1) {
+    for (double& c : color) c = std::min(c, 1.0);
+    warn(where + ": color is more than 1, to which EXT_lights_ies clamps it; multiplier may be more");
+  }
   const double y = luminance(color);
   // The core takes chromaticity and scale apart; the extension's colour multiplies each component.
   store(y > 0 ? color : Rgb{1, 1, 1}, desc.color_rgb);

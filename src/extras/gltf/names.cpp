@@ -24,13 +24,20 @@ std::string fit_for_files(const std::string& name) {
   return result;
 }
 
-// NAME, NAME_2, NAME_3, ...: the first that is not in `taken` yet, nor with `second` after it.
-std::string unique_in(std::set<std::string>& taken, const std::string& base, const std::string& second) {
+// NAME, NAME_2, NAME_3, ...: the first that is not taken yet, nor with `second` after it.
+std::string unique_in(UniqueNames& names, const std::string& base, const std::string& second) {
+  const auto is_taken = [&](const std::string& name) {
+    return names.taken.count(name) || (!second.empty() && names.taken.count(name + second));
+  };
   std::string result = base;
-  for (int i = 2; taken.count(result) || (!second.empty() && taken.count(result + second)); ++i)
+  // What is free without `second` alone would be passed over for all that come without it: only those are counted.
+  int& next = names.next.try_emplace(base, 2).first->second;
+  for (int i = next; is_taken(result); ++i) {
     result = base + "_" + std::to_string(i);
-  taken.insert(result);
-  if (!second.empty()) taken.insert(result + second);
+    if (i == next && names.taken.count(result)) ++next;
+  }
+  names.taken.insert(result);
+  if (!second.empty()) names.taken.insert(result + second);
   return result;
 }
 

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <vector>
 
+#include "common/boundary.h"
+
 namespace ups::ocio {
 
 namespace {
@@ -22,6 +24,7 @@ constexpr int knot_count = int(std::size(knots));
 constexpr Color background{255, 255, 255}, ink{30, 30, 30}, unknown{150, 150, 150};
 constexpr uint32_t letter_units = 7;   // a capital's height, in the picture's unit of length
 constexpr uint32_t target_size = 480;  // pixels of the longer side of an enlarged grid
+constexpr uint32_t max_text_width = 16384;
 constexpr double large_share = 0.99;   // where the scale ends: a few hot pixels must not take all of it
 
 bool is_known(float value) { return std::isfinite(value) && value >= 0; }
@@ -115,7 +118,7 @@ std::string tick_label(double value, double step) {
 }
 
 Color false_color(double fraction) {
-  const double place = std::clamp(fraction, 0.0, 1.0) * (knot_count - 1);
+  const double place = (fraction >= 0 ? std::min(fraction, 1.0) : 0) * (knot_count - 1);  // not a number: the lowest
   const int knot = std::min(int(place), knot_count - 2);
   Color result;
   for (size_t c = 0; c < 3; ++c) {
@@ -144,6 +147,10 @@ Picture false_color_picture(const ups_ocio_false_color_desc& desc) {
   const uint32_t label_space = 5 * size + text_width("0000000000", letter);
   const uint32_t content =
       std::max(width + 2 * margin + bar + label_space, std::max(text_width(title, letter), text_width(footer, letter)));
+  if (content > std::max(max_text_width, width + 2 * margin + bar + label_space))
+    throw ups::extras::Error(UPS_ERROR_INVALID_ARGUMENT, "title or unit is " + std::to_string(content) +
+                                                        " pixels wide at the picture's size; " +
+                                                        std::to_string(max_text_width) + " are the most");
   Picture picture(2 * margin + content, top + scale_height + line + 2 * margin, background);
   draw_text(picture, title, margin, margin, letter, ink);
   draw_values(picture, desc, scale, margin, top, zoom);

@@ -7,6 +7,7 @@
 #include "ocio/false_color.h"
 #include "ocio/smooth.h"
 #include "ocio/view.h"
+#include "platform/numbers.h"
 
 namespace {
 
@@ -18,7 +19,10 @@ ups::LastError last_error;
 
 template <class Body>
 ups_status guarded(Body&& body) {
-  return ups::extras::guarded(last_error, body);
+  return ups::extras::guarded(last_error, [&] {
+    const ups::platform::PointInNumbers point;
+    body();
+  });
 }
 
 void check_size(uint32_t width, uint32_t height) {
@@ -90,7 +94,9 @@ ups_status ups_ocio_get_ev100(double exposure, double* out) {
   return guarded([&] {
     require(out != nullptr, "out is NULL");
     require(std::isfinite(exposure) && exposure > 0, "exposure must be finite and greater than 0");
-    *out = ups::ocio::ev100_of(exposure);
+    const double ev100 = ups::ocio::ev100_of(exposure);
+    require(ev100 >= -100 && ev100 <= 100, "exposure leads beyond an ev100 of -100 or 100");
+    *out = ev100;
   });
 }
 
@@ -146,9 +152,13 @@ ups_status ups_ocio_write_false_color_png(const char* path, const ups_ocio_false
     const ups_ocio_false_color_desc given = ups::extras::read_desc(desc, empty_desc<ups_ocio_false_color_desc>());
     require(given.values != nullptr, "values is NULL");
     check_size(given.columns, given.rows);
-    require(std::isfinite(given.scale_min) && std::isfinite(given.scale_max) &&
-                (given.scale_max > given.scale_min || (given.scale_max == 0 && given.scale_min == 0)),
-            "scale_max must be greater than scale_min, or both 0");
+    // Within what its steps and their quotients can hold.
+    const double lower = given.scale_min, upper = given.scale_max;
+    require((std::abs(lower) <= 1e30 && std::abs(upper) <= 1e30 && upper - lower >= 1e-30 &&
+             upper - lower >= 1e-9 * std::max(std::abs(lower), std::abs(upper))) ||
+                (lower == 0 && upper == 0),
+            "scale_max must be greater than scale_min by at least 1e-30 and a 1e-9th of the larger, both from -1e30 to "
+            "1e30; or both 0");
     ups::ocio::write_png(path, ups::ocio::false_color_picture(given));
   });
 }

@@ -34,7 +34,7 @@ DataSheet data_sheet_of(const ProfileReport& report, const ups_profile* profile)
   s.front_c_deg = is_eulumdat(report) ? 90 : 0;
   s.sheet.struct_size = sizeof s.sheet;
   check(ups_profile_get_data_sheet(profile, s.front_c_deg, &s.sheet));
-  if (report.info.flux_lm > 0) {
+  if (report.info.flux_lm > 0 && report.info.interpolated_flux_lm > 0) {
     s.utilisation.emplace();
     s.utilisation->struct_size = sizeof *s.utilisation;
     check(ups_profile_get_utilisation(profile, &*s.utilisation));

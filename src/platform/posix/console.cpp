@@ -19,6 +19,8 @@ std::vector<std::string> program_arguments(int argc, char** argv) { return {argv
 
 bool standard_error_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
+void let_large_files_fail() { std::signal(SIGXFSZ, SIG_IGN); }
+
 void on_interrupt(void (*handler)()) {
   interrupted = handler;
   std::signal(SIGINT, on_signal);

@@ -37,6 +37,8 @@ bool standard_error_is_terminal() {
   return GetConsoleMode(GetStdHandle(STD_ERROR_HANDLE), &mode) != 0;
 }
 
+void let_large_files_fail() {}  // there is no such limit
+
 void on_interrupt(void (*handler)()) {
   interrupted = handler;
   SetConsoleCtrlHandler(on_event, TRUE);

@@ -1,0 +1,77 @@
+// See eye_walk.h: density estimation around an eye path's vertex, and perturbation, which stands for it in tests.
+#include "transport/eye_walk.h"
+#include "transport/techniques.h"
+
+namespace ups {
+
+// For photons on the same side of the same surface within the radius: density estimation. False where there is none.
+bool EyeWalk::ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) const {
+  const EyeSensor::Disc& disc = this->disc(eye);
+  if (!eye.merge || !(disc.radius > 0)) return false;
+  disc.photons->ask(eye.surface.p, float(disc.radius), query);
+  return query.count > 0;
+}
+
+// Vertices lie anywhere in memory: some are asked for before the first of them is read.
+void EyeWalk::merge(const EyeEnd& eye, const PhotonIndex::Query& query) {
+  const EyeSensor::Disc& disc = this->disc(eye);
+  struct Photon {
+    uint32_t place;
+    float d2;
+  } waiting[32];
+  size_t count = 0;
+  const auto merge_waiting = [&] {
+    for (size_t i = 0; i < count; ++i) merge_photon(eye, waiting[i].place, waiting[i].d2, disc.radius);
+    count = 0;
+  };
+  disc.photons->visit(query, [&](uint32_t place, float d2) {
+    prefetch(&photons_.paths.at(place));
+    waiting[count++] = {place, d2};
+    if (count == std::size(waiting)) merge_waiting();
+  });
+  merge_waiting();
+}
+
+void EyeWalk::merge_photon(const EyeEnd& eye, uint32_t place, float d2, double radius) {
+  const LightVertex& light = photons_.paths.at(place);
+  const Found c = ups::merge(in_, counts_, eye, light, radius);
+  if (!c || !nothing_between(scene_, eye.surface, light.wo, light.p, light.error, radius, work_)) return;
+  ++work_.merges;
+  const float weight = float(c->weight(in_, 1));
+  if (in_.recorder) in_.recorder->found(*c, {1, c->value, weight}, photons_.paths.running_number(place));
+  add(*c, c->value, 1, weight, Drop::merge);
+  const float r2 = float(radius * radius);
+  const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);
+  if (!std::isfinite(bias)) return;
+  tally_.bias += bias;
+  keep_separated(c->emitter, 0.0, 0.0, bias);
+}
+
+// y_{s+1} of the extended path space (Hachisuka, Pantaleoni, Jensen 2012, section 3) is drawn from the merging kernel on
+// the surface around z_t, and takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the
+// normal onto a surface where a photon would be stored and merged; false where there is none: the kernel reaches beyond
+// the surface. Of two such surfaces that close to each other it takes the upper one, where merging counts both.
+bool EyeWalk::perturb(const EyeEnd& eye, Arrival& out) {
+  const float radius = float(disc(eye).radius);
+  if (!(radius > 0)) return true;  // no merging here either
+  const SurfacePoint& own = eye.surface;
+  const Vec2 disc = square_to_disc({rng_.get(eye.edges, Slot::perturb_x), rng_.get(eye.edges, Slot::perturb_y)});
+  const Frame frame(own.ng);
+  float reach = 2 * max_merge_height * radius;
+  Vec3 start = own.p + (frame.s * disc.x + frame.t * disc.y) * radius + own.ng * (0.5f * reach);
+  for (Hit hit; reach > 0 && scene_.raytracer->intersect(start, -own.ng, reach, hit);) {
+    ++work_.rays;
+    out.surface = scene_.raytracer->surface_at(hit);
+    const float cosine = dot(out.surface.ng, own.ng);
+    const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
+    if (merge_gate(bsdf) && cosine >= min_merge_cosine && length2(out.surface.p - own.p) <= radius * radius) {
+      out.ratio = 1 / cosine;
+      return nothing_between(scene_, own, eye.wo, out.surface.p, out.surface.error, double(radius), work_);
+    }
+    start = out.surface.ray_origin(-own.ng);
+    reach -= hit.t + 2 * out.surface.error;
+  }
+  return false;
+}
+
+}  // namespace ups

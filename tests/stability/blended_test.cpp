@@ -1,0 +1,130 @@
+// Blended surfaces (alpha): of the light that meets one, alpha is scattered as its material says, the rest goes straight
+// on. Against closed forms, by methods that share little code. Means over eight seeds: P(|t_7| > 4) = 0.5 % is the chance
+// that a right engine fails a comparison in which noise decides; standard errors are at most 0.25 %, so that errors of 1 %
+// are found. Seeds are fixed: a test that passes once passes always.
+#include "../support/expect_lx.h"
+#include "../support/image_mean.h"
+#include "measured.h"
+
+namespace ups::test {
+namespace {
+
+constexpr double candela = 1000, largest_error = 0.0025;
+
+ups_material_desc blended(ups_material_desc d, double alpha) {
+  d.alpha_mode = UPS_ALPHA_BLEND;
+  d.alpha = float(alpha);
+  return d;
+}
+
+// Rays that are the same in all iterations are not all hidden or all let by, and sheets do not decide alike.
+TEST(Taught, BlendedSheetsLetTheirShareBy) {
+  Scene scene;
+  for (const auto& [height, alpha] : {std::pair{1.0, 0.5}, {1.4, 0.3}, {1.5, 0.5}})
+    scene.add(quad({-6, -6, height}, {12, 0, 0}, {0, 12, 0}), blended(matte(0), alpha));
+  scene.add_point_light({0, 0, 2.5}, candela);
+  std::vector<P3> points;
+  for (int i = 0; i < 400; ++i) points.push_back({0.2 * (i % 20) - 1.9, 0.2 * (i / 20) - 1.9, 0});
+  const Sensor meters = scene.add_meters(points, {0, 0, 1});
+  for (const ups_method method : {UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL}) {
+    const auto readings = scene.render({.method = method, .iterations = 16, .light_paths = 256}).readings(meters);
+    double worst = 0, widest = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      const double d2 = dot(points[i], points[i]) + 2.5 * 2.5,
+                   expected = 0.5 * 0.7 * 0.5 * candela * 2.5 / (d2 * std::sqrt(d2));
+      worst = std::max(worst, std::abs(readings[i].illuminance_lx / expected - 1));
+      widest = std::max(widest, double(readings[i].error_bound_lx / expected));
+    }
+    EXPECT_LE(worst, 1e-4) << method_name(method);
+    EXPECT_LE(widest, 2e-4) << method_name(method);
+    measured("BlendedSheetsLetTheirShareBy, %s: worst %.1e", method_name(method), worst);
+  }
+}
+
+// Cells below two sheets: landings and merging cross them by chance, samples of light by their transmittance.
+TEST(Taught, BlendedSheetsLetTheirShareByToCells) {
+  Scene scene;
+  for (const double height : {1.0, 1.2}) scene.add(quad({-4, -4, height}, {8, 0, 0}, {0, 8, 0}), blended(matte(0), 0.4));
+  scene.add(quad({-0.5, -0.5, 2}, {0, 1, 0}, {1, 0, 0}), emitter(1000));
+  const Sensor cell = scene.add_cells({{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, 1, 1);
+  // Of two equal squares face to face at twice their sides' distance (Howell C-11).
+  const double x = 0.5, x2 = x * x, a = std::sqrt(1 + x2);
+  const double factor = 2 / (pi_d * x2) * (std::log(std::sqrt((1 + x2) * (1 + x2) / (1 + 2 * x2))) +
+                                           2 * x * a * std::atan(x / a) - 2 * x * std::atan(x));
+  const double expected = 0.6 * 0.6 * pi_d * 1000 * factor;
+  for (const ups_method method : {UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL,
+                                  UPS_METHOD_LIGHT_TRACING, UPS_METHOD_PPM}) {
+    std::vector<double> lx;
+    RenderOptions options{.method = method, .iterations = 64, .light_paths = 1u << 13};
+    for (options.seed = 1; options.seed <= 8; ++options.seed)
+      lx.push_back(scene.render(options).readings(cell)[0].illuminance_lx);
+    const Mean m = mean_of(lx);
+    expect_lx(m.value, m.standard_error, expected, largest_error, method_name(method));
+  }
+}
+
+// A white sheet of alpha 0.4, given half by its texture, lit from above: below it the light that it let by, above it
+// what it scatters, once: merging, where both paths had to meet it, sees it as bright as all else.
+TEST(Taught, BlendedSheetsScatterTheirShare) {
+  constexpr double rho = 0.8, alpha = 0.4, half = 1;
+  const P3 lamp{0.2, 0.1, 1}, meter{-0.3, 0.2, 0.8};
+  Scene scene;
+  ups_material_desc sheet = blended(matte(rho), 2 * alpha);
+  sheet.alpha_texture = scene.add_texture(1, 1, {1, 1, 0.5f});
+  Shape square = quad({-half, -half, 0}, {2 * half, 0, 0}, {0, 2 * half, 0});
+  square.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  scene.add(square, sheet);
+  scene.add_point_light(lamp, candela);
+  const double cell_side = 0.6;
+  const Sensor cell = scene.add_cells({meter}, {{0, 0, -1}}, {{1, 0, 0}}, cell_side, cell_side);
+  const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 24, 24, 0.5);
+  const auto lit = [&](double x, double y) {
+    const double d2 = (x - lamp.x) * (x - lamp.x) + (y - lamp.y) * (y - lamp.y) + lamp.z * lamp.z;
+    return candela * lamp.z / (d2 * std::sqrt(d2));
+  };
+  double at_cell = 0, seen = 0;
+  constexpr int n = 200, m = 4;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double x = half * (2 * (i + 0.5) / n - 1), y = half * (2 * (j + 0.5) / n - 1), da = 4 * half * half / n / n;
+      for (int k = 0; k < m * m; ++k) {
+        const double u = meter.x + cell_side * ((k % m + 0.5) / m - 0.5), v = meter.y + cell_side * ((k / m + 0.5) / m - 0.5);
+        const double d2 = (x - u) * (x - u) + (y - v) * (y - v) + meter.z * meter.z;
+        at_cell += alpha * rho / pi_d * lit(x, y) * meter.z * meter.z / (d2 * d2) * da / (m * m);
+      }
+      const double size = 1.6 * std::tan(0.25);
+      seen += alpha * rho / pi_d * lit(size * x, size * y) / (n * n);
+    }
+  for (const ups_method method : {UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL,
+                                  UPS_METHOD_LIGHT_TRACING, UPS_METHOD_PPM}) {  // the last merges alone
+    std::vector<double> lx, cd;
+    const uint32_t light_paths = method == UPS_METHOD_LIGHT_TRACING || method == UPS_METHOD_PPM ? 1u << 15
+                                 : method == UPS_METHOD_UPS                                     ? 1u << 14
+                                                                                                : 1u << 12;
+    RenderOptions options{.method = method, .iterations = 64, .merge_radius_m = 0.05, .light_paths = light_paths};
+    for (options.seed = 1; options.seed <= 8; ++options.seed) {
+      const Result result = scene.render(options);
+      lx.push_back(result.readings(cell)[0].illuminance_lx);
+      double sum = 0;
+      const std::vector<float> rgb = result.image(camera).luminance;
+      for (const float v : rgb) sum += double(v) / double(rgb.size());
+      cd.push_back(sum);
+    }
+    const Mean e = mean_of(lx), l = mean_of(cd);
+    expect_lx(e.value, e.standard_error, at_cell, largest_error, std::string(method_name(method)) + ", cell");
+    expect_lx(l.value, l.standard_error, seen, largest_error, std::string(method_name(method)) + ", camera");
+  }
+}
+
+// A boundary of glass that is there for some of the light would bound nothing.
+TEST(Taught, GlassIsNotBlended) {
+  Scene scene;
+  scene.add(box({-1, -1, 0}, {1, 1, 0.5}), blended(glass(1.5), 0.5));
+  scene.add_point_light({0, 0, 2}, candela);
+  scene.add_meters({{0, 0, 1}}, {0, 0, 1});
+  const std::string warnings = scene.render({.iterations = 1}).text(UPS_TEXT_WARNINGS);
+  EXPECT_NE(warnings.find("its blended alpha is ignored"), std::string::npos) << warnings;
+}
+
+}  // namespace
+}  // namespace ups::test
