@@ -171,7 +171,7 @@ Profile polyline(const std::vector<Point>& p, bool smooth, const std::string& fi
 
 FacePoint face_point(const Face& face, double r) {
   const double c = face.radius_m == 0 ? 0 : 1 / face.radius_m, u = r * r;
-  const double q = std::sqrt(1 - (1 + face.conic) * c * c * u);
+  const double q = std::sqrt(std::max(0.0, 1 - (1 + face.conic) * c * c * u));  // 0 where it ends, but for rounding
   double sag = c * u / (1 + q), rate = 0, power = u * u;
   for (size_t i = 0; i < face.coefficients.size(); ++i, power *= u) {
     sag += face.coefficients[i] * power;

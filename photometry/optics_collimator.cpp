@@ -104,6 +104,13 @@ Profile collimator(const Collimator& d) {
     if (!(bottom < top))
       fail("height_m", height, "larger: the exit face meets the lens of the cavity " + text(r) + " m from the axis");
   }
+  for (const Section& section : wall)
+    for (int i = 0; i <= 256; ++i) {
+      const ProfilePoint p = section.at(i / 256.0);
+      if (p.r < wall_end.r * (1 - 1e-9) && !(exit_vertex + face_point(d.exit, p.r).sag < p.z))
+        fail("exit_radius_m", d.exit.radius_m, "less curved: the exit face leaves the outer wall " + text(p.r) +
+                                                   " m from the axis");
+    }
 
   Profile out;
   out.facets_around = d.facets_around;

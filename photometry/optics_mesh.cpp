@@ -160,7 +160,7 @@ std::vector<double> rings(const Section& section, double half, double size, cons
     if (d.distance <= tolerance.chord_m && (tip || d.angle <= tolerance.normal_rad) &&
         (size == 0 || fit_band(section, piece.low, piece.high, size))) {
       out.push_back(piece.high);
-      if (out.size() > max_count) too_fine(tolerance, "would need more than 4000000 triangles");
+      if (out.size() - 1 > max_count) too_fine(tolerance, "or the facets would need more than 4000000 triangles");
       continue;
     }
     if (piece.depth == max_depth) too_fine(tolerance, "cannot be kept");
@@ -249,11 +249,11 @@ Mesh tessellate(const Profile& profile, const Tolerance& tolerance) {
   const uint32_t columns = faceted ? profile.facets_around : column_count(sections, tolerance);
   const double half = pi / columns, size = largest_radius(profile);
   Writer writer(columns, faceted);
-  size_t ring_count = 0;
+  size_t band_count = 0;
   std::optional<ProfilePoint> last;
   for (const Section& section : sections) {
     const size_t left =
-        max_triangles / (2 * size_t(columns)) - std::min(max_triangles / (2 * size_t(columns)), ring_count);
+        max_triangles / (2 * size_t(columns)) - std::min(max_triangles / (2 * size_t(columns)), band_count);
     const std::vector<double> ts =
         faceted ? rings(strip(section, half), 0, 0, tolerance, left) : rings(section, half, size, tolerance, left);
     for (size_t i = 0; !faceted && i + 1 < ts.size(); ++i)
@@ -269,7 +269,7 @@ Mesh tessellate(const Profile& profile, const Tolerance& tolerance) {
     }
     if (last) line.front().r = last->r, line.front().z = last->z;  // the same bits
     last = line.back();
-    ring_count += line.size();
+    band_count += line.size() - 1;
     writer.add(line);
   }
   if (!faceted) writer.mesh.columns = columns;

@@ -102,6 +102,23 @@ namespace Ups
         /// flux.</summary>
         public SceneSource[] Sources()
         {
+            for (;;) // a commit that comes between may number them anew
+            {
+                ulong revision = Info.Revision;
+                try
+                {
+                    SceneSource[] all = SourcesAsTheyStand();
+                    if (Info.Revision == revision) return all;
+                }
+                catch (UpsException)
+                {
+                    if (Info.Revision == revision) throw;
+                }
+            }
+        }
+
+        private SceneSource[] SourcesAsTheyStand()
+        {
             uint count;
             Library.Check(Native.ups_scene_get_source_count(Handle, &count));
             var all = new SceneSource[count];

@@ -83,15 +83,20 @@ namespace Ups
             height = (int)h;
         }
 
-        /// <summary>Rows from the top, tight, FloatsOf(channel) a pixel. The size that the camera had when it was
-        /// rendered, else an ArgumentException.</summary>
-        public float[] Image(SensorId camera, int width, int height, Channel channel = Channel.LuminanceRgb)
+        private void ExpectSize(SensorId camera, Channel channel, int width, int height)
         {
             int w, h;
             SizeOf(camera, channel, out w, out h);
             if (width != w || height != h)
                 throw new ArgumentException("width and height are " + width + " x " + height + "; the camera had " + w +
                                             " x " + h + " pixels");
+        }
+
+        /// <summary>Rows from the top, tight, FloatsOf(channel) a pixel. The size that the camera had when it was
+        /// rendered, else an ArgumentException.</summary>
+        public float[] Image(SensorId camera, int width, int height, Channel channel = Channel.LuminanceRgb)
+        {
+            ExpectSize(camera, channel, width, height);
             var values = new float[(long)width * height * FloatsOf(channel)];
             ReadImage(camera, channel, values);
             return values;
@@ -134,6 +139,7 @@ namespace Ups
         public float[] TechniqueImage(SensorId camera, uint index, int width, int height,
                                       Contribution contribution = Contribution.Weighted)
         {
+            ExpectSize(camera, Channel.LuminanceRgb, width, height);
             var values = new float[(long)width * height * 3];
             ReadTechniqueImage(camera, index, contribution, values);
             return values;

@@ -350,8 +350,10 @@ ups_status ups_profile_get_zonal_flux(const ups_profile* profile, const float* g
                      element + " is " + std::to_string(gamma_deg[i]) + "; it must lie in [0, 180]");
       check::require(i == 0 || gamma_deg[i] > gamma_deg[i - 1], element + " is not greater than the one before");
     }
+    std::vector<double> zones;
     for (size_t i = 0; i + 1 < count; ++i)
-      flux_lm[i] = photometry::zonal_flux_lm(data, gamma_deg[i], gamma_deg[i + 1], photometry::FluxRule::band);
+      zones.push_back(photometry::zonal_flux_lm(data, gamma_deg[i], gamma_deg[i + 1], photometry::FluxRule::band));
+    std::copy(zones.begin(), zones.end(), flux_lm);
   });
 }
 

@@ -176,7 +176,11 @@ ups_status ups_scene_commit(ups_scene* scene) {
     ups_scene& s = require(scene, "scene");
     Monitor monitor;
     const auto build = s.builds->commit(s.description, *s.context->pool, monitor);
-    if (build) log_warnings(*s.context, *build);
+    if (!build) return;
+    try {
+      log_warnings(*s.context, *build);
+    } catch (const std::bad_alloc&) {  // the build is there all the same
+    }
   });
 }
 

@@ -27,8 +27,10 @@ ups_status ups_result_get_meter_percentile(const ups_result* result, ups_sensor_
     const MeterBatches& meters = meters_of(result, sensor).batches;
     require(out, "out");
     check::range(share, 0, 1, "share");
-    *out = {-1, -1, -1};
-    if (meters.count() == 0) return;
+    if (meters.count() == 0) {
+      *out = {-1, -1, -1};
+      return;
+    }
     const MeterRanks ranks(meters);
     const size_t rank = ranks.rank_at(share);
     *out = interval_of(ranks.value(rank), ranks.interval(rank), INFINITY);
@@ -41,8 +43,10 @@ ups_status ups_result_get_meter_share(const ups_result* result, ups_sensor_id se
     const MeterBatches& meters = meters_of(result, sensor).batches;
     require(out, "out");
     check::finite(threshold_lx, "threshold_lx");
-    *out = {-1, -1, -1};
-    if (meters.count() == 0) return;
+    if (meters.count() == 0) {
+      *out = {-1, -1, -1};
+      return;
+    }
     const MeterRanks ranks(meters);
     *out = interval_of(ranks.share_above(threshold_lx), ranks.share_above_interval(threshold_lx), 1);
   });

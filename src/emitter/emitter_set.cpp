@@ -23,7 +23,7 @@ EmitterSet::EmitterSet(std::vector<std::shared_ptr<const Emitter>> emitters, con
   direct_ = LightTree(direct, emitters_.size());
 }
 
-EmitterSet::Choice EmitterSet::choose_emission(float u) const {
+EmitterSet::Choice EmitterSet::choose_emission(double u) const {
   if (!(by_flux_.total() > 0)) return {};
   const DiscreteDistribution::Sample s = by_flux_.sample(u);
   return {uint32_t(s.index), s.probability, s.u};

@@ -27,7 +27,7 @@ class EmitterSet {
 
   using Choice = EmitterChoice;
   // For a light path: in proportion to flux.
-  Choice choose_emission(float u) const;
+  Choice choose_emission(double u) const;
   float emission_probability(size_t i) const;
   // For next-event estimation at a point: by about what each emitter would bring there, see light_tree.h. Never one
   // that it cannot sample.

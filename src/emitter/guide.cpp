@@ -276,7 +276,7 @@ float EmissionGuide::density(size_t i, const Vec2& square) const {
   return probability_at(rows, y) * n * (probability_at(rows + h.n + size_t(y) * h.n, x) * n);
 }
 
-EmitterSet::Choice EmissionGuide::choose(const EmitterSet& emitters, float u) const {
+EmitterSet::Choice EmissionGuide::choose(const EmitterSet& emitters, double u) const {
   if (choice_.size() == 0) return emitters.choose_emission(u);
   if (!(choice_.total() > 0)) return {};
   const DiscreteDistribution::Sample s = choice_.sample(u);

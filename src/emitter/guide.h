@@ -23,7 +23,7 @@ class EmissionGuide {
   // none.
   EmissionGuide(const EmitterSet& emitters, GuideTraining training, std::span<const uint8_t> dark = {});
 
-  EmitterSet::Choice choose(const EmitterSet& emitters, float u) const;
+  EmitterSet::Choice choose(const EmitterSet& emitters, double u) const;
   float probability(const EmitterSet& emitters, size_t i) const;
 
   // Emitter::sample_emission through the histogram. `square`: the guided square's point that it came to.

@@ -36,6 +36,9 @@ struct SurfaceTexturing {
   const Texture* normal = nullptr;
   float normal_scale = 1;
   float alpha_at(const Vec2& uv) const;
+  bool may_have_holes() const {
+    return alpha_mode == mask || (alpha_mode == blend && (alpha || !(alpha_factor > 0)));
+  }
   bool operator==(const SurfaceTexturing&) const = default;
 };
 

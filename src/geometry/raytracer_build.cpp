@@ -187,8 +187,7 @@ class RaytracerBuild {
       placed.error_offset = placed.error_scale * float(max_abs(to_scene.column(3)));
     }
     const uint32_t material = instances_[i].material;
-    const bool has_holes =
-        material < out_.texturing.size() && out_.texturing[material].alpha_mode != SurfaceTexturing::opaque;
+    const bool has_holes = material < out_.texturing.size() && out_.texturing[material].may_have_holes();
     const Impl::Key key{meshes_[instances_[i].mesh].get(), has_holes, baked, to_scene};
     Traced& traced = out_.made_of[key];
     if (!traced) {

@@ -76,7 +76,7 @@ Affine inverse(const Affine& m) {
 // A triangle lower than this share of its longest edge can be "hit" far from where it is (Embree issue 387).
 constexpr double thin_share = 1e-3;
 
-// What is blended is there for every ray: transport/encounter.h lets a share of the light by.
+// What is blended is there for every ray where there is anything: transport/encounter.h lets a share of the light by.
 bool is_hole(const TracedMesh& mesh, const SurfaceTexturing& t, uint32_t primitive, float u, float v) {
   const float alpha = t.alpha_at(uv_at(*mesh.source, primitive, u, v));
   return t.alpha_mode == SurfaceTexturing::mask ? alpha < t.alpha_cutoff : !(alpha > 0);

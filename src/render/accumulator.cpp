@@ -318,9 +318,10 @@ ErrorSummary Accumulator::summarize() const {
     const std::vector<MeterLight> lights = measured(s, lights_of(s, choose_discs(s)));
     std::vector<ups_meter_reading> readings;
     for (const MeterLight& light : lights) readings.push_back(light.reading());
-    double mean = 0;
-    for (const ups_meter_reading& m : readings) mean += double(m.illuminance_lx) / double(readings.size());
-    if (!(mean > 0)) mean = scene_lx_;
+    double mean = 0, weights = 0;  // as the statistics have it: on surfaces by area
+    for (size_t i = 0; i < readings.size(); ++i)
+      mean += lights[i].weight * double(readings[i].illuminance_lx), weights += lights[i].weight;
+    mean = mean > 0 ? mean / weights : scene_lx_;
     const double floor = share_of_mean * mean;
     for (size_t i = 0; i < readings.size(); ++i) {
       const ups_meter_reading& m = readings[i];

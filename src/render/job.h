@@ -75,6 +75,7 @@ class RenderJob {
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   // With the sums held.
   void add(const TallyQueue::Delivery& delivery);
+  bool has_time_to_look() const;
   void look_at_error(double elapsed_s);
   std::shared_ptr<const RenderResult> read() const;
   const WorkCounts& books() const;
@@ -93,6 +94,7 @@ class RenderJob {
   std::shared_ptr<const std::vector<SeenGlare>> glare_;  // made before the sums are
   StopSignal stop_;
   double reading_s_ = 0;  // of the time limit, kept for reading what was found
+  double look_s_ = 0;     // what the next look at the error will take, about
   const Clock::time_point start_ = Clock::now();
   std::thread thread_;
 

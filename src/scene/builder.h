@@ -135,6 +135,7 @@ class Builder {
   // As in the earlier build: the ray tracer; that, and how surfaces scatter; that, and where errors end.
   bool same_geometry_ = false, same_surfaces_ = false, same_places_ = false;
   bool same_emitters_ = false;  // they stand where they stood
+  bool new_contacts_ = false;   // emitters that want to be set back, as the earlier build did not know
   std::map<std::pair<ups_source_kind, uint32_t>, size_t> earlier_emitter_;  // index, by source
   std::vector<std::shared_ptr<const Emitter>> emitters_;
   std::vector<UnitEmitter> unit_emitters_;

@@ -28,7 +28,8 @@ struct Contact {
   bool squeezed = false;             // it touches something on several sides: nothing helps
   bool blocked = false;              // something lies where it would be set back to
   bool shallow = false;              // it is as close, but within the glass: it stays there
-  bool is_moved() const { return touched != none && !squeezed && !blocked && !shallow; }
+  bool is_to_move() const { return touched != none && !squeezed && !shallow; }  // where it has room
+  bool is_moved() const { return is_to_move() && !blocked; }
 };
 
 inline constexpr double shallow_m = 1e-4;  // what is meant to be in glass is deeper

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/error.h"
+
 namespace ups {
 
 namespace {
@@ -82,6 +84,19 @@ double overlap(const std::array<Vec2d, 3>& a, const std::array<Vec2d, 3>& b) {
 
 }  // namespace
 
+// Who lets surfaces share a texel may mean it, but not four of them everywhere, as the UVs of a tiled texture do.
+void LightmapCut::cover(double texels) {
+  constexpr double most_layers = 4;
+  constexpr size_t most_parts = size_t(1) << 26;
+  covered_ += texels;
+  if (!(covered_ <= most_layers * width_ * height_ + 1))
+    fail_argument("the triangles cover its texels more than " + std::to_string(int(most_layers)) +
+                  " times over: they need UVs of their own, where those of a tiled texture were given");
+  if (parts_.size() > most_parts)
+    fail_argument("the texels cut the triangles into more than " + std::to_string(most_parts) +
+                  " parts; fewer texels or triangles would be right");
+}
+
 void LightmapCut::add(uint32_t triangle, const std::array<Vec2d, 3>& uv) {
   Polygon whole, row, cell, buffer;
   for (size_t k = 0; k < 3; ++k) {
@@ -100,7 +115,9 @@ void LightmapCut::add(uint32_t triangle, const std::array<Vec2d, 3>& uv) {
       cut_to<&Vec2d::x>(row, x, x + 1.0, buffer, cell);
       for (size_t i = 2; i < cell.size(); ++i) {
         const Corner &a = cell[0], &b = cell[i - 1], &c = cell[i];
-        if (twice_area(a.p, b.p, c.p) == 0) continue;
+        const double twice = twice_area(a.p, b.p, c.p);
+        if (twice == 0) continue;
+        cover(0.5 * std::abs(twice));
         parts_.push_back({y * width_ + x, triangle, {a.weights, b.weights, c.weights}});
         uvs_.push_back({a.p, b.p, c.p});
       }

@@ -22,7 +22,8 @@ struct TexelPart {
 class LightmapCut {
  public:
   LightmapCut(uint32_t width, uint32_t height) : width_(width), height_(height) {}
-  // uv: of a triangle's corners. Counts it as flat where it has no area in UV.
+  // uv: of a triangle's corners. Counts it as flat where it has no area in UV. Throws Error INVALID_ARGUMENT where all of
+  // them lie over one another so often that parts would fill the memory.
   void add(uint32_t triangle, const std::array<Vec2d, 3>& uv);
   // By texel, then in the order of the triangles.
   std::vector<TexelPart> take();
@@ -36,12 +37,14 @@ class LightmapCut {
   const Overlaps& overlaps() const { return overlaps_; }
 
  private:
+  void cover(double texels);
   void find_overlaps();
 
   uint32_t width_, height_;
   std::vector<TexelPart> parts_;
   std::vector<std::array<Vec2d, 3>> uvs_;  // of parts_, in texels
   size_t flat_ = 0;
+  double covered_ = 0;  // texels
   Overlaps overlaps_;
 };
 

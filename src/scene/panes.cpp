@@ -37,7 +37,9 @@ Panes find_panes(const Snapshot& scene, const std::vector<Raytracer::Instance>& 
     if (pane) mark(panes.of_instance);
     if (blended) mark(panes.blended);
     if (!pane && !blended) continue;
-    const Box box = bounding_box(*scene.meshes[instances[i].mesh]).transformed(instances[i].to_scene);
+    const Mesh& mesh = *scene.meshes[instances[i].mesh];
+    const Box box = (mesh.revolution ? bounding_box(mesh) : scene.mesh_boxes[instances[i].mesh])
+                        .transformed(instances[i].to_scene);
     panes.bounds.grow(box.lower - Vec3d{margin, margin, margin});
     panes.bounds.grow(box.upper + Vec3d{margin, margin, margin});
   }

@@ -120,6 +120,7 @@ TouchableParts Builder::find_contacts() {
   if (unknown.empty()) return touchable;
   touchable.trace({unknown.begin(), unknown.end()}, out_->meshes, out_->texturing, threads_);
   parallel_for(threads_, unknown.size(), [&](size_t i) { touchable.search(points_of(*unknown[i]), *unknown[i]); });
+  new_contacts_ = std::any_of(unknown.begin(), unknown.end(), [](const Contact* c) { return c->is_to_move(); });
   return touchable;
 }
 

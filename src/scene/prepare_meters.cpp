@@ -215,10 +215,13 @@ MeterSet Builder::make_surface_meters(uint32_t id, const SurfaceMetersDescriptio
   }
   LightmapCut cut(in.width, in.height);
   double whole = 0;
-  for (uint32_t t = 0; t < surface.count(); ++t) {
-    whole += length(area_normal(surface.corners(t)));
-    cut.add(t, surface.uv(t));
-  }
+  in_context("lightmap " + std::to_string(id), [&] {
+    for (uint32_t t = 0; t < surface.count(); ++t) {
+      monitor_.check();
+      whole += length(area_normal(surface.corners(t)));
+      cut.add(t, surface.uv(t));
+    }
+  });
   SurfaceMeters meters(in.width * in.height);
   for (const TexelPart& part : cut.take()) {
     const Corners whole_triangle = surface.corners(part.triangle);

@@ -176,9 +176,12 @@ void Builder::add_geometry() {
   }
   const TouchableParts touchable = find_contacts();
   set_back_emitters();
-  const auto moved = [](const auto& c) { return c.second.is_moved(); };
-  out_->finds_all = std::any_of(out_->contacts.begin(), out_->contacts.end(), moved);
-  same_geometry_ = earlier_ && has_same_origin() && earlier_->instances.size() == instances.size() &&
+  // Whatever is known of their room already: a build without `earlier` knows nothing.
+  const auto to_move = [](const auto& c) { return c.second.is_to_move(); };
+  const auto blends = [](const SurfaceTexturing& t) { return t.alpha_mode == SurfaceTexturing::blend; };
+  out_->finds_all = std::any_of(out_->contacts.begin(), out_->contacts.end(), to_move) ||
+                    std::any_of(out_->texturing.begin(), out_->texturing.end(), blends);
+  same_geometry_ = earlier_ && !new_contacts_ && has_same_origin() && earlier_->instances.size() == instances.size() &&
                    earlier_->texturing == out_->texturing && earlier_->finds_all == out_->finds_all;
   for (size_t i = 0; same_geometry_ && i < instances.size(); ++i) same_geometry_ = is_same_instance(i);
   same_surfaces_ = same_surfaces_ && same_geometry_;

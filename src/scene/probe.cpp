@@ -114,10 +114,11 @@ double reach2_from(const Snapshot& scene, const FirstLight& light, const Vec2& u
   for (const Vec3& side : {lit, -lit}) {
     const Vec3 onwards = Frame(side).to_world(square_to_cosine_hemisphere(u));
     Hit hit;
-    const bool met =
-        scene.raytracer->intersect(s.ray_origin(onwards), onwards, std::numeric_limits<float>::infinity(), hit);
-    const double distance = met ? double(hit.t) : through ? double(scene.radius) : 0;
-    farthest2 = std::max(farthest2, distance * distance);
+    const bool met = intersect_blended(scene, s.ray_origin(onwards), onwards, hit);
+    const double distance2 = met       ? double(length2(scene.raytracer->surface_at(hit).p - s.p))
+                             : through ? double(scene.radius) * double(scene.radius)
+                                       : 0;
+    farthest2 = std::max(farthest2, distance2);
     if (!through) break;
   }
   return farthest2;
@@ -126,8 +127,7 @@ double reach2_from(const Snapshot& scene, const FirstLight& light, const Vec2& u
 // What a flat mirror or pane makes of it, if that is what it meets first.
 bool by_mirror(const Snapshot& scene, FirstLight& light) {
   Hit hit;
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  if (!scene.raytracer->intersect(light.origin, light.direction, infinity, hit)) return false;
+  if (!intersect_blended(scene, light.origin, light.direction, hit)) return false;
   const uint32_t plane = scene.flat_mirrors.plane_of(hit.instance, hit.primitive);
   if (plane == none) return false;
   light.direction = scene.flat_mirrors.planes[plane].mirrored_direction(light.direction);

@@ -100,7 +100,7 @@ struct Snapshot {
   std::vector<uint32_t> instance_ids;           // by the same index
 
   std::map<std::pair<ups_source_kind, uint32_t>, Contact> contacts;  // emitters near glass, by their sources
-  bool finds_all = false;                       // the ray tracer, for their sake
+  bool finds_all = false;                       // the ray tracer, for their sake and that of blended surfaces
 
   EmitterSet emitters;
   std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": by their numbers

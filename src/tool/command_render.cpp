@@ -60,8 +60,9 @@ RenderReport report_of(const RenderOptions& options, const LoadedScene& scene, c
 std::string page_of(const RenderOptions& options, const LoadedScene& scene, const ups_result* result,
                     const Report& report, const Targets* targets, const Written& written) {
   const auto picture = [&](size_t sensor) {
-    const std::string path = platform::joined(options.out, scene.sensors[sensor].name + ".png");
-    if (std::count(written.failed.begin(), written.failed.end(), path) > 0) return std::vector<uint8_t>();
+    const std::string base = platform::joined(options.out, scene.sensors[sensor].name), path = base + ".png";
+    const auto is_it = [&](const std::string& failed) { return failed == path || failed == base; };
+    if (std::any_of(written.failed.begin(), written.failed.end(), is_it)) return std::vector<uint8_t>();
     auto file = platform::open_to_read(path);
     return std::vector<uint8_t>{std::istreambuf_iterator<char>(file), {}};
   };

@@ -2,6 +2,7 @@
 #include "transport/encounter.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/per_thread.h"
 
@@ -141,7 +142,8 @@ PaneCrossing crossing(const Snapshot& scene, const SurfacePoint& s, const Vec3& 
 }
 
 // One number serves all panes of an edge: what is left of it after each is uniform again.
-bool goes_through(const Snapshot& scene, const Vec3& d, float& u, Encounter& e) {
+bool goes_through(const Snapshot& scene, const Vec3& d, float& u, bool panes_show_nothing, Encounter& e) {
+  if (panes_show_nothing && scene.panes.is_pane(e.surface.instance)) return true;
   const PaneCrossing pane = crossing(scene, e.surface, d);
   if (u < pane.reflected || is_black(pane.transmittance)) return false;
   u = std::min((u - pane.reflected) / (1 - pane.reflected), 0x1.fffffep-1f);
@@ -158,9 +160,17 @@ struct Ray {
   Vec3 o, d;
   float from = 0, last = -1, reach = 0;  // of what was passed last, to be met once
   uint32_t instance = none;
+  // Other surfaces that a blended one lies on, as a rug on a floor: where the ray goes on lies beyond them.
+  std::array<Hit, 4> beneath{};  // t from o
+  size_t beneath_count = 0, beneath_met = 0;
 
   // The next hit before `end`, its distance from o.
   bool next(float end, WorkCounts& work, Hit& hit, float& distance) {
+    if (beneath_met < beneath_count) {
+      hit = beneath[beneath_met++];
+      distance = hit.t;
+      return distance < end;
+    }
     for (;;) {
       ++work.rays;
       if (!(end > from) || !scene.raytracer->intersect(o + d * from, d, end - from, hit)) return false;
@@ -171,17 +181,36 @@ struct Ray {
   }
   void pass(const SurfacePoint& s, float distance) {
     const float lift = 2 * s.error + 4 * 0x1p-24f * (max_abs(o) + distance), cosine = std::abs(dot(d, s.ng));
+    const float beyond = distance + lift / std::max(cosine, 0.05f);
+    if (beneath_met == beneath_count && scene.panes.is_blended(s.instance)) find_beneath(s, 2 * distance - beyond, beyond);
     last = distance;
     instance = s.instance;
     reach = 2 * lift / std::max(cosine, 1e-3f);
-    from = distance + lift / std::max(cosine, 0.05f);
+    from = std::max(from, beyond);
+  }
+
+ private:
+  void find_beneath(const SurfacePoint& s, float begin, float end) {
+    static const PerThread<std::vector<Hit>> kept;
+    std::vector<Hit>& hits = kept.get();
+    hits.clear();
+    begin = std::max(begin, from);
+    scene.raytracer->intersect_all(o + d * begin, d, end - begin, hits);
+    beneath_count = beneath_met = 0;
+    uint32_t before = s.instance;
+    for (Hit& hit : hits) {
+      if (hit.instance == s.instance || hit.instance == before || beneath_count == beneath.size()) continue;
+      before = hit.instance;
+      hit.t += begin;
+      beneath[beneath_count++] = hit;
+    }
   }
 };
 
 }  // namespace
 
 void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float u, WorkCounts& work,
-          Encounter& out) {
+          Encounter& out, bool panes_show_nothing) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   out.media = start;
   out.earlier.clear();
@@ -194,7 +223,7 @@ void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack&
     if (!out.found) return;
     out.surface = scene.raytracer->surface_at(hit);
     const bool crossed = scene.panes.is_crossed(hit.instance);
-    if (crossed && goes_through(scene, d, u, out)) continue;
+    if (crossed && goes_through(scene, d, u, panes_show_nothing, out)) continue;
     if (!scene.media.nest) return find_sides(scene, d, out);
     find_nested_sides(scene, d, out);
     if (crossed || !is_without_effect(scene, out)) return;

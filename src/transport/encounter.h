@@ -29,7 +29,8 @@ struct Encounter {
     MediaStack media;
   };
   std::vector<Stretch> earlier;  // up to the boundaries without effect that were crossed
-  // Panes that were crossed, each with all before it: what is left of a walk's throughput, and its probability.
+  // Panes and blended surfaces that were crossed, each with all before it: what is left of a walk's throughput, and its
+  // probability.
   struct Crossed {
     float end;
     Rgb share;
@@ -60,16 +61,18 @@ struct Encounter {
   Crossed crossed_before(float t) const;
 };
 
-// From o along d, where `start` is around o. u: a pane whose reflectance is larger is met, others are crossed.
+// From o along d, where `start` is around o. u: a pane whose reflectance is larger is met, or a blended surface of larger
+// alpha; others are crossed. panes_show_nothing: all panes are.
 void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float u, WorkCounts& work,
-          Encounter& out);
+          Encounter& out, bool panes_show_nothing = false);
 
-// What panes leave of light along a segment, and media where they nest; else attenuation_ahead() has theirs.
+// What panes and blended surfaces leave of light along a segment, and media where they nest; else attenuation_ahead() has
+// theirs.
 struct Passage {
   Rgb transmittance{1.0f};
   double pass = 1;  // probability that a walk goes on through the panes
 };
-// Is the segment free, but for panes? Shortened at its end by rounding. `media`: around a.
+// Is the segment free, but for panes and what is blended? Shortened at its end by rounding. `media`: around a.
 bool segment_free(const Snapshot& scene, const MediaStack& media, const Vec3& a, const Vec3& b, WorkCounts& work,
                   Passage& passage);
 // Of a segment that is not traced yet.

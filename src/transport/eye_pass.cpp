@@ -47,10 +47,11 @@ void add_work(const std::vector<WorkCounts>& blocks, IterationTally& tally) {
 
 // What the pixel sees first that is not a mirror or clear glass, measured like a meter that faces the eye.
 float pixel_illuminance(const Iteration& in, const Photons& photons, const Camera& camera, const Vec3& d,
-                        EyeSensor sensor, const PathSampler& rng, WorkCounts& work) {
+                        EyeSensor sensor, PathSampler rng, WorkCounts& work) {
   Encounter seen;
   Vec3 direction;
-  if (first_diffuse(in.scene, camera.position(), d, *sensor.media, seen, direction) <= 0) return 0;
+  const float u = in.scene.panes.blended.empty() ? 0 : rng.get(0, Slot::cell_x);
+  if (first_diffuse(in.scene, camera.position(), d, *sensor.media, u, seen, direction) <= 0) return 0;
   const SurfacePoint& surface = seen.surface;
   sensor.camera = false;
   sensor.techniques = nullptr;

@@ -20,10 +20,11 @@ struct LightVertex {
   uint32_t emitter = 0;  // that the path started from
   float relative_ior = 1;  // where it is of glass, see Encounter
   uint16_t depth = 0;   // a of x_a
-  bool merge = false;   // photons are merged here: the material's gate and g_1
-  bool lit = true;      // from the front of its shading normal; else merged alone
-  bool lambertian = false;  // scatters continuously by Lambertian lobes alone
-  bool both_sides = false;  // Bsdf::transmits_continuously
+  bool merge : 1 = false;       // photons are merged here: the material's gate and g_1
+  bool lit : 1 = true;          // from the front of its shading normal; else merged alone
+  bool lambertian : 1 = false;  // scatters continuously by Lambertian lobes alone
+  bool both_sides : 1 = false;  // Bsdf::transmits_continuously
+  float coverage = 1;           // chance of being met, where the surface is blended
   mis::LightState mis;
 
   // Into one that is used again: its other members stay as they were made.

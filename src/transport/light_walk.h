@@ -109,7 +109,9 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   bool emit() {
     ++work_.light_paths;
     const EmissionGuide& guide = in_.plan.guide;
-    const EmitterSet::Choice choice = guide.choose(scene_.emitters, rng_.get(0, Slot::choice));
+    // The second number goes on where the first one's 24 bits end: weak lamps among strong ones have less than one.
+    const double u = double(rng_.get(0, Slot::choice)) + 0x1p-24 * double(rng_.get(0, Slot::more_choice));
+    const EmitterSet::Choice choice = guide.choose(scene_.emitters, u);
     if (!(choice.probability > 0)) return false;
     emitter_index_ = choice.index;
     emit_probability_ = choice.probability;
@@ -249,6 +251,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     v.lit = lit;
     v.lambertian = light.bsdf->min_alpha_continuous() == 1;
     v.both_sides = light.bsdf->transmits_continuously();
+    v.coverage = coverage(scene_, light.surface);
     v.mis = light.state;
     block_.share.push_back(block_.vertices, v);
     ++block_.counts.back();

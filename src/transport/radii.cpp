@@ -34,7 +34,7 @@ std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool
       if (!d) continue;
       Encounter seen;
       Vec3 direction = *d;
-      const float distance = first_diffuse(scene, camera.position(), *d, media, seen, direction);
+      const float distance = first_diffuse(scene, camera.position(), *d, media, 0.5f, seen, direction);
       const float cosine = std::abs(dot(direction, seen.surface.ng));
       const float area = distance * distance / (camera.pdf_w(*d) * std::max(cosine, 0.1f));
       radii[p] = 1.5f * std::sqrt(area * inv_pi);

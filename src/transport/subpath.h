@@ -18,7 +18,6 @@ struct End {
   Vec3 wo, local_wo;         // towards the vertex before
   State state;
   bool merge = false;   // photons are merged here
-  float coverage = 1;   // of an eye's: chance of being met, where the surface is blended
   bool caster = false;  // a continuous lobe here is so sharp that it casts caustics as a mirror does
   uint32_t edges = 0;   // from the walk's start
   Rgb carried;          // throughput, lm for a light path
@@ -98,7 +97,6 @@ class Subpath {
     v.front = &met_.front, v.back = &met_.back;
     v.state = arrive(receiver_at(v.surface, v.wo, *v.bsdf), std::abs(dot(direction_, v.surface.ng)), met_.distance);
     v.caster = v.bsdf->is_glossy(default_glossy_alpha);
-    if constexpr (!from_emitter) v.coverage = coverage(scene_, v.surface);
     if (consistent_side(v.surface, v.wo, v.local_wo)) return true;
     lose_by_leaning(luminance(carried_ * v.bsdf->textured().reflectance));
     return false;

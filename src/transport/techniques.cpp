@@ -314,7 +314,7 @@ Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const 
   const Scattering f = eye.evaluate(local, TransportMode::radiance);
   if (is_black(f.value)) return {};
   // Both paths had to meet what is blended, where light that goes on from there has met it once.
-  const double norm = in.photon_norm(radius * radius) / double(eye.coverage);
+  const double norm = in.photon_norm(radius * radius) / double(l.coverage);
   Contribution c{{Family::density_estimation, l.depth + 1u, eye.edges + l.depth}, l.emitter,
                  eye.carried * f.value * l.flux * (float(norm / std::abs(cos_light)) * terminator(eye, l.wo))};
   c.own = l.mis.casters ? &mis::Classes::caustic : &mis::Classes::merge;

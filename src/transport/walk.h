@@ -71,12 +71,14 @@ inline bool is_stopped(const StopSignal& stop, uint32_t edges) {
 }
 
 // The first point with a diffuse or glossy lobe along a ray, through mirrors and glass by their likelier lobe, and panes. Its
-// distance along the chain; 0: none. `media`: at the start; `e`: what was met at its end, along `direction`.
-inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, MediaStack media, Encounter& e, Vec3& direction) {
+// distance along the chain; 0: none. `media`: at the start; `e`: what was met at its end, along `direction`. u decides
+// whether a blended surface is seen.
+inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, MediaStack media, float u, Encounter& e,
+                           Vec3& direction) {
   float distance = 0;
   WorkCounts work;
   for (int edges = 0; edges < 32; ++edges) {
-    meet(scene, o, d, media, 0x1.fffffep-1f, work, e);
+    meet(scene, o, d, media, u, work, e, true);
     if (!e.found) return 0;
     distance += e.distance;
     direction = d;

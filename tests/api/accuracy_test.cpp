@@ -141,6 +141,29 @@ TEST(Accuracy, TargetsAreOfTheirCriterion) {
   }
 }
 
+// A large surface in little light beside a small one in much: what the target is held against is the error that the
+// result's statistics tell, which is relative to the mean by area.
+TEST(Accuracy, SurfacesAreJudgedByTheirMeanByArea) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {10, 10, 3}).flipped(), matte(0.5));
+  Shape surface = quad({0.5, 0.5, 0.01}, {8, 0, 0}, {0, 8, 0});
+  for (int i = 0; i < 50; ++i) surface.append(quad({9 + 0.01 * i, 9, 0.02}, {0.003, 0, 0}, {0, 0.003, 0}));
+  const ups_instance_id id = scene.add(surface, matte(0.5));
+  scene.add_point_light({9.25, 9, 0.12}, 100);
+  const Sensor meters = scene.add_surface_meters({id}, uint32_t(surface.triangles.size()));
+  check(ups_scene_commit(scene.get()), "ups_scene_commit");
+  const Outcome o = render(scene, [](ups_render_desc& d) {
+    d.method = UPS_METHOD_PATH_TRACING;
+    d.iteration_count = 32;
+  });
+  ups_meter_statistics s{};
+  s.struct_size = sizeof s;
+  check(ups_result_get_meter_statistics(o.result.get(), meters.id, &s), "ups_result_get_meter_statistics");
+  const std::vector<ups_curve_point> curve = o.curve();
+  EXPECT_EQ(curve.back().iterations, 32u);
+  EXPECT_NEAR(curve.back().worst_relative_error / s.worst_relative_error_bound, 1, 1e-3);
+}
+
 TEST(Accuracy, TargetsOfPixels) {
   Scene scene;
   scene.add(box({0, 0, 0}, {4, 3, 2.6}).flipped(), matte(0.5));

@@ -254,6 +254,27 @@ TEST_F(MeterPlaces, MapsSayWhatTheyDoNotMeasure) {
   expect_error(ups_scene_commit(scene), UPS_ERROR_INVALID_ARGUMENT, {"sensor id 4", "no texel", "unit square"});
 }
 
+// As with the UVs of a tiled texture: each of many surfaces over the whole of it.
+TEST_F(MeterPlaces, MapsThatSurfacesCoverManyTimesAreRefused) {
+  const float unit[] = {0, 0, 1, 0, 1, 1, 0, 1};
+  auto mesh_desc = quad();
+  mesh_desc.uvs = unit;
+  ups_mesh_id mesh{};
+  EXPECT_OK(ups_scene_add_mesh(scene, &mesh_desc, &mesh));
+  auto i = make(&ups_instance_desc_init);
+  i.mesh = mesh;
+  std::vector<ups_instance_id> ids(5);
+  for (ups_instance_id& id : ids) EXPECT_OK(ups_scene_add_instance(scene, &i, &id));
+  auto d = map_of(ids[0], 16, 16);
+  ups_sensor_id map{};
+  d.instances = ids.data(), d.instance_count = 4;
+  EXPECT_OK(ups_scene_add_lightmap(scene, &d, &map));
+  EXPECT_OK(ups_scene_commit(scene));
+  d.instance_count = 5;
+  EXPECT_OK(ups_scene_set_lightmap(scene, map, &d));
+  expect_error(ups_scene_commit(scene), UPS_ERROR_INVALID_ARGUMENT, {"lightmap 1", "more than 4 times over", "UVs"});
+}
+
 // A map of which only half the texels are on the mesh.
 TEST_F(MeterPlaces, AViewHasTheMetersThatReadingHas) {
   for (float& u : unit_uvs) u *= 0.5f;

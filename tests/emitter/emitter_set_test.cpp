@@ -76,6 +76,18 @@ TEST(EmitterSet, ChoosesWithTheProbabilityThatItStates) {
   }
 }
 
+// Less than one of the 2^24 values that a number has: it would get all of a value, or none.
+TEST(EmitterSet, ChoosesWeakEmittersAmongStrongOnes) {
+  std::vector<std::shared_ptr<const Emitter>> both;
+  for (const float candela : {1.0f, 1e-9f})
+    both.push_back(std::make_shared<PointEmitter>(Vec3(0, 0, 0), Rgb(candela), 0.0f));
+  const EmitterSet set(std::move(both));
+  const double p = double(set.emission_probability(1));
+  EXPECT_NEAR(p, 1e-9, 1e-12);
+  EXPECT_EQ(set.choose_emission(1 - 0.5 * p).index, 1u);
+  EXPECT_EQ(set.choose_emission(1 - 2 * p).index, 0u);
+}
+
 std::shared_ptr<const RaySet> ray_set() {
   photometry::Photometry p{photometry::Distribution({0}, {0, 180}, {1, 1})};
   for (int i = 0; i < 4; ++i) p.rays.push_back({{float(i), 0, 0}, {0, 0, -1}, 10.0f * float(i + 1)});

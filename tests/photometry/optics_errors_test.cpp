@@ -58,6 +58,12 @@ TEST(OpticsErrors, CollimatorsThatCannotBe) {
   refused([](auto& d) { d.ior = 1; }, {"ior"});
   refused([](auto& d) { d.height_m = 0.001; }, {"height_m", "height of the wall"});
   refused([](auto& d) { d.exit = {-0.0145}; }, {"height_m", "meets the lens"});
+  refused(
+      [](auto& d) {
+        d.wall = Collimator::Wall::paraboloid, d.focal_length_m = 0.003, d.height_m = 0.02, d.wall_thickness_m = 0;
+        d.cavity_depth_m = 0.002, d.lens = {std::numeric_limits<double>::infinity()}, d.exit = {-0.017};
+      },
+      {"exit_radius_m is -0.017", "leaves the outer wall"});
   refused([](auto& d) { d.wall = Collimator::Wall::paraboloid, d.focal_length_m = 0.001, d.height_m = 0.02; },
           {"cavity_radius_m", "outer wall"});
   refused(

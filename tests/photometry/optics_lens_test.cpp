@@ -29,6 +29,15 @@ TEST(OpticsLens, SphericalLensesAreClosedAndHaveTheirVolume) {
                optics::pi * (0.02 * 0.02 * 0.001 + 2.0 / 3 * 0.02 * 0.02 * 0.02), 5e-4);
 }
 
+// Whether 1 - (r / R)^2 at r = R comes out as 0 or a rounding below depends on R.
+TEST(OpticsLens, HemispheresOfAnySizeAreLenses) {
+  for (int tenths = 10; tenths <= 1000; ++tenths) {
+    const double r = 1e-4 * tenths;
+    EXPECT_NO_THROW(lens({}, {r}, r, 1.05 * r)) << r;
+    EXPECT_NO_THROW(lens({-r}, {}, r, 0.05 * r)) << r;
+  }
+}
+
 TEST(OpticsLens, ConicsAndAspheresAreAsNearAsAsked) {
   const Face faces[] = {{0.05}, {-0.05}, {0.05, -2.25}, {0.03, -1}, {0.05, 0.5, {200, -3e4, 1e7, 0}}, {0, 0, {300}}};
   for (const Face& face : faces) {

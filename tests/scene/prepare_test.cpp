@@ -251,6 +251,9 @@ TEST(Prepare, SetsEmittersBackFromGlassThatTheyTouch) {
   EXPECT_LT(height(behind), 1 + 1e-6);
   EXPECT_EQ(height(cleared), set_back);
   EXPECT_NE(behind->warnings.at(0).find("no room to be set back"), std::string::npos);
+  const auto still_behind = build(true, false, true, behind);
+  EXPECT_EQ(height(still_behind), height(behind));
+  EXPECT_EQ(still_behind->warnings, behind->warnings);
 }
 
 TEST(Prepare, PathTracingIsCompleteWithoutDeltaSurfacesOrWithoutDeltaEmitters) {

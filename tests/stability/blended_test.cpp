@@ -22,6 +22,10 @@ TEST(Taught, BlendedSheetsLetTheirShareBy) {
   Scene scene;
   for (const auto& [height, alpha] : {std::pair{1.0, 0.5}, {1.4, 0.3}, {1.5, 0.5}})
     scene.add(quad({-6, -6, height}, {12, 0, 0}, {0, 12, 0}), blended(matte(0), alpha));
+  auto pane = material(UPS_MATERIAL_GLAZING, 1);  // which reflects nothing
+  pane.ior = 1;
+  std::fill(std::begin(pane.transmittance_rgb), std::end(pane.transmittance_rgb), 0.5f);
+  scene.add(quad({-6, -6, 1.7}, {12, 0, 0}, {0, 12, 0}), blended(pane, 0.4));
   scene.add_point_light({0, 0, 2.5}, candela);
   std::vector<P3> points;
   for (int i = 0; i < 400; ++i) points.push_back({0.2 * (i % 20) - 1.9, 0.2 * (i / 20) - 1.9, 0});
@@ -31,7 +35,8 @@ TEST(Taught, BlendedSheetsLetTheirShareBy) {
     double worst = 0, widest = 0;
     for (size_t i = 0; i < points.size(); ++i) {
       const double d2 = dot(points[i], points[i]) + 2.5 * 2.5,
-                   expected = 0.5 * 0.7 * 0.5 * candela * 2.5 / (d2 * std::sqrt(d2));
+                   slant = std::sqrt(d2) / 2.5, through_pane = 0.6 + 0.4 * std::pow(0.5, slant),
+                   expected = 0.5 * 0.7 * 0.5 * through_pane * candela * 2.5 / (d2 * std::sqrt(d2));
       worst = std::max(worst, std::abs(readings[i].illuminance_lx / expected - 1));
       widest = std::max(widest, double(readings[i].error_bound_lx / expected));
     }
@@ -114,6 +119,68 @@ TEST(Taught, BlendedSheetsScatterTheirShare) {
     expect_lx(e.value, e.standard_error, at_cell, largest_error, std::string(method_name(method)) + ", cell");
     expect_lx(l.value, l.standard_error, seen, largest_error, std::string(method_name(method)) + ", camera");
   }
+}
+
+// A rug lies on the floor, and where the light goes on lies beyond both.
+TEST(Taught, BlendedSheetsHideNothingThatTheyLieOn) {
+  for (const bool first : {true, false}) {
+    Scene scene;
+    const auto rug = [&] { scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), blended(matte(0), 0.5)); };
+    if (first) rug();
+    scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), matte(0.5));
+    if (!first) rug();
+    scene.add_point_light({0.3, 0.2, 2}, candela);
+    std::vector<P3> points;
+    for (int i = 0; i < 100; ++i) points.push_back({0.4 * (i % 10) - 1.83, 0.4 * (i / 10) - 1.81, -1});
+    const Sensor meters = scene.add_meters(points, {0, 0, 1});
+    for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_PPM})
+      for (const ups_meter_reading& r : scene.render({.method = method, .iterations = 16}).readings(meters))
+        EXPECT_EQ(r.illuminance_lx, 0) << method_name(method);
+  }
+}
+
+// An illuminance image shows a share alpha of its pixels' samples the sheet, the others what lies behind.
+TEST(Taught, BlendedSheetsAreSeenByIlluminanceImages) {
+  constexpr double alpha = 0.7;
+  Scene scene;
+  scene.add(quad({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}), blended(matte(0), alpha));
+  scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), matte(0));
+  scene.add_point_light({0.05, 0, 3}, candela);
+  const Sensor camera = scene.add_camera({0, 0, 2.9}, {0, 0, -1}, 16, 16, 0.05, true);
+  const std::vector<float> lx = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 256}).image(camera).illuminance;
+  double mean = 0;
+  for (const float v : lx) mean += double(v) / double(lx.size());
+  const double expected = candela * (alpha / 4 + (1 - alpha) * (1 - alpha) / 9);
+  EXPECT_NEAR(mean / expected, 1, 0.01);  // of 2^16 samples, alike but for chance: 0.25 % is a standard error
+}
+
+// Where alpha changes from texel to texel a photon's own counts: half of the sheet is nearly clear. What it scatters onto
+// a camera's pixels at the border, by merging with a radius that reaches across.
+TEST(Taught, BlendedSheetsAreMergedByThePhotonsAlpha) {
+  Scene scene;
+  ups_material_desc sheet = blended(matte(0.8), 1);
+  sheet.alpha_texture = scene.add_texture(2, 1, {0.9f, 0.9f, 0.9f, 0.1f, 0.1f, 0.1f});
+  Shape square = quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  square.uvs = {{0.25f, 0}, {0.75f, 0}, {0.75f, 1}, {0.25f, 1}};  // from one texel's middle to the other's
+  scene.add(square, sheet);
+  scene.add_point_light({0, 0, 1}, candela);
+  const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 16, 16, 0.5);
+  const auto mean_of_image = [&](ups_method method, uint64_t seed) {
+    const Result result = scene.render({.method = method, .iterations = 64, .seed = seed, .merge_radius_m = 0.2,
+                                        .light_paths = method == UPS_METHOD_PPM ? 1u << 14 : 1u << 10});
+    double sum = 0;
+    const std::vector<float> rgb = result.image(camera).luminance;
+    for (size_t i = 0; i < rgb.size(); ++i) sum += double(rgb[i]) / double(rgb.size());
+    return sum;
+  };
+  std::vector<double> traced, merged;
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
+    traced.push_back(mean_of_image(UPS_METHOD_PATH_TRACING, seed));
+    merged.push_back(mean_of_image(UPS_METHOD_PPM, seed));
+  }
+  const Mean a = mean_of(traced), b = mean_of(merged);
+  EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.004 * a.value) << "too noisy to judge";
+  EXPECT_NEAR(b.value / a.value, 1, 0.02) << "the light is less by 2 % within the radius";
 }
 
 // A boundary of glass that is there for some of the light would bound nothing.

@@ -121,5 +121,41 @@ TEST(Taught, EmittersThatCannotBeSetBackAreTold) {
     EXPECT_NE(warnings_of(source, 0, true).find("no room to be set back"), std::string::npos);
 }
 
+// One has room, and a second one is brought to where there is none; then nothing but the light of one changes. The scene
+// is what one is that was built so.
+TEST(Taught, EmittersThatAnEditBringsToGlassHaveTheRoomThatThereIs) {
+  const auto place = [](double x, double z) { return facing({x, 0, z}, {0, 0, -1}); };
+  const auto build = [&](Scene& scene, double height_of_second, ups_luminaire_id& second) {
+    for (const double x : {-3.0, 3.0})
+      scene.add(box({x - 1, -1, top - thickness}, {x + 1, 1, top}), glass(ior));
+    scene.add(quad({2, -1, top}, {0, 2, 0}, {2, 0, 0}), matte(0));
+    const Profile profile = parse(scene.context(), ies_text([](double g) { return 100 * std::cos(g); }, 90, 0.4));
+    auto d = make_desc<ups_luminaire_desc>(ups_luminaire_desc_init);
+    d.profile = profile.get(), d.use_opening = 1;
+    for (const auto& m : {place(-3, top), place(3, height_of_second)}) {
+      std::copy(m.begin(), m.end(), d.to_world);
+      check(ups_scene_add_luminaire(scene.get(), &d, &second), "ups_scene_add_luminaire");
+    }
+    scene.add_meters({{-3, 0, 0}, {3, 0, 0}}, {0, 0, 1});
+  };
+  Scene whole, edited;
+  ups_luminaire_id of_whole{}, second{};
+  build(whole, top, of_whole);
+  build(edited, top + 0.5, second);
+  const std::string expected = scene_warnings(whole);
+  EXPECT_NE(expected.find("no room to be set back"), std::string::npos) << expected;
+  EXPECT_EQ(scene_warnings(edited).find("no room"), std::string::npos);
+  const auto moved = place(3, top);
+  double m[12];
+  std::copy(moved.begin(), moved.end(), m);
+  check(ups_scene_set_luminaire_transform(edited.get(), second, m), "ups_scene_set_luminaire_transform");
+  EXPECT_EQ(scene_warnings(edited), expected);
+  for (Scene* scene : {&whole, &edited})
+    for (const float dimming : {0.5f, 1.0f}) {
+      check(ups_scene_set_dimming(scene->get(), scene == &whole ? of_whole : second, dimming), "ups_scene_set_dimming");
+      EXPECT_EQ(scene_warnings(*scene), expected);
+    }
+}
+
 }  // namespace
 }  // namespace ups::test

@@ -25,7 +25,7 @@ from ._gltf import GltfImport
 from ._job import Job, Watcher, render
 from ._profile import Profile
 from ._result import ReplayedPath, Result
-from ._status import check
+from ._status import Error, check
 
 if TYPE_CHECKING:
     from typing import Unpack
@@ -182,8 +182,17 @@ class Scene(Edits):
     def sources(self) -> list[_ffi.SceneSource]:
         """A ups_scene_source of each luminaire, light and emissive instance of the committed scene: kind, id, group,
         light_kind, flux_lm, to_world, bounds_min_m, bounds_max_m."""
-        count = read_count(lib.ups_scene_get_source_count, self)
-        return [read_info(_ffi.SceneSource, lib.ups_scene_get_source, self, i) for i in range(count)]
+        while True:  # a commit that comes between may number them anew
+            revision = self.info.revision
+            try:
+                count = read_count(lib.ups_scene_get_source_count, self)
+                all_sources = [read_info(_ffi.SceneSource, lib.ups_scene_get_source, self, i) for i in range(count)]
+            except Error:
+                if self.info.revision == revision:
+                    raise
+            else:
+                if self.info.revision == revision:
+                    return all_sources
 
     def source_profile(self, index: int) -> Profile:
         """The Profile of a luminaire, by its index in sources()."""

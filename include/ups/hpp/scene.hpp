@@ -159,7 +159,15 @@ class Scene : public Handle<ups_scene> {
   ups_scene_info get_info() const { return detail::sized<ups_scene_info>(ups_scene_get_info, get()); }
   std::string get_text(ups_scene_text topic) const { return detail::text(ups_scene_get_text, get(), topic); }
   std::vector<ups_scene_source> sources() const {
-    return detail::all<ups_scene_source>(ups_scene_get_source_count, ups_scene_get_source, get());
+    for (;;) {  // a commit that comes between may number them anew
+      const std::uint64_t revision = get_info().revision;
+      try {
+        auto out = detail::all<ups_scene_source>(ups_scene_get_source_count, ups_scene_get_source, get());
+        if (get_info().revision == revision) return out;
+      } catch (const Error &) {
+        if (get_info().revision == revision) throw;
+      }
+    }
   }
   // index: in sources().
   Profile get_source_profile(std::uint32_t index) const {
