@@ -36,11 +36,11 @@ class EulumdatText {
     if (!parse(text, value)) fail_number(text, name);
     return value;
   }
-  // For what the light does not depend on: 0 with a warning.
+  // For what the light does not depend on: 0 with a warning. Still it tells how commas are meant elsewhere.
   double number_or_zero(const char* name, std::vector<std::string>& warnings) {
     const std::string_view text = line(name);
     double value = 0;
-    if (parse_eulumdat_number(text, value)) return value;
+    if (parse(text, value)) return value;
     warnings.push_back(at_line(in_.line(), std::string(name) + " is \"" + std::string(text.substr(0, 40)) +
                                                "\", which is not a number; taken as not stated"));
     return 0;

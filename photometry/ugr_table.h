@@ -7,8 +7,9 @@
 namespace photometry {
 
 // The luminaires hang or are recessed in a plane 2 m above the eye, H, in a regular array with the spacing H / 4, the
-// outer ones H / 8 from the walls. The eye is at the middle of a wall and looks straight to the opposite one. Crosswise
-// it faces C0 of the luminaires, endwise C90. Sources beyond the table of position indices are left out.
+// outer ones H / 8 from the walls. The eye is at the middle of a wall and looks straight to the opposite one: crosswise
+// across the luminaires' longer side, endwise along it. Where both are as long, crosswise C0 faces it, in IES files C90,
+// as these have the lamps along C90 and C0. Sources beyond the table of position indices are left out.
 //
 // The background is the mean illuminance of the walls between eye and luminaires without their direct light, over pi:
 // by the transfer method of CIE 190 (exchange() of room.h, whose factors are those of its table 5), but with the direct

@@ -80,9 +80,6 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
         "perturbation: UPS_PERTURBATION_ACTUAL needs the radius of merging: set merge_radius_m, or take a method that "
         "merges");
   for (const Camera& c : scene_->cameras) reading_s_ += c.pixel_count() * reading_s_of_pixel;
-  if (method_.techniques & UPS_TECHNIQUE_MERGE)  // discs are chosen by each reading, and by each look at the error
-    for (const MeterSet& set : scene_->meter_sets)
-      if (!set.is_cell()) reading_s_ += double(set.count()) * reading_s_of_disc, look_s_ += double(set.count()) * reading_s_of_disc;
   reading_s_ = std::min(reading_s_, 0.5 * desc_.time_limit_s);
   if (scene_->cameras.empty() && scene_->meter_sets.empty() && scene_->goniometers.empty())
     throw Error(UPS_ERROR_INVALID_STATE,
@@ -192,6 +189,10 @@ void RenderJob::prepare() {
     sums_ = std::move(sums);
     tell_selection(*integrator_, method_);
   });
+  // Discs are chosen anew by each reading, and by each look at the error.
+  for (size_t s = 0; s < scene_->meter_sets.size(); ++s)
+    if (integrator_->plan().lands_on(s)) look_s_ += double(scene_->meter_sets[s].count()) * reading_s_of_disc;
+  reading_s_ = std::min(reading_s_ + look_s_, 0.5 * desc_.time_limit_s);
   const std::lock_guard lock(mutex_);
   estimate_.emplace(ProgressEstimate::Limits{desc_.time_limit_s, double(desc_.iteration_count),
                                              desc_.target_relative_error, integrator_->plan().meter_subsets});
@@ -247,7 +248,7 @@ void RenderJob::add(const TallyQueue::Delivery& delivery) {
 
 // A look at many meters may take seconds, in which no deadline is asked.
 bool RenderJob::has_time_to_look() const {
-  return !(desc_.time_limit_s > 0) || elapsed() + look_s_ + reading_s_ <= desc_.time_limit_s;
+  return !(desc_.time_limit_s > 0) || elapsed() + look_s_ + (has_looked_ ? reading_s_ : 0) <= desc_.time_limit_s;
 }
 
 void RenderJob::look_at_error(double elapsed_s) {
@@ -255,6 +256,7 @@ void RenderJob::look_at_error(double elapsed_s) {
   const auto begin = Clock::now();
   ErrorSummary e = sums_->summarize();
   look_s_ = std::chrono::duration<double>(Clock::now() - begin).count();
+  has_looked_ = true;
   const bool nodes = scene_->meter_sets.empty() && scene_->cameras.empty();
   const ups_criterion criterion =
       nodes ? UPS_CRITERION_MEAN : resolve_criterion(desc_.target_criterion, !scene_->meter_sets.empty());

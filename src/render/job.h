@@ -94,7 +94,8 @@ class RenderJob {
   std::shared_ptr<const std::vector<SeenGlare>> glare_;  // made before the sums are
   StopSignal stop_;
   double reading_s_ = 0;  // of the time limit, kept for reading what was found
-  double look_s_ = 0;     // what the next look at the error will take, about
+  double look_s_ = 0;     // what the next look at the error will take, about: a guess until there was one
+  bool has_looked_ = false;
   const Clock::time_point start_ = Clock::now();
   std::thread thread_;
 

@@ -18,7 +18,7 @@ struct Panes {
 
   bool empty() const { return of_instance.empty() && blended.empty(); }
   bool is_pane(uint32_t instance) const { return !of_instance.empty() && of_instance[instance]; }
-  bool is_blended(uint32_t instance) const { return !blended.empty() && blended[instance]; }
+  bool is_blended(uint32_t instance) const { return instance < blended.size() && blended[instance]; }
   bool is_crossed(uint32_t instance) const { return is_pane(instance) || is_blended(instance); }
   bool operator==(const Panes& b) const { return of_instance == b.of_instance && blended == b.blended; }
   // False where the segment cannot meet one.

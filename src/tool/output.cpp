@@ -165,14 +165,15 @@ void write_camera(Written& written, const std::string& base, const SensorEntry& 
   attempt(written, base + "_techniques.exr",
           [&](const std::string& path) { write_techniques(path, camera, result, attributes); });
   attempt(written, base + "_luminance", [&](const std::string& name) {
-    const auto luminance = luminance_of(read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB));
+    const auto luminance =
+        within_image(camera.info, luminance_of(read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB)));
     const auto bound = read_image(result, camera, UPS_CHANNEL_ERROR_BOUND);
     write_map(written, name, image_map(camera.name, "Luminance", "cd/m\u00b2", luminance, bound, width, height),
               of_luminance(map));
   });
   if (!camera.info.illuminance) return;
   attempt(written, base + "_illuminance", [&](const std::string& name) {
-    const auto illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);
+    const auto illuminance = within_image(camera.info, read_image(result, camera, UPS_CHANNEL_ILLUMINANCE));
     const auto bound = bounds_of_noise(read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR));
     write_map(written, name, image_map(camera.name, "Illuminance", "lx", illuminance, bound, width, height), map);
   });

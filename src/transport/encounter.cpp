@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/per_thread.h"
 
@@ -143,8 +144,8 @@ PaneCrossing crossing(const Snapshot& scene, const SurfacePoint& s, const Vec3& 
 
 // One number serves all panes of an edge: what is left of it after each is uniform again.
 bool goes_through(const Snapshot& scene, const Vec3& d, float& u, bool panes_show_nothing, Encounter& e) {
-  if (panes_show_nothing && scene.panes.is_pane(e.surface.instance)) return true;
   const PaneCrossing pane = crossing(scene, e.surface, d);
+  if (panes_show_nothing && scene.panes.is_pane(e.surface.instance) && !is_black(pane.transmittance)) return true;
   if (u < pane.reflected || is_black(pane.transmittance)) return false;
   u = std::min((u - pane.reflected) / (1 - pane.reflected), 0x1.fffffep-1f);
   const Encounter::Crossed before = e.panes.empty() ? Encounter::Crossed{0, Rgb(1.0f), 1} : e.panes.back();
@@ -182,7 +183,8 @@ struct Ray {
   void pass(const SurfacePoint& s, float distance) {
     const float lift = 2 * s.error + 4 * 0x1p-24f * (max_abs(o) + distance), cosine = std::abs(dot(d, s.ng));
     const float beyond = distance + lift / std::max(cosine, 0.05f);
-    if (beneath_met == beneath_count && scene.panes.is_blended(s.instance)) find_beneath(s, 2 * distance - beyond, beyond);
+    if (beneath_met < beneath_count) return;  // what is left lies before where the ray goes on
+    if (!scene.panes.blended.empty()) find_beneath(s, distance, 2 * distance - beyond, beyond);
     last = distance;
     instance = s.instance;
     reach = 2 * lift / std::max(cosine, 1e-3f);
@@ -190,26 +192,31 @@ struct Ray {
   }
 
  private:
-  void find_beneath(const SurfacePoint& s, float begin, float end) {
+  // A blended film on a pane, too, whichever of the two was met first.
+  void find_beneath(const SurfacePoint& s, float distance, float begin, float end) {
     static const PerThread<std::vector<Hit>> kept;
     std::vector<Hit>& hits = kept.get();
     hits.clear();
     begin = std::max(begin, from);
-    scene.raytracer->intersect_all(o + d * begin, d, end - begin, hits);
     beneath_count = beneath_met = 0;
+    if (!(end > begin)) return;
+    scene.raytracer->intersect_all(o + d * begin, d, end - begin, hits);
     uint32_t before = s.instance;
     for (Hit& hit : hits) {
-      if (hit.instance == s.instance || hit.instance == before || beneath_count == beneath.size()) continue;
+      if (hit.instance == s.instance || hit.instance == before) continue;
       before = hit.instance;
-      hit.t += begin;
-      beneath[beneath_count++] = hit;
+      const bool full = beneath_count == beneath.size();
+      if (full && scene.panes.is_crossed(hit.instance)) continue;
+      hit.t = std::max(begin + hit.t, std::nextafter(distance, INFINITY));  // behind it, whatever rounding says
+      beneath[full ? beneath_count - 1 : beneath_count++] = hit;
+      if (full) break;
     }
   }
 };
 
 }  // namespace
 
-void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float u, WorkCounts& work,
+void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float& u, WorkCounts& work,
           Encounter& out, bool panes_show_nothing) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   out.media = start;

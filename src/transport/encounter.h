@@ -62,8 +62,8 @@ struct Encounter {
 };
 
 // From o along d, where `start` is around o. u: a pane whose reflectance is larger is met, or a blended surface of larger
-// alpha; others are crossed. panes_show_nothing: all panes are.
-void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float u, WorkCounts& work,
+// alpha; others are crossed, and what is left of it is uniform again. panes_show_nothing: all panes are that let light by.
+void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float& u, WorkCounts& work,
           Encounter& out, bool panes_show_nothing = false);
 
 // What panes and blended surfaces leave of light along a segment, and media where they nest; else attenuation_ahead() has

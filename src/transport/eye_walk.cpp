@@ -27,6 +27,7 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
   origin_ = surface.p;
   if (eye.merge) {
     eye.surface.ng = surface.ng;  // photons tell by it which side they lie on
+    eye.surface.instance = surface.instance, eye.surface.material = surface.material;
     PhotonIndex::Query photons;
     if (ask_photons(eye, photons)) {
       disc(eye).photons->find_rows(photons);

@@ -46,7 +46,8 @@ class Subpath {
       : in_(in), scene_(in.scene), rng_(rng), work_(work) {}
 
   void trace(uint32_t edges) {
-    meet(scene_, origin_, direction_, media_, scene_.panes.empty() ? 0 : rng_.get(edges, Slot::pane), work_, met_);
+    float u = scene_.panes.empty() ? 0 : rng_.get(edges, Slot::pane);
+    meet(scene_, origin_, direction_, media_, u, work_, met_);
     if (in_.recorder && met_.found) in_.recorder->meet(met_);
   }
 

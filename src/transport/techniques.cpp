@@ -296,8 +296,10 @@ std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd&
 
 namespace {
 
-// Against leaks through thin walls and around edges: same orientation, same side, in the tangent plane.
-bool same_surface(const SurfacePoint& s, const LightVertex& l, float cos_light, double radius) {
+// Against leaks through thin walls and around edges: same orientation, same side, in the tangent plane; and of a blended
+// surface, which may lie on another, the same material.
+bool same_surface(const Snapshot& scene, const SurfacePoint& s, const LightVertex& l, float cos_light, double radius) {
+  if (l.material != s.material && (l.coverage < 1 || scene.panes.is_blended(s.instance))) return false;
   return dot(l.ng, s.ng) >= min_merge_cosine && cos_light * dot(l.wo, l.ng) > 0 && std::abs(cos_light) >= min_cosine &&
          std::abs(dot(s.ng, l.p - s.p)) <= max_merge_height * radius;
 }
@@ -307,7 +309,7 @@ bool same_surface(const SurfacePoint& s, const LightVertex& l, float cos_light, 
 Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& l, double radius) {
   const float cos_light = dot(l.wo, eye.surface.ng);
   if (!l.mis.casters && !(n.merge_all > 0)) return {};
-  if (in.is_too_long(eye.edges + l.depth) || !same_surface(eye.surface, l, cos_light, radius)) return {};
+  if (in.is_too_long(eye.edges + l.depth) || !same_surface(in.scene, eye.surface, l, cos_light, radius)) return {};
   Vec3 local;
   if (!scatters(eye, l.wo, local)) return {};
   // evaluate() carries |cos(wi, n_s)|; a photon's surface density already carries |cos(wi, n_g)|.

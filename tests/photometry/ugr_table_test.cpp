@@ -226,6 +226,20 @@ TEST(UgrTable, CrosswiseFacesC0) {
   EXPECT_GT(table.ugr[0][5][0], table.ugr[1][5][0] + 3);
 }
 
+// Wherever a file has its long side: as EULUMDAT along C90, or as IES along C0.
+TEST(UgrTable, CrosswiseIsAcrossTheLongSide) {
+  const auto linear = [](bool along_c0) {
+    const double turn = along_c0 ? 180 : 0;
+    Photometry p = panel([=](double c, double g) { return lambertian(c, g) * (1 + 0.9 * std::cos(rad(2 * c + turn))); });
+    p.opening.size_m[0] = along_c0 ? 1.5f : 0.1f, p.opening.size_m[1] = along_c0 ? 0.1f : 1.5f;
+    return ugr_table(p);
+  };
+  const UgrTable as_eulumdat = linear(false), as_ies = linear(true);
+  EXPECT_GT(as_eulumdat.ugr[0][10][0], as_eulumdat.ugr[1][10][0] + 3);
+  for (int view = 0; view < 2; ++view)
+    EXPECT_NEAR(as_ies.ugr[view][10][0], as_eulumdat.ugr[view][10][0], 0.05) << view;
+}
+
 TEST(UgrTable, SaysWhereThereIsNoGlareAndNoOpening) {
   const UgrTable up = ugr_table(panel([](double, double g) { return g > 91 ? 500.0 : 0; }));
   EXPECT_EQ(up.ugr[0][0][0], UgrTable::no_glare);

@@ -70,6 +70,15 @@ TEST(Isolines, EndAtTheBorderAndAtGaps) {
   for (const Place& p : lines[0].points) EXPECT_LE(p.y, 1e-9);
 }
 
+// However many meters there are.
+TEST(Isolines, GoAroundASingleMeter) {
+  for (const uint32_t side : {7u, 110u, 130u, 300u}) {
+    MapData data = grid_of(side, side, [](const Place&) { return 600.0; });
+    data.values[(side / 2) * (side + 1)].value = 400;
+    EXPECT_EQ(isolines_of(MapField(data), {500}).size(), 1u) << side;
+  }
+}
+
 TEST(Isolines, OfASaddleDoNotCross) {
   const MapData data = grid_of(20, 20, [](const Place& p) { return 100 + 20 * p.x * p.y; });
   const std::vector<Isoline> lines = isolines_of(MapField(data), {99.9, 100.1});
@@ -211,6 +220,10 @@ TEST(Map, HasItsWordsAndNoTwoNumbersInOnePlace) {
   style.threshold = 500;
   EXPECT_TRUE(labels_of(map_drawing(data, style)).count("\u2265 500 lx"));
   EXPECT_NE(map_description(data, style).find("not met at"), std::string::npos);
+  MapData nearly = grid_of(50, 50, [](const Place&) { return 600.0; });
+  nearly.values[1275].value = 400;
+  EXPECT_FALSE(labels_of(map_drawing(nearly, style)).count("100 %")) << "one of 2500 fails";
+  EXPECT_TRUE(labels_of(map_drawing(nearly, style)).count("99.96 %"));
 }
 
 TEST(Map, IsTheSameBytesEachTimeAndItsIdsCanBeToldApart) {
@@ -264,6 +277,44 @@ TEST(MapData, OfALeaningWallIsSeenFromItsFront) {
   EXPECT_FALSE(meter_map("line", {points[0], points[1], points[2]}, 0, nullptr));
   points[5].position_m[2] += 0.3;
   EXPECT_FALSE(meter_map("space", points, 0, nullptr));
+}
+
+// From the top and from the west, as one reads: north is up, and nothing is mirrored.
+TEST(MapData, OfAListInReadingOrderIsNoMirrorImage) {
+  std::vector<MeterPoint> points;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c) points.push_back({{1.0 * c, 3.0 - r, 0.75}, {0, 0, 1}, 100.0 + 10 * r + c, 1});
+  const auto data = meter_map("read", points, 4, nullptr);
+  ASSERT_TRUE(data);
+  EXPECT_EQ(data->north, "N");
+  EXPECT_NEAR(data->north_y, 1, 1e-9);
+  for (const MapValue& v : data->values) {  // x from the west, y from the south
+    const int c = int(std::lround(v.at.x - data->values[0].at.x)), r = 2 - int(std::lround(v.at.y - data->values[0].at.y));
+    EXPECT_EQ(v.value, 100 + 10 * r + c);
+  }
+  ASSERT_TRUE(MapField(*data).lattice());
+  EXPECT_EQ(MapField(*data).lattice()->step_y, 1);
+}
+
+TEST(MapData, OfALeaningLatticeIsNoGridOfRectangles) {
+  std::vector<double> positions;
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 5; ++c) positions.insert(positions.end(), {c + 0.5 * r, 1.0 * r, 0});
+  EXPECT_EQ(columns_of(positions.data(), 20), 0u);
+}
+
+TEST(MapData, OfAFisheyeIsOfItsImageCircle) {
+  SensorInfo camera{};
+  camera.width = camera.height = 20;
+  camera.projection = UPS_EQUIDISTANT;
+  const std::vector<float> all(400, 100.0f), seen = within_image(camera, all);
+  EXPECT_EQ(seen[0], -1);
+  EXPECT_EQ(seen[10 * 20 + 10], 100);
+  EXPECT_NEAR(double(std::count(seen.begin(), seen.end(), 100.0f)) / 400, pi / 4, 0.02);
+  EXPECT_NE(image_map("sky", "Luminance", "cd/m2", seen, {}, 20, 20).summary.find("mean 100 cd/m2, min 100"),
+            std::string::npos);
+  camera.projection = UPS_PERSPECTIVE;
+  EXPECT_EQ(within_image(camera, all), all);
 }
 
 TEST(MapData, OfATurnedLatticeLiesStraight) {

@@ -139,6 +139,29 @@ TEST(Taught, BlendedSheetsHideNothingThatTheyLieOn) {
   }
 }
 
+// A film on a pane, whichever of the two rays meet first.
+TEST(Taught, BlendedFilmsOnPanesAreCrossedWithThem) {
+  for (const bool first : {true, false}) {
+    Scene scene;
+    auto pane = material(UPS_MATERIAL_GLAZING, 1);  // which reflects nothing
+    pane.ior = 1;
+    std::fill(std::begin(pane.transmittance_rgb), std::end(pane.transmittance_rgb), 1.0f);
+    const auto film = [&] { scene.add(quad({-3, -3, 1}, {6, 0, 0}, {0, 6, 0}), blended(matte(0), 0.25)); };
+    if (first) film();
+    scene.add(quad({-3, -3, 1}, {6, 0, 0}, {0, 6, 0}), pane);
+    if (!first) film();
+    scene.add_point_light({0.3, 0.2, 2}, candela);
+    std::vector<P3> points;
+    for (int i = 0; i < 100; ++i) points.push_back({0.2 * (i % 10) - 0.93, 0.2 * (i / 10) - 0.91, 0});
+    const Sensor meters = scene.add_meters(points, {0, 0, 1});
+    const auto readings = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16}).readings(meters);
+    for (size_t i = 0; i < points.size(); ++i) {
+      const double x = points[i].x - 0.3, y = points[i].y - 0.2, d2 = x * x + y * y + 4;
+      EXPECT_NEAR(readings[i].illuminance_lx / (0.75 * candela * 2 / (d2 * std::sqrt(d2))), 1, 1e-4) << i;
+    }
+  }
+}
+
 // An illuminance image shows a share alpha of its pixels' samples the sheet, the others what lies behind.
 TEST(Taught, BlendedSheetsAreSeenByIlluminanceImages) {
   constexpr double alpha = 0.7;
@@ -181,6 +204,32 @@ TEST(Taught, BlendedSheetsAreMergedByThePhotonsAlpha) {
   const Mean a = mean_of(traced), b = mean_of(merged);
   EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.004 * a.value) << "too noisy to judge";
   EXPECT_NEAR(b.value / a.value, 1, 0.02) << "the light is less by 2 % within the radius";
+}
+
+// Photons on the sheet and on the floor a millimetre below it are told apart, within a radius that holds both.
+TEST(Taught, BlendedSheetsAndWhatTheyLieOnAreMergedApart) {
+  constexpr double alpha = 0.5;
+  Scene scene;
+  scene.add(quad({-1, -1, 0.001}, {2, 0, 0}, {0, 2, 0}), blended(matte(0.6), alpha));
+  scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0.2));
+  scene.add_point_light({0, 0, 1}, candela);
+  const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 16, 16, 0.3);
+  const auto mean_of_image = [&](ups_method method, uint64_t seed) {
+    const Result result = scene.render({.method = method, .iterations = 64, .seed = seed, .merge_radius_m = 0.05,
+                                        .light_paths = method == UPS_METHOD_PPM ? 1u << 15 : 1u << 10});
+    double sum = 0;
+    const std::vector<float> rgb = result.image(camera).luminance;
+    for (size_t i = 0; i < rgb.size(); ++i) sum += double(rgb[i]) / double(rgb.size());
+    return sum;
+  };
+  std::vector<double> traced, merged;
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
+    traced.push_back(mean_of_image(UPS_METHOD_PATH_TRACING, seed));
+    merged.push_back(mean_of_image(UPS_METHOD_PPM, seed));
+  }
+  const Mean a = mean_of(traced), b = mean_of(merged);
+  EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.005 * a.value) << "too noisy to judge";
+  EXPECT_NEAR(b.value / a.value, 1, 0.02);
 }
 
 // A boundary of glass that is there for some of the light would bound nothing.

@@ -24,9 +24,10 @@ TEST(Encounter, FacesThatTouchAreTheStrongestSolids) {
       const Vec3 from = Vec3(Vec3d(sign > 0 ? -1 : 3, 0.4, 0.6) - scene.origin), d(sign, 0, 0);
       WorkCounts work;
       Encounter outside, between;
-      meet(scene, from, d, {}, 0, work, outside);
+      float u = 0;
+      meet(scene, from, d, {}, u, work, outside);
       ASSERT_TRUE(outside.found);
-      meet(scene, outside.surface.ray_origin(d), d, outside.beyond(d), 0, work, between);
+      meet(scene, outside.surface.ray_origin(d), d, outside.beyond(d), u, work, between);
       ASSERT_TRUE(between.found);
       EXPECT_NEAR(between.surface.p.x + scene.origin.x, 1, 1e-5);
       EXPECT_EQ(scene.materials[between.surface.material].ior, first_priority > 1 ? 1.4f : 1.7f) << sign;

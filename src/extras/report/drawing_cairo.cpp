@@ -107,6 +107,7 @@ class Canvas {
     cairo_translate(c(), picture.corner.x, picture.corner.y);
     cairo_scale(c(), picture.width / picture.columns, picture.height / picture.rows);
     cairo_set_source_surface(c(), pixels.get(), 0, 0);
+    cairo_pattern_set_extend(cairo_get_source(c()), CAIRO_EXTEND_PAD);  // or edges fade into nothing
     cairo_rectangle(c(), 0, 0, picture.columns, picture.rows);
     cairo_clip(c());
     cairo_paint(c());

@@ -16,7 +16,8 @@ class Mesh {
  public:
   explicit Mesh(const MapField& field) : lattice_(*field.lattice()) {
     const uint32_t longer = std::max(lattice_.columns, lattice_.rows);
-    fine_ = std::clamp(wanted_side / std::max(longer, 1u), 1u, finest);
+    // Even: nodes lie on the meters, too, or a single one that is less or more has no line.
+    fine_ = std::clamp(wanted_side / std::max(longer, 1u) & ~1u, 2u, finest);
     columns_ = lattice_.columns * fine_, rows_ = lattice_.rows * fine_;
     nodes_.resize(size_t(columns_ + 1) * (rows_ + 1));
     for (uint32_t j = 0; j <= rows_; ++j)

@@ -31,7 +31,13 @@ size_t count_of(const MapData& data, double threshold, Verdict verdict) {
                               [&](const MapValue& v) { return verdict_of(v, threshold) == verdict; }));
 }
 
-std::string share_text(size_t count, size_t of) { return format("%.3g %%", 100.0 * double(count) / double(of)); }
+// Not all of them is never 100 %, nor are some of them 0.
+std::string share_text(size_t count, size_t of) {
+  const double share = 100.0 * double(count) / double(of);
+  std::string text = format("%.3g", share);
+  for (int digits = 4; count < of && text == "100" && digits < 12; ++digits) text = format("%.*g", digits, share);
+  return text + " %";
+}
 
 std::string heading_of(const MapData& data) {
   return data.quantity + (data.unit.empty() ? "" : ", " + data.unit) + (data.title.empty() ? "" : ": " + data.title);

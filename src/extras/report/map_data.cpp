@@ -89,16 +89,29 @@ void set_upright_axes(MapPlane& plane) {
   set_axes(plane, right);
 }
 
-// As the grid lies: columns to the right, rows upwards.
-void set_grid_axes(MapPlane& plane, const std::vector<MeterPoint>& points, uint32_t columns) {
+// As the grid lies: columns to the right, rows upwards. True where its rows run the other way round and are to be turned:
+// as they are read on a page, from the top. Where meters look downwards, it is the plane that is turned: a plan is seen
+// from above.
+bool set_grid_axes(MapPlane& plane, const std::vector<MeterPoint>& points, uint32_t columns) {
   Vector right = between(points[0], points[columns - 1]), up = between(points[0], points[points.size() - columns]);
   if (columns == 1) right = cross(up.data(), plane.normal);  // of a single cell too: no direction
-  if (!make_unit(right)) return set_upright_axes(plane);
-  set_axes(plane, right);
-  if (dot(up.data(), plane.up) < 0) {  // its rows run the other way round: seen from behind
-    for (double& c : plane.normal) c = -c;
-    set_axes(plane, right);
+  if (!make_unit(right)) {
+    set_upright_axes(plane);
+    return false;
   }
+  set_axes(plane, right);
+  if (!(dot(up.data(), plane.up) < 0)) return false;
+  if (plane.normal[2] > 0.5 || (plane.normal[2] > -0.5 && up[2] < 0)) return true;
+  for (double& c : plane.normal) c = -c;  // seen from behind
+  set_axes(plane, right);
+  return false;
+}
+
+std::vector<MeterPoint> with_rows_turned(const std::vector<MeterPoint>& points, uint32_t columns) {
+  std::vector<MeterPoint> out;
+  for (size_t end = points.size(); end > 0; end -= columns)
+    out.insert(out.end(), points.begin() + ptrdiff_t(end - columns), points.begin() + ptrdiff_t(end));
+  return out;
 }
 
 std::vector<MapValue> values_of(const std::vector<MeterPoint>& points, const MapPlane& plane) {
@@ -146,8 +159,8 @@ std::optional<MapData> meter_map(const std::string& name, const std::vector<Mete
   if (columns > 0) {
     data.columns = columns;
     data.rows = uint32_t(points.size()) / columns;
-    set_grid_axes(plane, points, columns);
-    data.values = values_of(points, plane);
+    const bool turned = set_grid_axes(plane, points, columns);
+    data.values = values_of(turned ? with_rows_turned(points, columns) : points, plane);
   } else {
     set_upright_axes(plane);
     data.values = values_of(points, plane);
@@ -211,6 +224,7 @@ uint32_t columns_of(const double* positions_m, size_t count) {
     ++columns;
   if (columns == count || count % columns != 0) return 0;
   const Vector row = between_points(0, columns);
+  if (std::abs(dot(step.data(), row.data())) > 1e-4 * length(step) * length(row)) return 0;  // no cells of a map
   for (size_t i = 0; i < count; ++i) {
     const double c = double(i % columns), r = double(i / columns);
     Vector expected;
@@ -218,6 +232,16 @@ uint32_t columns_of(const double* positions_m, size_t count) {
     if (differ(between_points(0, i), expected)) return 0;
   }
   return uint32_t(columns);
+}
+
+std::vector<float> within_image(const SensorInfo& camera, std::vector<float> values) {
+  if (camera.projection != UPS_EQUIDISTANT && camera.projection != UPS_EQUISOLID) return values;
+  const double r = 0.5 * camera.height;
+  for (size_t i = 0; i < values.size(); ++i) {
+    const double x = double(i % camera.width) + 0.5 - 0.5 * camera.width, y = double(i / camera.width) + 0.5 - r;
+    if (x * x + y * y > r * r) values[i] = -1;
+  }
+  return values;
 }
 
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,

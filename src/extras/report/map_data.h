@@ -15,7 +15,7 @@ struct MeterPoint {
 
 // Of points in one plane, seen against its normal; nothing where they lie in none, or on one line, or are more than
 // 20,000 on no lattice. columns: of a grid, else 0. scene: committed, whose plan and observers are drawn; may be null.
-// A wall's map is upright, a grid's has its row 0 below.
+// A wall's map is upright, a grid's has its row 0 below, or above where its rows run downwards or south.
 std::optional<MapData> meter_map(const std::string& name, const std::vector<MeterPoint>& points, uint32_t columns,
                                  const LitScene* scene);
 // Of a set of meters of a render, but of a mesh's surface.
@@ -24,6 +24,8 @@ std::optional<MapData> meter_map(const SensorEntry& meters, const LitScene& scen
 uint32_t columns_of(const double* positions_m, size_t count);
 
 // values and their 95 % bounds (< 0: not known; none at all: of none): columns * rows, row 0 at the top.
+// Of a fisheye's pixels, one value each: those outside of its image circle become unknown, as no light is measured there.
+std::vector<float> within_image(const SensorInfo& camera, std::vector<float> values);
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
                   const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows);
 // Bounds of what has standard errors alone; -1 stays.

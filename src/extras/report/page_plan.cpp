@@ -99,21 +99,22 @@ struct Bounds {
 // Of the geometry, and of all luminaires and meters that have a place: a scene may have no surfaces.
 Bounds bounds_of(const PageInput& in, const std::vector<LuminaireType>& types) {
   const ups_scene_info info = info_of(in.scene);
+  const bool has_surfaces = info.bounds_min_m[0] <= info.bounds_max_m[0];
   Bounds b;
-  std::copy(info.bounds_min_m, info.bounds_min_m + 3, b.low);
-  std::copy(info.bounds_max_m, info.bounds_max_m + 3, b.high);
-  if (b.low[0] <= b.high[0]) return b;
   for (int k = 0; k < 3; ++k) b.low[k] = INFINITY, b.high[k] = -INFINITY;
   const auto grow = [&](const double* p) {
+    if (!std::isfinite(p[0] + p[1] + p[2])) return;
     for (int k = 0; k < 3; ++k) b.low[k] = std::min(b.low[k], p[k]), b.high[k] = std::max(b.high[k], p[k]);
   };
   for (const LuminaireType& type : types)
-    for (const PlacedSource& s : type.sources) grow(s.info.bounds_min_m), grow(s.info.bounds_max_m);
+    for (const PlacedSource& s : type.sources)
+      if (s.info.light_kind != UPS_LIGHT_DIRECTIONAL) grow(s.info.bounds_min_m), grow(s.info.bounds_max_m);
   for (const SensorEntry& sensor : in.scene.sensors) {
     if (sensor.info.kind != SensorKind::meters || sensor.info.meter_count > most_places) continue;
     const MeterPlaces places = meter_places(in.scene, sensor);
     for (const size_t m : places.listed) grow(&places.positions[3 * m]);
   }
+  if (has_surfaces) grow(info.bounds_min_m), grow(info.bounds_max_m);
   return b;
 }
 
