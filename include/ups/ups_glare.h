@@ -30,8 +30,8 @@ UPS_API ups_status ups_glare_get_ugr(const float *luminance_cd_m2, const float *
 /* The UGR table of CIE 190:2010: rooms by lengths across and along the view in units of H = 2 m, the height of the
  * luminaires above the eye, at the middle of a wall; spacing H / 4; five sets of reflectances. Crosswise is across the
  * longer side of the opening (square: C0 faces the eye, of IES files C90). The background is by the transfer method, but
- * with the direct light of the array itself. Ratings are those for the lamps' flux; for 1000 lm, as uncorrected tables have
- * them, they are lower by 8 log10(lamp_flux_lm / 1000). -1: no luminaire that counts sends light to the eye. */
+ * with the direct light of the array itself. Ratings are for the lamps' flux; those for 1000 lm, as uncorrected tables
+ * have, are lower by 8 log10(lamp_flux_lm / 1000). -1: no luminaire that counts sends light to the eye. */
 typedef struct ups_ugr_table {
   uint32_t struct_size;
   float lamp_flux_lm;           /* that the file states; of absolute photometry the luminaire's flux */

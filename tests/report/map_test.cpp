@@ -289,7 +289,8 @@ TEST(MapData, OfAListInReadingOrderIsNoMirrorImage) {
   EXPECT_EQ(data->north, "N");
   EXPECT_NEAR(data->north_y, 1, 1e-9);
   for (const MapValue& v : data->values) {  // x from the west, y from the south
-    const int c = int(std::lround(v.at.x - data->values[0].at.x)), r = 2 - int(std::lround(v.at.y - data->values[0].at.y));
+    const Place at{v.at.x - data->values[0].at.x, v.at.y - data->values[0].at.y};
+    const int c = int(std::lround(at.x)), r = 2 - int(std::lround(at.y));
     EXPECT_EQ(v.value, 100 + 10 * r + c);
   }
   ASSERT_TRUE(MapField(*data).lattice());

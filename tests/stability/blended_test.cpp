@@ -17,6 +17,13 @@ ups_material_desc blended(ups_material_desc d, double alpha) {
   return d;
 }
 
+// The mean of the picture by path tracing and by merging alone, within a radius.
+std::pair<Mean, Mean> traced_and_merged(Scene& scene, const Sensor& camera, double radius_m, uint32_t light_paths) {
+  RenderOptions traced{.method = UPS_METHOD_PATH_TRACING, .iterations = 64},
+      merged{.method = UPS_METHOD_PPM, .iterations = 64, .merge_radius_m = radius_m, .light_paths = light_paths};
+  return {image_mean(scene, camera, traced), image_mean(scene, camera, merged)};
+}
+
 // Rays that are the same in all iterations are not all hidden or all let by, and sheets do not decide alike.
 TEST(Taught, BlendedSheetsLetTheirShareBy) {
   Scene scene;
@@ -188,20 +195,7 @@ TEST(Taught, BlendedSheetsAreMergedByThePhotonsAlpha) {
   scene.add(square, sheet);
   scene.add_point_light({0, 0, 1}, candela);
   const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 16, 16, 0.5);
-  const auto mean_of_image = [&](ups_method method, uint64_t seed) {
-    const Result result = scene.render({.method = method, .iterations = 64, .seed = seed, .merge_radius_m = 0.2,
-                                        .light_paths = method == UPS_METHOD_PPM ? 1u << 14 : 1u << 10});
-    double sum = 0;
-    const std::vector<float> rgb = result.image(camera).luminance;
-    for (size_t i = 0; i < rgb.size(); ++i) sum += double(rgb[i]) / double(rgb.size());
-    return sum;
-  };
-  std::vector<double> traced, merged;
-  for (uint64_t seed = 1; seed <= 8; ++seed) {
-    traced.push_back(mean_of_image(UPS_METHOD_PATH_TRACING, seed));
-    merged.push_back(mean_of_image(UPS_METHOD_PPM, seed));
-  }
-  const Mean a = mean_of(traced), b = mean_of(merged);
+  const auto [a, b] = traced_and_merged(scene, camera, 0.2, 1u << 14);
   EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.004 * a.value) << "too noisy to judge";
   EXPECT_NEAR(b.value / a.value, 1, 0.02) << "the light is less by 2 % within the radius";
 }
@@ -214,20 +208,7 @@ TEST(Taught, BlendedSheetsAndWhatTheyLieOnAreMergedApart) {
   scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0.2));
   scene.add_point_light({0, 0, 1}, candela);
   const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 16, 16, 0.3);
-  const auto mean_of_image = [&](ups_method method, uint64_t seed) {
-    const Result result = scene.render({.method = method, .iterations = 64, .seed = seed, .merge_radius_m = 0.05,
-                                        .light_paths = method == UPS_METHOD_PPM ? 1u << 15 : 1u << 10});
-    double sum = 0;
-    const std::vector<float> rgb = result.image(camera).luminance;
-    for (size_t i = 0; i < rgb.size(); ++i) sum += double(rgb[i]) / double(rgb.size());
-    return sum;
-  };
-  std::vector<double> traced, merged;
-  for (uint64_t seed = 1; seed <= 8; ++seed) {
-    traced.push_back(mean_of_image(UPS_METHOD_PATH_TRACING, seed));
-    merged.push_back(mean_of_image(UPS_METHOD_PPM, seed));
-  }
-  const Mean a = mean_of(traced), b = mean_of(merged);
+  const auto [a, b] = traced_and_merged(scene, camera, 0.05, 1u << 15);
   EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.005 * a.value) << "too noisy to judge";
   EXPECT_NEAR(b.value / a.value, 1, 0.02);
 }

@@ -26,7 +26,8 @@ MapData camera_map(const ups_report_map_desc& d, const SensorEntry& camera) {
   const auto read = [&](ups_channel channel) { return read_image(d.result, camera, channel); };
   if (!wants_illuminance(d))
     return image_map(camera.name, "Luminance", luminance_unit,
-                     within_image(camera.info, luminance_of(read(UPS_CHANNEL_LUMINANCE_RGB))), read(UPS_CHANNEL_ERROR_BOUND), width, height);
+                     within_image(camera.info, luminance_of(read(UPS_CHANNEL_LUMINANCE_RGB))),
+                     read(UPS_CHANNEL_ERROR_BOUND), width, height);
   if (!camera.info.illuminance)
     throw Failure(camera.name + " has no illuminance: set ups_camera_desc.illuminance to 1, or take its luminance");
   return image_map(camera.name, "Illuminance", "lx", within_image(camera.info, read(UPS_CHANNEL_ILLUMINANCE)),
