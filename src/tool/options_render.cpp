@@ -49,6 +49,7 @@ std::string fraction(const std::string& text) { return between(text, 1e-6, 0.999
 
 // Decimal digits for CLI11, which would read "010" as octal, let "-1" wrap around and cut what is too large.
 CLI::Validator whole(uint64_t least, uint64_t most) {
+  const std::string range = std::to_string(least) + " - " + std::to_string(most);
   return {[=](std::string& text) -> std::string {
             uint64_t value = 0;
             const char* end = text.data() + text.size();
@@ -59,7 +60,7 @@ CLI::Validator whole(uint64_t least, uint64_t most) {
             text = std::to_string(value);
             return "";
           },
-          ""};
+          most < UINT64_MAX ? "UINT in [" + range + "]" : ""};
 }
 
 // WxH into the two numbers; the text of what is wrong, or none.
