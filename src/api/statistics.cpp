@@ -19,6 +19,11 @@ ups_interval interval_of(double value, const Interval& i, double most) {
 
 ups_interval interval_of(const Ratio& r) { return {r.value, r.interval.low, r.interval.high}; }
 
+template <class Of>
+ups_interval of_ranks(const MeterBatches& meters, const Of& of) {
+  return meters.count() == 0 ? ups_interval{-1, -1, -1} : of(MeterRanks(meters));
+}
+
 }  // namespace
 
 ups_status ups_result_get_meter_percentile(const ups_result* result, ups_sensor_id sensor, double share,
@@ -27,13 +32,10 @@ ups_status ups_result_get_meter_percentile(const ups_result* result, ups_sensor_
     const MeterBatches& meters = meters_of(result, sensor).batches;
     require(out, "out");
     check::range(share, 0, 1, "share");
-    if (meters.count() == 0) {
-      *out = {-1, -1, -1};
-      return;
-    }
-    const MeterRanks ranks(meters);
-    const size_t rank = ranks.rank_at(share);
-    *out = interval_of(ranks.value(rank), ranks.interval(rank), INFINITY);
+    *out = of_ranks(meters, [&](const MeterRanks& ranks) {
+      const size_t rank = ranks.rank_at(share);
+      return interval_of(ranks.value(rank), ranks.interval(rank), INFINITY);
+    });
   });
 }
 
@@ -43,12 +45,9 @@ ups_status ups_result_get_meter_share(const ups_result* result, ups_sensor_id se
     const MeterBatches& meters = meters_of(result, sensor).batches;
     require(out, "out");
     check::finite(threshold_lx, "threshold_lx");
-    if (meters.count() == 0) {
-      *out = {-1, -1, -1};
-      return;
-    }
-    const MeterRanks ranks(meters);
-    *out = interval_of(ranks.share_above(threshold_lx), ranks.share_above_interval(threshold_lx), 1);
+    *out = of_ranks(meters, [&](const MeterRanks& ranks) {
+      return interval_of(ranks.share_above(threshold_lx), ranks.share_above_interval(threshold_lx), 1);
+    });
   });
 }
 

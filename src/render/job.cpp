@@ -92,10 +92,7 @@ RenderJob::~RenderJob() {
 }
 
 void RenderJob::start() {
-  const TransportSettings settings = settings_of(desc_, method_);
-  const Plan plan = make_plan(*scene_, settings);
-  const MemoryEstimate least = least_memory(*scene_, settings, plan, desc_);
-  allowed_ = allowed_memory(least.scene, desc_);
+  const auto [plan, least] = plan_least();
   check_memory(least, allowed_, *scene_, plan, desc_);
   memory_.set(whole_bytes(allowed_.bytes - least.scene), advice_of(allowed_));
   thread_ = start_thread("job", [this] { run(); });
@@ -144,10 +141,17 @@ void RenderJob::make_integrator() {
   integrator_ = std::make_unique<Integrator>(scene_, settings, *pool_, stop_);
 }
 
-ups_memory_estimate RenderJob::estimate() {
+// What no pilot changes, and whether it may be.
+std::pair<Plan, MemoryEstimate> RenderJob::plan_least() {
   const TransportSettings settings = settings_of(desc_, method_);
-  const MemoryEstimate least = least_memory(*scene_, settings, make_plan(*scene_, settings), desc_);
+  Plan plan = make_plan(*scene_, settings);
+  const MemoryEstimate least = least_memory(*scene_, settings, plan, desc_);
   allowed_ = allowed_memory(least.scene, desc_);
+  return {std::move(plan), least};
+}
+
+ups_memory_estimate RenderJob::estimate() {
+  const MemoryEstimate least = plan_least().second;
   if (least.peak() > allowed_.bytes) return in_bytes(least, allowed_);  // the render's pilots would not be reached
   memory_.set(whole_bytes(double(platform::available_memory().bytes)), "");  // of its pilots
   make_integrator();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.h"
@@ -66,6 +67,7 @@ class RenderJob {
   using Clock = StopSignal::Clock;
   void run();
   void iterate();
+  std::pair<Plan, MemoryEstimate> plan_least();
   void make_integrator();
   void take_memory();
   void prepare();

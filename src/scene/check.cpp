@@ -58,7 +58,8 @@ void transform(const double (&m)[12], const std::string& field) {
   const double sizes = length(a.column(0)) * length(a.column(1)) * length(a.column(2));
   for (int k = 0; k < 3; ++k)  // of shorter ones squares have no digits left
     if (!(max_abs(a.column(k)) >= 1e-100))
-      fail_argument(field + " is singular: its axis " + std::to_string(k) + " is shorter than 1e-100; it must be invertible");
+      fail_argument(field + " is singular: its axis " + std::to_string(k) +
+                    " is shorter than 1e-100; it must be invertible");
   // Flat to within rounding counts as flat: the inverse would have no digits left.
   if (!(std::abs(a.determinant()) > 1e-14 * sizes && std::isfinite(sizes)))
     fail_argument(field + " is singular (determinant " + text(a.determinant()) + "); it must be invertible");

@@ -100,7 +100,8 @@ TEST(Taught, BlendedSheetsScatterTheirShare) {
     for (int j = 0; j < n; ++j) {
       const double x = half * (2 * (i + 0.5) / n - 1), y = half * (2 * (j + 0.5) / n - 1), da = 4 * half * half / n / n;
       for (int k = 0; k < m * m; ++k) {
-        const double u = meter.x + cell_side * ((k % m + 0.5) / m - 0.5), v = meter.y + cell_side * ((k / m + 0.5) / m - 0.5);
+        const double u = meter.x + cell_side * ((k % m + 0.5) / m - 0.5),
+                     v = meter.y + cell_side * ((k / m + 0.5) / m - 0.5);
         const double d2 = (x - u) * (x - u) + (y - v) * (y - v) + meter.z * meter.z;
         at_cell += alpha * rho / pi_d * lit(x, y) * meter.z * meter.z / (d2 * d2) * da / (m * m);
       }
@@ -177,7 +178,8 @@ TEST(Taught, BlendedSheetsAreSeenByIlluminanceImages) {
   scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), matte(0));
   scene.add_point_light({0.05, 0, 3}, candela);
   const Sensor camera = scene.add_camera({0, 0, 2.9}, {0, 0, -1}, 16, 16, 0.05, true);
-  const std::vector<float> lx = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 256}).image(camera).illuminance;
+  const Result result = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 256});
+  const std::vector<float> lx = result.image(camera).illuminance;
   double mean = 0;
   for (const float v : lx) mean += double(v) / double(lx.size());
   const double expected = candela * (alpha / 4 + (1 - alpha) * (1 - alpha) / 9);

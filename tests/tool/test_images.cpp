@@ -303,7 +303,8 @@ TEST_F(Images, FalseColorOfScalesWithoutSteps) {
   ups_ocio_false_color_desc_init(&desc, sizeof desc);
   desc.columns = desc.rows = 2;
   desc.values = values;
-  for (const auto& [least, most] : {std::pair{0.0, 5e-324}, {-5e-324, 0.0}, {-1e308, 1e308}, {0.0, 1.7e308}, {1.0, 1 + 1e-15}}) {
+  for (const auto& [least, most] :
+       {std::pair{0.0, 5e-324}, {-5e-324, 0.0}, {-1e308, 1e308}, {0.0, 1.7e308}, {1.0, 1 + 1e-15}}) {
     desc.scale_min = least, desc.scale_max = most;
     EXPECT_EQ(ups_ocio_write_false_color_png(path("f.png").c_str(), &desc), UPS_ERROR_INVALID_ARGUMENT) << most;
   }

@@ -23,9 +23,9 @@ std::optional<MapData> meter_map(const SensorEntry& meters, const LitScene& scen
 // 0: they are no grid whose columns run fastest.
 uint32_t columns_of(const double* positions_m, size_t count);
 
-// values and their 95 % bounds (< 0: not known; none at all: of none): columns * rows, row 0 at the top.
-// Of a fisheye's pixels, one value each: those outside of its image circle become unknown, as no light is measured there.
+// Of a fisheye's pixels, one value each, those outside of its image circle become unknown: no light is measured there.
 std::vector<float> within_image(const SensorInfo& camera, std::vector<float> values);
+// values and their 95 % bounds (< 0: not known; none at all: of none): columns * rows, row 0 at the top.
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
                   const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows);
 // Bounds of what has standard errors alone; -1 stays.
