@@ -16,6 +16,9 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
+// Radians: a direction computed from a table's last angle may come out so far beyond it, and belongs to it.
+constexpr double rounding_rad = 1e-12;
+
 double to_radians(double degrees) { return degrees / 180 * pi; }  // exact at 90 and 180
 
 // sin(y) - y cos(y), by its series where the difference would cancel.
@@ -236,19 +239,22 @@ double Distribution::plane_value(size_t c, size_t gamma, double t) const {
 bool Distribution::locate(double x, double y, double z, Place& place) const {
   const Direction d = to_native(type_, Direction{x, y, z});
   const double gamma = std::atan2(std::hypot(d.x, d.y), -d.z);
-  if (!(gamma >= gamma_rad_.front() && gamma <= gamma_rad_.back())) return false;
+  const auto is_between = [](double angle, const std::vector<double>& of) {
+    return angle >= of.front() - rounding_rad && angle <= of.back() + rounding_rad;
+  };
+  if (!is_between(gamma, gamma_rad_)) return false;
   const auto row = std::upper_bound(gamma_rad_.begin() + 1, gamma_rad_.end() - 1, gamma);
   place.gamma = size_t(row - gamma_rad_.begin()) - 1;
-  place.t = (gamma - row[-1]) / (row[0] - row[-1]);
+  place.t = std::clamp((gamma - row[-1]) / (row[0] - row[-1]), 0.0, 1.0);
   place.c = 0;
   place.s = 0;
   if (c_rad_.size() == 1) return true;
   double c = std::atan2(d.y, d.x);
   const bool wraps = type_ == PhotometricType::c;
   if (wraps && c < 0) c += 2 * pi;
-  if (!wraps && !(c >= c_rad_.front() && c <= c_rad_.back())) return false;
+  if (!wraps && !is_between(c, c_rad_)) return false;
   place.c = size_t(std::upper_bound(c_rad_.begin() + 1, c_rad_.end() - (wraps ? 0 : 1), c) - c_rad_.begin()) - 1;
-  place.s = std::min(1.0, (c - c_rad_[place.c]) / c_width(place.c));
+  place.s = std::clamp((c - c_rad_[place.c]) / c_width(place.c), 0.0, 1.0);
   return true;
 }
 

@@ -36,23 +36,28 @@ double effective_count(const std::vector<Polar>& rays) {
   return squares > 0 ? sum * sum / squares : 1;
 }
 
-// Whether the flux in 12 sectors of C in 10 bands of gamma of as many rays each differs from the bands' means by no
-// more than the noise of independent rays: chi squared within 4.5 standard deviations of its mean.
-bool looks_axial(const std::vector<Polar>& rays) {
-  constexpr size_t bands = 10, sectors = 12;
+// Whether the flux in so many sectors of C in 10 bands of gamma of as many rays each differs from the bands' means by
+// no more than the noise of independent rays: chi squared within 4.5 standard deviations of its mean.
+bool is_even(const std::vector<Polar>& rays, size_t sectors) {
+  constexpr size_t bands = 10;
   double chi2 = 0, freedom = 0;
   for (size_t b = 0; b < bands; ++b) {
-    double flux[sectors] = {}, sum = 0, squares = 0;
+    std::vector<double> flux(sectors, 0.0);
+    double sum = 0, squares = 0;
     for (size_t i = b * rays.size() / bands; i < (b + 1) * rays.size() / bands; ++i) {
-      flux[std::min(size_t(rays[i].c_deg / (360.0 / sectors)), sectors - 1)] += rays[i].flux_lm;
+      flux[std::min(size_t(rays[i].c_deg / 360 * double(sectors)), sectors - 1)] += rays[i].flux_lm;
       sum += rays[i].flux_lm, squares += rays[i].flux_lm * rays[i].flux_lm;
     }
     if (!(squares > 0)) continue;
-    for (double f : flux) chi2 += (f - sum / sectors) * (f - sum / sectors) / (squares / sectors);
-    freedom += sectors - 1;
+    const double n = double(sectors), mean = sum / n;
+    for (double f : flux) chi2 += (f - mean) * (f - mean) / (squares / n);
+    freedom += n - 1;
   }
   return chi2 < freedom + 4.5 * std::sqrt(2 * freedom);
 }
+
+// By a prime number, too: sectors of 30 degrees have equal shares of a hexagon and of whatever repeats with them.
+bool looks_axial(const std::vector<Polar>& rays) { return is_even(rays, 12) && is_even(rays, 37); }
 
 // The planes of rays that depend on C, ending with 360. Even, unless one of the sectors has four times its share.
 std::vector<double> plane_nodes(const std::vector<Polar>& rays, double nodes) {

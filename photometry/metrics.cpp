@@ -140,15 +140,34 @@ double flux_of_rays(const std::vector<Ray>& rays, double from_deg, double to_deg
   return flux;
 }
 
-// Midpoint rule over gamma and C, not scaled: for shares alone.
-double quadrature(const Distribution& d, double from_deg, double to_deg) {
-  const int rows = std::max(1, int(std::ceil(2 * (to_deg - from_deg)))), columns = 360;
-  const double step = (to_deg - from_deg) / rows;
+// Of a cell of a table of type A or B, by midpoints at most half a degree apart: what lies between two cosines of gamma,
+// which are those of plane and row multiplied. Not scaled.
+double flux_of_cell(const Distribution& d, size_t i, size_t j, int least, double above, double below) {
+  const double plane = d.c_deg()[i], width = d.c_deg()[i + 1] - plane, row = d.gamma_deg()[j],
+               height = d.gamma_deg()[j + 1] - row;
+  const int columns = std::max(least, int(std::ceil(2 * width))), rows = std::max(least, int(std::ceil(2 * height)));
   double sum = 0;
-  for (int j = 0; j < rows; ++j) {
-    const double gamma = from_deg + (j + 0.5) * step;
-    for (int i = 0; i < columns; ++i) sum += intensity_at(d, i + 0.5, gamma) * std::sin(radians(gamma)) * step;
+  for (int k = 0; k < rows; ++k) {
+    const double t = (k + 0.5) / rows, cosine = std::cos(radians(row + t * height));
+    const double first = d.at(i, j) * (1 - t) + d.at(i, j + 1) * t,
+                 second = d.at(i + 1, j) * (1 - t) + d.at(i + 1, j + 1) * t;
+    for (int l = 0; l < columns; ++l) {
+      const double s = (l + 0.5) / columns, of_gamma = cosine * std::cos(radians(plane + s * width));
+      if (of_gamma > above && of_gamma <= below) sum += (first * (1 - s) + second * s) * cosine;
+    }
   }
+  return sum * width * height / (rows * columns);
+}
+
+// Of a table of type A or B, cell by cell, so that none is passed over however narrow it is: for shares alone.
+double flux_of_cells(const Distribution& d, double from_deg, double to_deg) {
+  const size_t planes = d.c_deg().size() - 1, rows = d.gamma_deg().size() - 1;
+  const int least = planes * rows <= size_t(1) << 16 ? 4 : 1;
+  const double above = to_deg >= 180 ? -2 : std::cos(radians(to_deg)),
+               below = from_deg <= 0 ? 2 : std::cos(radians(from_deg));
+  double sum = 0;
+  for (size_t i = 0; i < planes; ++i)
+    for (size_t j = 0; j < rows; ++j) sum += flux_of_cell(d, i, j, least, above, below);
   return sum;
 }
 
@@ -180,8 +199,7 @@ double zonal_flux_lm(const Photometry& photometry, double from_deg, double to_de
   const Distribution& d = photometry.distribution;
   if (rule == FluxRule::band && !photometry.rays.empty()) return flux_of_rays(photometry.rays, from_deg, to_deg);
   if (is_c_gamma(photometry)) return flux_of_rings(d, from_deg, to_deg, rule);
-  const double zone = quadrature(d, from_deg, to_deg);
-  const double all = quadrature(d, 0, from_deg) + zone + quadrature(d, to_deg, 180);
+  const double zone = flux_of_cells(d, from_deg, to_deg), all = flux_of_cells(d, 0, 180);
   const double whole = rule == FluxRule::band ? d.band_flux_lm() : d.interpolated_flux_lm();
   return all > 0 ? whole * zone / all : 0;
 }

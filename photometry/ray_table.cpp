@@ -63,11 +63,11 @@ double RayReader::efficacy(size_t index, size_t at) const {
   if (table_.wavelength) return luminous_efficacy(double(value(at, table_.wavelength)) * table_.nanometres);
   if (!table_.spectrum) return table_.lumens_per_unit;
   const float spectrum = value(at, table_.spectrum);
-  if (std::isnan(spectrum) || spectrum < 0 || spectrum >= float(table_.efficacy.size()))
+  const size_t spectra = table_.efficacy.size();
+  if (std::isnan(spectrum) || spectrum < 1 || spectrum >= float(spectra + 1))
     fail_at_byte(at + 4 * table_.spectrum, "ray " + std::to_string(index + 1) + " has the spectrum " + shown(spectrum) +
-                                               "; the file has " + std::to_string(table_.efficacy.size()) +
-                                               ", counted from 0");
-  return table_.efficacy[size_t(spectrum)];
+                                               "; the file has " + std::to_string(spectra) + ", counted from 1");
+  return table_.efficacy[size_t(spectrum) - 1];
 }
 
 // What the rays' lumens are multiplied with, so that they add up to what the header states.

@@ -66,7 +66,7 @@ struct RayTable {
   double lumens_per_unit = 1;                // of that column; ignored where one of the next two is there
   size_t wavelength = 0;                     // column; the flux is then radiant, W
   double nanometres = 1;                     // in a unit of it
-  size_t spectrum = 0;                       // column of the index into `efficacy`, from 0
+  size_t spectrum = 0;                       // column of the index into `efficacy`, from 1
   std::vector<double> efficacy;              // lm/W of each spectrum
   // Totals that the header states: what the rays' fluxes are scaled to, the first that is finite and > 0.
   double total_lm = unknown, total_units = unknown;

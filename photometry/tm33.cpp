@@ -4,6 +4,7 @@
 #include "photometry/tm33_elements.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "photometry/planes.h"
 #include "photometry/text_reader.h"
@@ -13,6 +14,18 @@ namespace {
 
 constexpr double largest_intensity_cd = 1e12;
 constexpr double most_relative_lm = 1050;  // of a table per 1000 lm
+
+// Half a circle from 270 across 0 to 90 is one from -90 to 90.
+void join_halves(std::vector<DirectedValue>& values) {
+  const auto has = [&](const auto& is) {
+    return std::any_of(values.begin(), values.end(), [&](const DirectedValue& v) { return is(v.h_deg); });
+  };
+  if (has([](double h) { return h < 0 || (h > 90 && h < 270) || h > 360; }) || !has([](double h) { return h == 90; }) ||
+      !has([](double h) { return h == 270; }))
+    return;
+  for (DirectedValue& v : values)
+    if (v.h_deg >= 270) v.h_deg -= 360;
+}
 
 class Tm33Light {
  public:
@@ -26,6 +39,7 @@ class Tm33Light {
   void check_symmetry(const Tm33Intensity& intensity, Symmetry found);
   Distribution distribution_of_emitter(Tm33Emitter& emitter, Symmetry& symmetry);
   Photometry sum_of_emitters();
+  Opening opening();
 
   Tm33File file_;
 };
@@ -75,6 +89,7 @@ Distribution Tm33Light::distribution_of_emitter(Tm33Emitter& e, Symmetry& symmet
     v.value *= scale;
     if (!(v.value <= largest_intensity_cd)) fail_at(v.line, "an intensity of " + shown(v.value) + " cd is too large");
   }
+  if (file_.type == PhotometricType::c && e.intensity.symmetry == "SYMMBI90") join_halves(e.intensity.values);
   Distribution d = table_of(std::move(e.intensity.values), file_.type, e.intensity.line, symmetry, file_.warnings);
   check_symmetry(e.intensity, symmetry);
   check_poles(d, e.intensity.line, file_.warnings);
@@ -98,11 +113,10 @@ Photometry Tm33Light::sum_of_emitters() {
   std::vector<Distribution> parts;
   std::vector<Symmetry> symmetries;
   double rated = 0, power = 0;
-  bool all_rated = true, all_relative = true;
+  bool all_rated = true, all_relative = true, all_powered = true;
   std::vector<LampSet> lamps;
   for (Tm33Emitter& e : file_.emitters) {
     lamps.push_back(e.lamp);
-    if (e.lamp.power_w > 0) power += e.lamp.power_w;
     if (!e.intensity.line) {
       warn(e.line, "an emitter has no luminous intensities" +
                        (e.other_data.empty() ? std::string() : "; its " + e.other_data + " is not read") +
@@ -114,6 +128,8 @@ Photometry Tm33Light::sum_of_emitters() {
     parts.push_back(distribution_of_emitter(e, symmetry));
     symmetries.push_back(symmetry);
     all_rated &= e.lamp.flux_lm > 0;
+    all_powered &= e.lamp.power_w > 0;
+    power += std::max(0.0, e.lamp.power_w);
     rated += std::max(0.0, e.lamp.flux_lm);
   }
   if (parts.empty())
@@ -129,7 +145,10 @@ Photometry Tm33Light::sum_of_emitters() {
   out.type = file_.type;
   out.symmetry = parts.size() == 1 ? symmetries[0] : symmetry_of(out.distribution);
   if (all_rated && all_relative) out.rated_flux_lm = rated;
-  if (power > 0) out.input_power_w = power;
+  if (all_powered)
+    out.input_power_w = power;
+  else if (power > 0)
+    warn(file_.emitters[0].line, "not every emitter with light states its input power; the sum is not known");
   out.format = file_.format;
   out.keywords = std::move(file_.keywords);
   out.lamp_sets = std::move(lamps);
@@ -137,9 +156,33 @@ Photometry Tm33Light::sum_of_emitters() {
   return out;
 }
 
-Opening opening_of(const float (&size)[3], bool round) {
+// The box that holds all areas; round where those of top and bottom are one disc. An opening is about the luminaire's
+// middle, so that where the box lies does not matter.
+Opening Tm33Light::opening() {
+  if (file_.areas.empty()) return {};
   Opening out;
-  std::copy(std::begin(size), std::end(size), out.size_m);
+  const Tm33Area* level = nullptr;  // the first of top and bottom
+  bool round = false, differ = false;
+  float (&size)[3] = out.size_m;
+  for (int k = 0; k < 3; ++k) {
+    double low = INFINITY, high = -INFINITY;
+    for (const Tm33Area& a : file_.areas) {
+      low = std::min(low, a.offset_m[k] - 0.5 * a.size_m[k]), high = std::max(high, a.offset_m[k] + 0.5 * a.size_m[k]);
+      if (a.face != 2) continue;
+      if (!level) level = &a, round = a.round;
+      differ |= a.round != round || a.size_m[k] != level->size_m[k] || a.offset_m[k] != level->offset_m[k];
+    }
+    size[k] = float(high - low);
+  }
+  if (differ) {
+    round = false;
+    warn(level->line, "the emission areas differ in size or place; the luminous opening is the box around them, " +
+                          shown(size[0]) + " x " + shown(size[1]) + " x " + shown(size[2]) + " m");
+  }
+  const float largest = std::max({size[0], size[1], size[2]});
+  if (largest > 10)
+    warn(file_.areas.back().line,
+         "a luminous opening of " + shown(largest) + " m is doubtful; are its units metres?");
   const int extents = (size[0] > 0) + (size[1] > 0) + (size[2] > 0);
   if (extents == 0)
     out = {};
@@ -153,10 +196,7 @@ Opening opening_of(const float (&size)[3], bool round) {
 Photometry Tm33Light::photometry() {
   try {
     Photometry out = sum_of_emitters();
-    out.opening = opening_of(file_.extent_m, file_.round);
-    const float largest = std::max({file_.extent_m[0], file_.extent_m[1], file_.extent_m[2]});
-    if (largest > 10)
-      warn(file_.area_line, "a luminous opening of " + shown(largest) + " m is doubtful; are its units metres?");
+    out.opening = opening();
     if (out.distribution.band_flux_lm() == 0) warn(file_.emitters[0].line, "all intensities are 0");
     out.warnings = std::move(file_.warnings);
     return out;

@@ -47,6 +47,7 @@ class Tm33Reader {
   void read_equipment();
   void read_emitter();
   void read_intensity(Tm33Intensity& out);
+  bool is_per_klm();
   void read_value(Tm33Intensity& out, size_t& negative);
   void read_areas();
   std::string colour_temperature();
@@ -191,8 +192,11 @@ void Tm33Reader::check_dimensions() {
 void Tm33Reader::read_type() {
   const size_t line = xml_.line();
   const std::string text = token(xml_.text());
-  const char last = text.empty() ? 'C' : text.back();
-  if (text == "CUSTOM" || last < 'A' || last > 'C')
+  std::string letter = text;  // "CIE A", "Type B", "IES Type C", "C"
+  for (const std::string_view word : {"CIE", "IES", "TYPE"})
+    if (letter.rfind(word, 0) == 0) letter.erase(0, word.size());
+  const char last = text.empty() ? 'C' : letter.size() == 1 ? letter[0] : '?';
+  if (last < 'A' || last > 'C')
     warn(line, "the goniometer's type is \"" + text + "\"; the directions are taken as of type C");
   else
     file_.type = last == 'A' ? PhotometricType::a : last == 'B' ? PhotometricType::b : PhotometricType::c;
@@ -221,6 +225,7 @@ void Tm33Reader::read_intensity(Tm33Intensity& out) {
   out.line = xml_.line();
   size_t negative = 0;
   std::vector<std::string> seen;
+  bool per_klm = false;
   children([&](std::string_view name) {
     if (name == "IntData" || name == "IntensityData") return read_value(out, negative);
     take_once(seen);
@@ -232,9 +237,7 @@ void Tm33Reader::read_intensity(Tm33Intensity& out) {
         fail_at(xml_.line(), "<AbsolutePhotometry> is \"" + flag + "\"; it must be true or false");
       out.photometry = flag == "TRUE" || flag == "1" ? Tm33Intensity::absolute : Tm33Intensity::relative;
     } else if (name == "Units") {
-      const std::string units = token(xml_.text());
-      if (units.find("KLM") != units.npos || units.find("/1000") != units.npos)
-        out.photometry = Tm33Intensity::relative;
+      per_klm = is_per_klm();
     } else if (name == "Metric") {
       const size_t line = xml_.line();
       const std::string metric = token(xml_.text());
@@ -255,39 +258,58 @@ void Tm33Reader::read_intensity(Tm33Intensity& out) {
       xml_.skip();
     }
   });
+  if (per_klm && out.photometry == Tm33Intensity::absolute)
+    fail_at(out.line, "<Units> are cd per 1000 lm, where <AbsolutePhotometry> is true; one of them must be wrong");
+  if (per_klm) out.photometry = Tm33Intensity::relative;
+}
+
+// Whether <Units> are cd per 1000 lm; else they are cd.
+bool Tm33Reader::is_per_klm() {
+  const size_t line = xml_.line();
+  const std::string units = token(xml_.text());
+  if (units == "CD/KLM" || units == "CD/1000LM" || units == "CANDELA/KLM" || units == "CANDELAPERKLM") return true;
+  for (const std::string_view cd : {"", "CD", "CANDELA", "CANDELAS", "LM/SR"})
+    if (units == cd) return false;
+  throw UnsupportedError(at_line(line, "the intensities' unit is \"" + units.substr(0, 40) +
+                                           "\"; cd and cd/klm are read"));
 }
 
 // face: the axis that it is normal to; C0 and C180 x, C90 and C270 y, top and bottom z.
 void Tm33Reader::read_area(int face) {
-  file_.area_line = xml_.line();
-  double x = 0, y = 0, z = 0;
+  Tm33Area area;
+  area.line = xml_.line(), area.face = face;
+  double &x = area.size_m[0], &y = area.size_m[1];
   children([&](std::string_view name) {
-    if (name == "Length")
-      y = number();
-    else if (name == "Width")
-      x = number();
+    if (name == "Length" || name == "LengthOffset")
+      (name == "Length" ? y : area.offset_m[1]) = number();
+    else if (name == "Width" || name == "WidthOffset")
+      (name == "Width" ? x : area.offset_m[0]) = number();
     else if (name == "Height")
-      z = number();
+      area.size_m[2] = number();
+    else if (name == "HeightOffset" && face != 2)  // top and bottom are one sheet
+      area.offset_m[2] = number();
     else if (name == "Diameter")
-      x = y = number(), file_.round = true;
+      x = y = number(), area.round = true;
     else if (name == "Circular" || name == "Shape") {
       const std::string text = token(xml_.text());
-      file_.round |= face == 2 && (text == "TRUE" || text == "1" || text.rfind("CIRC", 0) == 0 || text == "ROUND");
+      area.round |= face == 2 && (text == "TRUE" || text == "1" || text.rfind("CIRC", 0) == 0 || text == "ROUND");
     } else {
       xml_.skip();
     }
   });
-  if (file_.round && face == 2) {  // a diameter may stand in one of the two
+  if (area.round && face == 2) {  // a diameter may stand in one of the two
     if (!(x > 0)) x = y;
     if (!(y > 0)) y = x;
   }
-  const double size[3] = {x, y, z};
   for (int k = 0; k < 3; ++k) {
-    if (!(size[k] >= 0 && size[k] <= 1e6))
-      fail_at(file_.area_line,
-              "an emission area has a size of " + shown(size[k]) + " m; it must be from 0 to a million");
-    file_.extent_m[k] = std::max(file_.extent_m[k], float(size[k]));
+    if (!(area.size_m[k] >= 0 && area.size_m[k] <= 1e6))
+      fail_at(area.line, "an emission area has a size of " + shown(area.size_m[k]) +
+                             " m; it must be from 0 to a million");
+    if (!(std::abs(area.offset_m[k]) <= 1e6))
+      fail_at(area.line, "an emission area has an offset of " + shown(area.offset_m[k]) +
+                             " m; it must be within a million");
   }
+  file_.areas.push_back(area);
 }
 
 void Tm33Reader::read_areas() {

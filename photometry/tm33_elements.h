@@ -21,15 +21,20 @@ struct Tm33Emitter {
   std::string other_data;  // the last of those that are not read
 };
 
+struct Tm33Area {  // that emits
+  size_t line = 0;
+  int face = 2;  // the axis that it is normal to
+  double size_m[3] = {0, 0, 0}, offset_m[3] = {0, 0, 0};  // of its middle
+  bool round = false;
+};
+
 struct Tm33File {
   std::string format;
   PhotometricType type = PhotometricType::c;
   std::vector<Keyword> keywords;
   std::vector<std::string> warnings;
   std::vector<Tm33Emitter> emitters;  // one at least
-  float extent_m[3] = {0, 0, 0};      // of the areas that emit
-  bool round = false;
-  size_t area_line = 0;  // of the last area; 0: none
+  std::vector<Tm33Area> areas;
 };
 
 // Throws ParseError, and UnsupportedError where the file is none of TM-33 or not of luminous intensity.

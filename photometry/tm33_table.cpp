@@ -63,6 +63,15 @@ void sort_unique(std::vector<double>& angles) {
   angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
 }
 
+// No plane 360 is asked for: the first closes a circle whose last step is no wider than the others are.
+void close_circle(std::vector<Plane>& planes) {
+  const double first = planes.front().c_deg, last = planes.back().c_deg;
+  if (planes.size() < 3 || first != 0 || last <= 180 || last >= 360) return;
+  double widest = 0;
+  for (size_t i = 1; i < planes.size(); ++i) widest = std::max(widest, planes[i].c_deg - planes[i - 1].c_deg);
+  if (360 - last <= widest + 1e-6) planes.push_back({360, planes.front().intensity_cd});
+}
+
 }  // namespace
 
 Distribution table_of(std::vector<DirectedValue> values, PhotometricType type, size_t line, Symmetry& symmetry,
@@ -95,6 +104,7 @@ Distribution table_of(std::vector<DirectedValue> values, PhotometricType type, s
     }
     at = next;
   }
+  if (type == PhotometricType::c) close_circle(table.planes);
   // Part of the circle may be from 90 to 270, as in LM-63-1995.
   return arrange_ies_table(std::move(table), IesEdition::y1995, {line, line}, symmetry, warnings);
 }

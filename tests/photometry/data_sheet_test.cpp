@@ -54,6 +54,24 @@ TEST(HighLuminance, OverAllPlanes) {
   EXPECT_NEAR(high_luminance(lambert).highest_cd_m2, 4000, 2);
 }
 
+// A direction that is computed from a table's last angle may lie an ulp beyond it.
+TEST(HighLuminance, AtATablesLastAngle) {
+  for (const double last : {60.0, 70.0, 85.0, 88.0}) {
+    const std::vector<double> c = steps(0, 345, 23), g = steps(0, last, 5);
+    Photometry p{Distribution(c, g, std::vector<double>(c.size() * g.size(), 100.0))};
+    for (const double plane : c)
+      EXPECT_NEAR(p.distribution.eval(std::sin(rad(last)) * std::cos(rad(plane)),
+                                      std::sin(rad(last)) * std::sin(rad(plane)), -std::cos(rad(last))), 100, 1e-9)
+          << last << " " << plane;
+    p.opening.shape = OpeningShape::rectangle;
+    p.opening.size_m[0] = p.opening.size_m[1] = 0.3f;
+    if (last == 85) {
+      EXPECT_NEAR(high_luminance(p).at_cd_m2[2], 100 / (0.09 * std::cos(rad(85))), 0.01);
+    }
+    EXPECT_NEAR(p.distribution.resampled(c, g).band_flux_lm(), p.distribution.band_flux_lm(), 1e-9);
+  }
+}
+
 TEST(SpacingCriterion, OfCosinePowers) {
   // Midway: 2 cos^(n + 3) = 1; at the centre of four: 4 cos^(n + 3) = 1.
   for (const double n : {1.0, 3.0, 10.0}) {

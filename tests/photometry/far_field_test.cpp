@@ -147,6 +147,21 @@ void expect_lobe(double b, size_t planes) {
 TEST(FarField, AxialLobe) { expect_lobe(0, 1); }
 TEST(FarField, LobeThatDependsOnC) { expect_lobe(0.5, 36); }
 
+// A hexagon has the same flux in each sector of 30 degrees, and is not round: its edge runs from 17.5 degrees, at the
+// middle of a side, to 20 at a corner.
+TEST(FarField, AHexagonIsNotRound) {
+  Dice dice(11);
+  std::vector<Ray> rays;
+  while (rays.size() < 60000) {
+    const double x = 2 * dice.uniform() - 1, y = 2 * dice.uniform() - 1,
+                 turned = std::remainder(std::atan2(y, x), pi / 3);
+    if (std::hypot(x, y) * std::cos(turned) > std::cos(pi / 6)) continue;
+    const double t = std::tan(rad(20)), length = std::sqrt(1 + t * t * (x * x + y * y));
+    rays.push_back({{0, 0, 0}, {float(t * x / length), float(t * y / length), float(-1 / length)}, 1});
+  }
+  EXPECT_GT(far_field(rays).distribution.c_deg().size(), 1u);
+}
+
 TEST(FarField, ZonesAreCountedFromTheRays) {
   std::vector<Ray> rays = cone(1000, 0, 0, 89.999, 60, 8);
   rays.push_back({{0, 0, 0}, {1, 0, 0}, 15});  // the horizon counts up

@@ -151,6 +151,27 @@ TEST(Metrics, OfTypesBAndAAreThoseOfTypeC) {
   }
 }
 
+// Beams narrower than any grid over the sphere, alone and with a skirt around them: all of it goes down.
+TEST(Flux, OfNarrowBeamsInTablesOfTypesAAndB) {
+  for (const PhotometricType type : {PhotometricType::a, PhotometricType::b})
+    for (const double half : {0.3, 0.1, 0.005})
+      for (const double skirt : {0.0, 10.0}) {
+        const std::vector<double> plane = {-90, 30 - half - 1e-6, 30 - half, 30 + half, 30 + half + 1e-6, 90};
+        std::vector<double> table(36, skirt);
+        for (size_t i : {2, 3})
+          for (size_t j : {2, 3}) table[6 * i + j] = 1e6;
+        const Photometry p{Distribution(type, plane, plane, table)};
+        const Metrics m = metrics_of(p);
+        const double all = p.distribution.band_flux_lm();
+        EXPECT_NEAR(m.down_flux_lm, all, 1e-9 * all) << half;
+        EXPECT_EQ(m.up_flux_lm, 0) << half;
+        // cos gamma = cos 30 cos 30: the beam lies at 41.4 degrees.
+        const double ring = skirt * 2 * pi * (std::cos(rad(40)) - std::cos(rad(43))),
+                     beam = 1e6 * rad(2 * half) * (std::sin(rad(30 + half)) - std::sin(rad(30 - half)));
+        EXPECT_NEAR(zonal_flux_lm(p, 40, 43, FluxRule::interpolated) / (ring + beam), 1, 3e-3) << half << " " << skirt;
+      }
+}
+
 TEST(Beam, OfATypeBTableIsExactInThePrincipalPlanes) {
   // V (up, C0) falls linearly to both sides by 1 cd a degree above and 2 below; H by 1 to both sides.
   const std::vector<double> v = {-40, 0, 80}, h = {-60, 0, 60};

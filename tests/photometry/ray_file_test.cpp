@@ -115,9 +115,10 @@ TEST(RayFile, Tm25TurnsWattsIntoLumens) {
 
   Tm25Header spectra;
   spectra.spectral = 4, spectra.tables = 2, spectra.spectrum = true;
-  EXPECT_NEAR(total(read(radiant_file(spectra, 3, 0))), 3 * 683, 1e-2);
-  EXPECT_NEAR(total(read(radiant_file(spectra, 3, 1))), 3 * 683 * ((0.107 + 0.0816) / 4 + (0.0816 + 0.061) / 4), 1e-2);
-  expect_refused<ParseError>(radiant_file(spectra, 3, 2), "has the spectrum 2; the file has 2");
+  EXPECT_NEAR(total(read(radiant_file(spectra, 3, 1))), 3 * 683, 1e-2);
+  EXPECT_NEAR(total(read(radiant_file(spectra, 3, 2))), 3 * 683 * ((0.107 + 0.0816) / 4 + (0.0816 + 0.061) / 4), 1e-2);
+  expect_refused<ParseError>(radiant_file(spectra, 3, 0), "has the spectrum 0; the file has 2, counted from 1");
+  expect_refused<ParseError>(radiant_file(spectra, 3, 3), "has the spectrum 3; the file has 2");
 
   Tm25Header header_alone;
   header_alone.luminous_lm = 40;

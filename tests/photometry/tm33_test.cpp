@@ -1,11 +1,10 @@
-// Does the reader of TM-33 files find every direction, symmetry and unit of both generations, and refuse XML that is
-// broken, with its line?
+// Does the reader of TM-33 files find every direction, symmetry and unit of both generations, and refuse what it cannot
+// know the meaning of?
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "photometry/files.h"
-#include "photometry/xml.h"
 
 namespace ups::test {
 namespace {
@@ -271,6 +270,74 @@ TEST(Tm33, Openings) {
   EXPECT_EQ(line.size_m[0], 0);
 }
 
+// Half a circle about plane 0 may run from 270 across it to 90, as in EULUMDAT; a circle need not close evenly.
+TEST(Tm33, PartsOfACircleAsOthersCountThem) {
+  const Lamp half{0.3, 0.2};  // mirrored about the plane 0-180
+  Lamp across;                // about the plane 90-270
+  across.b = 0.2;
+  std::string table = values(across, 270, 360) + values(across, 30, 90);
+  const Photometry bi = read(file(emitter("<Symm>Symm_Bi_90</Symm>" + table)));
+  expect_lamp(bi, across);
+  EXPECT_EQ(bi.symmetry, Symmetry::c90_c270);
+  table = values(half, 0, 330);
+  for (double v = 0; v <= 180; v += 15)
+    table += "<IntData h='345' v='" + number(v) + "'>" + number(half.cd(345, v)) + "</IntData>";
+  expect_lamp(read(file(emitter("<Symm>Symm_Arbitrary</Symm>" + table))), half);
+}
+
+TEST(Tm33, UnitsAndTypesThatAreNotKnownAreNotGuessed) {
+  const std::string table = values({}, 0, 0), rated = "<RatedLumens>2000</RatedLumens>";
+  for (const char* unit : {"W/sr", "kcd", "mcd", "cd/m2"})
+    expect_refused<UnsupportedError>(file(emitter("<Units>" + std::string(unit) + "</Units>" + table)),
+                                     "; cd and cd/klm are read");
+  for (const char* unit : {"cd", "Candela", "lm/sr", ""})
+    expect_lamp(read(file(emitter("<Units>" + std::string(unit) + "</Units>" + table))), {});
+  expect_lamp(read(file(emitter("<Units>cd / klm</Units>" + table, rated))), {}, 2);
+  const std::string klm = "<Units>cd/klm</Units>", absolute = "<AbsolutePhotometry>true</AbsolutePhotometry>";
+  expect_refused<ParseError>(file(emitter(klm + absolute + table, rated)), "one of them must be wrong");
+  expect_refused<ParseError>(file(emitter(absolute + klm + table, rated)), "one of them must be wrong");
+  const auto of_type = [&](const std::string& type) {
+    return read(file("<Equipment><Goniometer><Type>" + type + "</Type></Goniometer></Equipment>" + emitter(table)));
+  };
+  for (const char* type : {"C-Gamma", "Far-field camera", "Custom"}) {
+    const Photometry p = of_type(type);
+    EXPECT_EQ(p.type, photometry::PhotometricType::c) << type;
+    EXPECT_TRUE(warned(p, "the directions are taken as of type C")) << type;
+  }
+  for (const char* type : {"C", "CIE C", "Type C", "IES Type C"}) EXPECT_TRUE(of_type(type).warnings.empty()) << type;
+}
+
+// The luminaire's is what its emitters with light take, or not known.
+TEST(Tm33, InputPowerIsOfEveryEmitterOrNotKnown) {
+  const std::string table = values({}, 0, 0), watts = "<InputWatts>20</InputWatts>";
+  EXPECT_EQ(read(file(emitter(table, watts) + emitter(table, watts))).input_power_w, 40);
+  const Photometry partly = read(file(emitter(table, watts) + emitter(table)));
+  EXPECT_EQ(partly.input_power_w, -1);
+  EXPECT_TRUE(warned(partly, "not every emitter with light states its input power"));
+  EXPECT_EQ(read(file(emitter(table, watts) + "<Emitter>" + watts + "</Emitter>")).input_power_w, 20);
+}
+
+TEST(Tm33, SeveralAreasAreTheBoxAroundThem) {
+  const auto area = [](const std::string& size, const char* offset) {
+    return "<BottomArea>" + size + "<WidthOffset>" + offset + "</WidthOffset></BottomArea>";
+  };
+  const auto opening = [](const std::string& areas) {
+    return read(file(emitter(values({}, 0, 0), "<EmissionAreas><BottomFace>" + areas + "</BottomFace></EmissionAreas>")));
+  };
+  const std::string strip = "<Length>1.2</Length><Width>0.1</Width>", spot = "<Diameter>0.2</Diameter>";
+  const Photometry two = opening(area(strip, "-0.3") + area(strip, "0.3"));
+  EXPECT_FLOAT_EQ(two.opening.size_m[0], 0.7f);
+  EXPECT_FLOAT_EQ(two.opening.size_m[1], 1.2f);
+  EXPECT_TRUE(warned(two, "the luminous opening is the box around them, 0.7 x 1.2 x 0 m"));
+  const Photometry mixed = opening(area(strip, "0") + area(spot, "0"));
+  EXPECT_EQ(mixed.opening.shape, OpeningShape::rectangle);
+  EXPECT_FLOAT_EQ(mixed.opening.size_m[0], 0.2f);
+  EXPECT_TRUE(warned(mixed, "differ in size or place"));
+  const Photometry same = opening(area(spot, "0") + area(spot, "0"));
+  EXPECT_EQ(same.opening.shape, OpeningShape::disc);
+  EXPECT_TRUE(same.warnings.empty());
+}
+
 TEST(Tm33, DirectionsThatAreMissingOrTwice) {
   const Lamp lamp{0.2, 0.1};
   std::string table = values(lamp, 0, 330);
@@ -311,53 +378,6 @@ TEST(Tm33, Refusals) {
                              "not within 0 to 180");
   EXPECT_TRUE(
       warned(read(file(good + "<Emitter><SpectralData><x/></SpectralData></Emitter>")), "SpectralData is not read"));
-}
-
-TEST(Xml, BrokenFilesNameTheirLine) {
-  const auto refused = [](const std::string& xml, const std::string& part) { expect_refused<ParseError>(xml, part); };
-  refused("<IESTM33-22>\n<Header>\n</Emitter>", "line 3: </Emitter> stands where </Header> is expected");
-  refused("<IESTM33-22>\r\n<Header>\r\n", "line 3: the file ends inside <Header>");
-  refused("<IESTM33-22>\r<!-- ", "line 2: the file ends inside a comment");
-  refused("<IESTM33-22 a>", "the attribute \"a\" of <IESTM33-22> has no value");
-  refused("<IESTM33-22 a=1>", "is not in quotes");
-  refused("<IESTM33-22 a='1'\nb='2' a='3'>", "line 2: <IESTM33-22> has the attribute \"a\" twice");
-  refused("<IESTM33-22 a='1'b='2'>", "does not end with");
-  refused("<IESTM33-22 a='1", "the file ends inside an attribute's value");
-  refused("<IESTM33-22", "does not end with");
-  refused("<", "a name of an element or attribute");
-  refused("<1>", "a name of an element or attribute");
-  refused("<IESTM33-22>&nbsp;", "\"&nbsp;\": only");
-  refused("<IESTM33-22>&#xZZ;", "is no character reference");
-  refused("<IESTM33-22>&#0;", "is no character reference");
-  refused("<!DOCTYPE x [", "inside a document type");
-  refused("<!DOCTYPE x [<!-- ' ]>", "inside a comment");
-  refused("<?xml ", "inside a processing instruction");
-  refused("<!-- x -->", "the file has no element");
-  refused("<IESTM33-22><![CDATA[", "inside CDATA");
-  std::string deep = "<IESTM33-22>";
-  for (int i = 0; i < 70; ++i) deep += "<a>";
-  refused(deep, "more than 64 deep");
-}
-
-TEST(Xml, TextAndAttributes) {
-  photometry::XmlReader xml(
-      "<a x='1 &lt; 2' n:y=\"&#x20AC;&#65;\"><b>one<c>no</c> <![CDATA[<two>]]>&apos;</b><d/></a>");
-  xml.enter_root();
-  EXPECT_EQ(xml.name(), "a");
-  ASSERT_TRUE(xml.attribute("x") && xml.attribute("y") && !xml.attribute("z"));
-  EXPECT_EQ(*xml.attribute("x"), "1 < 2");
-  EXPECT_EQ(*xml.attribute("y"),
-            "\xE2\x82\xAC"
-            "A");
-  ASSERT_TRUE(xml.enter_child());
-  EXPECT_EQ(xml.name(), "b");
-  EXPECT_EQ(xml.text(), "one <two>'");
-  ASSERT_TRUE(xml.enter_child());
-  EXPECT_EQ(xml.name(), "d");
-  EXPECT_FALSE(xml.enter_child());
-  EXPECT_EQ(xml.name(), "a");
-  EXPECT_FALSE(xml.enter_child());
-  EXPECT_EQ(xml.name(), "");
 }
 
 }  // namespace

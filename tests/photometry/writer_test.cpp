@@ -250,6 +250,15 @@ TEST(Writer, EveryEulumdatFieldHasItsLength) {
   }
 }
 
+TEST(Writer, EulumdatOfWhatEndsAboveTheHorizonGoesDown) {
+  for (const double last : {60.0, 85.0}) {
+    const std::vector<double> g = steps(0, last, size_t(last / 5));
+    const Photometry ldt = again(write_eulumdat(Photometry{Distribution({0}, g, std::vector<double>(g.size(), 100.0))}));
+    EXPECT_EQ(keyword(ldt, "_DFF_PERCENT"), "100") << last;
+    for (const std::string& w : ldt.warnings) EXPECT_EQ(w.find("downward"), w.npos) << w;
+  }
+}
+
 TEST(Writer, LinesOfIesFilesAreShort) {
   Photometry p{Distribution({0, 90}, steps(0, 90, 500), std::vector<double>(1002, 1 / 3.))};
   std::string words;
