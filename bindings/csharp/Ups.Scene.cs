@@ -79,7 +79,8 @@ namespace Ups
             return texels;
         }
 
-        public MaterialId AddMaterial(MaterialDesc desc) { return AddMaterial(desc, new PaneTable()); }
+        /// <summary>One that is measured by angle needs its table: ArgumentException without.</summary>
+        public MaterialId AddMaterial(MaterialDesc desc) { return AddMaterial(desc, NoTable(desc)); }
 
         /// <summary>Of model Glazing, measured by angle.</summary>
         public MaterialId AddMaterial(MaterialDesc desc, PaneTable pane)
@@ -89,9 +90,19 @@ namespace Ups
             return id;
         }
 
-        public void SetMaterial(MaterialId id, MaterialDesc desc) { SetMaterial(id, desc, new PaneTable()); }
+        /// <summary>One that is measured by angle needs its table: ArgumentException without.</summary>
+        public void SetMaterial(MaterialId id, MaterialDesc desc) { SetMaterial(id, desc, NoTable(desc)); }
 
         public void SetMaterial(MaterialId id, MaterialDesc desc, PaneTable pane) { PutMaterial(desc, pane, null, id); }
+
+        private static PaneTable NoTable(MaterialDesc desc)
+        {
+            if (desc.PaneAngleCount > 0)
+                throw new ArgumentException("desc is of a pane measured at " + desc.PaneAngleCount + " angles: hand " +
+                                            "its PaneTable on, from GetMaterial(id, out pane), or set " +
+                                            "PaneAngleCount to 0");
+            return new PaneTable();
+        }
 
         private void PutMaterial(MaterialDesc desc, PaneTable pane, MaterialId* added, MaterialId id)
         {

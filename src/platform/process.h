@@ -12,6 +12,8 @@ std::vector<std::string> program_arguments(int argc, char** argv);
 std::string program_file();
 
 bool standard_error_is_terminal();
+// Of that terminal; 80 where it does not tell.
+int terminal_columns();
 
 // A file that grows beyond what the process may write (ulimit -f) ends it no more: writing fails.
 void let_large_files_fail();

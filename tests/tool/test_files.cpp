@@ -1,15 +1,21 @@
 // How files are written, as seen through the writer of images: links, pipes and permissions stay, a file is whole or
 // what it was before, two threads do not meet. No device is touched: a defect would replace it.
 #include <fcntl.h>
+#include <grp.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -139,6 +145,68 @@ TEST_F(Files, PermissionsAreTheMasksOrThoseOfTheFileReplaced) {
   EXPECT_EQ(mode_of(path("new")), 0640u);
   EXPECT_EQ(mode_of(path("old")), 0646u);
   EXPECT_TRUE(is_image(path("old")));
+}
+
+// As another user, in a process of its own; 0: it was written.
+int written_by(const std::string& file, const std::function<bool()>& become) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::vector<float> values(16, 1);
+    const ups_exr_channel channel = {"Y", values.data(), 0, 0};
+    _exit(!become() ? 2 : ups_exr_write(file.c_str(), 4, 4, &channel, 1, nullptr, 0) == UPS_OK ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// A member of the file's group keeps the group, who cannot keep it gives its rights to no other; a name space that does
+// not know the group refuses to set it with another error.
+TEST_F(Files, WhoMayNotGiveAFileAwayKeepsItsGroupOrNoRightsOfOne) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can become others";
+  constexpr uid_t owner = 61001, other = 61002;
+  constexpr gid_t shared = 62001, own = 62002;
+  fs::permissions(folder, fs::perms::all);
+  const std::string file = path("a.exr");
+  const auto prepare = [&] {
+    ASSERT_EQ(write(file), UPS_OK);
+    ASSERT_EQ(chown(file.c_str(), owner, shared), 0);
+    ASSERT_EQ(chmod(file.c_str(), 0664), 0);
+  };
+  const auto as_other = [=](bool member) {
+    return setgroups(member ? 1 : 0, &shared) == 0 && setgid(own) == 0 && setuid(other) == 0;
+  };
+  struct stat found;
+  prepare();
+  ASSERT_EQ(written_by(file, [&] { return as_other(true); }), 0);
+  ASSERT_EQ(stat(file.c_str(), &found), 0);
+  EXPECT_EQ(found.st_gid, shared);
+  EXPECT_EQ(found.st_mode & 0777, 0664u);
+  prepare();
+  ASSERT_EQ(written_by(file, [&] { return as_other(false); }), 0);
+  ASSERT_EQ(stat(file.c_str(), &found), 0);
+  EXPECT_EQ(found.st_gid, own);
+  EXPECT_EQ(found.st_mode & 0777, 0644u) << "another group has what everybody has";
+  prepare();
+  const int in_name_space = written_by(file, [&] { return as_other(false) && unshare(CLONE_NEWUSER) == 0; });
+  EXPECT_TRUE(in_name_space == 0 || in_name_space == 2) << "2: there are no name spaces of users";
+}
+
+// A few bytes may claim an image that would fill the memory.
+TEST_F(Files, ASmallFileThatClaimsALargeImageIsRefused) {
+  ASSERT_EQ(write(path("a.exr"), 64), UPS_OK);
+  std::ifstream from(path("a.exr"), std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(from), {}};
+  const std::string name("dataWindow\0box2i\0", 17);
+  const size_t at = bytes.find(name);
+  ASSERT_NE(at, bytes.npos);
+  const int32_t corner = 32767;
+  for (size_t k : {8, 12}) std::memcpy(&bytes[at + name.size() + 4 + k], &corner, 4);
+  std::ofstream(path("b.exr"), std::ios::binary) << bytes << std::string(100000, '\0');  // room for a table of chunks
+  ups_exr_image* image = nullptr;
+  EXPECT_EQ(ups_exr_read(path("b.exr").c_str(), &image), UPS_ERROR_PARSE);
+  EXPECT_NE(std::string(ups_exr_last_error()).find("32768 x 32768 pixels and 1 channels is not in a file of"),
+            std::string::npos) << ups_exr_last_error();
 }
 
 TEST_F(Files, AWriteThatFailsLeavesTheOldFile) {

@@ -169,6 +169,13 @@ class Measures(GoniometerTest):
         self.assertEqual(json.loads(done.stdout)["flux"], own["flux"])
         self.assertIn("maintenance factor of 0.5 is left out", done.stderr)
 
+    def test_a_name_with_control_characters(self):
+        """It stands in a line of the distribution, which has none."""
+        self.write("my\tlamp.gltf", alone())
+        self.run_program("goniometer", self.path("my\tlamp.gltf"), "--iterations", 4, "--out", self.path("a.ies"))
+        words = {k["name"]: k["value"] for k in self.info("a.ies")["keywords"]}
+        self.assertEqual(words["LUMINAIRE"], "my_lamp")
+
     def test_the_scenes_own_goniometer(self):
         """One upright, one whose nadir is the world's zenith: what is down lies at gamma 180."""
         over = {"rotation": [0.70710678, 0, 0, 0.70710678], **goniometer("over", gamma_step_deg=10)}

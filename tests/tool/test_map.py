@@ -91,6 +91,15 @@ class Maps(test_program.ProgramTest):
         met, not_met = sum(v - 15 >= 500 for v in values), sum(v + 15 < 500 for v in values)
         self.assertIn(f"is met at {met}, not sure at {192 - met - not_met}, not met at {not_met}.", told["verdict"])
 
+    def test_hatching_takes_no_more_room_than_the_map(self):
+        """Of cells that are not sure, scattered as noise has them: a line each would write all cells anew each."""
+        rng = np.random.default_rng(3)
+        file = self.write("noisy.csv", table([(0.1 * c, 0.1 * r, 0.8, lx, 15) for r in range(60) for c in range(60)
+                                              for lx in [rng.choice([450, 495, 505, 600])]]))
+        self.run_program("map", file, self.path("map.svg"), "--map-threshold", 500)
+        self.assertRegex(self.svg("map.svg")[1], r"not sure at 1[78]\d\d")
+        self.assertLess(self.read("map.svg").count(b"<clipPath"), 20)
+
     def test_verdicts_of_images(self):
         """By each pixel's bound: as many of each as the image's own numbers say; without a bound nothing is sure."""
         scene, out = self.write("room.gltf", test_program.room()), self.path("out")

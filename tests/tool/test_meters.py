@@ -5,6 +5,7 @@ import csv
 import json
 import math
 import os
+import re
 import struct
 import sys
 import unittest
@@ -102,6 +103,9 @@ class Meters(test_program.ProgramTest):
         self.assertEqual(rows[0]["nz"], 1)
         for row in rows[:2]:  # each has half of the flux
             self.assertLess(abs(4 * row["illuminance_lx"] / (flux_on_floor() / 2) - 1), 0.01)
+        # A triangle without area is nowhere: the map of the table is of the others.
+        error = self.run_program("map", os.path.join(self.path("out"), "set.csv"), self.path("x.svg"), code=1).stderr
+        self.assertIn("one line", error, "two points are left")
         statistics = self.report["meters"]["set"]
         self.assertLess(abs(8 * statistics["mean_lx"] / flux_on_floor() - 1), 0.01)
         self.assertGreater(statistics["min_lx"], 0)
@@ -127,6 +131,26 @@ class Meters(test_program.ProgramTest):
         self.assertEqual((row["column"], row["row"]), (5, 3))
         self.assertEqual(np.float32(row["illuminance_lx"]), image["Y"][3, 5])
         self.assertEqual(self.info(words, node_of_floor=True)["layout"], "lightmap")
+
+    def test_the_map_of_a_lightmap_is_of_its_texels(self):
+        rows = self.rows({"lightmap": {"width": 16, "height": 8}}, node_of_floor=True)
+        least, mean = min(r["illuminance_lx"] for r in rows), np.mean([r["illuminance_lx"] for r in rows])
+        self.run_program("map", os.path.join(self.path("out"), "set.exr"), self.path("x.svg"))
+        with open(self.path("x.svg"), encoding="utf-8") as file:
+            words = dict(re.findall(r"(mean|min) ([0-9.]+)", file.read().partition("<desc ")[2].partition("</desc>")[0]))
+        self.assertLess(abs(float(words["min"]) / least - 1), 0.01)
+        self.assertLess(abs(float(words["mean"]) / mean - 1), 0.01)
+
+    def test_a_plan_is_of_what_has_a_place(self):
+        """The mesh far from the origin, where a triangle without area would otherwise be."""
+        scene = black_floor({"surface": True}, node_of_floor=True)
+        for node in scene["nodes"]:
+            x, y, z = node.get("translation", [0, 0, 0])
+            node["translation"] = [x + 500, y + 20, z - 300]
+        self.render("--iterations", 8, "--out", self.path("out"), "--report", scene=scene)
+        with open(os.path.join(self.path("out"), "report.html"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertRegex(page, r"3 triangles, horizontal, at 20\.00 m")
 
     def test_wrong_areas(self):
         def scene(area):

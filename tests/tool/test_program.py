@@ -5,6 +5,7 @@ import csv
 import json
 import math
 import os
+import re
 import signal
 import struct
 import subprocess
@@ -541,6 +542,36 @@ class Render(ProgramTest):
         for method in ("ups", "pt", "lt", "bpt", "ppm"):
             with self.subTest(method=method):
                 self.assertEqual(self.render("--iterations", 16, "--method", method)["method"], method)
+
+    @unittest.skipIf(sys.platform == "win32", "no pseudoterminals")
+    def test_the_bar_fits_the_terminal(self):
+        """What wraps could not be written over: no line is wider than the terminal."""
+        import fcntl
+        import pty
+        import termios
+        scene = self.write("room.gltf", room())
+        for columns in (80, 30):
+            ours, theirs = pty.openpty()
+            fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("4H", 24, columns, 0, 0))
+            with subprocess.Popen([PROGRAM, "render", scene, "--time", "1.5"], stdout=subprocess.DEVNULL, stderr=theirs):
+                os.close(theirs)
+                drawn = b""
+                try:
+                    while piece := os.read(ours, 4096):
+                        drawn += piece
+                except OSError:  # the other end is closed
+                    pass
+            os.close(ours)
+            lines = [line for line in re.split(rb"[\r\n]", drawn) if line.startswith(b"[")]
+            self.assertGreater(len(lines), 1)
+            self.assertLess(max(map(len, lines)), columns)
+
+    def test_what_is_too_dark_for_a_picture_does_not_take_the_rest(self):
+        dark = room()
+        dark["extensions"]["KHR_lights_punctual"]["lights"][0]["intensity"] = 1e-33
+        report = self.render("--iterations", 8, scene=dark)
+        self.assertGreater(report["meters"]["spot"]["mean_lx"], 0)
+        self.assertNotIn("exposure_ev100", report["cameras"]["view"])
 
     def test_time_limit(self):
         result = self.render("--time", 0.5)

@@ -2,6 +2,8 @@
 test_replay.py PATH_TO_UPS [unittest options]"""
 import json
 import os
+import re
+import shlex
 import sys
 import unittest
 import xml.etree.ElementTree as xml
@@ -44,6 +46,16 @@ class Replay(test_program.ProgramTest):
         self.assertEqual(sample["index"], row * 24 + column)
         self.expect_failure("replay", self.scene, "--size", "8x8", "--sample", "view/20,3/0/eye/0/7",
                             words=["20,3", "no index of view"])
+
+    def test_what_is_printed_traces_that_sample(self):
+        """Of a render with options of its own, in a file with a blank."""
+        scene = self.write("a room.gltf", test_program.room())
+        options = ["--method=ppm", "--size", "16x16", "--light-paths", 16, "--iterations", 4]
+        told = self.run_program("render", scene, *options).stdout
+        listed = json.loads(self.run_program("render", scene, *options, "--json").stdout)["largest_samples"][0]
+        command = re.search(r"look into it: ups (replay .*)", told).group(1)
+        path = json.loads(self.run_program(*shlex.split(command), "--json").stdout)
+        self.assertAlmostEqual(path["value"] / listed["value"], 1, delta=1e-5)
 
     def test_a_drawing_in_plan_and_section(self):
         address = self.result["largest_samples"][0]["address"]

@@ -57,6 +57,23 @@ double rms(const std::vector<float>& a, const std::vector<float>& b) {
   return std::sqrt(sum / double(a.size()));
 }
 
+// A lamp in view of a dark scene, whose errors are 10^8 times the others': what is beside it is smoothed as ever.
+TEST(Smooth, OneLargeErrorLeavesTheOthers) {
+  Picture p, without;
+  for (Picture* each : {&p, &without}) {
+    for (float& v : each->rgb) v = 0.03f;
+    each->add_noise(0.1f);
+  }
+  const size_t lamp = size_t(24) * width + 20;
+  for (size_t i = 3 * lamp; i < 3 * lamp + 6; ++i) p.rgb[i] = 2e6f, p.error[i] = 2e5f;
+  const std::vector<float> a = p.smooth(), b = without.smooth();
+  double most = 0;
+  for (uint32_t x = 40; x < width; ++x)  // right of it, beyond the filter's reach
+    for (size_t k = 0; k < 3; ++k)
+      most = std::max(most, double(std::abs(a[3 * (24 * width + x) + k] - b[3 * (24 * width + x) + k])));
+  EXPECT_LE(most, 1e-6);
+}
+
 TEST(Smooth, NoiseOfAFlatSurfaceFalls) {
   Picture picture;
   const std::vector<float> truth = picture.rgb;

@@ -33,8 +33,9 @@ namespace {
 using ups::extras::Error;
 using ups::extras::require;
 
-// A small file can claim a large image; this many values (1 GiB) are more than any camera of the library has.
-constexpr uint64_t max_values = uint64_t(1) << 28;
+// A small file can claim a large image: beyond 1 GiB it must have a byte for so many of the image's. Deflated zeros,
+// of which cameras may have 16384 x 16384 in each channel, take one for 1032.
+constexpr uint64_t believed_bytes = uint64_t(1) << 30, most_inflated = 4096;
 constexpr int64_t max_side = 65536;
 
 ups::LastError last_error;
@@ -111,18 +112,20 @@ std::vector<char> compose(const Imf::Header& header, uint32_t width, uint32_t he
   return stream.bytes();
 }
 
-void read_image(const char* path, ups_exr_image& image) {
+void read_image(const char* path, uint64_t file_bytes, ups_exr_image& image) {
   Imf::InputFile file(path);
   const Imf::Header& header = file.header();
   const auto window = header.dataWindow();
   const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
   uint64_t count = 0;
   for (auto it = header.channels().begin(); it != header.channels().end(); ++it) ++count;
-  if (width < 1 || height < 1 || width > max_side || height > max_side ||
-      uint64_t(width) * uint64_t(height) * count > max_values) {
-    throw Error(UPS_ERROR_UNSUPPORTED, "an image of " + std::to_string(width) + " x " + std::to_string(height) +
-                                           " pixels and " + std::to_string(count) + " channels is not read");
-  }
+  const std::string claimed = "an image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels and " +
+                              std::to_string(count) + " channels";
+  if (width < 1 || height < 1 || width > max_side || height > max_side || count > 1024)
+    throw Error(UPS_ERROR_UNSUPPORTED, claimed + " is not read; at most 65536 x 65536 and 1024 are");
+  const uint64_t bytes = uint64_t(width) * uint64_t(height) * count * sizeof(float);
+  if (bytes > believed_bytes && bytes / most_inflated > file_bytes)
+    throw Error(UPS_ERROR_PARSE, claimed + " is not in a file of " + std::to_string(file_bytes) + " bytes");
   ups::extras::ask_for_memory(ups::extras::ample_bytes + size_t(width * height) * count * 2 * sizeof(float));
   image.width = uint32_t(width);
   image.height = uint32_t(height);
@@ -165,9 +168,10 @@ ups_status ups_exr_read(const char* path, ups_exr_image** out) {
     if (!file)
       throw Error(UPS_ERROR_IO, std::string("cannot open '") + path + "': " + ups::platform::why_not_open(path));
     if (file.peek(); file.bad()) throw Error(UPS_ERROR_IO, std::string("cannot read '") + path + "': no file?");
+    const uint64_t file_bytes = file.seekg(0, std::ios::end) ? uint64_t(file.tellg()) : 0;
     auto image = std::make_unique<ups_exr_image>();
     try {
-      read_image(path, *image);
+      read_image(path, file_bytes, *image);
     } catch (const Error& e) {
       throw Error(e.status(), std::string("'") + path + "': " + e.what());
     } catch (const std::bad_alloc&) {

@@ -94,13 +94,12 @@ class Smoother {
     Plane line;
     const auto pass = [&](int count, size_t first, size_t stride) {
       line.resize(size_t(count));
-      double sum = 0;
       for (int i = 0; i < count; ++i) line[size_t(i)] = plane[first + size_t(i) * stride];
-      for (int i = 0; i < std::min(r, count); ++i) sum += line[size_t(i)];
       for (int i = 0; i < count; ++i) {
-        if (i + r < count) sum += line[size_t(i + r)];
-        if (i - r - 1 >= 0) sum -= line[size_t(i - r - 1)];
-        plane[first + size_t(i) * stride] = float(sum / (std::min(i + r, count - 1) - std::max(i - r, 0) + 1));
+        const int from = std::max(i - r, 0), to = std::min(i + r, count - 1);
+        double sum = 0;  // anew: a running one would not come down again from a large value
+        for (int k = from; k <= to; ++k) sum += line[size_t(k)];
+        plane[first + size_t(i) * stride] = float(sum / (to - from + 1));
       }
     };
     const auto c = size_t(channels), w = size_t(width_);

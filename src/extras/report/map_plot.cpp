@@ -114,9 +114,16 @@ class Plot {
         clip.outlines.push_back(on_paper(field_.cell(i)));
     if (clip.outlines.empty()) return;
     drawing_.add(std::move(clip));
+    // One line that turns back beyond the frame: Cairo writes a clip anew for every line.
     const Frame& f = view_.frame;
-    for (double x = f.left - f.height; x < f.left + f.width; x += distance)
-      drawing_.add(Line{{{x, f.top + f.height}, {x + f.height, f.top}}, {150, 120, 20}, 0.7});
+    const double top = f.top - distance, bottom = f.top + f.height + distance;
+    Line hatches{{}, {150, 120, 20}, 0.7};
+    bool up = true;
+    for (double x = f.left - f.height; x < f.left + f.width; x += distance, up = !up) {
+      const Point low{x - distance, bottom}, high{x + f.height + distance, top};
+      hatches.points.insert(hatches.points.end(), {up ? low : high, up ? high : low});
+    }
+    drawing_.add(std::move(hatches));
     drawing_.add(ClipEnd{});
   }
 

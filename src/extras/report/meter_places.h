@@ -11,6 +11,9 @@ struct MeterPlaces {
   std::vector<float> normals;             // 3 a meter, of length 1
   std::vector<ups_meter_place> surfaces;  // of triangles and texels; else none
   std::vector<size_t> listed;             // all but a lightmap's empty texels
+
+  // A triangle without area has none.
+  bool has_place(size_t meter) const { return surfaces.empty() || surfaces[meter].valid; }
 };
 
 // Of a set of meters.

@@ -216,6 +216,7 @@ std::string diagrams(const std::vector<LuminaireType>& types) {
 // Degrees from the nadir and, of what does not shine straight down, from +X towards +Y.
 std::string aim(const ups_scene_source& s) {
   if (s.kind == UPS_SOURCE_INSTANCE) return "";
+  if (s.light_kind == UPS_LIGHT_POINT) return "all around";
   const double* m = s.to_world;
   const double d[3] = {-m[2], -m[6], -m[10]}, length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   const double tilt = std::acos(std::clamp(-d[2] / length, -1.0, 1.0)) / radian;
@@ -234,8 +235,10 @@ std::string places(const std::vector<LuminaireType>& types) {
     for (const PlacedSource& source : type.sources) {
       if (++all > most_places) continue;
       std::vector<std::string> row = {html_text(source.name), std::to_string(number)};
+      const bool from_afar = source.info.light_kind == UPS_LIGHT_DIRECTIONAL;
       for (int k = 0; k < 3; ++k)
-        row.push_back(format("%.2f", 0.5 * (source.info.bounds_min_m[k] + source.info.bounds_max_m[k])));
+        row.push_back(from_afar ? ""
+                                : format("%.2f", 0.5 * (source.info.bounds_min_m[k] + source.info.bounds_max_m[k])));
       row.push_back(aim(source.info));
       table.rows.push_back(row);
     }

@@ -112,7 +112,8 @@ Bounds bounds_of(const PageInput& in, const std::vector<LuminaireType>& types) {
   for (const SensorEntry& sensor : in.scene.sensors) {
     if (sensor.info.kind != SensorKind::meters || sensor.info.meter_count > most_places) continue;
     const MeterPlaces places = meter_places(in.scene, sensor);
-    for (const size_t m : places.listed) grow(&places.positions[3 * m]);
+    for (const size_t m : places.listed)
+      if (places.has_place(m)) grow(&places.positions[3 * m]);
   }
   if (has_surfaces) grow(info.bounds_min_m), grow(info.bounds_max_m);
   return b;
@@ -156,13 +157,14 @@ class View {
     for (const SensorEntry& sensor : in_.scene.sensors) {
       if (sensor.info.kind != SensorKind::meters || sensor.info.meter_count > most_places) continue;
       const MeterPlaces places = meter_places(in_.scene, sensor);
-      if (places.listed.empty()) continue;
       Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
       for (const size_t m : places.listed) {
+        if (!places.has_place(m)) continue;
         const Point p = place(axes_.flat(&places.positions[3 * m]));
         low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
         if (places.listed.size() <= most_dots) dot(p, 1.3, meter_ink);
       }
+      if (!(low.x <= high.x)) continue;
       constexpr double rim = 4;
       drawing_.add(Line{{{low.x - rim, low.y - rim}, {high.x + rim, low.y - rim},
                                      {high.x + rim, high.y + rim}, {low.x - rim, high.y + rim},

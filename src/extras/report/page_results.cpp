@@ -1,6 +1,7 @@
 // See page.h: what was asked for and what was found: the page in short, verdicts, statistics of the meters.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "report/meter_places.h"
 #include "report/page.h"
@@ -215,18 +216,21 @@ std::string place_of(const LitScene& scene, const SensorEntry& set) {
   if (set.info.meter_count > most) return {};
   const MeterPlaces places = meter_places(scene, set);
   std::string text = layout_of(set.info);
-  if (places.listed.empty()) return text;
-  const double height = places.positions[3 * places.listed[0] + 2];
+  std::optional<double> first;  // height of
   bool level = true, upward = true, vertical = true;
   for (const size_t m : places.listed) {
+    if (!places.has_place(m)) continue;
+    const double height = first.value_or(places.positions[3 * m + 2]);
+    first = height;
     const float up = places.normals[3 * m + 2];
     level = level && std::abs(places.positions[3 * m + 2] - height) < 1e-4;
     upward = upward && up > 0.9999f;
     vertical = vertical && std::abs(up) < 1e-3f;
   }
+  if (!first) return text;
   if (set.info.meter_kind == UPS_METER_PLANAR && (upward || vertical))
     text += (text.empty() ? "" : ", ") + std::string(upward ? "horizontal" : "vertical");
-  if (level) text += (text.empty() ? "" : ", ") + format("at %.2f m", height);
+  if (level) text += (text.empty() ? "" : ", ") + format("at %.2f m", *first);
   return text;
 }
 

@@ -44,14 +44,14 @@ std::optional<uint64_t> number_in(View text) {
   return parsed.ec == std::errc() ? std::optional(value) : std::nullopt;
 }
 
-// Of a table "key value" or "key: value"; 0 where it has no such line.
-uint64_t entry_of(View table, View key) {
+// Of a table "key value" or "key: value"; none where it has no such line.
+std::optional<uint64_t> entry_of(View table, View key) {
   while (!table.empty()) {
     View line = next(table, "\n"), name = next(line, " ");
     if (name.ends_with(':')) name.remove_suffix(1);
-    if (name == key) return number_in(line).value_or(0);
+    if (name == key) return number_in(line);
   }
-  return 0;
+  return {};
 }
 
 bool has_word(View list, View word) {
@@ -118,7 +118,8 @@ void look_at_group(const std::string& root, std::string place, const Version& v,
   if (!most) return;
   const std::string statistics = text_of(folder + "/memory.stat");
   const uint64_t used = number_in(text_of(folder + v.usage)).value_or(0),
-                 files = entry_of(statistics, v.active_files) + entry_of(statistics, v.inactive_files),
+                 files = entry_of(statistics, v.active_files).value_or(0) +
+                         entry_of(statistics, v.inactive_files).value_or(0),
                  held = used > files ? used - files : 0;
   take_less(out, *most > held ? *most - held : 0, "the control group's limit, " + place + v.limit + ",");
 }
@@ -140,8 +141,8 @@ AvailableMemory available_memory_below(const std::string& root) {
   AvailableMemory out;
   constexpr uint64_t kb = 1024;
   const std::string machine = text_of(root + "/proc/meminfo");
-  if (const uint64_t available = entry_of(machine, "MemAvailable"))
-    take_less(out, (available + entry_of(machine, "SwapFree")) * kb, "what the machine has free");
+  if (const std::optional<uint64_t> available = entry_of(machine, "MemAvailable"))
+    take_less(out, (*available + entry_of(machine, "SwapFree").value_or(0)) * kb, "what the machine has free");
   for (const Version& v : versions) look_at_groups(root, v, out);
   return out;
 }

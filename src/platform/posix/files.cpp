@@ -97,10 +97,13 @@ class Descriptor {
     }
     return true;
   }
-  // Those of a file that this one will replace; only who may give files away keeps the owner.
+  // Those of a file that this one will replace; only who may give files away keeps the owner. Where not even the group
+  // can be kept, another one has no more than everybody: the file systems and name spaces that refuse it are many.
   bool take_permissions(const struct stat& of) {
-    if (::fchown(descriptor_, of.st_uid, of.st_gid) != 0 && errno != EPERM) return false;
-    return ::fchmod(descriptor_, of.st_mode & 0777) == 0;
+    const bool same_group =
+        ::fchown(descriptor_, of.st_uid, of.st_gid) == 0 || ::fchown(descriptor_, uid_t(-1), of.st_gid) == 0;
+    const mode_t of_others = of.st_mode & 0007, of_group = same_group ? of.st_mode & 0070 : of_others << 3;
+    return ::fchmod(descriptor_, (of.st_mode & 0700) | of_group | of_others) == 0;
   }
 
  private:

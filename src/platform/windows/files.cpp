@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cstdio>
 
 #include "platform/windows/system.h"
@@ -14,8 +15,11 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail_to_write(const std::string& path, const std::error_code& error) {
-  throw std::system_error(error.default_error_condition().value(), std::generic_category(),
-                          "cannot write '" + path + "'");
+  const std::error_condition condition = error.default_error_condition();
+  const bool known = condition.category() == std::generic_category();  // else the number is Windows' own
+  throw std::system_error(known ? condition.value() : EIO, std::generic_category(),
+                          "cannot write '" + path + "'" +
+                              (known ? "" : " (Windows error " + std::to_string(error.value()) + ")"));
 }
 
 // Where a path leads to.

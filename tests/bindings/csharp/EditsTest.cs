@@ -78,6 +78,11 @@ public sealed class EditsTest : IDisposable
         scene.SetMaterial(window, glazing, found);
         Assert.Equal(1.6f, scene.GetMaterial(window, out found).Ior);
         Assert.Equal(pane.Transmittance, found.Transmittance);
+        // Without the table the pane would become another, whatever else was changed.
+        Assert.Throws<ArgumentException>(() => scene.SetMaterial(window, scene.GetMaterial(window)));
+        Assert.Throws<ArgumentException>(() => scene.AddMaterial(scene.GetMaterial(window)));
+        scene.GetMaterial(window, out found);
+        Assert.Equal(pane.Transmittance, found.Transmittance);
         Assert.Equal(0, scene.GetMaterial(material, out found).PaneAngleCount + found.AngleDeg.Length);
 
         var arrays = scene.GetMesh(mesh);
