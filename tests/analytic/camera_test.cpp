@@ -1,7 +1,9 @@
-// Images of scenes whose luminance and illuminance have a closed form, pixel by pixel.
+// Images of scenes whose luminance and illuminance have a closed form, pixel by pixel. Seeds are fixed; means are
+// judged by expect_lx.h, with its false alarms and what it finds.
 #include <vector>
 
 #include "../support/expect_lx.h"
+#include "../support/image_mean.h"
 
 namespace ups::test {
 namespace {
@@ -31,15 +33,26 @@ double pixel_mean(uint32_t x, uint32_t y, const F& f) {
   return sum / 16;
 }
 
-// Illuminance varies by some per cent within a pixel, and 64 visits are stratified: 1 % is many standard errors.
+// Illuminance over what is expected, by pixel.
 template <class F>
-void expect_illuminance(const Image& image, const F& expected, double relative, const std::string& what) {
-  ASSERT_EQ(image.illuminance.size(), side * side);
+std::vector<double> ratios(const Image& image, const F& expected) {
+  std::vector<double> out;
   for (uint32_t y = 0; y < side; ++y)
-    for (uint32_t x = 0; x < side; ++x) {
-      const double e = pixel_mean(x, y, expected);
-      EXPECT_NEAR(image.illuminance[y * side + x], e, relative * e) << what << ", pixel " << x << ", " << y;
-    }
+    for (uint32_t x = 0; x < side; ++x)
+      out.push_back(double(image.illuminance[y * side + x]) / pixel_mean(x, y, expected));
+  return out;
+}
+
+// Illuminance varies by some per cent within a pixel, and 64 visits are stratified. The spread of pixels is at most 0.4
+// %, 16 times that of their mean: 1 % is 2.5 standard errors of one pixel, one that is off by 2 % is found in 99 cases
+// of 100; 1 % of all for certain.
+template <class F>
+void expect_illuminance(const Image& image, const F& expected, const std::string& what) {
+  ASSERT_EQ(image.illuminance.size(), side * side);
+  const std::vector<double> all = ratios(image, expected);
+  for (uint32_t p = 0; p < side * side; ++p) EXPECT_NEAR(all[p], 1, 0.01) << what << ", pixel " << p;
+  const Mean mean = mean_of(all);
+  expect_lx(mean.value, mean.standard_error, 1, 0.00025, what);
 }
 
 constexpr ups_method methods[] = {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING};
@@ -52,7 +65,7 @@ TEST(IlluminanceCamera, MeasuresWhatItSees) {
     const Sensor camera = add_camera_above(scene);
     for (ups_method m : methods) {
       const Image image = scene.render({.method = m, .iterations = 64}).image(camera);
-      expect_illuminance(image, lamp_illuminance, 0.01, method_name(m));
+      expect_illuminance(image, lamp_illuminance, method_name(m));
       for (uint32_t y = 0; y < side; ++y)
         for (uint32_t x = 0; x < side; ++x) {
           const double l = reflectance / pi_d * pixel_mean(x, y, lamp_illuminance);
@@ -63,7 +76,9 @@ TEST(IlluminanceCamera, MeasuresWhatItSees) {
   }
 }
 
-// In a mirror that lies under the camera it sees the ceiling, upside down and one camera height further away.
+// In a mirror that lies under the camera it sees the ceiling, upside down and one camera height further away. Photons
+// are shared among near pixels; the spread of blocks of 4 x 4 pixels is at most 0.4 %, four times that of their mean: a
+// block that is off by 2 % is found in 99 cases of 100, all by 1 % in more. A single pixel shows what is wrong by 5 %.
 TEST(IlluminanceCamera, MeasuresWhatAMirrorShows) {
   const double ceiling_z = 3, reach = half_extent * (camera_z + ceiling_z) / camera_z;
   Scene scene;
@@ -78,19 +93,19 @@ TEST(IlluminanceCamera, MeasuresWhatAMirrorShows) {
     return candela * (direct.z / std::pow(length(direct), 3) + 0.5 * mirrored.z / std::pow(length(mirrored), 3));
   };
   const Image image = scene.render({.iterations = 128, .light_paths = 1u << 16}).image(camera);
-  double total = 0, expected = 0;
-  for (uint32_t y = 0; y < side; ++y)
-    for (uint32_t x = 0; x < side; ++x) {
-      const double e = pixel_mean(x, y, ceiling);
-      EXPECT_NEAR(image.illuminance[y * side + x], e, 0.05 * e) << "pixel " << x << ", " << y;
-      total += image.illuminance[y * side + x];
-      expected += e;
-    }
-  EXPECT_NEAR(total, expected, 0.005 * expected);
+  const std::vector<double> all = ratios(image, ceiling);
+  std::vector<double> blocks(16);
+  for (uint32_t p = 0; p < side * side; ++p) {
+    EXPECT_NEAR(all[p], 1, 0.05) << "pixel " << p;
+    blocks[p / side / 4 * 4 + p % side / 4] += all[p] / 16;
+  }
+  for (const double block : blocks) EXPECT_NEAR(block, 1, 0.01);
+  const Mean mean = mean_of(blocks);
+  expect_lx(mean.value, mean.standard_error, 1, 0.001, "blocks");
 }
 
 // Sunlight by way of a mirror: nothing but light paths finds it, merged at a meter or landed on a cell. Means over 36
-// of each: 0.5 % or 4 standard errors of at most 0.2 %: an error of 1 % is found in 84 of 100 cases and more.
+// of each.
 TEST(DirectionalLight, ReachesAFloorByAMirror) {
   const double lx = 1000, reflectance = 0.8, expected = reflectance * lx * std::sqrt(0.5);
   Scene scene;
@@ -103,12 +118,12 @@ TEST(DirectionalLight, ReachesAFloorByAMirror) {
   const std::vector<P3> up(36, P3{0, 0, 1}), along(36, P3{1, 0, 0});
   const Sensor meters = scene.add_meters(points, up), cells = scene.add_cells(points, up, along, 0.1, 0.2);
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_LIGHT_TRACING}) {
-    const Result r = scene.render({.method = method, .iterations = 96, .light_paths = 1u << 16});
+    const Result r = scene.render({.method = method, .iterations = 48, .light_paths = 1u << 16});
     const auto landed = r.statistics(cells), merged = r.statistics(meters);
     const std::string what = std::string(method_name(method)) + ", cells";
-    expect_lx(landed.mean_lx, landed.mean_standard_error_lx, expected, 0.002, what);
+    expect_lx(landed.mean_lx, landed.mean_standard_error_lx, expected, quiet, what);
     if (method == UPS_METHOD_LIGHT_TRACING) continue;
-    expect_lx(merged.mean_lx, merged.mean_standard_error_lx, expected, 0.002, "UPS, meters");
+    expect_lx(merged.mean_lx, merged.mean_standard_error_lx, expected, quiet, "UPS, meters");
     for (const auto& reading : r.readings(meters)) expect_inside_bound(reading, expected, 0.15, "UPS, meter");
   }
 }

@@ -1,5 +1,8 @@
 // Is energy conserved through many bounces? Integrating spheres and furnaces have closed forms that hold for every
 // estimator; the library's own flux balance must close. Long series: tests/stability/integrating_sphere_test.cpp.
+//
+// False alarms and what is found: expect_lx.h, for six faces, three means in the sphere and three in the furnace; of
+// the flux balance: there.
 #include "../support/expect_lx.h"
 #include "../support/image_mean.h"
 
@@ -21,7 +24,7 @@ TEST(Energy, FacesOfACubeByLightTracing) {
                                        {{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}}, side, side);
   const Result result = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 64});
   for (const auto& r : result.readings(faces)) {
-    expect_lx(r, expected, 0.003, "face");
+    expect_lx(r, expected, quiet, "face");
     EXPECT_NEAR(r.direct_lx, expected * (1 - rho), 0.005 * expected);
     EXPECT_NEAR(r.direct_lx + r.indirect_lx, r.illuminance_lx, 1e-4 * r.illuminance_lx);
   }
@@ -40,9 +43,10 @@ TEST(Energy, IntegratingSphereAroundASphereEmitter) {
   const Sensor meters = scene.add_meters(points.positions, points.normals);
   const double expected = flux / (wall.area() * (1 - rho * (1 - lamp.area() / wall.area())));
   for (ups_method method : eye_methods) {
-    const Result result = scene.render({.method = method, .iterations = 32});
+    const uint32_t iterations = method == UPS_METHOD_PATH_TRACING ? 48 : 32;
+    const Result result = scene.render({.method = method, .iterations = iterations});
     const auto s = result.statistics(meters);
-    expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, 0.005, method_name(method));
+    expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, quiet, method_name(method));
     EXPECT_NEAR(result.info().emitted_flux_lm, flux, 1e-5 * flux);
   }
 }
@@ -56,39 +60,44 @@ TEST(Energy, ClosedFurnaceIsUniform) {
   const Sensor meters = scene.add_meters({{3, 1, 0}, {0, 1.5, 2}, {3, 2, 1.3}, {0.01, 0.01, 0.01}, {1.5, 1.5, 1}},
                                          {{0, 0, 1}, {1, 0, 0}, {0.3, -2, 1}, {1, 1, 1}, {0, 0, 1}});
   for (ups_method method : eye_methods) {
-    const auto readings = scene.render({.method = method, .iterations = 64}).readings(meters);
+    const Result result = scene.render({.method = method, .iterations = 64});
+    const auto s = result.statistics(meters);
+    expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, quiet, method_name(method));
+    const auto readings = result.readings(meters);
     for (size_t i = 0; i < readings.size(); ++i) {
       const std::string what = std::string(method_name(method)) + ", meter " + std::to_string(i);
       // Discs of merges reach beyond the edges of the room and the box; one meter stands 1 cm from three walls.
       if (method == UPS_METHOD_UPS)
         expect_inside_bound(readings[i], expected, 0.02, what);
       else
-        expect_lx(readings[i], expected, 0.01, what);
+        expect_lx(readings[i], expected, one_of(0.005), what);
     }
   }
 }
 
-// Roulette alone gives the sum of one render a standard deviation of 0.18 % of the flux (UPS, 2^17 light paths) or
-// 0.25 % (path tracing, whose flux has 2^16 of its own) in the room with every material, less elsewhere: 0.2 % is 3.9
-// standard errors or more of the mean of 24 seeds, a false alarm of 1e-4. That error is itself bounded.
+// Roulette alone gives the sum of one render a standard deviation of 0.25 % of the flux (2^16 light paths; path tracing
+// has as many for its flux alone) in the room with every material, less elsewhere: 0.2 % is 3.9 standard errors or more
+// of the mean of 24 seeds, a false alarm of 1e-4. That error is itself bounded, by 0.07 %: a loss of 0.35 % is found in
+// 97 cases of 100. Light tracing has the light paths of UPS without its eye paths, bit for bit.
 void expect_balance(Scene& scene, double emitted, const std::string& what) {
   const uint32_t seeds = less_with_effort(24, 3), flux_paths = paths_with_effort(1u << 16);
-  for (ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING}) {
+  for (ups_method method : {UPS_METHOD_LIGHT_TRACING, UPS_METHOD_PATH_TRACING}) {
     const std::string name = what + ", " + method_name(method);
-    const uint32_t iterations = method == UPS_METHOD_UPS ? 32 : 1;
+    RenderOptions options{.method = method, .iterations = 1, .flux_paths = flux_paths};
+    if (method == UPS_METHOD_LIGHT_TRACING) options.iterations = 16, options.light_paths = 1u << 12;
     std::vector<double> sums;
     double stated_variance = 0;
-    for (uint64_t seed = 1; seed <= seeds; ++seed) {
-      const auto info =
-          scene.render({.method = method, .iterations = iterations, .seed = seed, .flux_paths = flux_paths}).info();
+    for (options.seed = 1; options.seed <= seeds; ++options.seed) {
+      const auto info = scene.render(options).info();
       EXPECT_NEAR(info.emitted_flux_lm, emitted, 1e-5 * emitted) << name;
       EXPECT_LE(info.escaped_flux_lm, 1e-6 * emitted) << name << ": a closed room leaks";
       sums.push_back(info.absorbed_flux_lm + info.escaped_flux_lm);
       stated_variance += info.flux_balance_standard_error_lm * info.flux_balance_standard_error_lm / seeds;
-      // The same light paths, whatever the eye paths do.
-      if (method == UPS_METHOD_UPS && seed == 1) {
-        EXPECT_EQ(scene.render({.method = UPS_METHOD_BIDIRECTIONAL, .iterations = iterations}).info().absorbed_flux_lm,
-                  info.absorbed_flux_lm);
+      if (method != UPS_METHOD_LIGHT_TRACING || options.seed != 1) continue;
+      RenderOptions with_eye_paths = options;
+      for (ups_method m : {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL}) {
+        with_eye_paths.method = m;
+        EXPECT_EQ(scene.render(with_eye_paths).info().absorbed_flux_lm, info.absorbed_flux_lm) << method_name(m);
       }
     }
     const Mean mean = mean_of(sums);

@@ -230,8 +230,7 @@ TEST(FlatMirrorsThatAreNone, AreNotAskedForWithoutLightSamples) {
 // over the picture, differ by less than 1 %. Standard errors are at most 0.2 and 0.15 %, of the difference 0.25 %: methods
 // that are the same fail with P(t > 1 / 0.25 - 2.04) = 3 %, those that differ by 1 % or more pass with P(t > 2.04) =
 // 2.5 %. Seeds are fixed. Merge radii are small, as point meters' own would be off by half a percent.
-TEST(FlatMirrorsAmongAllElse, TheLightIsTheSame) {
-  Scene scene;
+void add_all_else(Scene& scene) {
   scene.add(box({0, 0, 0}, {4, 3, 2.6}).flipped(), matte(0.6));
   scene.add(quad({0.01, 0.5, 0.5}, {0, 2, 0}, {0, 0, 1.6}), mirror(0.9));
   scene.add(quad({3.99, 0.5, 0.5}, {0, 0, 1.6}, {0, 2, 0}), mirror(0.8));
@@ -243,16 +242,20 @@ TEST(FlatMirrorsAmongAllElse, TheLightIsTheSame) {
   scene.add_point_light({1, 1, 2.2}, 150);
   scene.add_spot({3, 1.5, 2.5}, {0, 0, -1}, 400, 0.5, 1.2);
   scene.add(quad({1.8, 1.2, 2.59}, {0, 0.4, 0}, {0.4, 0, 0}), emitter(800));
+}
+TEST(FlatMirrorsAmongAllElse, TheLightIsTheSame) {
+  Scene with_meters, with_camera;
+  add_all_else(with_meters), add_all_else(with_camera);
   std::vector<P3> at;
   for (int i = 0; i < 48; ++i) at.push_back({0.25 + 0.5 * (i % 8), 0.25 + 0.5 * (i / 8 % 6), 0.02 + 0.9 * (i % 2)});
-  const Sensor meters = scene.add_meters(at, {0, 0, 1}),
-               camera = scene.add_camera({3.6, 0.4, 1.8}, {-0.7, 0.6, -0.3}, 48, 36, 1.2);
-  const auto measure = [&](uint32_t techniques, uint64_t seed) {
-    return scene.render({.iterations = 64, .seed = seed, .merge_radius_m = 0.08, .light_paths = 1u << 13,
-                         .techniques = techniques});
+  const Sensor meters = with_meters.add_meters(at, {0, 0, 1}),
+               camera = with_camera.add_camera({3.6, 0.4, 1.8}, {-0.7, 0.6, -0.3}, 48, 36, 1.2);
+  const auto measure = [&](uint32_t techniques, uint32_t iterations, uint64_t seed) {
+    return with_meters.render({.iterations = iterations, .seed = seed, .merge_radius_m = 0.08, .light_paths = 1u << 13,
+                               .techniques = techniques});
   };
   constexpr uint32_t all = all_but_mirrors | UPS_TECHNIQUE_MIRROR_SAMPLE;
-  const Result with = measure(all, 1), without = measure(all_but_mirrors, 2);
+  const Result with = measure(all, 16, 1), without = measure(all_but_mirrors, 64, 2);
   EXPECT_TRUE(with.info().techniques & UPS_TECHNIQUE_MIRROR_SAMPLE);
   EXPECT_FALSE(without.info().techniques & UPS_TECHNIQUE_MIRROR_SAMPLE);
   const auto expect_same = [](const Mean& x, const Mean& y, const char* what) {
@@ -266,7 +269,7 @@ TEST(FlatMirrorsAmongAllElse, TheLightIsTheSame) {
   const RenderOptions of_picture{.iterations = 6, .light_paths = 1u << 12};
   RenderOptions mirrors = of_picture, none = of_picture;
   mirrors.techniques = all, none.techniques = all_but_mirrors;
-  expect_same(image_mean(scene, camera, mirrors), image_mean(scene, camera, none), "picture");
+  expect_same(image_mean(with_camera, camera, mirrors), image_mean(with_camera, camera, none), "picture");
 }
 
 // Ninety lamps, whose images are a tree's, in a window and in a mirror; the same judgement.

@@ -132,7 +132,7 @@ TEST_P(GlareRooms, OfCie190) {
   const P3 eye{width / 2, 0, 0}, looks{0, 1, 0};
   const Sensor observer = scene.add_observer(eye, looks);
   const ups_observer_reading r =
-      scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 2048}).observer(observer);
+      scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 512}).observer(observer);
   const double background = room.background(eye, looks),
                expected = 8 * std::log10(0.25 / background * room.glare_sum(eye));
   std::printf("background %.2f +- %.2f, by hand %.2f cd/m2; UGR %.3f, by hand %.3f\n", double(r.background_cd_m2),

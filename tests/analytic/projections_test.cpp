@@ -35,8 +35,8 @@ std::array<double, 2> means_of_parts(const std::vector<float>& rgb, ups_projecti
   return {sums[0] / counts[0], sums[1] / counts[1]};
 }
 
-// Every surface emits Le and reflects rho: L = Le / (1 - rho). 1 %; the noise of a half's mean is below 0.2 % by the
-// spread over seeds, so that an error of 2 % is found for certain, one of 1.5 % in 99 of 100 cases.
+// Every surface emits Le and reflects rho: L = Le / (1 - rho). 1 %; the noise of a half's mean was 0.3 % at the most by
+// the spread over seeds, so that an error of 2 % is found in 99 of 100 cases.
 TEST(Projections, AUniformRoomReadsItsLuminanceByEveryTechnique) {
   constexpr uint32_t side = 40;
   const double rho = 0.6, emitted = 10, expected = emitted / (1 - rho);

@@ -1,11 +1,11 @@
 // The light of ray files, against what their rays add up to. Rays are drawn with fixed seeds; where a meter's expected
-// value is summed over the file's own rays, the file's noise is in both and the standard error of the render decides:
-// at 4 of them, from 16 batches, one comparison fails a right engine with probability 0.12 %.
+// value is summed over the file's own rays, the file's noise is in both and the standard error of the render decides.
+// Readings of much of the light, or their means, are judged by expect_lx.h, with its false alarms: 1 % is found. Single
+// small ones beside them show what is wrong in one place, by 5 to 15 %.
 #include <functional>
 #include <random>
 
-#include "../support/expect_lx.h"
-#include "../support/image_mean.h"
+#include "../support/expect_same.h"
 #include "../support/ray_bytes.h"
 #include "ies_text.h"
 
@@ -34,6 +34,22 @@ std::vector<FileRay> lambertian_disc(int count, double radius_m, double lumens, 
   return rays;
 }
 
+// The same with a noise of next to nothing where many rays count: points of a lattice in four dimensions.
+std::vector<FileRay> even_lambertian_disc(int count, double radius_m, double lumens) {
+  const double root = 1.1673039782614187;  // of x^5 = x + 1
+  const double steps[4] = {1 / root, std::pow(root, -2), std::pow(root, -3), std::pow(root, -4)};
+  std::vector<FileRay> rays;
+  for (int i = 0; i < count; ++i) {
+    const auto place = [&](int k) { return std::fmod(0.5 + i * steps[k], 1.0); };
+    const double r = 1000 * radius_m * std::sqrt(place(0)), a = 2 * pi_d * place(1), s = std::sqrt(place(2)),
+                 phi = 2 * pi_d * place(3);
+    rays.push_back({{r * std::cos(a), r * std::sin(a), 0},
+                    {s * std::cos(phi), s * std::sin(phi), -std::sqrt(1 - s * s)},
+                    lumens / count});
+  }
+  return rays;
+}
+
 // Illuminance of the plane at a depth below a Lambertian disc, off its axis (view factor of a disc from a parallel
 // element; Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-13).
 double disc_lx(double lumens, double a, double depth, double off) {
@@ -53,7 +69,11 @@ double mean_over(const Cell& c, const std::function<double(double, double)>& f) 
   return sum / (n * n);
 }
 
-// Rays that cross a cell of the plane `depth` below.
+// Where a ray crosses the plane `depth` below.
+P3 crossing(const FileRay& r, double depth) {
+  const double t = -depth / r.direction[2];
+  return {1e-3 * r.p_mm[0] + t * r.direction[0], 1e-3 * r.p_mm[1] + t * r.direction[1], 0};
+}
 struct Crossing {
   size_t count = 0;
   double lx = 0;
@@ -61,57 +81,62 @@ struct Crossing {
 Crossing crossing(const std::vector<FileRay>& rays, const Cell& c, double depth) {
   Crossing out;
   for (const FileRay& r : rays) {
-    const double t = -depth / r.direction[2];
-    const double x = 1e-3 * r.p_mm[0] + t * r.direction[0] - c.x, y = 1e-3 * r.p_mm[1] + t * r.direction[1] - c.y;
-    if (2 * std::max(std::abs(x), std::abs(y)) > c.width) continue;
+    const P3 at = crossing(r, depth);
+    if (2 * std::max(std::abs(at.x - c.x), std::abs(at.y - c.y)) > c.width) continue;
     ++out.count;
     out.lx += r.flux_lm / (c.width * c.width);
   }
   return out;
 }
 
+// Four cells of 0.5 m, and one of 5 m that two thirds of the light fall on. The file's own noise, of a binomial count,
+// is 0.15 % there: four of it are 0.6 %, and an error of 1 % would be found in 99 cases of 100.
 TEST(RayEmitter, LightsCellsAsItsRaysDoAndAsTheClosedFormWithinTheirNoise) {
   const auto rays = lambertian_disc(200000, 0.2, 1000, 1);
   Scene scene;
   const Profile profile = parse_rays(scene.context(), rays);
   scene.add_luminaire(profile.get(), {0, 0, 2}, {0, 0, -1}, true);
-  const std::vector<Cell> places = {{0, 0, 0.5}, {1, 0, 0.5}, {-1, 1, 0.5}, {0, -2, 0.5}};
-  std::vector<P3> centers;
-  for (const Cell& c : places) centers.push_back({c.x, c.y, 0});
-  const Sensor cells = scene.add_cells(centers, std::vector<P3>(4, {0, 0, 1}), std::vector<P3>(4, {1, 0, 0}), 0.5, 0.5);
+  const std::vector<Cell> places = {{0, 0, 0.5}, {1, 0, 0.5}, {-1, 1, 0.5}, {0, -2, 0.5}, {0, 0, 5}};
+  std::vector<Sensor> cells;
+  for (const Cell& c : places)
+    cells.push_back(scene.add_cells({{c.x, c.y, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, c.width, c.width));
   for (ups_method method : {UPS_METHOD_UPS, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_PPM}) {
-    const auto readings = scene.render({.method = method, .iterations = 128}).readings(cells);
+    const Result result = scene.render({.method = method, .iterations = 128});
     for (size_t i = 0; i < places.size(); ++i) {
       const Crossing own = crossing(rays, places[i], 2);
       const std::string what = std::string(method_name(method)) + ", cell " + std::to_string(i);
-      EXPECT_LE(std::abs(readings[i].illuminance_lx - own.lx), sigmas * readings[i].standard_error_lx) << what;
-      EXPECT_LE(readings[i].standard_error_lx, 0.03 * own.lx) << what;
-      const double exact =
-          mean_over(places[i], [](double x, double y) { return disc_lx(1000, 0.2, 2, std::hypot(x, y)); });
-      EXPECT_NEAR(own.lx / exact, 1, sigmas / std::sqrt(double(own.count))) << what;
+      expect_lx(result.readings(cells[i])[0], own.lx, one_of(i == 4 ? quiet : 0.03), what);
     }
+  }
+  for (const Cell& place : places) {
+    const Crossing own = crossing(rays, place, 2);
+    const double exact = mean_over(place, [](double x, double y) { return disc_lx(1000, 0.2, 2, std::hypot(x, y)); });
+    const double left_out = 1 - double(own.count) / double(rays.size());
+    EXPECT_NEAR(own.lx / exact, 1, sigmas * std::sqrt(left_out / double(own.count))) << place.width;
   }
 }
 
-// A point meter merges the rays within a radius: of 16 of them each has the noise of at least 800 rays, 3.5 %, their
-// mean 0.9 %; 4 of those, and a bias of density estimation that the meters state themselves.
+// A point meter merges the rays within a radius: each has the noise of some hundred rays, 5 %; the mean of 64 of them,
+// which take half of the light, finds 1 %. The file has as many rays as the render has light paths: where those are
+// many more, they show a meter the file's rays one by one, and its disc is narrowed to few of them.
 TEST(RayEmitter, LightsPointMetersWithinTheNoiseOfItsRays) {
   Scene scene;
-  const Profile profile = parse_rays(scene.context(), lambertian_disc(200000, 0.2, 1000, 2));
-  scene.add_luminaire(profile.get(), {0, 0, 2}, {0, 0, -1}, true);
+  const Profile profile = parse_rays(scene.context(), even_lambertian_disc(1000000, 0.2, 1000));
+  scene.add_luminaire(profile.get(), {0, 0, 1}, {0, 0, -1}, true);
   std::vector<P3> points;
-  for (int i = 0; i < 16; ++i) points.push_back({0.25 * (i % 4), 0.25 * (i / 4), 0});
+  for (int i = 0; i < 64; ++i) points.push_back({0.4 * (i % 8) - 1.4, 0.4 * (i / 8) - 1.4, 0});
   const Sensor meters = scene.add_meters(points, {0, 0, 1});
-  const auto readings =
-      scene.render({.method = UPS_METHOD_UPS, .iterations = 16, .merge_radius_m = 0.2}).readings(meters);
-  double ratio = 0, bias = 0;
+  const Result result = scene.render(
+      {.method = UPS_METHOD_UPS, .iterations = 32, .merge_radius_m = 0.2, .light_paths = 1u << 15});
+  const auto readings = result.readings(meters);
+  double mean = 0;
   for (size_t i = 0; i < points.size(); ++i) {
-    const double exact = disc_lx(1000, 0.2, 2, std::hypot(points[i].x, points[i].y));
-    EXPECT_NEAR(readings[i].illuminance_lx / exact, 1, 4 * 0.035 + 4 * readings[i].standard_error_lx / exact) << i;
-    ratio += readings[i].illuminance_lx / exact / 16;
-    bias += std::abs(readings[i].bias_lx) / exact / 16;
+    const double exact = disc_lx(1000, 0.2, 1, std::hypot(points[i].x, points[i].y));
+    EXPECT_NEAR(readings[i].illuminance_lx / exact, 1, 4 * 0.05 + 4 * readings[i].standard_error_lx / exact) << i;
+    mean += exact / double(points.size());
   }
-  EXPECT_NEAR(ratio, 1, 4 * 0.009 + bias);
+  const auto s = result.statistics(meters);
+  expect_lx(s.mean_lx, s.mean_standard_error_lx, mean, quiet, "mean");
 }
 
 // Luminaire at 1 m; the ray leaves it sideways and down, meets the mirror floor at x = 0.75 and the plane z = 1 at 1.5.
@@ -146,42 +171,36 @@ struct Room {
     if (rays) scene.add_luminaire(profile.get(), {2.5, 2, 2.5}, {0.2, 0, -1}, true);
     if (point) scene.add_point_light({1, 1, 2}, 100);
     cells = scene.add_cells({{1, 1, 0}, {3, 2, 0}, {2, 4, 1.5}}, {{0, 0, 1}, {0, 0, 1}, {0, -1, 0}},
-                            {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}, 1, 1);
+                            {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}, 2, 2);
     camera = scene.add_camera({0.5, 0.5, 1.5}, {1, 1, -0.4}, 8, 8, 0.8);
   }
 };
 
 // With a ray emitter no technique is gated off: the point light's light keeps its weights, and the two add up. Cells by
-// path tracing and light tracing, which share no technique with each other; cameras by splats alone against all, over 8
-// seeds: P(|t_7| > 4) = 0.5 %.
+// path tracing and light tracing, which share no technique with each other, by the mean over them (1 %: expect_same.h);
+// cameras by splats alone against all, over 8 seeds: P(|t_14| > 4) = 0.13 %; the error of the difference is at most 0.3
+// %, so that 2 % of the picture are found in 99 cases of 100.
 TEST(RayEmitter, MethodsAgreeAndOtherEmittersKeepTheirLight) {
   Room rays(true, false), point(false, true), both(true, true);
-  const Result by_light = rays.scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 64, .seed = 5});
-  const Result by_eye = point.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 64, .seed = 6});
+  const auto mean_of_cells = [](const char* name, const Result& result, const Room& room) {
+    return estimate(name, result, room.cells);
+  };
   const Result together = both.scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .seed = 7});
-  const Result alone = rays.scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .seed = 8});
-  const auto lt = by_light.readings(rays.cells), pt = by_eye.readings(point.cells), sum = together.readings(both.cells),
-             ups = alone.readings(rays.cells);
-  for (size_t i = 0; i < sum.size(); ++i) {
-    const auto noise = [&](std::initializer_list<float> errors) {
-      double s2 = 0;
-      for (float e : errors) s2 += double(e) * e;
-      return sigmas * std::sqrt(s2);
-    };
-    EXPECT_NEAR(ups[i].illuminance_lx, lt[i].illuminance_lx,
-                noise({ups[i].standard_error_lx, lt[i].standard_error_lx}) + 0.005 * lt[i].illuminance_lx)
-        << i;
-    const double expected = lt[i].illuminance_lx + pt[i].illuminance_lx;
-    EXPECT_NEAR(sum[i].illuminance_lx, expected,
-                noise({sum[i].standard_error_lx, lt[i].standard_error_lx, pt[i].standard_error_lx}) + 0.005 * expected)
-        << i;
-    EXPECT_LT(sum[i].standard_error_lx, 0.03 * expected);
-  }
+  const Estimate of_rays = mean_of_cells("rays by light tracing",
+      rays.scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 96, .seed = 5}), rays);
+  const Estimate of_point = mean_of_cells("point by path tracing",
+      point.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 64, .seed = 6}), point);
+  const Estimate sum = mean_of_cells("both by UPS", together, both);
+  const Estimate ups = mean_of_cells("rays by UPS",
+      rays.scene.render({.method = UPS_METHOD_UPS, .iterations = 96, .seed = 8}), rays);
+  expect_same({of_rays, ups}, 0, "rays");
+  const double error = std::hypot(of_rays.standard_error, of_point.standard_error);
+  expect_same({sum, {"rays and point apart", of_rays.mean + of_point.mean, error}}, 0, "sum");
   const Mean splats = image_mean(rays.scene, rays.camera, {.method = UPS_METHOD_LIGHT_TRACING, .iterations = 8});
   const Mean all = image_mean(rays.scene, rays.camera, {.method = UPS_METHOD_UPS, .iterations = 8});
-  EXPECT_NEAR(splats.value, all.value,
-              sigmas * std::hypot(splats.standard_error, all.standard_error) + 0.005 * all.value);
-  EXPECT_LT(all.standard_error, 0.02 * all.value);
+  const double noise = std::hypot(splats.standard_error, all.standard_error);
+  EXPECT_LE(noise, 0.003 * all.value) << "too noisy to judge";
+  EXPECT_NEAR(splats.value, all.value, std::max(sigmas * noise, 0.005 * all.value));
   const ups_result_info info = together.info();
   EXPECT_NEAR(info.emitted_flux_lm, 3000 + 400 * pi_d, 1);
   EXPECT_NEAR(info.absorbed_flux_lm + info.escaped_flux_lm, info.emitted_flux_lm, 0.01 * info.emitted_flux_lm);
@@ -209,7 +228,7 @@ TEST(RayEmitter, FromAPointItIsItsFarField) {
   const float down[3] = {0, 0, -1};
   float intensity = 0;
   check(ups_profile_eval(profile.get(), down, 1, &intensity), "ups_profile_eval");
-  EXPECT_NEAR(intensity, 3000 / pi_d, 0.15 * 3000 / pi_d);
+  EXPECT_NEAR(intensity, 3000 / pi_d, 0.15 * 3000 / pi_d);  // the noise of few rays: photometry/far_field_test.cpp
   const Sensor meter = scene.add_meters({{0, 0, 0}}, {0, 0, 1});
   const Result result = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 4});
   EXPECT_NEAR(result.readings(meter)[0].illuminance_lx, intensity / 25, 1e-5 * intensity);

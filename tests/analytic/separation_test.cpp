@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "../support/scene_builder.h"
+#include "../support/expect_lx.h"
+#include "../support/image_mean.h"
 #include "ies_text.h"
 
 namespace ups::test {
@@ -88,25 +89,58 @@ TEST_F(SeparatedRoom, GroupsAddUpToTheTotal) {
   expect_sums(result, room->cells, 2);
 }
 
-// A source's share is what it gives alone, in a render of its own: |z| <= 4.5 for each of 15 readings, whose errors
-// come from 16 batches each: about 1 false alarm in 300 seeds.
+// One value a seed: of each meter, and of their mean.
+struct BySeed {
+  std::vector<std::vector<double>> meters;
+  std::vector<double> mean;
+  void add(const std::vector<ups_meter_reading>& readings) {
+    meters.resize(readings.size());
+    double sum = 0;
+    for (size_t m = 0; m < readings.size(); ++m) {
+      meters[m].push_back(readings[m].illuminance_lx);
+      sum += meters[m].back();
+    }
+    mean.push_back(sum / double(readings.size()));
+  }
+};
+
+// A source's share is what it gives alone, in renders of its own. By the mean over the points, and over the cells: of
+// all sources together an error of 1 % is found (expect_lx.h), of one, whose noise is up to 0.35 %, one of 2 %; at a single
+// meter, of up to 3 %, what is wrong by a fifth. Errors come from 16 seeds of each: P(|t_30| > 4) = 4e-4 for each of 23
+// comparisons where noise decides.
 TEST_F(SeparatedRoom, EachSourceIsWhatItGivesAlone) {
+  const uint64_t seeds = low_effort() ? 2 : 16;
   const auto room = make(all);
-  const Result together = room->scene.render({.iterations = 128, .separation = UPS_SEPARATE_LUMINAIRES});
+  BySeed share[3][2], single[3][2];
+  for (uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Result result = room->scene.render({.iterations = 8, .seed = seed, .separation = UPS_SEPARATE_LUMINAIRES});
+    for (uint32_t i = 0; i < 3; ++i)
+      for (const int set : {0, 1})
+        share[i][set].add(result.readings_of_source(i, set == 0 ? room->points : room->cells));
+  }
   const int order[] = {panel, light, luminaire};  // of the columns: instances come first
   for (uint32_t i = 0; i < 3; ++i) {
     const auto alone = make(order[i]);
-    const Result own = alone->scene.render({.iterations = 128, .seed = 2});
-    for (const auto& [with, without] : {std::pair{room->points, alone->points}, std::pair{room->cells, alone->cells}}) {
-      const auto share = together.readings_of_source(i, with), single = own.readings(without);
-      for (size_t m = 0; m < share.size(); ++m) {
-        const double bias = std::abs(share[m].bias_lx) + std::abs(single[m].bias_lx);
-        const double s = std::hypot(share[m].standard_error_lx, single[m].standard_error_lx);
-        EXPECT_NEAR(share[m].illuminance_lx, single[m].illuminance_lx, bias + 4.5 * s)
-            << "source " << i << ", meter " << m;
-        EXPECT_LT(s, 0.05 * single[m].illuminance_lx);
-      }
+    for (uint64_t seed = 1; seed <= seeds; ++seed) {
+      const Result own = alone->scene.render({.iterations = 8, .seed = 100 + seed});
+      for (const int set : {0, 1}) single[i][set].add(own.readings(set == 0 ? alone->points : alone->cells));
     }
+  }
+  const auto expect = [](const std::vector<double>& with, const std::vector<double>& without, double noise,
+                         const std::string& what) {
+    const Mean a = mean_of(with), b = mean_of(without);
+    expect_lx(a.value, std::hypot(a.standard_error, b.standard_error), b.value, one_of(noise), what);
+  };
+  for (const int set : {0, 1}) {
+    std::vector<double> shares(seeds), singles(seeds);
+    for (uint32_t i = 0; i < 3; ++i) {
+      const std::string what = "source " + std::to_string(i) + (set == 0 ? ", points" : ", cells");
+      expect(share[i][set].mean, single[i][set].mean, 0.0035, what);
+      for (size_t m = 0; m < share[i][set].meters.size(); ++m)
+        expect(share[i][set].meters[m], single[i][set].meters[m], 0.03, what + ", meter " + std::to_string(m));
+      for (size_t k = 0; k < seeds; ++k) shares[k] += share[i][set].mean[k], singles[k] += single[i][set].mean[k];
+    }
+    expect(shares, singles, quiet, set == 0 ? "points" : "cells");
   }
 }
 

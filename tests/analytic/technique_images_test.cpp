@@ -52,18 +52,16 @@ TEST(TechniqueImages, TheFamiliesAddUpToThePictureWhateverTheLength) {
   EXPECT_GT(std::accumulate(merged.begin(), merged.end(), 0.0), 0);
 }
 
-// By path length: what all techniques bring with their weights. By technique: what it brings without.
+// By seed. By path length: what all techniques bring with their weights. By technique: what it brings without.
 struct Measured {
-  std::map<uint32_t, Mean> weighted;
+  std::map<uint32_t, std::vector<double>> weighted;
   std::vector<ups_technique_info> techniques;
-  std::vector<Mean> unweighted;
+  std::vector<std::vector<double>> unweighted;
 };
 Measured measure(uint32_t allowed) {
   constexpr uint64_t seeds = 8;
   Room room;
   Measured m;
-  std::map<uint32_t, std::vector<double>> weighted;
-  std::vector<std::vector<double>> unweighted;
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     const Result result = room.scene.render({.iterations = 64,
                                              .seed = seed,
@@ -73,43 +71,65 @@ Measured measure(uint32_t allowed) {
                                              .max_path_length = longest,
                                              .technique_images = longest});
     m.techniques = result.techniques(room.camera);
-    unweighted.resize(m.techniques.size());
-    for (uint32_t k = 1; k <= longest; ++k) weighted[k].push_back(0);
+    m.unweighted.resize(m.techniques.size());
+    for (uint32_t k = 1; k <= longest; ++k) m.weighted[k].push_back(0);
     for (uint32_t i = 0; i < m.techniques.size(); ++i) {
-      weighted[m.techniques[i].edges].back() += result.technique_mean(room.camera, i, UPS_CONTRIBUTION_WEIGHTED);
-      unweighted[i].push_back(result.technique_mean(room.camera, i, UPS_CONTRIBUTION_UNWEIGHTED));
+      m.weighted[m.techniques[i].edges].back() += result.technique_mean(room.camera, i, UPS_CONTRIBUTION_WEIGHTED);
+      m.unweighted[i].push_back(result.technique_mean(room.camera, i, UPS_CONTRIBUTION_UNWEIGHTED));
     }
   }
-  for (const auto& [k, values] : weighted) m.weighted[k] = mean_of(values);
-  for (const auto& values : unweighted) m.unweighted.push_back(mean_of(values));
   return m;
 }
 
+// The mean over the techniques of what each has of the picture of its length, each by the inverse of its noise.
+class Pooled {
+ public:
+  void add(const std::vector<double>& technique, const std::vector<double>& picture, double standard_error) {
+    sums_.resize(technique.size());
+    for (size_t k = 0; k < sums_.size(); ++k) sums_[k] += technique[k] / picture[k] / standard_error;
+    weights_ += 1 / standard_error;
+  }
+  Mean mean() const {
+    Mean m = mean_of(sums_);
+    return {m.value / weights_, m.standard_error / weights_};
+  }
+
+ private:
+  std::vector<double> sums_;
+  double weights_ = 0;
+};
+
 // Each technique against the sum of all: P(|t_14| > 4) = 1.3e-3 a comparison, 29 of them: a right engine fails with
-// probability below 4 %; the seeds are fixed. Emitters are hit rarely, hence the wide bound on their noise.
+// probability below 4 %; the seeds are fixed. Connections are bounded to 4 % and emitters, which are hit rarely, to 5
+// %: a technique that is missing, twice there or wrongly weighed is off by tens of percent. Their mean is bounded to
+// 0.17 %, so that 1 % of all is found (expect_lx.h; P(|t_7| > 4) = 0.5 %).
 void expect_each_to_be_the_picture(uint32_t allowed, const std::function<bool(const ups_technique_info&)>& is_off,
                                    uint32_t count) {
   const Measured m = measure(allowed);
   uint32_t compared = 0;
+  Pooled pooled;
   for (size_t i = 0; i < m.techniques.size(); ++i) {
     const ups_technique_info& t = m.techniques[i];
     const std::string what = "s = " + std::to_string(t.light_vertices) + ", t = " + std::to_string(t.eye_vertices) +
                              (t.technique == UPS_TECHNIQUE_MERGE ? ", merge" : "");
     EXPECT_EQ(t.light_vertices + t.eye_vertices, t.edges + (t.technique == UPS_TECHNIQUE_MERGE ? 2 : 1)) << what;
     if (t.edges == 1) continue;  // the emitter is not in the picture
-    const Mean &a = m.unweighted[i], &b = m.weighted.at(t.edges);
+    const Mean a = mean_of(m.unweighted[i]), b = mean_of(m.weighted.at(t.edges));
     if (is_off(t)) {
       EXPECT_EQ(a.value, 0) << what;
       continue;
     }
     ++compared;
+    pooled.add(m.unweighted[i], m.weighted.at(t.edges), a.standard_error / b.value);
     EXPECT_LE(b.standard_error, 0.01 * b.value) << what;
-    EXPECT_LE(a.standard_error, (t.light_vertices == 0 ? 0.15 : 0.04) * b.value) << what << ": too noisy to judge";
+    EXPECT_LE(a.standard_error, (t.light_vertices == 0 ? 0.05 : 0.04) * b.value) << what << ": too noisy to judge";
     EXPECT_NEAR(a.value, b.value,
                 sigmas * std::hypot(a.standard_error, b.standard_error) + relative_tolerance * b.value)
         << what;
   }
   EXPECT_EQ(compared, count);
+  const Mean mean = pooled.mean();
+  expect_lx(mean.value, mean.standard_error, 1, quiet, "all techniques");
 }
 
 TEST(TechniqueImages, WithoutWeightsEachTechniqueIsThePicture) {

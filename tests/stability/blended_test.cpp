@@ -1,15 +1,15 @@
-// Blended surfaces (alpha): of the light that meets one, alpha is scattered as its material says, the rest goes straight
-// on. Against closed forms, by methods that share little code. Means over eight seeds: P(|t_7| > 4) = 0.5 % is the chance
-// that a right engine fails a comparison in which noise decides; standard errors are at most 0.25 %, so that errors of 1 %
-// are found. Seeds are fixed: a test that passes once passes always.
-#include "../support/expect_lx.h"
-#include "../support/image_mean.h"
+// Blended surfaces (alpha): of the light that meets one, alpha is scattered as its material says, the rest goes
+// straight on. Against closed forms, by methods that share little code. Means over eight seeds: P(|t_7| > 4) = 0.5 % is
+// the chance that a right engine fails a comparison in which noise decides; standard errors are at most 0.16 %, and
+// 0.5 % or four of them are allowed, so that errors of 1 % are found in 98 of 100 cases (in pictures 1.5 %). Seeds are
+// fixed: a test that passes once passes always.
+#include "../support/expect_same.h"
 #include "measured.h"
 
 namespace ups::test {
 namespace {
 
-constexpr double candela = 1000, largest_error = 0.0025;
+constexpr double candela = 1000, largest_error = 0.0016;
 
 ups_material_desc blended(ups_material_desc d, double alpha) {
   d.alpha_mode = UPS_ALPHA_BLEND;
@@ -17,11 +17,16 @@ ups_material_desc blended(ups_material_desc d, double alpha) {
   return d;
 }
 
-// The mean of the picture by path tracing and by merging alone, within a radius.
-std::pair<Mean, Mean> traced_and_merged(Scene& scene, const Sensor& camera, double radius_m, uint32_t light_paths) {
-  RenderOptions traced{.method = UPS_METHOD_PATH_TRACING, .iterations = 64},
-      merged{.method = UPS_METHOD_PPM, .iterations = 64, .merge_radius_m = radius_m, .light_paths = light_paths};
-  return {image_mean(scene, camera, traced), image_mean(scene, camera, merged)};
+// The mean of the picture by path tracing and by merging alone, within a radius: alike within 1.2 %, which has room for
+// the blur. The error of their ratio is at most 0.4 %: 2 % is found in 97 of 100 cases, and a false alarm takes 3 of
+// it.
+void expect_merged_as_traced(Scene& scene, const Sensor& camera, RenderOptions merged) {
+  const Mean a = image_mean(scene, camera, {.method = UPS_METHOD_PATH_TRACING, .iterations = 64}),
+             b = image_mean(scene, camera, merged);
+  measured("merged: %+.2f %% of traced (+- %.2f %%)", 100 * (b.value / a.value - 1),
+           100 * std::hypot(a.standard_error, b.standard_error) / a.value);
+  EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.004 * a.value) << "too noisy to judge";
+  EXPECT_NEAR(b.value / a.value, 1, 0.012);
 }
 
 // Rays that are the same in all iterations are not all hidden or all let by, and sheets do not decide alike.
@@ -57,17 +62,18 @@ TEST(Taught, BlendedSheetsLetTheirShareBy) {
 TEST(Taught, BlendedSheetsLetTheirShareByToCells) {
   Scene scene;
   for (const double height : {1.0, 1.2}) scene.add(quad({-4, -4, height}, {8, 0, 0}, {0, 8, 0}), blended(matte(0), 0.4));
-  scene.add(quad({-0.5, -0.5, 2}, {0, 1, 0}, {1, 0, 0}), emitter(1000));
-  const Sensor cell = scene.add_cells({{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, 1, 1);
-  // Of two equal squares face to face at twice their sides' distance (Howell C-11).
-  const double x = 0.5, x2 = x * x, a = std::sqrt(1 + x2);
+  scene.add(quad({-1, -1, 2}, {0, 2, 0}, {2, 0, 0}), emitter(1000));
+  const Sensor cell = scene.add_cells({{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, 2, 2);
+  // Of two equal squares face to face at a distance of their sides (Howell C-11).
+  const double x = 1, x2 = x * x, a = std::sqrt(1 + x2);
   const double factor = 2 / (pi_d * x2) * (std::log(std::sqrt((1 + x2) * (1 + x2) / (1 + 2 * x2))) +
                                            2 * x * a * std::atan(x / a) - 2 * x * std::atan(x));
   const double expected = 0.6 * 0.6 * pi_d * 1000 * factor;
   for (const ups_method method : {UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL,
                                   UPS_METHOD_LIGHT_TRACING, UPS_METHOD_PPM}) {
     std::vector<double> lx;
-    RenderOptions options{.method = method, .iterations = 64, .light_paths = 1u << 13};
+    const bool lands = method == UPS_METHOD_LIGHT_TRACING || method == UPS_METHOD_PPM;
+    RenderOptions options{.method = method, .iterations = lands ? 40u : 24u, .light_paths = 1u << 13};
     for (options.seed = 1; options.seed <= 8; ++options.seed)
       lx.push_back(scene.render(options).readings(cell)[0].illuminance_lx);
     const Mean m = mean_of(lx);
@@ -87,15 +93,17 @@ TEST(Taught, BlendedSheetsScatterTheirShare) {
   square.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   scene.add(square, sheet);
   scene.add_point_light(lamp, candela);
-  const double cell_side = 0.6;
-  const Sensor cell = scene.add_cells({meter}, {{0, 0, -1}}, {{1, 0, 0}}, cell_side, cell_side);
+  const double cell_side = 1;  // four tiles of it, that eye paths start on
+  const Sensor cells = scene.add_cells(grid_about(meter, {1, 0, 0}, {0, 1, 0}, cell_side, 2),
+                                       std::vector<P3>(4, {0, 0, -1}), std::vector<P3>(4, {1, 0, 0}), cell_side / 2,
+                                       cell_side / 2);
   const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 24, 24, 0.5);
   const auto lit = [&](double x, double y) {
     const double d2 = (x - lamp.x) * (x - lamp.x) + (y - lamp.y) * (y - lamp.y) + lamp.z * lamp.z;
     return candela * lamp.z / (d2 * std::sqrt(d2));
   };
   double at_cell = 0, seen = 0;
-  constexpr int n = 200, m = 4;
+  constexpr int n = 100, m = 10;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const double x = half * (2 * (i + 0.5) / n - 1), y = half * (2 * (j + 0.5) / n - 1), da = 4 * half * half / n / n;
@@ -114,18 +122,18 @@ TEST(Taught, BlendedSheetsScatterTheirShare) {
     const uint32_t light_paths = method == UPS_METHOD_LIGHT_TRACING || method == UPS_METHOD_PPM ? 1u << 15
                                  : method == UPS_METHOD_UPS                                     ? 1u << 14
                                                                                                 : 1u << 12;
-    RenderOptions options{.method = method, .iterations = 64, .merge_radius_m = 0.05, .light_paths = light_paths};
+    RenderOptions options{.method = method, .iterations = 40, .merge_radius_m = 0.065, .light_paths = light_paths};
     for (options.seed = 1; options.seed <= 8; ++options.seed) {
       const Result result = scene.render(options);
-      lx.push_back(result.readings(cell)[0].illuminance_lx);
+      lx.push_back(result.statistics(cells).mean_lx);
       double sum = 0;
       const std::vector<float> rgb = result.image(camera).luminance;
       for (const float v : rgb) sum += double(v) / double(rgb.size());
       cd.push_back(sum);
     }
     const Mean e = mean_of(lx), l = mean_of(cd);
-    expect_lx(e.value, e.standard_error, at_cell, largest_error, std::string(method_name(method)) + ", cell");
-    expect_lx(l.value, l.standard_error, seen, largest_error, std::string(method_name(method)) + ", camera");
+    expect_lx(e.value, e.standard_error, at_cell, largest_error, std::string(method_name(method)) + ", cells");
+    expect_lx(l.value, l.standard_error, seen, 0.0025, std::string(method_name(method)) + ", camera");
   }
 }
 
@@ -183,11 +191,12 @@ TEST(Taught, BlendedSheetsAreSeenByIlluminanceImages) {
   double mean = 0;
   for (const float v : lx) mean += double(v) / double(lx.size());
   const double expected = candela * (alpha / 4 + (1 - alpha) * (1 - alpha) / 9);
-  EXPECT_NEAR(mean / expected, 1, 0.01);  // of 2^16 samples, alike but for chance: 0.25 % is a standard error
+  // Of 2^16 samples, alike but for chance: 0.21 % is a standard error, so that 1.4 % is found in 97 of 100 cases.
+  EXPECT_NEAR(mean / expected, 1, 0.01);
 }
 
-// Where alpha changes from texel to texel a photon's own counts: half of the sheet is nearly clear. What it scatters onto
-// a camera's pixels at the border, by merging with a radius that reaches across.
+// Where alpha changes from texel to texel a photon's own counts: half of the sheet is nearly clear. What it scatters
+// onto a camera's pixels at the border, by merging with a radius that reaches across.
 TEST(Taught, BlendedSheetsAreMergedByThePhotonsAlpha) {
   Scene scene;
   ups_material_desc sheet = blended(matte(0.8), 1);
@@ -197,9 +206,8 @@ TEST(Taught, BlendedSheetsAreMergedByThePhotonsAlpha) {
   scene.add(square, sheet);
   scene.add_point_light({0, 0, 1}, candela);
   const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 16, 16, 0.5);
-  const auto [a, b] = traced_and_merged(scene, camera, 0.2, 1u << 14);
-  EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.004 * a.value) << "too noisy to judge";
-  EXPECT_NEAR(b.value / a.value, 1, 0.02) << "the light is less by 2 % within the radius";
+  expect_merged_as_traced(
+      scene, camera, {.method = UPS_METHOD_PPM, .iterations = 64, .merge_radius_m = 0.2, .light_paths = 1u << 14});
 }
 
 // Photons on the sheet and on the floor a millimetre below it are told apart, within a radius that holds both.
@@ -210,9 +218,8 @@ TEST(Taught, BlendedSheetsAndWhatTheyLieOnAreMergedApart) {
   scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0.2));
   scene.add_point_light({0, 0, 1}, candela);
   const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 16, 16, 0.3);
-  const auto [a, b] = traced_and_merged(scene, camera, 0.05, 1u << 15);
-  EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.005 * a.value) << "too noisy to judge";
-  EXPECT_NEAR(b.value / a.value, 1, 0.02);
+  expect_merged_as_traced(
+      scene, camera, {.method = UPS_METHOD_PPM, .iterations = 24, .merge_radius_m = 0.05, .light_paths = 1u << 15});
 }
 
 // A boundary of glass that is there for some of the light would bound nothing.

@@ -82,7 +82,7 @@ TEST(Taught, CoplanarDoubleFacesAreWarnedOf) {
 
 // A panel in the very plane of the ceiling, which goes on behind it: the form factor of the panel, by methods that hit
 // emitters, choose them, and merge; 0.5 % is allowed and the noise at most 0.1 %: 0.9 % is found. Photons merged at
-// points have bias: 1 %.
+// points have bias: 0.7 % at a noise of at most 0.15 %, so that 1 % is found in 97 of 100 cases.
 TEST(Taught, EmittersFlushWithSurfacesKeepTheirLight) {
   const double luminance = 1000, half = 0.6;
   for (const double z : {2.5, 2.503, 1e4 / 3}) {
@@ -98,11 +98,14 @@ TEST(Taught, EmittersFlushWithSurfacesKeepTheirLight) {
     for (const ups_method method : methods) {
       const auto s = scene.render({.method = method, .iterations = 32, .light_paths = 1u << 14}).statistics(meters);
       const std::string what = std::string(method_name(method)) + ", z " + std::to_string(z);
-      measured("%s: %+.2f %%", what.c_str(), 100 * (s.mean_lx / expected - 1));
-      if (method == UPS_METHOD_PPM)
-        EXPECT_NEAR(s.mean_lx / expected, 1, 0.01) << what;
-      else
+      measured("%s: %+.2f %% (+- %.2f %%)", what.c_str(), 100 * (s.mean_lx / expected - 1),
+               100 * s.mean_standard_error_lx / expected);
+      if (method == UPS_METHOD_PPM) {
+        EXPECT_LE(s.mean_standard_error_lx, 0.0015 * expected) << what;
+        EXPECT_NEAR(s.mean_lx / expected, 1, 0.007) << what;
+      } else {
         expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, 0.001, what);
+      }
     }
   }
 }

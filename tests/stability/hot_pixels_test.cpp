@@ -35,8 +35,9 @@ struct Fireflies {
   }
 };
 
-// 64 meters, few paths each: means over seeds within 1 % (4 standard errors at most), every reading that a few paths
-// made is flagged as such.
+// 64 meters, few paths each: means over seeds within 4 standard errors of at most 0.16 %, so that 1 % is found in 98 of
+// 100 cases and a false alarm comes once in 15,000; in the fast form of at most 0.25 %, so that 1.5 % is. Every reading that a few paths made is flagged as such: of readings
+// at most 1 % err by twice their bound without a flag.
 TEST(Hazard28, FirefliesAtMetersAreFlaggedAndUnbiased) {
   Fireflies room(0, 0, 0.12);
   double expected = 0;
@@ -58,7 +59,7 @@ TEST(Hazard28, FirefliesAtMetersAreFlaggedAndUnbiased) {
   const Mean mean = mean_of(means);
   measured("mean %+.2f +- %.2f %%, %d of %d readings without a flag, %d of them beyond twice their bound",
            100 * (mean.value / expected - 1), 100 * mean.standard_error / expected, unflagged, all, wrong);
-  EXPECT_LE(mean.standard_error, 0.0025 * expected) << "too noisy to judge";
+  EXPECT_LE(mean.standard_error, fast_or_full(0.0025, 0.0016) * expected) << "too noisy to judge";
   EXPECT_NEAR(mean.value, expected, 4 * mean.standard_error) << expected;
   EXPECT_LE(wrong, 0.01 * all);
 }
@@ -74,7 +75,10 @@ TEST(Hazard28, RareFirefliesAtMetersAreAllFlagged) {
 }
 
 // The same at pixels that another lamp lights: their mean is right, the robust channel leaves the specks out, and the
-// difference of the two tells the pixels that have some.
+// difference of the two tells the pixels that have some. The mean is judged to 4 standard errors of at most 0.33 %: 2 %
+// is found in 98 of 100 cases, and a false alarm comes once in 2,700 (P(|t_31| > 4)); in the fast form of at most 0.4 %,
+// so that 2.4 % is. At least 95 % of the specks must
+// be told.
 TEST(Hazard28, FirefliesInAnImageAreToldByItsRobustChannel) {
   constexpr double rho = 0.5;
   Fireflies room(50, rho, 0.12);
@@ -104,7 +108,7 @@ TEST(Hazard28, FirefliesInAnImageAreToldByItsRobustChannel) {
   const Mean mean = mean_of(means);
   measured("image %+.2f +- %.2f %%, %d of %d specks told", 100 * (mean.value / (even + expected) - 1),
            100 * mean.standard_error / (even + expected), told, specks);
-  EXPECT_LE(mean.standard_error, 0.005 * (even + expected)) << "too noisy to judge";
+  EXPECT_LE(mean.standard_error, fast_or_full(0.004, 0.0033) * (even + expected)) << "too noisy to judge";
   EXPECT_NEAR(mean.value, even + expected, 4 * mean.standard_error);
   EXPECT_GT(specks, 100);
   EXPECT_GE(told, 0.95 * specks);

@@ -1,7 +1,9 @@
 // Meters where photons' discs do not fit: beside walls, on edges and in corners, over bent surfaces, under what casts
-// caustics. Light comes by photons alone (PPM), and its truth is known. A bound is a 95 % statement: of so many
-// readings as are judged together at least 87 % must hold, each must hold twice, and their mean must be right: half a
-// percent and 4 standard errors of at most 0.15 % find 1 % in 90 of 100 cases.
+// caustics. Light comes by photons alone (PPM), and its truth is known. A bound is a 95 % statement: of the readings
+// that are judged together no more may miss theirs than a right engine's would in 95 of 100 cases (2 of 16, 3 of 24, 4
+// of 36), and none twice theirs, 4 standard errors, P = 1e-4 each. Their mean must be right to half a percent at a
+// standard error of at most 0.15 %, asserted: 1 % is found in 99.9 of 100 cases, and a false alarm takes 3 of them,
+// P(|t_15| > 3) = 0.9 % at that limit.
 #include <algorithm>
 
 #include "../analytic/ies_text.h"
@@ -22,11 +24,22 @@ double lamp_lx(const P3& lamp, double candela, const P3& p, const P3& n) {
   return candela * std::max(0.0, dot(d, n)) / std::pow(length(d), 3);
 }
 
+// The most that miss 95 % bounds in 95 of 100 cases: P(more) is at most 5 %.
+int most_misses(size_t readings) {
+  double p = std::pow(0.95, double(readings)), sum = p;  // of k misses, of k at most
+  int k = 0;
+  for (; sum < 0.95; ++k, sum += p) p *= 0.05 / 0.95 * double(readings - size_t(k)) / (k + 1);
+  return k;
+}
+
 struct Judged {
   double mean_error = 0, worst_error = 0, widest_bound = 0;  // relative
   int held = 0;
 };
-Judged judge(const std::vector<ups_meter_reading>& readings, const Known& known, const std::string& what) {
+Judged judge(const Result& result, const Sensor& meters, const Known& known, const std::string& what,
+             bool by_mean = true) {
+  const auto readings = result.readings(meters);
+  const auto all = result.statistics(meters);
   Judged j;
   for (size_t i = 0; i < readings.size(); ++i) {
     const double error = readings[i].illuminance_lx - known.lx[i], bound = readings[i].error_bound_lx;
@@ -38,9 +51,14 @@ Judged judge(const std::vector<ups_meter_reading>& readings, const Known& known,
     j.worst_error = std::max(j.worst_error, std::abs(error) / known.lx[i]);
     j.widest_bound = std::max(j.widest_bound, bound / known.lx[i]);
   }
-  EXPECT_GE(j.held, 0.87 * double(readings.size())) << what;
-  measured("%s: mean error %+.2f %%, worst %.2f %%, widest bound %.2f %%, %d of %zu held", what.c_str(),
-           100 * j.mean_error, 100 * j.worst_error, 100 * j.widest_bound, j.held, readings.size());
+  EXPECT_GE(j.held, int(readings.size()) - most_misses(readings.size())) << what;
+  if (by_mean) {
+    EXPECT_LE(all.mean_standard_error_lx, 0.0015 * all.mean_lx) << what << ": too noisy to judge";
+    EXPECT_NEAR(j.mean_error, 0, 0.005) << what;
+  }
+  measured("%s: mean error %+.2f (+- %.2f) %%, worst %.2f %%, widest bound %.2f %%, %d of %zu held", what.c_str(),
+           100 * j.mean_error, 100 * all.mean_standard_error_lx / all.mean_lx, 100 * j.worst_error,
+           100 * j.widest_bound, j.held, readings.size());
   return j;
 }
 
@@ -51,9 +69,7 @@ Judged judge_in_black_room(const Known& known, const P3& lamp, double candela, c
   scene.add_point_light(lamp, candela);
   const Sensor meters = scene.add_meters(known.at, known.normals);
   const Result r = scene.render({.method = UPS_METHOD_PPM, .iterations = 96, .light_paths = 1u << 18});
-  const Judged j = judge(r.readings(meters), known, what);
-  EXPECT_LE(r.statistics(meters).mean_standard_error_lx, 0.0015 * r.statistics(meters).mean_lx) << what;
-  EXPECT_NEAR(j.mean_error, 0, 0.005) << what;
+  const Judged j = judge(r, meters, known, what);
   EXPECT_LE(j.widest_bound, 0.08) << what;
   return j;
 }
@@ -69,7 +85,8 @@ TEST(Hazard19, MetersTwoCentimetresFromAWallHoldTheirBound) {
 }
 
 // Where walls meet, and up to 2 cm beside. Next-event estimation has no chance there: the closed form to 1e-4. Photons
-// find discs as wide as the corner leaves them, none right in it: their bounds hold all the same.
+// find discs as wide as the corner leaves them, none right in it: their bounds hold all the same, and their mean says
+// nothing.
 TEST(Taught, MetersOnEdgesAndInCorners) {
   const P3 lamp{1.5, 1.2, 1.6};
   Known known;
@@ -88,8 +105,8 @@ TEST(Taught, MetersOnEdgesAndInCorners) {
   const Sensor meters = scene.add_meters(known.at, known.normals);
   const auto exact = scene.render({.method = UPS_METHOD_UPS, .iterations = 16}).readings(meters);
   for (size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(exact[i].illuminance_lx / known.lx[i], 1, 1e-4) << i;
-  judge(scene.render({.method = UPS_METHOD_PPM, .iterations = 32, .light_paths = 1u << 16}).readings(meters), known,
-        "edges and corners");
+  judge(scene.render({.method = UPS_METHOD_PPM, .iterations = 32, .light_paths = 1u << 16}), meters, known,
+        "edges and corners", false);
 }
 
 // On a table's top, at its edge and at its corner, beyond which the disc hangs in the air, over a floor.
@@ -104,9 +121,8 @@ TEST(Taught, MetersOnATablesEdge) {
     for (const P3& p : {P3{0.5 - d, 0, 0}, P3{0.5 - d, 0.4 - d, 0}, P3{-0.2, -0.4 + d, 0}, P3{0.3, 0.4 - d, 0}})
       known.add(p, {0, 0, 1}, lamp_lx(lamp, 100, p, {0, 0, 1}));
   const Sensor meters = scene.add_meters(known.at, known.normals);
-  const auto readings =
-      scene.render({.method = UPS_METHOD_PPM, .iterations = 64, .light_paths = 1u << 18}).readings(meters);
-  EXPECT_NEAR(judge(readings, known, "a table's edge").mean_error, 0, 0.005);
+  judge(scene.render({.method = UPS_METHOD_PPM, .iterations = 64, .light_paths = 1u << 18}), meters, known,
+        "a table's edge");
 }
 
 // Discs ten times as wide as the surface's radius of curvature: on top of rods and balls of 1 cm.
@@ -126,12 +142,12 @@ TEST(Hazard20, DiscsWiderThanASurfaceIsBentHoldTheirBound) {
   const Sensor meters = scene.add_meters(known.at, known.normals);
   const Result r =
       scene.render({.method = UPS_METHOD_PPM, .iterations = 48, .merge_radius_m = 0.1, .light_paths = 1u << 17});
-  EXPECT_NEAR(judge(r.readings(meters), known, "balls of 1 cm").mean_error, 0, 0.005);
+  judge(r, meters, known, "balls of 1 cm");
 }
 
 // What a camera sees of a rod of 1 cm, by photons alone: the bounds of its pixels hold, with the radius that the scene
-// calls for and with one of 1 mm. With discs of 10 cm, which most of the rod's light cannot fill, they cannot: that is
-// said.
+// calls for and with one of 1 mm (bounds alone are judged; pixels share photons). With discs of 10 cm, which most of
+// the rod's light cannot fill, they cannot: that is said.
 TEST(Hazard20, PixelsOfABentSurfaceHoldTheirBoundOrAreWarnedOf) {
   constexpr uint32_t side = 16;
   constexpr double radius = 0.01, rho = 0.8, lx = 1000, half = 0.004;
@@ -151,15 +167,19 @@ TEST(Hazard20, PixelsOfABentSurfaceHoldTheirBoundOrAreWarnedOf) {
         scene.render({.method = UPS_METHOD_PPM, .iterations = 64, .merge_radius_m = r, .light_paths = 1u << 16});
     const Image image = result.image(camera);
     int held = 0;
+    double mean = 0;  // over the truth
     for (uint32_t p = 0; p < side * side; ++p) {
       const double x = ((p % side + 0.5) / side * 2 - 1) * half,
                    truth = rho / pi_d * lx * std::sqrt(1 - x * x / (radius * radius));
       held += std::abs(image.luminance[3 * p] - truth) <= image.error_bound[p];
+      mean += image.luminance[3 * p] / truth / (side * side);
     }
     const bool told = result.text(UPS_TEXT_WARNINGS).find("camera 1: the merge radius that was asked for is wider") !=
                       std::string::npos;
     EXPECT_EQ(told, r == 0.1) << r;
-    EXPECT_TRUE(told || held >= 0.87 * side * side) << r << ": " << held;
+    EXPECT_TRUE(told || held >= int(side * side) - most_misses(side * side)) << r << ": " << held;
+    measured("a rod of 1 cm, radius %g m: mean %+.2f %%, %d of %u pixels held", r, 100 * (mean - 1), held,
+             side * side);
   }
 }
 
@@ -178,13 +198,14 @@ TEST(Taught, MetersUnderACaster) {
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PPM}) {
     const Result r = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 16});
     const std::string what = method_name(method);
-    EXPECT_NEAR(judge(r.readings(a), under, what + " under a slab").mean_error, 0, 0.005) << what;
-    EXPECT_NEAR(judge(r.readings(b), beside, what + " beside it").mean_error, 0, 0.005) << what;
+    judge(r, a, under, what + " under a slab");
+    judge(r, b, beside, what + " beside it");
   }
 }
 
 // A slab that lies on the floor: whether there is air between the two is a matter of rounding, and what is read lies
-// between both, 2 n / (n^2 + 1) and, without that face, 4 n / (n + 1)^2.
+// between both, 2 n / (n^2 + 1) and, without that face, 4 n / (n + 1)^2, with 1 % beyond them for five standard
+// errors of at most 0.2 %: what is 1.4 % beyond is found in 97 of 100 cases.
 TEST(Taught, MetersUnderACasterThatTouchesThem) {
   constexpr double n = 1.5, lx = 1000, air = lx * 2 * n / (n * n + 1), contact = lx * 4 * n / ((n + 1) * (n + 1));
   Scene scene;

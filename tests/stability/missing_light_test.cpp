@@ -3,6 +3,8 @@
 #include <numeric>
 
 #include "../support/expect_lx.h"
+#include "../support/image_mean.h"
+#include "measured.h"
 
 namespace ups::test {
 namespace {
@@ -82,8 +84,10 @@ TEST(Hazard30, WarnsOfTheLightOfAPointSourceInGlossyMetal) {
 // A lamp in a white room, and a mirror of 10 cm that lights one meter by a sixth more. One light path of 40,000 leaves
 // for it, and the walls' light, which comes from all sides, hides that none has come. Closed forms: what the lamp's
 // image brings, beside a render of the room without the mirror, which hides 0.02 % of the walls. Seeds are fixed;
-// without an aim at the mirror most of them end early, 16 % too low, within bounds of 2 %. The smallest error found:
-// 8 %, half of the mirror's light.
+// without an aim at the mirror most of them end early, 16 % too low, within bounds of 2 %. Each of four readings holds
+// its bound (95 %: one set in five has one that does not), and their mean, whose standard error is at most 0.4 %,
+// asserted, is right within four of them: 2.4 % is found, a seventh of the mirror's light. P(|t_3| > 4) = 3 % is the
+// chance of a false alarm.
 class Taught_SmallMirror : public ::testing::Test {
  protected:
   static constexpr double candela = 800;
@@ -100,16 +104,24 @@ class Taught_SmallMirror : public ::testing::Test {
 };
 
 TEST_F(Taught_SmallMirror, IsNotMissed) {
-  for (const ups_method method : {UPS_METHOD_AUTO, UPS_METHOD_UPS})
-    for (uint64_t seed = 1; seed <= (method == UPS_METHOD_AUTO ? 3 : 1); ++seed) {
-      const ups_meter_reading r =
-          read(true, {.method = method, .iterations = 512, .seed = seed, .target_relative_error = 0.04});
-      EXPECT_NEAR(r.illuminance_lx, expected, r.error_bound_lx) << method_name(method) << ", seed " << seed;
-      EXPECT_LT(r.error_bound_lx, 0.08 * expected) << method_name(method) << ", seed " << seed;
-    }
+  std::vector<double> readings;
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    const ups_method method = seed < 4 ? UPS_METHOD_AUTO : UPS_METHOD_UPS;
+    const ups_meter_reading r =
+        read(true, {.method = method, .iterations = 512, .seed = seed, .target_relative_error = 0.04});
+    EXPECT_NEAR(r.illuminance_lx, expected, r.error_bound_lx) << method_name(method) << ", seed " << seed;
+    EXPECT_LT(r.error_bound_lx, 0.08 * expected) << method_name(method) << ", seed " << seed;
+    readings.push_back(r.illuminance_lx);
+  }
+  const Mean mean = mean_of(readings);
+  measured("a small mirror: %+.2f %% (+- %.2f %%)", 100 * (mean.value / expected - 1),
+           100 * mean.standard_error / expected);
+  EXPECT_LE(mean.standard_error, 0.004 * expected) << "too noisy to judge";
+  EXPECT_NEAR(mean.value, expected, 4 * mean.standard_error);
 }
 
-// Of 512 light paths one render in five has some that meet the mirror, and none knows what they bring.
+// Of 512 light paths one render in five has some that meet the mirror, and none knows what they bring: bounds alone are
+// judged. Of 40 at 95 % more than two miss in 32 of 100 cases; seeds are fixed.
 TEST_F(Taught_SmallMirror, IsInTheBoundThoughNoPhotonHasMetIt) {
   int missed = 0;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
@@ -121,7 +133,8 @@ TEST_F(Taught_SmallMirror, IsInTheBoundThoughNoPhotonHasMetIt) {
 }
 
 // A lamp of 2 cm right behind a diffuser, which eye paths from afar hardly ever meet; the lamp sees its own light
-// scattered back, but nothing far. `auto` takes light paths. E = tau flux / (pi d^2). The smallest error found: 1 %.
+// scattered back, but nothing far. `auto` takes light paths. E = tau flux / (pi d^2). At a standard error of 0.16 %,
+// asserted, 0.5 % or four of them are allowed: 1 % is found in 98 of 100 cases (false alarms: expect_lx.h).
 TEST(Taught, ALampRightBehindADiffuserIsNotMissed) {
   const double luminance = 1e6, radius = 0.01, distance = 2, transmittance = 0.5;
   constexpr int corners = 64;
@@ -135,22 +148,26 @@ TEST(Taught, ALampRightBehindADiffuserIsNotMissed) {
     scene.add(quad({-0.1, -0.1, distance}, {0.2, 0, 0}, {0, 0.2, 0}), sheet);
     const Sensor meter = scene.add_meters({{0, 0, 0}}, {0, 0, 1});
     const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 128});
-    expect_lx(result.readings(meter)[0], expected, 0.01, std::to_string(gap));
+    expect_lx(result.readings(meter)[0], expected, 0.0016, std::to_string(gap));
   }
 }
 
 // Two meters a tenth of a millimetre apart under a slab of glass share the photons of wider discs: those of their own
-// size would wait for one for hours. A lamp straight above: E = I T^2 / (air + glass / n)^2, and 0.1 % of reflections
-// within the slab.
+// size would wait for one for long. A spot straight above that lights little more than the shared disc:
+// E = I T^2 / (air + glass / n)^2, and 0.1 % of reflections within the slab. At a standard error of 0.16 %, asserted,
+// four of them or 0.5 % are allowed (expect_lx.h, with its false alarms): 1 % is found in 98 of 100 cases.
 TEST(Taught, MetersCloseTogetherSharePhotons) {
   const double candela = 800, faces = 0.96 * 0.96, apparent = 2.1 + 0.5 / 1.5;
   Scene scene;
   scene.add(box({-1, -1, -0.5}, {1, 1, 0}), glass(1.5));
-  scene.add_point_light({0, 0, 2}, candela);
+  scene.add_spot({0, 0, 2}, {0, 0, -1}, candela, 0.012, 0.013);
   const Sensor meters = scene.add_meters({{0, 0, -0.6}, {1e-4, 0, -0.6}}, {0, 0, 1});
-  const Result result = scene.render({.iterations = 1024});
-  for (const ups_meter_reading& r : result.readings(meters))
-    expect_inside_bound(r, 1.0016 * faces * candela / (apparent * apparent), 0.25, "");
+  const Result result = scene.render({.iterations = 16, .light_paths = 1u << 13});
+  for (const ups_meter_reading& r : result.readings(meters)) {
+    const double expected = 1.0016 * faces * candela / (apparent * apparent);
+    expect_lx(r, expected, 0.0016, "");
+    expect_inside_bound(r, expected, 0.02, "");
+  }
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ inline Mean image_mean(Scene& scene, const Sensor& camera, RenderOptions options
     const std::vector<float> pixels = scene.render(options).image(camera).luminance;
     means.push_back(std::accumulate(pixels.begin(), pixels.end(), 0.0) / double(pixels.size()));
   }
-  return mean_of(means);
+  const Mean mean = mean_of(means);
+  if (traces_renders()) std::printf("[ IMAGE    ] mean to %.2g %%\n", 100 * mean.standard_error / mean.value);
+  return mean;
 }
 
 }  // namespace ups::test
