@@ -73,6 +73,8 @@ class Emitter {
   virtual Outline outline() const { return {}; }  // of one that next-event estimation can sample
   // False where nothing is emitted at u. u_position.x may be used to choose a part; all numbers in [0, 1).
   virtual bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const = 0;
+  // u_position of a path of that batch, where batches have parts of their own: of rays that are a sample.
+  virtual Vec2 position_of_batch(const Vec2& u, uint32_t /*batch*/, uint32_t /*batches*/) const { return u; }
   virtual bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const = 0;
   // Area emitters and openings. `primitive` is the triangle (area) or 0. False where wo sees no emission.
   virtual bool eval_hit(const Vec3& reference, const Vec3& p, uint32_t primitive, const Vec3& wo,

@@ -1,13 +1,26 @@
 // See rays.h.
 #include "emitter/rays.h"
 
+#include <cmath>
+#include <numeric>
+
+#include "base/rng.h"
+
 namespace ups {
 namespace {
 
-std::vector<double> fluxes(const std::vector<photometry::Ray>& rays) {
+// Fisher and Yates'.
+void shuffle(std::vector<uint32_t>& order) {
+  for (size_t i = order.size(); i > 1; --i) {
+    const auto r = philox({uint32_t(i), 0, 0, 0}, {0x7261u, 0x7973u});
+    std::swap(order[i - 1], order[size_t(uint64_t(r[0]) * i >> 32)]);
+  }
+}
+
+std::vector<double> fluxes(const std::vector<photometry::Ray>& rays, const std::vector<uint32_t>& order) {
   std::vector<double> flux;
   flux.reserve(rays.size());
-  for (const photometry::Ray& r : rays) flux.push_back(r.flux_lm);
+  for (const uint32_t i : order) flux.push_back(rays[i].flux_lm);
   return flux;
 }
 
@@ -16,16 +29,19 @@ Vec3 to_vec3(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 }  // namespace
 
 RaySet::RaySet(std::shared_ptr<const photometry::Photometry> profile)
-    : profile_(std::move(profile)), by_flux_(fluxes(profile_->rays)) {
+    : profile_(std::move(profile)), order_(profile_->rays.size()) {
   if (profile_->rays.empty()) return;
+  std::iota(order_.begin(), order_.end(), 0u);
   lower_ = upper_ = to_vec3(profile_->rays[0].p_m);
-  double squares = 0;
+  double sum = 0, squares = 0;
   for (const photometry::Ray& r : profile_->rays) {
     lower_ = {std::min(lower_.x, r.p_m[0]), std::min(lower_.y, r.p_m[1]), std::min(lower_.z, r.p_m[2])};
     upper_ = {std::max(upper_.x, r.p_m[0]), std::max(upper_.y, r.p_m[1]), std::max(upper_.z, r.p_m[2])};
-    squares += double(r.flux_lm) * r.flux_lm;
+    sum += r.flux_lm, squares += double(r.flux_lm) * r.flux_lm;
   }
-  if (squares > 0) effective_size_ = flux_lm() * flux_lm() / squares;
+  if (squares > 0) effective_size_ = sum * sum / squares;
+  if (is_shared()) shuffle(order_);
+  by_flux_ = DiscreteDistribution(fluxes(profile_->rays, order_));
 }
 
 RayEmitter::RayEmitter(std::shared_ptr<const RaySet> rays, const Frame& frame, const Vec3& p, const Rgb& scale)
@@ -49,6 +65,14 @@ bool RayEmitter::sample_emission(const Vec2& u_position, const Vec2&, EmissionSa
   out.pdf_position_a = out.pdf_direction_w = 1;
   out.error = 16 * 0x1p-24f * std::max(max_abs(p_), max_abs(out.p));
   return true;
+}
+
+// Both numbers are one of 48 bits, of which a batch has a part.
+Vec2 RayEmitter::position_of_batch(const Vec2& u, uint32_t batch, uint32_t batches) const {
+  if (!rays_->is_shared()) return u;
+  const double whole = (double(batch) + double(u.x) + 0x1p-24 * double(u.y)) / double(batches),
+               first = std::floor(whole * 0x1p24) * 0x1p-24;
+  return {float(first), float((whole - first) * 0x1p24)};
 }
 
 }  // namespace ups

@@ -15,18 +15,25 @@ class RaySet {
  public:
   explicit RaySet(std::shared_ptr<const photometry::Photometry> profile);
   // u: uniform in [0, 1), in double, as there may be more rays than floats. Of no use where the flux is 0.
-  const photometry::Ray& choose(double u) const { return profile_->rays[by_flux_.sample(u).index]; }
+  const photometry::Ray& choose(double u) const { return profile_->rays[order_[by_flux_.sample(u).index]]; }
+  // The rays are a sample, and of it each batch has a share of its own: what batches differ in is its noise, too.
+  // Else paths that repeat rays would seem to agree with each other. A sample that is too small to be shared is not.
+  bool is_shared() const { return effective_size_ >= least_shared; }
   double flux_lm() const { return by_flux_.total(); }
   // Of the rays' starting points, in the luminaire's frame.
   Vec3 lower() const { return lower_; }
   Vec3 upper() const { return upper_; }
   size_t size() const { return profile_->rays.size(); }
-  size_t bytes() const { return profile_->rays.capacity() * sizeof(photometry::Ray) + by_flux_.bytes(); }
+  size_t bytes() const {
+    return profile_->rays.capacity() * sizeof(photometry::Ray) + by_flux_.bytes() + order_.capacity() * sizeof(uint32_t);
+  }
   // As many rays of equal flux would have the same noise.
   double effective_size() const { return effective_size_; }
 
  private:
+  static constexpr double least_shared = 4096;  // 256 for each of 16 batches
   std::shared_ptr<const photometry::Photometry> profile_;
+  std::vector<uint32_t> order_;  // the file's; of those that are shared by chance, whatever the file's may mean
   DiscreteDistribution by_flux_;
   Vec3 lower_, upper_;
   double effective_size_ = 0;
@@ -46,6 +53,7 @@ class RayEmitter : public Emitter {
   Vec3 center() const override { return center_; }
   float radius() const override { return radius_; }
   bool sample_emission(const Vec2& u_position, const Vec2& u_direction, EmissionSample& out) const override;
+  Vec2 position_of_batch(const Vec2& u, uint32_t batch, uint32_t batches) const override;
   bool sample_direct(const Vec3&, const Vec2&, DirectSample&) const override { return false; }
   bool eval_hit(const Vec3&, const Vec3&, uint32_t, const Vec3&, EmitterHit&) const override { return false; }
   bool emission_square(const Vec3&, uint32_t, const Vec3&, Vec2&) const override { return false; }

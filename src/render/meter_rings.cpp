@@ -56,14 +56,16 @@ struct MeterRings::Sums {
   double of_ring[max_rings], square_of_ring[max_rings];
   uint64_t count[max_rings];
   uint32_t max_ring;
+  double clump = 1;  // photons that come together, as paths from the same ray of a file do: one of independent ones
   double mean(uint32_t k) const { return flux[k] / area[k]; }
-  double variance(uint32_t k) const { return square[k] / (area[k] * area[k]); }
+  double variance(uint32_t k) const { return clump * square[k] / (area[k] * area[k]); }
   // Light is narrower than the disc that a mean is of: the disc to ring k holds another number of photons than that
   // mean predicts, by so many standard deviations of the root of a Poisson number (Anscombe 1948).
   bool differs(uint32_t k, double mean, double sigmas) const {
     if (!(flux[max_ring] > 0)) return false;
     double photon = square[max_ring] / flux[max_ring];
     if (flux[k] > 0) photon = std::max(photon, square[k] / flux[k]);
+    photon *= clump;
     const auto root = [](double photons) { return 2 * std::sqrt(std::max(photons, 0.0) + 0.375); };
     return std::abs(root(flux[k] / photon) - root(mean * area[k] / photon)) > sigmas;
   }
@@ -71,7 +73,7 @@ struct MeterRings::Sums {
   double bias2_between(uint32_t k, uint32_t narrower, double times) const {
     const double share = area[narrower] / area[k], d = mean(k) - mean(narrower);
     const double noise2 = (1 - share) * (1 - share) * variance(narrower) +
-                          (square[k] - square[narrower]) / (area[k] * area[k]);
+                          clump * (square[k] - square[narrower]) / (area[k] * area[k]);
     return std::max(0.0, d * d - times * noise2);
   }
   // The last before one from which a narrower one differs.
@@ -90,7 +92,7 @@ struct MeterRings::Sums {
   // The first that has so many photons, if any has; at least the narrowest that is resolved.
   uint32_t first_with(uint64_t photons, const Rings& rings) const {
     uint32_t k = rings.narrowest;
-    while (k + 1 < rings.count && count[k] < photons) ++k;
+    while (k + 1 < rings.count && double(count[k]) < clump * double(photons)) ++k;
     return k;
   }
 };
@@ -164,9 +166,10 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
     const double bias = alpha * s.flux[k] + beta * b1,
                  square = alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2,
                  of_noise = bias_noise2[k] = dependence.of_bias[k] * std::max(0.0, square);
-    const double due = s.flux[last] > 0 ? s.flux[last] * s.flux[last] / s.square[last] * s.area[k] / s.area[last] : 0,
+    const double photons = s.flux[last] > 0 ? s.flux[last] * s.flux[last] / s.square[last] / s.clump : 0,
+                 due = photons * s.area[k] / s.area[last],
                  noise = due < 16 ? s.variance(last) * s.area[last] / s.area[k] : 0;
-    noise2[k] = 0.5 * dependence.of_mean[k] * std::max(noise, s.variance(k));
+    noise2[k] = 0.5 * dependence.of_mean[k] / s.clump * std::max(noise, s.variance(k));
     bias2[k] = std::max(0.0, bias * bias - of_noise);
     if (k >= first + quarter) bias2[k] = std::max(bias2[k], s.bias2_between(k, k - quarter, 3));
     if (k > first && bias * bias > 16 * of_noise && bias * bias > 4 * noise2[k]) last = k;
@@ -218,23 +221,37 @@ MeterRings::Dependence MeterRings::dependence(size_t row, const Sums& s, const R
     for (uint32_t j = from; j <= to; ++j) of_mean += own.of_mean[j], of_bias += own.of_bias[j];
     out.of_mean[k] = of_mean / (to - from + 1), out.of_bias[k] = of_bias / (to - from + 1);
   }
+  // Those of narrow discs come in the same clumps, though they are too few to show it.
+  if (const double least = clump(out, rings); least > 1)
+    for (uint32_t k = 0; k < rings.count; ++k)
+      out.of_mean[k] = std::max(out.of_mean[k], least), out.of_bias[k] = std::max(out.of_bias[k], least);
   return out;
+}
+
+// What the widest disc's batches vary beyond independent photons, where that is no chance (3 of its standard deviations).
+double MeterRings::clump(const Dependence& dependence, const Rings& rings) {
+  const double ratio = dependence.of_mean[rings.count - 1];
+  return ratio > 1 + 3 * std::sqrt(2.0 / (batch_count - 1)) ? ratio : 1;
 }
 
 MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits, const Told& told) const {
   if (visits < min_batches || rings.count < 2) return {rings.count - 1, rings.count - 1};
-  const Sums all = sums_of(row, rings, 0, halves, visits);
+  Sums all = sums_of(row, rings, 0, halves, visits);
   const Dependence dependence = this->dependence(row, all, rings, visits);
+  all.clump = clump(dependence, rings);
   const uint32_t widest = all.widest(rings);
   Choice choice;
-  for (size_t half = 0; half < halves; ++half)
-    choice[1 - half] = best(sums_of(row, rings, half, half + 1, visits_of_half(half, visits)), rings, dependence, told,
-                            all.mean(rings.count - 1), widest);
+  for (size_t half = 0; half < halves; ++half) {
+    Sums of_half = sums_of(row, rings, half, half + 1, visits_of_half(half, visits));
+    of_half.clump = all.clump;
+    choice[1 - half] = best(of_half, rings, dependence, told, all.mean(rings.count - 1), widest);
+  }
   return choice;
 }
 
 RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits) const {
-  const Sums sums = sums_of(row, rings, 0, halves, visits);
+  Sums sums = sums_of(row, rings, 0, halves, visits);
+  sums.clump = clump(dependence(row, sums, rings, visits), rings);
   RingProfile p = sums.profile(rings, sums.mean(rings.count - 1));
   // Least squares by rings, weighted by area: m_i = sum area_j r_j^i, e = (m_2 sum f_j - m_1 sum r_j f_j) / (m_0 m_2 -
   // m_1^2).
@@ -253,8 +270,9 @@ RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits)
 MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const {
   Photons p;
   p.caustics = caustics_[row];
-  const Sums s = sums_of(row, rings, 0, halves, visits);
+  Sums s = sums_of(row, rings, 0, halves, visits);
   if (s.count[rings.count - 1] == 0) return p;
+  s.clump = clump(dependence(row, s, rings, visits), rings);
   p.halves_differ = choice[0] != choice[1];
   p.brings_direct = !direct_.empty();
   for (uint32_t b = 0; b < batch_count; ++b) {
@@ -293,11 +311,11 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   constexpr uint64_t few = 8;
   const uint32_t outermost = rings.count - 1, widest = std::max(choice[0], choice[1]);
   for (uint32_t k = rings.narrowest; k < widest; ++k)
-    if (s.differs(k, p.lx, likely) && (s.mean(k) < p.lx || s.count[k] >= few))
+    if (s.differs(k, p.lx, likely) && (s.mean(k) < p.lx || double(s.count[k]) >= s.clump * few))
       p.narrower = std::max(p.narrower, std::abs(s.mean(k) - p.lx) + std::sqrt(s.variance(k)));
-  if (const uint64_t all = s.count[outermost]; all < 2 * few) {
-    const double mean = s.mean(s.first_with(std::min(few, all), rings));
-    p.narrower = std::max(p.narrower, mean * (1 + 2 * t / std::sqrt(double(all))));
+  if (const double all = double(s.count[outermost]) / s.clump; all < 2 * few) {
+    const double mean = s.mean(s.first_with(std::min(few, s.count[outermost]), rings));
+    p.narrower = std::max(p.narrower, mean * (1 + 2 * t / std::sqrt(all)));
   }
   return p;
 }

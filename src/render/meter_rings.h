@@ -108,6 +108,7 @@ class MeterRings {
     Dependence() { of_mean.fill(1), of_bias.fill(1); }
   };
   Dependence dependence(size_t row, const Sums& all, const Rings& rings, uint32_t visits) const;
+  static double clump(const Dependence& dependence, const Rings& rings);
   static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence, const Told& told,
                        double lx, uint32_t widest);
   double flux(size_t row, uint32_t batch, uint32_t ring) const {

@@ -336,9 +336,11 @@ void Builder::add_rays(const std::string& name, const LuminaireDescription& lumi
                        const Rgb& scale) {
   const auto rays = rays_of(luminaire);
   warn_of(out_->sources.back(),
-          "the light is the " + std::to_string(rays->size()) +
-              " rays of a file, a sample with a noise of its own that no reported error contains: about 1 / sqrt(n) " +
-              "where n of them arrive, " + check::text(100 / std::sqrt(rays->effective_size())) + " % where all do");
+          "the light is the " + std::to_string(rays->size()) + " rays of a file, a sample with a noise of its own that " +
+              (rays->is_shared() ? "is part of the errors of meters, however long they are rendered"
+                                 : "no reported error contains") +
+              ": about 1 / sqrt(n) where n of them arrive, " + check::text(100 / std::sqrt(rays->effective_size())) +
+              " % where all do");
   const Frame frame = Axes(luminaire.to_world).frame();
   const Vec3 p = place_of(luminaire);
   const auto make = [=](const Rgb& of) { return std::make_unique<RayEmitter>(rays, frame, p, of); };

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "transport/light_pass.h"
+#include "transport/plan.h"
 #include "transport/techniques.h"
 
 namespace ups {
@@ -119,8 +120,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     emitter_index_ = choice.index;
     emit_probability_ = choice.probability;
     emitter_ = &scene_.emitters[choice.index];
-    if (!guide.sample(scene_.emitters, emitter_index_, rng_.position(0), rng_.direction(0), start_, square_))
-      return false;
+    const Vec2 position = emitter_->position_of_batch(rng_.position(0), in_.light_visit.batch, batch_count);
+    if (!guide.sample(scene_.emitters, emitter_index_, position, rng_.direction(0), start_, square_)) return false;
     origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     carried_ = start_carried_ = start_.flux / choice.probability;
     if (!is_finite(carried_)) return drop(Drop::emission);

@@ -1,8 +1,10 @@
 // The samples that weigh most in a result, and each of them traced again alone.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "../support/scene_builder.h"
@@ -53,13 +55,15 @@ class Path {
 struct Room {
   Scene scene;
   Sensor points, cells, camera, solid, vectors;
+  ups_instance_id walls, ball;
   explicit Room(int threads = 0) : scene(threads) {
-    scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), matte(0.6));
+    walls = scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), matte(0.6));
     scene.add(quad({1, 2.9, 0.5}, {2, 0, 0}, {0, 0, 1.5}), mirror(0.9));
-    scene.add(icosphere({1.2, 1.2, 0.6}, 0.4, 3), glass(1.5));
+    ball = scene.add(icosphere({1.2, 1.2, 0.6}, 0.4, 3), glass(1.5));
     scene.add_point_light({2, 1.5, 2.2}, 100);
     points = scene.add_meters({{1.2, 1.2, 0}, {3, 2, 0}, {0.5, 0.5, 1}}, {0, 0, 1});
-    cells = scene.add_cells({{1.2, 1.2, 0.001}, {2.5, 1, 0.8}}, {{0, 0, 1}, {0, 0, 1}}, {{1, 0, 0}, {1, 0, 0}}, 0.2, 0.2);
+    cells =
+        scene.add_cells({{1.2, 1.2, 0.001}, {2.5, 1, 0.8}}, {{0, 0, 1}, {0, 0, 1}}, {{1, 0, 0}, {1, 0, 0}}, 0.2, 0.2);
     scene.set_meter_kind(UPS_METER_CYLINDRICAL);
     solid = scene.add_meters({{1.2, 1.2, 0.1}, {3, 2, 1.2}}, {0, 0, 1});
     scene.set_meter_kind(UPS_METER_VECTOR);
@@ -107,6 +111,49 @@ TEST(LargestSamples, AreTheSameForAnyThreadCount) {
   }
 }
 
+// Unpolarised; cosine < 0: from within glass.
+double fresnel(double cosine, double ior) {
+  const double eta = cosine > 0 ? ior : 1 / ior, c = std::abs(cosine), sine2 = (1 - c * c) / (eta * eta);
+  if (sine2 >= 1) return 1;
+  const double t = std::sqrt(1 - sine2), s = (c - eta * t) / (c + eta * t), p = (eta * c - t) / (eta * c + t);
+  return (s * s + p * p) / 2;
+}
+
+// cos / pi where a matte wall has scattered, at glass the probabilities of its Fresnel choice, 1 at a mirror. Counts
+// what it has judged, by event.
+void expect_known_densities(const std::vector<ups_path_vertex>& path, const Room& room, std::map<int, int>& judged) {
+  const auto place = [](const ups_path_vertex& v) { return P3{v.position_m[0], v.position_m[1], v.position_m[2]}; };
+  for (size_t i = 1; i + 1 < path.size(); ++i) {
+    const ups_path_vertex& v = path[i];
+    if (v.event == UPS_EVENT_START || v.event == UPS_EVENT_END || path[i + 1].walk != v.walk) continue;
+    EXPECT_GT(v.pdf, 0) << "event " << v.event;
+    const P3 normal{v.normal[0], v.normal[1], v.normal[2]};
+    double known = 1;  // of the mirror
+    if (v.instance.v == room.walls.v)
+      known = std::abs(dot(normal, normalize(place(path[i + 1]) - place(v)))) / pi_d;
+    else if (v.instance.v == room.ball.v) {
+      const P3 outward = place(v) - P3{1.2, 1.2, 0.6}, to = normalize(place(path[i - 1]) - place(v));
+      const double cosine = dot(normal, to) * (dot(normal, outward) > 0 ? 1 : -1);
+      const double reflected = fresnel(cosine, 1.5);
+      known = v.event == UPS_EVENT_MIRRORED ? reflected : 1 - reflected;
+    }
+    EXPECT_NEAR(v.pdf, known, 2e-3 * known + 1e-5) << "event " << v.event << " of instance " << v.instance.v;
+    ++judged[v.event];
+  }
+}
+
+// Those that begin with the start of a walk, or with a vertex's number and its instance.
+size_t lines_of_vertices(const std::string& text) {
+  size_t lines = 0;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    unsigned number = 0, instance = 0;
+    lines += line.starts_with("Eye path from ") || line.starts_with("Light path ") ||
+             std::sscanf(line.c_str(), "%u instance %u at", &number, &instance) == 2;
+  }
+  return lines;
+}
+
 class ReplayedSamples : public testing::TestWithParam<ups_method> {};
 
 TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
@@ -118,6 +165,7 @@ TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
   for (const Sensor& sensor : {room.points, room.cells, room.camera, room.solid, room.vectors})
     for (const ups_sample& s : result.largest_samples(sensor)) samples.push_back(s);
   std::map<std::pair<uint32_t, ups_walk>, int> seen;
+  std::map<int, int> judged;
   for (const ups_sample& s : samples) {
     if (++seen[{s.sensor.v, s.walk}] > 3) continue;
     const Path path(room.scene, options, s);
@@ -148,8 +196,11 @@ TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
       EXPECT_EQ(v.instance.v == 0, v.event == UPS_EVENT_START);
       for (const double x : v.position_m) EXPECT_TRUE(x > -0.01 && x < 4.01) << x;
     }
+    expect_known_densities(vertices, room, judged);
+    EXPECT_EQ(lines_of_vertices(path.text()), vertices.size()) << path.text();
     EXPECT_NE(path.text().find("weight"), std::string::npos);
   }
+  for (const int event : {UPS_EVENT_SCATTERED, UPS_EVENT_MIRRORED, UPS_EVENT_REFRACTED}) EXPECT_GT(judged[event], 5);
   EXPECT_GE(seen.size(), 3u);
 }
 

@@ -1,9 +1,10 @@
-// Renders that are cancelled at random moments, on 2 threads: from the wish to the end of the job. Times are told and
-// fail nothing; who takes 10 s hangs. The environment variable UPS_STABILITY=full: 100 renders of a bathroom and of ten
-// million triangles, 30 of a million meters and of images of techniques of twelve megapixels; without it 6 of each, and
-// a fiftieth of that.
+// Renders that are cancelled at random moments, on 2 threads: from the wish to the end of the job. Times are told, with
+// the share of those above the 200 ms that are wanted, and fail nothing: README.md has a table. Who takes 10 s hangs.
+// The environment variable UPS_STABILITY=full: 100 renders of a bathroom and of ten million triangles, 30 of a million
+// meters and of images of techniques of twelve megapixels; without it 6 of each, and a fiftieth of that.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -53,9 +54,12 @@ void cancel_often(Scene& scene, const char* what, int full_count = 100, uint32_t
     ups_job_destroy(job);
   }
   std::sort(delays.begin(), delays.end());
-  std::printf("%s: %d renders, moments by seed %u: from cancel to the end median %.0f ms, 95 %% %.0f ms, worst %.0f ms\n",
-              what, count, seed, 1e3 * delays[delays.size() / 2], 1e3 * delays[size_t(0.95 * count)],
-              1e3 * delays.back());
+  const auto late = delays.end() - std::upper_bound(delays.begin(), delays.end(), 0.2);
+  std::printf(
+      "%s: %d renders, moments by seed %u: from cancel to the end median %.0f ms, 95 %% %.0f ms, worst %.0f ms, "
+      "%d above 200 ms\n",
+      what, count, seed, 1e3 * delays[delays.size() / 2],
+      1e3 * delays[std::min(size_t(0.95 * count), delays.size() - 1)], 1e3 * delays.back(), int(late));
 }
 
 // A floor of waves, of so many triangles, in a room of 10 m.

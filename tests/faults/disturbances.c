@@ -1,17 +1,21 @@
 /* Preloaded into the program. UPS_DISTURB=clock: the time of day runs backwards, a second with each look at it; steady
- * time does not. UPS_DISTURB=ticks: 1000 signals a second whose handler interrupts system calls (SIGALRM, SIGPROF). */
+ * time does not. UPS_DISTURB=ticks: 1000 signals a second whose handler interrupts system calls (SIGALRM, SIGPROF).
+ * UPS_DISTURB=full: after UPS_DISTURB_BYTES bytes of files the disk is full. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
+#include <errno.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
 
 static atomic_long looks, ticks;
-static int backwards;
+static int backwards, full;
+static atomic_llong space; /* bytes */
 
 static void tick(int signal_number) {
   (void)signal_number;
@@ -26,6 +30,9 @@ __attribute__((constructor)) static void begin(void) {
   const char *what = getenv("UPS_DISTURB");
   if (!what) return;
   backwards = strcmp(what, "clock") == 0;
+  const char *bytes = getenv("UPS_DISTURB_BYTES");
+  if (bytes) atomic_store(&space, atoll(bytes));
+  full = strcmp(what, "full") == 0;
   if (strcmp(what, "ticks") != 0) return;
   struct sigaction action = {.sa_handler = tick}; /* without SA_RESTART */
   const struct itimerval each_ms = {{0, 1000}, {0, 1000}};
@@ -58,4 +65,21 @@ time_t time(time_t *out) {
   clock_gettime(CLOCK_REALTIME, &now);
   if (out) *out = now.tv_sec;
   return now.tv_sec;
+}
+
+/* As a disk does: what there is room for is written. */
+ssize_t write(int file, const void *from, size_t size) {
+  static ssize_t (*real)(int, const void *, size_t);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "write");
+  struct stat about;
+  if (full && fstat(file, &about) == 0 && S_ISREG(about.st_mode)) {
+    const long long left = atomic_load(&space);
+    if (left <= 0) {
+      errno = ENOSPC;
+      return -1;
+    }
+    if ((long long)size > left) size = (size_t)left;
+    atomic_fetch_sub(&space, (long long)size);
+  }
+  return real(file, from, size);
 }

@@ -21,6 +21,7 @@ SEED = random.SystemRandom().randrange(1 << 32)  # printed: moments differ from 
 HANG_S = 60  # a busy machine may be slow; what takes so long hangs
 
 program = None
+WRITERS = ("images and tables", "report", "map", "goniometer", "replay")
 
 
 def main():
@@ -58,6 +59,38 @@ class FaultTest(unittest.TestCase):
     def command(self, scene, out, *options, seed=1, size="300x200"):
         return [program, "render", str(scene), "--method", "ups", "--iterations", "4", "--size", size, "--seed",
                 str(seed), "--out", str(out), *options]
+
+    def prepare_writers(self):
+        """Renders by two seeds, whose images are mapped and whose samples are traced again."""
+        self.scene, _ = self.write_scene()
+        self.samples = {}
+        for seed in (1, 2):
+            done = self.run_program(self.command(self.scene, self.folder / f"seed{seed}", "--json", seed=seed,
+                                                 size="60x40"))
+            samples = json.loads(done.stdout)["largest_samples"]
+            self.samples[seed] = next(s["address"] for s in samples if s["sensor"] == "view")
+
+    def write_command(self, writer, seed):
+        """What writes the same files into the current folder by either seed, with other bytes."""
+        if writer == "map":
+            return [program, "map", str(self.folder / f"seed{seed}/view.exr"),
+                    "map.png", "map.svg", "map.pdf"]
+        if writer == "goniometer":
+            return [program, "goniometer", str(self.scene), "--iterations", "4", "--seed", str(seed), "--c-step", "45",
+                    "--gamma-step", "15", "--out", "fixture.ies", "--errors", "errors.csv", "--plot", "polar.svg"]
+        if writer == "replay":
+            return [program, "replay", str(self.scene), "--method", "ups", "--size", "60x40", "--sample",
+                    self.samples[seed], "--plot", "path.svg"]
+        more = ["--report"] if writer == "report" else []
+        return self.command(self.scene, ".", "--json", "--separate", "luminaires", "--technique-images", "2", *more,
+                            seed=seed, size="60x40")
+
+    def expect_whole(self, name, found, old, new):
+        """A report tells how long the render took: no two are alike."""
+        if name == "report.html":
+            self.assertTrue(found == old or found.rstrip().endswith(b"</html>"), msg=name)
+        else:
+            self.assertIn(found, (old, new), msg=f"{name}: neither the older file nor the new one")
 
     def run_program(self, command, code=0, **options):
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=HANG_S,

@@ -1,63 +1,127 @@
-"""A disk that is full, a limit of file sizes, a closed pipe: an error that names the file, and older files stay.
-Usage: test_full_disk.py PATH_TO_UPS [unittest options]"""
+"""A disk that is full, a limit of file sizes, a closed pipe: an error that names the file, and older files stay, whoever
+writes: renders, reports, maps, goniometers, replays.
+Usage: test_full_disk.py PATH_TO_UPS PATH_TO_LIBDISTURBANCES [unittest options]"""
 import os
 import resource
 import signal
 import subprocess
+import sys
 import unittest
 
 import faults
+from preload import preloaded
+
+DISTURBANCES = None
+PAGE = 4096
 
 
-def mount_small_disk(folder, kilobytes):
+def mount(folder, *options):
     """False where this user may not."""
     try:
-        return subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "none", str(folder)],
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=20).returncode == 0
+        return subprocess.run(["mount", *options, str(folder)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              timeout=20).returncode == 0
     except OSError:
         return False
 
 
-def small_files(kilobytes):
+def small_files(most):
     def limit():
         signal.signal(signal.SIGXFSZ, signal.SIG_DFL)  # which would end a program that does not mind it
-        resource.setrlimit(resource.RLIMIT_FSIZE, (kilobytes * 1024, kilobytes * 1024))
+        resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
     return limit
 
 
 class FullDisk(faults.FaultTest):
-    def expect_old_files(self, scene, out, word, **options):
-        old = self.results(out)
-        done = self.run_program(self.command(scene, out, "--json", seed=2, size="600x400"), code=1, **options)
-        self.assertIn("view.exr", done.stderr)
-        self.assertIn(word, done.stderr)
-        self.assertIn('"iterations": 4', done.stdout)  # what was found is told all the same
-        found = self.results(out)
-        self.assertEqual(found["view.exr"], old["view.exr"])
-        self.assertEqual(found.keys(), old.keys())
-        self.assertEqual([p.name for p in out.iterdir() if p.name.endswith(".tmp")], [])
+    def setUp(self):
+        super().setUp()
+        self.prepare_writers()
+        self.new = {}
+        for number, writer in enumerate(faults.WRITERS):
+            folder = self.folder / f"new{number}"
+            folder.mkdir()
+            self.run_program(self.write_command(writer, seed=2), cwd=folder)
+            self.new[writer] = self.results(folder)
 
-    def test_no_space_left(self):
-        scene, _ = self.write_scene()
-        out = self.folder / "disk"
-        out.mkdir()
-        if not mount_small_disk(out, 2560):
-            self.skipTest("this user cannot mount a small disk; the limit of file sizes stands for it")
-        self.addCleanup(subprocess.run, ["umount", str(out)], timeout=20)
-        self.run_program(self.command(scene, out, size="60x40"))
-        self.expect_old_files(scene, out, "No space left on device")
+    def write_old(self, writer, out):
+        self.run_program(self.write_command(writer, seed=1), cwd=out)
+        old = self.results(out)
+        self.assertEqual(old.keys(), self.new[writer].keys())
+        self.assertNotEqual(old, self.new[writer])
+        return old
+
+    def expect_old_files(self, writer, out, old, word, **options):
+        """Files that are named, and all where the first cannot be written, byte for byte; others may be new, never in
+        between."""
+        done = self.run_program(self.write_command(writer, seed=2), code=1, cwd=out, **options)
+        named = [name for name in old if name in done.stderr]
+        self.assertTrue(named, msg=f"{writer}: {done.stderr}")
+        self.assertIn(word, done.stderr)
+        if writer in ("images and tables", "report"):
+            self.assertIn('"iterations": 4', done.stdout)  # what was found is told all the same
+        found = self.results(out)
+        self.assertEqual(found.keys(), old.keys())
+        for name, content in found.items():
+            self.expect_whole(name, content, old[name], self.new[writer][name])
+        for name in named:
+            self.assertEqual(found[name], old[name], msg=f"{writer}: {name}")
+        self.assertEqual([p.name for p in out.iterdir() if p.name.endswith(".tmp")], [])
+        for name, content in old.items():
+            (out / name).write_bytes(content)
+        return found
+
+    def expect_new_files(self, writer, out):
+        self.run_program(self.write_command(writer, seed=2), cwd=out)
+        for name, content in self.results(out).items():
+            if name != "report.html":
+                self.assertEqual(content, self.new[writer][name], msg=f"{writer}: {name}")
+
+    def test_no_space_left_on_a_small_disk(self):
+        disk = self.folder / "disk"
+        disk.mkdir()
+        if not mount(disk, "-t", "tmpfs", "-o", "size=64m", "none"):
+            self.skipTest("this user cannot mount a small disk; writes that find no space stand for it")
+        self.addCleanup(subprocess.run, ["umount", str(disk)], timeout=20)
+        for number, writer in enumerate(faults.WRITERS):
+            out = disk / str(number)
+            out.mkdir()
+            old = self.write_old(writer, out)
+            usage = os.statvfs(disk)
+            free = max(map(len, self.new[writer].values())) // 2 // PAGE * PAGE
+            used = (usage.f_blocks - usage.f_bfree) * usage.f_frsize
+            self.assertTrue(mount(disk, "-o", f"remount,size={used + free}"))
+            self.expect_old_files(writer, out, old, "No space left on device")
+            self.assertTrue(mount(disk, "-o", "remount,size=64m"))
+            self.expect_new_files(writer, out)
+
+    def test_writes_that_find_no_space(self):
+        for number, writer in enumerate(faults.WRITERS):
+            out = self.folder / f"full{number}"
+            out.mkdir()
+            old = self.write_old(writer, out)
+            total = sum(map(len, self.new[writer].values()))
+            for space in (0, *faults.rounds((), (total // 4, total // 2)), int(0.95 * total)):
+                environment = preloaded(DISTURBANCES) | {"UPS_DISTURB": "full", "UPS_DISTURB_BYTES": str(space)}
+                found = self.expect_old_files(writer, out, old, "No space left on device", env=environment)
+                if space == 0:
+                    self.assertEqual(found, old)
+            self.expect_new_files(writer, out)
 
     def test_limit_of_file_sizes(self):
-        scene, _ = self.write_scene()
-        out = self.folder / "out"
-        self.run_program(self.command(scene, out, size="60x40"))
-        self.expect_old_files(scene, out, "File too large", preexec_fn=small_files(300))
+        for number, writer in enumerate(faults.WRITERS):
+            out = self.folder / f"limited{number}"
+            out.mkdir()
+            old = self.write_old(writer, out)
+            largest = max(map(len, self.new[writer].values()))
+            for most in (0, *faults.rounds((), (largest // 4, largest // 2)), int(0.95 * largest)):
+                found = self.expect_old_files(writer, out, old, "File too large", preexec_fn=small_files(most))
+                if most == 0:
+                    self.assertEqual(found, old)
+            self.expect_new_files(writer, out)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
     def test_output_that_cannot_be_written_is_an_error(self):
-        scene, _ = self.write_scene()
         with open("/dev/full", "w") as full:
-            done = subprocess.run(self.command(scene, self.folder / "out", "--json"), stdout=full,
+            done = subprocess.run(self.command(self.scene, self.folder / "out", "--json"), stdout=full,
                                   stderr=subprocess.PIPE, text=True, timeout=faults.HANG_S)
         self.assertEqual(done.returncode, 1)
         self.assertIn("cannot write to standard output", done.stderr)
@@ -65,4 +129,5 @@ class FullDisk(faults.FaultTest):
 
 
 if __name__ == "__main__":
+    DISTURBANCES = os.path.abspath(sys.argv.pop(2))
     faults.main()

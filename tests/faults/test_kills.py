@@ -1,5 +1,6 @@
-"""The program is killed (SIGKILL) at random moments of loading, rendering and writing. A file is then as it was before or
-as a whole render leaves it, never in between; and the next render is not disturbed by what was left behind.
+"""The program is killed (SIGKILL) at random moments of loading, rendering and writing, of renders, reports, maps,
+goniometers and replays in turn. A file is then as it was before or as a whole run leaves it, never in between; and the
+next run is not disturbed by what was left behind.
 Usage: test_kills.py PATH_TO_UPS [unittest options]"""
 import signal
 import subprocess
@@ -8,49 +9,67 @@ import time
 import faults
 
 
-class Kills(faults.FaultTest):
-    def test_a_file_is_whole_or_the_older_one(self):
-        scene, _ = self.write_scene()
-        out, other = self.folder / "out", self.folder / "other"
-        self.run_program(self.command(scene, out, seed=1))
+class Victim:
+    """One of the writers: what it leaves by two seeds, and how long that takes."""
+
+    def __init__(self, test, writer):
+        self.writer, self.out, other = writer, test.folder / writer, test.folder / (writer + ", new")
+        self.out.mkdir(), other.mkdir()
+        test.run_program(test.write_command(writer, seed=1), cwd=self.out)
         start = time.monotonic()
-        self.run_program(self.command(scene, other, seed=2))
-        lasts = time.monotonic() - start
-        old, new = self.results(out), self.results(other)
-        self.assertEqual(old.keys(), new.keys())
-        differ = [name for name in old if old[name] != new[name]]  # some light is exact
-        self.assertGreater(len(differ), len(old) / 2)
-        wanted = faults.rounds(12, 200)
-        killed = mixed = left_behind = runs = 0
-        while killed < wanted:
-            runs += 1
-            self.assertLess(runs, 20 * wanted, msg=f"killed {killed} times only")
-            for name, content in old.items():
-                (out / name).write_bytes(content)
-            start = time.monotonic()
-            process = self.start(self.command(scene, out, seed=2))
-            # Most of the moments are the end's, when files are written. A busy machine is slow once and fast again.
-            early = self.random.random() < 0.4
-            try:
-                process.wait(lasts * (self.random.uniform(0, 1) if early else self.random.uniform(0.7, 1)))
-                lasts = time.monotonic() - start
-            except subprocess.TimeoutExpired:
-                process.send_signal(signal.SIGKILL)
-                lasts *= 1.02
-            process.communicate(timeout=faults.HANG_S)
-            killed += process.returncode == -signal.SIGKILL
-            found = self.results(out)
-            self.assertEqual(found.keys(), old.keys())
-            for name, content in found.items():
-                self.assertIn(content, (old[name], new[name]), msg=f"{name}: neither the older file nor the new one")
-            mixed += 0 < sum(found[name] == new[name] for name in differ) < len(differ)
-            for path in out.glob("*.tmp"):
-                left_behind += 1
-                if left_behind > 3:  # the first ones stay: they must disturb nobody
-                    path.unlink()
-        print(f"killed {killed} times; {mixed} times between two files; {left_behind} temporary files left behind")
-        self.run_program(self.command(scene, out, seed=2))
-        self.assertEqual(self.results(out), new)
+        test.run_program(test.write_command(writer, seed=2), cwd=other)
+        self.lasts = time.monotonic() - start
+        self.old, self.new = test.results(self.out), test.results(other)
+        self.runs = self.killed = self.mixed = self.left_behind = 0
+
+
+class Kills(faults.FaultTest):
+    def kill(self, v):
+        v.runs += 1
+        for name, content in v.old.items():
+            (v.out / name).write_bytes(content)
+        start = time.monotonic()
+        process = self.start(self.write_command(v.writer, seed=2), cwd=v.out)
+        # Most of the moments are the end's, when files are written. A busy machine is slow once and fast again.
+        early = self.random.random() < 0.4
+        try:
+            process.wait(v.lasts * (self.random.uniform(0, 1) if early else self.random.uniform(0.7, 1)))
+            v.lasts = time.monotonic() - start
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGKILL)
+            v.lasts *= 1.02
+        process.communicate(timeout=faults.HANG_S)
+        v.killed += process.returncode == -signal.SIGKILL
+
+    def expect_whole_files(self, v, differ):
+        found = self.results(v.out)
+        self.assertEqual(found.keys(), v.old.keys())
+        for name, content in found.items():
+            self.expect_whole(name, content, v.old[name], v.new[name])
+        v.mixed += 0 < sum(found[name] != v.old[name] for name in differ) < len(differ)
+        for path in v.out.glob("*.tmp"):
+            v.left_behind += 1
+            if v.left_behind > 3:  # the first ones stay: they must disturb nobody
+                path.unlink()
+
+    def test_a_file_is_whole_or_the_older_one(self):
+        self.prepare_writers()
+        wanted = faults.rounds(4, 50)
+        for writer in faults.WRITERS:
+            v = Victim(self, writer)
+            self.assertEqual(v.old.keys(), v.new.keys())
+            differ = [name for name in v.old if v.old[name] != v.new[name]]  # some light is exact
+            self.assertGreater(2 * len(differ), len(v.old) - 1, msg=writer)
+            while v.killed < wanted:
+                self.assertLess(v.runs, 20 * wanted, msg=f"{writer}: killed {v.killed} times only")
+                self.kill(v)
+                self.expect_whole_files(v, differ)
+            print(f"{writer}: killed {v.killed} times; {v.mixed} times between two files; {v.left_behind} temporary "
+                  "files left behind", flush=True)
+            self.run_program(self.write_command(writer, seed=2), cwd=v.out)
+            for name, content in self.results(v.out).items():
+                if name != "report.html":
+                    self.assertEqual(content, v.new[name], msg=f"{writer}: {name}")
 
 
 if __name__ == "__main__":

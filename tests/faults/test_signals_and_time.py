@@ -21,6 +21,10 @@ def disturbed(how):
 
 
 class Time(faults.FaultTest):
+    def test_the_clock_is_disturbed(self):
+        look = "import time; first = time.time(); raise SystemExit(7 if time.time() < first else 0)"
+        self.run_program([sys.executable, "-c", look], code=7, env=disturbed("clock"))
+
     def test_time_of_day_that_runs_backwards(self):
         scene, _ = self.write_scene()
         begin = time.monotonic()

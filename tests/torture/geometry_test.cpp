@@ -14,7 +14,7 @@ void survive_cube(const std::string& name, double side, const P3& offset, int fa
   scene.add_point_light(offset + P3{side / 2, side / 2, side / 2}, intensity);
   const Sensor floor = add_cells(scene, offset, {side, 0, 0}, {0, side, 0}, 2);
   add_small_camera(scene, offset + P3{side / 4, side / 4, side / 2}, {1, 1, -0.3});
-  survive(name, scene, {{floor, 0.05, 4 * pi_d * intensity / (6 * side * side * 0.5), 1e-3}});
+  survive(name, scene, {{floor, 4 * pi_d * intensity / (6 * side * side * 0.5)}});
 }
 
 TEST(Torture, UnitsFromAMillimetreToAHundredKilometres) {
@@ -44,7 +44,10 @@ TEST(Torture, WallsOfFiveMillimetres) {
   const Sensor lit = scene.add_meters(near_wall, {0, 0, 1}), dark = scene.add_meters(beyond, {0, 0, 1});
   add_small_camera(scene, {2, 2, 1.5}, {1, 0, 0});
   const Sensor in_dark = add_small_camera(scene, {6, 2, 1.5}, {-1, 0, 0});
-  const std::vector<Result> results = survive("walls of 5 mm", scene, {{lit, 0.05}});
+  const std::vector<Result> results =
+      survive("walls of 5 mm", scene,
+              {{.meters = lit,
+                .looser = {{UPS_METHOD_SPPM, fast_or_full(0.04, 0.01), "its discs are a centimetre from a wall"}}}});
   for (size_t r = 0; r < results.size(); ++r) {
     const double most = 1e-3 * results[r].statistics(lit).mean_lx;
     const std::string what = method_name(torture_methods[r]);
@@ -68,12 +71,14 @@ TEST(Torture, NeedlesAndSlivers) {
   }
   scene.add(quad({0, 0, 0}, {0, 4, 0}, {0, 0, 3}), matte(0.5));
   scene.add(quad({4, 0, 0}, {0, 0, 3}, {0, 4, 0}), matte(0.5));
-  scene.add(quad({1, 2, 2.5}, {0, thin, 0}, {2, 0, 0}), emitter(1e8));
+  scene.add(quad({0.2, 2, 2.5}, {0, 3.6e-6, 0}, {3.6, 0, 0}), emitter(1e8));
   const Sensor points = scene.add_meters(grid_points({0.5, 0.5, 0.8}, {3, 0, 0}, {0, 3, 0}, 3), {0, 0, 1});
   const P3 up{0, 0, 1}, along{1, 0, 0};
   const Sensor cells = scene.add_cells({{1, 1, 0.5}, {3, 1, 0.5}}, {up, up}, {along, along}, 1, 1e-6);
   add_small_camera(scene, {0.5, 0.5, 1.5}, {1, 1, -0.2});
-  survive("needles", scene, {{points, 0.05}, {cells, 0.05}}, {.blind = without_next_event});
+  survive("needles", scene,
+          {{points}, {.meters = cells, .looser = {{UPS_METHOD_SPPM, INFINITY, "no photon meets a cell of 1 um"}}}},
+          {.iterations = 32, .sppm_radius_m = radius_in_rooms});
 }
 
 // A floor of ripples, 0.1 mm high.
@@ -97,9 +102,9 @@ TEST(Torture, AMeshOfTenMillionTriangles) {
   scene.add(floor, matte(0.5));
   scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
   scene.add(quad({1.5, 1.5, 2.9}, {0, 1, 0}, {1, 0, 0}), emitter(1000));
-  const Sensor meters = scene.add_meters(grid_points({0.5, 0.5, 0.8}, {3, 0, 0}, {0, 3, 0}, 3), {0, 0, 1});
+  const Sensor meters = scene.add_meters(grid_points({0.5, 0.5, 0.8}, {3, 0, 0}, {0, 3, 0}, 4), {0, 0, 1});
   add_small_camera(scene, {0.5, 0.5, 1.5}, {1, 1, -0.6});
-  survive(std::to_string(2 * n * n) + " triangles", scene, {{meters, 0.05}}, {.iterations = 32});
+  survive(std::to_string(2 * n * n) + " triangles", scene, {{meters}}, {.sppm_radius_m = radius_in_rooms});
 }
 
 }  // namespace

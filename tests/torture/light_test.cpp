@@ -5,30 +5,31 @@ namespace ups::test {
 namespace {
 
 // A Lambertian square of 4 um, 1000 lm, in a room of 4 m. What comes straight from it is a point's, I cos / d^2, with
-// the room black; with a grey room the methods must agree.
+// the room black; with a grey room the methods must agree. Its side in floats at 2 m is 17 of their steps.
 TEST(Torture, EmittersOfAMillionthOfTheScene) {
-  constexpr double side = 4e-6, flux = 1000;
+  constexpr double side = 4e-6, luminance = 1000 / (pi_d * side * side);
+  const double in_floats = double(float(2 + side)) - 2;
   for (const double reflectance : {0.0, 0.6}) {
     Scene scene;
     scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(reflectance));
-    scene.add(quad({2, 2, 2.5}, {0, side, 0}, {side, 0, 0}), emitter(flux / (pi_d * side * side)));
+    scene.add(quad({2, 2, 2.5}, {0, side, 0}, {side, 0, 0}), emitter(luminance));
     const std::vector<P3> points = grid_points({0.5, 0.5, 0.5}, {3, 0, 0}, {0, 3, 0}, 3);
     double direct = 0;
     for (const P3& p : points) {
       const double d2 = dot(p - P3{2, 2, 2.5}, p - P3{2, 2, 2.5}), cosine = 2 / std::sqrt(d2);
-      direct += flux / pi_d * cosine * cosine / d2 / double(points.size());
+      direct += luminance * in_floats * in_floats * cosine * cosine / d2 / double(points.size());
     }
     const Sensor meters = scene.add_meters(points, {0, 0, 1});
     add_small_camera(scene, {0.5, 0.5, 1.5}, {1, 1, 0});
-    // The side in floats at 2 m: 4 um is 17 of their steps.
     survive(reflectance > 0 ? "tiny emitter" : "tiny emitter, black room", scene,
-            {{meters, 0.05, reflectance > 0 ? -1 : direct, 0.05}});
+            {{meters, reflectance > 0 ? -1 : direct, 1e-3}}, {.sppm_radius_m = radius_in_rooms});
   }
 }
 
 // A lamp of 10^6 cd in the next room, whose door is shut, draws all light paths and nearly all of next-event estimation
 // but what is exact. What the lamp of 1 cd here brings by way of the walls is found by chance alone, and the bounds
-// must say so: they cover what the room has without the other lamp.
+// must say so: twice each covers what the room has without the other lamp. (Path tracing's, of a few bright paths,
+// cover it by themselves in 90 % of the meters: 36 of 40 with other random numbers.)
 TEST(Torture, ALuminaireThatOutshinesTheOthersAMillionTimes) {
   const std::vector<P3> points = grid_points({0.5, 0.5, 0.8}, {3, 0, 0}, {0, 3, 0}, 2);
   Scene alone, scene;
@@ -42,10 +43,11 @@ TEST(Torture, ALuminaireThatOutshinesTheOthersAMillionTimes) {
   scene.add_point_light({6, 2, 2.5}, 1e6);
   const Sensor strong = scene.add_meters(grid_points({4.6, 0.5, 0.8}, {3, 0, 0}, {0, 3, 0}, 2), {0, 0, 1});
   add_small_camera(scene, {0.5, 0.5, 1.5}, {1, 1, 0});
-  const auto truth = survive("a weak lamp", alone, {{weak_alone, 0.02}}, {.methods = {UPS_METHOD_PATH_TRACING}})[0]
-                         .readings(weak_alone);
-  const std::vector<Result> results =
-      survive("one of a million", scene, {{strong, 0.05}}, {.iterations = 128, .light_paths = 256});
+  const auto truth =
+      survive("a weak lamp", alone, {{weak_alone}}, {.methods = {UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL}})[0]
+          .readings(weak_alone);
+  const std::vector<Result> results = survive(
+      "one of a million", scene, {{strong}}, {.iterations = 128, .light_paths = 256, .sppm_radius_m = radius_in_rooms});
   for (size_t r = 0; r < results.size(); ++r) {
     const auto readings = results[r].readings(weak);
     for (size_t m = 0; m < truth.size(); ++m) {
@@ -54,7 +56,8 @@ TEST(Torture, ALuminaireThatOutshinesTheOthersAMillionTimes) {
         EXPECT_GE(readings[m].direct_lx, 0.9999 * truth[m].direct_lx) << what;
       }
       EXPECT_LE(std::abs(readings[m].illuminance_lx - truth[m].illuminance_lx),
-                readings[m].error_bound_lx + truth[m].error_bound_lx) << what;
+                2 * (readings[m].error_bound_lx + truth[m].error_bound_lx))
+          << what;
     }
   }
 }
@@ -79,7 +82,8 @@ TEST(Torture, CandelasFromAMillionthToABillionInOneRoom) {
   for (size_t l = 0; l < lamps.size(); ++l)
     for (const P3& p : points) all += truth(l, p) / double(points.size());
   const std::vector<Result> results =
-      survive("candelas", scene, {{meters, 0.05, all}}, {.separation = UPS_SEPARATE_LUMINAIRES});
+      survive("candelas", scene, {{meters, all, 1e-3}},
+              {.separation = UPS_SEPARATE_LUMINAIRES, .sppm_radius_m = radius_in_rooms});
   for (size_t r = 0; r < results.size(); ++r) {
     if (torture_methods[r] == UPS_METHOD_SPPM) continue;  // finds light by chance alone
     ASSERT_EQ(results[r].sources().size(), lamps.size());
@@ -88,6 +92,65 @@ TEST(Torture, CandelasFromAMillionthToABillionInOneRoom) {
       for (size_t m = 0; m < points.size(); ++m)
         EXPECT_NEAR(readings[m].illuminance_lx, truth(l, points[m]), 1e-5 * truth(l, points[m]))
             << method_name(torture_methods[r]) << ", lamp of 1e" << int(l) - 6 << " cd, meter " << m;
+    }
+  }
+}
+
+// In the middle of a grey cube, where each lamp has Phi / (S (1 - rho)) on the floor, and in points the same share of
+// what all have. What walls bring of a lamp that others outshine a millionfold is found by chance alone, and bounds say
+// so: twice each covers it. Of the brightest, which has 90 %, bounds are 1.5 %, in full 0.5 %.
+TEST(Torture, CandelasFromAMillionthToABillionInAGreyRoom) {
+  constexpr double side = 4, brightest = 1e9;
+  Scene scene;
+  scene.add(box({0, 0, 0}, {side, side, side}).flipped(), matte(0.5));
+  double candelas = 0;
+  for (int e = -6; e <= 9; ++e) {
+    candelas += std::pow(10.0, e);
+    scene.add_point_light({side / 2, side / 2, side / 2}, std::pow(10.0, e));
+  }
+  const Sensor points = scene.add_meters(grid_points({0.5, 0.5, 0}, {3, 0, 0}, {0, 3, 0}, 3), {0, 0, 1}),
+               floor = add_cells(scene, {0, 0, 0}, {side, 0, 0}, {0, side, 0}, 4);
+  add_small_camera(scene, {1, 1, 2}, {1, 1, -0.3});
+  const double a_candela = 4 * pi_d / (6 * side * side * 0.5);
+  const std::vector<Result> results = survive(
+      "candelas and walls", scene, {{points}, {floor, a_candela * candelas}},
+      {.iterations = fast_or_full(16u, 64u), .separation = UPS_SEPARATE_LUMINAIRES, .sppm_radius_m = radius_in_rooms});
+  for (size_t r = 0; r < results.size(); ++r) {
+    const double of_all = results[r].statistics(points).mean_lx / candelas;
+    for (int e = -6; e <= 9; ++e) {
+      const double intensity = std::pow(10.0, e);
+      for (const auto& [set, expected] : {std::pair{points, of_all}, std::pair{floor, a_candela}}) {
+        const std::string what = std::string(method_name(torture_methods[r])) + ", lamp of 1e" + std::to_string(e) +
+                                 " cd, " + std::to_string(set.count) + " meters";
+        double mean = 0, bound = 0;
+        for (const ups_meter_reading& m : results[r].readings_of_source(uint32_t(e + 6), set))
+          mean += m.illuminance_lx / set.count, bound += m.error_bound_lx / set.count;
+        EXPECT_LE(std::abs(mean - intensity * expected), 2 * bound) << what;
+        if (intensity == brightest && torture_methods[r] != UPS_METHOD_SPPM) {
+          EXPECT_LE(bound, fast_or_full(0.015, 0.005) * mean) << what;
+        }
+      }
+    }
+  }
+}
+
+// Alone in that room each lamp gives a candela's readings times its candelas, walls and all, to the rounding of floats.
+TEST(Torture, AMillionthOfACandelaIsAsABillion) {
+  for (const ups_method method : torture_methods) {
+    std::vector<double> of_a_candela;
+    for (const double intensity : {1.0, 1e-6, 1e9}) {
+      Scene scene;
+      scene.add(box({0, 0, 0}, {4, 4, 4}).flipped(), matte(0.5));
+      scene.add_point_light({2, 2, 2}, intensity);
+      const Sensor points = scene.add_meters(grid_points({0.5, 0.5, 0}, {3, 0, 0}, {0, 3, 0}, 3), {0, 0, 1});
+      const auto readings = scene.render({.method = method, .iterations = 4, .light_paths = 1u << 10}).readings(points);
+      for (size_t m = 0; m < readings.size(); ++m) {
+        if (intensity == 1)
+          of_a_candela.push_back(readings[m].illuminance_lx);
+        else
+          EXPECT_NEAR(readings[m].illuminance_lx / (intensity * of_a_candela[m]), 1, 1e-5)
+              << method_name(method) << ", " << intensity << " cd, meter " << m;
+      }
     }
   }
 }

@@ -6,8 +6,8 @@ namespace {
 
 // Metal, glass and plastic of one roughness in a room. 0: smooth.
 class TortureRoughness : public ::testing::TestWithParam<double> {};
-INSTANTIATE_TEST_SUITE_P(Steps, TortureRoughness, ::testing::Values(1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 0.0),
-                         [](const auto& i) { return i.index < 5 ? "_1e" + std::to_string(i.index + 1) : "_smooth"; });
+INSTANTIATE_TEST_SUITE_P(Steps, TortureRoughness, ::testing::Values(1e-1, 1e-2, 0.0),
+                         [](const auto& i) { return i.index < 2 ? "_1e" + std::to_string(i.index + 1) : "_smooth"; });
 
 TEST_P(TortureRoughness, OfMetalGlassAndPlastic) {
   const double roughness = GetParam();
@@ -17,76 +17,130 @@ TEST_P(TortureRoughness, OfMetalGlassAndPlastic) {
   scene.add(icosphere({1, 1, 0.8}, 0.4, 2), glass(1.5, roughness));
   scene.add(box({2.6, 2.6, 0.1}, {3.4, 3.4, 0.9}), rough(UPS_MATERIAL_METAL, 0.9, roughness));
   scene.add(box({0.5, 2.5, 0.1}, {1.3, 3.3, 0.9}), rough(UPS_MATERIAL_PLASTIC, 0.6, roughness));
-  const Sensor meters = scene.add_meters(grid_points({0.5, 0.5, 0.05}, {3, 0, 0}, {0, 3, 0}, 3), {0, 0, 1});
+  const Sensor meters = scene.add_meters(grid_points({0.5, 0.5, 0.05}, {3, 0, 0}, {0, 3, 0}, 5), {0, 0, 1});
   add_small_camera(scene, {3.5, 0.5, 1.6}, {-1, 1, -0.4});
-  survive("roughness " + std::to_string(roughness).substr(0, 7), scene, {{meters, 0.05}});
+  survive(
+      "roughness " + std::to_string(roughness).substr(0, 7), scene,
+      {{.meters = meters,
+        .looser = {{UPS_METHOD_SPPM, fast_or_full(0.012, 0.0033), "its discs are as narrow as what stands about"}}}},
+      {.merge_radius_m = 0.05});  // for 0.5 % near the caustic
 }
 
-constexpr double grazing = 0.01 * pi_d / 180;  // above the surface
+constexpr double elevation = 0.01 * pi_d / 180;  // of lamps and suns above floors
+// Of a lamp 10 m before the origin: 1.7 mm, which floats know within 3e-4 of it.
+constexpr double far = 10;
+const double height = far * std::tan(elevation);
 
-// What comes straight from the source, but to photons that land on the floor by chance.
-void expect_direct(const std::string& name, Scene& scene, const Sensor& meters, double truth, double truth_error) {
-  const std::vector<Result> results =
-      survive(name, scene, {{meters}}, {.blind = {std::begin(torture_methods), std::end(torture_methods)}});
-  for (size_t r = 0; r < results.size(); ++r) {
-    if (torture_methods[r] == UPS_METHOD_SPPM) continue;
-    EXPECT_NEAR(results[r].readings(meters)[0].direct_lx, truth, truth_error * truth)
-        << name << ", " << method_name(torture_methods[r]);
-  }
+Judged without_photons(const Sensor& meters, double truth_lx, double truth_error) {
+  return {.meters = meters,
+          .truth_lx = truth_lx,
+          .truth_error = truth_error,
+          .looser = {{UPS_METHOD_SPPM, INFINITY, "of a million photons ten meet so narrow a floor"}}};
 }
 
-// A point on the floor, a lamp and the sun, both 0.01 degrees above it: I cos / d^2 and E cos. The lamp is 1.7 mm above
-// the floor, which floats know within 3e-4 of it.
+// What comes straight from the source to a point on the floor: I cos / d^2 and E cos.
 TEST(Torture, LightThatGrazesFloors) {
-  const double distance = 10, height = distance * std::tan(grazing), d = std::hypot(distance, height);
+  const double d = std::hypot(far, height);
   const auto plastic = rough(UPS_MATERIAL_PLASTIC, 0.5, 0.01), metal = rough(UPS_MATERIAL_METAL, 0.9, 0.01);
+  int number = 0;
   for (const ups_material_desc& floor : {matte(0.5), plastic, metal, mirror(0.9), glass(1.5), glass(1.5, 0.1)}) {
-    const std::string name = "grazing, floor " + std::to_string(floor.model);
-    Scene scene;
-    scene.add(box({-1, -2, -0.1}, {11, 2, 0}), floor);
-    scene.add_point_light({distance, 0, height}, 1000);
-    const Sensor meters = scene.add_meters({{0, 0, 0}}, {0, 0, 1});
-    add_small_camera(scene, {-0.5, 0, 0.01}, {1, 0, -0.001});
-    expect_direct(name + ", lamp", scene, meters, 1000 * height / (d * d * d), 1e-3);
-
-    Scene sunny;
-    sunny.add(box({-1, -2, -0.1}, {11, 2, 0}), floor);
-    sunny.add_directional({-std::cos(grazing), 0, -std::sin(grazing)}, 1e5);
-    const Sensor in_sun = sunny.add_meters({{0, 0, 0}}, {0, 0, 1});
-    add_small_camera(sunny, {-0.5, 0, 0.01}, {1, 0, -0.001});
-    expect_direct(name + ", sun", sunny, in_sun, 1e5 * std::sin(grazing), 1e-3);
+    for (const bool sun : {false, true}) {
+      const std::string name = "grazing, floor " + std::to_string(number) + (sun ? ", sun" : ", lamp");
+      Scene scene;
+      scene.add(box({-1, -2, -0.1}, {11, 2, 0}), floor);
+      if (sun)
+        scene.add_directional({-std::cos(elevation), 0, -std::sin(elevation)}, 1e5);
+      else
+        scene.add_point_light({far, 0, height}, 1000);
+      const Sensor meters = scene.add_meters({{0, 0, 0}}, {0, 0, 1});
+      add_small_camera(scene, {-0.5, 0, 0.01}, {1, 0, -0.001});
+      const double truth = sun ? 1e5 * std::sin(elevation) : 1000 * height / (d * d * d);
+      // Of glass much light comes back from within: noise that is not judged. Books of few paths that end within are
+      // not normal: so many that they are.
+      const std::vector<Result> results =
+          survive(name, scene, {{.meters = meters, .noise = INFINITY}},
+                  {.light_paths = floor.model == UPS_MATERIAL_GLASS ? 1u << 13 : 1u << 11, .sppm_factor = 1});
+      for (size_t r = 0; r < results.size(); ++r) {
+        if (torture_methods[r] == UPS_METHOD_SPPM) continue;
+        EXPECT_NEAR(results[r].readings(meters)[0].direct_lx, truth, 1e-3 * truth)
+            << name << ", " << method_name(torture_methods[r]);
+      }
+    }
+    ++number;
   }
 }
 
-// Of a rod of glass, 10 mm by 10 mm by 1 m, between an emitter and cells: total reflection guides all that enters.
-TEST(Torture, ALightGuideOfGlass) {
+// A floor that ends 5 m before the lamp, all of which light meets at 0.01 to 0.02 degrees, and a screen that leaves a
+// slit of 3.5 mm above it: no light comes straight to what is higher.
+class GrazedFloor {
+ public:
+  GrazedFloor(const ups_material_desc& floor, bool sun) : sun_(sun) {
+    scene.add(quad({-1, -2, 0}, {6, 0, 0}, {0, 4, 0}), floor);
+    scene.add(quad({9.9, -3, 0.0035}, {0, 6, 0}, {0, 0, 1}), matte(0));
+    if (sun)
+      scene.add_directional({-std::cos(elevation), 0, -std::sin(elevation)}, 1e5);
+    else
+      scene.add_point_light({far, 0, height}, 1000);
+  }
+  // On the floor.
+  double lx(double x, double y) const {
+    const double d2 = (far - x) * (far - x) + y * y + height * height;
+    return sun_ ? 1e5 * std::sin(elevation) : 1000 * height / (d2 * std::sqrt(d2));
+  }
+  // At p, facing down, of what a matte floor reflects; by the midpoint rule.
+  double reflected(const P3& p, double reflectance) const {
+    constexpr int nx = 300, ny = 200;
+    double sum = 0;
+    for (int i = 0; i < nx; ++i)
+      for (int j = 0; j < ny; ++j) {
+        const P3 q{-1 + 6 * (i + 0.5) / nx, -2 + 4 * (j + 0.5) / ny, 0}, d = p - q;
+        sum += reflectance * lx(q.x, q.y) / pi_d * p.z * p.z / (dot(d, d) * dot(d, d));
+      }
+    return sum * 24 / (nx * ny);
+  }
   Scene scene;
-  scene.add(box({0, 0, 0}, {0.01, 0.01, 1}), glass(1.5));
-  scene.add(quad({0, 0, -0.001}, {0.01, 0, 0}, {0, 0.01, 0}), emitter(1e6));
-  const Sensor end = add_cells(scene, {0, 0, 1.001}, {0, 0.01, 0}, {0.01, 0, 0}, 4);
-  add_small_camera(scene, {0.005, 0.005, 1.2}, {0, 0, -1});
-  scene.add_goniometer(4, 19);
-  survive("light guide of glass", scene, {{end, 0.05}});
+
+ private:
+  bool sun_;
+};
+
+// What the floor scatters up to meters above it that face down. The matte one by a closed form, gloss by three methods.
+// (What comes out of rough glass again after it went in is found by a few paths of a million.)
+TEST(Torture, FloorsScatterGrazingLight) {
+  const auto plastic = rough(UPS_MATERIAL_PLASTIC, 0.5, 0.8), metal = rough(UPS_MATERIAL_METAL, 0.9, 0.8);
+  const std::vector<P3> above = grid_points({0, -1.5, 0.5}, {4, 0, 0}, {0, 3, 0}, 4);
+  int number = 0;
+  for (const ups_material_desc& floor : {matte(0.5), plastic, metal}) {
+    for (const bool sun : {false, true}) {
+      GrazedFloor f(floor, sun);
+      const Sensor meters = f.scene.add_meters(above, {0, 0, -1});
+      double truth = -1;
+      if (number == 0) {
+        truth = 0;
+        for (const P3& p : above) truth += f.reflected(p, 0.5) / double(above.size());
+      }
+      survive("scattered, floor " + std::to_string(number) + (sun ? ", sun" : ", lamp"), f.scene,
+              {without_photons(meters, truth, 1e-3)}, {.iterations = 32, .sppm_factor = 1});
+    }
+    ++number;
+  }
 }
 
-// Of mirrors of 0.999, 50 mm by 50 mm by 1 m; and two of 4 m that face each other, 0.5 m apart.
-TEST(Torture, MirrorsThatLoseAThousandth) {
-  Scene duct;
-  for (const Shape& side : {quad({0, 0, 0}, {0, 0.05, 0}, {0, 0, 1}), quad({0.05, 0, 0}, {0, 0, 1}, {0, 0.05, 0}),
-                            quad({0, 0, 0}, {0, 0, 1}, {0.05, 0, 0}), quad({0, 0.05, 0}, {0.05, 0, 0}, {0, 0, 1})})
-    duct.add(side, mirror(0.999));
-  duct.add(quad({0, 0, 0}, {0.05, 0, 0}, {0, 0.05, 0}), emitter(1e4));
-  const Sensor end = add_cells(duct, {0, 0, 1}, {0, 0.05, 0}, {0.05, 0, 0}, 4);
-  add_small_camera(duct, {0.025, 0.025, 1.2}, {0, 0, -1});
-  survive("duct of mirrors", duct, {{end, 0.1}});
-
-  Scene facing_mirrors;
-  facing_mirrors.add(quad({0, 0, 0}, {0, 4, 0}, {0, 0, 4}), mirror(0.999));
-  facing_mirrors.add(quad({0.5, 0, 0}, {0, 0, 4}, {0, 4, 0}), mirror(0.999));
-  facing_mirrors.add(quad({0.15, 1, 1}, {0, 2, 0}, {0, 0, 2}), emitter(1e4));
-  const Sensor between = add_cells(facing_mirrors, {0.3, 0.2, 0.2}, {0, 0, 3.6}, {0, 3.6, 0}, 4);
-  add_small_camera(facing_mirrors, {0.25, 0.5, 0.5}, {-1, 0.3, 0.3});
-  survive("facing mirrors", facing_mirrors, {{between, 0.1}});
+// A mirror shows the lamp to meters that face it, 0.3 to 0.9 mm above its plane, without chance. Methods without mirror
+// samples have no technique for it; of the sun's image photons alone would tell, of which none comes so.
+TEST(Torture, AFloorMirrorsAGrazingLamp) {
+  constexpr double x = -1.001, reflectance = 0.9;
+  const std::vector<P3> at = {{x, 0, 3e-4}, {x, 0, 6e-4}, {x, 0, 9e-4}};
+  GrazedFloor f(mirror(reflectance), false);
+  const Sensor meters = f.scene.add_meters(at, {1, 0, 0});
+  double truth = 0;
+  for (const P3& p : at)
+    truth += 1000 * (far - x) / 3 *
+             (std::pow(std::hypot(far - x, height - p.z), -3) +
+              reflectance * std::pow(std::hypot(far - x, height + p.z), -3));
+  const std::vector<Result> results = survive("mirrored lamp", f.scene, {{.meters = meters, .noise = INFINITY}},
+                                              {.sppm_factor = 1, .methods = {UPS_METHOD_UPS, UPS_METHOD_AUTO}});
+  for (const Result& r : results) EXPECT_NEAR(r.statistics(meters).mean_lx, truth, 1e-5 * truth);
 }
 
 }  // namespace
