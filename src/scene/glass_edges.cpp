@@ -45,10 +45,12 @@ bool has_glass(const Snapshot& scene) {
 
 GlassEdges find_glass_edges(const Snapshot& scene, const MeterSet& meters, ThreadPool& pool) {
   constexpr int directions = 8;
+  constexpr size_t most_asked = 65536;  // of more, so many stand for all
   if (meters.is_cell() || meters.disc_radius > 0 || !has_glass(scene)) return {};
+  const size_t stride = (meters.count() + most_asked - 1) / most_asked;
   std::atomic<size_t> beside{0}, touching{0};
-  parallel_for(pool, meters.meters.size(), [&](size_t i) {
-    const Meter& m = meters.meters[i];
+  parallel_for(pool, stride ? meters.count() / stride : 0, [&](size_t i) {
+    const Meter& m = meters.meters[i * stride];
     if (touches_glass(scene, m.p, m.frame.n, m.error)) touching.fetch_add(1, std::memory_order_relaxed);
     const bool own = is_below_glass(scene, m.p, m.frame.n, m.error);
     for (int k = 0; k < directions; ++k) {
@@ -59,7 +61,7 @@ GlassEdges find_glass_edges(const Snapshot& scene, const MeterSet& meters, Threa
       break;
     }
   });
-  return {beside, touching};
+  return {beside * stride, touching * stride};
 }
 
 }  // namespace ups

@@ -1,5 +1,5 @@
-// Meters where light has an edge that photons tell too late: close to where glass begins, right below it. Asked at commit by
-// scene/prepare.
+// Meters where light has an edge that photons tell too late: close to where glass begins, right below it. Asked at
+// commit by scene/prepare.
 #pragma once
 #include "base/parallel.h"
 #include "scene/snapshot.h"
