@@ -3,6 +3,7 @@
 // Readings of much of the light, or their means, are judged by expect_lx.h, with its false alarms: 1 % is found. Single
 // small ones beside them show what is wrong in one place, by 5 to 15 %.
 #include <functional>
+#include <numeric>
 #include <random>
 
 #include "../support/expect_same.h"
@@ -122,53 +123,57 @@ TEST(RayEmitter, LightsCellsAsItsRaysDoAndAsTheClosedFormWithinTheirNoise) {
   }
 }
 
+// A disc of rays, 0.2 m in radius and 1000 lm, above 64 meters that merge them within 0.2 m.
+struct LitMeters {
+  Scene scene;
+  Sensor meters;
+  std::vector<double> exact;
+  double mean = 0;
+  LitMeters(const std::vector<FileRay>& rays, double height) {
+    const Profile profile = parse_rays(scene.context(), rays);
+    scene.add_luminaire(profile.get(), {0, 0, height}, {0, 0, -1}, true);
+    std::vector<P3> points;
+    for (int i = 0; i < 64; ++i) points.push_back({0.4 * (i % 8) - 1.4, 0.4 * (i / 8) - 1.4, 0});
+    meters = scene.add_meters(points, {0, 0, 1});
+    for (const P3& p : points) exact.push_back(disc_lx(1000, 0.2, height, std::hypot(p.x, p.y)));
+    mean = std::accumulate(exact.begin(), exact.end(), 0.0) / double(exact.size());
+  }
+  Result render(uint32_t iterations) {
+    return scene.render(
+        {.method = UPS_METHOD_UPS, .iterations = iterations, .merge_radius_m = 0.2, .light_paths = 1u << 15});
+  }
+};
+
 // Light paths that are eight times as many as the file's rays repeat each eight times: a meter's disc must not be
 // narrowed to few of them, as if there were more light. Bounds of a few hundred rays, 3 to 5 %; the mean over 64 meters
 // has 0.4 %, of which four are 1.6 % and 2.4 % would be found (before: 8.8 % more, one meter seven times its light, and
 // bounds of 500 %).
 TEST(RayEmitter, PathsThatRepeatItsRaysNarrowNoMetersDisc) {
-  Scene scene;
-  const Profile profile = parse_rays(scene.context(), lambertian_disc(200000, 0.2, 1000, 2));
-  scene.add_luminaire(profile.get(), {0, 0, 2}, {0, 0, -1}, true);
-  std::vector<P3> points;
-  for (int i = 0; i < 64; ++i) points.push_back({0.4 * (i % 8) - 1.4, 0.4 * (i / 8) - 1.4, 0});
-  const Sensor meters = scene.add_meters(points, {0, 0, 1});
-  const Result result = scene.render(
-      {.method = UPS_METHOD_UPS, .iterations = 48, .merge_radius_m = 0.2, .light_paths = 1u << 15});
-  const auto readings = result.readings(meters);
-  double mean = 0;
-  for (size_t i = 0; i < points.size(); ++i) {
-    const double exact = disc_lx(1000, 0.2, 2, std::hypot(points[i].x, points[i].y));
-    EXPECT_LE(std::abs(readings[i].illuminance_lx - exact), std::min(2.0 * readings[i].error_bound_lx, 0.25 * exact)) << i;
-    mean += exact / double(points.size());
+  LitMeters lit(lambertian_disc(200000, 0.2, 1000, 2), 2);
+  const Result result = lit.render(48);
+  const auto readings = result.readings(lit.meters);
+  for (size_t i = 0; i < readings.size(); ++i) {
+    const double exact = lit.exact[i], bound = readings[i].error_bound_lx;
+    EXPECT_LE(std::abs(readings[i].illuminance_lx - exact), std::min(2 * bound, 0.25 * exact)) << i;
   }
-  const auto s = result.statistics(meters);
+  const auto s = result.statistics(lit.meters);
   EXPECT_LE(s.median_relative_error_bound, 0.2);
-  expect_lx(s.mean_lx, s.mean_standard_error_lx, mean, one_of(0.005), "mean");
+  expect_lx(s.mean_lx, s.mean_standard_error_lx, lit.mean, one_of(0.005), "mean");
 }
 
 // A point meter merges the rays within a radius: each has the noise of some hundred rays, 5 %; the mean of 64 of them,
 // which take half of the light, finds 1 %: these rays lie more evenly than by chance, so that their mean has 0.12 %,
 // measured over sets of rays, of which five are allowed; what is told takes them for random, and is more.
 TEST(RayEmitter, LightsPointMetersWithinTheNoiseOfItsRays) {
-  Scene scene;
-  const Profile profile = parse_rays(scene.context(), even_lambertian_disc(1000000, 0.2, 1000));
-  scene.add_luminaire(profile.get(), {0, 0, 1}, {0, 0, -1}, true);
-  std::vector<P3> points;
-  for (int i = 0; i < 64; ++i) points.push_back({0.4 * (i % 8) - 1.4, 0.4 * (i / 8) - 1.4, 0});
-  const Sensor meters = scene.add_meters(points, {0, 0, 1});
-  const Result result = scene.render(
-      {.method = UPS_METHOD_UPS, .iterations = 32, .merge_radius_m = 0.2, .light_paths = 1u << 15});
-  const auto readings = result.readings(meters);
-  double mean = 0;
-  for (size_t i = 0; i < points.size(); ++i) {
-    const double exact = disc_lx(1000, 0.2, 1, std::hypot(points[i].x, points[i].y));
-    EXPECT_NEAR(readings[i].illuminance_lx / exact, 1, 4 * 0.05 + 4 * readings[i].standard_error_lx / exact) << i;
-    mean += exact / double(points.size());
-  }
-  const auto s = result.statistics(meters);
-  expect_lx(s.mean_lx, s.mean_standard_error_lx, mean, one_of(0.006), "mean");
-  EXPECT_NEAR(s.mean_lx / mean, 1, 0.006);
+  LitMeters lit(even_lambertian_disc(1000000, 0.2, 1000), 1);
+  const Result result = lit.render(32);
+  const auto readings = result.readings(lit.meters);
+  for (size_t i = 0; i < readings.size(); ++i)
+    EXPECT_NEAR(readings[i].illuminance_lx / lit.exact[i], 1,
+                4 * 0.05 + 4 * readings[i].standard_error_lx / lit.exact[i]) << i;
+  const auto s = result.statistics(lit.meters);
+  expect_lx(s.mean_lx, s.mean_standard_error_lx, lit.mean, one_of(0.006), "mean");
+  EXPECT_NEAR(s.mean_lx / lit.mean, 1, 0.006);
 }
 
 // Luminaire at 1 m; the ray leaves it sideways and down, meets the mirror floor at x = 0.75 and the plane z = 1 at 1.5.

@@ -1,7 +1,6 @@
 """How far a render is, on a terminal, in a file, in a notebook; and does Ctrl-C keep what there is? Programs run by
 themselves here, as people run them."""
 import os
-import pty
 import re
 import signal
 import subprocess
@@ -15,6 +14,9 @@ import nbformat
 import pytest
 import ups
 from rooms import box
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+from terminal import drawn_by  # noqa: E402
 
 SECONDS = 3 if os.environ.get("UPS_TEST_EFFORT") == "low" else 0.5  # of a render; sanitizers take long to begin one
 IMPORTS = "import ups, os, signal, sys, threading\nfrom rooms import box\nscene, meters = box(ups.Context(2))\n"
@@ -33,15 +35,7 @@ def output(program):
 
 
 def test_a_terminal_has_a_bar_that_is_written_over():
-    master, slave = pty.openpty()
-    process = start(f"scene.render(time_limit_s={SECONDS}, progress=True)", stderr=slave)
-    os.close(slave)
-    shown = b""
-    try:
-        while part := os.read(master, 4096):
-            shown += part
-    except OSError:  # the other end is closed
-        pass
+    process, shown = drawn_by(lambda stream: start(f"scene.render(time_limit_s={SECONDS}, progress=True)", stderr=stream))
     assert process.wait(60) == 0
     lines = shown.decode().split("\r")
     bars = [re.fullmatch(r"\[(#*) *\] (\d+)%, (\d+) iterations.*", line.rstrip()) for line in lines if "[" in line]

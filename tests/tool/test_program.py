@@ -14,6 +14,8 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+
 PROGRAM = None
 UP = [-0.70710678, 0, 0, 0.70710678]  # local +Z to glTF's +Y
 
@@ -546,22 +548,12 @@ class Render(ProgramTest):
     @unittest.skipIf(sys.platform == "win32", "no pseudoterminals")
     def test_the_bar_fits_the_terminal(self):
         """What wraps could not be written over: no line is wider than the terminal."""
-        import fcntl
-        import pty
-        import termios
+        from terminal import drawn_by
         scene = self.write("room.gltf", room())
         for columns in (80, 30):
-            ours, theirs = pty.openpty()
-            fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("4H", 24, columns, 0, 0))
-            with subprocess.Popen([PROGRAM, "render", scene, "--time", "1.5"], stdout=subprocess.DEVNULL, stderr=theirs):
-                os.close(theirs)
-                drawn = b""
-                try:
-                    while piece := os.read(ours, 4096):
-                        drawn += piece
-                except OSError:  # the other end is closed
-                    pass
-            os.close(ours)
+            process, drawn = drawn_by(lambda stream: subprocess.Popen(
+                [PROGRAM, "render", scene, "--time", "1.5"], stdout=subprocess.DEVNULL, stderr=stream), columns)
+            self.assertEqual(process.wait(60), 0)
             lines = [line for line in re.split(rb"[\r\n]", drawn) if line.startswith(b"[")]
             self.assertGreater(len(lines), 1)
             self.assertLess(max(map(len, lines)), columns)
