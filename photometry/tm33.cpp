@@ -156,10 +156,22 @@ Photometry Tm33Light::sum_of_emitters() {
   return out;
 }
 
+void check(const Tm33Area& area) {
+  for (int k = 0; k < 3; ++k) {
+    if (!(area.size_m[k] >= 0 && area.size_m[k] <= 1e6))
+      fail_at(area.line, "an emission area has a size of " + shown(area.size_m[k]) +
+                             " m; it must be from 0 to a million");
+    if (!(std::abs(area.offset_m[k]) <= 1e6))
+      fail_at(area.line, "an emission area has an offset of " + shown(area.offset_m[k]) +
+                             " m; it must be within a million");
+  }
+}
+
 // The box that holds all areas; round where those of top and bottom are one disc. An opening is about the luminaire's
 // middle, so that where the box lies does not matter.
 Opening Tm33Light::opening() {
   if (file_.areas.empty()) return {};
+  for (const Tm33Area& area : file_.areas) check(area);
   Opening out;
   const Tm33Area* level = nullptr;  // the first of top and bottom
   bool round = false, differ = false;

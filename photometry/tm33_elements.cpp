@@ -301,14 +301,6 @@ void Tm33Reader::read_area(int face) {
     if (!(x > 0)) x = y;
     if (!(y > 0)) y = x;
   }
-  for (int k = 0; k < 3; ++k) {
-    if (!(area.size_m[k] >= 0 && area.size_m[k] <= 1e6))
-      fail_at(area.line, "an emission area has a size of " + shown(area.size_m[k]) +
-                             " m; it must be from 0 to a million");
-    if (!(std::abs(area.offset_m[k]) <= 1e6))
-      fail_at(area.line, "an emission area has an offset of " + shown(area.offset_m[k]) +
-                             " m; it must be within a million");
-  }
   file_.areas.push_back(area);
 }
 
