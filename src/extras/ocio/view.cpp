@@ -50,7 +50,7 @@ OCIO::ConstCPUProcessorRcPtr make_view(double exposure) {
 
 }  // namespace
 
-double ev100_of(double exposure) { return std::log2(8 * mid_grey / exposure); }
+double ev100_of(double exposure) { return std::log2(8 * mid_grey) - std::log2(exposure); }  // their ratio may overflow
 double exposure_of(double ev100) { return 8 * mid_grey / std::exp2(ev100); }
 
 std::string exposure_text(double exposure, bool chosen) {
