@@ -48,6 +48,9 @@ struct BiasKernel {
   }
 };
 
+// What the widest disc's batches vary beyond independent photons, where that is no chance (3 of its standard deviations).
+double clump(double ratio) { return ratio > 1 + 3 * std::sqrt(2.0 / (batch_count - 1)) ? ratio : 1; }
+
 }  // namespace
 
 // Of discs out to each ring, for one visit.
@@ -221,37 +224,42 @@ MeterRings::Dependence MeterRings::dependence(size_t row, const Sums& s, const R
     for (uint32_t j = from; j <= to; ++j) of_mean += own.of_mean[j], of_bias += own.of_bias[j];
     out.of_mean[k] = of_mean / (to - from + 1), out.of_bias[k] = of_bias / (to - from + 1);
   }
+  out.clump = clump(out.of_mean[rings.count - 1]);
   // Those of narrow discs come in the same clumps, though they are too few to show it.
-  if (const double least = clump(out, rings); least > 1)
+  if (out.clump > 1)
     for (uint32_t k = 0; k < rings.count; ++k)
-      out.of_mean[k] = std::max(out.of_mean[k], least), out.of_bias[k] = std::max(out.of_bias[k], least);
+      out.of_mean[k] = std::max(out.of_mean[k], out.clump), out.of_bias[k] = std::max(out.of_bias[k], out.clump);
   return out;
 }
 
-// What the widest disc's batches vary beyond independent photons, where that is no chance (3 of its standard deviations).
-double MeterRings::clump(const Dependence& dependence, const Rings& rings) {
-  const double ratio = dependence.of_mean[rings.count - 1];
-  return ratio > 1 + 3 * std::sqrt(2.0 / (batch_count - 1)) ? ratio : 1;
+// Of all batches.
+struct MeterRings::Whole {
+  Sums sums;
+  Dependence dependence;
+};
+
+MeterRings::Whole MeterRings::whole(size_t row, const Rings& rings, uint32_t visits) const {
+  Whole w{sums_of(row, rings, 0, halves, visits), {}};
+  w.dependence = dependence(row, w.sums, rings, visits);
+  w.sums.clump = w.dependence.clump;
+  return w;
 }
 
 MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t visits, const Told& told) const {
   if (visits < min_batches || rings.count < 2) return {rings.count - 1, rings.count - 1};
-  Sums all = sums_of(row, rings, 0, halves, visits);
-  const Dependence dependence = this->dependence(row, all, rings, visits);
-  all.clump = clump(dependence, rings);
+  const auto [all, dependence] = whole(row, rings, visits);
   const uint32_t widest = all.widest(rings);
   Choice choice;
   for (size_t half = 0; half < halves; ++half) {
     Sums of_half = sums_of(row, rings, half, half + 1, visits_of_half(half, visits));
-    of_half.clump = all.clump;
+    of_half.clump = dependence.clump;
     choice[1 - half] = best(of_half, rings, dependence, told, all.mean(rings.count - 1), widest);
   }
   return choice;
 }
 
 RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits) const {
-  Sums sums = sums_of(row, rings, 0, halves, visits);
-  sums.clump = clump(dependence(row, sums, rings, visits), rings);
+  const Sums sums = whole(row, rings, visits).sums;
   RingProfile p = sums.profile(rings, sums.mean(rings.count - 1));
   // Least squares by rings, weighted by area: m_i = sum area_j r_j^i, e = (m_2 sum f_j - m_1 sum r_j f_j) / (m_0 m_2 -
   // m_1^2).
@@ -270,9 +278,8 @@ RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits)
 MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const {
   Photons p;
   p.caustics = caustics_[row];
-  Sums s = sums_of(row, rings, 0, halves, visits);
+  const Sums s = whole(row, rings, visits).sums;
   if (s.count[rings.count - 1] == 0) return p;
-  s.clump = clump(dependence(row, s, rings, visits), rings);
   p.halves_differ = choice[0] != choice[1];
   p.brings_direct = !direct_.empty();
   for (uint32_t b = 0; b < batch_count; ++b) {

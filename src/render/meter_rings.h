@@ -105,10 +105,12 @@ class MeterRings {
   Sums sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const;
   struct Dependence {
     std::array<double, max_rings> of_mean, of_bias;
+    double clump = 1;  // see Sums
     Dependence() { of_mean.fill(1), of_bias.fill(1); }
   };
   Dependence dependence(size_t row, const Sums& all, const Rings& rings, uint32_t visits) const;
-  static double clump(const Dependence& dependence, const Rings& rings);
+  struct Whole;
+  Whole whole(size_t row, const Rings& rings, uint32_t visits) const;
   static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence, const Told& told,
                        double lx, uint32_t widest);
   double flux(size_t row, uint32_t batch, uint32_t ring) const {

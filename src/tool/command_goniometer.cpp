@@ -116,10 +116,8 @@ int goniometer(const GoniometerOptions& options) {
   const SensorEntry& sensor = scene.sensors[0];
   Report render = make_report(options.scene, scene, result);
   check_light(options, render.goniometers[0].info);
-  std::string luminaire = platform::stem_of(options.scene);
-  for (char& c : luminaire)
-    if (uint8_t(c) < 0x20 || c == 0x7f) c = '_';  // a file of photometry has a line for it
-  Profile profile = make_profile(result, sensor, render, luminaire);
+  // A file of photometry has a line for it.
+  Profile profile = make_profile(result, sensor, render, one_line(platform::stem_of(options.scene)));
   for (const auto& [name, value] : options.keywords) profile = with_keyword(profile, name, value);
   const Measurement measurement =
       measure(options.out.empty() ? options.scene : options.out, sensor, result, profile.get(), std::move(render));

@@ -140,9 +140,7 @@ std::vector<std::string> plots_of(const InfoEntry& entry, const InfoOptions& opt
   if (!several) return options.plots;
   std::vector<std::string> plots;
   for (const std::string& plot : options.plots) {
-    std::string base = platform::stem_of(plot) + "_" + platform::stem_of(entry.file);
-    for (char& c : base)
-      if (uint8_t(c) < 0x20) c = '_';
+    const std::string base = one_line(platform::stem_of(plot) + "_" + platform::stem_of(entry.file));
     const auto path_of = [&](const std::string& stem) {
       return platform::joined(platform::folder_of(plot), stem + platform::extension_of(plot));
     };

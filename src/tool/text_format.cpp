@@ -36,6 +36,12 @@ std::string printable_json(const std::string& json) {
   return escaped(json, [](uint32_t code, bool is_byte) { return format("\\u%04x", is_byte ? 0xfffdu : code); });
 }
 
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (uint8_t(c) < 0x20 || c == 0x7f) c = '_';
+  return text;
+}
+
 void put(std::FILE* stream, const std::string& text) { std::fputs(printable(text).c_str(), stream); }
 
 void put_error(const std::string& message) { put(stderr, "ups: error: " + message + "\n"); }

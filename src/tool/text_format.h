@@ -14,6 +14,9 @@ std::string printable(const std::string& text);
 // The same for a JSON text: escapes that JSON knows, for what it leaves as it is.
 std::string printable_json(const std::string& json);
 
+// Control characters as _.
+std::string one_line(std::string text);
+
 // All that the program says goes through here, but for the bar of progress.
 void put(std::FILE* stream, const std::string& text);
 void put_error(const std::string& message);    // a line on standard error: "ups: error: ..."

@@ -75,48 +75,44 @@ class FullDisk(faults.FaultTest):
             if name != "report.html":
                 self.assertEqual(content, self.new[writer][name], msg=f"{writer}: {name}")
 
+    def written_once(self, folder):
+        """Each writer with a folder of its own and the older files there; after its turn it writes the new ones."""
+        for number, writer in enumerate(faults.WRITERS):
+            out = folder / str(number)
+            out.mkdir(parents=True)
+            yield writer, out, self.write_old(writer, out)
+            self.expect_new_files(writer, out)
+
     def test_no_space_left_on_a_small_disk(self):
         disk = self.folder / "disk"
         disk.mkdir()
         if not mount(disk, "-t", "tmpfs", "-o", "size=64m", "none"):
             self.skipTest("this user cannot mount a small disk; writes that find no space stand for it")
         self.addCleanup(subprocess.run, ["umount", str(disk)], timeout=20)
-        for number, writer in enumerate(faults.WRITERS):
-            out = disk / str(number)
-            out.mkdir()
-            old = self.write_old(writer, out)
+        for writer, out, old in self.written_once(disk):
             usage = os.statvfs(disk)
             free = max(map(len, self.new[writer].values())) // 2 // PAGE * PAGE
             used = (usage.f_blocks - usage.f_bfree) * usage.f_frsize
             self.assertTrue(mount(disk, "-o", f"remount,size={used + free}"))
             self.expect_old_files(writer, out, old, "No space left on device")
             self.assertTrue(mount(disk, "-o", "remount,size=64m"))
-            self.expect_new_files(writer, out)
 
     def test_writes_that_find_no_space(self):
-        for number, writer in enumerate(faults.WRITERS):
-            out = self.folder / f"full{number}"
-            out.mkdir()
-            old = self.write_old(writer, out)
+        for writer, out, old in self.written_once(self.folder / "full"):
             total = sum(map(len, self.new[writer].values()))
             for space in (0, *faults.rounds((), (total // 4, total // 2)), int(0.95 * total)):
                 environment = preloaded(DISTURBANCES) | {"UPS_DISTURB": "full", "UPS_DISTURB_BYTES": str(space)}
                 found = self.expect_old_files(writer, out, old, "No space left on device", env=environment)
                 if space == 0:
                     self.assertEqual(found, old)
-            self.expect_new_files(writer, out)
 
     def test_limit_of_file_sizes(self):
-        for number, writer in enumerate(faults.WRITERS):
-            out = self.folder / f"limited{number}"
-            out.mkdir()
-            old = self.write_old(writer, out)
+        for writer, out, old in self.written_once(self.folder / "limited"):
             largest = max(map(len, self.new[writer].values()))
             for most in (0, *faults.rounds((), (largest // 4, largest // 2)), int(0.95 * largest)):
                 found = self.expect_old_files(writer, out, old, "File too large", preexec_fn=small_files(most))
                 if most == 0:
                     self.assertEqual(found, old)
-            self.expect_new_files(writer, out)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
     def test_output_that_cannot_be_written_is_an_error(self):

@@ -126,7 +126,7 @@ void read_image(const char* path, uint64_t file_bytes, ups_exr_image& image) {
   const uint64_t bytes = uint64_t(width) * uint64_t(height) * count * sizeof(float);
   if (bytes > believed_bytes && bytes / most_inflated > file_bytes)
     throw Error(UPS_ERROR_PARSE, claimed + " is not in a file of " + std::to_string(file_bytes) + " bytes");
-  ups::extras::ask_for_memory(ups::extras::ample_bytes + size_t(width * height) * count * 2 * sizeof(float));
+  ups::extras::ask_for_memory(ups::extras::ample_bytes + size_t(2 * bytes));
   image.width = uint32_t(width);
   image.height = uint32_t(height);
   Imf::FrameBuffer frame;
