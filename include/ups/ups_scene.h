@@ -208,7 +208,8 @@ UPS_API ups_status ups_scene_remove_sensor(ups_scene *scene, ups_sensor_id id);
  * What reaches beyond all else, so that the scene's size leaves its power of two, may move the centre that coordinates
  * count from: then all is built. Warnings that need a search of all surfaces (triangles that lie on one another or have
  * no area, glass that overlaps, light that is swallowed) are found at the first commit, and after edits of the geometry
- * when somebody reads the scene's or a result's warnings; the log has those of the first commit alone.
+ * when somebody reads the scene's warnings, and results that are taken later have them too; the log has those of the
+ * first commit alone.
  * Places are held in floats about the scene's middle, to 2^-24 of its width. In scenes of tens of kilometres a warning
  * names surfaces that are left out: those so far from all luminaires and sensors that they are smaller than an arc
  * minute from there, as long as they neither shine nor are measured and there is neither parallel light nor a

@@ -95,10 +95,10 @@ bool AreaEmitter::sample_position(const Vec2& u, Point& out) const {
   out.p = t.p0 * (1 - b.x - b.y) + t.p1 * b.x + t.p2 * b.y;
   out.n = normals_[chosen.index];
   out.primitive = uint32_t(chosen.index);
-  // No less than for a surface point of the ray tracer: rounding of the corners' transform, of the triangle and of p.
+  // Rounding of the corners' transform, of the triangle and of p.
   const float extent =
       std::max({max_abs(t.p0), max_abs(t.p1), max_abs(t.p2)}) + std::max(max_abs(t.p1 - t.p0), max_abs(t.p2 - t.p0));
-  out.error = 64 * 0x1p-24f * extent;
+  out.error = std::max(64 * 0x1p-24f * extent, least_error_);
   return true;
 }
 

@@ -22,6 +22,8 @@ class AreaEmitter : public Emitter {
     radiance_ = radiance, both_sides_ = both_sides;
   }
   bool emits_both_sides() const { return both_sides_; }
+  // At least the ray tracer's of its points, which knows in which frame it meets them.
+  void set_least_error(float m) { least_error_ = m; }
 
   EmitterKind kind() const override { return EmitterKind::area; }
   bool is_delta() const override { return false; }
@@ -60,7 +62,7 @@ class AreaEmitter : public Emitter {
   uint32_t instance_;
   float pdf_a_ = 0;
   Vec3 center_, half_;  // of the bounding box
-  float radius_ = 0;
+  float radius_ = 0, least_error_ = 0;
 };
 
 }  // namespace ups

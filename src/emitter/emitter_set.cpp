@@ -11,16 +11,19 @@ constexpr float least_exposed = 0.01f;  // behind glass, which the probe may hav
 EmitterSet::EmitterSet(std::vector<std::shared_ptr<const Emitter>> emitters, const std::vector<float>& exposed)
     : emitters_(std::move(emitters)) {
   std::vector<double> flux;
-  std::vector<LightTree::Entry> direct;
+  std::vector<LightTree::Entry> direct[2];
   for (size_t i = 0; i < emitters_.size(); ++i) {
     const Emitter& e = *emitters_[i];
     flux.push_back(std::max(0.0, e.flux_lm()));
     const float share = exposed.empty() ? 1.0f : std::max(exposed[i], least_exposed);
-    if (e.is_direct()) direct.push_back({e.outline(), flux.back(), share, uint32_t(i)});
+    if (e.is_direct()) direct[e.is_directional()].push_back({e.outline(), flux.back(), share, uint32_t(i)});
   }
   by_flux_ = DiscreteDistribution(flux);
   flux_lm_ = by_flux_.total();
-  direct_ = LightTree(direct, emitters_.size());
+  for (const int far : {0, 1}) {
+    direct_[far] = LightTree(direct[far], emitters_.size());
+    has_direct_[far] = !direct[far].empty();
+  }
 }
 
 EmitterSet::Choice EmitterSet::choose_emission(double u) const {
@@ -33,7 +36,7 @@ float EmitterSet::emission_probability(size_t i) const { return by_flux_.probabi
 
 size_t EmitterSet::bytes() const {
   constexpr size_t of_one = 400;  // of any kind, with its pointer
-  size_t sum = by_flux_.bytes() + direct_.bytes() + emitters_.size() * of_one;
+  size_t sum = by_flux_.bytes() + direct_[0].bytes() + direct_[1].bytes() + emitters_.size() * of_one;
   for (const auto& e : emitters_) sum += e->bytes();
   return sum;
 }

@@ -30,15 +30,22 @@ class EmitterSet {
   Choice choose_emission(double u) const;
   float emission_probability(size_t i) const;
   // For next-event estimation at a point: by about what each emitter would bring there, see light_tree.h. Never one
-  // that it cannot sample.
-  Choice choose_direct(const Receiver& receiver, float u) const { return direct_.choose(receiver, u); }
-  float direct_probability(const Receiver& receiver, size_t i) const { return direct_.probability(receiver, i); }
+  // that it cannot sample. Directional ones are chosen by themselves (far): the sun is strong, and indoors mostly hidden.
+  Choice choose_direct(const Receiver& receiver, float u, bool far = false) const {
+    return direct_[far].choose(receiver, u);
+  }
+  // Among those of its kind.
+  float direct_probability(const Receiver& receiver, size_t i) const {
+    return direct_[emitters_[i]->is_directional()].probability(receiver, i);
+  }
+  bool has_direct(bool far) const { return has_direct_[far]; }
 
  private:
   std::vector<std::shared_ptr<const Emitter>> emitters_;
   DiscreteDistribution by_flux_;
   double flux_lm_ = 0;
-  LightTree direct_;
+  LightTree direct_[2];  // near, far
+  bool has_direct_[2] = {};
 };
 
 }  // namespace ups

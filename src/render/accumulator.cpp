@@ -272,15 +272,16 @@ void Accumulator::add_statistics(const std::vector<MeterLight>& lights, MeterSet
     const uint32_t n = lights[m].visits;
     if (n == 0) continue;
     const MeterSums& sums = lights[m].sums;
+    const Spread& bias = lights[m].bias;
+    const double of_neighbours = bias.mean - spread(sums.bias, n).mean;  // no batch's
     double means[batch_count] = {}, biases[batch_count] = {};
     for (uint32_t b = 0; b < batches.used(); ++b) {
       means[b] = sums.value[b] / visits_of_batch(n, b);
-      biases[b] = sums.bias[b] / visits_of_batch(n, b);
+      biases[b] = sums.bias[b] / visits_of_batch(n, b) + of_neighbours;
     }
-    const Spread& bias = lights[m].bias;
     const bool known = readings[m].standard_error_lx >= 0;
     const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean));
-    batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] : all,
+    batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] + sums.rounding / n : all,
                  lights[m].weight, known, lights[m].photons.halves_differ},
                 means, biases);
     batches.widen(double(readings[m].error_bound_lx));
@@ -326,7 +327,8 @@ ErrorSummary Accumulator::summarize() const {
     for (size_t i = 0; i < readings.size(); ++i) {
       const ups_meter_reading& m = readings[i];
       if (m.error_bound_lx < 0) return {};
-      parts.push_back(emits_ ? meter_error(m, floor, lights[i].visits) : MeterError{});
+      parts.push_back(emits_ ? meter_error(m, lights[i].unfound[whole_light], floor, lights[i].visits)
+                             : MeterError{});
       parts.back().halves = float(log_ratio_of_halves(lights[i].sums.value, lights[i].visits));
       errors.push_back(emits_ ? m.error_bound_lx / std::max(double(m.illuminance_lx), floor) : 0);
       if (!worst || parts.back().error() > worst->error.error()) worst = {s, i, parts.back()};

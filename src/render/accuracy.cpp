@@ -5,12 +5,6 @@
 
 namespace ups {
 
-namespace {
-
-constexpr double horizon_s = 1e7;
-
-}  // namespace
-
 ups_criterion resolve_criterion(ups_criterion criterion, bool has_meters) {
   if (criterion != UPS_CRITERION_DEFAULT) return criterion;
   return has_meters ? UPS_CRITERION_WORST : UPS_CRITERION_MEAN;
@@ -37,7 +31,7 @@ ups_prediction Accuracy::predict(double relative_error) const {
   }
   const auto seconds = [&](double iterations) {
     const double s = std::max(elapsed_s, start_s + iterations * seconds_per_iteration);
-    return iterations < 0 || s > horizon_s ? -1 : s;
+    return iterations < 0 || s > prediction_horizon_s ? -1 : s;
   };
   p.seconds = seconds(e.iterations);
   p.seconds_low = seconds(e.low);

@@ -67,6 +67,14 @@ void CommitJob::run() {
   ups_job_state state = UPS_JOB_FAILED;
   ups_status error = UPS_OK;
   std::string message;
+  const auto keep = [&](ups_status code, const char* text) {
+    error = code;
+    try {
+      message = text;
+    } catch (const std::bad_alloc&) {
+      message = "out of memory";  // fits into a string that allocates nothing
+    }
+  };
   try {
     made = builds_->build(description_, *threads_.take(), monitor_);
     monitor_.check();
@@ -75,11 +83,11 @@ void CommitJob::run() {
   } catch (const Cancelled&) {
     state = UPS_JOB_CANCELLED;
   } catch (const Error& e) {
-    error = e.status(), message = e.what();
+    keep(e.status(), e.what());
   } catch (const std::bad_alloc&) {
-    error = UPS_ERROR_OUT_OF_MEMORY, message = "out of memory";
+    keep(UPS_ERROR_OUT_OF_MEMORY, "out of memory");
   } catch (const std::exception& e) {
-    error = UPS_ERROR_INTERNAL, message = e.what();
+    keep(UPS_ERROR_INTERNAL, e.what());
   }
   builds_->end(state == UPS_JOB_FINISHED ? made : nullptr);
   const std::lock_guard lock(mutex_);

@@ -29,7 +29,8 @@ void FluxPass::trace_part(const StopSignal& stop, WorkCounts& counts) {
   Plan plan = make_plan(scene_, s);
   plan.light_paths = paths_of_part_;
   IterationTally tally;
-  const Iteration in = Iteration::of_pilot(scene_, plan, s, done_, stop, Stream::flux);
+  Iteration in = Iteration::of_pilot(scene_, plan, s, done_, stop, Stream::flux);
+  in.light_visit = {done_ % batch_count, done_ / batch_count};  // batches may have rays of their own of a file
   LightPass().trace(in, SensorIndex(in), pool_, tally);
   if (stop.is_set()) return;
   counts.add(tally.work);

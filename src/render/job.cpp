@@ -71,6 +71,11 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
     fail_argument(
         "perturbation: UPS_PERTURBATION_ACTUAL needs the radius of merging: set merge_radius_m, or take a method that "
         "merges");
+  if (!scene_->goniometers.empty() && scene_->cameras.empty() && scene_->meter_sets.empty() &&
+      !settings_of(desc_, method_).traces_light() && desc_.time_limit_s == 0 && desc_.iteration_count == 0)
+    fail_argument(
+        "target_relative_error: it would never be met: the goniometer measures nothing without light paths, which "
+        "methods lt and ups trace; set method, time_limit_s or iteration_count");
   for (const Camera& c : scene_->cameras) reading_s_ += c.pixel_count() * reading_s_of_pixel;
   reading_s_ = std::min(reading_s_, 0.5 * desc_.time_limit_s);
   if (scene_->cameras.empty() && scene_->meter_sets.empty() && scene_->goniometers.empty())

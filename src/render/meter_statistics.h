@@ -16,7 +16,7 @@ class MeterBatches {
   struct Meter {
     double value;
     Spread bias;
-    double unfound;  // bound on light that few paths have found
+    double unfound;  // bound on light that few paths have found, and rounding
     double weight = 1;  // in the mean and in percentiles: an area, or all alike
     bool known = true;  // the batches know the error of all other light
     bool halves_differ = false;  // even and odd batches have a bias of their own each

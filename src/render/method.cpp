@@ -35,42 +35,48 @@ bool images_suffice(const SceneEffects& e, const Sensors& s) {
   return e.images_suffice && e.concentration < concentrated && !s.goniometers;
 }
 
-void describe(std::string& text, uint32_t techniques, uint32_t bit, const char* name, const std::string& on,
-              const std::string& off) {
-  text += std::string(name) + ((techniques & bit) ? ": on, " + on : ": off, " + off) + "\n";
+// Why a technique is off. allowed: those that the caller left, where the caller named any.
+std::string why_off(const Snapshot& scene, const Sensors& s, uint32_t technique, bool was_automatic, uint32_t allowed) {
+  const SceneEffects& e = scene.effects;
+  if (!(allowed & technique)) return "not in the set (the techniques asked for leave it out)";
+  if (!was_automatic) return "not in the set (the method asked for leaves it out)";
+  if (!s.cameras && !s.points && !s.cells) return "not in the set: a goniometer counts what light paths carry out";
+  if (technique & (hit | light_sample | mirror_sample)) return "not in the set";
+  const std::string cost = "light paths would cost more than they bring";
+  if (!e.path_tracing_complete) return "for this " + cost;
+  return std::string(technique == merge ? "no photon index and no merging: " : "") +
+         (!e.sharp_caster ? "no surface is specular or nearly so: eye paths find all light, "
+          : scene.flat_mirrors.complete ? "eye paths find all light, lights' images in flat mirrors too: "
+                                        : "eye paths find all light: ") +
+         cost;
 }
 
-std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_automatic) {
-  const std::string absent = was_automatic ? "not in the set" : "not in the set (the method asked for leaves it out)";
-  const std::string cost = "light paths would cost more than they bring";
-  const std::string off =
-      !was_automatic                  ? absent
-      : !scene.effects.sharp_caster   ? "no surface is specular or nearly so: eye paths find all light, " + cost
-      : scene.flat_mirrors.complete   ? "eye paths find all light, lights' images in flat mirrors too: " + cost
-                                      : "eye paths find all light: " + cost;
+std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_automatic, uint32_t allowed) {
   std::string text;
-  describe(text, t, hit, "emitter_hit", "eye paths that run into an emitter", absent);
-  describe(text, t, light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex", absent);
+  const auto describe = [&](uint32_t bit, const char* name, const std::string& on, const char* off = nullptr) {
+    const std::string why = off ? off : why_off(scene, s, bit, was_automatic, allowed);
+    text += std::string(name) + (t & bit ? ": on, " + on : ": off, " + why) + "\n";
+  };
+  describe(hit, "emitter_hit", "eye paths that run into an emitter");
+  describe(light_sample, "light_sample", "next-event estimation at each diffuse or glossy vertex");
   if (!scene.flat_mirrors.empty())
-    describe(text, t, mirror_sample, "mirror_sample",
-             "next-event estimation by way of flat mirrors and panes, in which lights have images",
-             absent);
-  describe(text, t, connect, "connect", "eye and light subpaths are joined by an edge", off);
-  describe(text, t, sensor_connect, "sensor_connect", "light paths are joined to the camera",
-           s.cameras ? off : "the scene has no camera: no light image");
-  describe(text, t, merge, "merge",
+    describe(mirror_sample, "mirror_sample",
+             "next-event estimation by way of flat mirrors and panes, in which lights have images");
+  describe(connect, "connect", "eye and light subpaths are joined by an edge");
+  describe(sensor_connect, "sensor_connect", "light paths are joined to the camera",
+           s.cameras ? nullptr : "the scene has no camera: no light image");
+  describe(merge, "merge",
            scene.effects.ray_emitters ? "the light of a ray file is carried by light paths alone"
            : !scene.effects.path_tracing_complete
                ? "some light reaches diffuse surfaces through specular ones alone: only photons carry it"
            : !scene.effects.sharp_caster && scene.effects.concentration >= concentrated
                ? "light first meets patches of the surfaces that are so small that eye paths find them by chance alone"
-               : "caustics: photons are merged at diffuse vertices and meters",
-           was_automatic ? "no photon index and no merging: " + off : off);
-  describe(text, t, sensor_hit, "sensor_hit",
+               : "caustics: photons are merged at diffuse vertices and meters");
+  describe(sensor_hit, "sensor_hit",
            s.goniometers
                ? "light paths are counted where they leave the scene for a goniometer, or land on a meter's cell"
                : "light paths are counted where they land on a meter's cell",
-           s.cells || s.goniometers ? off : "no meter measures a cell");
+           s.cells || s.goniometers ? nullptr : "no meter measures a cell");
   return text;
 }
 
@@ -125,7 +131,7 @@ MethodChoice choose_method(const Snapshot& scene, const ups_render_desc& desc) {
     choice.method = UPS_METHOD_PATH_TRACING;
     choice.techniques &= hit | light_sample | mirror_sample;
   }
-  choice.text = words(scene, choice.techniques, s, is_automatic);
+  choice.text = words(scene, choice.techniques, s, is_automatic, desc.techniques ? desc.techniques : ~0u);
   choice.warnings = missing_light(scene, settings_of(desc, choice));
   return choice;
 }
@@ -138,7 +144,7 @@ void tell_selection(const Integrator& integrator, MethodChoice& method) {
   const bool light = integrator.settings().traces_light();
   const bool as_path_tracing = !light && !(method.techniques & mirror_sample);
   method.method = as_path_tracing ? UPS_METHOD_PATH_TRACING : UPS_METHOD_UPS;
-  method.text = words(scene, method.techniques, sensors_of(scene), true);
+  method.text = words(scene, method.techniques, sensors_of(scene), true, ~0u);
   method.text += light ? "light paths: " + std::to_string(chosen.light_paths) + " an iteration" +
                              (integrator.plan().traces_caustics_alone()
                                   ? ", for what mirrors, glass and gloss focus alone: all other light is found from the "

@@ -52,14 +52,21 @@ void keep_largest(std::vector<MeterError>& all, std::vector<MeterError>& kept, f
 
 }  // namespace
 
-MeterError meter_error(const ups_meter_reading& r, double floor, uint32_t visits) {
+MeterError meter_error(const ups_meter_reading& r, double unfound_lx, double floor, uint32_t visits) {
   MeterError m;
-  const double scale = 1 / std::max(double(r.illuminance_lx), floor), bias = std::abs(double(r.bias_lx));
+  const double scale = 1 / std::max(double(r.illuminance_lx), floor), bias = std::abs(double(r.bias_lx)),
+               rest = std::max(0.0, r.error_bound_lx - bias);
   m.bias = float(bias * scale);
-  m.noise = float((r.error_bound_lx - bias) * scale);
+  if (r.standard_error_lx < 0) {  // the bound is that of a few paths, or of none
+    m.unfound = float(rest * scale);
+    return m;
+  }
+  const double unfound = std::min(unfound_lx, rest);
+  m.unfound = float(unfound * scale);
+  m.noise = float((rest - unfound) * scale);
   // The bound is |b| + t sqrt(s^2 + s_b^2), see spread.h; merges make a quarter of s_b^2 in s^2, as their bias is
-  // estimated with four times their variance. Without a standard error the bound says nothing of what merging makes.
-  const double both = (r.error_bound_lx - bias) / t_quantile(visits), s = std::max(0.0, double(r.standard_error_lx));
+  // estimated with four times their variance.
+  const double both = (rest - unfound) / t_quantile(visits), s = double(r.standard_error_lx);
   const double of_bias = std::max(0.0, both * both - s * s);
   if (both > 0 && s > 0) m.merged = float(std::min(1.0, (of_bias + std::min(s * s, of_bias / 4)) / (both * both)));
   m.deviations = of_bias > 0 ? float(bias / std::sqrt(of_bias)) : 1e9f;
@@ -82,10 +89,14 @@ void Prediction::reduce(std::vector<MeterError>&& meters) {
   for (MeterError& m : meters) demote_bias(m, threshold);
   parts_.clear();
   if (criterion_ == UPS_CRITERION_MEAN) {
-    double noise = 0, merged = 0, bias = 0;
-    for (const MeterError& m : meters) noise += m.noise, merged += double(m.noise) * m.merged, bias += m.bias;
+    double noise = 0, merged = 0, bias = 0, unfound = 0;
+    for (const MeterError& m : meters)
+      noise += m.noise, merged += double(m.noise) * m.merged, bias += m.bias, unfound += m.unfound;
     const double count = double(meters.size());
-    parts_.push_back({float(noise / count), float(bias / count), noise > 0 ? float(merged / noise) : 0});
+    parts_.push_back({.noise = float(noise / count),
+                      .bias = float(bias / count),
+                      .merged = noise > 0 ? float(merged / noise) : 0,
+                      .unfound = float(unfound / count)});
   } else if (meters.size() <= most_parts) {
     parts_ = std::move(meters);
   } else if (criterion_ == UPS_CRITERION_WORST) {
@@ -126,7 +137,8 @@ Prediction::Model Prediction::model(double factor) const {
   std::vector<std::pair<double, double>> all;  // error, bias
   for (const MeterError& m : parts_) {
     const double bias = m.bias * of_bias;
-    all.emplace_back(noise(m) * std::sqrt((1 - m.merged) * of_rest + m.merged * of_merged) + bias, bias);
+    all.emplace_back(
+        noise(m) * std::sqrt((1 - m.merged) * of_rest + m.merged * of_merged) + bias + m.unfound * of_rest, bias);
   }
   const double q = criterion_ == UPS_CRITERION_P95 ? 0.95 : criterion_ == UPS_CRITERION_MEDIAN ? 0.5 : 1;
   const auto at = all.begin() + ptrdiff_t(std::min(all.size() - 1, size_t(q * double(all.size()))));

@@ -8,20 +8,23 @@
 
 namespace ups {
 
-// The relative error of one meter, bound / max(E, floor), apart by what makes it fall: noise + bias.
+inline constexpr double prediction_horizon_s = 1e7;  // what would take longer is not told
+
+// The relative error of one meter, bound / max(E, floor), apart by what makes it fall: noise + bias + unfound.
 struct MeterError {
   float noise = 0, bias = 0;
   float merged = 0;  // share of noise^2 that merging makes: it falls with the radius too
   float deviations = 0;  // of the estimated bias from 0, in its own standard errors
   float halves = 0;  // log_ratio_of_halves() of the batches
-  float error() const { return noise + bias; }
+  float unfound = 0;  // bounds on what few paths or none have found
+  float error() const { return noise + bias + unfound; }
 };
-// visits: for the quantile that is in the bound. The reading's error is known.
-MeterError meter_error(const ups_meter_reading& reading, double floor, uint32_t visits);
+// visits: for the quantile that is in the bound, which is known. unfound_lx: what is added to it.
+MeterError meter_error(const ups_meter_reading& reading, double unfound_lx, double floor, uint32_t visits);
 
 // The model: with r^2 ~ n^(alpha - 1) (Knaus, Zwicker 2011), what is estimated without merging has noise^2 ~ 1 / n,
-// merging noise^2 ~ n^-alpha and bias ~ n^(alpha - 1). How much of each meter's error is which is known from its
-// batches; a common factor, and a common exponent beside the model's with that as prior knowledge, are fitted to all
+// merging noise^2 ~ n^-alpha and bias ~ n^(alpha - 1); bounds on what is unfound fall as 1 / n. How much of each meter's
+// error is which is known from its batches; a common factor, and a common exponent beside the model's with that as prior knowledge, are fitted to all
 // looks.
 class Prediction {
  public:

@@ -29,7 +29,7 @@ void ProgressEstimate::add_look(double iterations, double error, const Predictio
   update();
 }
 
-// Iterations in all. Each look to come is below the target with the chance that the prediction gives it.
+// Iterations in all; 0: not known. Each look to come is below the target with the chance that the prediction gives it.
 double ProgressEstimate::expected_end(const Prediction& prediction) const {
   double expected = 0, alive = 1, passed = passed_ > 0 ? 1 : 0;  // passed: of what is alive, with its last look below
   double look = next_look_;
@@ -41,7 +41,7 @@ double ProgressEstimate::expected_end(const Prediction& prediction) const {
     passed = alive * chance - end;
     alive -= end;
   }
-  return expected + alive * look;
+  return alive > 0.5 ? 0 : expected + alive * look;  // most renders like this one would not end within what is foretold
 }
 
 void ProgressEstimate::update() {
@@ -53,7 +53,7 @@ void ProgressEstimate::update() {
   };
   if (limits_.time_s > 0) consider(limits_.time_s - elapsed_s_);
   if (limits_.iterations > 0 && iterations_ > 0) consider(seconds * (limits_.iterations - iterations_));
-  if (end_ > 0 && iterations_ > 0) consider(seconds * (end_ - iterations_));
+  if (end_ > 0 && iterations_ > 0 && seconds * end_ < prediction_horizon_s) consider(seconds * (end_ - iterations_));
   remaining_s_ = remaining;
   if (remaining >= 0 && elapsed_s_ > 0) fraction_ = std::max(fraction_, elapsed_s_ / (elapsed_s_ + remaining));
 }

@@ -15,8 +15,9 @@ namespace {
 constexpr size_t most_planes_of_instance = 6;       // a slab's
 constexpr size_t most_triangles = size_t(1) << 16;  // that are looked at of an instance
 constexpr float most_leaning = 1e-4f;               // sine, of normals that are interpolated
+constexpr float least_sine = 1e-5f;                 // between a mirror and directional light, which floats tell apart
 
-bool has_image(const Emitter& e) { return e.is_direct() && !e.is_directional() && e.flux_lm() > 0; }
+bool has_image(const Emitter& e) { return e.is_direct() && e.flux_lm() > 0; }
 
 struct Side {  // of triangles
   Vec3d n;
@@ -30,6 +31,20 @@ struct Part {
   uint32_t material;
   double rounding;             // of its corners
   std::vector<Vec3d> corners;  // 3 a triangle
+  // The farthest along eight directions of the plane: what holds these holds all.
+  static constexpr int directions = 8;
+  std::array<Vec3d, directions> farthest{};
+
+  void add(const std::array<Vec3d, 3>& triangle) {
+    const Frame frame{Vec3(side.n)};
+    for (int k = 0; k < directions; ++k) {
+      const double angle = k * (2 * double(pi) / directions);
+      const Vec3d along = Vec3d(frame.s) * std::cos(angle) + Vec3d(frame.t) * std::sin(angle);
+      for (const Vec3d& p : triangle)
+        if (corners.empty() || dot(p, along) > dot(farthest[size_t(k)], along)) farthest[size_t(k)] = p;
+    }
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  }
 };
 
 class Search {
@@ -37,15 +52,18 @@ class Search {
   explicit Search(const Snapshot& scene) : scene_(scene) {}
 
   FlatMirrors find() {
-    for (size_t e = 0; e < scene_.emitters.size(); ++e)
-      if (has_image(scene_.emitters[e])) (scene_.emitters[e].is_delta() ? punctual_ : extended_).push_back(uint32_t(e));
-    if (extended_.size() > FlatMirrors::most_weighed) extended_.clear();
-    if ((punctual_.empty() && extended_.empty()) || scene_.media.nest) return {};
+    for (size_t e = 0; e < scene_.emitters.size(); ++e) {
+      const Emitter& emitter = scene_.emitters[e];
+      if (!has_image(emitter)) continue;
+      (emitter.is_directional() ? suns_ : emitter.is_delta() ? punctual_ : extended_).push_back(uint32_t(e));
+    }
+    if (suns_.size() + extended_.size() > FlatMirrors::most_weighed) extended_.clear();
+    if ((punctual_.empty() && suns_.empty() && extended_.empty()) || scene_.media.nest) return {};
     out_.planes_of_instance.resize(scene_.instances.size());
     for (size_t i = 0; i < scene_.instances.size(); ++i)
       if (!add(i)) others_ |= traits_of(material_of(i)).delta;
-    out_.emitter_count = scene_.emitters.size();
     leave_out_hidden();
+    number_columns();
     choose_planes();
     if (out_.images.empty()) return {};
     judge();
@@ -86,8 +104,7 @@ class Search {
     for (const Side& side : sides) part_of_side.push_back(part_of(side, rounding, placed.material));
     for (size_t t = 0; t < triangles.size(); ++t) {
       of_triangle[t] = part_of_side[of_triangle[t]];
-      Part& part = parts_[of_triangle[t]];
-      part.corners.insert(part.corners.end(), triangles[t].begin(), triangles[t].end());
+      parts_[of_triangle[t]].add(triangles[t]);
     }
     if (sides.size() == 1) of_triangle.resize(1);
     out_.planes_of_instance[instance] = std::move(of_triangle);
@@ -133,14 +150,15 @@ class Search {
       const auto is_in = [&](const Vec3d& p) {
         return side.holds(p, std::max(rounding, part.rounding) + 0x1p-23 * max_abs(p));
       };
-      if (part.material == material && length(cross(part.side.n, side.n)) < most_leaning &&
+      constexpr double leaning2 = double(most_leaning) * most_leaning;
+      if (part.material == material && length2(cross(part.side.n, side.n)) < leaning2 &&
           is_in(part.side.n * part.side.offset) &&
-          std::all_of(part.corners.begin(), part.corners.end(), is_in)) {
+          std::all_of(part.farthest.begin(), part.farthest.end(), is_in)) {
         part.rounding = std::max(rounding, part.rounding);
         return uint32_t(i);
       }
     }
-    parts_.push_back({side, material, rounding, {}});
+    parts_.push_back({side, material, rounding, {}, {}});
     return uint32_t(parts_.size() - 1);
   }
 
@@ -192,16 +210,24 @@ class Search {
     extended_.erase(std::remove_if(extended_.begin(), extended_.end(), is_hidden), extended_.end());
   }
 
+  // Of the emitters that may have images.
+  void number_columns() {
+    out_.column_of_emitter.assign(scene_.emitters.size(), none);
+    for (const auto* emitters : {&punctual_, &suns_, &extended_})
+      for (const uint32_t e : *emitters) out_.column_of_emitter[e] = uint32_t(out_.column_count++);
+  }
+
   // The largest, as far as there may be images in them. Lamps with extent, whose light eye paths find in mirrors anyhow,
-  // have some as long as all can be weighed.
+  // have some as long as all can be weighed; so has the sun, of which a tree cannot tell which mirror shows it.
   void choose_planes() {
     std::vector<FlatMirrors::Plane> planes;
     std::vector<uint32_t> order;
     for (const Part& part : parts_) order.push_back(uint32_t(order.size())), planes.push_back(plane_of(part));
     const auto area = [&](uint32_t i) { return double(planes[i].half_s) * planes[i].half_t; };
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return area(a) > area(b); });
-    if (punctual_.empty() && extended_.empty()) return;
-    const size_t most = punctual_.empty() ? FlatMirrors::most_weighed / extended_.size()
+    const size_t weighed_each = suns_.size() + extended_.size();
+    if (punctual_.empty() && weighed_each == 0) return;
+    const size_t most = punctual_.empty() ? FlatMirrors::most_weighed / weighed_each
                                           : FlatMirrors::most_images / punctual_.size();
     if (order.size() > most) order.resize(most);
     others_ |= order.size() < parts_.size();
@@ -210,27 +236,38 @@ class Search {
     for (const uint32_t i : order) {
       number[i] = uint32_t(out_.planes.size());
       out_.planes.push_back(planes[i]);
-      out_.image_numbers.resize(out_.planes.size() * out_.emitter_count, none);
+      out_.image_numbers.resize(out_.planes.size() * out_.column_count, none);
       for (const uint32_t e : punctual_) add_image(e, number[i]);
-      if ((weighed += extended_.size()) > FlatMirrors::most_weighed) continue;
+      if ((weighed += weighed_each) > FlatMirrors::most_weighed) {
+        others_ |= !suns_.empty();
+        continue;
+      }
+      for (const uint32_t e : suns_) add_image(e, number[i]);
       for (const uint32_t e : extended_) add_image(e, number[i]);
     }
     for (auto& of_triangle : out_.planes_of_instance)
       for (uint32_t& plane : of_triangle) plane = number[plane];
   }
 
-  // Of a lamp on the mirror itself there is none, nor of one that reaches through its plane.
+  // Of a lamp on the mirror itself there is none, nor of one that reaches through its plane, nor of light along it.
   void add_image(uint32_t emitter, uint32_t plane) {
     const FlatMirrors::Plane& p = out_.planes[plane];
     const Emitter& e = scene_.emitters[emitter];
     const float reach = e.is_delta() ? 0 : e.reach(p.n);
-    if (std::abs(p.height(e.center())) > reach + 16 * p.error) {
-      out_.image_numbers[plane * out_.emitter_count + emitter] = uint32_t(out_.images.size());
-      out_.images.push_back({emitter, plane, e.center(), e.is_delta() ? 0 : e.radius(), reach});
+    const bool far = e.is_directional();
+    const Vec3 center = far ? direction_to(e) : e.center();
+    if (far ? std::abs(dot(p.n, center)) > least_sine : std::abs(p.height(center)) > reach + 16 * p.error) {
+      out_.image_numbers[plane * out_.column_count + out_.column_of_emitter[emitter]] = uint32_t(out_.images.size());
+      out_.images.push_back({emitter, plane, center, e.is_delta() ? 0 : e.radius(), reach, far});
       out_.of_extended |= !e.is_delta();
+      out_.has[far] = true;
     } else {
       others_ |= e.is_delta();
     }
+  }
+  static Vec3 direction_to(const Emitter& directional) {
+    DirectSample s;
+    return directional.sample_direct({}, {0.5f, 0.5f}, s) ? s.wi : Vec3();
   }
 
   void judge() {
@@ -290,7 +327,7 @@ class Search {
   }
 
   const Snapshot& scene_;
-  std::vector<uint32_t> punctual_, extended_;  // emitters, without extent and with
+  std::vector<uint32_t> punctual_, suns_, extended_;  // emitters: without extent, directional, with extent
   std::vector<Part> parts_;
   bool others_ = false;  // some specular light has no image
   FlatMirrors out_;
@@ -302,7 +339,7 @@ FlatMirrors find_flat_mirrors(const Snapshot& scene) { return Search(scene).find
 
 size_t FlatMirrors::bytes() const {
   size_t sum = planes.capacity() * sizeof(Plane) + images.capacity() * sizeof(Image) +
-               image_numbers.capacity() * sizeof(uint32_t) + tree.bytes();
+               (image_numbers.capacity() + column_of_emitter.capacity()) * sizeof(uint32_t) + tree.bytes();
   for (const auto& of_triangle : planes_of_instance) sum += of_triangle.capacity() * sizeof(uint32_t);
   return sum;
 }

@@ -11,6 +11,8 @@ namespace {
 
 // A share of what a lamp with extent may bring goes by its flux alone, so that no part of it is forgotten.
 constexpr float by_flux = 0.02f;
+// A share of the images that are seen, by number: what is strong may be hidden.
+constexpr float by_number = 0.1f;
 
 // Of all that the receiver may catch of an image by its cosine; 0: it lies behind it. to: its centre.
 float facing(const Receiver& r, const Vec3& to, float radius) {
@@ -26,7 +28,7 @@ float size_of_image(const Snapshot& scene, uint32_t index, const Receiver& r, co
   const FlatMirrors::Plane& plane = mirrors.planes[image.plane];
   const Emitter& emitter = scene.emitters[image.emitter];
   if (!mirrors.may_show(image, r.p)) return 0;
-  const Vec3 to = plane.mirrored(image.center) - r.p;
+  const Vec3 to = mirrors.way(image, r.p);
   const float cosine = facing(r, to, image.radius);
   if (!(cosine > 0)) return 0;
   const MirrorLobe lobe = mirror_lobe(scene.materials[plane.material], std::abs(dot(to, plane.n)) / length(to));
@@ -39,19 +41,30 @@ float size_of_image(const Snapshot& scene, uint32_t index, const Receiver& r, co
   return (mirrors.tree.brings(r, index) + by_flux * even * cosine) * reflectance;
 }
 
-// visit(index of an image, what it would bring): those that are seen in their mirrors and bring anything.
-template <class Visit>
-void weigh_images(const Snapshot& scene, const Receiver& r, const Visit& visit) {
+// Those that are seen in their mirrors and bring anything, each with its probability. far: of directional emitters.
+struct Seen {
+  std::array<std::pair<uint32_t, float>, FlatMirrors::most_weighed> images;
+  size_t count = 0;
+};
+void weigh_images(const Snapshot& scene, const Receiver& r, bool far, Seen& seen) {
   const FlatMirrors& mirrors = scene.flat_mirrors;
   const FlatMirrors::Plane* plane = nullptr;
   Vec3 behind;
+  float sum = 0;
   for (uint32_t i = 0; i < mirrors.images.size(); ++i) {
+    if (mirrors.images[i].far != far) continue;
     if (plane != &mirrors.planes[mirrors.images[i].plane]) {
       plane = &mirrors.planes[mirrors.images[i].plane];
       behind = plane->mirrored(r.p);
     }
     const float size = size_of_image(scene, i, r, behind);
-    if (size > 0 && std::isfinite(size)) visit(i, size);
+    if (!(size > 0 && std::isfinite(size))) continue;
+    seen.images[seen.count++] = {i, size};
+    sum += size;
+  }
+  for (size_t k = 0; k < seen.count; ++k) {
+    float& size = seen.images[k].second;
+    size = mirrors.frequency * ((1 - by_number) * (size / sum) + by_number / float(seen.count));
   }
 }
 
@@ -61,33 +74,30 @@ void weigh_images(const Snapshot& scene, const Receiver& r, const Visit& visit) 
 // t |x - c| + |c' - p| times the difference of both t.
 bool FlatMirrors::may_show(const Image& image, const Vec3& p) const {
   const Plane& plane = planes[image.plane];
+  if (Vec3 at; image.far) return plane.shows(image.center, true, p, at);
   const float above = plane.height(image.center), here = plane.height(p);
   if (!(above * here > 0)) return false;
-  const Vec3 way = plane.mirrored(image.center) - p;
+  const Vec3 to = way(image, p);
   const float t = here / (above + here), reach = image.reach / std::abs(above + here),
-              beside = image.radius > 0 ? t / (1 - reach) * (image.radius + length(way) * reach) : 0;
-  return plane.holds(p + way * t, beside);
+              beside = image.radius > 0 ? t / (1 - reach) * (image.radius + length(to) * reach) : 0;
+  return plane.holds(p + to * t, beside);
 }
 
-EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, float u) {
+EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, float u, bool far) {
   const float frequency = scene.flat_mirrors.frequency;
   if (!(u < frequency)) return {};
-  u /= frequency;
   if (scene.flat_mirrors.images.size() > FlatMirrors::most_weighed) {
-    EmitterChoice choice = scene.flat_mirrors.tree.choose(receiver, u);
+    EmitterChoice choice = scene.flat_mirrors.tree.choose(receiver, u / frequency);
     choice.probability *= frequency;
     return choice;
   }
-  std::array<std::pair<uint32_t, float>, FlatMirrors::most_weighed> seen;
-  size_t count = 0;
-  float sum = 0;
-  weigh_images(scene, receiver, [&](uint32_t image, float size) { seen[count++] = {image, size}, sum += size; });
-  if (count == 0) return {};
+  Seen seen;
+  weigh_images(scene, receiver, far, seen);
   float below = 0;
-  for (size_t i = 0; i < count; ++i) {
-    const auto [image, size] = seen[i];
-    if (i + 1 == count || u * sum < below + size) return {image, frequency * size / sum, 0};
-    below += size;
+  for (size_t k = 0; k < seen.count; ++k) {
+    const auto [image, probability] = seen.images[k];
+    if (k + 1 == seen.count || u < below + probability) return {image, probability, 0};
+    below += probability;
   }
   return {};
 }
@@ -95,9 +105,11 @@ EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, floa
 float image_probability(const Snapshot& scene, const Receiver& receiver, uint32_t image) {
   if (scene.flat_mirrors.images.size() > FlatMirrors::most_weighed)
     return scene.flat_mirrors.frequency * scene.flat_mirrors.tree.probability(receiver, image);
-  float own = 0, sum = 0;
-  weigh_images(scene, receiver, [&](uint32_t i, float size) { sum += size, own = i == image ? size : own; });
-  return sum > 0 ? scene.flat_mirrors.frequency * own / sum : 0;
+  Seen seen;
+  weigh_images(scene, receiver, scene.flat_mirrors.images[image].far, seen);
+  for (size_t k = 0; k < seen.count; ++k)
+    if (seen.images[k].first == image) return seen.images[k].second;
+  return 0;
 }
 
 }  // namespace ups

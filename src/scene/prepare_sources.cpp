@@ -135,24 +135,28 @@ void Builder::add_emissive_instances() {
     const Rgb radiance = to_rgb(material.luminance_cd_m2) *
                          (described.of_fixture ? float(in_.maintenance_factor()) : 1.0f);
     if (is_black(radiance)) continue;
+    if (mesh.revolution)
+      fail_argument("instance " + std::to_string(out_->instance_ids[i]) + ": its material has a luminance, and it is the " +
+                    "curved part of a fixture, whose triangles rays do not meet; its light would be that of an emitter of " +
+                    "the fixture, ups_fixture_add_emitter");
     unmaintained_ += !described.of_fixture;
     const bool both_sides = material.emits_both_sides == 1;
     const auto known = is_same_instance(i) ? earlier_emitter_.find({UPS_SOURCE_INSTANCE, out_->instance_ids[i]})
                                            : earlier_emitter_.end();
-    std::shared_ptr<const AreaEmitter> emitter;
+    std::shared_ptr<AreaEmitter> emitter;
     EmitterProbe probe;
     if (known == earlier_emitter_.end()) {
-      emitter = std::make_shared<const AreaEmitter>(emitting_triangles(mesh, instances[i].to_scene), radiance,
-                                                    both_sides, i);
+      emitter = std::make_shared<AreaEmitter>(emitting_triangles(mesh, instances[i].to_scene), radiance, both_sides, i);
       same_emitters_ = false;
     } else {
       const auto& as_before = static_cast<const AreaEmitter&>(earlier_->emitters[known->second]);
-      emitter = std::make_shared<const AreaEmitter>(as_before, radiance, both_sides);
+      emitter = std::make_shared<AreaEmitter>(as_before, radiance, both_sides);
       const bool shines_as_before = same_places_ && as_before.emits_both_sides() == both_sides;
       if (shines_as_before) probe = earlier_->emitter_probes[known->second];
       same_emitters_ = same_emitters_ && shines_as_before;
     }
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
+    emitter->set_least_error(s.error);
     const std::string name = "instance " + std::to_string(out_->instance_ids[i]);
     out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group, -1, described.to_world});
     out_->sources.back().of_fixture = described.of_fixture;

@@ -177,15 +177,20 @@ double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t ray
 float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>& probes, ThreadPool& pool) {
   constexpr double least_share = 1e-4;  // of all flux
   constexpr size_t few = 64, most = 1024;
-  const size_t count = scene.emitters.size(), stride = (count + most - 1) / most;  // beyond, every other stands for all
+  const size_t count = scene.emitters.size(), stride = (count + most - 1) / most;
   const uint32_t rays = count > few ? 64 : 256;
   double total = 0;
   for (size_t i = 0; i < count; ++i) total += scene.emitters[i].flux_lm();
-  std::vector<double> found(stride ? (count + stride - 1) / stride : 0);
+  std::vector<size_t> looked_at;  // of many, the strong ones, and every other that stands for the rest
+  for (size_t i = 0; i < count; ++i) {
+    const double flux = scene.emitters[i].flux_lm();
+    if ((i % stride == 0 || flux > total / double(most)) && flux >= std::min(least_share, 0.1 / double(count)) * total)
+      looked_at.push_back(i);
+  }
+  std::vector<double> found(looked_at.size());
   parallel_for(pool, found.size(), [&](size_t i) {
-    const Emitter& emitter = scene.emitters[i * stride];
-    if (!(emitter.flux_lm() >= std::min(least_share, 0.1 / double(count)) * total)) return;
-    EmitterProbe& probe = probes[i * stride];
+    const Emitter& emitter = scene.emitters[looked_at[i]];
+    EmitterProbe& probe = probes[looked_at[i]];
     if (probe.concentration_rays != rays) {
       probe.concentration = concentration(scene, emitter, rays, false);
       if (!scene.flat_mirrors.empty())

@@ -128,12 +128,17 @@ void check_area(const En12464Area& area) {
                 "; a narrower border would be right, or 0 where the task lies at the walls");
 }
 
-uint32_t count_for(double side, double spacing) { return uint32_t(std::max(1.0, std::ceil(side / spacing - 1e-6))); }
+double count_for(double side, double spacing) { return std::max(1.0, std::ceil(side / spacing - 1e-6)); }
 
 // More cells along what is more than twice the other side; both within p stay so.
 void limit_aspect(double width, double height, double& columns, double& rows) {
-  while (width / columns > 2 * (height / rows) * (1 + rounding)) ++columns;
-  while (height / rows > 2 * (width / columns) * (1 + rounding)) ++rows;
+  const auto least = [](double side, double other, double others) {  // but for rounding
+    return std::floor(side * others / (2 * other * (1 + rounding)));
+  };
+  columns = std::max(columns, least(width, height, rows));
+  while (width / columns > 2 * (height / rows) * (1 + rounding) && columns < most_points) ++columns;
+  rows = std::max(rows, least(height, width, columns));
+  while (height / rows > 2 * (width / columns) * (1 + rounding) && rows < most_points) ++rows;
 }
 
 }  // namespace
@@ -150,19 +155,20 @@ En12464Grid en12464_grid(const En12464Area& area) {
   check_area(area);
   const Extent e = extent_of(area.polygon);
   const double width = e.width() - 2 * area.border, height = e.height() - 2 * area.border;
-  if (!(width > 0 && height > 0)) fail_of_border(area, e);
+  const double slack = rounding * (std::max(width, height) + std::hypot(e.low.x, e.low.y));
+  if (!(width > slack && height > slack)) fail_of_border(area, e);
   const double shorter = std::min(width, height), longer = std::max(width, height);
   En12464Grid grid;
   grid.largest_spacing = en12464_largest_spacing(longer >= 2 * shorter ? shorter : longer);
-  if (width / grid.largest_spacing * (height / grid.largest_spacing) > most_points)
-    fail_argument("the polygon of " + text(e.width()) + " x " + text(e.height()) + " m would have more than " +
-                  std::to_string(most_points) + " points; a smaller one would be right");
   double columns = count_for(width, grid.largest_spacing), rows = count_for(height, grid.largest_spacing);
   limit_aspect(width, height, columns, rows);
+  if (columns * rows > most_points)
+    fail_argument("the polygon of " + text(e.width()) + " x " + text(e.height()) + " m would have more than " +
+                  std::to_string(most_points) + " points; a smaller one would be right");
   grid.columns = uint32_t(columns), grid.rows = uint32_t(rows);
   grid.origin = {e.low.x + area.border, e.low.y + area.border};
   grid.cell = {width / columns, height / rows};
-  const double slack = rounding * (longer + std::hypot(e.low.x, e.low.y)), least = area.border - slack;
+  const double least = area.border - slack;
   const auto takes_part = [&](const PlanPoint& p) {
     if (!is_inside(p, area.polygon) || distance(p, area.polygon) < least) return false;
     return std::none_of(area.holes.begin(), area.holes.end(),

@@ -45,12 +45,13 @@ Goniometer::Goniometer(const Frame& frame, std::vector<double> c_deg, std::vecto
 void Goniometer::find_representatives() {
   if (symmetry_ == Symmetry::axial && c_deg_.size() > 1)
     fail_argument("symmetry is UPS_SYMMETRY_AXIAL, but c_count is " + std::to_string(c_deg_.size()) + "; it must be 1");
+  constexpr double same = 1e-4;  // degrees; angles may come as floats
   const auto plane_at = [&](double c) {
     c = std::fmod(c + 720, 360);
     const size_t planes = c_deg_.size(),
                  next = size_t(std::lower_bound(c_deg_.begin(), c_deg_.end(), c) - c_deg_.begin());
     for (const size_t i : {(next + planes - 1) % planes, next % planes})
-      if (const double d = std::abs(c_deg_[i] - c); d < 1e-6 || d > 360 - 1e-6) return i;
+      if (const double d = std::abs(c_deg_[i] - c); d < same || d > 360 - same) return i;
     fail_argument("symmetry: the planes must be as symmetric as the fixture, but there is none at C " +
                   std::to_string(c));
   };

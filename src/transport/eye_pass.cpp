@@ -55,6 +55,7 @@ float pixel_illuminance(const Iteration& in, const Photons& photons, const Camer
   const SurfacePoint& surface = seen.surface;
   sensor.camera = false;
   sensor.techniques = nullptr;
+  sensor.excess = nullptr;  // what a pilot judges by is luminance
   const double eta = merge_gate(seen.bsdf(in.scene)) ? sensor.counts.eta_first : 0;
   sensor.counts.sensor_connect = 0;
   sensor.own_point = mis::at_meter(sensor.counts, eta, 0);

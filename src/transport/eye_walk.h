@@ -99,6 +99,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
     Drop drop;
     double share;
     double size;  // lx or cd/m^2 that it brings if it is free
+    bool far;     // to a directional emitter
   };
   static std::vector<WaitingEdge>& kept_edges();
   using Column = std::pair<uint32_t, MeterTally>;  // of Plan::separation, and what the path has brought it
@@ -107,7 +108,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void offer(const Contribution& c, Drop drop, double share = 1);
   Vec3 place_of(const Contribution& c) const { return c.media ? c.from : last_met(); }
   void test_edges();  // of those kept
-  double size_of_certain_edges() const;
+  double size_of_certain_edges(bool far, int rays) const;
   void test_edge(const Contribution& c, Drop drop, double share);
   void add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop drop);
   void keep_separated(uint32_t emitter, double lx, double direct, double bias);

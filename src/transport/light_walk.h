@@ -165,7 +165,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
                               double pass) const {
     const double choose = double(chosen) / emit_probability_;
     if (emitter_->is_directional())
-      return mis::light_first_directional(counts_, choose, 1.0 / start_.pdf_position_a, cos_in, pass);
+      return mis::light_first_directional(counts_, choose, 1.0 / (start_.pdf_position_a * goes_on), cos_in, pass);
     const double pdf_direction_w = start_.pdf_direction_w * goes_on;
     if (emitter_->is_delta())
       return mis::light_first(counts_, choose, pdf_direction_w, d2, cos_in, pass, false, 1.0, 1.0);

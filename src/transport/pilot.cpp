@@ -2,6 +2,8 @@
 #include "transport/pilot.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace ups {
 
@@ -10,7 +12,7 @@ namespace {
 class Pilot {
  public:
   Pilot(const Snapshot& scene, const Plan& plan, const Moments& moments)
-      : scene_(scene), plan_(plan), sets_(moments.count()), row_(moments.row()) {
+      : scene_(scene), plan_(plan), sets_(moments.count()), row_(moments.row()), visits_(plan.units.count) {
     for (auto* v : {&m_.variance, &m_.independent, &m_.of_light, &m_.eye_share, &m_.light, &m_.caustic})
       v->resize(plan.units.count);
     m_.excess.assign(plan.units.count, std::vector<double>(sets_));
@@ -25,7 +27,7 @@ class Pilot {
       const Camera& camera = scene_.cameras[c];
       plan_.for_visited_pixels(in.number, camera.width(), camera.height(), [&](uint32_t i, uint32_t pixel) {
         points_[c][pixel].of_iterations.add(luminance(tally.pixels[c][i]));
-        m_.eye_share[units.of_pixel(c, pixel)] += 1;
+        ++visits_[units.of_pixel(c, pixel)];
         take(units.of_pixel(c, pixel), &tally.excess_of_pixels[c][i * row_], 1, 1, points_[c][pixel]);
       });
       // An iteration sees one of camera_subsets times that a pixel gets splats between two visits.
@@ -57,10 +59,12 @@ class Pilot {
         m_.independent[unit] +=
             points_[s][p].of_paths.variance() * (s < cameras ? 1 : plan_.meter_samples);
       }
+    for (size_t c = 0; c < cameras; ++c) share_eye_paths(c);
     double paths = 0;
     for (const double share : m_.eye_share) paths += share;
     for (double& share : m_.eye_share) share /= std::max(1.0, paths);
-    for (size_t c = 0; c < cameras; ++c) pool_tiles(c);
+    const Measured own = m_;
+    for (size_t c = 0; c < cameras; ++c) pool_tiles(own, c);
     return m_;
   }
 
@@ -83,24 +87,52 @@ class Pilot {
     point.of_paths.sum += row[sets_], point.of_paths.square += row[sets_ + 1], point.of_paths.count += eye_paths;
   }
 
-  // Tiles are noisy: each is judged with its neighbours.
-  void pool_tiles(size_t camera) {
-    const Measured own = m_;
+  // A tile's, by its pixels: it may have been visited once too often, or not at all.
+  void share_eye_paths(size_t camera) {
+    const Units& units = plan_.units;
+    double visits = 0;
+    for (uint32_t u = units.begin(camera); u < units.end(camera); ++u) visits += visits_[u];
+    const auto pixels = uint32_t(scene_.cameras[camera].pixel_count());
+    for (uint32_t p = 0; p < pixels; ++p) m_.eye_share[units.of_pixel(camera, p)] += visits / pixels;
+  }
+
+  void add_sums(const Measured& own, uint32_t other, uint32_t unit) {
+    for (auto sums : {&Measured::variance, &Measured::independent, &Measured::of_light, &Measured::light,
+                      &Measured::caustic})
+      (m_.*sums)[unit] += (own.*sums)[other];
+    for (size_t k = 0; k < sets_; ++k) m_.excess[unit][k] += own.excess[other][k];
+  }
+
+  // Tiles are noisy: each is judged with its neighbours; of an image so large that none of these was visited, with all.
+  void pool_tiles(const Measured& own, size_t camera) {
     const Units& units = plan_.units;
     const auto columns = int(units.columns(camera)), rows = int(units.tiles(camera)) / columns;
     for (int y = 0; y < rows; ++y)
       for (int x = 0; x < columns; ++x) {
         const uint32_t unit = units.begin(camera) + uint32_t(y * columns + x);
+        uint32_t visits = visits_[unit];
         for (int j = std::max(0, y - 1); j <= std::min(rows - 1, y + 1); ++j)
           for (int i = std::max(0, x - 1); i <= std::min(columns - 1, x + 1); ++i) {
             const uint32_t other = units.begin(camera) + uint32_t(j * columns + i);
             if (other == unit) continue;
-            for (auto sums : {&Measured::variance, &Measured::independent, &Measured::of_light, &Measured::light,
-                              &Measured::caustic})
-              (m_.*sums)[unit] += (own.*sums)[other];
-            for (size_t k = 0; k < sets_; ++k) m_.excess[unit][k] += own.excess[other][k];
+            add_sums(own, other, unit);
+            visits += visits_[other];
           }
+        if (visits == 0) unvisited_.push_back(unit);
       }
+    if (unvisited_.empty()) return;
+    const uint32_t first = unvisited_[0];
+    reset_sums(first);
+    for (uint32_t u = units.begin(camera); u < units.end(camera); ++u) add_sums(own, u, first);
+    const Measured all = m_;
+    for (const uint32_t unit : unvisited_) reset_sums(unit), add_sums(all, first, unit);
+    unvisited_.clear();
+  }
+  void reset_sums(uint32_t unit) {
+    for (auto sums : {&Measured::variance, &Measured::independent, &Measured::of_light, &Measured::light,
+                      &Measured::caustic})
+      (m_.*sums)[unit] = 0;
+    m_.excess[unit].assign(sets_, 0.0);
   }
 
   const Snapshot& scene_;
@@ -108,13 +140,23 @@ class Pilot {
   const size_t sets_, row_;
   Measured m_;
   std::vector<std::vector<Point>> points_;  // cameras' pixels, then sets' meters
+  std::vector<uint32_t> visits_;            // by unit, of tiles: pixels
+  std::vector<uint32_t> unvisited_;         // tiles of a camera
 };
 
 }  // namespace
 
+// A lattice of rank 1: its generator near the golden section, prime to the number of points.
+uint32_t spread_shift(uint32_t subsets) {
+  auto shift = uint32_t(std::lround(0.6180339887 * subsets));
+  while (shift > 1 && std::gcd(shift, subsets) != 1) --shift;
+  return std::max(1u, shift);
+}
+
 Plan pilot_plan(const Snapshot& scene, const Plan& plan, const TransportSettings& settings) {
   Plan pilot = plan;
   set_path_counts(scene, settings, pilot_paths, pilot);
+  pilot.pilot_shift = spread_shift(pilot.camera_subsets);
   pilot.meter_samples = plan.meter_samples;
   const size_t times = scene.meter_count() * plan.meter_samples / (pilot_paths * plan.meter_subsets);
   pilot.meter_subsets = plan.meter_subsets * uint32_t(times | 1);

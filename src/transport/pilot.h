@@ -20,6 +20,8 @@ struct Measured {
 
 inline constexpr uint32_t pilot_rounds = 3, pilot_paths = 1u << 12;
 
+// From row to row of an image of which one pixel of `subsets` is visited: so that these lie far apart in all directions.
+uint32_t spread_shift(uint32_t subsets);
 // A few sensors' iterations as they will be, by few light paths.
 Plan pilot_plan(const Snapshot& scene, const Plan& plan, const TransportSettings& settings);
 // False once `stop` is set.

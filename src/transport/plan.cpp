@@ -71,12 +71,13 @@ void set_path_counts(const Snapshot& scene, const TransportSettings& settings, u
                  camera_paths = std::min(most, camera_paths_per_iteration),
                  meter_paths = std::min(most, meter_paths_per_iteration),
                  most_meters = std::min(most, max_meters_per_iteration);
-  if (pixels > 0) plan.camera_subsets = uint32_t((pixels + camera_paths - 1) / camera_paths);
+  // Odd, as those of meters below: each pixel meets all batches of the light paths.
+  if (pixels > 0) plan.camera_subsets = uint32_t((pixels + camera_paths - 1) / camera_paths) | 1u;
   if (meters > 0) {
     const uint64_t share = std::max<uint64_t>(1, meter_paths / meters);
     plan.meter_samples = uint32_t(std::min<uint64_t>(std::bit_floor(share), max_meter_samples));
-    // Odd, so that a meter's batches meet all batches of the light paths: their number is a power of two. A pilot's
-    // meters are among those of the plan's first iteration.
+    // Odd, so that a meter's batches meet all batches of the light paths: their number is a power of two, and each may
+    // have rays of its own of a file. A pilot's meters are among those of the plan's first iteration.
     if (meters > most_meters) {
       const uint32_t subsets = uint32_t((meters + most_meters - 1) / most_meters) | 1u;
       plan.meter_subsets *= (subsets + plan.meter_subsets - 1) / plan.meter_subsets | 1u;

@@ -77,7 +77,8 @@ class Units {
 // Fixed sizes of an iteration.
 struct Plan {
   uint32_t light_paths = 0;     // N
-  uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave
+  uint32_t camera_subsets = 1;  // every pixel is visited each such many iterations; their subsets interleave; odd
+  uint32_t pilot_shift = 0;     // from row to row, of a pilot: its one subset lies all over an image
   uint32_t meter_subsets = 1;   // the same of meters, by eye paths, discs and cells alike; odd, see make_plan()
   uint32_t meter_samples = 1;   // Ke, a power of two
   std::vector<mis::Gates> gates;  // by emitter
@@ -139,7 +140,7 @@ struct Plan {
   }
   // The subset of a pixel: iterations i with i % camera_subsets equal to it visit it.
   uint32_t pixel_subset(uint32_t x, uint32_t y) const { return (x + y * subset_shift()) % camera_subsets; }
-  uint32_t subset_shift() const { return camera_subsets < 3 ? 1 : 2; }
+  uint32_t subset_shift() const { return pilot_shift ? pilot_shift : camera_subsets < 3 ? 1 : 2; }
   uint32_t pass(uint32_t iteration) const { return iteration / camera_subsets; }
 
   // Meters of a set that the iteration visits, and the i-th of them.

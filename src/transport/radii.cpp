@@ -13,7 +13,6 @@ namespace ups {
 
 namespace {
 
-constexpr size_t walk_photons = 1;
 constexpr double max_radius_rays = 1u << 18;
 constexpr size_t few_meters = 16;
 
@@ -56,18 +55,20 @@ std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool
 
 // Median distance of a photon to the next one: a query finds about one. Wider discs hardly lessen the noise, but they
 // reach past more edges and so lose more light.
-float typical_spacing(const LightPaths& photons, float largest) {
+float typical_spacing(const LightPaths& photons, float largest, const StopSignal& stop) {
   if (!(largest > 0)) return 0;
   const PhotonIndex index(photons, largest);
   const size_t step = std::max<size_t>(1, photons.begin.back() / 256);
-  std::vector<float> spacings, d2;
+  std::vector<float> spacings;
   size_t running = 0;
   photons.each([&](uint32_t, const LightVertex& v) {
-    if (running++ % step != 0) return;
-    d2.clear();
-    index.query(v.p, largest, [&](uint32_t, float distance2) { d2.push_back(distance2); });
-    std::sort(d2.begin(), d2.end());
-    spacings.push_back(d2.size() > walk_photons ? std::sqrt(d2[walk_photons]) : largest);
+    if (running++ % step != 0 || stop.is_set()) return;
+    float nearest = INFINITY, next = INFINITY;  // itself, and another
+    index.query(v.p, largest, [&](uint32_t, float distance2) {
+      next = std::min(next, std::max(nearest, distance2));
+      nearest = std::min(nearest, distance2);
+    });
+    spacings.push_back(std::isfinite(next) ? std::sqrt(next) : largest);
   });
   if (spacings.empty()) return largest;
   return median(spacings);
@@ -121,7 +122,7 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
   in.stores_vertices = true;
   LightPass light;
   plan.walk_radius =
-      typical_spacing(light.trace_pilot(in, pool), 0.05f * scene.radius) * float(std::sqrt(share));
+      typical_spacing(light.trace_pilot(in, pool), 0.05f * scene.radius, stop) * float(std::sqrt(share));
   // A coarse image's pixels are wider than the light's detail that photons can show.
   for (auto& radii : plan.pixel_radius)
     for (float& r : radii) r = std::min(r, 4 * plan.walk_radius);

@@ -109,7 +109,9 @@ class Chooser {
           const Measured& eye, double photons, bool trusts_eye_paths)
       : units_(plan.units), all_(all), m_(m), eye_(eye), photons_(photons), trusts_eye_paths_(trusts_eye_paths),
         needs_landings_(units_.count) {
-    double paths = double(scene.pixel_count()) / plan.camera_subsets;
+    double paths = 0;
+    for (const Camera& c : scene.cameras)
+      paths += double(c.pixel_count()) * (1 + c.illuminance()) / plan.camera_subsets;
     for (size_t s = 0; s < scene.meter_sets.size(); ++s) {
       paths += double(scene.meter_sets[s].meters.size()) / plan.meter_subsets * plan.meter_samples;
       // A point's light by way of mirrors alone meets a cell, where nothing is merged, by landing.
@@ -214,7 +216,9 @@ class Chooser {
   Costs cost_;
 };
 
-uint32_t light_paths_of(const Plan& plan, double share) { return std::max(64u, uint32_t(plan.light_paths * share)); }
+uint32_t light_paths_of(const Plan& plan, double share) {
+  return std::max(std::min(64u, plan.light_paths), uint32_t(plan.light_paths * share));
+}
 
 // What a sensor's units take together.
 ups_sensor_choice choice_of(const Chooser::Outcome& best, double operations_of_all, const Plan& plan,

@@ -127,25 +127,26 @@ Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& 
   DirectSample s;
   Vec3 at;
   if (!emitter.sample_direct(plane.mirrored(arrival.surface.p), u_position, s) ||
-      !plane.shows(s.p, arrival.surface.p, at))
+      !plane.shows(image.far ? image.center : s.p, image.far, arrival.surface.p, at))
     return {};
   const Vec3 leaves = -s.wi;
   s.wi = plane.mirrored_direction(s.wi);
   const MirrorLobe lobe = mirror_lobe(in.scene.materials[plane.material], std::abs(dot(s.wi, plane.n)));
   s.weight *= lobe.reflectance;
-  s.pdf_direction_w *= lobe.probability;
+  (image.far ? s.pdf_position_a : s.pdf_direction_w) *= lobe.probability;
   Found c =
       light_of(in, n, eye, arrival, {image.emitter, choice.probability, 0}, s, leaves, 2, double(lobe.probability));
   if (!c) return {};
   c->mirror = image.plane;
   c->at_mirror = at;
+  if (image.far) c->to = at + image.center * s.distance;
   return c;
 }
 
 Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                    float u_choice, const Vec2& u_position, float found_from) {
+                    float u_choice, const Vec2& u_position, float found_from, bool far) {
   if (in.is_too_long(eye.edges + 2) || !(u_choice < in.scene.flat_mirrors.frequency)) return {};
-  const EmitterChoice choice = choose_image(in.scene, receiver_of(eye, arrival), u_choice);
+  const EmitterChoice choice = choose_image(in.scene, receiver_of(eye, arrival), u_choice, far);
   if (!(choice.probability > 0)) return {};
   Found c = light_from_image(in, n, eye, arrival, choice, u_position);
   if (!c || (in.plan.exact[c->emitter] && luminance(c->value) >= found_from)) return {};
@@ -189,9 +190,9 @@ bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, P
 }
 
 Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                   float& u_choice, const Vec2& u_position, float found_from) {
+                   float& u_choice, const Vec2& u_position, float found_from, bool far) {
   if (in.is_too_long(eye.edges + 1)) return {};
-  const EmitterSet::Choice choice = in.scene.emitters.choose_direct(receiver_of(eye, arrival), u_choice);
+  const EmitterSet::Choice choice = in.scene.emitters.choose_direct(receiver_of(eye, arrival), u_choice, far);
   if (!(choice.probability > 0)) return {};
   u_choice = choice.u;
   Found c = light_from(in, n, eye, arrival, choice, u_position);

@@ -104,8 +104,8 @@ TEST(IlluminanceCamera, MeasuresWhatAMirrorShows) {
   expect_lx(mean.value, mean.standard_error, 1, 0.001, "blocks");
 }
 
-// Sunlight by way of a mirror: nothing but light paths finds it, merged at a meter or landed on a cell. Means over 36
-// of each.
+// Sunlight by way of a mirror, without its image: nothing but light paths finds it, merged at a meter or landed on a
+// cell. Means over 36 of each.
 TEST(DirectionalLight, ReachesAFloorByAMirror) {
   const double lx = 1000, reflectance = 0.8, expected = reflectance * lx * std::sqrt(0.5);
   Scene scene;
@@ -118,7 +118,9 @@ TEST(DirectionalLight, ReachesAFloorByAMirror) {
   const std::vector<P3> up(36, P3{0, 0, 1}), along(36, P3{1, 0, 0});
   const Sensor meters = scene.add_meters(points, up), cells = scene.add_cells(points, up, along, 0.1, 0.2);
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_LIGHT_TRACING}) {
-    const Result r = scene.render({.method = method, .iterations = 48, .light_paths = 1u << 16});
+    constexpr uint32_t all_but_images = 2 * UPS_TECHNIQUE_SENSOR_HIT - 1;
+    const Result r = scene.render(
+        {.method = method, .iterations = 48, .light_paths = 1u << 16, .techniques = all_but_images});
     const auto landed = r.statistics(cells), merged = r.statistics(meters);
     const std::string what = std::string(method_name(method)) + ", cells";
     expect_lx(landed.mean_lx, landed.mean_standard_error_lx, expected, quiet, what);

@@ -147,6 +147,57 @@ TEST_P(FlatMirrors, AreAsFineAsRaysAre) {
 INSTANTIATE_TEST_SUITE_P(By, FlatMirrors, ::testing::Values(UPS_METHOD_UPS, UPS_METHOD_AUTO),
                          [](const auto& p) { return p.param == UPS_METHOD_UPS ? "UPS" : "auto"; });
 
+// Parallel light of 1000 lx across its way, which comes down at 0.6 along y and goes on as from below the mirror.
+class FlatMirrorsInTheSun : public FlatMirrors {
+ protected:
+  void SetUp() override { scene.add_directional(sun, 1000); }
+  static double straight(const P3& n) { return 1000 * std::max(0.0, -dot(sun, n)); }
+  static double mirrored(const P3& n, double reflectance) {
+    return 1000 * reflectance * std::max(0.0, -dot(P3{sun.x, -sun.y, sun.z}, n));
+  }
+  // Where the mirror, y = 0, shows it to a point.
+  static P3 place(const P3& at) { return at + P3{-sun.x, sun.y, -sun.z} * (at.y / -sun.y); }
+  static constexpr P3 sun{0.48, -0.6, -0.64};
+};
+
+TEST_P(FlatMirrorsInTheSun, TheyShowItWhereTheyAre) {
+  const P3 n = normalize(P3{0.1, -0.3, 0.9});
+  scene.add(quad(place(points[0]) - P3{0.05, 0, 0.05}, {0, 0, 0.1}, {0.1, 0, 0}), mirror(0.9));
+  scene.add(quad(place(points[2]) - P3{0.05, 0, 0.05}, {0, 0, 0.1}, {0.1, 0, 0}), mirror(0.9));
+  const Sensor meters = scene.add_meters(points, n);
+  const Result result = render();
+  expect(meters, result, [&](size_t i) { return straight(n) + (i == 1 ? 0 : mirrored(n, 0.9)); });
+  EXPECT_NEAR(result.readings(meters)[0].indirect_lx, mirrored(n, 0.9), rounding * 1000);
+}
+
+TEST_P(FlatMirrorsInTheSun, TheySeeWhatStandsInTheWay) {
+  scene.add(wall_mirror, mirror(0.9));
+  const P3 n{0, 0, 1}, behind = place(points[1]) - sun * 3;
+  scene.add(quad((points[2] + place(points[2])) * 0.5 - P3{0.01, 0, 0.01}, {0.02, 0, 0}, {0, 0, 0.02}), matte(0));
+  scene.add(quad(behind - P3{0.01, 0, 0.01}, {0.02, 0, 0}, {0, 0, 0.02}), matte(0));
+  const Sensor meters = scene.add_meters(points, n);
+  expect(meters, render(), [&](size_t i) { return straight(n) + (i == 0 ? mirrored(n, 0.9) : 0); });
+}
+
+// Where the scene begins, seen by way of a small mirror at its end.
+TEST_P(FlatMirrorsInTheSun, TheySeeWhatIsFarOff) {
+  const P3 n{0, 0, 1}, before{0.3, 6, 0}, mirrors = place(before), screens = mirrors - sun * 30;
+  scene.add(quad(mirrors - P3{0.05, 0, 0.05}, {0, 0, 0.1}, {0.1, 0, 0}), mirror(0.9));
+  scene.add(quad(screens - P3{0.1, 0, 0.1}, {0.2, 0, 0}, {0, 0, 0.2}), matte(0));
+  const Sensor meters = scene.add_meters({before}, n);
+  expect(meters, render(), [&](size_t) { return straight(n); });
+}
+
+TEST_P(FlatMirrorsInTheSun, PanesReflectByFresnel) {
+  scene.add(wall_mirror, clear_pane());
+  const P3 n{0, 0, 1};
+  const Sensor meters = scene.add_meters(points, n);
+  expect(meters, render(), [&](size_t) { return straight(n) + mirrored(n, pane_reflectance(0.6, 1.5)); });
+}
+
+INSTANTIATE_TEST_SUITE_P(By, FlatMirrorsInTheSun, ::testing::Values(UPS_METHOD_UPS, UPS_METHOD_AUTO),
+                         [](const auto& p) { return p.param == UPS_METHOD_UPS ? "UPS" : "auto"; });
+
 // What a narrow beam lights, straight or by way of the mirror, is a small patch that eye paths find by chance alone: its
 // light is a photon's.
 TEST(FlatMirrorsAndBeams, LeaveSmallPatchesToPhotons) {
@@ -209,6 +260,12 @@ TEST(FlatMirrorsThatAreNone, AreLeftToLightPaths) {
   scene.add(wall_mirror, mirror(0.9));
   scene.add_meters(points, {0, 0, 1});
   EXPECT_TRUE(scene.render({.method = UPS_METHOD_AUTO, .iterations = 16}).info().techniques & UPS_TECHNIQUE_MERGE);
+  Scene along;
+  along.add_directional({0, 0, -1}, 1000);
+  along.add(wall_mirror, mirror(0.9));
+  along.add_meters(points, {0, 0, 1});
+  EXPECT_FALSE(along.render({.method = UPS_METHOD_AUTO, .iterations = 16}).info().techniques &
+               UPS_TECHNIQUE_MIRROR_SAMPLE);
 }
 
 TEST(FlatMirrorsThatAreNone, AreNotAskedForWithoutLightSamples) {
@@ -270,6 +327,40 @@ TEST(FlatMirrorsAmongAllElse, TheLightIsTheSame) {
   RenderOptions mirrors = of_picture, none = of_picture;
   mirrors.techniques = all, none.techniques = all_but_mirrors;
   expect_same(image_mean(with_camera, camera, mirrors), image_mean(with_camera, camera, none), "picture");
+}
+
+// A court in the sun with a mirror and a window in one plane, for which `auto` needs no light paths; the same judgement.
+// Over cells, on which photons land without blur.
+TEST(FlatMirrorsAmongAllElse, TheLightOfTheSunIsTheSame) {
+  Scene scene;
+  scene.add(quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), matte(0.6));
+  for (const Shape& wall : {quad({0, 0, 0}, {0, 3, 0}, {0, 0, 2.6}), quad({4, 0, 0}, {0, 0, 2.6}, {0, 3, 0}),
+                            quad({0, 0, 0}, {0, 0, 2.6}, {4, 0, 0}), quad({0, 3, 0}, {4, 0, 0}, {0, 0, 2.6})})
+    scene.add(wall, matte(0.5));
+  scene.add(quad({0.01, 0.5, 0.5}, {0, 1.2, 0}, {0, 0, 1.6}), mirror(0.9));
+  scene.add(quad({0.01, 1.8, 0.5}, {0, 1, 0}, {0, 0, 1.6}), clear_pane());
+  scene.add_directional(normalize(P3{-0.7, 0.1, -0.7}), 1000);
+  std::vector<P3> at;
+  for (int i = 0; i < 24; ++i) at.push_back({0.5 + 0.6 * (i % 6), 0.4 + 0.7 * (i / 6), 0.02});
+  const Sensor meters =
+      scene.add_cells(at, std::vector<P3>(at.size(), {0, 0, 1}), std::vector<P3>(at.size(), {1, 0, 0}), 0.3, 0.3);
+  const auto measure = [&](ups_method method, uint32_t techniques, uint32_t iterations, uint64_t seed) {
+    return scene.render({.method = method, .iterations = iterations, .seed = seed, .merge_radius_m = 0.08,
+                         .light_paths = 1u << 13, .techniques = techniques});
+  };
+  const Result plain = measure(UPS_METHOD_UPS, all_but_mirrors, 128, 2);
+  const auto b = plain.statistics(meters);
+  EXPECT_LE(b.mean_standard_error_lx, 0.002 * b.mean_lx) << "too noisy to judge";
+  for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_AUTO}) {
+    const Result with = measure(method, 0, 64, 1);
+    const bool automatic = method == UPS_METHOD_AUTO;
+    EXPECT_EQ(!(with.info().techniques & UPS_TECHNIQUE_MERGE), automatic);
+    const auto a = with.statistics(meters);
+    const double s = std::hypot(a.mean_standard_error_lx, b.mean_standard_error_lx);
+    EXPECT_LE(a.mean_standard_error_lx, 0.0015 * b.mean_lx) << "too noisy to judge, " << automatic;
+    EXPECT_GE(0.01 * b.mean_lx - std::abs(a.mean_lx - b.mean_lx), 2.04 * s)
+        << automatic << ": " << a.mean_lx << " and " << b.mean_lx << " +- " << s;
+  }
 }
 
 // Ninety lamps, whose images are a tree's, in a window and in a mirror; the same judgement.

@@ -88,6 +88,48 @@ TEST_F(Choice, ANumberOfLightPathsThatIsAskedForStays) {
   const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 2, .light_paths = 2048});
   EXPECT_EQ(choice_of(result, points).light_paths_per_iteration, 2048u);
   EXPECT_EQ(result.info().light_paths, 4096u);
+  const Result few = scene.render({.method = UPS_METHOD_AUTO, .iterations = 2, .light_paths = 16});
+  EXPECT_EQ(few.info().light_paths, 32u);
+}
+
+// What a camera also measures as illuminance is no part of what its picture's techniques are judged by.
+TEST_F(Choice, IlluminanceLeavesThePicturesChoiceAsItIs) {
+  auto glazing = material(UPS_MATERIAL_GLAZING, 1);
+  glazing.alpha_mode = UPS_ALPHA_MASK;
+  std::vector<ups_sensor_choice> choices;
+  for (const bool illuminance : {false, true}) {
+    Scene room;
+    room.add(box({0, 0, 0}, {5, 4, 2.8}).flipped(), matte(0.3));
+    room.add(quad({2, 0.01, 1.1}, {0, 0, 0.8}, {0.8, 0, 0}), glazing);
+    for (double x : {1.25, 3.75}) room.add_spot({x, 2, 2.79}, {0, 0, -1}, 1000, 0.6, 1.3);
+    const Sensor camera = room.add_camera({0.3, 2, 1.5}, {1, 0, -0.1}, 96, 64, 1, illuminance);
+    choices.push_back(choice_of(room.render({.method = UPS_METHOD_AUTO, .iterations = 2}), camera));
+  }
+  EXPECT_EQ(choices[0].techniques, choices[1].techniques);
+  EXPECT_EQ(choices[0].photons, choices[1].photons);
+}
+
+// Why light paths are off: no words of what eye paths find where none are traced, or where the caller wants none.
+TEST_F(Choice, WordsSayWhyATechniqueIsOff) {
+  const auto words = [](Scene& of, ups_method method, uint32_t techniques) {
+    return of.render({.method = method, .iterations = 2, .techniques = techniques}).text(UPS_TEXT_TECHNIQUES);
+  };
+  const auto has = [](const std::string& text, const char* words) { return text.find(words) != std::string::npos; };
+  EXPECT_TRUE(has(words(scene, UPS_METHOD_AUTO, 0), "eye paths find all light"));
+  EXPECT_TRUE(has(words(scene, UPS_METHOD_PATH_TRACING, 0), "the method asked for leaves it out"));
+  const std::string masked = words(scene, UPS_METHOD_AUTO, eye);
+  EXPECT_TRUE(has(masked, "merge: off, not in the set (the techniques asked for leave it out)")) << masked;
+  EXPECT_FALSE(has(masked, "eye paths find all light")) << masked;
+  Scene lamp;
+  lamp.add_point_light({0, 0, 0}, 100);
+  lamp.add(quad({1, 1, 1}, {1, 0, 0}, {0, 1, 0}), matte(0.5));
+  lamp.add_goniometer(4, 7);
+  const std::string measured = words(lamp, UPS_METHOD_AUTO, 0);
+  EXPECT_FALSE(has(measured, "eye paths find all light")) << measured;
+  scene.add(icosphere({2, 2, 1}, 0.3, 2), mirror(0.9));
+  const std::string mixed = words(scene, UPS_METHOD_AUTO, 0);
+  EXPECT_TRUE(has(mixed, "merge: on")) << mixed;
+  EXPECT_FALSE(has(mixed, "eye paths find all light")) << mixed;
 }
 
 // What fits each kind of sensor of a method's techniques, as tests of what each method measures have it.
@@ -121,6 +163,23 @@ TEST_F(Choice, BesideAGoniometerNothingIsChosen) {
   const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 2});
   expect_given(result, goniometer, UPS_TECHNIQUE_SENSOR_HIT, UPS_PHOTONS_NONE);
   EXPECT_EQ(choice_of(result, points).predicted_gain, 1.0);
+}
+
+// It would wait for ever.
+TEST(ChoiceOfGoniometers, ATargetIsRefusedThatNothingWouldMeet) {
+  Scene lamp;
+  lamp.add_point_light({0, 0, 0}, 100);
+  lamp.add_goniometer(4, 7);
+  check(ups_scene_commit(lamp.get()), "ups_scene_commit");
+  auto desc = make_desc<ups_render_desc>(ups_render_desc_init);
+  desc.method = UPS_METHOD_PATH_TRACING, desc.target_relative_error = 0.05, desc.iteration_count = 0;
+  desc.time_limit_s = 0;
+  ups_result* result = nullptr;
+  EXPECT_EQ(ups_render(lamp.get(), &desc, &result), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(std::string(ups_last_error()).find("the goniometer measures nothing"), std::string::npos);
+  desc.iteration_count = 1;
+  EXPECT_EQ(ups_render(lamp.get(), &desc, &result), UPS_OK) << ups_last_error();
+  ups_result_destroy(result);
 }
 
 TEST_F(Choice, WrongArgumentsAreNamed) {

@@ -314,8 +314,17 @@ TEST_F(Edits, FixturesAreSetAndGiveBackWhatTheyTook) {
   const ups_mesh_id curved = instance_desc.mesh;
   const auto mesh_desc = quad();
   expect_error(ups_scene_set_mesh(scene, curved, &mesh_desc), UPS_ERROR_INVALID_ARGUMENT, {"curved part"});
-  EXPECT_OK(ups_scene_remove_fixture(scene, a));
   auto m = sized<ups_mesh_desc>();
+  EXPECT_OK(ups_scene_get_mesh(scene, curved, &m));
+  auto of_part = sized<ups_material_desc>();
+  EXPECT_OK(ups_scene_get_material(scene, m.material, &of_part));
+  auto luminous = of_part;
+  luminous.luminance_cd_m2[0] = 1000;
+  EXPECT_OK(ups_scene_set_material(scene, m.material, &luminous));
+  expect_error(ups_scene_commit(scene), UPS_ERROR_INVALID_ARGUMENT, {"curved part", "luminance", "emitter"});
+  EXPECT_OK(ups_scene_set_material(scene, m.material, &of_part));
+  EXPECT_OK(ups_scene_commit(scene));
+  EXPECT_OK(ups_scene_remove_fixture(scene, a));
   EXPECT_OK(ups_scene_get_mesh(scene, curved, &m)) << "b has it too";
   EXPECT_OK(ups_scene_remove_fixture(scene, b));
   expect_error(ups_scene_get_mesh(scene, curved, &m), UPS_ERROR_INVALID_ARGUMENT, {"was removed"});

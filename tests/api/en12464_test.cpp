@@ -125,6 +125,10 @@ TEST(En12464, SaysWhatIsWrong) {
   expect_fails(rectangle(0, 0, 4, 1), 0.5, {"border of 0.5 m", "4 x 1 m", "narrower"});
   expect_fails({{0, 0, 10, 10, 10, 10.2}}, 0.5, {"border of 0.5 m leaves no point"});
   expect_fails(rectangle(0, 0, 1e6, 1e6), 0, {"more than 16777216 points"});
+  // What borders leave is but rounding, or so narrow that cells no longer than twice their width would be too many.
+  expect_fails(rectangle(0, 5000000.3, 21.2, 1.2), 0.6, {"border of 0.6 m leaves no point"});
+  expect_fails(rectangle(0, 0, 3, 1.0000000001), 0.5, {"border of 0.5 m leaves no point"});
+  expect_fails(rectangle(0, 0, 3, 1.00000001), 0.5, {"more than 16777216 points"});
 
   const Outline room = rectangle(0, 0, 4, 3), holes{{1, 1, 2, 1, 2, 2, 3, 2, 5, 2, 3, 2.5}};
   auto d = desc_of(room, 0.2);

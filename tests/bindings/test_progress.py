@@ -129,3 +129,15 @@ def test_other_threads_render_meanwhile(context):
     own = scene.render(iteration_count=4, seed=1).meters(meters)
     thread.join()
     assert found[0].tobytes() == own.tobytes()
+
+
+def test_a_program_may_end_beside_threads_that_wait():
+    for _ in range(10):
+        process = start("""
+            job = scene.start(time_limit_s=600)
+            for timeout in (None, 100):
+                threading.Thread(target=job.wait, args=(timeout,), daemon=True).start()
+            while job.poll().iterations < 1:
+                pass
+            """)
+        assert process.wait(60) == 0

@@ -72,8 +72,14 @@ TEST(EmitterSet, ChoosesWithTheProbabilityThatItStates) {
     for (const Vec3& p : {Vec3(0, 0, 0), Vec3(2, 0, 2.9f), Vec3(-500, 20, 1)})
       expect_choice(
           set->size(), [&](float u) { return set->choose_direct({p}, u); },
-          [&](size_t i) { return set->direct_probability({p}, i); }, seed++);
+          [&](size_t i) { return (*set)[i].is_directional() ? 0.0f : set->direct_probability({p}, i); }, seed++);
   }
+  EXPECT_FALSE(many.has_direct(true));
+  EXPECT_TRUE(few.has_direct(true) && few.has_direct(false));
+  const EmitterSet::Choice sun = few.choose_direct({Vec3(2, 0, 2.9f)}, 0.25f, true);
+  EXPECT_EQ(sun.index, 4u);
+  EXPECT_EQ(sun.probability, 1);
+  EXPECT_EQ(sun.u, 0.25f);
 }
 
 // Less than one of the 2^24 values that a number has: it would get all of a value, or none.
@@ -200,7 +206,7 @@ TEST(EmitterSet, KeepsStratification) {
     }
     before = c;
   }
-  EXPECT_EQ(emitters, 4);  // all that are not dark
+  EXPECT_EQ(emitters, 3);  // all that are not dark, nor directional
 }
 
 TEST(EmitterSet, EmissionIsByFlux) {

@@ -91,17 +91,19 @@ TEST_P(LightTreeOf, IsAProbabilityThatForgetsNone) {
   Random random(62);
   for (int k = 0; k < 60; ++k) {
     const Receiver r = random_receiver(k, random);
-    double sum = 0;
-    bool any = false;
+    double sum[2] = {};  // of directional ones apart
+    bool any[2] = {};
     for (size_t i = 0; i < emitters.size(); ++i) {
       const double p = emitters.direct_probability(r, i);
-      sum += p;
+      const bool far = emitters[i].is_directional();
+      sum[far] += p;
       if (!(brought(emitters[i], r, 16) > 0)) continue;
-      any = true;
+      any[far] = true;
       const double of_all = (emitters.emission_probability(i) + 1 / double(emitters.size())) / 2;
       EXPECT_GE(p, 0.999 * share_by_flux * of_all) << k << " " << i;
     }
-    EXPECT_TRUE(sum == 0 ? !any : std::abs(sum - 1) < 2e-5) << k << " " << sum;
+    for (const int far : {0, 1})
+      EXPECT_TRUE(sum[far] == 0 ? !any[far] : std::abs(sum[far] - 1) < 2e-5) << k << " " << sum[far];
   }
 }
 
@@ -112,10 +114,11 @@ TEST_P(LightTreeOf, ChoosesWithTheProbabilityThatItStates) {
   constexpr int steps = 1 << 14;
   for (int k = 0; k < 12; ++k) {
     const Receiver r = random_receiver(k, random);
+    const bool far = k % 2;
     std::vector<int> chosen(emitters.size());
     EmitterSet::Choice before;
     for (int i = 0; i < steps; ++i) {
-      const EmitterSet::Choice c = emitters.choose_direct(r, (float(i) + 0.5f) / steps);
+      const EmitterSet::Choice c = emitters.choose_direct(r, (float(i) + 0.5f) / steps, far);
       if (!(c.probability > 0)) continue;
       ASSERT_EQ(c.probability, emitters.direct_probability(r, c.index));  // the same bits
       ASSERT_GE(c.u, 0);
@@ -126,8 +129,10 @@ TEST_P(LightTreeOf, ChoosesWithTheProbabilityThatItStates) {
       }
       before = c;
     }
-    for (size_t i = 0; i < emitters.size(); ++i)
-      ASSERT_NEAR(double(chosen[i]) / steps, emitters.direct_probability(r, i), 1.1 / steps) << k << " " << i;
+    for (size_t i = 0; i < emitters.size(); ++i) {
+      const double stated = emitters[i].is_directional() == far ? double(emitters.direct_probability(r, i)) : 0.0;
+      ASSERT_NEAR(double(chosen[i]) / steps, stated, 1.1 / steps) << k << " " << i;
+    }
   }
 }
 

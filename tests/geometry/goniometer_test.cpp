@@ -35,6 +35,18 @@ TEST(GoniometerGrid, ANodeTakesWhatGoesTowardsIt) {
     }
 }
 
+// Equal steps whose floats are no decimals: each plane finds the one that mirrors it.
+TEST(GoniometerGrid, PlanesMayBeFloats) {
+  for (const int planes : {7, 50, 100, 300, 3600}) {
+    std::vector<double> c_deg;
+    for (int i = 0; i < planes; ++i) c_deg.push_back(double(float(i) * (360.0f / float(planes))));
+    const Goniometer g(Frame(), c_deg, rows, photometry::Symmetry::c0_c180);
+    const auto size = rows.size();
+    for (size_t i = 1; i < c_deg.size(); ++i)
+      EXPECT_EQ(g.representative(uint32_t(i * size + 1)), g.representative(uint32_t((c_deg.size() - i) * size + 1))) << i;
+  }
+}
+
 TEST(GoniometerGrid, FluxBetweenPlanesIsDividedByTheirDistance) {
   const Goniometer g = grid();
   struct Case {

@@ -36,6 +36,21 @@ TEST_F(GoodFile, PunctualLights) {
   expect_near(point(scene.lights[0].to_world, 0, 0, -1), {0, 1, 3});  // local -Z without rotation is north
 }
 
+// As Blender and three.js write spots with a sharp edge, and of 180 degrees.
+TEST_F(GoodFile, SpotsMayHaveSharpEdges) {
+  SceneBuilder builder;
+  const double wide = double(float(1.57079632679489662));
+  builder.doc["extensions"]["KHR_lights_punctual"]["lights"] =
+      json::array({{{"type", "spot"}, {"spot", {{"innerConeAngle", 1.0471975511965976}, {"outerConeAngle", 1.0471975511965976}}}},
+                   {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", wide}}}}});
+  for (int i = 0; i < 2; ++i) builder.add_node({{"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}});
+  import(builder);
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_LT(scene.lights[0].inner_cone_rad, scene.lights[0].outer_cone_rad);
+  EXPECT_FLOAT_EQ(scene.lights[0].inner_cone_rad, 1.0471976f);
+  EXPECT_FLOAT_EQ(scene.lights[1].outer_cone_rad, float(wide));
+}
+
 TEST_F(GoodFile, LuminairesTakeTheTiltFileBesideThem) {
   SceneBuilder builder;
   write("lamp.ies", "TILT=C:\\data\\HID.tlt");

@@ -123,10 +123,10 @@ class LocalQuantities {
     const auto arriving = [&](const Vec3d& d) { return mirror_ ? normalize(x_1.p - at_mirror_) : d; };
     if (e.is_directional()) {
       path_.emitter = EmitterType::directional;
-      x_0_ = x_1.p + Vec3d(s.wi) * (4.0 * scene().radius);
+      x_0_ = towards + Vec3d(s.wi) * (4.0 * scene().radius);
       const double guided = guide_.factor(scene().emitters, r_.emitter, reference, 0, -s.wi);
       path_.disc_area = 1 / (s.pdf_position_a * guided);
-      path_.nee_a = choose(-Vec3d(s.wi));
+      path_.nee_a = choose(arriving(-Vec3d(s.wi)));
     } else if (e.is_delta()) {
       path_.emitter = EmitterType::point;
       x_0_ = Vec3d(e.center());
@@ -146,7 +146,7 @@ class LocalQuantities {
           double(hit.pdf_direction_w) * guide_.factor(scene().emitters, r_.emitter, Vec3(x_0_), primitive, Vec3(d));
       path_.nee_a = choose(arriving(d)) * hit.pdf_nee_a;
     }
-    if (mirror_) path_.pdf_to_sensor[0] *= mirrored_share();
+    if (mirror_) path_.pdf_to_sensor[0] *= mirrored_share(), path_.disc_area /= mirrored_share();
   }
 
   // Of a luminous opening, a box along the axes: the face that x_0 lies on, either side of it.

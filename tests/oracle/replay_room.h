@@ -55,10 +55,10 @@ class RoomBuilder {
     const auto vec = [](const P3& a) { return Vec3d{a.x, a.y, a.z}; };
     panes_.push_back({vec(corner), vec(u), vec(v), materials_ - 1});
   }
-  void add_light(ups_light_kind kind, const P3& p, float intensity, double tilt = 0) {
+  void add_light(ups_light_kind kind, const P3& p, float intensity, double tilt = 0, double turn = 0) {
     ups_light_desc light{};
     light.kind = kind;
-    place(light.to_world, p, tilt);
+    place(light.to_world, p, tilt, turn);
     std::fill_n(light.intensity_rgb, 3, intensity);
     light.outer_cone_rad = 0.8f;
     description_.add_light(light);
@@ -113,8 +113,9 @@ class RoomBuilder {
   }
 
  private:
-  static void place(double (&m)[12], const P3& p, double tilt = 0) {  // about x
-    const double c = std::cos(tilt), s = std::sin(tilt), at[12] = {1, 0, 0, p.x, 0, c, -s, p.y, 0, s, c, p.z};
+  static void place(double (&m)[12], const P3& p, double tilt = 0, double turn = 0) {  // about x, then z
+    const double c = std::cos(tilt), s = std::sin(tilt), x = std::cos(turn), y = std::sin(turn),
+                 at[12] = {x, -y * c, y * s, p.x, y, x * c, -x * s, p.y, 0, s, c, p.z};
     std::copy(std::begin(at), std::end(at), m);
   }
   Description description_;
@@ -166,7 +167,7 @@ inline Room make_room(bool nested, Cells cells) {
   b.add(quad({3.2, 1.8, 1.7}, {0.6, 0, 0.1}, {0, 0.8, 0}), diffuser);
   b.add_light(UPS_LIGHT_POINT, {3.3, 2.8, 2.2}, 100);
   b.add_light(UPS_LIGHT_SPOT, {1.8, 0.6, 2.8}, 300);
-  b.add_light(UPS_LIGHT_DIRECTIONAL, {}, 30, 0.9);  // from -y, through the window
+  b.add_light(UPS_LIGHT_DIRECTIONAL, {}, 30, 0.9, 0.5);  // through the window, to the mirror too
   b.add_luminaire({2.8, 1.2, 2.6}, true);
   b.add_luminaire({1.0, 3.0, 2.7}, false);
   b.add_camera({2, 0.4, 1.9}, 48, 1.25);

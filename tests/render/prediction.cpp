@@ -49,7 +49,7 @@ class Simulation {
       const Spread value = spread(s.value, iterations_), bias = spread(s.bias, iterations_);
       const ups_meter_reading r{float(value.mean), float(value.standard_error), float(bias.mean),
                                 error_bound(value, bias, iterations_), 0, 0};
-      all.push_back(meter_error(r, 0.05, iterations_));
+      all.push_back(meter_error(r, 0, 0.05, iterations_));
       all.back().halves = float(log_ratio_of_halves(s.value, iterations_));
     }
     return all;
@@ -162,6 +162,25 @@ TEST(Prediction, IsRightAtAQuarterOfTheWay) {
   }
 }
 
+// Bounds on light that few paths have found fall as 1 / n, whatever else the error is made of.
+TEST(Prediction, BoundsOnUnfoundLightFallAsPathsDo) {
+  for (const double unfound : {0.12, 12.0})
+    for (const bool found : {false, true}) {
+      Prediction prediction(UPS_CRITERION_WORST, alpha);
+      const auto error = [&](double n) { return 0.0107 * std::sqrt(16 / n) + unfound * 16 / n; };
+      for (const double n : {16.0, 20.0, 25.0, 32.0}) {
+        const ups_meter_reading r{1, found ? float(0.005 * std::sqrt(16 / n)) : -1, 0, float(error(n)), 0, 0};
+        prediction.add_look({n, n, error(n)}, {meter_error(r, found ? unfound * 16 / n : 0, 0.05, 16)});
+      }
+      double n = 32;
+      while (error(n) > 0.02) n *= 1.01;
+      const Prediction::Expected e = prediction.expect(0.02);
+      EXPECT_NEAR(e.iterations / n, 1, 0.2) << unfound << " " << found;
+      EXPECT_LT(e.low, n) << unfound << " " << found;
+      EXPECT_GT(e.high, n) << unfound << " " << found;
+    }
+}
+
 // Noise that falls as n^(-1/3) makes 18 % of an error 60 % of the time; one meter's standard error is known no better
 // than that, whereas those of several have means. The intervals say so.
 TEST(Prediction, IntervalsHoldWhereLittleIsKnown) {
@@ -206,10 +225,10 @@ TEST(Prediction, OfNoiseWithoutItsOwnNoise) {
 // A bound t sqrt(s^2 + s_b^2) from merging alone, s_b = 2 s; from rays alone; one without a standard error.
 TEST(Prediction, TellsWhatMergingMakes) {
   const float t = float(t_quantile(16));
-  EXPECT_NEAR(meter_error({100, 1, 3, 3 + t * std::sqrt(5.0f), 0, 0}, 5, 16).merged, 1, 1e-4);
-  EXPECT_NEAR(meter_error({100, 1, 3, 3 + t * std::sqrt(5.0f), 0, 0}, 5, 16).deviations, 1.5, 1e-4);
-  EXPECT_NEAR(meter_error({100, 1, 0, t, 0, 0}, 5, 16).merged, 0, 1e-4);
-  const MeterError unknown = meter_error({100, -1, 0, 7, 0, 0}, 5, 16), dark = meter_error({1, 1, 1, 2, 0, 0}, 5, 16);
+  EXPECT_NEAR(meter_error({100, 1, 3, 3 + t * std::sqrt(5.0f), 0, 0}, 0, 5, 16).merged, 1, 1e-4);
+  EXPECT_NEAR(meter_error({100, 1, 3, 3 + t * std::sqrt(5.0f), 0, 0}, 0, 5, 16).deviations, 1.5, 1e-4);
+  EXPECT_NEAR(meter_error({100, 1, 0, t, 0, 0}, 0, 5, 16).merged, 0, 1e-4);
+  const MeterError unknown = meter_error({100, -1, 0, 7, 0, 0}, 0, 5, 16), dark = meter_error({1, 1, 1, 2, 0, 0}, 0, 5, 16);
   EXPECT_EQ(unknown.merged, 0);
   EXPECT_FLOAT_EQ(unknown.error(), 0.07f);
   EXPECT_FLOAT_EQ(dark.error(), 0.4f) << "bound / floor";

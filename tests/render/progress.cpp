@@ -105,6 +105,15 @@ TEST(Progress, LimitsOfTimeAndIterations) {
   }
 }
 
+// A target that no render would reach: its end is not known, nor is one that is months away.
+TEST(Progress, TellsNoEndOfAHopelessTarget) {
+  for (const double target : {1e-8, 1e-6})
+    for (const Told& t : run({0, 0, target}, 0.5, 0.1, 1, 2000)) {
+      ASSERT_EQ(t.remaining_s, -1) << target << ", iteration " << t.iterations;
+      ASSERT_EQ(t.fraction, 0);
+    }
+}
+
 // Meters that are visited in turn: what counts are passes.
 TEST(Progress, CountsPasses) {
   const std::vector<Told> all = run({1000, 0, 0.9, 5}, 0.5, 0, 1);

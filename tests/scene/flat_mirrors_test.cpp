@@ -103,7 +103,7 @@ TEST(FlatMirrors, ImagesAreChosenAsOftenAsIsSaid) {
         constexpr int count = 1 << 14;
         std::vector<double> share(scene.flat_mirrors.images.size());
         for (int i = 0; i < count; ++i) {
-          const EmitterChoice c = choose_image(scene, r, (float(i) + 0.5f) / count);
+          const EmitterChoice c = choose_image(scene, r, (float(i) + 0.5f) / count, false);
           if (!(c.probability > 0)) continue;
           share[c.index] += 1.0 / count;
           EXPECT_NEAR(c.probability, image_probability(scene, r, c.index), 1e-5 * double(c.probability));
@@ -117,6 +117,46 @@ TEST(FlatMirrors, ImagesAreChosenAsOftenAsIsSaid) {
       }
     }
   }
+}
+
+// Chosen by itself; and of the lamps none is forgotten, however strong another one is.
+TEST(FlatMirrors, TheSunLeavesLampsTheirImages) {
+  RoomBuilder b;
+  b.add(quad({0, 0, 0}, {0, 0, 3}, {4, 0, 0}), mirror);
+  add_lamps(b, 3);
+  b.add_light(UPS_LIGHT_POINT, {3.5, 2, 2}, 1e7f);
+  b.add_light(UPS_LIGHT_DIRECTIONAL, {}, 1e5f, -0.9);  // towards the mirror
+  const Room room = b.build();
+  const Snapshot& scene = *room.scene;
+  const double frequency = double(scene.flat_mirrors.frequency);
+  const uint32_t sun = scene.flat_mirrors.image_of(4, 0);
+  ASSERT_NE(sun, none);
+  const Receiver r{Vec3(Vec3d{2, 0.5, 0} - scene.origin), {0, 0, 1}};
+  EXPECT_NEAR(image_probability(scene, r, sun), frequency, 1e-6);
+  double lamps = 0;
+  for (uint32_t i = 0; i < 4; ++i) {
+    const double p = image_probability(scene, r, scene.flat_mirrors.image_of(i, 0));
+    EXPECT_GE(p, 0.0249 * frequency) << i;
+    lamps += p;
+  }
+  EXPECT_NEAR(lamps, frequency, 1e-5);
+}
+
+// As long as all images can be weighed; else it is left to light paths.
+TEST(FlatMirrors, TheSunHasImagesInFewMirrors) {
+  for (const int mirrors : {30, 70})
+    for (const int lamps : {0, 1}) {
+      RoomBuilder b;
+      for (int i = 0; i < mirrors; ++i) b.add(quad({0.01 * i, 0.1 * i, 0}, {0, 0, 1}, {1, 0.01 * i, 0}), mirror);
+      add_lamps(b, lamps);
+      b.add_light(UPS_LIGHT_DIRECTIONAL, {}, 1e5f, -0.9);
+      const Room room = b.build();
+      const FlatMirrors& m = room.scene->flat_mirrors;
+      size_t of_sun = 0;
+      for (const FlatMirrors::Image& image : m.images) of_sun += image.far;
+      EXPECT_EQ(of_sun, mirrors == 30 ? 30u : lamps ? 0u : 64u) << mirrors << " " << lamps;
+      EXPECT_EQ(m.all_flat, mirrors == 30) << mirrors << " " << lamps;
+    }
 }
 
 // At 45 degrees to the axes: a lamp of 1.4 m, along the mirror and 0.28 m before it, and across it. An opening of 0.3 m by
@@ -199,14 +239,14 @@ TEST(FlatMirrors, WhereAPartIsShownTheWholeIsSeen) {
   for (int i = 0; i < 20000; ++i) {
     const Vec3 half(in(0, 0.8f), in(0, 0.8f), in(0, 0.8f)), center(in(-2, 2), half.y + in(1e-4f, 2), in(-2, 2)),
         p = Vec3(in(-2, 2), in(0.01f, 3), in(-2, 2)) - origin;
-    const FlatMirrors::Image image{0, 0, center - origin, length(half), half.y};
+    const FlatMirrors::Image image{0, 0, center - origin, length(half), half.y, false};
     const bool may = m.may_show(image, p);
     bool is = false;
     for (int k = 0; k < 64; ++k) {
       const auto corner = [&](int axis) { return k < 8 ? (k >> axis & 1 ? 1.0f : -1.0f) : in(-1, 1); };
       const Vec3 x = image.center + Vec3(half.x * corner(0), half.y * corner(1), half.z * corner(2));
       Vec3 at;
-      is |= plane.shows(x, p, at);
+      is |= plane.shows(x, false, p, at);
     }
     EXPECT_TRUE(may || !is) << i;
     seen += may, shown += is;

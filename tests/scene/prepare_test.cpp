@@ -44,11 +44,11 @@ struct Things {
     d.positions_m = position, d.normals = normal;
     description.add_meters(d);
   }
-  void point_light(const Vec3d& p) {
+  void point_light(const Vec3d& p, float cd = 1) {
     ups_light_desc d{};
     const double place[12] = {1, 0, 0, p.x, 0, 1, 0, p.y, 0, 0, 1, p.z};
     std::copy(std::begin(place), std::end(place), d.to_world);
-    for (float& i : d.intensity_rgb) i = 1;
+    for (float& i : d.intensity_rgb) i = cd;
     description.add_light(d);
   }
   // Below the nadir alone, 100 cd; a downlight with an opening or without.
@@ -288,6 +288,18 @@ TEST(Prepare, TellsHowSmallThePatchesAreThatLightMeetsFirst) {
   // Discs as large as the patch blur it a little.
   EXPECT_GT(near_a_wall.build()->effects.concentration, 0.6 * expected);
   EXPECT_LT(near_a_wall.build()->effects.concentration, 1.5 * expected);
+}
+
+// Of 3000 lamps every third is looked at, and the one that has nearly all the flux, wherever it stands among them.
+TEST(Prepare, TellsOfTheSmallPatchThatOneOfThousandsMakes) {
+  for (const int strong : {0, 1001}) {
+    Things things;
+    things.box(things.material(UPS_MATERIAL_MATTE), {-1, -1, -1}, {1, 1, 1});
+    for (int i = 0; i < 3000; ++i)
+      if (i == strong) things.point_light({0, 0, 0.99}, 1e6);
+      else things.point_light({0, 0, 0}, 1);
+    EXPECT_GT(things.build()->effects.concentration, 1000) << strong;
+  }
 }
 
 }  // namespace

@@ -126,21 +126,25 @@ TEST(Torture, FloorsScatterGrazingLight) {
   }
 }
 
-// A mirror shows the lamp to meters that face it, 0.3 to 0.9 mm above its plane, without chance. Methods without mirror
-// samples have no technique for it; of the sun's image photons alone would tell, of which none comes so.
-TEST(Torture, AFloorMirrorsAGrazingLamp) {
+// A mirror shows lamp and sun to meters that face them, 0.3 to 0.9 mm above its plane, without chance. Methods without
+// mirror samples have no technique for it, or photons alone, of which none comes so.
+TEST(Torture, AFloorMirrorsGrazingLight) {
   constexpr double x = -1.001, reflectance = 0.9;
   const std::vector<P3> at = {{x, 0, 3e-4}, {x, 0, 6e-4}, {x, 0, 9e-4}};
-  GrazedFloor f(mirror(reflectance), false);
-  const Sensor meters = f.scene.add_meters(at, {1, 0, 0});
-  double truth = 0;
-  for (const P3& p : at)
-    truth += 1000 * (far - x) / 3 *
-             (std::pow(std::hypot(far - x, height - p.z), -3) +
-              reflectance * std::pow(std::hypot(far - x, height + p.z), -3));
-  const std::vector<Result> results = survive("mirrored lamp", f.scene, {{.meters = meters, .noise = INFINITY}},
-                                              {.sppm_factor = 1, .methods = {UPS_METHOD_UPS, UPS_METHOD_AUTO}});
-  for (const Result& r : results) EXPECT_NEAR(r.statistics(meters).mean_lx, truth, 1e-5 * truth);
+  for (const bool sun : {false, true}) {
+    GrazedFloor f(mirror(reflectance), sun);
+    const Sensor meters = f.scene.add_meters(at, {1, 0, 0});
+    double truth = sun ? 1e5 * (1 + reflectance) * std::cos(elevation) : 0;
+    for (const P3& p : at)
+      truth += sun ? 0
+                   : 1000 * (far - x) / 3 *
+                         (std::pow(std::hypot(far - x, height - p.z), -3) +
+                          reflectance * std::pow(std::hypot(far - x, height + p.z), -3));
+    const std::vector<Result> results =
+        survive(sun ? "mirrored sun" : "mirrored lamp", f.scene, {{.meters = meters, .noise = INFINITY}},
+                {.sppm_factor = 1, .methods = {UPS_METHOD_UPS, UPS_METHOD_AUTO}});
+    for (const Result& r : results) EXPECT_NEAR(r.statistics(meters).mean_lx, truth, 1e-5 * truth);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "transport/iteration.h"
+#include "transport/pilot.h"
 
 namespace {
 
@@ -63,6 +64,44 @@ TEST(Plan, EveryPixelIsVisitedOncePerPass) {
     }
     for (uint32_t p = 0; p < width * height; ++p)
       ASSERT_EQ(visits[p], 1) << "pixel " << p << " of " << subsets << " subsets";
+  }
+}
+
+// A pixel meets all batches of the light paths, each of which may have rays of its own of a file, in turn.
+TEST(Plan, PixelsMeetAllBatchesOfLight) {
+  for (const uint32_t side : {4u, 182u, 257u, 363u, 512u, 1024u, 1920u}) {
+    Snapshot scene;
+    scene.cameras.emplace_back(Affine(), side, side, 1.0f, false);
+    Plan plan;
+    set_path_counts(scene, {}, UINT32_MAX, plan);
+    EXPECT_EQ(plan.camera_subsets % 2, 1u) << side;
+    EXPECT_LE(side * side / plan.camera_subsets, 1u << 15) << side;
+  }
+}
+
+// Tiles are judged with their neighbours: each of these squares has a pixel that a pilot visits, up to 1920 x 1080.
+TEST(Plan, APilotSeesAllOfAnImage) {
+  const std::pair<uint32_t, uint32_t> sizes[] = {{640, 480}, {1280, 720}, {1000, 1000}, {1920, 1080}, {4000, 300}};
+  for (const auto& [width, height] : sizes) {
+    Plan plan;
+    plan.camera_subsets = (width * height + pilot_paths - 1) / pilot_paths;
+    plan.pilot_shift = spread_shift(plan.camera_subsets);
+    const auto tiles = [](uint32_t pixels) { return int((pixels + Units::side - 1) / Units::side); };
+    const int columns = tiles(width), rows = tiles(height);
+    std::vector<bool> visited(size_t(columns) * size_t(rows));
+    plan.for_visited_pixels(0, width, height, [&](uint32_t, uint32_t pixel) {
+      visited[pixel / width / Units::side * size_t(columns) + pixel % width / Units::side] = true;
+    });
+    int without = 0;
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < columns; ++x) {
+        bool any = false;
+        for (int j = std::max(0, y - 1); j <= std::min(rows - 1, y + 1); ++j)
+          for (int i = std::max(0, x - 1); i <= std::min(columns - 1, x + 1); ++i)
+            any |= visited[size_t(j * columns + i)];
+        without += !any;
+      }
+    EXPECT_EQ(without, 0) << width << " x " << height;
   }
 }
 

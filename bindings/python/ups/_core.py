@@ -34,6 +34,7 @@ class Handle:
     def __init__(self, pointer: ctypes.c_void_p, destroy: Callable[[ctypes.c_void_p], None]):
         self._as_parameter_: ctypes.c_void_p | None = _Pointer(pointer.value)
         self._destroy = weakref.finalize(self._as_parameter_, destroy, pointer)
+        self._destroy.atexit = False  # a thread that nobody waits for, or an array, may still use it
 
     def close(self) -> None:
         self._as_parameter_ = None  # the library answers any later call with INVALID_ARGUMENT

@@ -4,8 +4,10 @@ Used by programs, as ups.Job, which Scene.start makes.
 """
 from __future__ import annotations
 
+import atexit
 import ctypes
 import math
+import weakref
 from typing import Callable, Union
 
 from . import _ffi
@@ -16,11 +18,26 @@ from ._progress import view_of
 from ._result import Result, read_curve
 from ._status import Error, check
 
+_running: weakref.WeakSet[Job] = weakref.WeakSet()
+
+
+@atexit.register
+def _end_jobs() -> None:
+    """At the end of the program: the library's threads stop before it is taken down. Others may still wait for a job."""
+    for job in list(_running):
+        lib.ups_job_cancel(job)
+        lib.ups_job_wait(job, 5000)
+
+
 Watcher = Union[bool, Callable[[_ffi.Progress], object]]
 
 
 class Job(Handle):
     """A render on the library's own threads; any thread may call. Closing it cancels it."""
+
+    def __init__(self, pointer: ctypes.c_void_p, destroy: Callable[[ctypes.c_void_p], None]):
+        super().__init__(pointer, destroy)
+        _running.add(self)
 
     def close(self) -> None:
         lib.ups_job_cancel(self)  # who waits in another thread gets CANCELLED, and what it waits for is destroyed then

@@ -45,7 +45,6 @@ class Result(Handle):
             return np.empty(shape, dtype)
         values: Any = (ctypes.c_char * (math.prod(shape) * dtype.itemsize)).from_address(addressof(first.contents))
         values.owner = owner
-        self._destroy.atexit = False  # else views would outlive it, at the end of the program
         return np.frombuffer(memoryview(values).toreadonly(), dtype).reshape(shape)
 
     def _meter_count(self, sensor: SensorId) -> int:

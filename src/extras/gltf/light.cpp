@@ -81,9 +81,15 @@ void Importer::add_punctual_light(const JsonReader& node, const Affine& frame) {
   } else if (type == "spot") {
     desc.kind = UPS_LIGHT_SPOT;
     const JsonReader spot = light.object_or_empty("spot");
-    desc.inner_cone_rad = float(spot.number("innerConeAngle", 0, 0, 2 * quarter_pi));
-    desc.outer_cone_rad = float(spot.number("outerConeAngle", quarter_pi, 0, 2 * quarter_pi));
-    if (!(desc.inner_cone_rad < desc.outer_cone_rad)) spot.fail("innerConeAngle", "must be less than outerConeAngle");
+    constexpr double half_pi = double(float(2 * quarter_pi));  // as exporters write it
+    desc.inner_cone_rad = float(spot.number("innerConeAngle", 0, 0, half_pi));
+    desc.outer_cone_rad = float(spot.number("outerConeAngle", quarter_pi, 0, half_pi));
+    if (desc.inner_cone_rad > desc.outer_cone_rad || desc.outer_cone_rad == 0)
+      spot.fail("innerConeAngle", "must be less than outerConeAngle");
+    if (desc.inner_cone_rad == desc.outer_cone_rad) {  // a sharp edge, by Blender and three.js
+      desc.inner_cone_rad = std::nextafter(desc.outer_cone_rad, 0.0f);
+      warn(spot.where() + ": innerConeAngle is outerConeAngle; it is taken to be a little less");
+    }
   } else {
     light.fail("type", "must be point, spot or directional");
   }
