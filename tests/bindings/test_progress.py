@@ -137,7 +137,7 @@ def test_a_program_may_end_beside_threads_that_wait():
             job = scene.start(time_limit_s=600)
             for timeout in (None, 100):
                 threading.Thread(target=job.wait, args=(timeout,), daemon=True).start()
-            while job.poll().iterations < 1:
+            while job.poll().fraction == 0:
                 pass
             """)
         assert process.wait(60) == 0
