@@ -179,9 +179,9 @@ TEST_P(FlatMirrorsInTheSun, TheySeeWhatStandsInTheWay) {
   expect(meters, render(), [&](size_t i) { return straight(n) + (i == 0 ? mirrored(n, 0.9) : 0); });
 }
 
-// Where the scene begins, seen by way of a small mirror at its end.
+// Where the scene begins, seen by way of a small mirror at its end: 20 m from that, in a scene of 16 m about its middle.
 TEST_P(FlatMirrorsInTheSun, TheySeeWhatIsFarOff) {
-  const P3 n{0, 0, 1}, before{0.3, 6, 0}, mirrors = place(before), screens = mirrors - sun * 30;
+  const P3 n{0, 0, 1}, before{0.3, 8.4, 0}, mirrors = place(before), screens = mirrors - sun * 20;
   scene.add(quad(mirrors - P3{0.05, 0, 0.05}, {0, 0, 0.1}, {0.1, 0, 0}), mirror(0.9));
   scene.add(quad(screens - P3{0.1, 0, 0.1}, {0.2, 0, 0}, {0, 0, 0.2}), matte(0));
   const Sensor meters = scene.add_meters({before}, n);

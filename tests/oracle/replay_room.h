@@ -139,6 +139,7 @@ inline Room make_room(bool nested, Cells cells) {
   b.add_pane({0, 0, 0}, {4, 0, 0}, {0, 0, 3}, 0.8f);              // the window
   b.add_pane({0.9, 1.2, 2.3}, {1.5, 0, 0}, {0, 1.6, 0.1}, 0.6f);  // below the lamp
   b.add_pane({0.8, 1.1, 2.1}, {1.7, 0, 0}, {0, 1.8, 0.1}, 0.7f);  // and below that
+  b.add_pane({0.6, 1.0, 0.4}, {0, 1.2, 0}, {0, 0, 0.8}, 0.7f);    // in the sun
   ups_material_desc lamp = make(UPS_MATERIAL_MATTE, 0.3f, 0);
   std::fill_n(lamp.luminance_cd_m2, 3, 4000.0f);
   b.add(quad({1.4, 1.7, 2.7}, {0, 0.5, 0}, {0.5, 0, 0}), lamp);

@@ -292,6 +292,7 @@ void compare(const Replay& replay, const Replayed& r, Random& random, Counted& c
   if (mirrored) add("mirrored");
   if (glossy) add("glossy casters");
   if (r.found.caustic > 0) add("caustics");
+  if (w.of_image && p.emitter == EmitterType::directional) add("image: sun");
   if (w.of_image)
     add("image: " + std::string(r.technique == Technique::hit            ? "hit"
                                 : r.technique == Technique::light_sample ? "light sample"
@@ -308,7 +309,7 @@ void run(const Options& options, const std::vector<std::string>& missing = {}) {
   for (const Replayed& r : replay.paths()) ASSERT_NO_FATAL_FAILURE(compare(replay, r, random, counted));
   size_t above = 0;
   double largest = 0;
-  for (const char* name : {"image: hit", "image: light sample", "image: others"})
+  for (const char* name : {"image: hit", "image: light sample", "image: others", "image: sun"})
     EXPECT_TRUE(counted[name].all >= (replay.looks_into_mirrors() ? enough : 0)) << name << ' ' << counted[name].all;
   std::vector<std::string> names = {"refracted", "mirrored", "glossy casters", "caustics"};
   for (const char* sensor : {"camera", "pixel", "meter", "cell", "solid point", "solid cell"})
