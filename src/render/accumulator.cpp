@@ -272,13 +272,12 @@ void Accumulator::add_statistics(const std::vector<MeterLight>& lights, MeterSet
     const uint32_t n = lights[m].visits;
     if (n == 0) continue;
     const MeterSums& sums = lights[m].sums;
-    const Spread& bias = lights[m].bias;
-    const double of_neighbours = bias.mean - spread(sums.bias, n).mean;  // no batch's
     double means[batch_count] = {}, biases[batch_count] = {};
     for (uint32_t b = 0; b < batches.used(); ++b) {
       means[b] = sums.value[b] / visits_of_batch(n, b);
-      biases[b] = sums.bias[b] / visits_of_batch(n, b) + of_neighbours;
+      biases[b] = sums.bias[b] / visits_of_batch(n, b);
     }
+    const Spread& bias = lights[m].bias;
     const bool known = readings[m].standard_error_lx >= 0;
     const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean));
     batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] + sums.rounding / n : all,

@@ -10,7 +10,7 @@ namespace ups {
 
 namespace {
 
-constexpr uint32_t most_parts = 32, least_paths_of_part = 1024;
+constexpr uint32_t most_parts = 32, least_paths_of_part = 1024;  // of more than the batches
 
 }  // namespace
 
@@ -18,7 +18,7 @@ FluxPass::FluxPass(const Snapshot& scene, ThreadPool& pool, uint64_t seed, uint3
     : scene_(scene), pool_(pool), seed_(seed) {
   if (paths == 0) return;
   const uint32_t all = std::bit_ceil(paths);
-  parts_ = std::clamp(all / least_paths_of_part, 1u, most_parts);
+  parts_ = std::clamp(all / least_paths_of_part, std::min(all, batch_count), most_parts);
   paths_of_part_ = all / parts_;
 }
 

@@ -35,15 +35,16 @@ bool images_suffice(const SceneEffects& e, const Sensors& s) {
   return e.images_suffice && e.concentration < concentrated && !s.goniometers;
 }
 
-// Why a technique is off. allowed: those that the caller left, where the caller named any.
-std::string why_off(const Snapshot& scene, const Sensors& s, uint32_t technique, bool was_automatic, uint32_t allowed) {
+// Why a technique is off. on: those that are not; allowed: those that the caller left, where the caller named any.
+std::string why_off(const Snapshot& scene, const Sensors& s, uint32_t technique, uint32_t on, bool was_automatic,
+                    uint32_t allowed) {
   const SceneEffects& e = scene.effects;
   if (!(allowed & technique)) return "not in the set (the techniques asked for leave it out)";
   if (!was_automatic) return "not in the set (the method asked for leaves it out)";
   if (!s.cameras && !s.points && !s.cells) return "not in the set: a goniometer counts what light paths carry out";
   if (technique & (hit | light_sample | mirror_sample)) return "not in the set";
   const std::string cost = "light paths would cost more than they bring";
-  if (!e.path_tracing_complete) return "for this " + cost;
+  if (!e.path_tracing_complete || (on & (connect | sensor_connect | merge | sensor_hit))) return "for this " + cost;
   return std::string(technique == merge ? "no photon index and no merging: " : "") +
          (!e.sharp_caster ? "no surface is specular or nearly so: eye paths find all light, "
           : scene.flat_mirrors.complete ? "eye paths find all light, lights' images in flat mirrors too: "
@@ -54,7 +55,7 @@ std::string why_off(const Snapshot& scene, const Sensors& s, uint32_t technique,
 std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_automatic, uint32_t allowed) {
   std::string text;
   const auto describe = [&](uint32_t bit, const char* name, const std::string& on, const char* off = nullptr) {
-    const std::string why = off ? off : why_off(scene, s, bit, was_automatic, allowed);
+    const std::string why = off ? off : why_off(scene, s, bit, t, was_automatic, allowed);
     text += std::string(name) + (t & bit ? ": on, " + on : ": off, " + why) + "\n";
   };
   describe(hit, "emitter_hit", "eye paths that run into an emitter");

@@ -24,8 +24,8 @@ MeterError meter_error(const ups_meter_reading& reading, double unfound_lx, doub
 
 // The model: with r^2 ~ n^(alpha - 1) (Knaus, Zwicker 2011), what is estimated without merging has noise^2 ~ 1 / n,
 // merging noise^2 ~ n^-alpha and bias ~ n^(alpha - 1); bounds on what is unfound fall as 1 / n. How much of each meter's
-// error is which is known from its batches; a common factor, and a common exponent beside the model's with that as prior knowledge, are fitted to all
-// looks.
+// error is which is known from its batches; a common factor, and a common exponent beside the model's with that as prior
+// knowledge, are fitted to all looks.
 class Prediction {
  public:
   // ups_criterion of the render, resolved: not DEFAULT; alpha of the radius schedule.

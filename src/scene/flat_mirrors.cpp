@@ -40,8 +40,10 @@ struct Part {
     for (int k = 0; k < directions; ++k) {
       const double angle = k * (2 * double(pi) / directions);
       const Vec3d along = Vec3d(frame.s) * std::cos(angle) + Vec3d(frame.t) * std::sin(angle);
-      for (const Vec3d& p : triangle)
-        if (corners.empty() || dot(p, along) > dot(farthest[size_t(k)], along)) farthest[size_t(k)] = p;
+      for (const Vec3d& p : triangle) {
+        const bool first = corners.empty() && &p == triangle.data();
+        if (first || dot(p, along) > dot(farthest[size_t(k)], along)) farthest[size_t(k)] = p;
+      }
     }
     corners.insert(corners.end(), triangle.begin(), triangle.end());
   }

@@ -137,18 +137,33 @@ bool by_mirror(const Snapshot& scene, FirstLight& light) {
   return light.hit;
 }
 
-// Of one emitter. Pairs of points where its light arrives that lie within some distance r of each other give the mean
-// of E^2 over discs of that size: the largest over r, as long as there are pairs enough for a fifth's error. How far
-// the patches see is told by one bounce more.
-double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t rays, bool mirrored) {
+// Directional light that a mirror reflects: of rays all over a scene few would meet it.
+FirstLight light_by_plane(const Snapshot& scene, const Emitter& directional, const FlatMirrors::Plane& plane,
+                          uint32_t i) {
+  const auto u = philox({i, 3, 0, 0}, {0, 0});
+  const auto within = [](uint32_t number, float half) { return half * (2 * to_unit_float(number) - 1); };
+  const Vec3 at = plane.center + plane.s * within(u[0], plane.half_s) + plane.t * within(u[1], plane.half_t);
+  DirectSample s;
+  FirstLight out;
+  if (!directional.sample_direct(at, {0.5f, 0.5f}, s)) return out;
+  out.direction = -s.wi;
+  out.origin = at + s.wi * s.distance;
+  if (by_mirror(scene, out)) out.flux = 1;
+  return out;
+}
+
+// trace(i): the light of an emitter. Pairs of points where it arrives that lie within some distance r of each other give
+// the mean of E^2 over discs of that size: the largest over r, as long as there are pairs enough for a fifth's error. How
+// far the patches see is told by one bounce more.
+template <class Trace>
+double concentration(const Snapshot& scene, uint32_t rays, const Trace& trace) {
   constexpr uint32_t least_pairs = 25;
   std::vector<Vec3> points;
   double reach2 = 0;
   uint32_t arrived = 0;
   for (uint32_t i = 0; i < rays; ++i) {
-    FirstLight light = first_light(scene, emitter, i);
-    if (!(light.flux > 0) || (mirrored && !by_mirror(scene, light))) continue;
-    if (!light.hit || !is_continuous(scene, light.surface)) continue;
+    const FirstLight light = trace(i);
+    if (!(light.flux > 0) || !light.hit || !is_continuous(scene, light.surface)) continue;
     points.push_back(light.surface.p);
     const auto u = philox({i, 2, 0, 0}, {0, 0});
     const double d2 = reach2_from(scene, light, {to_unit_float(u[0]), to_unit_float(u[1])});
@@ -172,6 +187,25 @@ double concentration(const Snapshot& scene, const Emitter& emitter, uint32_t ray
   return most;
 }
 
+// By way of flat mirrors in which it has images.
+double mirrored_concentration(const Snapshot& scene, uint32_t emitter, uint32_t rays) {
+  const Emitter& e = scene.emitters[emitter];
+  const FlatMirrors& mirrors = scene.flat_mirrors;
+  if (!e.is_directional())
+    return concentration(scene, rays, [&](uint32_t i) {
+      FirstLight light = first_light(scene, e, i);
+      if (!by_mirror(scene, light)) light.flux = 0;
+      return light;
+    });
+  double most = 0;
+  for (uint32_t plane = 0; plane < mirrors.planes.size(); ++plane)
+    if (mirrors.image_of(emitter, plane) != none)
+      most = std::max(most, concentration(scene, rays, [&](uint32_t i) {
+                        return light_by_plane(scene, e, mirrors.planes[plane], i);
+                      }));
+  return most;
+}
+
 }  // namespace
 
 float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>& probes, ThreadPool& pool) {
@@ -192,9 +226,10 @@ float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>
     const Emitter& emitter = scene.emitters[looked_at[i]];
     EmitterProbe& probe = probes[looked_at[i]];
     if (probe.concentration_rays != rays) {
-      probe.concentration = concentration(scene, emitter, rays, false);
+      probe.concentration = concentration(scene, rays, [&](uint32_t k) { return first_light(scene, emitter, k); });
       if (!scene.flat_mirrors.empty())
-        probe.concentration = std::max(probe.concentration, concentration(scene, emitter, rays, true));
+        probe.concentration =
+            std::max(probe.concentration, mirrored_concentration(scene, uint32_t(looked_at[i]), rays));
     }
     probe.concentration_rays = rays;
     found[i] = probe.concentration;

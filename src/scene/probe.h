@@ -34,9 +34,10 @@ FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i
 // goes to mirrors and clear glass, where next-event estimation cannot pick it up. From a fixed set of directions.
 float exposed_share(const Snapshot& scene, const Emitter& emitter);
 
-// How small the patches are that an emitter's light meets first, straight or by way of a flat mirror, of the emitter for which they are smallest: the integral
-// of E^2 over their area times the area that they can light, over the squared flux; from a fixed set of rays. About 2 in
-// a room that is lit evenly. Eye paths that scatter find such a patch by chance alone, once in about so many.
+// How small the patches are that an emitter's light meets first, straight or by way of a flat mirror, of the emitter for
+// which they are smallest: the integral of E^2 over their area times the area that they can light, over the squared flux
+// (of the sun's, that which the mirror reflects); from a fixed set of rays. About 2 in a room that is lit evenly. Eye
+// paths that scatter find such a patch by chance alone, once in about so many.
 // probes: by emitter; what they know is not found again, and what is found is added to them.
 float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>& probes, ThreadPool& pool);
 

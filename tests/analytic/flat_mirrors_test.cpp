@@ -213,6 +213,19 @@ TEST(FlatMirrorsAndBeams, LeaveSmallPatchesToPhotons) {
   }
 }
 
+// So is the sun's by way of a mirror of 4 cm, on a table in a court with half a roof.
+TEST(FlatMirrorsAndBeams, LeaveTheSunsSmallPatchesToPhotons) {
+  Scene scene;
+  scene.add(quad({-3, -2, 0}, {6, 0, 0}, {0, 4, 0}), matte(0.5));
+  scene.add(quad({-3, -2, 2.8}, {0, 4, 0}, {2.5, 0, 0}), matte(0.5));
+  scene.add(quad({-0.02, -0.02, 0.8}, {0.04, 0, 0}, {0, 0.04, 0}), mirror(0.9));
+  scene.add_directional({-0.6, 0, -0.8}, 1e5);
+  scene.add_meters({{1, 0, 0.8}}, {0, 0, 1});
+  const uint32_t techniques = scene.render({.method = UPS_METHOD_AUTO, .iterations = 16}).info().techniques;
+  EXPECT_TRUE(techniques & UPS_TECHNIQUE_MERGE);
+  EXPECT_TRUE(techniques & UPS_TECHNIQUE_MIRROR_SAMPLE);
+}
+
 // A luminaire as a point, by its table; sources apart.
 TEST(FlatMirrorsOfLuminaires, ShowThemByTheirTables) {
   Scene scene;

@@ -60,8 +60,8 @@ TEST(UnfinishedImage, ShowsNeighboursWhereNoPathWasTraced) {
   Scene scene;
   scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), matte(0.5));
   scene.add_point_light({0, 0, 3}, 100);
-  const Sensor camera = scene.add_camera({0, 0, 2}, {0, 0, -1}, 512, 512, 0.5, true);  // 8 subsets
-  const Result whole = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 8}),
+  const Sensor camera = scene.add_camera({0, 0, 2}, {0, 0, -1}, 512, 512, 0.5, true);  // 9 subsets
+  const Result whole = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 9}),
                part = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1});
   EXPECT_EQ(whole.text(UPS_TEXT_WARNINGS).find("neighbours"), std::string::npos);
   EXPECT_NE(part.text(UPS_TEXT_WARNINGS).find("neighbours"), std::string::npos);

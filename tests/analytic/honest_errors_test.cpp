@@ -167,23 +167,5 @@ TEST(HonestErrors, StatedErrorsOfASmallRoomHold) {
   EXPECT_NEAR(covered / renders, 0.95, 0.09) << "the mean";  // standard deviation 2.8 %
 }
 
-// Where the neighbours tell more of a meter's bias than its own photons do, the mean knows it, too: meters along the
-// edge of a shadow, by merging alone.
-TEST(HonestErrors, TheMeansBiasIsThatOfItsMeters) {
-  Scene scene;
-  scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0.5));
-  scene.add(quad({0, -3, 1}, {3, 0, 0}, {0, 6, 0}), matte(0));
-  scene.add_point_light({-0.5, 0, 2}, 1000);
-  std::vector<P3> at;
-  for (int i = 0; i < 60; ++i) at.push_back({0.45 + 0.002 * i, -1 + 2.0 * i / 60, 0.001});
-  const Sensor meters = scene.add_meters(at, {0, 0, 1});
-  const Result result = scene.render({.iterations = 32, .light_paths = 1u << 14, .techniques = UPS_TECHNIQUE_MERGE});
-  double bias = 0, size = 0;
-  for (const ups_meter_reading& r : result.readings(meters))
-    bias += double(r.bias_lx) / double(at.size()), size += std::abs(double(r.bias_lx)) / double(at.size());
-  EXPECT_GT(size, 0);
-  EXPECT_NEAR(result.statistics(meters).mean_bias_lx, bias, 1e-4 * size);
-}
-
 }  // namespace
 }  // namespace ups::test

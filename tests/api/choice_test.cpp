@@ -127,6 +127,7 @@ TEST_F(Choice, WordsSayWhyATechniqueIsOff) {
   const std::string measured = words(lamp, UPS_METHOD_AUTO, 0);
   EXPECT_FALSE(has(measured, "eye paths find all light")) << measured;
   scene.add(icosphere({2, 2, 1}, 0.3, 2), mirror(0.9));
+  scene.add(quad({2, 2, 2.7}, {0, 0.5, 0}, {0.5, 0, 0}), emitter(2000));
   const std::string mixed = words(scene, UPS_METHOD_AUTO, 0);
   EXPECT_TRUE(has(mixed, "merge: on")) << mixed;
   EXPECT_FALSE(has(mixed, "eye paths find all light")) << mixed;

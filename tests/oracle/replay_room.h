@@ -39,8 +39,8 @@ class RoomBuilder {
     ups_mesh_desc mesh{};
     mesh.vertex_count = uint32_t(shape.vertices.size());
     mesh.triangle_count = uint32_t(shape.triangles.size());
-    mesh.material = description_.add_material(m);
-    ++materials_;
+    if (!shares_material_) material_ = description_.add_material(m), ++materials_;
+    mesh.material = material_;
     mesh.positions_m = p.data(), mesh.indices = indices.data();
     if (!n.empty()) mesh.normals = n.data();
     ups_instance_desc instance{};
@@ -48,6 +48,7 @@ class RoomBuilder {
     place(instance.to_world, {});
     last_ = description_.add_instance(instance);
   }
+  void share_material() { shares_material_ = true; }  // of what was added last, from now on
   void add_pane(const P3& corner, const P3& u, const P3& v, float transmittance) {
     ups_material_desc m = material(UPS_MATERIAL_GLAZING);
     std::fill_n(m.transmittance_rgb, 3, transmittance);
@@ -120,6 +121,8 @@ class RoomBuilder {
   }
   Description description_;
   uint32_t materials_ = 0;
+  ups_material_id material_{};
+  bool shares_material_ = false;
   ups_instance_id last_{};
   std::vector<Pane> panes_;
 };

@@ -43,6 +43,24 @@ TEST(FlatMirrors, WhatLiesInOnePlaneIsOne) {
   EXPECT_NE(m.plane_of(0, 0), m.plane_of(1, 0));
 }
 
+// One by one, triangles whose planes lean by a tenth of a millimetre are two mirrors.
+TEST(FlatMirrors, WhatLeansIsNotInOnePlane) {
+  for (const double off : {0.0, 1e-4}) {
+    RoomBuilder b;
+    const auto triangle = [](const P3& p, const P3& q, const P3& r) {
+      Shape shape;
+      shape.vertices = {p, q, r};
+      shape.triangles = {{0, 1, 2}};
+      return shape;
+    };
+    b.add(triangle({2, 0, 0}, {2, 0, 2}, {0, 0, 2}), mirror);
+    b.share_material();
+    b.add(triangle({0, 0, 0}, {-2, -off, 0}, {0, 0, 2}), mirror);
+    b.add_light(UPS_LIGHT_POINT, {0, 1, 0}, 100);
+    EXPECT_EQ(b.build().scene->flat_mirrors.planes.size(), off > 0 ? 2u : 1u) << off;
+  }
+}
+
 TEST(FlatMirrors, ASlabHasSixThatAreNotComplete) {
   RoomBuilder b;
   b.add(box({0, 0, 0}, {1, 1, 0.01}), mirror);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "transport/iteration.h"
@@ -74,8 +75,18 @@ TEST(Plan, PixelsMeetAllBatchesOfLight) {
     scene.cameras.emplace_back(Affine(), side, side, 1.0f, false);
     Plan plan;
     set_path_counts(scene, {}, UINT32_MAX, plan);
-    EXPECT_EQ(plan.camera_subsets % 2, 1u) << side;
     EXPECT_LE(side * side / plan.camera_subsets, 1u << 15) << side;
+    const TransportSettings settings{};
+    const StopSignal stop;
+    for (uint32_t subset = 0; subset < plan.camera_subsets; ++subset) {
+      std::set<uint32_t> batches;
+      for (uint32_t pass = 0; pass < batch_count; ++pass) {
+        const Iteration in(scene, plan, settings, subset + pass * plan.camera_subsets, stop);
+        EXPECT_EQ(in.camera_visit.batch, pass);
+        batches.insert(in.light_visit.batch);
+      }
+      EXPECT_EQ(batches.size(), batch_count) << side << ", subset " << subset;
+    }
   }
 }
 
@@ -83,8 +94,10 @@ TEST(Plan, PixelsMeetAllBatchesOfLight) {
 TEST(Plan, APilotSeesAllOfAnImage) {
   const std::pair<uint32_t, uint32_t> sizes[] = {{640, 480}, {1280, 720}, {1000, 1000}, {1920, 1080}, {4000, 300}};
   for (const auto& [width, height] : sizes) {
+    Snapshot scene;
+    scene.cameras.emplace_back(Affine(), width, height, 1.0f, false);
     Plan plan;
-    plan.camera_subsets = (width * height + pilot_paths - 1) / pilot_paths;
+    set_path_counts(scene, {}, pilot_paths, plan);
     plan.pilot_shift = spread_shift(plan.camera_subsets);
     const auto tiles = [](uint32_t pixels) { return int((pixels + Units::side - 1) / Units::side); };
     const int columns = tiles(width), rows = tiles(height);
