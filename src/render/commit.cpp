@@ -65,16 +65,7 @@ CommitJob::~CommitJob() {
 void CommitJob::run() {
   std::shared_ptr<const SceneBuild> made;
   ups_job_state state = UPS_JOB_FAILED;
-  ups_status error = UPS_OK;
-  std::string message;
-  const auto keep = [&](ups_status code, const char* text) {
-    error = code;
-    try {
-      message = text;
-    } catch (const std::bad_alloc&) {
-      message = "out of memory";  // fits into a string that allocates nothing
-    }
-  };
+  JobError error;
   try {
     made = builds_->build(description_, *threads_.take(), monitor_);
     monitor_.check();
@@ -82,17 +73,13 @@ void CommitJob::run() {
     if (made) on_build_(*made);
   } catch (const Cancelled&) {
     state = UPS_JOB_CANCELLED;
-  } catch (const Error& e) {
-    keep(e.status(), e.what());
-  } catch (const std::bad_alloc&) {
-    keep(UPS_ERROR_OUT_OF_MEMORY, "out of memory");
-  } catch (const std::exception& e) {
-    keep(UPS_ERROR_INTERNAL, e.what());
+  } catch (...) {
+    error.keep();
   }
   builds_->end(state == UPS_JOB_FINISHED ? made : nullptr);
   const std::lock_guard lock(mutex_);
-  state_ = state, error_ = error;
-  message_.swap(message);
+  state_ = state, error_ = error.status;
+  message_.swap(error.message);
   elapsed_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   changed_.notify_all();
 }

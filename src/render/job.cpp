@@ -96,32 +96,18 @@ void RenderJob::start() {
 }
 
 void RenderJob::run() {
-  ups_status status = UPS_OK;
-  std::string message;
-  constexpr const char* short_text = "out of memory";  // fits into a string that allocates nothing
-  const auto keep = [&](ups_status code, const char* text) {
-    status = code;
-    try {
-      message = text;
-    } catch (const std::bad_alloc&) {
-      message = short_text;
-    }
-  };
+  JobError error;
   try {
     iterate();
-  } catch (const Error& e) {
-    keep(e.status(), e.what());
-  } catch (const std::bad_alloc&) {
-    keep(UPS_ERROR_OUT_OF_MEMORY, short_text);
-  } catch (const std::exception& e) {
-    keep(UPS_ERROR_INTERNAL, e.what());
+  } catch (...) {
+    error.keep();
   }
   if (integrator_) integrator_->end();
   const std::lock_guard lock(mutex_);
-  error_ = status;
-  error_message_.swap(message);
+  error_ = error.status;
+  error_message_.swap(error.message);
   ended_s_ = elapsed();
-  state_ = status != UPS_OK ? UPS_JOB_FAILED : stop_.is_cancelled() ? UPS_JOB_CANCELLED : UPS_JOB_FINISHED;
+  state_ = error.status != UPS_OK ? UPS_JOB_FAILED : stop_.is_cancelled() ? UPS_JOB_CANCELLED : UPS_JOB_FINISHED;
   changed_.notify_all();
 }
 

@@ -1,8 +1,10 @@
-// The threads of a job: the context's, or its own where they are to be fewer or humbler. Asked by job.cpp and commit.cpp.
+// The threads of a job: the context's, or its own where they are to be fewer or humbler; and the error that one ends with.
+// Asked by job.cpp and commit.cpp.
 #pragma once
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <string>
 
 #include "base/error.h"
@@ -29,6 +31,35 @@ struct JobThreads {
     if (low) platform::lower_priority();
     if (!low && (most == 0 || most == all)) return pool;
     return std::make_shared<ThreadPool>(most > 0 ? most : all);
+  }
+};
+
+struct JobError {
+  ups_status status = UPS_OK;
+  std::string message;
+
+  // What a catch block is in, where memory is gone, too.
+  void keep() {
+    try {
+      throw;
+    } catch (const Error& e) {
+      keep(e.status(), e.what());
+    } catch (const std::bad_alloc&) {
+      keep(UPS_ERROR_OUT_OF_MEMORY, short_text);
+    } catch (const std::exception& e) {
+      keep(UPS_ERROR_INTERNAL, e.what());
+    }
+  }
+
+ private:
+  static constexpr const char* short_text = "out of memory";  // fits into a string that allocates nothing
+  void keep(ups_status code, const char* text) {
+    status = code;
+    try {
+      message = text;
+    } catch (const std::bad_alloc&) {
+      message = short_text;
+    }
   }
 };
 

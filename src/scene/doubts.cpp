@@ -39,12 +39,9 @@ FlatTriangles find_flat_triangles(const Snapshot& scene, ThreadPool& pool) {
 double brightest_first_light_lx(const Snapshot& scene) {
   constexpr uint32_t rays = 16;
   constexpr size_t most = 256;
-  const size_t count = scene.emitters.size(), stride = (count + most - 1) / most;
-  const double strong = scene.emitters.flux_lm() / double(most);
   double brightest = -1;
-  for (size_t e = 0; e < count; ++e) {  // of many, the strong ones, and every other that stands for the rest
+  for (const uint32_t e : some_emitters(scene.emitters, most)) {
     const Emitter& emitter = scene.emitters[e];
-    if (e % stride != 0 && !(emitter.flux_lm() > strong)) continue;
     if (emitter.kind() == EmitterKind::area || emitter.is_directional()) continue;
     for (uint32_t i = 0; i < rays; ++i) {
       const FirstLight light = first_light(scene, emitter, i);

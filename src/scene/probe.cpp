@@ -64,6 +64,15 @@ Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n) {
   return p + n * (lies_on_glass(scene, p, n, error) ? -2 * error : 2 * error);
 }
 
+std::vector<uint32_t> some_emitters(const EmitterSet& emitters, size_t most) {
+  const size_t stride = (emitters.size() + most - 1) / most;
+  const double strong = emitters.flux_lm() / double(most);
+  std::vector<uint32_t> out;
+  for (size_t i = 0; i < emitters.size(); ++i)
+    if (i % stride == 0 || emitters[i].flux_lm() > strong) out.push_back(uint32_t(i));
+  return out;
+}
+
 FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i) {
   const auto a = philox({i, 0, 0, 0}, {0, 0}), b = philox({i, 1, 0, 0}, {0, 0});
   FirstLight out;
@@ -211,16 +220,13 @@ double mirrored_concentration(const Snapshot& scene, uint32_t emitter, uint32_t 
 float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>& probes, ThreadPool& pool) {
   constexpr double least_share = 1e-4;  // of all flux
   constexpr size_t few = 64, most = 1024;
-  const size_t count = scene.emitters.size(), stride = (count + most - 1) / most;
+  const size_t count = scene.emitters.size();
   const uint32_t rays = count > few ? 64 : 256;
-  double total = 0;
-  for (size_t i = 0; i < count; ++i) total += scene.emitters[i].flux_lm();
-  std::vector<size_t> looked_at;  // of many, the strong ones, and every other that stands for the rest
-  for (size_t i = 0; i < count; ++i) {
-    const double flux = scene.emitters[i].flux_lm();
-    if ((i % stride == 0 || flux > total / double(most)) && flux >= std::min(least_share, 0.1 / double(count)) * total)
-      looked_at.push_back(i);
-  }
+  const double least_lm = std::min(least_share, 0.1 / double(count)) * scene.emitters.flux_lm();
+  std::vector<uint32_t> looked_at = some_emitters(scene.emitters, most);
+  looked_at.erase(std::remove_if(looked_at.begin(), looked_at.end(),
+                                 [&](uint32_t e) { return !(scene.emitters[e].flux_lm() >= least_lm); }),
+                  looked_at.end());
   std::vector<double> found(looked_at.size());
   parallel_for(pool, found.size(), [&](size_t i) {
     const Emitter& emitter = scene.emitters[looked_at[i]];
@@ -229,7 +235,7 @@ float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>
       probe.concentration = concentration(scene, rays, [&](uint32_t k) { return first_light(scene, emitter, k); });
       if (!scene.flat_mirrors.empty())
         probe.concentration =
-            std::max(probe.concentration, mirrored_concentration(scene, uint32_t(looked_at[i]), rays));
+            std::max(probe.concentration, mirrored_concentration(scene, looked_at[i], rays));
     }
     probe.concentration_rays = rays;
     found[i] = probe.concentration;

@@ -30,6 +30,9 @@ struct FirstLight {
 };
 FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i);
 
+// Of more than `most` emitters the strong ones, and every other that stands for the rest; else all. In order.
+std::vector<uint32_t> some_emitters(const EmitterSet& emitters, size_t most);
+
 // The share of an emitter's flux that meets a surface with a diffuse or glossy lobe first, or none at all: what is left
 // goes to mirrors and clear glass, where next-event estimation cannot pick it up. From a fixed set of directions.
 float exposed_share(const Snapshot& scene, const Emitter& emitter);

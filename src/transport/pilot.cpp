@@ -96,10 +96,10 @@ class Pilot {
     for (uint32_t p = 0; p < pixels; ++p) m_.eye_share[units.of_pixel(camera, p)] += visits / pixels;
   }
 
+  static constexpr std::vector<double> Measured::*sums_of_unit[] = {
+      &Measured::variance, &Measured::independent, &Measured::of_light, &Measured::light, &Measured::caustic};
   void add_sums(const Measured& own, uint32_t other, uint32_t unit) {
-    for (auto sums : {&Measured::variance, &Measured::independent, &Measured::of_light, &Measured::light,
-                      &Measured::caustic})
-      (m_.*sums)[unit] += (own.*sums)[other];
+    for (const auto sums : sums_of_unit) (m_.*sums)[unit] += (own.*sums)[other];
     for (size_t k = 0; k < sets_; ++k) m_.excess[unit][k] += own.excess[other][k];
   }
 
@@ -107,6 +107,7 @@ class Pilot {
   void pool_tiles(const Measured& own, size_t camera) {
     const Units& units = plan_.units;
     const auto columns = int(units.columns(camera)), rows = int(units.tiles(camera)) / columns;
+    std::vector<uint32_t> unvisited;
     for (int y = 0; y < rows; ++y)
       for (int x = 0; x < columns; ++x) {
         const uint32_t unit = units.begin(camera) + uint32_t(y * columns + x);
@@ -118,21 +119,17 @@ class Pilot {
             add_sums(own, other, unit);
             visits += visits_[other];
           }
-        if (visits == 0) unvisited_.push_back(unit);
+        if (visits == 0) unvisited.push_back(unit);
       }
-    if (unvisited_.empty()) return;
-    const uint32_t first = unvisited_[0];
-    reset_sums(first);
+    if (unvisited.empty()) return;
+    const uint32_t first = unvisited[0];
+    for (const auto sums : sums_of_unit) (m_.*sums)[first] = 0;
+    m_.excess[first].assign(sets_, 0.0);
     for (uint32_t u = units.begin(camera); u < units.end(camera); ++u) add_sums(own, u, first);
-    const Measured all = m_;
-    for (const uint32_t unit : unvisited_) reset_sums(unit), add_sums(all, first, unit);
-    unvisited_.clear();
-  }
-  void reset_sums(uint32_t unit) {
-    for (auto sums : {&Measured::variance, &Measured::independent, &Measured::of_light, &Measured::light,
-                      &Measured::caustic})
-      (m_.*sums)[unit] = 0;
-    m_.excess[unit].assign(sets_, 0.0);
+    for (const uint32_t unit : unvisited) {
+      for (const auto sums : sums_of_unit) (m_.*sums)[unit] = (m_.*sums)[first];
+      m_.excess[unit] = m_.excess[first];
+    }
   }
 
   const Snapshot& scene_;
@@ -141,7 +138,6 @@ class Pilot {
   Measured m_;
   std::vector<std::vector<Point>> points_;  // cameras' pixels, then sets' meters
   std::vector<uint32_t> visits_;            // by unit, of tiles: pixels
-  std::vector<uint32_t> unvisited_;         // tiles of a camera
 };
 
 }  // namespace
