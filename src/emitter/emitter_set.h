@@ -19,6 +19,9 @@ class EmitterSet {
   // Whether `exposed` makes a difference for so many emitters.
   static bool uses_exposed(size_t count) { return count > 1 && count <= LightTree::max_listed; }
 
+  // Whether next-event estimation chooses among so many by the nodes of a tree instead of by all of them.
+  static bool has_tree(size_t count) { return count > LightTree::max_listed; }
+
   size_t size() const { return emitters_.size(); }
   const Emitter& operator[](size_t i) const { return *emitters_[i]; }
   const std::shared_ptr<const Emitter>& shared(size_t i) const { return emitters_[i]; }
@@ -26,7 +29,8 @@ class EmitterSet {
   size_t bytes() const;
 
   using Choice = EmitterChoice;
-  // For a light path: in proportion to flux.
+  // For a light path: in proportion to flux, where there are directional emitters and others no less than a quarter for
+  // each kind.
   Choice choose_emission(double u) const;
   float emission_probability(size_t i) const;
   // For next-event estimation at a point: by about what each emitter would bring there, see light_tree.h. Never one
@@ -42,7 +46,7 @@ class EmitterSet {
 
  private:
   std::vector<std::shared_ptr<const Emitter>> emitters_;
-  DiscreteDistribution by_flux_;
+  DiscreteDistribution emission_;
   double flux_lm_ = 0;
   LightTree direct_[2];  // near, far
   bool has_direct_[2] = {};

@@ -10,12 +10,12 @@
 namespace ups {
 namespace {
 
-constexpr double by_flux = 0.25;      // of the choice of emitter: no more than four times the noise where training errs
-constexpr double uniform = 0.2;       // of every histogram
-constexpr double aimed = 0.2;         // of one that has aims
-constexpr uint32_t coarsest = 2;      // 4 x 4
-constexpr double least_gain = 1.2;    // of a histogram, in variance: less is not worth looking densities up
-constexpr size_t paths_per_cell = 8;  // of the cells that are worth anything
+constexpr double as_untrained = 0.25;  // of the choice of emitter: no more than four times the noise where training errs
+constexpr double uniform = 0.2;        // of every histogram
+constexpr double aimed = 0.2;          // of one that has aims
+constexpr uint32_t coarsest = 2;       // 4 x 4
+constexpr double least_gain = 1.2;     // of a histogram, in variance: less is not worth looking densities up
+constexpr size_t paths_per_cell = 8;   // of the cells that are worth anything
 constexpr size_t most_numbers = size_t(1) << 21;  // of all histograms: 8 MB
 
 size_t numbers(uint32_t n) { return size_t(n) * (n + 1); }
@@ -177,17 +177,17 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
       }
 
   cumulative_.reserve(total);
-  std::vector<double> worth(emitters.size()), flux(emitters.size());
-  double worth_sum = 0, flux_sum = 0;
+  std::vector<double> worth(emitters.size()), untrained(emitters.size());
+  double worth_sum = 0, untrained_sum = 0;
   for (size_t i = 0; i < emitters.size(); ++i) {
     if (is_dark(i)) continue;
     worth_sum += worth[i] = std::sqrt(fill(histograms_[i], training, i, begin[i], begin[i + 1]));
-    flux_sum += flux[i] = std::max(0.0, emitters[i].flux_lm());
+    untrained_sum += untrained[i] = emitters.emission_probability(i);
   }
-  const double share = worth_sum > 0 ? by_flux : 1;
+  const double share = worth_sum > 0 ? as_untrained : 1;
   for (size_t i = 0; i < emitters.size(); ++i)
     worth[i] =
-        (flux_sum > 0 ? share * flux[i] / flux_sum : 0) + (worth_sum > 0 ? (1 - share) * worth[i] / worth_sum : 0);
+        (untrained_sum > 0 ? share * untrained[i] / untrained_sum : 0) + (worth_sum > 0 ? (1 - share) * worth[i] / worth_sum : 0);
   choice_ = DiscreteDistribution(worth);
 }
 

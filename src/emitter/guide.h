@@ -18,7 +18,7 @@ class GuideTraining;
 // One per render, frozen while it is used. The emitters are always those that it was made for.
 class EmissionGuide {
  public:
-  EmissionGuide() = default;  // as without: by flux, no histograms
+  EmissionGuide() = default;  // as without: EmitterSet::choose_emission, no histograms
   // dark: of each emitter, whether no light path may start from it, as all of its light is found otherwise; empty:
   // none.
   EmissionGuide(const EmitterSet& emitters, GuideTraining training, std::span<const uint8_t> dark = {});

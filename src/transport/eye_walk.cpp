@@ -241,7 +241,7 @@ void EyeWalk::add(const Contribution& c, const Rgb& unweighted, double pass, flo
   tally_.add(value);
   if (is_direct) tally_.direct += lx;
   if (sensor_.techniques) sensor_.techniques->add(c.technique, sensor_.pixel, value, unweighted);
-  if (sensor_.excess) in_.moments->add(lx * sensor_.share, c.relative(pass), sensor_.excess);
+  if (sensor_.excess) in_.moments->add(lx * sensor_.share, c.relative(pass), sensor_.camera, sensor_.excess);
   keep_separated(c.emitter, lx, is_direct ? lx : 0.0, 0.0);
 }
 

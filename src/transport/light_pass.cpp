@@ -86,7 +86,7 @@ LightPaths LightPass::trace(const Iteration& in, const SensorIndex& sensors, Thr
       tally.splats[s.camera].push_back(s.splat);
       if (in.moments) {
         const size_t tile = in.plan.units.of_pixel(s.camera, s.splat.pixel) - in.plan.units.begin(s.camera);
-        in.moments->add_light_path(luminance(s.splat.value), s.relative,
+        in.moments->add_light_path(luminance(s.splat.value), s.relative, true,
                         &tally.excess_of_splats[s.camera][tile * in.moments->row()]);
       }
       if (!tally.techniques.empty())
@@ -104,7 +104,7 @@ LightPaths LightPass::trace(const Iteration& in, const SensorIndex& sensors, Thr
       // A pilot takes whole discs: its photons are too few to choose by.
       tally.meters[e.set][e.visited].add(l.value);
       if (in.moments)
-        in.moments->add_light_path(l.value.value, l.relative,
+        in.moments->add_light_path(l.value.value, l.relative, false,
                                    &tally.excess_of_meters[e.set][e.visited * in.moments->row()]);
       if (columns) tally.separated[e.set][e.visited * columns + column].add(l.value);
     }

@@ -13,7 +13,7 @@ class Pilot {
  public:
   Pilot(const Snapshot& scene, const Plan& plan, const Moments& moments)
       : scene_(scene), plan_(plan), sets_(moments.count()), row_(moments.row()), visits_(plan.units.count) {
-    for (auto* v : {&m_.variance, &m_.independent, &m_.of_light, &m_.eye_share, &m_.light, &m_.caustic})
+    for (auto* v : {&m_.variance, &m_.independent, &m_.on_discs, &m_.eye_share, &m_.light, &m_.caustic})
       v->resize(plan.units.count);
     m_.excess.assign(plan.units.count, std::vector<double>(sets_));
     for (const Camera& c : scene.cameras) points_.emplace_back(c.pixel_count());
@@ -28,15 +28,17 @@ class Pilot {
       plan_.for_visited_pixels(in.number, camera.width(), camera.height(), [&](uint32_t i, uint32_t pixel) {
         points_[c][pixel].of_iterations.add(luminance(tally.pixels[c][i]));
         ++visits_[units.of_pixel(c, pixel)];
-        take(units.of_pixel(c, pixel), &tally.excess_of_pixels[c][i * row_], 1, 1, points_[c][pixel]);
+        take(units.of_pixel(c, pixel), &tally.excess_of_pixels[c][i * row_], 1, 1, false, points_[c][pixel]);
       });
-      // An iteration sees one of camera_subsets times that a pixel gets splats between two visits.
+      // A visit's splats are the mean of camera_subsets iterations' (1 / subsets of one's variance), and fall on all
+      // pixels, of which one of camera_subsets is visited (as much again).
+      const double of_visited = 1.0 / plan_.camera_subsets;
       Point none;
       for (uint32_t t = 0; t < units.tiles(c); ++t)
-        take(units.begin(c) + t, &tally.excess_of_splats[c][t * row_], plan_.camera_subsets, 0, none);
+        take(units.begin(c) + t, &tally.excess_of_splats[c][t * row_], of_visited, 0, false, none);
       for (const Splat& s : tally.splats[c]) {
-        const double v = luminance(s.value);
-        m_.variance[units.of_pixel(c, s.pixel)] += v * v * plan_.camera_subsets / pilot_rounds;
+        const double v = luminance(s.value) * of_visited;
+        m_.variance[units.of_pixel(c, s.pixel)] += v * v / pilot_rounds;
       }
     }
     for (size_t s = 0; s < scene_.meter_sets.size(); ++s)
@@ -44,7 +46,8 @@ class Pilot {
         Point& point = points_[cameras + s][plan_.visited_meter(in.number, i)];
         point.of_iterations.add(tally.meters[s][i].value);
         m_.eye_share[units.of_set(s)] += plan_.meter_samples;
-        take(units.of_set(s), &tally.excess_of_meters[s][i * row_], 1, plan_.meter_samples, point);
+        take(units.of_set(s), &tally.excess_of_meters[s][i * row_], 1, plan_.meter_samples,
+             !scene_.meter_sets[s].is_cell(), point);
       }
     m_.all.add(tally.work);
     m_.light_work.add(tally.light_work);
@@ -78,10 +81,11 @@ class Pilot {
   struct Point {
     Sums of_iterations, of_paths;
   };
-  void take(uint32_t unit, const double* row, double scale, uint32_t eye_paths, Point& point) {
-    for (size_t j = 0; j < sets_; ++j) m_.excess[unit][j] += row[j] * scale / pilot_rounds;
-    m_.independent[unit] += row[sets_ + 2] * scale / pilot_rounds;
-    m_.of_light[unit] += row[sets_ + 2] * scale / pilot_rounds;
+  void take(uint32_t unit, const double* row, double scale, uint32_t eye_paths, bool on_discs, Point& point) {
+    const double square = scale * scale;
+    for (size_t j = 0; j < sets_; ++j) m_.excess[unit][j] += row[j] * square / pilot_rounds;
+    m_.independent[unit] += row[sets_ + 2] * square / pilot_rounds;
+    if (on_discs) m_.on_discs[unit] += row[sets_ + 2] * square / pilot_rounds;
     m_.light[unit] += row[sets_ + 3] * scale;
     m_.caustic[unit] += row[sets_ + 4] * scale;
     point.of_paths.sum += row[sets_], point.of_paths.square += row[sets_ + 1], point.of_paths.count += eye_paths;
@@ -97,7 +101,7 @@ class Pilot {
   }
 
   static constexpr std::vector<double> Measured::*sums_of_unit[] = {
-      &Measured::variance, &Measured::independent, &Measured::of_light, &Measured::light, &Measured::caustic};
+      &Measured::variance, &Measured::independent, &Measured::on_discs, &Measured::light, &Measured::caustic};
   void add_sums(const Measured& own, uint32_t other, uint32_t unit) {
     for (const auto sums : sums_of_unit) (m_.*sums)[unit] += (own.*sums)[other];
     for (size_t k = 0; k < sets_; ++k) m_.excess[unit][k] += own.excess[other][k];

@@ -9,9 +9,9 @@ namespace ups {
 
 // By unit.
 struct Measured {
-  std::vector<double> variance;             // of an iteration
+  std::vector<double> variance;             // of an iteration's visit, summed over the pixels or meters that are visited
   std::vector<double> independent;          // the same, had its samples not been stratified
-  std::vector<double> of_light;             // of that, by landings and splats, which all eye paths share
+  std::vector<double> on_discs;             // of that, by photons on point meters' discs, which all eye paths share
   std::vector<std::vector<double>> excess;  // of each set of techniques over `independent`
   std::vector<double> eye_share;            // of all eye paths
   std::vector<double> light, caustic;       // what was found, and by photons of caustics

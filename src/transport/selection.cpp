@@ -11,14 +11,14 @@
 
 namespace ups {
 
-void Moments::add(double value, const mis::Classes& relative, double* excess) const {
-  const double square = value * value, sum = relative.sum();
+void Moments::add(double value, const mis::Classes& relative, bool camera, double* excess) const {
+  const double square = value * value, sum = relative.sum(), light = relative.light * (camera ? splats_ : landings_);
   if (!(square > 0) || !std::isfinite(square)) return;
   excess[count() + 3] += value;
   excess[count() + 4] += value * relative.caustic / sum;
   for (size_t j = 0; j < sets_.size(); ++j) {
     const mis::Classes& f = sets_[j];
-    const double own = f.eye * relative.eye + f.connect * relative.connect + f.light * relative.light +
+    const double own = f.eye * relative.eye + f.connect * relative.connect + f.light * light +
                        f.caustic * relative.caustic + f.merge * relative.merge;
     excess[j] += own > 0 ? square * (sum / own - 1) : INFINITY;  // where the set has no technique for the path
   }
@@ -31,17 +31,18 @@ namespace {
 constexpr double most_caustic = 0.02;
 // Nor does it see what eye paths find once in a while only; that of light paths does, and says how much it would be.
 constexpr double most_excess = 20;  // over the variance of all techniques
-// Below, the choice stays as it would be without a pilot: what a few photons predict has been wrong by up to 1.8.
-constexpr double least_gain = 2;
-// Over all techniques: beside gloss 2 to 2.5 was foretold, and 0.6 to 0.75 came; where it came, 3.9 and more.
-constexpr double least_gain_over_all = 3;
+// Below, the choice stays as it would be without a pilot, whose predictions differ by so much from one another.
+constexpr double least_gain = 1.25;
+// Over all techniques: up to 2 is foretold where nothing comes of it, as photons beyond a pilot's are not counted on; where
+// it comes, 2.2 and more.
+constexpr double least_gain_over_all = 2;
 
 // A set of techniques that a sensor's part may take, at a share of the light paths.
 struct Candidate {
   double light_paths;  // over those of the plan
   TechniqueShare share;
   bool needs_whole_paths() const { return share.connect || share.light || share.merge == TechniqueShare::merge_all; }
-  // More photons than a pilot's are not taken to help: they share their noise with each other.
+  // More photons than a pilot's are not taken to help merging: they share their noise with each other.
   mis::Classes counts() const {
     return {.eye = 1,
             .connect = double(share.connect),
@@ -87,27 +88,33 @@ std::vector<Candidate> candidates(const TransportSettings& s) {
 struct Costs {
   double eye = 0, connect = 0, merge = 0, light = 0, caustic_light = 0;
 };
-// The pilot's, as an iteration of the plan would have them. eye, photons: numbers of paths over those of a round.
-Costs costs_of(const Measured& m, double eye, double photons) {
-  constexpr double start = 4;  // of a light path: its emitter and direction
-  const double light_rays = double(m.light_work.rays), vertices = double(m.light_work.light_vertices),
-               paths = std::max<double>(1, double(m.light_work.light_paths)), landings = double(m.light_work.merges);
-  const double of_eye = eye / pilot_rounds, of_light = photons / pilot_rounds;
+// Those of pilots, as an iteration of the plan would have them. alone: by eye paths alone, in the same pixels and at the
+// same meters. paths, photons: numbers of eye paths and light paths over those of a round. The factors are fitted to
+// processor times of boxes, offices and the bathroom by five sets of techniques; the sum of all over eye paths alone
+// comes within a third (samples/evaluation/README.md).
+Costs costs_of(const Measured& m, const Measured& alone, double paths, double photons, size_t emitters, bool merges) {
+  constexpr double start = 2;  // of a light path: its emitter and direction
+  const double choosing = EmitterSet::has_tree(emitters) ? 2.8 : 0.0;  // an emitter by the light tree, an eye path's ray
+  const double stored = merges ? 1.25 : 0.25;  // a light vertex: written, and sorted into a grid
+  const double light_paths = double(m.light_work.light_paths), landings = double(m.light_work.merges);
+  const double of_eye = paths / pilot_rounds, of_light = photons / pilot_rounds;
   Costs c;
-  c.eye = of_eye * (double(m.all.rays) - light_rays - double(m.all.connections));
-  c.connect = of_eye * double(m.all.connections) * (1 + 0.25 * vertices / paths);
-  c.merge = of_eye * (0.5 * photons * (double(m.all.merges) - landings) + 0.2 * double(m.all.eye_paths));
-  c.light = of_light * (start * paths + light_rays + 0.5 * vertices + 0.5 * eye * landings);
-  c.caustic_light = of_light * (start * paths + 1.5 * double(m.light_work.caster_rays));
+  c.eye = of_eye * (1 + choosing) * (double(alone.all.rays) - double(alone.light_work.rays));
+  c.connect = of_eye * double(m.all.connections);  // most share the shadow rays of next-event estimation
+  c.merge = of_eye * (0.5 * photons * (double(m.all.merges) - landings)) + 0.1 * c.eye / (1 + choosing);
+  c.light = of_light * (start * light_paths + double(m.light_work.rays) +
+                        stored * double(m.light_work.light_vertices) + 0.5 * paths * landings);
+  c.caustic_light = of_light * (start * light_paths + 1.5 * double(m.light_work.caster_rays));
   return c;
 }
 
 class Chooser {
  public:
   // photons: light paths of the plan over those of an iteration of the pilot.
-  Chooser(const Snapshot& scene, const Plan& plan, const std::vector<Candidate>& all, const Measured& m,
-          const Measured& eye, double photons, bool trusts_eye_paths)
-      : units_(plan.units), all_(all), m_(m), eye_(eye), photons_(photons), trusts_eye_paths_(trusts_eye_paths),
+  Chooser(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, const std::vector<Candidate>& all,
+          const Measured& m, const Measured& eye, double photons)
+      : units_(plan.units), all_(all), m_(m), eye_(eye), photons_(photons),
+        trusts_eye_paths_(settings.prefers_eye_paths),
         needs_landings_(units_.count) {
     double paths = 0;
     for (const Camera& c : scene.cameras)
@@ -121,7 +128,8 @@ class Chooser {
       const uint32_t units = units_.end(s) - units_.begin(s);
       weight_.insert(weight_.end(), units, 1.0 / (double(units) * double(units_.sensors())));
     }
-    cost_ = costs_of(m, paths * pilot_rounds / std::max<double>(1, double(m.all.eye_paths)), photons);
+    cost_ = costs_of(m, eye, paths * pilot_rounds / std::max<double>(1, double(m.all.eye_paths)), photons,
+                     scene.emitters.size(), settings.has(UPS_TECHNIQUE_MERGE));
   }
 
   // The best at one number of light paths: mean variance x operations, to which each unit adds its part.
@@ -181,7 +189,7 @@ class Chooser {
   }
   // Eye paths alone have a pilot of their own: stratification helps them more than those that meet photons, and a guide
   // their photons. What leaving out others, or photons of theirs, adds to the variance is told by moments. The noise of
-  // what lands or is splatted falls with the number of light paths.
+  // what lands or is splatted falls with the number of light paths, as do other techniques' weights there.
   double variance(uint32_t u, size_t j) const {
     if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
     const double traced = m_.independent[u];
@@ -191,8 +199,8 @@ class Chooser {
       return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0);
     }
     if (!(traced > 0)) return m_.variance[u];
-    const double light = m_.of_light[u] / traced;
-    return m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, 1.0) * (1 - light + light / photons_);
+    const double on_discs = m_.on_discs[u] / traced;
+    return m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, 1 / photons_) * (1 - on_discs + on_discs / photons_);
   }
   // To the variance of all techniques, the first candidate's.
   double ratio(uint32_t u, size_t j) const {
@@ -254,14 +262,15 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   for (const Candidate& c : all) sets.push_back(c.counts());
   Measured m, eye;
   Selection out;
-  if (!run_pilot(scene, small, of_pilot, stop, trace, Moments(std::move(sets)), m)) return out;
+  const double splats = photons * plan.camera_subsets / small.camera_subsets;
+  if (!run_pilot(scene, small, of_pilot, stop, trace, Moments(std::move(sets), splats, photons), m)) return out;
   small.shares.assign(plan.units.count, eye_paths_alone(settings));
   small.guide = guide;
   small.light_paths = light_paths_of(plan, caustic_shares[1]);
   const double fewer = caustic_shares[0] / caustic_shares[1];
   if (!run_pilot(scene, small, of_pilot, stop, trace, Moments({{.eye = 1, .caustic = fewer}}), eye)) return out;
 
-  const Chooser chooser(scene, plan, all, m, eye, photons, settings.prefers_eye_paths);
+  const Chooser chooser(scene, plan, settings, all, m, eye, photons);
   const double whole = chooser.operations_of_all();
   Chooser::Outcome best, plain;
   const auto take = [](Chooser::Outcome& of, Chooser::Outcome o) {

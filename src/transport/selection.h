@@ -15,7 +15,9 @@ namespace ups {
 // Second moments of sets of techniques, beyond that of the set that is traced.
 class Moments {
  public:
-  explicit Moments(std::vector<mis::Classes> sets) : sets_(std::move(sets)) {}
+  // splats, landings: how many more of them there will be to an eye path than are traced.
+  explicit Moments(std::vector<mis::Classes> sets, double splats = 1, double landings = 1)
+      : sets_(std::move(sets)), splats_(splats), landings_(landings) {}
   size_t count() const { return sets_.size(); }
   // Of one sensor's row of sums: an excess a set, then of its eye paths sum and square, light paths' squares, and all
   // light and that by photons of caustics.
@@ -23,15 +25,16 @@ class Moments {
   void add_eye_path(double value, double* of_row) const {
     of_row[sets_.size()] += value, of_row[sets_.size() + 1] += value * value;
   }
-  void add_light_path(double value, const mis::Classes& relative, double* of_row) const {
-    add(value, relative, of_row);
+  void add_light_path(double value, const mis::Classes& relative, bool camera, double* of_row) const {
+    add(value, relative, camera, of_row);
     of_row[sets_.size() + 2] += value * value;
   }
   // A contribution of weight w = 1 / sum(relative densities) in the traced set: E[v^2] becomes E[v^2 D / D_j].
-  void add(double value, const mis::Classes& relative, double* excess) const;
+  void add(double value, const mis::Classes& relative, bool camera, double* excess) const;
 
  private:
-  std::vector<mis::Classes> sets_;  // counts of each class over those traced
+  std::vector<mis::Classes> sets_;  // counts of each class over those traced; light: over splats_ or landings_ times those
+  double splats_, landings_;
 };
 
 struct Selection {

@@ -210,11 +210,33 @@ TEST(EmitterSet, KeepsStratification) {
 }
 
 TEST(EmitterSet, EmissionIsByFlux) {
-  const EmitterSet set = mixed_set();
+  const EmitterSet mixed = mixed_set();
+  std::vector<std::shared_ptr<const Emitter>> lamps;
+  for (size_t i = 0; i < mixed.size(); ++i)
+    if (!mixed[i].is_directional()) lamps.push_back(mixed.shared(i));
+  ASSERT_GE(lamps.size(), 3u);
+  const EmitterSet set(lamps);
   double flux = 0;
   for (size_t i = 0; i < set.size(); ++i) flux += set[i].flux_lm();
   EXPECT_NEAR(set.flux_lm(), flux, 1e-6 * flux);
   for (size_t i = 0; i < set.size(); ++i) EXPECT_NEAR(set.emission_probability(i), set[i].flux_lm() / flux, 1e-6);
+}
+
+// The sun and lamps have a quarter of the light paths each at least, and by flux beyond that; among lamps by flux.
+TEST(EmitterSet, EmissionForgetsNeitherTheSunNorTheLamps) {
+  for (const float sun_lx : {1e-3f, 3.0f, 1e6f}) {
+    std::vector<std::shared_ptr<const Emitter>> emitters;
+    for (const float candela : {1.0f, 3.0f})
+      emitters.push_back(std::make_shared<PointEmitter>(Vec3(0, 0, 0), Rgb(candela), 0.0f));
+    emitters.push_back(std::make_shared<DirectionalEmitter>(Vec3(0, 0, -1), Rgb(sun_lx), 2.0f));
+    const EmitterSet set(std::move(emitters));
+    const double sun = set[2].flux_lm(), lamps = set[0].flux_lm() + set[1].flux_lm(),
+                 share = std::clamp(sun / (sun + lamps), 0.25, 0.75);
+    EXPECT_NEAR(set.flux_lm(), sun + lamps, 1e-6 * (sun + lamps));
+    EXPECT_NEAR(set.emission_probability(2), share, 1e-6) << sun_lx;
+    EXPECT_NEAR(set.emission_probability(0), 0.25 * (1 - share), 1e-6) << sun_lx;
+    EXPECT_NEAR(set.emission_probability(1), 0.75 * (1 - share), 1e-6) << sun_lx;
+  }
 }
 
 TEST(EmitterSet, DirectPrefersTheNearAndForgetsNone) {

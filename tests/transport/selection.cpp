@@ -43,7 +43,7 @@ TEST(Moments, OfOtherCountsArePredicted) {
       const double p_light = traced * 2 * x, all = 1 + p_light, v = std::pow(x, power) / all;
       own += v * v;
       const double base = light ? p_light : 1;
-      moments.add(v, {.eye = 1 / base, .light = p_light / base}, row.data());
+      moments.add(v, {.eye = 1 / base, .light = p_light / base}, false, row.data());
     };
     for (int i = 0; i < samples; ++i) {
       take(uniform(), false);
@@ -59,7 +59,7 @@ TEST(Moments, OfOtherCountsArePredicted) {
 TEST(Moments, AreInfiniteWhereASetHasNoTechnique) {
   const Moments moments({{.eye = 1}, {.eye = 1, .caustic = 1}});
   std::vector<double> row(moments.row());
-  moments.add(1, {.caustic = 1, .merge = 3}, row.data());
+  moments.add(1, {.caustic = 1, .merge = 3}, false, row.data());
   EXPECT_TRUE(std::isinf(row[0]));
   EXPECT_DOUBLE_EQ(row[1], 3);  // a quarter of the density is left
 }
