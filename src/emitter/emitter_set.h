@@ -19,8 +19,8 @@ class EmitterSet {
   // Whether `exposed` makes a difference for so many emitters.
   static bool uses_exposed(size_t count) { return count > 1 && count <= LightTree::max_listed; }
 
-  // Whether next-event estimation chooses among so many by the nodes of a tree instead of by all of them.
-  static bool has_tree(size_t count) { return count > LightTree::max_listed; }
+  // Whether next-event estimation chooses by the nodes of a tree, and not among all of them.
+  bool has_tree() const { return direct_[0].is_tree() || direct_[1].is_tree(); }
 
   size_t size() const { return emitters_.size(); }
   const Emitter& operator[](size_t i) const { return *emitters_[i]; }

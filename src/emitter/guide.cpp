@@ -186,8 +186,8 @@ EmissionGuide::EmissionGuide(const EmitterSet& emitters, GuideTraining training,
   }
   const double share = worth_sum > 0 ? as_untrained : 1;
   for (size_t i = 0; i < emitters.size(); ++i)
-    worth[i] =
-        (untrained_sum > 0 ? share * untrained[i] / untrained_sum : 0) + (worth_sum > 0 ? (1 - share) * worth[i] / worth_sum : 0);
+    worth[i] = (untrained_sum > 0 ? share * untrained[i] / untrained_sum : 0) +
+               (worth_sum > 0 ? (1 - share) * worth[i] / worth_sum : 0);
   choice_ = DiscreteDistribution(worth);
 }
 

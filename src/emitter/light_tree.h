@@ -45,6 +45,7 @@ class LightTree {
   float probability(const Receiver& receiver, size_t emitter) const;
   // What one of them is estimated to bring, unoccluded, lx.
   float brings(const Receiver& receiver, size_t emitter) const;
+  bool is_tree() const { return !listed_; }
   size_t bytes() const {
     return nodes_.capacity() * sizeof(Node) + lobes_.capacity() * sizeof(Lobe) + fine_.size() * sizeof(FineTable) +
            coarse_.size() * sizeof(CoarseTable) + lanes_.capacity() * sizeof(Lanes) +

@@ -23,7 +23,7 @@ class CasterAims {
   };
   class Search;
   std::vector<std::vector<Caster>> of_emitter_;
-  std::vector<double> share_;  // of all light, by caster
+  std::vector<double> share_;  // of all light paths, by caster
 };
 
 }  // namespace ups

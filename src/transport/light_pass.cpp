@@ -87,7 +87,7 @@ LightPaths LightPass::trace(const Iteration& in, const SensorIndex& sensors, Thr
       if (in.moments) {
         const size_t tile = in.plan.units.of_pixel(s.camera, s.splat.pixel) - in.plan.units.begin(s.camera);
         in.moments->add_light_path(luminance(s.splat.value), s.relative, true,
-                        &tally.excess_of_splats[s.camera][tile * in.moments->row()]);
+                                   &tally.excess_of_splats[s.camera][tile * in.moments->row()]);
       }
       if (!tally.techniques.empty())
         tally.techniques[s.camera].add({Family::path_integration, s.edges, s.edges}, s.splat.pixel, s.splat.value,

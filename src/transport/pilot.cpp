@@ -13,7 +13,7 @@ class Pilot {
  public:
   Pilot(const Snapshot& scene, const Plan& plan, const Moments& moments)
       : scene_(scene), plan_(plan), sets_(moments.count()), row_(moments.row()), visits_(plan.units.count) {
-    for (auto* v : {&m_.variance, &m_.independent, &m_.on_discs, &m_.eye_share, &m_.light, &m_.caustic})
+    for (auto* v : {&m_.variance, &m_.independent, &m_.landed, &m_.eye_share, &m_.light, &m_.caustic})
       v->resize(plan.units.count);
     m_.excess.assign(plan.units.count, std::vector<double>(sets_));
     for (const Camera& c : scene.cameras) points_.emplace_back(c.pixel_count());
@@ -46,8 +46,7 @@ class Pilot {
         Point& point = points_[cameras + s][plan_.visited_meter(in.number, i)];
         point.of_iterations.add(tally.meters[s][i].value);
         m_.eye_share[units.of_set(s)] += plan_.meter_samples;
-        take(units.of_set(s), &tally.excess_of_meters[s][i * row_], 1, plan_.meter_samples,
-             !scene_.meter_sets[s].is_cell(), point);
+        take(units.of_set(s), &tally.excess_of_meters[s][i * row_], 1, plan_.meter_samples, true, point);
       }
     m_.all.add(tally.work);
     m_.light_work.add(tally.light_work);
@@ -81,11 +80,11 @@ class Pilot {
   struct Point {
     Sums of_iterations, of_paths;
   };
-  void take(uint32_t unit, const double* row, double scale, uint32_t eye_paths, bool on_discs, Point& point) {
+  void take(uint32_t unit, const double* row, double scale, uint32_t eye_paths, bool landed, Point& point) {
     const double square = scale * scale;
     for (size_t j = 0; j < sets_; ++j) m_.excess[unit][j] += row[j] * square / pilot_rounds;
     m_.independent[unit] += row[sets_ + 2] * square / pilot_rounds;
-    if (on_discs) m_.on_discs[unit] += row[sets_ + 2] * square / pilot_rounds;
+    if (landed) m_.landed[unit] += row[sets_ + 2] * square / pilot_rounds;
     m_.light[unit] += row[sets_ + 3] * scale;
     m_.caustic[unit] += row[sets_ + 4] * scale;
     point.of_paths.sum += row[sets_], point.of_paths.square += row[sets_ + 1], point.of_paths.count += eye_paths;
@@ -101,7 +100,7 @@ class Pilot {
   }
 
   static constexpr std::vector<double> Measured::*sums_of_unit[] = {
-      &Measured::variance, &Measured::independent, &Measured::on_discs, &Measured::light, &Measured::caustic};
+      &Measured::variance, &Measured::independent, &Measured::landed, &Measured::light, &Measured::caustic};
   void add_sums(const Measured& own, uint32_t other, uint32_t unit) {
     for (const auto sums : sums_of_unit) (m_.*sums)[unit] += (own.*sums)[other];
     for (size_t k = 0; k < sets_; ++k) m_.excess[unit][k] += own.excess[other][k];

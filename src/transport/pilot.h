@@ -11,7 +11,7 @@ namespace ups {
 struct Measured {
   std::vector<double> variance;             // of an iteration's visit, summed over the pixels or meters that are visited
   std::vector<double> independent;          // the same, had its samples not been stratified
-  std::vector<double> on_discs;             // of that, by photons on point meters' discs, which all eye paths share
+  std::vector<double> landed;               // of that, by what lands on meters, which all their eye paths share
   std::vector<std::vector<double>> excess;  // of each set of techniques over `independent`
   std::vector<double> eye_share;            // of all eye paths
   std::vector<double> light, caustic;       // what was found, and by photons of caustics

@@ -26,7 +26,7 @@ struct TransportSettings {
   uint32_t technique_edges = 0;      // images of each technique for paths of up to so many edges; 0: none
   ups_separation separation = UPS_SEPARATE_NOTHING;
   bool automatic = false;          // techniques are chosen by a pilot
-  bool prefers_eye_paths = false;  // unless others bring much more
+  bool prefers_eye_paths = false;  // unless others are foretold to pay
   uint64_t seed = 0;
   uint32_t max_path_length = 0;  // edges; 0: none
   uint32_t light_paths = 0;      // a power of two; 0: chosen here

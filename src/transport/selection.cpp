@@ -12,7 +12,7 @@
 namespace ups {
 
 void Moments::add(double value, const mis::Classes& relative, bool camera, double* excess) const {
-  const double square = value * value, sum = relative.sum(), light = relative.light * (camera ? splats_ : landings_);
+  const double square = value * value, sum = relative.sum(), light = relative.light * (camera ? splats_ : 1.0);
   if (!(square > 0) || !std::isfinite(square)) return;
   excess[count() + 3] += value;
   excess[count() + 4] += value * relative.caustic / sum;
@@ -92,16 +92,16 @@ struct Costs {
 // same meters. paths, photons: numbers of eye paths and light paths over those of a round. The factors are fitted to
 // processor times of boxes, offices and the bathroom by five sets of techniques; the sum of all over eye paths alone
 // comes within a third (samples/evaluation/README.md).
-Costs costs_of(const Measured& m, const Measured& alone, double paths, double photons, size_t emitters, bool merges) {
+Costs costs_of(const Measured& m, const Measured& alone, double paths, double photons, bool tree, bool merges) {
   constexpr double start = 2;  // of a light path: its emitter and direction
-  const double choosing = EmitterSet::has_tree(emitters) ? 2.8 : 0.0;  // an emitter by the light tree, an eye path's ray
+  const double choosing = tree ? 2.8 : 0.0;  // an emitter by the light tree, an eye path's ray
   const double stored = merges ? 1.25 : 0.25;  // a light vertex: written, and sorted into a grid
   const double light_paths = double(m.light_work.light_paths), landings = double(m.light_work.merges);
   const double of_eye = paths / pilot_rounds, of_light = photons / pilot_rounds;
   Costs c;
   c.eye = of_eye * (1 + choosing) * (double(alone.all.rays) - double(alone.light_work.rays));
   c.connect = of_eye * double(m.all.connections);  // most share the shadow rays of next-event estimation
-  c.merge = of_eye * (0.5 * photons * (double(m.all.merges) - landings)) + 0.1 * c.eye / (1 + choosing);
+  if (merges) c.merge = of_eye * (0.5 * photons * (double(m.all.merges) - landings)) + 0.1 * c.eye / (1 + choosing);
   c.light = of_light * (start * light_paths + double(m.light_work.rays) +
                         stored * double(m.light_work.light_vertices) + 0.5 * paths * landings);
   c.caustic_light = of_light * (start * light_paths + 1.5 * double(m.light_work.caster_rays));
@@ -129,7 +129,7 @@ class Chooser {
       weight_.insert(weight_.end(), units, 1.0 / (double(units) * double(units_.sensors())));
     }
     cost_ = costs_of(m, eye, paths * pilot_rounds / std::max<double>(1, double(m.all.eye_paths)), photons,
-                     scene.emitters.size(), settings.has(UPS_TECHNIQUE_MERGE));
+                     scene.emitters.has_tree(), settings.has(UPS_TECHNIQUE_MERGE));
   }
 
   // The best at one number of light paths: mean variance x operations, to which each unit adds its part.
@@ -188,8 +188,8 @@ class Chooser {
     return std::inner_product(by_unit.begin(), by_unit.end(), weight_.begin(), 0.0);
   }
   // Eye paths alone have a pilot of their own: stratification helps them more than those that meet photons, and a guide
-  // their photons. What leaving out others, or photons of theirs, adds to the variance is told by moments. The noise of
-  // what lands or is splatted falls with the number of light paths, as do other techniques' weights there.
+  // their photons. What leaving out others, or photons of theirs, adds to the variance is told by moments, and what more
+  // splats take from it. The noise of what lands falls with the number of light paths.
   double variance(uint32_t u, size_t j) const {
     if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
     const double traced = m_.independent[u];
@@ -199,8 +199,8 @@ class Chooser {
       return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0);
     }
     if (!(traced > 0)) return m_.variance[u];
-    const double on_discs = m_.on_discs[u] / traced;
-    return m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, 1 / photons_) * (1 - on_discs + on_discs / photons_);
+    const double landed = m_.landed[u] / traced, least = std::min(1.0, 1 / photons_);
+    return m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, least) * (1 - landed + landed / photons_);
   }
   // To the variance of all techniques, the first candidate's.
   double ratio(uint32_t u, size_t j) const {
@@ -263,7 +263,7 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   Measured m, eye;
   Selection out;
   const double splats = photons * plan.camera_subsets / small.camera_subsets;
-  if (!run_pilot(scene, small, of_pilot, stop, trace, Moments(std::move(sets), splats, photons), m)) return out;
+  if (!run_pilot(scene, small, of_pilot, stop, trace, Moments(std::move(sets), splats), m)) return out;
   small.shares.assign(plan.units.count, eye_paths_alone(settings));
   small.guide = guide;
   small.light_paths = light_paths_of(plan, caustic_shares[1]);

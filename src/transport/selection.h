@@ -15,9 +15,8 @@ namespace ups {
 // Second moments of sets of techniques, beyond that of the set that is traced.
 class Moments {
  public:
-  // splats, landings: how many more of them there will be to an eye path than are traced.
-  explicit Moments(std::vector<mis::Classes> sets, double splats = 1, double landings = 1)
-      : sets_(std::move(sets)), splats_(splats), landings_(landings) {}
+  // splats: how many times as many of them there will be to an eye path as are traced.
+  explicit Moments(std::vector<mis::Classes> sets, double splats = 1) : sets_(std::move(sets)), splats_(splats) {}
   size_t count() const { return sets_.size(); }
   // Of one sensor's row of sums: an excess a set, then of its eye paths sum and square, light paths' squares, and all
   // light and that by photons of caustics.
@@ -33,8 +32,8 @@ class Moments {
   void add(double value, const mis::Classes& relative, bool camera, double* excess) const;
 
  private:
-  std::vector<mis::Classes> sets_;  // counts of each class over those traced; light: over splats_ or landings_ times those
-  double splats_, landings_;
+  std::vector<mis::Classes> sets_;  // counts of each class over those traced, of splats over splats_ times those
+  double splats_;
 };
 
 struct Selection {

@@ -145,6 +145,23 @@ TEST(FluxBalance, TellsUnfairRoulette) {
   }
 }
 
+// As from the sun and from a lamp: which paths there are is chance, what becomes of them is not.
+TEST(FluxBalance, TellsWhatUnequalPathsLoseOnTheirWays) {
+  for (const double loss : {0.0, 1e-5}) {
+    WorkCounts w;
+    w.light_paths = 1001;
+    w.brightest_lm = 1.9f;
+    for (uint64_t i = 0; i < w.light_paths; ++i) {
+      const double lm = i % 2 ? 1.9 : 0.1;
+      w.flux.start(lm);
+      w.flux.absorbed += lm * (1 - loss);
+    }
+    const FluxBalance b = flux_balance(w, 1);
+    EXPECT_EQ(b.closes(), loss == 0) << flux_warning(b, 1);
+    EXPECT_EQ(flux_warning(b, 1).find("are neither absorbed nor escape") != std::string::npos, loss > 0);
+  }
+}
+
 TEST(FluxBalance, OfAFewPathsIsNoAlarm) {
   for (uint64_t seed = 1; seed <= 2000; ++seed) {
     EXPECT_TRUE(flux_balance(played(seed, 1, 0), 1).closes()) << seed;
