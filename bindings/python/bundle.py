@@ -43,17 +43,21 @@ def _dependencies(libraries):
     return {name: file for name, file in found.items() if not name.startswith("libups")}
 
 
-def _licence(file):
-    """(package, its file of licences), which Debian has of every package."""
-    owner = None
-    for path in (file, file.resolve(), Path("/usr") / file.relative_to("/")):  # /lib is a link to /usr/lib
-        asked = subprocess.run(["dpkg-query", "-S", path], capture_output=True, text=True)
-        if asked.returncode == 0:
-            owner = asked.stdout.split(":")[0]
-    copyright = Path("/usr/share/doc") / (owner or "") / "copyright"
-    if not owner or not copyright.is_file():
-        raise SystemExit(f"no licence is known of {file}, which would go inside: not from a Debian package")
-    return owner, copyright
+def _licences(files):
+    """Of each file (package, its file of licences), which Debian has of every package."""
+    names = {file: (file, file.resolve(), Path("/usr") / file.relative_to("/")) for file in files}  # /lib is a link there
+    asked = subprocess.run(["dpkg-query", "-S", *(path for paths in names.values() for path in paths)],
+                           capture_output=True, text=True)  # fails where one of them has no owner
+    owners = {path: packages.split(":")[0]
+              for packages, _, path in (line.rpartition(": ") for line in asked.stdout.splitlines())}
+    found = {}
+    for file, paths in names.items():
+        owner = next((owners[str(path)] for path in reversed(paths) if str(path) in owners), None)
+        text = Path("/usr/share/doc") / (owner or "") / "copyright"
+        if not owner or not text.is_file():
+            raise SystemExit(f"no licence is known of {file}, which would go inside: not from a Debian package")
+        found[file] = owner, text
+    return found
 
 
 def _name_apart(name, file):
@@ -76,8 +80,10 @@ def copy_dependencies(folder, licences):
         raise SystemExit("the libraries that go inside need patchelf (Debian: patchelf)")
     own = sorted(folder.iterdir())
     names = {}
-    for name, file in sorted(_dependencies(own).items()):
-        owner, text = _licence(file)
+    dependencies = _dependencies(own)
+    licences_of = _licences(set(dependencies.values()))
+    for name, file in sorted(dependencies.items()):
+        owner, text = licences_of[file]
         names[name] = _name_apart(name, file)
         target = folder / (name if name in _LOADED.values() else names[name])
         shutil.copy(file, target)

@@ -60,6 +60,7 @@ class Case:
     cannot: tuple = ()  # ((method, why it cannot sample this case), ...); not in `methods`
     tables: bool = True  # of the program, also where means alone are judged
     group: str = ""  # cases of one group share a line of the summary; without it each has its own
+    long: bool = False  # takes many times as long as others: is started first
 
     def __post_init__(self):
         self.group = self.group or self.name
@@ -176,7 +177,10 @@ def run(ups, cases, methods, out, jobs=1, cap=65536, report=print):
         wanted += [(renderer, case, m, os.path.join(folder, m), cap) for m in methods if m in case.methods]
     rows = []
     with ThreadPoolExecutor(jobs) as pool:
-        for (_, case, method, _, _), done in zip(wanted, pool.map(lambda one: run_case(*one), wanted)):
+        futures = {k: pool.submit(run_case, *wanted[k])
+                   for k in sorted(range(len(wanted)), key=lambda k: not wanted[k][1].long)}
+        for k, (_, case, method, _, _) in enumerate(wanted):
+            done = futures[k].result()
             rows += done
             report(tables.progress_line(case, method, done))
     return rows

@@ -34,7 +34,8 @@ class EmitterSet {
   Choice choose_emission(double u) const;
   float emission_probability(size_t i) const;
   // For next-event estimation at a point: by about what each emitter would bring there, see light_tree.h. Never one
-  // that it cannot sample. Directional ones are chosen by themselves (far): the sun is strong, and indoors mostly hidden.
+  // that it cannot sample. Directional ones are chosen by themselves (far): the sun is strong, and mostly hidden
+  // indoors.
   Choice choose_direct(const Receiver& receiver, float u, bool far = false) const {
     return direct_[far].choose(receiver, u);
   }

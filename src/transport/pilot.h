@@ -9,7 +9,7 @@ namespace ups {
 
 // By unit.
 struct Measured {
-  std::vector<double> variance;             // of an iteration's visit, summed over the pixels or meters that are visited
+  std::vector<double> variance;             // of a visit, summed over the pixels or meters that are visited
   std::vector<double> independent;          // the same, had its samples not been stratified
   std::vector<double> landed;               // of that, by what lands on meters, which all their eye paths share
   std::vector<std::vector<double>> excess;  // of each set of techniques over `independent`

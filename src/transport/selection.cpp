@@ -33,8 +33,8 @@ constexpr double most_caustic = 0.02;
 constexpr double most_excess = 20;  // over the variance of all techniques
 // Below, the choice stays as it would be without a pilot, whose predictions differ by so much from one another.
 constexpr double least_gain = 1.25;
-// Over all techniques: up to 2 is foretold where nothing comes of it, as photons beyond a pilot's are not counted on; where
-// it comes, 2.2 and more.
+// Over all techniques: up to 2 is foretold where nothing comes of it, as photons beyond a pilot's are not counted on;
+// where it comes, 2.2 and more.
 constexpr double least_gain_over_all = 2;
 
 // A set of techniques that a sensor's part may take, at a share of the light paths.
@@ -52,13 +52,14 @@ struct Candidate {
   }
 };
 
-constexpr double light_shares[] = {1.0, 1.0 / 4, 1.0 / 16};
+constexpr double light_shares[] = {1.0, 1.0 / 4, 1.0 / 16};  // the last where nothing is merged: see most_caustic
 constexpr double caustic_shares[] = {1.0 / 64, 1.0 / 4};  // where only caustics need light paths
 constexpr double whole_share[] = {1.0};
 
 // A number of light paths that the user named stays.
 std::span<const double> of_light(const TransportSettings& s) {
-  return s.light_paths ? std::span<const double>(whole_share) : light_shares;
+  if (s.light_paths) return whole_share;
+  return std::span<const double>(light_shares).first(s.has(UPS_TECHNIQUE_MERGE) ? 2 : 3);
 }
 std::span<const double> of_caustics(const TransportSettings& s) {
   return s.light_paths ? std::span<const double>(whole_share) : caustic_shares;

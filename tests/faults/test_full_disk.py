@@ -6,7 +6,9 @@ import resource
 import signal
 import subprocess
 import sys
+import tempfile
 import unittest
+from pathlib import Path
 
 import faults
 from preload import preloaded
@@ -32,21 +34,33 @@ def small_files(most):
 
 
 class FullDisk(faults.FaultTest):
+    made = None  # the scene, samples of it and what each writer writes by either seed: the same for all tests
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="ups-faults-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.shared = Path(folder.name)
+
     def setUp(self):
-        super().setUp()
-        self.prepare_writers()
-        self.new = {}
-        for number, writer in enumerate(faults.WRITERS):
-            folder = self.folder / f"new{number}"
-            folder.mkdir()
-            self.run_program(self.write_command(writer, seed=2), cwd=folder)
-            self.new[writer] = self.results(folder)
+        self.folder = self.shared
+        if self.made is None:
+            self.prepare_writers()
+            both = [{writer: self.written_by(writer, seed) for writer in faults.WRITERS} for seed in (1, 2)]
+            type(self).made = self.scene, self.samples, *both
+        self.scene, self.samples, self.old, self.new = self.made
+
+    def written_by(self, writer, seed):
+        with tempfile.TemporaryDirectory(dir=self.folder) as out:
+            self.run_program(self.write_command(writer, seed), cwd=out)
+            return self.results(out)
 
     def write_old(self, writer, out):
-        self.run_program(self.write_command(writer, seed=1), cwd=out)
-        old = self.results(out)
+        old = self.old[writer]
         self.assertEqual(old.keys(), self.new[writer].keys())
         self.assertNotEqual(old, self.new[writer])
+        for name, content in old.items():
+            (out / name).write_bytes(content)
         return old
 
     def expect_old_files(self, writer, out, old, word, **options):

@@ -44,12 +44,13 @@ void office_camera(Scene& s, uint32_t width, uint32_t height, bool illuminance) 
   add_office(s, 8);
   s.add_camera({0.5, 0.5, 1.7}, {1, 1, -0.2}, width, height, 1, illuminance);
 }
+// Small ones are visited in every iteration.
 void layered_camera(Scene& s) {
   add_office(s, 8);
-  s.add_camera({0.5, 0.5, 1.7}, {1, 1, -0.2}, 320, 240, 1, false, UPS_EQUISOLID, 15);
+  s.add_camera({0.5, 0.5, 1.7}, {1, 1, -0.2}, 160, 120, 1, false, UPS_EQUISOLID, 15);
 }
 void large_camera(Scene& s) { office_camera(s, 3840, 2160, false); }
-void small_camera(Scene& s) { office_camera(s, 320, 240, true); }
+void small_camera(Scene& s) { office_camera(s, 160, 120, true); }
 void many_meters(Scene& s) {
   add_office(s, 8);
   s.add_meters(grid(400, 250, 0.5, 0.5, 0.02, 0.75), {0, 0, 1});
@@ -91,9 +92,9 @@ const Case cases[] = {
 #endif
     {"camera_4k", large_camera, [](auto& d) { d.iteration_count = 2; }},
     {"camera_4k_all_passes", large_camera, [](auto& d) { d.iteration_count = 16 * 254; d.max_path_length = 2; }, true},
-    {"illuminance", small_camera, [](auto& d) { by_ups(d), d.iteration_count = with_effort(24); }},
-    {"layers", layered_camera, [](auto& d) { by_ups(d), d.iteration_count = with_effort(24); }},
-    {"technique_images", small_camera, [](auto& d) { by_ups(d), d.technique_images = 5; }},
+    {"illuminance", small_camera, [](auto& d) { by_ups(d), d.iteration_count = 8; }},
+    {"layers", layered_camera, [](auto& d) { by_ups(d), d.iteration_count = 8; }},
+    {"technique_images", small_camera, [](auto& d) { by_ups(d), d.technique_images = 5, d.iteration_count = 6; }},
     {"meters_1e5", many_meters, automatic},
     {"meters_1e6", million_meters, [](auto& d) { d.iteration_count = 64; }, true},
     {"sources_100", many_sources, tell_sources},

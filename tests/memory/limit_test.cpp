@@ -124,7 +124,7 @@ TEST_P(MemoryLimit, ReachedOnTheWay) {
   scene.add_point_light({9.5, 9.5, 0.8}, 1);
   scene.add_meters(std::vector<P3>(1000, {9.5, 9.5, 0.5}), {0, 0, 1});
   commit();
-  auto d = desc(UPS_METHOD_UPS, 200);
+  auto d = desc(UPS_METHOD_PPM, 200);  // no eye paths, which would be reflected there for as long
   d.merge_radius_m = 0.45f;
   const ups_memory_estimate e = estimate(d);
   d.memory_limit_bytes = e.peak_bytes + 500000;

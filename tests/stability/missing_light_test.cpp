@@ -108,7 +108,7 @@ TEST_F(Taught_SmallMirror, IsNotMissed) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     const ups_method method = seed < 4 ? UPS_METHOD_AUTO : UPS_METHOD_UPS;
     const ups_meter_reading r =
-        read(true, {.method = method, .iterations = 512, .seed = seed, .target_relative_error = 0.04});
+        read(true, {.method = method, .iterations = 1024, .seed = seed, .target_relative_error = 0.03});
     EXPECT_NEAR(r.illuminance_lx, expected, r.error_bound_lx) << method_name(method) << ", seed " << seed;
     EXPECT_LT(r.error_bound_lx, 0.08 * expected) << method_name(method) << ", seed " << seed;
     readings.push_back(r.illuminance_lx);
