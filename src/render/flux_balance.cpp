@@ -21,28 +21,29 @@ double chance(double variance, double largest) {
   return half + std::sqrt(half * half + 2 * l * variance);
 }
 
+bool is_chance(double lm, double chance_lm) { return std::abs(lm) <= chance_lm; }
+
 }  // namespace
 
 bool FluxBalance::closes() const {
-  return starts_close() && ways_close() && std::abs(roulette_lm) <= chance_of_roulette;
+  return is_chance(not_started_lm, chance_of_starts) && is_chance(lost_lm, chance_of_lost) &&
+         is_chance(roulette_lm, chance_of_roulette);
 }
-bool FluxBalance::starts_close() const { return std::abs(not_started_lm) <= chance_of_starts; }
-bool FluxBalance::ways_close() const { return std::abs(lost_on_ways_lm()) <= chance_of_ways; }
 
 FluxBalance flux_balance(const WorkCounts& light, double emitted_lm) {
   const FluxBooks& f = light.flux;
   const double n = double(std::max<uint64_t>(1, light.light_paths)), mean = f.started / n;
   FluxBalance b;
   b.roulette_lm = f.roulette / n;
-  b.lost_lm = emitted_lm - (f.absorbed + f.escaped + f.cut + f.roulette) / n;
   b.not_started_lm = emitted_lm - mean;
+  b.lost_lm = mean - (f.absorbed + f.escaped + f.cut + f.roulette) / n;
   const double squares = std::max(0.0, f.started_squares - n * mean * mean);  // none deviates by more than their root
   const double of_starts = squares / (n * n);                                 // stratified ones vary less
   const double of_roulette = f.roulette_variance / (n * n);
   b.standard_error = std::sqrt(of_starts + of_roulette);
   const double largest = std::min(double(light.brightest_lm), std::sqrt(squares));
   b.chance_of_starts = chance(of_starts, largest / n) + rounding * emitted_lm;
-  b.chance_of_ways = rounding * std::max(emitted_lm, mean);
+  b.chance_of_lost = rounding * std::max(emitted_lm, mean);
   b.chance_of_roulette = chance(of_roulette, f.largest_game / n);
   return b;
 }
@@ -53,12 +54,12 @@ std::string flux_warning(const FluxBalance& b, double emitted_lm) {
   const std::string start = "the flux balance does not close: of " + lm(emitted_lm) + " emitted ",
                     end = "; readings may be wrong by as much. This is a defect of the library, or some samples were "
                           "dropped\n";
-  if (!b.starts_close() || !b.ways_close()) {
-    const double chance_lm = b.ways_close() ? b.chance_of_starts : b.chance_of_ways,
-                 lost = b.ways_close() ? b.not_started_lm : b.starts_close() ? b.lost_on_ways_lm() : b.lost_lm;
+  const bool starts = is_chance(b.not_started_lm, b.chance_of_starts), arrives = is_chance(b.lost_lm, b.chance_of_lost);
+  if (!starts || !arrives) {
+    const double lost = (starts ? 0 : b.not_started_lm) + (arrives ? 0 : b.lost_lm);
     return start + lm(std::abs(lost)) +
            (lost > 0 ? " are neither absorbed nor escape" : " too much is absorbed or escapes") +
-           ", where chance explains " + lm(chance_lm) + end;
+           ", where chance explains " + lm(arrives ? b.chance_of_starts : b.chance_of_lost) + end;
   }
   return start + "Russian roulette " + (b.roulette_lm > 0 ? "takes " : "gives ") + lm(std::abs(b.roulette_lm)) +
          " more than it " + (b.roulette_lm > 0 ? "gives" : "takes") + ", where chance explains " +

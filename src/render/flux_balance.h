@@ -8,15 +8,12 @@
 namespace ups {
 
 struct FluxBalance {
-  double lost_lm = 0;      // emitted, but neither absorbed nor escaped nor cut off, nor at stake in roulette: of it
-  double not_started_lm = 0;  // what paths start with less in all than is emitted; the rest is lost on their ways
-  double roulette_lm = 0;  // taken by roulette from paths that it ended, less what it gave to others
+  double not_started_lm = 0;  // emitted, but no path started with it
+  double lost_lm = 0;         // started, but neither absorbed nor escaped nor cut off, nor at stake in roulette
+  double roulette_lm = 0;     // taken by roulette from paths that it ended, less what it gave to others
   double standard_error = -1;  // of emitted - absorbed - escaped; -1: not known
-  // More than these is no chance. On their ways paths lose nothing by chance, but by rounding.
-  double chance_of_starts = 0, chance_of_ways = 0, chance_of_roulette = 0;
-  double lost_on_ways_lm() const { return lost_lm - not_started_lm; }
-  bool starts_close() const;
-  bool ways_close() const;
+  // More than these is no chance. On its way a path loses nothing by chance, but by rounding.
+  double chance_of_starts = 0, chance_of_lost = 0, chance_of_roulette = 0;
   bool closes() const;
 };
 

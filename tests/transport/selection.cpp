@@ -26,8 +26,8 @@ double second_moment(double light_count, double f_power, uint64_t seed) {
 }
 
 // Predicted from samples of two light samples an eye sample; judged against samples of the other counts, of a camera of
-// twice as many light samples. Both sides
-// have standard errors of about 0.3 %: 2 % is found with certainty, and a false alarm has a probability below 1e-5.
+// twice as many light samples. Both sides have standard errors of about 0.3 %: 2 % is found with certainty, and a false
+// alarm has a probability below 1e-5.
 TEST(Moments, OfOtherCountsArePredicted) {
   constexpr double traced = 2;
   const std::vector<double> counts = {1e-9, 0.5, 1, 2};
