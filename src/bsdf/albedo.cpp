@@ -264,6 +264,8 @@ const Tables& tables() {
   return instance;
 }
 
+float missing_lobe(float mu, float alpha, float envelopes) { return mu * envelope(mu, alpha) / (pi * envelopes); }
+
 // Between the tables of two indices.
 float between(const std::array<Table, ior_count>& by_ior, float mu, float alpha, float ior) {
   const Position n = ior_position(ior), r = alpha_position(alpha), m = mu_position(mu, alpha);
@@ -284,9 +286,9 @@ void InterfaceAlbedo::set_alpha(float alpha) {
   if (!(alpha > 0)) return;
   const Position r = alpha_position(alpha), average = average_position(alpha);
   row_ = int16_t(r.index), row_fraction_ = r.fraction;
-  const float envelopes = envelope_average(alpha);
-  coat_average_ -= average_between(tables().coat, average, {table_, table_fraction_}) * envelopes;
-  missing_average_ = tables().conductor.average_at(average) * envelopes;
+  envelopes_ = envelope_average(alpha);
+  coat_average_ -= average_between(tables().coat, average, {table_, table_fraction_}) * envelopes_;
+  missing_average_ = tables().conductor.average_at(average) * envelopes_;
 }
 float InterfaceAlbedo::coat(float mu) const {
   const float fresnel = fresnel_dielectric(mu, ior_);
@@ -309,7 +311,8 @@ float dielectric_missing_average(float alpha, float ior, bool inside) {
          envelope_average(alpha);
 }
 
-float missing_lobe_pdf(float mu, float alpha) { return mu * envelope(mu, alpha) / (pi * envelope_average(alpha)); }
+float missing_lobe_pdf(float mu, float alpha) { return missing_lobe(mu, alpha, envelope_average(alpha)); }
+float InterfaceAlbedo::missing_lobe_pdf(float mu) const { return missing_lobe(mu, alpha_, envelopes_); }
 
 Vec3 sample_missing_lobe(float alpha, const Vec2& u) {
   // CDF of mu: log(1 + mu^2 / alpha^2) over its value at mu = 1

@@ -30,9 +30,10 @@ class InterfaceAlbedo {
   // Of conductors, at Fresnel reflectance 1.
   float missing(float mu) const;
   float missing_average() const { return missing_average_; }
+  float missing_lobe_pdf(float mu) const;
 
  private:
-  float alpha_ = 0, ior_ = 1, coat_average_ = 0, missing_average_ = 0;
+  float alpha_ = 0, ior_ = 1, coat_average_ = 0, missing_average_ = 0, envelopes_ = 1;
   int16_t row_ = 0, table_ = 0;
   float row_fraction_ = 0, table_fraction_ = 0;
 };

@@ -71,8 +71,9 @@ void prepare(BsdfParameters& p) {
     p.base_norm = 1 / (pi * std::max(1e-6f, 1 - p.interface_albedo.coat_average()));
   }
   if (p.metallic > 0 && p.alpha > 0) {
-    const Rgb f = has_complex_index(m) ? fresnel_conductor_average(m.ior_rgb, m.ior_k_rgb)
-                                       : fresnel_schlick_average(p.reflectance);
+    const Rgb f = !has_complex_index(m)  ? fresnel_schlick_average(p.reflectance)
+                  : m.interface_albedo ? m.conductor_average
+                                       : fresnel_conductor_average(m.ior_rgb, m.ior_k_rgb);
     const float missing = p.interface_albedo.missing_average();
     p.multiple = Rgb{repeated(f.r, missing), repeated(f.g, missing), repeated(f.b, missing)} * p.metallic;
     p.missing_norm[0] = 1 / (pi * missing);
@@ -90,8 +91,8 @@ Scattering evaluate(const BsdfParameters& p, const Vec3& wo_, const Vec3& wi_) {
   s.pdf_reverse = to.p_base * cosine_hemisphere_pdf(wo.z);
   if (!(p.alpha > 0)) return s;
   if (p.metallic > 0) {
-    s.pdf += from.p_missing * missing_lobe_pdf(wi.z, p.alpha);
-    s.pdf_reverse += to.p_missing * missing_lobe_pdf(wo.z, p.alpha);
+    s.pdf += from.p_missing * p.interface_albedo.missing_lobe_pdf(wi.z);
+    s.pdf_reverse += to.p_missing * p.interface_albedo.missing_lobe_pdf(wo.z);
   }
   const Vec3 h = normalize(wo + wi);
   const float density = ggx_density(h, p.alpha), cos_h = std::min(1.0f, std::abs(dot(wo, h)));

@@ -26,10 +26,11 @@ struct Material {
   const Texture* roughness_texture = nullptr;
   const Texture* metallic_texture = nullptr;
   std::optional<InterfaceAlbedo> interface_albedo;  // of plastic and metal; without alpha where that is textured
+  Rgb conductor_average{0.0f};                      // with it: of metal whose ior_k_rgb is given
   // Emission and alpha do not scatter; they live beside this in scene/snapshot.h.
 };
 
-// Fills interface_albedo: without, it is found at every point.
+// Fills interface_albedo and conductor_average: without, they are found at every point.
 void prepare_interface(Material& material);
 
 // Below this GGX alpha a lobe is a delta lobe in all walks.

@@ -44,13 +44,15 @@ class EmitterSet {
     return direct_[emitters_[i]->is_directional()].probability(receiver, i);
   }
   bool has_direct(bool far) const { return has_direct_[far]; }
+  // Whether next-event estimation needs a place on any of them.
+  bool have_extent() const { return have_extent_; }
 
  private:
   std::vector<std::shared_ptr<const Emitter>> emitters_;
   DiscreteDistribution emission_;
   double flux_lm_ = 0;
   LightTree direct_[2];  // near, far
-  bool has_direct_[2] = {};
+  bool has_direct_[2] = {}, have_extent_ = false;
 };
 
 }  // namespace ups

@@ -36,31 +36,38 @@ struct LightTree::Cut {
   Shares shares(uint32_t i) const { return {estimate[i], flux[i]}; }
 };
 
-// Altogether behind the receiver's plane.
-bool LightTree::is_behind(const View& view, const Node& node) {
-  if (view.all_around || view.both_sides) return false;
-  return !(dot(view.n, node.center - view.p) > -dot(view.size_n, node.half));
-}
-
-// How a box looks from the receiver, its centre in the direction `to`. Real: float, or several at once.
+// Where a box lies, its centre in the direction `to`. Real: float, or several at once.
 template <class Real>
-struct LightTree::Seen {
+struct LightTree::Placed {
   Vec3T<Real> to;
-  Real inverse, cosine, falloff, along, reach;  // 1 / distance; of the centre and the box along the normal
+  Real distance2, along, reach;  // of the centre and of the box along the receiver's normal
 };
 
 template <class Real>
-inline LightTree::Seen<Real> LightTree::see(const View& view, const Vec3T<Real>& center, const Vec3T<Real>& half) {
+inline LightTree::Placed<Real> LightTree::place(const View& view, const Vec3T<Real>& center, const Vec3T<Real>& half) {
+  const Vec3T<Real> to = center - all_lanes<Real>(view.p);
+  return {to, length2(to), dot(all_lanes<Real>(view.n), to), dot(all_lanes<Real>(view.size_n), half)};
+}
+
+// Altogether behind the receiver's plane.
+inline bool LightTree::is_behind(const View& view, const Placed<float>& node) {
+  return !(view.all_around || view.both_sides) && !(node.along > -node.reach);
+}
+
+// How a box looks from the receiver.
+template <class Real>
+struct LightTree::Seen {
+  Real inverse, cosine, falloff;  // 1 / distance
+};
+
+template <class Real>
+inline LightTree::Seen<Real> LightTree::see(const View& view, const Placed<Real>& box) {
   using std::abs, std::sqrt, ups::abs, ups::sqrt;
   const Real least = all_lanes<Real>(1e-30f), one = all_lanes<Real>(1);
   Seen<Real> out;
-  out.to = center - all_lanes<Real>(view.p);
-  const Real d2 = length2(out.to);
-  out.inverse = 1 / sqrt(larger(least, d2));
+  out.inverse = 1 / sqrt(larger(least, box.distance2));
   out.falloff = out.inverse * out.inverse;
-  out.reach = dot(all_lanes<Real>(view.size_n), half);
-  out.along = dot(all_lanes<Real>(view.n), out.to);
-  const Real reach = out.reach, height = view.both_sides ? abs(out.along) : out.along;
+  const Real reach = box.reach, height = view.both_sides ? abs(box.along) : box.along;
   Real seen = height;
   if (const auto is_cut = abs(height) < reach; bits_of(is_cut)) {  // on the average of a box partly behind the plane
     const Real above = height + reach, span = is_cut ? larger(reach, least) : one;
@@ -80,11 +87,16 @@ inline Real LightTree::estimate(const Of& node, const Seen<Real>& seen, const Re
   return intensity * seen.cosine * smaller(Real(node.largest_falloff), seen.falloff);
 }
 
+inline LightTree::Shares LightTree::weigh(const View& view, const Node& node, const Placed<float>& placed) const {
+  const Seen<float> seen = see(view, placed);
+  return {estimate(node, seen, lobes_[node.lobe].towards(-placed.to, seen.inverse)), node.flux};
+}
+
 // False where the node cannot shine.
 bool LightTree::weigh(const View& view, const Node& node, Shares& out) const {
-  if (is_behind(view, node)) return false;
-  const Seen<float> seen = see(view, node.center, node.half);
-  out = {estimate(node, seen, lobes_[node.lobe].towards(-seen.to, seen.inverse)), node.flux};
+  const Placed<float> placed = place(view, node.center, node.half);
+  if (is_behind(view, placed)) return false;
+  out = weigh(view, node, placed);
   return true;
 }
 
@@ -106,16 +118,16 @@ void LightTree::fill_lanes() {
   }
 }
 
-Float4 LightTree::lobes(const Lanes& lanes, const Seen<Float4>& seen) {
+Float4 LightTree::lobes(const Lanes& lanes, const Vec3T<Float4>& to, const Float4& inverse) {
   Float4 out;
   for (int i = 0; i < lane_count; ++i)
-    out[i] = lanes.lobe[i]->towards({-seen.to.x[i], -seen.to.y[i], -seen.to.z[i]}, seen.inverse[i]);
+    out[i] = lanes.lobe[i]->towards({-to.x[i], -to.y[i], -to.z[i]}, inverse[i]);
   return out;
 }
 
-inline Float4 LightTree::fine_lobes(const Lanes& lanes, const Seen<Float4>& seen) {
+inline Float4 LightTree::fine_lobes(const Lanes& lanes, const Vec3T<Float4>& to) {
   const Int4 texel = Lobe::Fine::texel(
-      Vec3T<Float4>(dot(seen.to, lanes.minus_s), dot(seen.to, lanes.minus_t), dot(seen.to, lanes.minus_n)));
+      Vec3T<Float4>(dot(to, lanes.minus_s), dot(to, lanes.minus_t), dot(to, lanes.minus_n)));
   const auto towards = [&](int i) { return lanes.lobe[i]->table[texel[i]]; };
   return Float4{towards(0), towards(1), towards(2), towards(3)};
 }
@@ -124,10 +136,12 @@ void LightTree::weigh_list(const View& view, Cut& out) const {
   const bool one_side = !(view.all_around || view.both_sides);
   for (size_t group = 0; group < lanes_.size(); ++group) {
     const Lanes& lanes = lanes_[group];
-    const Seen<Float4> seen = see(view, lanes.center, lanes.half);
-    const uint32_t counts = bits_of(one_side ? lanes.used & (seen.along > -seen.reach) : lanes.used);
+    const Placed<Float4> placed = place(view, lanes.center, lanes.half);
+    const uint32_t counts = bits_of(one_side ? lanes.used & (placed.along > -placed.reach) : lanes.used);
     if (!counts) continue;
-    const Float4 estimates = estimate(lanes, seen, lanes.all_fine ? fine_lobes(lanes, seen) : lobes(lanes, seen));
+    const Seen<Float4> seen = see(view, placed);
+    const Float4 lobe = lanes.all_fine ? fine_lobes(lanes, placed.to) : lobes(lanes, placed.to, seen.inverse);
+    const Float4 estimates = estimate(lanes, seen, lobe);
     for (uint32_t i = 0; i < lane_count; ++i) {  // without a branch: each in turn where the next one is to go
       out.estimate[out.size] = estimates[i], out.flux[out.size] = lanes.flux[i];
       out.node[out.size] = uint32_t(group) * lane_count + i;
@@ -145,14 +159,16 @@ void LightTree::cut(const View& view, Cut& out) const {
     while (first < last) {
       const uint32_t k = queue[first++];
       const Node& node = nodes_[k];
-      if (is_behind(view, node)) continue;
+      const Placed<float> placed = place(view, node.center, node.half);
+      if (is_behind(view, placed)) continue;
       const bool room = out.size + (last - first) + 2 <= max_cut && last + 2 <= 2 * max_cut;
-      if (room && !is_leaf(k) && node.radius2 > large2 * length2(node.center - view.p))
+      if (room && !is_leaf(k) && node.radius2 > large2 * placed.distance2) {
         queue[last++] = k + 1, queue[last++] = right_of(k);
-      else if (Shares shares; weigh(view, node, shares)) {
-        out.estimate[out.size] = shares.estimate, out.flux[out.size] = shares.flux;
-        out.node[out.size++] = k;
+        continue;
       }
+      const Shares shares = weigh(view, node, placed);
+      out.estimate[out.size] = shares.estimate, out.flux[out.size] = shares.flux;
+      out.node[out.size++] = k;
     }
   }
   if (listed_ && out.size == 1) {  // certain, however little it is
@@ -182,7 +198,7 @@ EmitterChoice LightTree::choose(const Receiver& receiver, float u) const {
   const View view(receiver);
   constexpr float below_1 = 0x1.fffffep-1f;
   if (single_) {
-    if (is_behind(view, nodes_[0])) return {};
+    if (is_behind(view, place(view, nodes_[0].center, nodes_[0].half))) return {};
     return {emitter_of_node_[0], 1, std::min(u, below_1)};
   }
   Cut c;
@@ -223,7 +239,7 @@ float LightTree::probability(const Receiver& receiver, size_t emitter) const {
   const uint32_t leaf = emitter < leaf_of_emitter_.size() ? leaf_of_emitter_[emitter] : none;
   if (leaf == none) return 0;
   const View view(receiver);
-  if (single_) return is_behind(view, nodes_[0]) ? 0.0f : 1.0f;
+  if (single_) return is_behind(view, place(view, nodes_[0].center, nodes_[0].half)) ? 0.0f : 1.0f;
   Cut c;
   cut(view, c);
   for (uint32_t i = 0; i < c.size; ++i) {

@@ -73,6 +73,7 @@ class LightTree {
     bool all_fine;  // their shapes
   };
   struct View;
+  template <class Real> struct Placed;
   template <class Real> struct Seen;
   struct Shares;
   struct Cut;
@@ -80,14 +81,17 @@ class LightTree {
 
   bool is_leaf(uint32_t k) const { return nodes_[k].end == k + 1; }
   uint32_t right_of(uint32_t k) const { return nodes_[k + 1].end; }
-  static bool is_behind(const View& view, const Node& node);
   template <class Real>
-  static Seen<Real> see(const View& view, const Vec3T<Real>& center, const Vec3T<Real>& half);
+  static Placed<Real> place(const View& view, const Vec3T<Real>& center, const Vec3T<Real>& half);
+  static bool is_behind(const View& view, const Placed<float>& node);
+  template <class Real>
+  static Seen<Real> see(const View& view, const Placed<Real>& box);
   template <class Real, class Of>
   static Real estimate(const Of& node, const Seen<Real>& seen, const Real& lobe);
+  Shares weigh(const View& view, const Node& node, const Placed<float>& placed) const;
   bool weigh(const View& view, const Node& node, Shares& out) const;
-  static Float4 lobes(const Lanes& lanes, const Seen<Float4>& seen);
-  static Float4 fine_lobes(const Lanes& lanes, const Seen<Float4>& seen);
+  static Float4 lobes(const Lanes& lanes, const Vec3T<Float4>& to, const Float4& inverse);
+  static Float4 fine_lobes(const Lanes& lanes, const Vec3T<Float4>& to);
   void weigh_list(const View& view, Cut& out) const;
   void fill_lanes();
   void cut(const View& view, Cut& out) const;

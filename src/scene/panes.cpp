@@ -10,8 +10,7 @@
 
 namespace ups {
 
-bool Panes::may_lie_between(const Vec3& a, const Vec3& b) const {
-  if (empty()) return false;
+bool Panes::meets_bounds(const Vec3& a, const Vec3& b) const {
   double enter = 0, leave = 1;
   const auto clip = [&](double from, double to, double lower, double upper) {
     const double d = to - from;

@@ -2,6 +2,7 @@
 // walk along it goes on through each with the probability that is left of reflection, or of alpha. Made at commit; read
 // by transport/encounter.h.
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "geometry/box.h"
@@ -21,8 +22,18 @@ struct Panes {
   bool is_blended(uint32_t instance) const { return instance < blended.size() && blended[instance]; }
   bool is_crossed(uint32_t instance) const { return is_pane(instance) || is_blended(instance); }
   bool operator==(const Panes& b) const { return of_instance == b.of_instance && blended == b.blended; }
-  // False where the segment cannot meet one.
-  bool may_lie_between(const Vec3& a, const Vec3& b) const;
+  // False where the segment cannot meet one. Most lie altogether to one side of them.
+  bool may_lie_between(const Vec3& a, const Vec3& b) const {
+    const auto beside = [](float from, float to, double lower, double upper) {
+      return std::max(from, to) < lower || std::min(from, to) > upper;
+    };
+    return !empty() && !beside(a.x, b.x, bounds.lower.x, bounds.upper.x) &&
+           !beside(a.y, b.y, bounds.lower.y, bounds.upper.y) && !beside(a.z, b.z, bounds.lower.z, bounds.upper.z) &&
+           meets_bounds(a, b);
+  }
+
+ private:
+  bool meets_bounds(const Vec3& a, const Vec3& b) const;
 };
 
 Panes find_panes(const Snapshot& scene, const std::vector<Raytracer::Instance>& instances);

@@ -155,10 +155,12 @@ void Builder::add_materials() {
   for (const uint32_t number : out_->material_numbers) {
     const MaterialDescription& d = in_.materials().at(number);
     Material m = make_material(d);
-    if (scatters_as_before(number))
-      m.interface_albedo = earlier_->materials[rank_of(earlier_->material_numbers, number)].interface_albedo;
-    else
+    if (scatters_as_before(number)) {
+      const Material& before = earlier_->materials[rank_of(earlier_->material_numbers, number)];
+      m.interface_albedo = before.interface_albedo, m.conductor_average = before.conductor_average;
+    } else {
       prepare_interface(m), same_surfaces_ = false;
+    }
     warn_of_transmittance(number, m);
     out_->materials.push_back(m);
     out_->texturing.push_back(make_texturing(number, d));

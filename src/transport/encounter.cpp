@@ -143,9 +143,10 @@ PaneCrossing crossing(const Snapshot& scene, const SurfacePoint& s, const Vec3& 
 }
 
 // One number serves all panes of an edge: what is left of it after each is uniform again.
-bool goes_through(const Snapshot& scene, const Vec3& d, float& u, bool panes_show_nothing, Encounter& e) {
+bool goes_through(const Snapshot& scene, const Vec3& d, PaneNumber& number, bool panes_show_nothing, Encounter& e) {
   const PaneCrossing pane = crossing(scene, e.surface, d);
   if (panes_show_nothing && scene.panes.is_pane(e.surface.instance) && !is_black(pane.transmittance)) return true;
+  float& u = number.value();
   if (u < pane.reflected || is_black(pane.transmittance)) return false;
   u = std::min((u - pane.reflected) / (1 - pane.reflected), 0x1.fffffep-1f);
   const Encounter::Crossed before = e.panes.empty() ? Encounter::Crossed{0, Rgb(1.0f), 1} : e.panes.back();
@@ -216,8 +217,8 @@ struct Ray {
 
 }  // namespace
 
-void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float& u, WorkCounts& work,
-          Encounter& out, bool panes_show_nothing) {
+void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, PaneNumber& u,
+          WorkCounts& work, Encounter& out, bool panes_show_nothing) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   out.media = start;
   out.earlier.clear();

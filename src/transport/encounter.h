@@ -38,6 +38,8 @@ struct Encounter {
   };
   std::vector<Crossed> panes;
 
+  // Nothing takes light on the way to the surface.
+  bool is_clear() const { return panes.empty() && earlier.empty() && media.top() == none; }
   // At `t` along the ray, not beyond the surface.
   Rgb transmittance(const Snapshot& scene, float t) const {
     const Rgb through = panes.empty() ? Rgb(1.0f) : crossed_before(t).share;
@@ -61,10 +63,26 @@ struct Encounter {
   Crossed crossed_before(float t) const;
 };
 
+// Of an edge: drawn where its first pane asks for it, as most meet none.
+class PaneNumber {
+ public:
+  explicit PaneNumber(float u) : u_(u) {}
+  PaneNumber(PathSampler& rng, uint32_t vertex) : rng_(&rng), vertex_(vertex) {}
+  float& value() {
+    if (rng_) u_ = rng_->get(vertex_, Slot::pane), rng_ = nullptr;
+    return u_;
+  }
+
+ private:
+  PathSampler* rng_ = nullptr;
+  uint32_t vertex_ = 0;
+  float u_ = 0;
+};
+
 // From o along d, where `start` is around o. u: a pane whose reflectance is larger is met, or a blended surface of larger
 // alpha; others are crossed, and what is left of it is uniform again. panes_show_nothing: all panes are that let light by.
-void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, float& u, WorkCounts& work,
-          Encounter& out, bool panes_show_nothing = false);
+void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack& start, PaneNumber& u,
+          WorkCounts& work, Encounter& out, bool panes_show_nothing = false);
 
 // What panes and blended surfaces leave of light along a segment, and media where they nest; else attenuation_ahead() has
 // theirs.

@@ -86,7 +86,7 @@ void EyeWalk::walk() {
     if (is_stopped(in_.stop, edges)) return;
     trace(edges);
     if (scene_.openings) hit_openings(edges);
-    if (!met_.found || !carry(met_.transmittance(scene_, met_.distance))) return;
+    if (!met_.found || !carry_to_met()) return;
     const SurfacePoint& surface = met_.surface;
     const float cos_in = std::abs(dot(direction_, surface.ng));
     if (cos_in < min_cosine) return;
@@ -121,21 +121,25 @@ void EyeWalk::gather(const EyeEnd& eye) {
   if (merges) merge(eye, photons);
 }
 
-// Straight and by way of mirrors. image_found_from: 0 where all light of images is found elsewhere.
+// Straight and by way of mirrors. *_found_from: 0 where all light of emitters that are exact, or of their images, is
+// found elsewhere, once a render.
 void EyeWalk::look_for_light(const EyeEnd& eye, const Arrival& arrival, float direct_found_from,
                              float image_found_from) {
+  const bool into_mirrors = in_.looks_into_mirrors() && (image_found_from > 0 || scene_.flat_mirrors.of_extended);
+  if (in_.plan.exact_direct && direct_found_from == 0 && !into_mirrors) return;  // a fifth of an office's light samples
   const float choice = rng_.get(eye.edges, Slot::choice);
+  const Vec2 position = scene_.emitters.have_extent() ? rng_.position(eye.edges) : Vec2{};
   float u = choice;
   for (const bool far : {false, true}) {
     if (!scene_.emitters.has_direct(far)) continue;
     u = choice;
-    if (const Found c = sample_light(in_, counts_, eye, arrival, u, rng_.position(eye.edges), direct_found_from, far))
+    if (const Found c = sample_light(in_, counts_, eye, arrival, u, position, direct_found_from, far))
       offer(*c, Drop::light_sample);
   }
-  if (!in_.looks_into_mirrors() || (image_found_from == 0 && !scene_.flat_mirrors.of_extended)) return;
+  if (!into_mirrors) return;
   for (const bool far : {false, true}) {
     if (!scene_.flat_mirrors.has[far]) continue;
-    if (const Found c = sample_mirror(in_, counts_, eye, arrival, u, rng_.position(eye.edges), image_found_from, far))
+    if (const Found c = sample_mirror(in_, counts_, eye, arrival, u, position, image_found_from, far))
       offer(*c, Drop::light_sample);
   }
 }
@@ -308,7 +312,7 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
   if (method.hits_after_specular && !specular_) return;
   if (hit_image(emitter, primitive, p, cos_in, distance, edges, transmittance)) return;
   const double pdf_a = edge_.scatter.pdf * met_.pass(distance) * cos_in / (double(distance) * distance);
-  const EyeHit eye{arrive({p, {}}, cos_in, distance), counts_, last_, p, -direction_, pdf_a,
+  const EyeHit eye{arrive([] { return Receiver{}; }, cos_in, distance), counts_, last_, p, -direction_, pdf_a,
                    edge_.kind == Edge::continuous, edges, carried_ * transmittance};
   if (const Found c = hit(in_, eye, emitter, primitive)) offer(*c, Drop::emitter_hit);
 }

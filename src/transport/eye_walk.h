@@ -60,7 +60,8 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
  private:
   friend Subpath;
   using EyeEndOf = Method::EyeEnd;
-  mis::EyeState first_state(const Receiver&, float cos_in, double d2, double pass) const {
+  template <class At>
+  mis::EyeState first_state(const At&, float cos_in, double d2, double pass) const {
     return mis::eye_first(counts_, edge_.scatter.pdf, cos_in, d2, pass);
   }
   void gather_at_meter(EyeEnd& eye);

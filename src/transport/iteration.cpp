@@ -14,6 +14,7 @@ Iteration::Iteration(const Snapshot& of_scene, const Plan& by_plan, const Transp
   camera_shrinkage = Plan::radius2_factor(camera_pass, settings.radius_alpha);
   walk_radius2 = plan.radius2(plan.walk_radius, Plan::radius2_factor(number, settings.radius_alpha));
   stores_vertices = has(UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_CONNECT);
+  light_samples_alone = !settings.traces_light() && !scene.emitters.have_extent();
 }
 
 Iteration Iteration::of_pilot(const Snapshot& of_scene, const Plan& by_plan, const TransportSettings& by_settings,
@@ -45,7 +46,7 @@ mis::Counts Iteration::counts(const TechniqueShare& share) const {
 }
 
 mis::Counts Iteration::camera_counts(size_t c, uint32_t pixel) const {
-  const TechniqueShare own = share(plan.units.of_pixel(c, pixel));
+  const TechniqueShare own = plan.shares.empty() ? TechniqueShare{} : share(plan.units.of_pixel(c, pixel));
   mis::Counts n = counts(own);
   n.eta_first = own.merge == TechniqueShare::no_merge ? 0 : eta(pixel_radius2(c, pixel));
   if (own.light && has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = double(plan.light_paths) * plan.camera_subsets;

@@ -33,6 +33,7 @@ struct Iteration {
   Visit light_visit, camera_visit, meter_visit;
   Stream light_stream = Stream::light;
   bool stores_vertices;
+  bool light_samples_alone;  // no other technique finds light: no emitter can be hit, and there are no light paths
   double camera_shrinkage;  // r_i^2 / r_1^2
   double walk_radius2;      // of merges beyond the first vertex
   bool trains_guide = false;
@@ -40,7 +41,7 @@ struct Iteration {
   PathRecorder* recorder = nullptr;          // of a test or a replay
 
   bool has(uint32_t technique) const { return settings.has(technique); }
-  bool weighted() const { return settings.method.weighted; }
+  bool weighted() const { return settings.method.weighted && !light_samples_alone; }
   bool looks_into_mirrors() const { return has(UPS_TECHNIQUE_MIRROR_SAMPLE) && !scene.flat_mirrors.empty(); }
   bool is_too_long(uint32_t edges) const { return settings.max_path_length && edges > settings.max_path_length; }
   // Squared radii of this iteration; 0: photons are not merged there.

@@ -84,7 +84,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
         if (!scene_.goniometers.empty()) block_.share.push_back(block_.escapes, {direction_, luminance(carried_)});
         return;
       }
-      if (!carry(met_.transmittance(scene_, met_.distance))) return;
+      if (!carry_to_met()) return;
       if (std::abs(dot(direction_, met_.surface.ng)) < min_cosine) {
         absorb();
         return;
@@ -154,7 +154,9 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   }
 
   // x_1 needs to know how next-event estimation would have found x_0.
-  mis::LightState first_state(const Receiver& at, float cos_in, double d2, double pass) const {
+  template <class At>
+  mis::LightState first_state(const At& receiver, float cos_in, double d2, double pass) const {
+    const Receiver at = receiver();
     if (image_ != none) return first_state_of_image(at, cos_in, d2, pass);
     const float chosen = counts_.light_sample > 0 ? scene_.emitters.direct_probability(at, emitter_index_) : 0;
     return first_state(chosen, at.p, 1, cos_in, d2, pass);
@@ -225,7 +227,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (!cell && ring == none) return;
     const double flux = luminance(carried_ * met_.transmittance(scene_, t)) * seen.factor / share;
     const mis::LightState state =
-        in_.weighted() ? arrive(meter_receiver(p, meter.frame.n, response), seen.cos_in, t) : mis::LightState{};
+        in_.weighted() ? arrive([&] { return meter_receiver(p, meter.frame.n, response); }, seen.cos_in, t)
+                        : mis::LightState{};
     const Contribution c = ups::land(in_, e.counts, state, e.eta, e.area, seen.reverse, flux, a, emitter_index_);
     const double weight = c.weight(in_, 1), value = luminance(c.value) * weight;
     if (in_.recorder) in_.recorder->landed(c, {1, c.value, weight}, p, e.set, e.meter);

@@ -46,7 +46,7 @@ class Subpath {
       : in_(in), scene_(in.scene), rng_(rng), work_(work) {}
 
   void trace(uint32_t edges) {
-    float u = scene_.panes.empty() ? 0 : rng_.get(edges, Slot::pane);
+    PaneNumber u(rng_, edges);
     meet(scene_, origin_, direction_, media_, u, work_, met_);
     if (in_.recorder && met_.found) in_.recorder->meet(met_);
   }
@@ -67,6 +67,7 @@ class Subpath {
     carried_ = after;
     return true;
   }
+  bool carry_to_met() { return met_.is_clear() || carry(met_.transmittance(scene_, met_.distance)); }
   void lose_by_leaning(double lm) {
     if constexpr (from_emitter) work_.leaning_lm += lm, work_.leaning_lm2 += lm * lm;
   }
@@ -75,8 +76,10 @@ class Subpath {
     return false;
   }
 
-  // The weights' state at a point that the current edge reaches.
-  State arrive(const Receiver& at, float cos_in, float distance) const {
+  // The weights' state at a point that the current edge reaches. at(): how it sees emitters, for a walk's first edge.
+  template <class At>
+  State arrive(const At& at, float cos_in, float distance) const {
+    if (!from_emitter && in_.light_samples_alone) return {};  // all weights are 1
     const double d2 = double(distance) * distance, pass = met_.pass(distance);
     if (edge_.kind == Edge::delta) {
       if constexpr (from_emitter) return mis::light_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
@@ -96,7 +99,8 @@ class Subpath {
     v.local_wo = v.surface.shading.to_local(v.wo);
     v.carried = carried_;
     v.front = &met_.front, v.back = &met_.back;
-    v.state = arrive(receiver_at(v.surface, v.wo, *v.bsdf), std::abs(dot(direction_, v.surface.ng)), met_.distance);
+    v.state = arrive([&] { return receiver_at(v.surface, v.wo, *v.bsdf); }, std::abs(dot(direction_, v.surface.ng)),
+                     met_.distance);
     v.caster = v.bsdf->is_glossy(default_glossy_alpha);
     if (consistent_side(v.surface, v.wo, v.local_wo)) return true;
     lose_by_leaning(luminance(carried_ * v.bsdf->textured().reflectance));

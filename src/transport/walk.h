@@ -77,8 +77,9 @@ inline float first_diffuse(const Snapshot& scene, Vec3 o, Vec3 d, MediaStack med
                            Vec3& direction) {
   float distance = 0;
   WorkCounts work;
+  PaneNumber number(u);
   for (int edges = 0; edges < 32; ++edges) {
-    meet(scene, o, d, media, u, work, e, true);
+    meet(scene, o, d, media, number, work, e, true);
     if (!e.found) return 0;
     distance += e.distance;
     direction = d;
