@@ -106,7 +106,8 @@ TEST(Hazard05Merging, AFloorUnderAGrazingBeamReflectsWhatItGets) {
     }
   }
   std::vector<Estimate> means;
-  for (const Trial& t : {trial(UPS_METHOD_PATH_TRACING, 64), trial(UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING, 32, 1u << 17, 0.02),
+  for (const Trial& t : {trial(UPS_METHOD_PATH_TRACING, 64),
+                         trial(UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING, 32, 1u << 17, 0.02),
                          trial(UPS_METHOD_SPPM, 32, 1u << 17, 0.02), merge_only(32, 1u << 17, 0.02)}) {
     means.push_back(estimate(t.name, render_quietly(scene, t.options, {points}), points));
     std::printf("%s %+.2f +- %.2f %%\n", t.name.c_str(), 100 * (means.back().mean / expected - 1),
