@@ -268,8 +268,8 @@ typedef struct ups_memory_estimate {
   uint64_t allowed_bytes;  /* for peak_bytes, by memory_limit_bytes, the machine and the control groups as it is now */
 } ups_memory_estimate;
 /* Prepares a render as ups_render would, with the pilot that chooses techniques, and renders nothing: it takes as long
- * as that; where the least that it takes is too much, it says so at once, and where its pilot wants more than is allowed,
- * which it does not get, peak_bytes is what that wanted. out->struct_size must be set. OK then, too. */
+ * as that; where the least that it takes is too much, it says so at once, and where its pilot wants more than is
+ * allowed, which it does not get, peak_bytes is what that wanted. out->struct_size must be set. OK then, too. */
 UPS_API ups_status ups_scene_estimate_memory(const ups_scene *scene, const ups_render_desc *desc,
                                              ups_memory_estimate *out);
 

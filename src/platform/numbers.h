@@ -6,8 +6,8 @@ namespace ups::platform {
 // log |Gamma(x)| on any thread: of many systems std::lgamma() writes a global.
 double log_gamma(double x);
 
-// As long as it lives this thread's printf() and strtod() have a point in numbers, whatever the host's locale is. Throws
-// std::bad_alloc.
+// As long as it lives this thread's printf() and strtod() have a point in numbers, whatever the host's locale is.
+// Making one throws std::bad_alloc.
 class PointInNumbers {
  public:
   PointInNumbers();

@@ -1,7 +1,7 @@
 // Between a render, which finds one tally after the other, and the sums that these are added to and that others read.
 // A reader takes as long as it likes, and the render never waits for it, nor does anyone who does not need the sums.
-// Who takes the sums adds what waits: a reader what was delivered before, the render all, and what came last is added in
-// any case. A reader's time never grows with what is delivered meanwhile.
+// Who takes the sums adds what waits: a reader what was delivered before, the render all, and what came last is added
+// in any case. A reader's time never grows with what is delivered meanwhile.
 #pragma once
 #include <condition_variable>
 #include <deque>
@@ -30,8 +30,8 @@ class TallyQueue {
   void set_most_bytes(size_t bytes) { most_bytes_ = bytes; }  // before the first delivery
 
   // Waits only where too much waits for a reader, until `stop` is set; never with the last one. `delivery` becomes one
-  // whose memory can be used again. Throws what `add` threw in any thread. delivered: called as soon as every later read has the delivery, and
-  // before another thread can read it; must not call the queue.
+  // whose memory can be used again. Throws what `add` threw in any thread. delivered: called as soon as every later
+  // read has the delivery, and before another thread can read it; must not call the queue.
   void deliver(Delivery& delivery, const StopSignal& stop, const std::function<void()>& delivered);
   // read(): with the sums held, of all that was delivered before the call. Throws what `add` threw.
   template <class Read>

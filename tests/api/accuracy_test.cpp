@@ -186,7 +186,8 @@ TEST(Accuracy, TargetsOfPixels) {
   }
 }
 
-// An image of which each iteration visits a third: its error is looked at, and its render ends, by visits of all pixels.
+// An image of which each iteration visits a third: its error is looked at, and its render ends, by visits of all
+// pixels.
 TEST(Accuracy, VisitsOfManyPixelsCount) {
   Scene scene;
   scene.add(box({0, 0, 0}, {4, 3, 2.6}).flipped(), matte(0.5));
@@ -202,8 +203,7 @@ TEST(Accuracy, VisitsOfManyPixelsCount) {
   EXPECT_EQ(looks, (std::vector<uint32_t>{3 * 16, 3 * 20, 3 * 25, 3 * 32}));
 }
 
-// The last look by the rule may be old when a render ends: what is told is that of its end. Not where it is not old, nor
-// where it was cancelled, and the values are the same.
+// The last look by the rule may be old when a render ends: then there is one more.
 TEST(Accuracy, ARenderLooksAtItsEnd) {
   Scene scene;
   make_office(scene);

@@ -115,8 +115,8 @@ TEST_P(Memory, RenderOfSourcesThatForetells) {
   d.memory_limit_bytes = 100000000;
   sweep_renders(GetParam(), d, 20, 5);
 }
-// Whatever has no memory, what was rendered before can be read, also where the job failed: a look at the error that finds
-// none is left out. Of meters alone, whose sums are all made before the first iteration.
+// Whatever has no memory, what was rendered before can be read, also where the job failed: a look at the error that
+// finds none is left out. Of meters alone, whose sums are all made before the first iteration.
 TEST_P(Memory, WhatWasRenderedCanBeRead) {
   begin_watch();
   Scene scene(GetParam());
