@@ -33,7 +33,7 @@ typedef struct ups_path ups_path; /* a sample as it was traced again; immutable,
 /* Traces the sample's iteration up to its path, and that path alone: takes as long as a pilot and one iteration. desc as
  * of the render that the sample is of, but for its seed, limits, target and flux_paths, which are not read; scene as it
  * was committed then. Of `sample` value and share are not read. INVALID_ARGUMENT where such a render traces no such
- * path. The caller owns *out. */
+ * path; OUT_OF_MEMORY where it wants more than memory_limit_bytes allows, as ups_render. The caller owns *out. */
 UPS_API ups_status ups_replay(const ups_scene *scene, const ups_render_desc *desc, const ups_sample *sample,
                               ups_path **out);
 UPS_API void ups_path_destroy(ups_path *path); /* NULL ok */

@@ -2,8 +2,6 @@
 // thread's message, in the floating-point environment that results are computed in. Nothing escapes. Included by
 // src/api alone.
 #pragma once
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -26,22 +24,12 @@ ups_status guard(const char* function, const Body& body) noexcept {
       body();
       return UPS_OK;
     }
-  } catch (const Error& e) {
-    return fail(e.status(), function, e.what());
   } catch (const photometry::ParseError& e) {
     return fail(UPS_ERROR_PARSE, function, e.what());
   } catch (const photometry::UnsupportedError& e) {
     return fail(UPS_ERROR_UNSUPPORTED, function, e.what());
-  } catch (const std::bad_alloc&) {
-    return fail(UPS_ERROR_OUT_OF_MEMORY, function, "out of memory");
-  } catch (const std::length_error& e) {
-    return fail(UPS_ERROR_OUT_OF_MEMORY, function, e.what());
-  } catch (const std::invalid_argument& e) {
-    return fail(UPS_ERROR_INVALID_ARGUMENT, function, e.what());
-  } catch (const std::exception& e) {
-    return fail(UPS_ERROR_INTERNAL, function, e.what());
   } catch (...) {
-    return fail(UPS_ERROR_INTERNAL, function, "an exception of an unknown kind");
+    return tell_exception([&](ups_status status, const char* message) { return fail(status, function, message); });
   }
 }
 

@@ -18,17 +18,15 @@ class MemoryBudget {
   // Throws Error OUT_OF_MEMORY where there is too little left.
   void take(size_t bytes) {
     const size_t used = used_.fetch_add(bytes, std::memory_order_relaxed) + bytes;
-    if (used <= most_) {
-      size_t peak = peak_.load(std::memory_order_relaxed);
-      while (used > peak && !peak_.compare_exchange_weak(peak, used, std::memory_order_relaxed)) {}
-      return;
-    }
+    raise(wanted_, used);
+    if (used <= most_) return raise(peak_, used);
     give_back(bytes);
     throw Error(UPS_ERROR_OUT_OF_MEMORY, "the light paths of an iteration want " + in_bytes(used) + " or more, " +
                                              in_bytes(most_) + " are left for them" + advice_);
   }
   void give_back(size_t bytes) { used_.fetch_sub(bytes, std::memory_order_relaxed); }
   size_t peak() const { return peak_.load(std::memory_order_relaxed); }  // taken so far, at most at a time
+  size_t wanted() const { return wanted_.load(std::memory_order_relaxed); }  // the same with what was refused
   // "20 kB", "500 MB", "24 GB".
   static std::string in_bytes(double bytes) {
     const char* const units[] = {" kB", " MB", " GB"};
@@ -39,7 +37,11 @@ class MemoryBudget {
   }
 
  private:
-  std::atomic<size_t> used_{0}, peak_{0};
+  static void raise(std::atomic<size_t>& most, size_t value) {
+    size_t before = most.load(std::memory_order_relaxed);
+    while (value > before && !most.compare_exchange_weak(before, value, std::memory_order_relaxed)) {}
+  }
+  std::atomic<size_t> used_{0}, peak_{0}, wanted_{0};
   size_t most_ = SIZE_MAX;
   std::string advice_;
 };

@@ -7,6 +7,7 @@ namespace ups::platform {
 double log_gamma(double x);
 
 // As long as it lives this thread's printf() and strtod() have a point in numbers, whatever the host's locale is.
+// Making one throws std::bad_alloc.
 class PointInNumbers {
  public:
   PointInNumbers();
@@ -15,7 +16,7 @@ class PointInNumbers {
   PointInNumbers& operator=(const PointInNumbers&) = delete;
 
  private:
-  void* before_ = nullptr;  // the system's; null: nothing was changed
+  void* before_;  // the system's
 };
 
 }  // namespace ups::platform

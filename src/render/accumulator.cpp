@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/monitor.h"
 #include "render/pooled_bias.h"
 #include "render/tails.h"
 #include "render/zero_bound.h"
@@ -16,6 +17,10 @@ namespace {
 // know their own error.
 constexpr uint32_t few_caustics = 8;
 constexpr double pi_d = 3.14159265358979323846;
+
+void check(const StopSignal* stop) {
+  if (stop && stop->is_cancelled()) throw Cancelled();
+}
 
 ErrorSummary summary_of(std::vector<double> errors, double bias_share) {
   ErrorSummary s;
@@ -106,10 +111,11 @@ double Accumulator::brightest_caustic_lm() const {
   return work_.brightest_caustic_lm > 0 ? work_.brightest_caustic_lm : work_.brightest_lm;
 }
 
-NeighbourProfiles Accumulator::profiles_of(size_t set, size_t column) const {
+NeighbourProfiles Accumulator::profiles_of(size_t set, size_t column, const StopSignal* stop) const {
   const size_t rows = plan_.separation.columns.size() + 1;
   std::vector<RingProfile> profiles(rings_[set].empty() ? 0 : meters_[set].size());
   for (size_t m = 0; m < profiles.size(); ++m) {
+    check(stop);
     if (visits(m) == 0) continue;  // what its disc reaches may be found right now
     const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
     profiles[m] = rings_[set].profile(m * rows + column, rings, visits(m));
@@ -118,14 +124,15 @@ NeighbourProfiles Accumulator::profiles_of(size_t set, size_t column) const {
 }
 
 // By what the meter alone tells, then by what its neighbours found with that.
-Accumulator::Choices Accumulator::choose_discs(size_t set) const {
+Accumulator::Choices Accumulator::choose_discs(size_t set, const StopSignal* stop) const {
   const size_t count = rings_[set].empty() ? 0 : meters_[set].size(), rows = plan_.separation.columns.size() + 1;
   Choices choices(count);
   std::vector<OwnBias> own(count);
   std::vector<NeighbourCurvature> neighbours(count);
-  const NeighbourProfiles profiles = profiles_of(set, 0);
+  const NeighbourProfiles profiles = profiles_of(set, 0, stop);
   for (const bool alone : {true, false}) {
     for (size_t m = 0; m < count; ++m) {
+      check(stop);
       if (visits(m) == 0 || (!alone && !neighbours[m].tell() && !profiles.tell(m))) continue;
       const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
       MeterRings::Told told{neighbours[m], {}};
@@ -164,17 +171,19 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   return light;
 }
 
-std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs, size_t column) const {
+std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs, size_t column,
+                                               const StopSignal* stop) const {
   std::vector<MeterLight> lights;
   lights.reserve(meters_[set].size());
   std::vector<OwnBias> own;
   own.reserve(meters_[set].size());
   for (size_t m = 0; m < meters_[set].size(); ++m) {
+    check(stop);
     lights.push_back(light_of(set, m, discs, column));
     own.push_back(lights.back().own_bias());
   }
   const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(own);
-  const NeighbourProfiles profiles = profiles_of(set, column);
+  const NeighbourProfiles profiles = profiles_of(set, column, stop);
   for (size_t m = 0; m < lights.size(); ++m) {
     lights[m].bias = pooled_bias(own[m], neighbours[m]);
     if (!discs.empty()) lights[m].bias = profiles.added_to(lights[m].bias, m, discs[m]);
@@ -308,14 +317,14 @@ ImageReading Accumulator::read_image_and_techniques(size_t c) const {
   return r;
 }
 
-ErrorSummary Accumulator::summarize() const {
+ErrorSummary Accumulator::summarize(const StopSignal* stop) const {
   if (meters_.empty()) return images_.empty() ? summarize_goniometers() : summarize_images();
   std::vector<double> errors;
   std::vector<MeterError> parts;
   std::optional<ErrorSummary::Place> worst;
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
-    const std::vector<MeterLight> lights = measured(s, lights_of(s, choose_discs(s)));
+    const std::vector<MeterLight> lights = measured(s, lights_of(s, choose_discs(s, stop), 0, stop));
     std::vector<ups_meter_reading> readings;
     for (const MeterLight& light : lights) readings.push_back(light.reading());
     double mean = 0, weights = 0;  // as the statistics have it: on surfaces by area

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/stop.h"
 #include "base/zeroed.h"
 #include "render/goniometer_sums.h"
 #include "render/image_sums.h"
@@ -63,7 +64,8 @@ class Accumulator {
   ImageReading read_image_and_techniques(size_t camera) const;
   std::vector<ups_sample> largest_samples(size_t camera, const ImageReading& image, uint64_t seed) const;
   std::vector<ups_sample> largest_samples(size_t set, const MeterSetReading& meters, uint64_t seed) const;
-  ErrorSummary summarize() const;
+  // stop: throws Cancelled once it is cancelled.
+  ErrorSummary summarize(const StopSignal* stop = nullptr) const;
   size_t unvisited_pixels(size_t camera) const { return images_[camera].unvisited_pixels(iterations_); }
   size_t unvisited_meters(size_t set) const;
 
@@ -74,11 +76,12 @@ class Accumulator {
   using Largest = std::array<float, light_part_count>;
   using Choices = std::vector<MeterRings::Choice>;  // by meter; of cells and where nothing is merged, none
   double brightest_caustic_lm() const;  // that one light path may bring by way of casters alone, before division by N
-  NeighbourProfiles profiles_of(size_t set, size_t column) const;
-  Choices choose_discs(size_t set) const;
+  NeighbourProfiles profiles_of(size_t set, size_t column, const StopSignal* stop = nullptr) const;
+  Choices choose_discs(size_t set, const StopSignal* stop = nullptr) const;
   // column: 0, all its light, or one more than that of a separated source's; all take the disc that the meter chooses.
   MeterLight light_of(size_t set, size_t meter, const Choices& discs, size_t column) const;
-  std::vector<MeterLight> lights_of(size_t set, const Choices& discs, size_t column = 0) const;
+  std::vector<MeterLight> lights_of(size_t set, const Choices& discs, size_t column = 0,
+                                    const StopSignal* stop = nullptr) const;
   // Of a set's meters as the caller counts them: of vectors, from those of their sides, their lengths.
   std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
   VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "base/error.h"
+#include "base/monitor.h"
 #include "base/thread.h"
-#include "platform/memory.h"
 #include "render/flux_pass.h"
 #include "render/job_threads.h"
 #include "scene/scene_bytes.h"
@@ -89,9 +90,7 @@ RenderJob::~RenderJob() {
 }
 
 void RenderJob::start() {
-  const auto [plan, least] = plan_least();
-  check_memory(least, allowed_, *scene_, plan, desc_);
-  memory_.set(whole_bytes(allowed_.bytes - least.scene), advice_of(allowed_));
+  allow_memory();
   thread_ = start_thread("job", [this] { run(); });
 }
 
@@ -138,13 +137,25 @@ std::pair<Plan, MemoryEstimate> RenderJob::plan_least() {
   return {std::move(plan), least};
 }
 
+void RenderJob::allow_memory() {
+  const auto [plan, least] = plan_least();
+  check_memory(least, allowed_, *scene_, plan, desc_);
+  memory_.set(whole_bytes(allowed_.bytes - least.scene), advice_of(allowed_));  // of pilots
+}
+
 ups_memory_estimate RenderJob::estimate() {
-  const MemoryEstimate least = plan_least().second;
-  if (least.peak() > allowed_.bytes) return in_bytes(least, allowed_);  // the render's pilots would not be reached
-  memory_.set(whole_bytes(double(platform::available_memory().bytes)), "");  // of its pilots
+  MemoryEstimate m = plan_least().second;
+  if (m.peak() > allowed_.bytes) return in_bytes(m, allowed_);  // the render's pilots would not be reached
+  memory_.set(whole_bytes(allowed_.bytes - m.scene), "");
   take_threads(UPS_PRIORITY_NORMAL);  // the caller's own stays as it is
-  make_integrator();
-  return in_bytes(estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_), allowed_);
+  try {
+    make_integrator();
+    m = estimate_memory(*integrator_, desc_, double(memory_.peak()), stop_);
+  } catch (const Error&) {
+    if (memory_.wanted() <= memory_.peak()) throw;
+    m.pilots = double(memory_.wanted());  // more than allowed, as the render's would
+  }
+  return in_bytes(m, allowed_);
 }
 
 ups_memory_estimate RenderJob::memory() const {
@@ -186,9 +197,11 @@ void RenderJob::prepare() {
   for (size_t s = 0; s < scene_->meter_sets.size(); ++s)
     if (integrator_->plan().lands_on(s)) look_s_ += double(scene_->meter_sets[s].count()) * reading_s_of_disc;
   reading_s_ = std::min(reading_s_ + look_s_, 0.5 * desc_.time_limit_s);
+  const Plan& plan = integrator_->plan();
+  const uint32_t pass = !scene_->meter_sets.empty() ? plan.meter_subsets : plan.camera_subsets;  // of what is judged
   const std::lock_guard lock(mutex_);
   estimate_.emplace(ProgressEstimate::Limits{desc_.time_limit_s, double(desc_.iteration_count),
-                                             desc_.target_relative_error, integrator_->plan().meter_subsets});
+                                             desc_.target_relative_error, pass});
   estimate_->start(elapsed());
 }
 
@@ -207,10 +220,9 @@ void RenderJob::iterate() {
     if (is_at_end(flux.seconds_left())) break;
     set_deadline(0.5, flux.seconds_left() + reading_s_);
   }
-  if (flux.is_done()) return;
-  set_deadline(0.8, reading_s_);
   next = {};
-  next.has_iteration = false;
+  next.has_iteration = false, next.is_last = true;
+  if (!flux.is_done()) set_deadline(0.8, reading_s_);
   while (!flux.is_done() && !stop_.is_set()) flux.trace_part(stop_, next.flux);
   deliver(next);
 }
@@ -219,35 +231,59 @@ void RenderJob::iterate() {
 void RenderJob::deliver(TallyQueue::Delivery& delivery) {
   delivery.elapsed_s = elapsed();
   const double elapsed_s = delivery.elapsed_s;
-  const bool has_iteration = delivery.has_iteration;
+  const bool has_iteration = delivery.has_iteration, has_flux = delivery.flux.light_paths > 0;
   queue_.deliver(delivery, stop_, [&] {
     const std::lock_guard lock(mutex_);
-    elapsed_ = elapsed_s;
+    if (has_iteration || has_flux) elapsed_ = elapsed_s;
     if (has_iteration) estimate_->add_iterations(++iterations_, elapsed_);
   });
 }
 
 void RenderJob::add(const TallyQueue::Delivery& delivery) {
-  if (delivery.has_iteration) sums_->add(delivery.tally);
-  flux_.add(delivery.flux);
-  sums_elapsed_ = delivery.elapsed_s;
-  double look;
-  {
-    const std::lock_guard lock(mutex_);
-    look = estimate_->next_look();
+  if (delivery.has_iteration) {
+    sums_->add(delivery.tally);
+    iterated_s_ = sums_elapsed_ = delivery.elapsed_s;
+  } else if (delivery.flux.light_paths > 0) {
+    sums_elapsed_ = delivery.elapsed_s;
   }
-  if (delivery.has_iteration && sums_->iterations() >= look && has_time_to_look()) look_at_error(delivery.elapsed_s);
+  flux_.add(delivery.flux);
+  if (delivery.is_last ? is_last_look_wanted() : is_look_due()) try_to_look();
 }
 
 // A look at many meters may take seconds, in which no deadline is asked.
-bool RenderJob::has_time_to_look() const {
+bool RenderJob::is_look_due() const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (sums_->iterations() < estimate_->next_look()) return false;
+  }
   return !(desc_.time_limit_s > 0) || elapsed() + look_s_ + (has_looked_ ? reading_s_ : 0) <= desc_.time_limit_s;
 }
 
-void RenderJob::look_at_error(double elapsed_s) {
+// At the end, when it can stop nothing any more: so that what is told of the error is not that of long ago.
+bool RenderJob::is_last_look_wanted() const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (stop_.is_cancelled() || !estimate_->is_last_look_old(sums_->iterations())) return false;
+  }
+  return !(desc_.time_limit_s > 0) ||
+         elapsed() + look_s_ + reading_s_ <= desc_.time_limit_s + 0.8 * tolerance_s(desc_.time_limit_s);
+}
+
+// One that a cancel breaks off, or that finds no memory, is left out: the sums are whole.
+void RenderJob::try_to_look() {
+  try {
+    look_at_error();
+  } catch (const Cancelled&) {
+  } catch (const std::bad_alloc&) {
+    const std::lock_guard lock(mutex_);
+    estimate_->leave_out_look(sums_->iterations());
+  }
+}
+
+void RenderJob::look_at_error() {
   const uint32_t n = sums_->iterations();
   const auto begin = Clock::now();
-  ErrorSummary e = sums_->summarize();
+  ErrorSummary e = sums_->summarize(&stop_);
   look_s_ = std::chrono::duration<double>(Clock::now() - begin).count();
   has_looked_ = true;
   const bool nodes = scene_->meter_sets.empty() && scene_->cameras.empty();
@@ -255,19 +291,19 @@ void RenderJob::look_at_error(double elapsed_s) {
       nodes ? UPS_CRITERION_MEAN : resolve_criterion(desc_.target_criterion, !scene_->meter_sets.empty());
   const double error = error_by(criterion, e);
   const ups_largest_error largest = largest_error(*scene_, e);
-  const ups_curve_point point = curve_point(n, elapsed_s, sums_->work(), e);
+  const ups_curve_point point = curve_point(n, iterated_s_, sums_->work(), e);
   std::shared_ptr<const Prediction> prediction = accuracy_.prediction;  // that only this function changes
   if (error >= 0) {
     auto next = prediction ? std::make_shared<Prediction>(*prediction)
                            : std::make_shared<Prediction>(criterion, integrator_->settings().radius_alpha);
-    next->add_look({double(n), elapsed_s, error}, std::move(e.meters));
+    next->add_look({double(n), iterated_s_, error}, std::move(e.meters));
     prediction = std::move(next);
   }
   const std::lock_guard lock(mutex_);
+  if (e.median >= 0) accuracy_.curve.push_back(point);  // before all else: it may find no memory
   worst_ = e.worst, median_ = e.median;
   accuracy_.prediction = std::move(prediction);
   accuracy_.largest = largest;
-  if (e.median >= 0) accuracy_.curve.push_back(point);
   estimate_->add_look(n, error, accuracy_.prediction.get());
 }
 
@@ -326,6 +362,7 @@ std::shared_ptr<const RenderResult> RenderJob::result() const {
 
 PathReplay RenderJob::replay(const ups_sample& sample) {
   desc_.seed = sample.seed;
+  allow_memory();
   take_threads(UPS_PRIORITY_NORMAL);
   make_integrator();
   return ups::replay(*integrator_, sample, stop_);

@@ -50,7 +50,7 @@ class RenderJob {
   void add_notice(const std::string& text) { notices_ += text + "\n"; }
   // Throws Error where it is clear that too much memory is wanted.
   void start();
-  // In place of start(): what it would take.
+  // In place of start(): what it would take; of a pilot that wants more than is allowed, what it wanted at least.
   ups_memory_estimate estimate();
   ups_memory_estimate memory() const;  // the same of a job that was started; throws INVALID_STATE while it prepares
   void cancel() { stop_.cancel(); }
@@ -60,7 +60,7 @@ class RenderJob {
   ups_status wait(uint32_t timeout_ms, std::string& message) const;
   // Throws INVALID_STATE before the first whole iteration. Others go on meanwhile, but for who wants a result too.
   std::shared_ptr<const RenderResult> result() const;
-  // Instead of start(): one sample of the render again. sensor: its number.
+  // Instead of start(), within the same memory: one sample of the render again. sensor: its number.
   PathReplay replay(const ups_sample& sample);
 
  private:
@@ -68,6 +68,7 @@ class RenderJob {
   void run();
   void iterate();
   std::pair<Plan, MemoryEstimate> plan_least();
+  void allow_memory();
   void take_threads(ups_priority priority);
   void make_integrator();
   void take_memory();
@@ -78,8 +79,10 @@ class RenderJob {
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   // With the sums held.
   void add(const TallyQueue::Delivery& delivery);
-  bool has_time_to_look() const;
-  void look_at_error(double elapsed_s);
+  bool is_look_due() const;
+  bool is_last_look_wanted() const;
+  void try_to_look();
+  void look_at_error();
   std::shared_ptr<const RenderResult> read() const;
   const WorkCounts& books() const;
   ups_result_info read_info() const;
@@ -102,11 +105,11 @@ class RenderJob {
   const Clock::time_point start_ = Clock::now();
   std::thread thread_;
 
-  mutable TallyQueue queue_;  // of what the next four sum up
+  mutable TallyQueue queue_;  // of what the next ones sum up
   std::unique_ptr<Accumulator> sums_;
   WorkCounts flux_;
   bool books_flux_ = false;  // the render's own light paths do
-  double sums_elapsed_ = 0;
+  double iterated_s_ = 0, sums_elapsed_ = 0;  // when the last iteration came, and the last of all that is in them
 
   mutable std::mutex mutex_;  // guards all below; never held for long
   mutable std::condition_variable changed_;

@@ -40,26 +40,14 @@ struct JobError {
 
   // What a catch block is in, where memory is gone, too.
   void keep() {
-    try {
-      throw;
-    } catch (const Error& e) {
-      keep(e.status(), e.what());
-    } catch (const std::bad_alloc&) {
-      keep(UPS_ERROR_OUT_OF_MEMORY, short_text);
-    } catch (const std::exception& e) {
-      keep(UPS_ERROR_INTERNAL, e.what());
-    }
-  }
-
- private:
-  static constexpr const char* short_text = "out of memory";  // fits into a string that allocates nothing
-  void keep(ups_status code, const char* text) {
-    status = code;
-    try {
-      message = text;
-    } catch (const std::bad_alloc&) {
-      message = short_text;
-    }
+    tell_exception([this](ups_status code, const char* text) {
+      status = code;
+      try {
+        message = text;
+      } catch (const std::bad_alloc&) {
+        message = "out of memory";  // short: a string that allocates nothing
+      }
+    });
   }
 };
 

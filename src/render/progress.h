@@ -9,7 +9,8 @@
 
 namespace ups {
 
-// When the error is looked at, in iterations: after 16, 20, 25, 32 ... passes of all meters. Two looks one after the
+// When the error is looked at, in iterations: after 16, 20, 25, 32 ... passes of all meters, without meters of all
+// pixels. Two looks one after the
 // other must be below the target, which guards against stopping on a lucky one, and no sooner than after 32 passes.
 class TargetRule {
  public:
@@ -38,11 +39,14 @@ class ProgressEstimate {
   double start_s() const { return start_s_; }
   void add_iterations(double iterations, double elapsed_s);
   double seconds_per_iteration() const { return iterations_ > 0 ? (elapsed_s_ - start_s_) / iterations_ : 0; }
-  // The error after so many iterations, at a look of the rule's, which the prediction, if any, has taken in. The same
-  // iterations are added before or later. error: -1: not known yet.
+  // The error after so many iterations, at a look of the rule's or at the render's end, which the prediction, if any,
+  // has taken in. The same iterations are added before or later. error: -1: not known yet.
   void add_look(double iterations, double error, const Prediction* prediction);
   bool target_is_met() const { return passed_ >= TargetRule::looks && look_ >= rule_.least(); }
   double next_look() const { return next_look_ > 0 ? next_look_ : rule_.first(); }
+  void leave_out_look(double iterations) { next_look_ = rule_.next(iterations); }
+  // Of a render that has ended after so many iterations: one look more would tell something new.
+  bool is_last_look_old(double iterations) const { return iterations >= rule_.first() && look_ < 0.9 * iterations; }
 
   double fraction() const { return fraction_; }  // [0, 1]; never falls
   double remaining_s() const { return remaining_s_; }  // -1: not known

@@ -1,6 +1,8 @@
-// See tally_queue.h. Who finds the queue empty while holding the sums gives them up in the same step.
+// See tally_queue.h. One thread delivers: while that adds, and after the last delivery, nothing new comes.
 #include "render/tally_queue.h"
 
+#include <chrono>
+#include <cstdint>
 #include <utility>
 
 namespace ups {
@@ -15,19 +17,24 @@ void TallyQueue::deliver(Delivery& delivery, const StopSignal& stop, const std::
   const size_t bytes = delivery.tally.bytes();
   {
     std::unique_lock lock(mutex_);
-    const auto has_room = [&] { return failure_ || waiting_.empty() || waiting_bytes_ + bytes <= most_bytes_; };
+    const auto is_free = [&] { return !held_ && readers_ == 0; };  // all is added at once
+    const auto has_room = [&] {
+      return failure_ || waiting_.empty() || waiting_bytes_ + bytes <= most_bytes_ || is_free() || delivery.is_last;
+    };
     while (!has_room() && !stop.is_set()) changed_.wait_for(lock, patience);
     if (failure_) std::rethrow_exception(failure_);
     waiting_.push_back(std::move(delivery));
+    has_ended_ = waiting_.back().is_last;
     waiting_bytes_ += bytes;
     delivery = {};
     delivered();
-    if (held_ || readers_ > 0) return;
+    if (!is_free()) return;
     held_ = true;
   }
-  add_all(true);
-  check();
+  add(SIZE_MAX);
   const std::lock_guard lock(mutex_);
+  give_up();
+  if (failure_) std::rethrow_exception(failure_);
   delivery.tally = std::exchange(spare_, {});
 }
 
@@ -37,35 +44,49 @@ void TallyQueue::check() {
 }
 
 void TallyQueue::hold() {
+  size_t waiting;
   {
     std::unique_lock lock(mutex_);
     ++readers_;
     changed_.wait(lock, [&] { return !held_; });
     --readers_;
     held_ = true;
+    waiting = waiting_.size();
   }
-  add_all(false);
+  add(waiting);
 }
 
-// False, and with `release` the sums are given up, where nothing waits.
-bool TallyQueue::take(Delivery& out, bool release) {
-  const std::lock_guard lock(mutex_);
-  if (!failure_ && !waiting_.empty()) {
-    out = std::move(waiting_.front());
-    waiting_.pop_front();
-    waiting_bytes_ -= out.tally.bytes();
-    return true;
+// By a reader: what came meanwhile is for who takes the sums next, and after the last delivery for this one.
+void TallyQueue::release() {
+  std::unique_lock lock(mutex_);
+  if (has_ended_) {
+    lock.unlock();
+    add(SIZE_MAX);
+    lock.lock();
   }
-  if (release) {
-    held_ = false;
-    changed_.notify_all();
-  }
-  return false;
+  give_up();
 }
 
-void TallyQueue::add_all(bool release) {
+void TallyQueue::give_up() {
+  held_ = false;
+  changed_.notify_all();
+}
+
+bool TallyQueue::take(Delivery& out) {
+  if (failure_ || waiting_.empty()) return false;
+  out = std::move(waiting_.front());
+  waiting_.pop_front();
+  waiting_bytes_ -= out.tally.bytes();
+  return true;
+}
+
+void TallyQueue::add(size_t most) {
   Delivery next;
-  while (take(next, release)) {
+  for (size_t i = 0; i < most; ++i) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!take(next)) return;
+    }
     std::exception_ptr failure;
     try {
       add_(next);

@@ -1,6 +1,7 @@
 // Between a render, which finds one tally after the other, and the sums that these are added to and that others read.
-// Whoever holds the sums adds what came meanwhile: a reader takes as long as it likes, and the render never waits for
-// it, nor does anyone who does not need the sums.
+// A reader takes as long as it likes, and the render never waits for it, nor does anyone who does not need the sums.
+// Who takes the sums adds what waits: a reader what was delivered before, the render all, and what came last is added
+// in any case. A reader's time never grows with what is delivered meanwhile.
 #pragma once
 #include <condition_variable>
 #include <deque>
@@ -18,6 +19,7 @@ class TallyQueue {
   struct Delivery {
     IterationTally tally;
     bool has_iteration = true;  // false: tally is empty
+    bool is_last = false;       // nothing comes after it
     WorkCounts flux;            // of paths that only book flux
     double elapsed_s = 0;
   };
@@ -27,9 +29,9 @@ class TallyQueue {
       : add_(std::move(add)), most_bytes_(most_bytes) {}
   void set_most_bytes(size_t bytes) { most_bytes_ = bytes; }  // before the first delivery
 
-  // Waits only where too much waits already, until `stop` is set. `delivery` becomes one whose memory can be used
-  // again. Throws what `add` threw in any thread. delivered: called as soon as every later read has the delivery, and
-  // before another thread can read it; must not call the queue.
+  // Waits only where too much waits for a reader, until `stop` is set; never with the last one. `delivery` becomes one
+  // whose memory can be used again. Throws what `add` threw in any thread. delivered: called as soon as every later
+  // read has the delivery, and before another thread can read it; must not call the queue.
   void deliver(Delivery& delivery, const StopSignal& stop, const std::function<void()>& delivered);
   // read(): with the sums held, of all that was delivered before the call. Throws what `add` threw.
   template <class Read>
@@ -43,12 +45,14 @@ class TallyQueue {
  private:
   struct Holder {
     TallyQueue& queue;
-    ~Holder() { queue.add_all(true); }
+    ~Holder() { queue.release(); }
   };
   void hold();
+  void release();
   void check();
-  void add_all(bool release);
-  bool take(Delivery& out, bool release);
+  bool take(Delivery& out);  // as give_up(), with the mutex locked
+  void give_up();
+  void add(size_t most);
 
   const std::function<void(const Delivery&)> add_;
   size_t most_bytes_;
@@ -58,7 +62,8 @@ class TallyQueue {
   size_t waiting_bytes_ = 0;
   IterationTally spare_;
   bool held_ = false;
-  int readers_ = 0;  // that wait for the sums: they are next, and add what is delivered meanwhile
+  bool has_ended_ = false;  // the last delivery came
+  int readers_ = 0;  // that wait for the sums: they are next, and add what waits then
   std::exception_ptr failure_;
 };
 

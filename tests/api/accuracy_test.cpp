@@ -186,6 +186,68 @@ TEST(Accuracy, TargetsOfPixels) {
   }
 }
 
+// An image of which each iteration visits a third: its error is looked at, and its render ends, by visits of all
+// pixels.
+TEST(Accuracy, VisitsOfManyPixelsCount) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 3, 2.6}).flipped(), matte(0.5));
+  scene.add_spot({1, 1.5, 2.5}, {0, 0, -1}, 1000, 0.3, 1.2);
+  scene.add_camera({3.9, 1.5, 1.5}, {-1, 0, 0}, 192, 172, 1);
+  check(ups_scene_commit(scene.get()), "ups_scene_commit");
+  const Outcome o = render(scene, [](ups_render_desc& d) {
+    d.method = UPS_METHOD_PATH_TRACING;
+    d.target_relative_error = 50;  // met at once
+  });
+  std::vector<uint32_t> looks;
+  for (const ups_curve_point& p : o.curve()) looks.push_back(p.iterations);
+  EXPECT_EQ(looks, (std::vector<uint32_t>{3 * 16, 3 * 20, 3 * 25, 3 * 32}));
+}
+
+// The last look by the rule may be old when a render ends: then there is one more.
+TEST(Accuracy, ARenderLooksAtItsEnd) {
+  Scene scene;
+  make_office(scene);
+  const auto looks_of = [&](uint32_t count) {
+    const Outcome o = render(scene, [&](ups_render_desc& d) {
+      d.method = UPS_METHOD_PATH_TRACING;
+      d.iteration_count = count;
+    });
+    std::vector<uint32_t> looks;
+    for (const ups_curve_point& p : o.curve()) looks.push_back(p.iterations);
+    return looks;
+  };
+  EXPECT_EQ(looks_of(15), std::vector<uint32_t>());
+  EXPECT_EQ(looks_of(19), (std::vector<uint32_t>{16, 19}));
+  EXPECT_EQ(looks_of(25), (std::vector<uint32_t>{16, 20, 25}));
+  EXPECT_EQ(looks_of(27), (std::vector<uint32_t>{16, 20, 25}));
+  EXPECT_EQ(looks_of(31), (std::vector<uint32_t>{16, 20, 25, 31}));
+}
+
+TEST(Accuracy, ACancelledRenderLooksNoMore) {
+  Scene scene;
+  make_office(scene);
+  auto d = make_desc<ups_render_desc>(ups_render_desc_init);
+  d.method = UPS_METHOD_PATH_TRACING;
+  d.time_limit_s = 1000;
+  ups_job* job = nullptr;
+  check(ups_job_start(scene.get(), &d, &job), "ups_job_start");
+  ups_progress progress{};
+  progress.struct_size = sizeof progress;
+  do check(ups_job_poll(job, &progress), "ups_job_poll");
+  while (progress.iterations_done < 30);
+  ups_job_cancel(job);
+  EXPECT_EQ(ups_job_wait(job, 60000), UPS_CANCELLED);
+  uint32_t looks = 0;
+  check(ups_job_get_curve_count(job, &looks), "ups_job_get_curve_count");
+  ups_curve_point point{};
+  point.struct_size = sizeof point;
+  for (uint32_t i = 0, by_rule = 16; i < looks; ++i, by_rule = (5 * by_rule + 3) / 4) {
+    check(ups_job_get_curve_point(job, i, &point), "ups_job_get_curve_point");
+    EXPECT_EQ(point.iterations, by_rule);
+  }
+  ups_job_destroy(job);
+}
+
 // In a closed room whose walls emit L and reflect half of all light, every illuminance is 2 pi L. Of 60 renders that a
 // target ended, no more miss it than 5 %, 3 renders, allow: above 6 the chance is 3 % were the share that.
 TEST(Accuracy, TargetsAreMetByTheTrueError) {

@@ -5,6 +5,7 @@
 
 #include "failing_memory.h"
 #include "rooms.h"
+#include "ups/ups_replay.h"
 
 using namespace ups::test;
 
@@ -113,6 +114,44 @@ TEST_P(MemoryLimit, TooManyLightPaths) {
   EXPECT_EQ(r.status, UPS_ERROR_OUT_OF_MEMORY);
   EXPECT_NE(r.message.find("light_paths_per_iteration"), std::string::npos) << r.message;
   EXPECT_LE(r.peak, 0.5 * double(e.peak_bytes) + slack);
+}
+
+// Pilots keep the caller's limit too, of an estimate and of a path that is traced again.
+TEST_P(MemoryLimit, OfEstimatesAndReplays) {
+  add_box(scene);
+  const Sensor meters = scene.add_meters(grid(4, 4, 0.5, 0.5, 0.4, 0.75), {0, 0, 1});
+  commit();
+  auto d = desc(UPS_METHOD_UPS, 1);
+  d.light_paths_per_iteration = 1 << 17;
+  const double whole = double(estimate(d).peak_bytes), limit = 0.3 * whole;
+  d.memory_limit_bytes = uint64_t(limit);
+  begin_peak();
+  const ups_memory_estimate e = estimate(d);
+  EXPECT_LE(double(peak_allocated() - before_), limit + slack);
+  EXPECT_EQ(e.allowed_bytes, d.memory_limit_bytes);
+  EXPECT_GT(e.peak_bytes, e.allowed_bytes) << "what cannot be rendered is told so";
+
+  ups_sample sample{};
+  sample.sensor = meters.id;
+  sample.walk = UPS_WALK_EYE;
+  const auto replay = [&] {
+    ups_path* path = nullptr;
+    const ups_status status = ups_replay(scene.get(), &d, &sample, &path);
+    EXPECT_EQ(path != nullptr, status == UPS_OK);
+    ups_path_destroy(path);
+    return status;
+  };
+  for (const float radius : {0.1f, 0.0f}) {  // the iteration's light paths are too many, or those of a pilot
+    d.merge_radius_m = radius;
+    begin_peak();
+    EXPECT_EQ(replay(), UPS_ERROR_OUT_OF_MEMORY);
+    EXPECT_NE(std::string(ups_last_error()).find("memory_limit_bytes"), std::string::npos) << ups_last_error();
+    EXPECT_LE(double(peak_allocated() - before_), limit + slack);
+  }
+  d.memory_limit_bytes = 1000;
+  EXPECT_EQ(replay(), UPS_ERROR_OUT_OF_MEMORY) << "the scene takes more";
+  d.memory_limit_bytes = uint64_t(1.3 * whole + slack);
+  EXPECT_EQ(replay(), UPS_OK) << ups_last_error();
 }
 
 // A light path in some 60 000 starts within a closed white box, where it crosses the discs of a thousand meters in one

@@ -115,6 +115,52 @@ TEST_P(Memory, RenderOfSourcesThatForetells) {
   d.memory_limit_bytes = 100000000;
   sweep_renders(GetParam(), d, 20, 5);
 }
+// Whatever has no memory, what was rendered before can be read, also where the job failed: a look at the error that
+// finds none is left out. Of meters alone, whose sums are all made before the first iteration.
+TEST_P(Memory, WhatWasRenderedCanBeRead) {
+  begin_watch();
+  Scene scene(GetParam());
+  scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
+  scene.add_point_light({2, 2, 2.5}, 1000);
+  scene.add_meters({{1, 1, 0.75}, {2, 3, 0.75}}, {0, 0, 1});
+  ASSERT_EQ(ups_scene_commit(scene.get()), UPS_OK) << ups_last_error();
+  auto d = make_desc<ups_render_desc>(ups_render_desc_init);
+  d.method = UPS_METHOD_PATH_TRACING;
+  d.iteration_count = 32;
+  d.max_path_length = 2;
+  ups_job* job = nullptr;
+  const Call run = [&] {
+    const ups_status status = ups_job_start(scene.get(), &d, &job);
+    return status == UPS_OK ? ups_job_wait(job, 60000) : status;
+  };
+  const long calls = count_calls(run);
+  ups_job_destroy(job);
+  bool is_failing = true;
+  int readable = 0;
+  for (long k = 1; is_failing; k += stride(calls, 200)) {
+    job = nullptr;
+    is_failing = try_failing(run, k, 1);
+    if (!job) continue;
+    ups_progress progress{};
+    progress.struct_size = sizeof progress;
+    ASSERT_EQ(ups_job_poll(job, &progress), UPS_OK);
+    if (progress.iterations_done > 0) {
+      ups_result* result = nullptr;
+      EXPECT_EQ(ups_job_result(job, &result), UPS_OK) << "allocation " << k << ": " << ups_last_error();
+      if (result) {
+        ups_result_info info{};
+        info.struct_size = sizeof info;
+        EXPECT_EQ(ups_result_get_info(result, &info), UPS_OK);
+        EXPECT_EQ(info.iterations, progress.iterations_done);
+      }
+      ups_result_destroy(result);
+      ++readable;
+    }
+    ups_job_destroy(job);
+  }
+  EXPECT_GT(readable, 10) << "or the test shows nothing";
+}
+
 TEST_P(Memory, Estimate) {
   begin_watch();
   Room room(GetParam());

@@ -69,6 +69,45 @@ TEST_F(MachineMemory, GroupOfVersion2AndThoseThatItLiesIn) {
   EXPECT_EQ(available().bytes, 0u);
 }
 
+// Above memory.high a group is slowed down.
+TEST_F(MachineMemory, SlowGroupsOfVersion2) {
+  write("proc/self/cgroup", "0::/user/job\n");
+  write("proc/self/mountinfo", "31 23 0:28 / /sys/fs/cgroup rw - cgroup2 cgroup2 rw\n");
+  write_group("sys/fs/cgroup/user/job", std::to_string(1000 * mb), 300 * mb, 100 * mb);
+  write("sys/fs/cgroup/user/job/memory.high", "max\n");
+  EXPECT_EQ(available().bytes, 800 * mb);
+  write("sys/fs/cgroup/user/job/memory.high", std::to_string(900 * mb) + "\n");
+  EXPECT_EQ(available().bytes, 700 * mb);
+  EXPECT_EQ(available().limit, "the control group's limit, /sys/fs/cgroup/user/job/memory.high,");
+  write_group("sys/fs/cgroup/user", "max", 500 * mb, 0);
+  write("sys/fs/cgroup/user/memory.high", std::to_string(600 * mb) + "\n");
+  EXPECT_EQ(available().bytes, 100 * mb);
+  write("sys/fs/cgroup/user/memory.high", std::to_string(2000 * mb) + "\n");
+  write("sys/fs/cgroup/user/job/memory.high", std::to_string(1100 * mb) + "\n");
+  EXPECT_EQ(available().bytes, 800 * mb) << "the limit is the less";
+}
+
+TEST_F(MachineMemory, SwapThatGroupsAllow) {
+  write("proc/meminfo", "MemAvailable:    4194304 kB\nSwapFree: 1048576 kB\n");
+  write("proc/self/cgroup", "0::/user/job\n");
+  write("proc/self/mountinfo", "31 23 0:28 / /sys/fs/cgroup rw - cgroup2 cgroup2 rw\n");
+  write("sys/fs/cgroup/user/job/memory.swap.max", "max\n");
+  write("sys/fs/cgroup/user/job/memory.swap.current", "0\n");
+  EXPECT_EQ(available().bytes, 5120 * mb);
+  write("sys/fs/cgroup/user/job/memory.swap.max", std::to_string(900 * mb) + "\n");
+  write("sys/fs/cgroup/user/job/memory.swap.current", std::to_string(200 * mb) + "\n");
+  EXPECT_EQ(available().bytes, 4796 * mb);
+  EXPECT_EQ(available().limit, "what the machine has free");
+  write("sys/fs/cgroup/user/memory.swap.max", std::to_string(500 * mb) + "\n");
+  write("sys/fs/cgroup/user/memory.swap.current", std::to_string(300 * mb) + "\n");
+  EXPECT_EQ(available().bytes, 4296 * mb);
+  write("sys/fs/cgroup/user/memory.swap.max", "0\n");
+  EXPECT_EQ(available().bytes, 4096 * mb);
+  write("sys/fs/cgroup/user/memory.swap.max", std::to_string(5000 * mb) + "\n");
+  write("sys/fs/cgroup/user/job/memory.swap.max", "max\n");
+  EXPECT_EQ(available().bytes, 5120 * mb) << "there is no more than the machine has";
+}
+
 TEST_F(MachineMemory, GroupOfVersion1) {
   write("proc/self/cgroup", "5:cpu,cpuacct:/other\n4:memory:/job\n0::/\n");
   write("proc/self/mountinfo",

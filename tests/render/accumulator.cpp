@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "base/monitor.h"
 #include "emitter/point.h"
 #include "render/accumulator.h"
 
@@ -78,6 +79,21 @@ TEST(Accumulator, BoundCoversBias) {
   }
   EXPECT_GE(covered, 950);
   EXPECT_LT(noise_only, 200);
+}
+
+TEST(Accumulator, ACancelEndsALookAtTheError) {
+  Rig rig(1);
+  Accumulator sums(rig.scene, rig.plan);
+  for (int i = 0; i < 16; ++i) {
+    rig.tally.meters[0][0] = path(1 + 0.1 * i);
+    sums.add(rig.tally);
+  }
+  StopSignal stop;
+  EXPECT_GT(sums.summarize(&stop).worst, 0);
+  EXPECT_EQ(sums.summarize(&stop).worst, sums.summarize().worst);
+  stop.cancel();
+  EXPECT_THROW(sums.summarize(&stop), Cancelled);
+  EXPECT_GT(sums.summarize().worst, 0) << "a result can be read";
 }
 
 TEST(Accumulator, ErrorIsUnknownBeforeFourIterations) {

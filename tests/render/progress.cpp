@@ -114,6 +114,18 @@ TEST(Progress, TellsNoEndOfAHopelessTarget) {
     }
 }
 
+TEST(Progress, ALastLookIsForOldOnes) {
+  ProgressEstimate estimate({0, 1000, 0, 3});
+  EXPECT_FALSE(estimate.is_last_look_old(3 * 16 - 1)) << "too few to tell an error";
+  EXPECT_TRUE(estimate.is_last_look_old(3 * 16));
+  estimate.leave_out_look(3 * 16);
+  EXPECT_EQ(estimate.next_look(), 3 * 20);
+  EXPECT_TRUE(estimate.is_last_look_old(3 * 16)) << "there was none";
+  estimate.add_look(3 * 20, -1, nullptr);
+  EXPECT_FALSE(estimate.is_last_look_old(3 * 22));
+  EXPECT_TRUE(estimate.is_last_look_old(3 * 23));
+}
+
 // Meters that are visited in turn: what counts are passes.
 TEST(Progress, CountsPasses) {
   const std::vector<Told> all = run({1000, 0, 0.9, 5}, 0.5, 0, 1);

@@ -62,8 +62,61 @@ TEST_F(Queue, AReaderHoldsNobodyUp) {
   reader.join();
   EXPECT_EQ(before, 1u);
   EXPECT_EQ(after, 1u) << "the sums change while they are read";
-  ASSERT_EQ(added.size(), 101u) << "the reader adds what came meanwhile";
-  for (int i = 0; i <= 100; ++i) EXPECT_EQ(added[i], i);
+  deliver(101);
+  ASSERT_EQ(added.size(), 102u) << "with the next one what came meanwhile is added";
+  for (int i = 0; i <= 101; ++i) EXPECT_EQ(added[i], i);
+}
+
+// Were a reader to go on until nothing waits, adding slower than the render delivers, it would return with the last.
+TEST_F(Queue, AReaderAddsOnlyWhatWaited) {
+  TallyQueue slow(
+      [this](const TallyQueue::Delivery& d) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        added.push_back(d.elapsed_s);
+      },
+      8 * IterationTally().bytes());
+  constexpr int most = 1000;
+  std::atomic<bool> reading{false}, done{false};
+  std::atomic<int> delivered{0};
+  std::thread reader([&] {
+    slow.read([&] {
+      reading = true;
+      while (delivered < 4) std::this_thread::yield();
+    });
+    done = true;
+  });
+  while (!reading) std::this_thread::yield();
+  while (!done && delivered < most) {
+    auto d = numbered(delivered);
+    slow.deliver(d, stop, [] {});
+    ++delivered;
+  }
+  reader.join();
+  EXPECT_LT(delivered, most);
+  slow.read([] {});
+  ASSERT_EQ(added.size(), size_t(delivered));
+  for (int i = 0; i < delivered; ++i) EXPECT_EQ(added[size_t(i)], i);
+}
+
+// The last delivery waits for no reader, and though none comes after it nothing is left: the reader adds it.
+TEST_F(Queue, WhatCameLastIsAdded) {
+  TallyQueue small([this](const TallyQueue::Delivery& d) { added.push_back(d.elapsed_s); }, 0);
+  std::atomic<bool> reading{false}, delivered{false};
+  std::thread reader([&] {
+    small.read([&] {
+      reading = true;
+      while (!delivered) std::this_thread::yield();
+    });
+  });
+  while (!reading) std::this_thread::yield();
+  for (int i = 0; i < 2; ++i) {
+    auto d = numbered(i);
+    d.is_last = i == 1;
+    small.deliver(d, stop, [] {});
+  }
+  delivered = true;
+  reader.join();
+  EXPECT_EQ(added, (std::vector<double>{0, 1}));
 }
 
 TEST_F(Queue, AReaderSeesAllThatWasDelivered) {

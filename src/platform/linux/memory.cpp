@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <memory>
@@ -63,13 +64,16 @@ bool has_word(View list, View word) {
 // How the two versions name the same things.
 struct Version {
   View type, controller;  // of the file system; in /proc/self/cgroup, of version 2 it is empty
-  const char *limit, *usage;
+  // Above the second limit, which only version 2 has, a group is slowed down until next to nothing gets done.
+  const char *limit, *slow_limit, *usage;
   View active_files, inactive_files;
+  const char *swap_limit, *swap_usage;  // of version 2; version 1 counts swap with the memory
 };
 constexpr Version versions[] = {
-    {"cgroup2", "", "/memory.max", "/memory.current", "active_file", "inactive_file"},
-    {"cgroup", "memory", "/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_active_file",
-     "total_inactive_file"}};
+    {"cgroup2", "", "/memory.max", "/memory.high", "/memory.current", "active_file", "inactive_file",
+     "/memory.swap.max", "/memory.swap.current"},
+    {"cgroup", "memory", "/memory.limit_in_bytes", nullptr, "/memory.usage_in_bytes", "total_active_file",
+     "total_inactive_file", nullptr, nullptr}};
 
 // The process's own group: "4:memory:/a/b", of version 2 "0::/a/b".
 std::optional<View> group_in(View table, const Version& v) {
@@ -112,25 +116,36 @@ void take_less(AvailableMemory& out, uint64_t bytes, std::string limit) {
   if (bytes < out.bytes) out = {bytes, std::move(limit)};
 }
 
-void look_at_group(const std::string& root, std::string place, const Version& v, AvailableMemory& out) {
+uint64_t less(uint64_t all, uint64_t used) { return all > used ? all - used : 0; }
+
+void look_at_memory(const std::string& root, const std::string& place, const Version& v, AvailableMemory& out) {
   const std::string folder = root + place;
-  const std::optional<uint64_t> most = number_in(text_of(folder + v.limit));
-  if (!most) return;
-  const std::string statistics = text_of(folder + "/memory.stat");
-  const uint64_t used = number_in(text_of(folder + v.usage)).value_or(0),
-                 files = entry_of(statistics, v.active_files).value_or(0) +
-                         entry_of(statistics, v.inactive_files).value_or(0),
-                 held = used > files ? used - files : 0;
-  take_less(out, *most > held ? *most - held : 0, "the control group's limit, " + place + v.limit + ",");
+  for (const char* limit : {v.limit, v.slow_limit}) {
+    const std::optional<uint64_t> most = limit ? number_in(text_of(folder + limit)) : std::nullopt;
+    if (!most) continue;
+    const std::string statistics = text_of(folder + "/memory.stat");
+    const uint64_t used = number_in(text_of(folder + v.usage)).value_or(0),
+                   files = entry_of(statistics, v.active_files).value_or(0) +
+                           entry_of(statistics, v.inactive_files).value_or(0);
+    take_less(out, less(*most, less(used, files)), "the control group's limit, " + place + limit + ",");
+  }
 }
 
-void look_at_groups(const std::string& root, const Version& v, AvailableMemory& out) {
+void look_at_swap(const std::string& folder, const Version& v, uint64_t& free) {
+  if (!v.swap_limit) return;
+  if (const std::optional<uint64_t> most = number_in(text_of(folder + v.swap_limit)))
+    free = std::min(free, less(*most, number_in(text_of(folder + v.swap_usage)).value_or(0)));
+}
+
+void look_at_groups(const std::string& root, const Version& v, AvailableMemory& out, uint64_t& free_swap) {
   const std::string groups = text_of(root + "/proc/self/cgroup"), mounts = text_of(root + "/proc/self/mountinfo");
   const std::optional<View> group = group_in(groups, v);
   if (!group) return;
   for (const Mount& mount : mounts_in(mounts, v))
     for (View at = below(mount, *group);; at = at.substr(0, at.rfind('/'))) {
-      look_at_group(root, std::string(mount.place) + std::string(at), v, out);
+      const std::string place = std::string(mount.place) + std::string(at);
+      look_at_memory(root, place, v, out);
+      look_at_swap(root + place, v, free_swap);
       if (at.empty()) break;
     }
 }
@@ -141,9 +156,10 @@ AvailableMemory available_memory_below(const std::string& root) {
   AvailableMemory out;
   constexpr uint64_t kb = 1024;
   const std::string machine = text_of(root + "/proc/meminfo");
+  uint64_t free_swap = entry_of(machine, "SwapFree").value_or(0) * kb;
+  for (const Version& v : versions) look_at_groups(root, v, out, free_swap);
   if (const std::optional<uint64_t> available = entry_of(machine, "MemAvailable"))
-    take_less(out, (*available + entry_of(machine, "SwapFree").value_or(0)) * kb, "what the machine has free");
-  for (const Version& v : versions) look_at_groups(root, v, out);
+    take_less(out, *available * kb + free_swap, "what the machine has free");
   return out;
 }
 
