@@ -50,23 +50,27 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
     values[b] = direct ? sums.direct[b] : part == indirect_light ? sums.value[b] - sums.direct[b] : sums.value[b];
     light.largest_batch = std::max(light.largest_batch, values[b] - of_exact * visits_of_batch(visits, b));
   }
-  Spread e = photons.halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
+  // Light straight from emitters that no photon brings is not biased, nor has it any part in the choice of discs.
+  const bool merged = may_be_merged(part), halves_differ = merged && photons.halves_differ;
+  const Spread blur = merged ? bias : Spread{0, 0};
+  const double narrower = merged ? photons.narrower : 0;
+  Spread e = halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
   if (e.standard_error < 0) return {-1.0f, -1.0f};
-  e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));
-  const double offset = std::abs(bias.mean);
+  if (merged) e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));
+  const double offset = std::abs(blur.mean);
   const double added = rounding + unfound[part];
   if (!light.is_enough(visits))
-    return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), photons.narrower) + added)};
+    return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), narrower) + added)};
   // A disc is chosen that has less bias than noise: where it may be noise, its standard error counts once, unless it is
   // so large beside the reading's own, whose photons are stratified, that it could not tell. Nor is bias known better
   // than its model: a fit of even curvature sees three fifths of a slope's, so 95 % are taken to be within two thirds.
-  const bool noise = offset <= 2 * bias.standard_error,
-             once = noise && photons.bias_scale > 0 && bias.standard_error < 3 * e.standard_error;
-  const uint32_t means = photons.halves_differ ? 2 : 1;
+  const bool noise = offset <= 2 * blur.standard_error,
+             once = noise && photons.bias_scale > 0 && blur.standard_error < 3 * e.standard_error;
+  const uint32_t means = halves_differ ? 2 : 1;
   const double t = noise ? t_quantile(visits, means, offset, e.standard_error) : t_quantile(visits, means),
                model = 0.31 * offset,
-               bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * bias.standard_error, t * model);
-  return {float(e.standard_error), float(std::max(bound, photons.narrower) + added)};
+               bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * blur.standard_error, t * model);
+  return {float(e.standard_error), float(std::max(bound, narrower) + added)};
 }
 
 ups_meter_reading MeterLight::reading() const {
@@ -89,9 +93,6 @@ double MeterLight::mean_of(LightPart part) const {
   const double direct = spread(sums.direct, visits).mean;
   return part == direct_light ? direct : spread(sums.value, visits).mean - (part == whole_light ? 0 : direct);
 }
-
-// Light straight from emitters that no photon brings has no bias; the other part may have all of it.
-double MeterLight::bias_of(LightPart part) const { return part != direct_light || merges_direct ? bias.mean : 0; }
 
 ups_meter_part_reading MeterLight::part(ups_light_part part) const {
   if (visits == 0) return {-1, -1, -1, -1};

@@ -204,6 +204,28 @@ TEST(Accumulator, BoundOfFewPathsHolds) {
   }
 }
 
+// Photons that bring no direct light blur none of it, and their choice of discs does not make it noisy: its bound is that
+// of its own batches, t = 2.131 times their standard error.
+TEST(MeterLight, DirectLightHasNoErrorOfPhotonsThatBringNone) {
+  MeterLight light{};
+  light.visits = 16;
+  for (uint32_t b = 0; b < batch_count; ++b) {
+    light.sums.direct[b] = 300 + (b % 2 ? 0.4 : -0.4);
+    light.sums.value[b] = light.sums.direct[b] + (b % 4 < 2 ? 50 : 60);
+  }
+  light.sums.paths.fill({300, 16});
+  light.sums.batches.fill(0xffff);
+  light.bias = {5, 1};
+  light.photons.choice_variance = 4, light.photons.narrower = 9, light.photons.halves_differ = true;
+  const double noise = 0.4 / std::sqrt(15.0);
+  EXPECT_NEAR(light.part(UPS_LIGHT_PART_DIRECT).standard_error_lx, noise, 1e-5);
+  EXPECT_NEAR(light.part(UPS_LIGHT_PART_DIRECT).error_bound_lx, 2.131 * noise, 1e-4);
+  EXPECT_EQ(light.part(UPS_LIGHT_PART_DIRECT).bias_lx, 0);
+  EXPECT_GE(light.part(UPS_LIGHT_PART_INDIRECT).error_bound_lx, 9);
+  light.merges_direct = true;
+  EXPECT_GE(light.part(UPS_LIGHT_PART_DIRECT).error_bound_lx, 9) << "where photons bring it, too";
+}
+
 TEST(Accumulator, NothingEmitsIsExact) {
   Rig rig(2);
   rig.scene.emitters = {};
