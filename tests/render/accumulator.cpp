@@ -226,6 +226,23 @@ TEST(MeterLight, DirectLightHasNoErrorOfPhotonsThatBringNone) {
   EXPECT_GE(light.part(UPS_LIGHT_PART_DIRECT).error_bound_lx, 9) << "where photons bring it, too";
 }
 
+// Of two columns the second has no emitter: what nothing shines for is known to be dark, beside what is unknown of others.
+TEST(Accumulator, AColumnWithoutLightIsExact) {
+  Rig rig(2);
+  rig.plan.separation.columns.resize(2);
+  rig.plan.separation.column_of_emitter = {0};
+  rig.tally.separated.assign(1, std::vector<MeterTally>(4));
+  rig.tally.meters[0][0] = rig.tally.separated[0][0] = path(5);
+  Accumulator sums(rig.scene, rig.plan);
+  for (int i = 0; i < 8; ++i) sums.add(rig.tally);
+  const MeterSetReading r = sums.read_meters_and_sources(0);
+  EXPECT_FLOAT_EQ(r.separated[0][1].error_bound_lx, 3.0f * 5 / 8) << "not found";
+  for (const ups_meter_reading& m : r.separated[1]) {
+    EXPECT_EQ(m.standard_error_lx, 0);
+    EXPECT_EQ(m.error_bound_lx, 0);
+  }
+}
+
 TEST(Accumulator, NothingEmitsIsExact) {
   Rig rig(2);
   rig.scene.emitters = {};
