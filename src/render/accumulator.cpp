@@ -360,8 +360,9 @@ ErrorSummary Accumulator::summarize() const {
     for (size_t i = 0; i < readings.size(); ++i) {
       const ups_meter_reading& m = readings[i];
       if (m.error_bound_lx < 0) return {};
-      parts.push_back(emits_ ? meter_error(m, lights[i].unfound[whole_light], floor, lights[i].visits)
-                             : MeterError{});
+      MeterError apart;
+      lights[i].error_of(whole_light, &apart);
+      parts.push_back(emits_ ? apart.scaled(1 / std::max(double(m.illuminance_lx), floor)) : MeterError{});
       parts.back().halves = float(log_ratio_of_halves(lights[i].sums.value, lights[i].visits));
       errors.push_back(emits_ ? m.error_bound_lx / std::max(double(m.illuminance_lx), floor) : 0);
       if (!worst || parts.back().error() > worst->error.error()) worst = {s, i, parts.back()};
@@ -395,12 +396,14 @@ ErrorSummary Accumulator::summarize_goniometers() const {
 
 ErrorSummary Accumulator::summarize_images() const {
   std::vector<double> errors;
+  MeanError together;
   double sum = 0;
   for (const ImageSums& image : images_)
-    if (!image.relative_errors(iterations_, errors, sum)) return {};
+    if (!image.relative_errors(iterations_, errors, sum, together)) return {};
   const double mean = errors.empty() ? -1 : sum / double(errors.size());
   ErrorSummary s = summary_of(std::move(errors), 0.0);
   s.mean = float(mean);
+  s.meters = {together.mean()};
   return s;
 }
 

@@ -32,7 +32,7 @@ struct MeterSetReading {
 // Quantiles of the relative error over all meters, without meters over all pixels; -1: not known yet.
 struct ErrorSummary {
   float median = -1, p95 = -1, worst = -1, mean = -1, bias_share = -1;
-  std::vector<MeterError> meters;  // of all sets; empty where the quantiles are over pixels or a goniometer's nodes
+  std::vector<MeterError> meters;  // of all sets; one that stands for all pixels; empty: a goniometer's nodes
   struct Place {
     size_t set, meter;
     MeterError error;

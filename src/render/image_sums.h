@@ -9,6 +9,7 @@
 #include "render/largest_samples.h"
 #include "render/layer_sums.h"
 #include "render/pixel_bias.h"
+#include "render/prediction.h"
 #include "render/zero_bound.h"
 #include "transport/tally.h"
 
@@ -50,8 +51,8 @@ class ImageSums {
   size_t unvisited_pixels(uint32_t iterations) const;  // by eye paths so far
   // Adds those of all pixels: bound / max(L, share_of_mean of the image's mean), of luminance; and their sum to `sum`,
   // to which all pixels that no path has brought light to add what one of them could have: had any of them much, some
-  // path would have found it. False where they are not known yet.
-  bool relative_errors(uint32_t iterations, std::vector<double>& out, double& sum) const;
+  // path would have found it. together: the same, by what makes them fall. False where they are not known yet.
+  bool relative_errors(uint32_t iterations, std::vector<double>& out, double& sum, MeanError& together) const;
 
  private:
   uint32_t passes(uint32_t iterations) const { return iterations / plan_.camera_subsets; }
@@ -63,6 +64,9 @@ class ImageSums {
   // That one path may bring to a pixel: what one brought to a tile (Units::side) or its neighbours; of all tiles.
   std::vector<float> largest_around(double least) const;
   std::vector<float> largest_of_tiles() const;
+  // What a pixel's error bound is made of, of so many whole passes.
+  MeterError apart(uint32_t pixel, uint32_t passes, uint32_t visits, const ImageReading& reading,
+                   const std::vector<Spread>& bias_of_squares) const;
   void add_techniques(const TechniqueTally& tally);
   uint32_t visits(uint32_t iterations, uint32_t x, uint32_t y) const {
     return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);

@@ -39,7 +39,7 @@ void MeterSums::add(const MeterRings::Photons& photons) {
     if (part != direct_light || photons.brings_direct) paths[part].add(photons.paths);
 }
 
-std::pair<float, float> MeterLight::error_of(LightPart part) const {
+std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) const {
   const bool direct = part == direct_light;
   const double exact_of[] = {sums.exact, sums.exact - sums.exact_mirrored, sums.exact_mirrored},
                of_exact = exact_of[part] / visits, rounding = exact_of[part] > 0 ? sums.rounding / visits : 0;
@@ -59,8 +59,11 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
   if (merged) e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));
   const double offset = std::abs(blur.mean);
   const double added = rounding + unfound[part];
-  if (!light.is_enough(visits))
-    return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), narrower) + added)};
+  if (!light.is_enough(visits)) {
+    const double bound = std::max(offset + light.bound(largest[part], visits), narrower) + added;
+    if (apart) *apart = {.bias = float(offset), .unfound = float(bound - offset), .paths = float(light.paths)};
+    return {-1.0f, float(bound)};
+  }
   // A disc is chosen that has less bias than noise: where it may be noise, its standard error counts once, unless it is
   // so large beside the reading's own, whose photons are stratified, that it could not tell. Nor is bias known better
   // than its model: a fit of even curvature sees three fifths of a slope's, so 95 % are taken to be within two thirds.
@@ -70,6 +73,21 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
   const double t = noise ? t_quantile(visits, means, offset, e.standard_error) : t_quantile(visits, means),
                model = 0.31 * offset,
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * blur.standard_error, t * model);
+  if (apart) {
+    // Bias is estimated with four times the variance that merging has, batch by batch. All but rays and what bias makes
+    // falls as merging does.
+    const double all = std::max(bound, narrower) - offset, own = merged ? spread(sums.bias, visits).standard_error : 0,
+                 of_rays = std::max(0.0, std::pow(e.standard_error, 2) - photons.choice_variance - own * own / 4),
+                 share = all > 0 ? t * t / (all * all) : 0, of_bias = share * model * model;
+    *apart = {.noise = float(all),
+              .bias = float(offset),
+              .merged = float(merged && all > 0 ? std::max(0.0, 1 - share * of_rays - of_bias) : 0),
+              .deviations = blur.standard_error > 0 ? float(offset / blur.standard_error) : 1e9f,
+              .unfound = float(added),
+              .paths = float(photons.caustics),
+              .of_bias = float(of_bias),
+              .visits = visits};
+  }
   return {float(e.standard_error), float(std::max(bound, narrower) + added)};
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "render/pooled_bias.h"
+#include "render/prediction.h"
 #include "render/spread.h"
 #include "ups/ups_render.h"
 
@@ -42,7 +43,8 @@ struct MeterLight {
   uint32_t flags(const ups_meter_reading& reading) const;
   Sample largest_sample() const { return {sums.paths[whole_light].largest, sums.largest}; }
   OwnBias own_bias() const { return {spread(sums.bias, visits), spread(sums.value, visits).mean, photons.bias_scale}; }
-  std::pair<float, float> error_of(LightPart part) const;  // standard error and bound; -1: not known
+  // Standard error and bound; -1: not known. apart: what the bound is made of, lx; nothing where it is not known.
+  std::pair<float, float> error_of(LightPart part, MeterError* apart = nullptr) const;
 };
 
 }  // namespace ups
