@@ -271,8 +271,9 @@ MeterError ImageSums::apart(uint32_t p, uint32_t passes, uint32_t visits, const 
   if (noise < 0) return {.unfound = float(bound), .paths = float(chance(p, passes).paths)};
   if (!bias_) return {.noise = float(bound), .visits = passes};
   const Spread bias = bias_->of_pixel(p, visits, float(luminance_at(r.luminance_rgb, p)), squares);
-  const double b = std::abs(bias.mean), s_b = std::max(0.0, bias.standard_error), own = bias_->own(p, visits).standard_error,
-               all = noise * noise + s_b * s_b, merged = s_b * s_b + std::min(noise * noise, own * own / 4);
+  const double b = std::abs(bias.mean), s_b = std::max(0.0, bias.standard_error),
+               own = bias_->own(p, visits).standard_error, all = noise * noise + s_b * s_b,
+               merged = s_b * s_b + std::min(noise * noise, own * own / 4);
   MeterError m{.noise = float(std::max(0.0, bound - b)),
                .bias = float(b),
                .merged = all > 0 ? float(merged / all) : 0,

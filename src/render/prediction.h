@@ -10,8 +10,8 @@ namespace ups {
 
 inline constexpr double prediction_horizon_s = 1e7;  // what would take longer is not told
 
-// The error bound of one meter or pixel, apart by what makes it fall: noise + bias + unfound. In lx or cd/m^2, or relative:
-// bound / max(E, floor).
+// The error bound of one meter or pixel, apart by what makes it fall: noise + bias + unfound. In lx or cd/m^2, or
+// relative: bound / max(E, floor).
 struct MeterError {
   float noise = 0, bias = 0;
   float merged = 0;  // share of noise^2 that merging makes: it falls with the radius too
@@ -44,9 +44,9 @@ class MeanError {
 
 // The model: with r^2 ~ n^(alpha - 1) (Knaus, Zwicker 2011), what is estimated without merging has noise^2 ~ 1 / n,
 // merging noise^2 ~ n^-alpha and bias ~ n^(alpha - 1). Bounds on what none of n paths have found fall as 1 / n; where k
-// have, as u(k) / n with Poisson's limit u, and k grows with n. How much of each meter's error is which is known from its
-// batches; a common factor, and a common exponent beside the model's with that as prior knowledge, are fitted to all
-// looks.
+// have, as u(k) / n with Poisson's limit u, and k grows with n. How much of each meter's error is which is known from
+// its batches; a common factor, and a common exponent beside the model's with that as prior knowledge, are fitted to
+// all looks.
 class Prediction {
  public:
   // ups_criterion of the render, resolved: not DEFAULT; alpha of the radius schedule.

@@ -9,8 +9,8 @@
 namespace ups {
 
 // Upper 95 % limit of a Poisson mean after k events, less k: half the quantile of chi-square of 2 k + 2 degrees of
-// freedom (Garwood 1936), by Byar's approximation from k = 8 on (Breslow, Day 1987, Eq. 2.13), there within 0.01. Between
-// whole numbers, which a prediction asks for, on straight lines.
+// freedom (Garwood 1936), by Byar's approximation from k = 8 on (Breslow, Day 1987, Eq. 2.13), there within 0.01.
+// Between whole numbers, which a prediction asks for, on straight lines.
 inline double poisson_excess(double k) {
   static constexpr double table[] = {3.00, 3.74, 4.30, 4.75, 5.15, 5.51, 5.84, 6.15, 6.43};
   constexpr size_t last = std::size(table) - 1;

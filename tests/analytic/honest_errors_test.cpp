@@ -165,6 +165,19 @@ TEST(HonestErrors, BeamAnglesHaveIntervals) {
   EXPECT_LT(width, 0.15 * truth);
 }
 
+// A beam of 1 degree on a grid of 5: between the peak and its neighbours it may end anywhere, and that is said.
+TEST(HonestErrors, BeamsNarrowerThanTheGridHaveNoLowerEnd) {
+  constexpr double degree = 3.14159265358979323846 / 180;
+  Scene scene;
+  scene.add_spot({0, 0, 0}, {0, 0, -1}, 100, 0.4 * degree, 0.5 * degree);
+  const Sensor goniometer = scene.add_goniometer(8, 37);
+  const Result r = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 16, .light_paths = 1024});
+  const ups_goniometer_beam b = r.goniometer_beam(goniometer, 0, 0.5f);
+  EXPECT_NEAR(b.angle_deg, 5, 0.2);
+  EXPECT_LT(b.low_deg, 0.01f);
+  EXPECT_GE(b.high_deg, b.angle_deg);
+}
+
 // A room lit by a large panel, by path tracing: noise alone. Of 60 renders and 9 meters, whose eye paths share nothing,
 // 95 % of the bounds should hold; 540 of them: standard deviation 0.94 %, 3.2 of which are allowed (a false alarm in
 // 700 choices of seeds, which are fixed). The truth is the mean over all renders, whose own noise makes a sixtieth of

@@ -53,7 +53,7 @@ TEST(PixelBias, OwnBiasStaysWhereItIsBeyondDoubt) {
   EXPECT_LT(image.error_bound[6], 0.1);
 }
 
-// Where merging makes all the noise, its bias estimate has four times the variance; it may be noise, and counts as that.
+// Where merging makes all the noise, its bias estimate has four times the variance; it may be noise and counts as that.
 // 16 batches know a variance to 37 %, so that where all is merged some 0.9 seem to be.
 TEST(PixelBias, TellsWhatMergingMakes) {
   for (const double merged : {0.0, 1.0}) {

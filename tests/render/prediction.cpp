@@ -178,7 +178,7 @@ TEST(Prediction, IsRightAtAQuarterOfTheWay) {
 }
 
 // Bounds on light that no path has found fall as 1 / n, whatever else the error is made of; on light that k have, which
-// become more, as Poisson's limit has it: nearly as 1 / sqrt(n). From 32 iterations on; the noise is that of 16 batches.
+// become more, as Poisson's limit has it: nearly as 1 / sqrt(n). `paths` after 32 iterations.
 TEST(Prediction, BoundsOnUnfoundLightFallAsPathsDo) {
   for (const double unfound : {0.12, 12.0})
     for (const double paths : {0.0, 1.0, 5.0})
@@ -263,7 +263,7 @@ TEST(Prediction, OfNoiseWithoutItsOwnNoise) {
   EXPECT_EQ(met.iterations, 32);
 }
 
-// 16 batches of 100 +- 4: s = 4 / sqrt(15). From merging alone, where the bias of 3 has twice the noise; from rays alone;
+// 16 batches of 100 +- 4: s = 4 / sqrt(15). From merging alone, whose bias of 3 has twice the noise; from rays alone;
 // beside a bias of 10 without noise, of which 3.1 are not known: a share that falls as bias does.
 TEST(Prediction, TellsWhatMergingMakes) {
   double value[batch_count], bias[batch_count], sure[batch_count];
