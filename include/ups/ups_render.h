@@ -204,8 +204,8 @@ typedef struct ups_meter_statistics {
   double mean_bias_lx;           /* of the mean, estimated */
   double mean_error_bound_lx;    /* of the mean: 95 %, its noise and bias, and light that was not found */
   /* 95 % intervals of the true values, noise and bias; -1: not known (fewer than 6 iterations; uniformity and diversity
-   * also where the mean's bound is more than half of it). The least of noisy readings is biased low, the largest high: an
-   * interval need not lie evenly about its value. */
+   * also where the mean's bound is more than half of it). The least of noisy readings is biased low, the largest high:
+   * an interval need not lie evenly about its value. */
   double min_low_lx, min_high_lx, max_low_lx, max_high_lx, uniformity_low, uniformity_high;
   double percentile_5_lx;        /* 5 % of the meters are below; of those on a surface 5 % of their area */
   double percentile_5_low_lx, percentile_5_high_lx;

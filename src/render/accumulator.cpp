@@ -117,8 +117,8 @@ double Accumulator::brightest_lm(size_t column) const {
 
 // At least the brightest photon on the whole disc; and as an eye path that sees a surface as bright as the brightest
 // exact light makes a white one, or the scene's mean. One that runs into the brightest emitter by way of casters brings
-// the most of all. Where photons bring that light, too, it counts by its weight no more than one of them; light straight
-// from emitters next-event estimation brings.
+// the most of all. Where photons bring that light, too, it counts by its weight no more than one of them; light
+// straight from emitters next-event estimation brings.
 double Accumulator::largest_path(size_t set, size_t m, size_t column, double disc_area, LightPart part) const {
   const MeterSet& meters = scene_.meter_sets[set];
   const TechniqueShare share = plan_.shares.empty() ? TechniqueShare{} : plan_.shares[plan_.units.of_set(set)];
@@ -190,7 +190,8 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   }
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
     light.largest[part] = std::max(largest_path(set, m, column, area, part), double(light.sums.paths[part].largest));
-    light.exact[part] = !(emitted_[column].lm > 0) || (point && (part == direct_light ? plan_.exact_direct : plan_.exact_light));
+    const bool no_chance = part == direct_light ? plan_.exact_direct : plan_.exact_light;
+    light.exact[part] = !(emitted_[column].lm > 0) || (point && no_chance);
     if (part != direct_light && area > 0 && plan_.light_paths > 0 && light.photons.caustics < few_caustics)
       light.unfound[part] = brightest_caustic_lm(column) * poisson_excess(light.photons.caustics) /
                             (double(plan_.light_paths) * area * light.visits);

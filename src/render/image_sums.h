@@ -34,8 +34,8 @@ struct ImageReading {
 
 class ImageSums {
  public:
-  // emitted_cd_m2: luminance of the scene's bounding sphere, were it to give off all light of the emitters. hit_cd_m2: of
-  // the brightest emitter that eye paths alone may find.
+  // emitted_cd_m2: luminance of the scene's bounding sphere, were it to give off all light of the emitters. hit_cd_m2:
+  // of the brightest emitter that eye paths alone may find.
   ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2, double hit_cd_m2 = 0);
   // What the camera's image takes, a pixel: its sums, where techniques are asked for with an iteration's tally; the
   // reading, which is kept; and what reading it takes besides. passes: of all pixels.

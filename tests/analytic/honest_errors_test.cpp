@@ -34,8 +34,8 @@ TEST(HonestErrors, AMeterThatASmallMirrorLights) {
 }
 
 // A lamp of 1 cm2 and 100 cd that a mirror alone shows: E = 0.9 100 cos2 / d2 from its image, 2 m beside the meter and
-// 3.998 m above it. One eye path in 800,000 runs into it, and nothing else finds that light: the bound must hold it, found
-// or not. Without the mirror, and of direct light, such a hit would have a weight, and the bound stays small.
+// 3.998 m above it. One eye path in 800,000 runs into it, and nothing else finds that light: the bound must hold it,
+// found or not. Without the mirror, and of direct light, such a hit would have a weight, and the bound stays small.
 TEST(HonestErrors, ALampThatAMirrorAloneShows) {
   const double up = 2 * 2.999 - 2, d2 = 4 + up * up, truth = 0.9 * 100 * up * up / d2 / d2;
   for (const bool mirrored : {true, false}) {

@@ -204,8 +204,8 @@ TEST(Accumulator, BoundOfFewPathsHolds) {
   }
 }
 
-// Photons that bring no direct light blur none of it, and their choice of discs does not make it noisy: its bound is that
-// of its own batches, t = 2.131 times their standard error.
+// Photons that bring no direct light blur none of it, and their choice of discs does not make it noisy: its bound is
+// that of its own batches, t = 2.131 times their standard error.
 TEST(MeterLight, DirectLightHasNoErrorOfPhotonsThatBringNone) {
   MeterLight light{};
   light.visits = 16;
@@ -226,7 +226,7 @@ TEST(MeterLight, DirectLightHasNoErrorOfPhotonsThatBringNone) {
   EXPECT_GE(light.part(UPS_LIGHT_PART_DIRECT).error_bound_lx, 9) << "where photons bring it, too";
 }
 
-// Of two columns the second has no emitter: what nothing shines for is known to be dark, beside what is unknown of others.
+// Of two columns the second has no emitter: it is known to be dark, beside what is unknown of the other.
 TEST(Accumulator, AColumnWithoutLightIsExact) {
   Rig rig(2);
   rig.plan.separation.columns.resize(2);

@@ -172,8 +172,8 @@ TEST(MeterStatistics, HalvesOfTheirOwnBiasAreNoNoise) {
   EXPECT_NEAR(meters.bound(1), 2.145 * std::sqrt(84.0 / (16 * 14)), 1e-4);
 }
 
-// What a meter knows of its error beyond its batches its set's mean knows, too: of one meter the same; of more the mean of
-// what they know, as it may be light that they share.
+// What a meter knows of its error beyond its batches its set's mean knows, too: of one meter the same; of more the mean
+// of what they know, as it may be light that they share.
 TEST(MeterStatistics, TheMeanIsNoNarrowerThanItsMeters) {
   double batch[batch_count];
   const double no_bias[batch_count] = {};
