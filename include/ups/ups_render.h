@@ -203,8 +203,9 @@ typedef struct ups_meter_statistics {
   double median_relative_error_bound, p95_relative_error_bound, worst_relative_error_bound;
   double mean_bias_lx;           /* of the mean, estimated */
   double mean_error_bound_lx;    /* of the mean: 95 %, its noise and bias, and light that was not found */
-  /* 95 % intervals of the true values, noise and bias; -1: not known (fewer than 6 iterations). The least of noisy
-   * readings is biased low, the largest high: an interval need not lie evenly about its value. */
+  /* 95 % intervals of the true values, noise and bias; -1: not known (fewer than 6 iterations; uniformity and diversity
+   * also where the mean's bound is more than half of it). The least of noisy readings is biased low, the largest high:
+   * an interval need not lie evenly about its value. */
   double min_low_lx, min_high_lx, max_low_lx, max_high_lx, uniformity_low, uniformity_high;
   double percentile_5_lx;        /* 5 % of the meters are below; of those on a surface 5 % of their area */
   double percentile_5_low_lx, percentile_5_high_lx;
@@ -420,7 +421,8 @@ typedef struct ups_goniometer_beam {
   float angle_deg;            /* < 0: nowhere below the level, or no light in this plane */
   float standard_error_deg;   /* noise alone; < 0 here and below: not known */
   float bias_deg;             /* estimated, of the mean over the nodes' surroundings; 0 where not known */
-  float low_deg, high_deg;    /* 95 % interval, noise and bias */
+  float low_deg, high_deg;    /* 95 % interval, noise and bias; a side that ends before the node beside the peak may be
+                               * of any width down to 0 */
 } ups_goniometer_beam;
 /* c_deg finite, 0 < fraction <= 1; beam->struct_size must be set. */
 UPS_API ups_status ups_result_get_goniometer_beam(const ups_result *result, ups_sensor_id sensor, float c_deg,

@@ -27,6 +27,7 @@ class AreaEmitter : public Emitter {
 
   EmitterKind kind() const override { return EmitterKind::area; }
   bool is_delta() const override { return false; }
+  double brightest_cd_m2() const override { return area() > 0 ? double(luminance(radiance_)) : 0; }
   double flux_lm() const override;
   Rgb flux_rgb() const override;
   Vec3 center() const override { return center_; }

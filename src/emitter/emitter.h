@@ -64,6 +64,7 @@ class Emitter {
   virtual bool is_delta() const = 0;        // no eye path can hit it
   virtual bool is_directional() const { return false; }
   virtual bool is_direct() const { return true; }  // next-event estimation can sample it
+  virtual double brightest_cd_m2() const { return 0; }  // that an eye path can run into
   virtual double flux_lm() const = 0;       // luminance-weighted, all sides
   virtual Rgb flux_rgb() const = 0;
   virtual Vec3 center() const = 0;          // of its bounds

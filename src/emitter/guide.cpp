@@ -276,6 +276,10 @@ float EmissionGuide::density(size_t i, const Vec2& square) const {
   return probability_at(rows, y) * n * (probability_at(rows + h.n + size_t(y) * h.n, x) * n);
 }
 
+float EmissionGuide::least_density(size_t i) const {
+  return resolution(i) == 0 ? 1.0f : float(uniform * (1 - aimed));
+}
+
 EmitterSet::Choice EmissionGuide::choose(const EmitterSet& emitters, double u) const {
   if (choice_.size() == 0) return emitters.choose_emission(u);
   if (!(choice_.total() > 0)) return {};

@@ -31,6 +31,7 @@ class EmissionGuide {
               EmissionSample& out, Vec2& square) const;
   // Over the guided square, whose mean is 1.
   float density(size_t i, const Vec2& square) const;
+  float least_density(size_t i) const;  // it is nowhere below
   // What an emitter's own pdf_direction_w (of directional lights pdf_position_a) is to be multiplied by: light that
   // leaves p in that direction. `primitive`: as for Emitter::eval_hit.
   float factor(const EmitterSet& emitters, size_t i, const Vec3& p, uint32_t primitive, const Vec3& direction) const;

@@ -86,18 +86,32 @@ Vec3 ProfileOpeningEmitter::from_body(const Vec3d& v) const {
   return Vec3(Vec3d(frame_.s) * v.x + Vec3d(frame_.t) * v.y + Vec3d(frame_.n) * v.z);
 }
 
-// A sheet on a wall shines away from it; one on a ceiling, which may light the ceiling more, hangs below it.
-Vec3 ProfileOpeningEmitter::brighter_side() const {
-  const Vec3 nadir = -profile_.frame().n;
-  if (!body_.is_flat() || frame_.n.x * nadir.x + frame_.n.y * nadir.y + frame_.n.z * nadir.z < -0.5f) return nadir;
+template <class Visit>
+void ProfileOpeningEmitter::for_typical_directions(const Visit& visit) const {
   constexpr int lattice = 16;
-  int balance = 0;
   for (int i = 0; i < lattice * lattice; ++i) {
     Vec3 direction;
     float pdf;
     if (profile_.sample({(float(i / lattice) + 0.5f) / lattice, (float(i % lattice) + 0.5f) / lattice}, direction, pdf))
-      balance += dot(direction, frame_.n) > 0 ? 1 : -1;
+      visit(direction, pdf);
   }
+}
+
+double ProfileOpeningEmitter::brightest_cd_m2() const {
+  double most = 0;
+  for_typical_directions([&](const Vec3& direction, float pdf) {
+    const double area = body_.projected_area(normalize(to_body(direction)));
+    if (area > 0) most = std::max(most, flux_lm() * double(pdf) / area);
+  });
+  return most;
+}
+
+// A sheet on a wall shines away from it; one on a ceiling, which may light the ceiling more, hangs below it.
+Vec3 ProfileOpeningEmitter::brighter_side() const {
+  const Vec3 nadir = -profile_.frame().n;
+  if (!body_.is_flat() || frame_.n.x * nadir.x + frame_.n.y * nadir.y + frame_.n.z * nadir.z < -0.5f) return nadir;
+  int balance = 0;
+  for_typical_directions([&](const Vec3& direction, float) { balance += dot(direction, frame_.n) > 0 ? 1 : -1; });
   return balance >= 0 ? frame_.n : -frame_.n;
 }
 

@@ -59,6 +59,7 @@ class ProfileOpeningEmitter : public Emitter {
 
   EmitterKind kind() const override { return EmitterKind::profile_opening; }
   bool is_delta() const override { return false; }
+  double brightest_cd_m2() const override;  // of directions into which it sends its light
   double flux_lm() const override { return luminance(flux_rgb()); }
   Rgb flux_rgb() const override { return profile_.flux(); }
   Vec3 center() const override { return p_; }
@@ -85,6 +86,9 @@ class ProfileOpeningEmitter : public Emitter {
   Vec3d to_body(const Vec3& v) const { return {dot(v, frame_.s), dot(v, frame_.t), dot(v, frame_.n)}; }
   Vec3d place_in_body(const Vec3& p) const;
   Vec3 from_body(const Vec3d& v) const;
+  // visit(direction, its density) of directions in proportion to the intensity.
+  template <class Visit>
+  void for_typical_directions(const Visit& visit) const;
   Vec3 brighter_side() const;
   // What leaves a point with normal n towards w, both in the body's frame.
   struct Emitted {

@@ -43,9 +43,10 @@ ErrorSummary summary_of(std::vector<double> errors, double bias_share) {
 Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
     : scene_(scene), plan_(plan), emitted_lm_(scene.emitters.flux_lm()),
       scene_lx_(scene.radius > 0 ? emitted_lm_ / (4 * pi_d * scene.radius * scene.radius) : emitted_lm_),
-      emits_(emitted_lm_ > 0), largest_(scene.meter_sets.size()),
-      largest_separated_(largest_.size(), std::vector<Largest>(plan.separation.columns.size())),
-      largest_exact_(largest_.size()) {
+      emits_(emitted_lm_ > 0),
+      largest_(scene.meter_sets.size(), std::vector<Largest>(plan.separation.columns.size() + 1)),
+      largest_exact_(largest_.size(), std::vector<double>(plan.separation.columns.size() + 1)),
+      emitted_(emitted_by_column(scene, plan)) {
   for (const Goniometer& g : scene.goniometers) goniometers_.emplace_back(g, emitted_lm_, plan.light_paths);
   for (const MeterSet& set : scene.meter_sets) {
     meters_.emplace_back(set.meters.size());
@@ -55,7 +56,26 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
     rings_.emplace_back(rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0, rings,
                         plan.merges_direct_light());
   }
-  for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d);
+  const double hit_cd_m2 = plan.hits_alone_of_cameras ? emitted_[0].brightest_cd_m2 : 0;
+  for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d, hit_cd_m2);
+}
+
+std::vector<Accumulator::Emitted> Accumulator::emitted_by_column(const Snapshot& scene, const Plan& plan) {
+  std::vector<Emitted> out(plan.separation.columns.size() + 1);
+  for (size_t i = 0; i < scene.emitters.size(); ++i) {
+    const Emitter& emitter = scene.emitters[i];
+    const double flux = emitter.flux_lm(), chance = double(plan.guide.probability(scene.emitters, i)),
+                 started = chance > 0 ? flux / (chance * double(plan.guide.least_density(i))) : 0,
+                 cd_m2 = plan.hits_alone_of_cameras ? emitter.brightest_cd_m2() : 0;
+    const auto add = [&](Emitted& e) {
+      e.lm += flux;
+      e.brightest_lm = std::max(e.brightest_lm, started);
+      e.brightest_cd_m2 = std::max(e.brightest_cd_m2, cd_m2);
+    };
+    add(out[0]);
+    if (out.size() > 1) add(out[1 + plan.separation.column_of_emitter[i]]);
+  }
+  return out;
 }
 
 // All meters' light, and beside it the choice of discs, then profiles, or two more copies of the batches and their ranks.
@@ -68,17 +88,18 @@ double Accumulator::scratch_bytes(bool has_discs) {
 void Accumulator::add(const IterationTally& tally) {
   const uint32_t batch = iterations_ % batch_count, meter_batch = plan_.meter_pass(iterations_) % batch_count;
   const size_t columns = plan_.separation.columns.size();
-  const auto add = [&](const MeterTally& t, MeterSums& sums, Largest& largest) {
+  const auto add = [&](const MeterTally& t, MeterSums& sums, size_t set, size_t column) {
     sums.add(meter_batch, t, iterations_);
+    Largest& largest = largest_[set][column];
     for (size_t k = 0; k < light_part_count; ++k) largest[k] = std::max(largest[k], t.paths[k].largest);
+    largest_exact_[set][column] = std::max(largest_exact_[set][column], t.exact);
   };
   for (size_t s = 0; s < meters_.size(); ++s)
     for (size_t i = 0; i < tally.meters[s].size(); ++i) {
       const size_t m = plan_.visited_meter(iterations_, i);
-      add(tally.meters[s][i], meters_[s][m], largest_[s]);
-      largest_exact_[s] = std::max(largest_exact_[s], tally.meters[s][i].exact);
+      add(tally.meters[s][i], meters_[s][m], s, 0);
       for (size_t c = 0; c < columns; ++c)
-        add(tally.separated[s][i * columns + c], separated_[s][m * columns + c], largest_separated_[s][c]);
+        add(tally.separated[s][i * columns + c], separated_[s][m * columns + c], s, c + 1);
     }
   for (size_t s = 0; s < tally.landings.size(); ++s)
     for (const MeterLanding& l : tally.landings[s]) {
@@ -92,23 +113,37 @@ void Accumulator::add(const IterationTally& tally) {
   ++iterations_;
 }
 
+// Of a separated source its own: its flux is known, and with what chance light paths start from it. Of all light what
+// they did start with.
+double Accumulator::brightest_lm(size_t column) const {
+  const double found = double(work_.brightest_lm);
+  return column > 0 ? std::min(found, emitted_[column].brightest_lm) : found;
+}
+
 // At least the brightest photon on the whole disc; and as an eye path that sees a surface as bright as the brightest
-// exact light makes a white one, or the scene's mean.
-double Accumulator::largest_path(size_t set, size_t m, double disc_area, const Largest& found, LightPart part) const {
+// exact light makes a white one, or the scene's mean. One that runs into the brightest emitter by way of casters brings
+// the most of all. Where photons bring that light, too, it counts by its weight no more than one of them; light
+// straight from emitters next-event estimation brings.
+double Accumulator::largest_path(size_t set, size_t m, size_t column, double disc_area, LightPart part) const {
   const MeterSet& meters = scene_.meter_sets[set];
   const TechniqueShare share = plan_.shares.empty() ? TechniqueShare{} : plan_.shares[plan_.units.of_set(set)];
   const double area = meters.is_cell() && share.light ? meters.area(m) : disc_area;
   const bool photons = plan_.light_paths > 0 && area > 0 &&
                        (part != direct_light || meters.is_cell() || plan_.merges_direct_light());
-  const double photon = photons ? work_.brightest_lm / (plan_.light_paths * area) : 0;
-  const double seen = std::max(largest_exact_[set], scene_lx_) / plan_.meter_samples;
-  return std::max({double(found[part]), photon, seen});
+  const double photon = photons ? brightest_lm(column) / (plan_.light_paths * area) : 0,
+               scene_lx = column > 0 ? scene_lx_ * emitted_[column].lm / emitted_lm_ : scene_lx_,
+               seen = std::max(largest_exact_[set][column], scene_lx),
+               hit = plan_.hits_alone && !photons && part != direct_light
+                         ? double(meters.response(m).total()) * emitted_[column].brightest_cd_m2
+                         : 0;
+  return std::max({double(largest_[set][column][part]), photon, std::max(seen, hit) / plan_.meter_samples});
 }
 
 // As long as no light path has met a caster whose light is not that of an image, any might have.
-double Accumulator::brightest_caustic_lm() const {
+double Accumulator::brightest_caustic_lm(size_t column) const {
   if (!scene_.effects.sharp_caster || plan_.images_suffice) return 0;
-  return work_.brightest_caustic_lm > 0 ? work_.brightest_caustic_lm : work_.brightest_lm;
+  const double found = double(work_.brightest_caustic_lm), most = brightest_lm(column);
+  return found > 0 ? std::min(found, most) : most;
 }
 
 NeighbourProfiles Accumulator::profiles_of(size_t set, size_t column, const StopSignal* stop) const {
@@ -160,12 +195,12 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
     light.photons = rings_[set].read(row + column, rings, discs[m], light.visits);
     light.sums.add(light.photons);
   }
-  const Largest& found = column == 0 ? largest_[set] : largest_separated_[set][column - 1];
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
-    light.largest[part] = std::max(largest_path(set, m, area, found, part), double(light.sums.paths[part].largest));
-    light.exact[part] = !emits_ || (point && (part == direct_light ? plan_.exact_direct : plan_.exact_light));
+    light.largest[part] = std::max(largest_path(set, m, column, area, part), double(light.sums.paths[part].largest));
+    const bool no_chance = part == direct_light ? plan_.exact_direct : plan_.exact_light;
+    light.exact[part] = !(emitted_[column].lm > 0) || (point && no_chance);
     if (part != direct_light && area > 0 && plan_.light_paths > 0 && light.photons.caustics < few_caustics)
-      light.unfound[part] = brightest_caustic_lm() * poisson_excess(light.photons.caustics) /
+      light.unfound[part] = brightest_caustic_lm(column) * poisson_excess(light.photons.caustics) /
                             (double(plan_.light_paths) * area * light.visits);
   }
   return light;
@@ -335,8 +370,9 @@ ErrorSummary Accumulator::summarize(const StopSignal* stop) const {
     for (size_t i = 0; i < readings.size(); ++i) {
       const ups_meter_reading& m = readings[i];
       if (m.error_bound_lx < 0) return {};
-      parts.push_back(emits_ ? meter_error(m, lights[i].unfound[whole_light], floor, lights[i].visits)
-                             : MeterError{});
+      MeterError apart;
+      lights[i].error_of(whole_light, &apart);
+      parts.push_back(emits_ ? apart.scaled(1 / std::max(double(m.illuminance_lx), floor)) : MeterError{});
       parts.back().halves = float(log_ratio_of_halves(lights[i].sums.value, lights[i].visits));
       errors.push_back(emits_ ? m.error_bound_lx / std::max(double(m.illuminance_lx), floor) : 0);
       if (!worst || parts.back().error() > worst->error.error()) worst = {s, i, parts.back()};
@@ -370,12 +406,14 @@ ErrorSummary Accumulator::summarize_goniometers() const {
 
 ErrorSummary Accumulator::summarize_images() const {
   std::vector<double> errors;
+  MeanError together;
   double sum = 0;
   for (const ImageSums& image : images_)
-    if (!image.relative_errors(iterations_, errors, sum)) return {};
+    if (!image.relative_errors(iterations_, errors, sum, together)) return {};
   const double mean = errors.empty() ? -1 : sum / double(errors.size());
   ErrorSummary s = summary_of(std::move(errors), 0.0);
   s.mean = float(mean);
+  s.meters = {together.mean()};
   return s;
 }
 

@@ -33,7 +33,7 @@ struct MeterSetReading {
 // Quantiles of the relative error over all meters, without meters over all pixels; -1: not known yet.
 struct ErrorSummary {
   float median = -1, p95 = -1, worst = -1, mean = -1, bias_share = -1;
-  std::vector<MeterError> meters;  // of all sets; empty where the quantiles are over pixels or a goniometer's nodes
+  std::vector<MeterError> meters;  // of all sets; one that stands for all pixels; empty: a goniometer's nodes
   struct Place {
     size_t set, meter;
     MeterError error;
@@ -74,8 +74,17 @@ class Accumulator {
     return plan_.meter_pass(iterations_) + (meter % plan_.meter_subsets < iterations_ % plan_.meter_subsets);
   }
   using Largest = std::array<float, light_part_count>;
+  // Of all emitters, or of those of a column of Plan::separation, as they are before any path.
+  struct Emitted {
+    double lm = 0;
+    double brightest_lm = 0;     // that one of its light paths may start with
+    double brightest_cd_m2 = 0;  // that an eye path may run into
+  };
   using Choices = std::vector<MeterRings::Choice>;  // by meter; of cells and where nothing is merged, none
-  double brightest_caustic_lm() const;  // that one light path may bring by way of casters alone, before division by N
+  static std::vector<Emitted> emitted_by_column(const Snapshot& scene, const Plan& plan);
+  // That one light path starts with; that it may bring by way of casters alone: before division by N.
+  double brightest_lm(size_t column) const;
+  double brightest_caustic_lm(size_t column) const;
   NeighbourProfiles profiles_of(size_t set, size_t column, const StopSignal* stop = nullptr) const;
   Choices choose_discs(size_t set, const StopSignal* stop = nullptr) const;
   // column: 0, all its light, or one more than that of a separated source's; all take the disc that the meter chooses.
@@ -86,7 +95,7 @@ class Accumulator {
   std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
   VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;
   // What one path may bring to an iteration's reading, as far as is known.
-  double largest_path(size_t set, size_t meter, double disc_area, const Largest& found, LightPart part) const;
+  double largest_path(size_t set, size_t meter, size_t column, double disc_area, LightPart part) const;
   MeterSetReading read_meters(size_t set, const Choices& discs) const;
   void add_statistics(const std::vector<MeterLight>& lights, MeterSetReading& r) const;
   ErrorSummary summarize_images() const;
@@ -99,10 +108,10 @@ class Accumulator {
   uint32_t iterations_ = 0;
   std::vector<ZeroedVector<MeterSums>> meters_;
   std::vector<ZeroedVector<MeterSums>> separated_;  // a meter by a column, column fastest
-  // That one path brought to any meter: by set; by set and column. Exact light of any meter, by set.
-  std::vector<Largest> largest_;
-  std::vector<std::vector<Largest>> largest_separated_;
-  std::vector<double> largest_exact_;
+  // Of all light, then by column of Plan::separation: that one path brought to any meter of a set; exact light of any.
+  std::vector<std::vector<Largest>> largest_;
+  std::vector<std::vector<double>> largest_exact_;
+  std::vector<Emitted> emitted_;
   std::vector<MeterRings> rings_;  // a meter by all its light and the columns, these fastest; empty: nothing is merged
   std::vector<ImageSums> images_;
   std::vector<GoniometerSums> goniometers_;

@@ -9,22 +9,37 @@ namespace ups {
 namespace {
 
 template <class Intensity>
-double angle_of(const Goniometer& goniometer, double c_deg, double fraction, const Intensity& intensity) {
+photometry::Beam beam_of(const Goniometer& goniometer, double c_deg, double fraction, const Intensity& intensity) {
   std::vector<double> all;
   for (uint32_t node = 0; node < goniometer.node_count(); ++node) all.push_back(std::max(0.0, double(intensity(node))));
   photometry::Photometry data{photometry::Distribution(goniometer.c_deg(), goniometer.gamma_deg(), std::move(all))};
   data.symmetry = goniometer.symmetry();
-  return photometry::beam_of(data, c_deg, fraction).angle_deg;
+  return photometry::beam_of(data, c_deg, fraction);
+}
+
+// Between a peak and the edge that the interpolation puts before the next node the light may end anywhere.
+double unresolved_deg(const Goniometer& goniometer, const photometry::Beam& beam) {
+  constexpr double rounding = 0.01;
+  const auto has_node = [&](double from, double to) {
+    for (const double gamma : goniometer.gamma_deg())
+      for (const double angle : {gamma, -gamma, 360 - gamma, gamma - 360})
+        if (angle > from + rounding && angle < to - rounding) return true;
+    return false;
+  };
+  return (has_node(beam.from_deg, beam.peak_deg) ? 0 : beam.peak_deg - beam.from_deg) +
+         (has_node(beam.peak_deg, beam.to_deg) ? 0 : beam.to_deg - beam.peak_deg);
 }
 
 }  // namespace
 
 ups_goniometer_beam beam_with_error(const Goniometer& goniometer, const GoniometerReading& r, double c_deg,
                                     double fraction) {
-  const auto angle = [&](const auto& intensity) { return angle_of(goniometer, c_deg, fraction, intensity); };
+  const auto beam = [&](const auto& intensity) { return beam_of(goniometer, c_deg, fraction, intensity); };
+  const auto angle = [&](const auto& intensity) { return beam(intensity).angle_deg; };
   ups_goniometer_beam out{};
   out.struct_size = sizeof out;
-  const double whole = angle([&](uint32_t node) { return r.nodes[node].intensity_cd; });
+  const photometry::Beam of_nodes = beam([&](uint32_t node) { return r.nodes[node].intensity_cd; });
+  const double whole = of_nodes.angle_deg;
   out.angle_deg = float(whole);
   out.standard_error_deg = out.low_deg = out.high_deg = -1;
   const uint32_t used = uint32_t(r.without_batch.size());
@@ -44,7 +59,7 @@ ups_goniometer_beam beam_with_error(const Goniometer& goniometer, const Goniomet
   out.standard_error_deg = float(error);
   out.bias_deg = float(whole - unblurred);
   const double bound = std::abs(whole - unblurred) + t_quantile(used) * error;
-  out.low_deg = float(std::max(0.0, whole - bound));
+  out.low_deg = float(std::max(0.0, whole - bound - unresolved_deg(goniometer, of_nodes)));
   out.high_deg = float(std::min(360.0, whole + bound));
   return out;
 }

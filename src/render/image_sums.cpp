@@ -15,10 +15,10 @@ double luminance_at(const Floats& rgb, size_t pixel) {
 
 }  // namespace
 
-ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2)
+ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2, double hit_cd_m2)
     : plan_(plan), width_(camera.width()), height_(camera.height()),
       tile_columns_((width_ + Units::side - 1) / Units::side), tile_rows_((height_ + Units::side - 1) / Units::side),
-      emitted_cd_m2_(emitted_cd_m2), layers_(camera),
+      emitted_cd_m2_(emitted_cd_m2), hit_cd_m2_(hit_cd_m2), layers_(camera),
       illuminance_(camera.illuminance() ? camera.pixel_count() : 0), eye_(size_t(camera.pixel_count()) * 3),
       pending_(eye_.size()), largest_(camera.pixel_count()) {
   bool any = false;
@@ -177,7 +177,7 @@ void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits
     if (bias_) r.bias[p] = bias_->mean(uint32_t(p), visits[p]);
   }
   if (passes < min_batches) return;
-  const std::vector<float> largest = largest_around(mean > 0 ? mean : emitted_cd_m2_);
+  const std::vector<float> largest = largest_around(std::max(mean > 0 ? mean : emitted_cd_m2_, hit_cd_m2_));
   const std::vector<Spread> squares = bias_ ? bias_->of_squares(passes, light) : std::vector<Spread>();
   for (uint32_t p = 0; p < light.size(); ++p) {
     const double noise = luminance_at(r.standard_error_rgb, p);
@@ -264,7 +264,27 @@ void ImageSums::find_largest(uint32_t iterations, const ImageReading& r, Largest
     out.add(p, largest_[p], visits(iterations, p % width_, p / width_), luminance_at(r.luminance_rgb, p), mean);
 }
 
-bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, double& sum) const {
+// As of a meter: bias that may be noise counts as noise, and merging has a quarter of the variance of its bias.
+MeterError ImageSums::apart(uint32_t p, uint32_t passes, uint32_t visits, const ImageReading& r,
+                            const std::vector<Spread>& squares) const {
+  const double noise = luminance_at(r.standard_error_rgb, p), bound = double(r.error_bound[p]);
+  if (noise < 0) return {.unfound = float(bound), .paths = float(chance(p, passes).paths)};
+  if (!bias_) return {.noise = float(bound), .visits = passes};
+  const Spread bias = bias_->of_pixel(p, visits, float(luminance_at(r.luminance_rgb, p)), squares);
+  const double b = std::abs(bias.mean), s_b = std::max(0.0, bias.standard_error),
+               own = bias_->own(p, visits).standard_error, all = noise * noise + s_b * s_b,
+               merged = s_b * s_b + std::min(noise * noise, own * own / 4);
+  MeterError m{.noise = float(std::max(0.0, bound - b)),
+               .bias = float(b),
+               .merged = all > 0 ? float(merged / all) : 0,
+               .deviations = s_b > 0 ? float(b / s_b) : 1e9f,
+               .visits = passes};
+  demote_bias(m);
+  return m;
+}
+
+bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, double& sum,
+                                MeanError& together) const {
   const uint32_t n = passes(iterations);
   if (n < min_batches) return false;
   const ImageReading image = read(iterations);
@@ -275,15 +295,29 @@ bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, d
   for (size_t p = 0; p < pixels; ++p) mean += luminance_at(image.luminance_rgb, p) / seen;
   const bool lit = mean > 0;
   if (!lit) mean = emitted_cd_m2_;
-  for (size_t p = 0; p < pixels; ++p) {
-    if (is_blank(p)) continue;
-    const double own = luminance_at(image.luminance_rgb, p);
-    out.push_back(mean > 0 ? image.error_bound[p] / std::max(own, share_of_mean * mean) : 0);
-    if (own > 0 || !lit)
-      sum += out.back();
-    else
-      of_dark = std::max(of_dark, out.back());
+  const std::vector<uint32_t> all = all_visits(iterations);
+  std::vector<Spread> squares;
+  if (bias_) {
+    std::vector<float> light(pixels);
+    for (size_t p = 0; p < pixels; ++p) light[p] = float(luminance_at(image.luminance_rgb, p));
+    squares = bias_->of_squares(n, light);
   }
+  MeterError darkest;
+  for (uint32_t p = 0; p < pixels; ++p) {
+    if (is_blank(p)) continue;
+    const double own = luminance_at(image.luminance_rgb, p),
+                 scale = mean > 0 ? 1 / std::max(own, share_of_mean * mean) : 0;
+    out.push_back(mean > 0 ? image.error_bound[p] / std::max(own, share_of_mean * mean) : 0);
+    const bool counts = own > 0 || !lit;
+    if (counts) sum += out.back();
+    if (!counts && out.back() <= of_dark) continue;
+    const MeterError part = apart(p, n, all[p], image, squares).scaled(scale);
+    if (counts)
+      together.add(part);
+    else
+      of_dark = out.back(), darkest = part;
+  }
+  if (of_dark > 0) together.add(darkest);
   sum += of_dark;
   return true;
 }

@@ -9,6 +9,7 @@
 #include "render/largest_samples.h"
 #include "render/layer_sums.h"
 #include "render/pixel_bias.h"
+#include "render/prediction.h"
 #include "render/zero_bound.h"
 #include "transport/tally.h"
 
@@ -33,8 +34,9 @@ struct ImageReading {
 
 class ImageSums {
  public:
-  // emitted_cd_m2: luminance of the scene's bounding sphere, were it to give off all light of the emitters.
-  ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2);
+  // emitted_cd_m2: luminance of the scene's bounding sphere, were it to give off all light of the emitters. hit_cd_m2:
+  // of the brightest emitter that eye paths alone may find.
+  ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2, double hit_cd_m2 = 0);
   // What the camera's image takes, a pixel: its sums, where techniques are asked for with an iteration's tally; the
   // reading, which is kept; and what reading it takes besides. passes: of all pixels.
   struct Bytes {
@@ -49,8 +51,8 @@ class ImageSums {
   size_t unvisited_pixels(uint32_t iterations) const;  // by eye paths so far
   // Adds those of all pixels: bound / max(L, share_of_mean of the image's mean), of luminance; and their sum to `sum`,
   // to which all pixels that no path has brought light to add what one of them could have: had any of them much, some
-  // path would have found it. False where they are not known yet.
-  bool relative_errors(uint32_t iterations, std::vector<double>& out, double& sum) const;
+  // path would have found it. together: the same, by what makes them fall. False where they are not known yet.
+  bool relative_errors(uint32_t iterations, std::vector<double>& out, double& sum, MeanError& together) const;
 
  private:
   uint32_t passes(uint32_t iterations) const { return iterations / plan_.camera_subsets; }
@@ -62,6 +64,9 @@ class ImageSums {
   // That one path may bring to a pixel: what one brought to a tile (Units::side) or its neighbours; of all tiles.
   std::vector<float> largest_around(double least) const;
   std::vector<float> largest_of_tiles() const;
+  // What a pixel's error bound is made of, of so many whole passes.
+  MeterError apart(uint32_t pixel, uint32_t passes, uint32_t visits, const ImageReading& reading,
+                   const std::vector<Spread>& bias_of_squares) const;
   void add_techniques(const TechniqueTally& tally);
   uint32_t visits(uint32_t iterations, uint32_t x, uint32_t y) const {
     return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);
@@ -76,7 +81,7 @@ class ImageSums {
 
   const Plan& plan_;
   const uint32_t width_, height_, tile_columns_, tile_rows_;
-  const double emitted_cd_m2_;
+  const double emitted_cd_m2_, hit_cd_m2_;
   std::vector<bool> blank_;          // pixels that see nothing at all: they are black without error; empty: none
   LayerSums layers_;
   ZeroedVector<double> illuminance_;  // of all visits; empty where not asked for

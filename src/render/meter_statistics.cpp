@@ -14,6 +14,7 @@ namespace ups {
 void MeterBatches::add(const Meter& meter, const double* batch, const double* bias_batch) {
   meters_.push_back(meter);
   widened_.push_back(0);
+  stated_ = -1;
   if (meter.halves_differ) means_ = 2;
   weights_ += meter.weight;
   for (uint32_t b = 0; b < used_; ++b) {
@@ -23,6 +24,7 @@ void MeterBatches::add(const Meter& meter, const double* batch, const double* bi
 }
 
 void MeterBatches::widen(double bound) {
+  stated_ = bound;
   if (meters_.back().known && used_ >= min_batches)
     widened_.back() = float(std::max(0.0, bound - this->bound(meters_.size() - 1)));
 }
@@ -86,7 +88,7 @@ double MeterBatches::mean() const {
 
 double MeterBatches::unfound() const {
   double sum = 0;
-  for (const Meter& m : meters_) sum += m.weight * m.unfound;
+  for (size_t m = 0; m < count(); ++m) sum += meters_[m].weight * unfound(m);
   return sum / weights_;
 }
 
@@ -262,7 +264,7 @@ void add_intervals(const MeterBatches& meters, const LowerRanks& ranks, ups_mete
   s.min_low_lx = least.low, s.min_high_lx = least.high;
   s.max_low_lx = std::max(0.0, -most.high), s.max_high_lx = -most.low;
   s.percentile_5_low_lx = fifth.low, s.percentile_5_high_lx = fifth.high;
-  if (!(s.mean_lx > 0)) return;
+  if (!(s.mean_lx > 0) || s.mean_error_bound_lx > 0.5 * s.mean_lx) return;  // first order is not enough
   const MeterBatches relative = meters.over_mean();
   const Interval uniformity = positive(minimum_interval(relative)), peak = minimum_interval(relative.negative());
   s.uniformity_low = uniformity.low, s.uniformity_high = std::min(1.0, uniformity.high);
@@ -270,7 +272,8 @@ void add_intervals(const MeterBatches& meters, const LowerRanks& ranks, ups_mete
   s.diversity_high = -peak.high > 0 ? std::min(1.0, uniformity.high / -peak.high) : 1;
 }
 
-// Of all meters together: what few paths have found of one of them is found by the others' batches.
+// Of all meters together: what few paths have found of one of them is found by the others' batches. The mean of one is
+// that one.
 void add_mean(const MeterBatches& meters, uint32_t passes, bool known, ups_meter_statistics& s) {
   double values[batch_count] = {}, biases[batch_count] = {};
   for (uint32_t b = 0; b < meters.used(); ++b) {
@@ -284,6 +287,7 @@ void add_mean(const MeterBatches& meters, uint32_t passes, bool known, ups_meter
   if (known) s.mean_standard_error_lx = value.standard_error;
   s.mean_error_bound_lx =
       meters.unfound() + (known ? double(error_bound(value, bias, passes, meters.means())) : std::abs(bias.mean));
+  if (meters.count() == 1 && meters.stated_bound() >= 0) s.mean_error_bound_lx = meters.stated_bound();
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ class MeterBatches {
   };
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);
-  // Of the one added last: its own bound, which knows more than its batches do, is not undercut.
+  // Of the one added last: its own bound, which knows more than its batches do, is not undercut. < 0: it has none.
   void widen(double bound);
 
   static constexpr double bytes_per_meter = batch_count * sizeof(float) + sizeof(Meter) + sizeof(float);
@@ -44,7 +44,10 @@ class MeterBatches {
   double unfound(size_t m) const { return meters_[m].unfound + double(widened_[m]); }
 
   double mean() const;
-  double unfound() const;  // of the mean
+  // Of the mean: what is unfound, and by how much its meters' own bounds are wider than their batches tell. Light that
+  // they share makes both at all of them.
+  double unfound() const;
+  double stated_bound() const { return stated_; }  // of the one added last; < 0: it has none
   double mean_of_batch(uint32_t b) const;
   double bias_of_batch(uint32_t b) const { return bias_sums_[b] / weights_; }  // of the mean
   // Of value / mean, by the batches of both together.
@@ -56,7 +59,7 @@ class MeterBatches {
   std::vector<Meter> meters_;
   std::vector<float> batches_, widened_;
   double bias_sums_[batch_count] = {};
-  double weights_ = 0;
+  double weights_ = 0, stated_ = -1;
 };
 
 struct Interval {

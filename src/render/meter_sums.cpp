@@ -39,7 +39,7 @@ void MeterSums::add(const MeterRings::Photons& photons) {
     if (part != direct_light || photons.brings_direct) paths[part].add(photons.paths);
 }
 
-std::pair<float, float> MeterLight::error_of(LightPart part) const {
+std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) const {
   const bool direct = part == direct_light;
   const double exact_of[] = {sums.exact, sums.exact - sums.exact_mirrored, sums.exact_mirrored},
                of_exact = exact_of[part] / visits, rounding = exact_of[part] > 0 ? sums.rounding / visits : 0;
@@ -50,23 +50,45 @@ std::pair<float, float> MeterLight::error_of(LightPart part) const {
     values[b] = direct ? sums.direct[b] : part == indirect_light ? sums.value[b] - sums.direct[b] : sums.value[b];
     light.largest_batch = std::max(light.largest_batch, values[b] - of_exact * visits_of_batch(visits, b));
   }
-  Spread e = photons.halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
+  // Light straight from emitters that no photon brings is not biased, nor has it any part in the choice of discs.
+  const bool merged = may_be_merged(part), halves_differ = merged && photons.halves_differ;
+  const Spread blur = merged ? bias : Spread{0, 0};
+  const double narrower = merged ? photons.narrower : 0;
+  Spread e = halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
   if (e.standard_error < 0) return {-1.0f, -1.0f};
-  e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));
-  const double offset = std::abs(bias.mean);
+  if (merged) e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));
+  const double offset = std::abs(blur.mean);
   const double added = rounding + unfound[part];
-  if (!light.is_enough(visits))
-    return {-1.0f, float(std::max(offset + light.bound(largest[part], visits), photons.narrower) + added)};
+  if (!light.is_enough(visits)) {
+    const double bound = std::max(offset + light.bound(largest[part], visits), narrower) + added;
+    if (apart) *apart = {.bias = float(offset), .unfound = float(bound - offset), .paths = float(light.paths)};
+    return {-1.0f, float(bound)};
+  }
   // A disc is chosen that has less bias than noise: where it may be noise, its standard error counts once, unless it is
   // so large beside the reading's own, whose photons are stratified, that it could not tell. Nor is bias known better
   // than its model: a fit of even curvature sees three fifths of a slope's, so 95 % are taken to be within two thirds.
-  const bool noise = offset <= 2 * bias.standard_error,
-             once = noise && photons.bias_scale > 0 && bias.standard_error < 3 * e.standard_error;
-  const uint32_t means = photons.halves_differ ? 2 : 1;
+  const bool noise = offset <= 2 * blur.standard_error,
+             once = noise && photons.bias_scale > 0 && blur.standard_error < 3 * e.standard_error;
+  const uint32_t means = halves_differ ? 2 : 1;
   const double t = noise ? t_quantile(visits, means, offset, e.standard_error) : t_quantile(visits, means),
                model = 0.31 * offset,
-               bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * bias.standard_error, t * model);
-  return {float(e.standard_error), float(std::max(bound, photons.narrower) + added)};
+               bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * blur.standard_error, t * model);
+  if (apart) {
+    // Bias is estimated with four times the variance that merging has, batch by batch. All but rays and what bias makes
+    // falls as merging does.
+    const double all = std::max(bound, narrower) - offset, own = merged ? spread(sums.bias, visits).standard_error : 0,
+                 of_rays = std::max(0.0, std::pow(e.standard_error, 2) - photons.choice_variance - own * own / 4),
+                 share = all > 0 ? t * t / (all * all) : 0, of_bias = share * model * model;
+    *apart = {.noise = float(all),
+              .bias = float(offset),
+              .merged = float(merged && all > 0 ? std::max(0.0, 1 - share * of_rays - of_bias) : 0),
+              .deviations = blur.standard_error > 0 ? float(offset / blur.standard_error) : 1e9f,
+              .unfound = float(added),
+              .paths = float(photons.caustics),
+              .of_bias = float(of_bias),
+              .visits = visits};
+  }
+  return {float(e.standard_error), float(std::max(bound, narrower) + added)};
 }
 
 ups_meter_reading MeterLight::reading() const {
@@ -89,9 +111,6 @@ double MeterLight::mean_of(LightPart part) const {
   const double direct = spread(sums.direct, visits).mean;
   return part == direct_light ? direct : spread(sums.value, visits).mean - (part == whole_light ? 0 : direct);
 }
-
-// Light straight from emitters that no photon brings has no bias; the other part may have all of it.
-double MeterLight::bias_of(LightPart part) const { return part != direct_light || merges_direct ? bias.mean : 0; }
 
 ups_meter_part_reading MeterLight::part(ups_light_part part) const {
   if (visits == 0) return {-1, -1, -1, -1};

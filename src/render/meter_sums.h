@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "render/pooled_bias.h"
+#include "render/prediction.h"
 #include "render/spread.h"
 #include "ups/ups_render.h"
 
@@ -37,11 +38,13 @@ struct MeterLight {
   ups_meter_reading reading() const;
   ups_meter_part_reading part(ups_light_part part) const;
   double mean_of(LightPart part) const;  // lx; of part of a vector with its sign
-  double bias_of(LightPart part) const;
+  bool may_be_merged(LightPart part) const { return part != direct_light || merges_direct; }
+  double bias_of(LightPart part) const { return may_be_merged(part) ? bias.mean : 0; }
   uint32_t flags(const ups_meter_reading& reading) const;
   Sample largest_sample() const { return {sums.paths[whole_light].largest, sums.largest}; }
   OwnBias own_bias() const { return {spread(sums.bias, visits), spread(sums.value, visits).mean, photons.bias_scale}; }
-  std::pair<float, float> error_of(LightPart part) const;  // standard error and bound; -1: not known
+  // Standard error and bound; -1: not known. apart: what the bound is made of, lx; nothing where it is not known.
+  std::pair<float, float> error_of(LightPart part, MeterError* apart = nullptr) const;
 };
 
 }  // namespace ups

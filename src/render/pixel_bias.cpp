@@ -23,13 +23,16 @@ std::vector<Spread> PixelBias::of_squares(uint32_t passes, const std::vector<flo
   return squares;
 }
 
-Spread PixelBias::of_pixel(uint32_t pixel, uint32_t visits, float luminance, const std::vector<Spread>& squares) const {
+Spread PixelBias::own(uint32_t pixel, uint32_t visits) const {
   Spread own{mean(pixel, visits)};
-  if (visits >= min_batches) {
-    const double variance = std::max(0.0, double(squares_[pixel]) / visits - own.mean * own.mean) / (visits - 1);
-    own.standard_error = std::sqrt(variance);
-    if (std::abs(own.mean) > 3 * own.standard_error) return own;
-  }
+  if (visits < min_batches) return own;
+  own.standard_error = std::sqrt(std::max(0.0, double(squares_[pixel]) / visits - own.mean * own.mean) / (visits - 1));
+  return own;
+}
+
+Spread PixelBias::of_pixel(uint32_t pixel, uint32_t visits, float luminance, const std::vector<Spread>& squares) const {
+  const Spread own = this->own(pixel, visits);
+  if (own.standard_error >= 0 && std::abs(own.mean) > 3 * own.standard_error) return own;
   const Spread& square = squares[square_of(pixel)];
   return {square.mean * luminance, square.standard_error * luminance};
 }

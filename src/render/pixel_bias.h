@@ -28,6 +28,7 @@ class PixelBias {
   void end_pass(uint32_t pass);
 
   float mean(uint32_t pixel, uint32_t visits) const { return visits ? sums_[pixel] / float(visits) : 0; }
+  Spread own(uint32_t pixel, uint32_t visits) const;
   // By square, over its mean luminance, with the noise of that; of whole passes.
   std::vector<Spread> of_squares(uint32_t passes, const std::vector<float>& luminance) const;
   // The pixel's own where it is beyond doubt, else its square's, in proportion to its luminance.

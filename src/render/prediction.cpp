@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/spread.h"
+#include "render/zero_bound.h"
 
 namespace ups {
 
@@ -26,19 +26,11 @@ constexpr double meters_of_knowledge = 20;  // what few meters tell of it counts
 
 double log_of(double error) { return std::log(std::max(error, least_error)); }
 
-// Estimated bias that may be noise counts as noise: |b| max(0, 1 - threshold / z^2) remains (Breiman 1995, the
-// nonnegative garrote), so that what chance alone makes of b goes on falling as noise does.
-void demote_bias(MeterError& m, double threshold) {
-  const double z2 = double(m.deviations) * m.deviations;
-  const double kept = m.bias * (z2 > threshold ? 1 - threshold / z2 : 0.0);
-  m.noise += float(m.bias - kept);
-  m.bias = float(kept);
-}
-
 // By what the errors are made of.
 double exponent_deviation(const std::vector<MeterError>& meters) {
   double merged = 0, bias = 0, sum = least_error;
-  for (const MeterError& m : meters) merged += m.noise * m.merged, bias += m.bias, sum += m.error();
+  for (const MeterError& m : meters)
+    merged += m.noise * m.merged, bias += m.bias + m.noise * m.of_bias, sum += m.error();
   return (rays_exponent_deviation * (sum - merged - bias) + merging_exponent_deviation * merged +
           bias_exponent_deviation * bias) / sum;
 }
@@ -52,30 +44,49 @@ void keep_largest(std::vector<MeterError>& all, std::vector<MeterError>& kept, f
 
 }  // namespace
 
-MeterError meter_error(const ups_meter_reading& r, double unfound_lx, double floor, uint32_t visits) {
-  MeterError m;
-  const double scale = 1 / std::max(double(r.illuminance_lx), floor), bias = std::abs(double(r.bias_lx)),
-               rest = std::max(0.0, r.error_bound_lx - bias);
-  m.bias = float(bias * scale);
-  if (r.standard_error_lx < 0) {  // the bound is that of a few paths, or of none
-    m.unfound = float(rest * scale);
-    return m;
-  }
-  const double unfound = std::min(unfound_lx, rest);
-  m.unfound = float(unfound * scale);
-  m.noise = float((rest - unfound) * scale);
-  // The bound is |b| + t sqrt(s^2 + s_b^2), see spread.h; merges make a quarter of s_b^2 in s^2, as their bias is
-  // estimated with four times their variance.
-  const double both = (rest - unfound) / t_quantile(visits), s = double(r.standard_error_lx);
-  const double of_bias = std::max(0.0, both * both - s * s);
-  if (both > 0 && s > 0) m.merged = float(std::min(1.0, (of_bias + std::min(s * s, of_bias / 4)) / (both * both)));
-  m.deviations = of_bias > 0 ? float(bias / std::sqrt(of_bias)) : 1e9f;
+MeterError MeterError::scaled(double scale) const {
+  MeterError m = *this;
+  for (float* part : {&m.noise, &m.bias, &m.unfound}) *part = float(*part * scale);
   return m;
+}
+
+double MeterError::quantile_ratio(double factor) const {
+  if (visits < min_batches) return 1;
+  const double then = std::clamp(factor * visits, double(min_batches), double(batch_count));
+  return t_quantile(uint32_t(then)) / t_quantile(visits);
+}
+
+void demote_bias(MeterError& m, double threshold) {
+  const double z2 = double(m.deviations) * m.deviations;
+  const double kept = m.bias * (z2 > threshold ? 1 - threshold / z2 : 0.0);
+  m.noise += float(m.bias - kept);
+  m.bias = float(kept);
+}
+
+void MeanError::add(const MeterError& m) {
+  noise_ += m.noise, bias_ += m.bias, unfound_ += m.unfound;
+  merged_ += double(m.noise) * m.merged, of_bias_ += double(m.noise) * m.of_bias;
+  paths_ += double(m.unfound) * m.paths;
+  if (m.noise > 0) visits_ = visits_ > 0 ? std::min(visits_, m.visits) : m.visits;
+  ++count_;
+}
+
+MeterError MeanError::mean() const {
+  const double count = std::max(count_, 1.0);
+  return {.noise = float(noise_ / count),
+          .bias = float(bias_ / count),
+          .merged = noise_ > 0 ? float(merged_ / noise_) : 0,
+          .deviations = 1e9f,
+          .unfound = float(unfound_ / count),
+          .paths = unfound_ > 0 ? float(paths_ / unfound_) : 0,
+          .of_bias = noise_ > 0 ? float(of_bias_ / noise_) : 0,
+          .visits = visits_};
 }
 
 void Prediction::add_look(const Look& look, std::vector<MeterError> meters) {
   looks_.push_back(look);
   if (meters.empty()) meters.push_back({.noise = float(look.error)});
+  if (meters.size() == 1 && meters[0].error() > 0) meters[0] = meters[0].scaled(look.error / double(meters[0].error()));
   reduce(std::move(meters));
   fit();
 }
@@ -89,14 +100,9 @@ void Prediction::reduce(std::vector<MeterError>&& meters) {
   for (MeterError& m : meters) demote_bias(m, threshold);
   parts_.clear();
   if (criterion_ == UPS_CRITERION_MEAN) {
-    double noise = 0, merged = 0, bias = 0, unfound = 0;
-    for (const MeterError& m : meters)
-      noise += m.noise, merged += double(m.noise) * m.merged, bias += m.bias, unfound += m.unfound;
-    const double count = double(meters.size());
-    parts_.push_back({.noise = float(noise / count),
-                      .bias = float(bias / count),
-                      .merged = noise > 0 ? float(merged / noise) : 0,
-                      .unfound = float(unfound / count)});
+    MeanError mean;
+    for (const MeterError& m : meters) mean.add(m);
+    parts_.push_back(mean.mean());
   } else if (meters.size() <= most_parts) {
     parts_ = std::move(meters);
   } else if (criterion_ == UPS_CRITERION_WORST) {
@@ -133,12 +139,14 @@ Prediction::Model Prediction::model(double factor) const {
     return m.noise > least_error ? m.noise * std::exp(rise + (nearer - 1) * (std::log(double(m.noise)) - log_mean_))
                                  : double(m.noise);
   };
-  const double of_rest = 1 / factor, of_merged = std::pow(factor, -alpha_), of_bias = std::pow(factor, alpha_ - 1);
+  const double of_rest = 1 / factor, of_merged = std::pow(factor, -alpha_), biased = std::pow(factor, alpha_ - 1);
   std::vector<std::pair<double, double>> all;  // error, bias
   for (const MeterError& m : parts_) {
-    const double bias = m.bias * of_bias;
-    all.emplace_back(
-        noise(m) * std::sqrt((1 - m.merged) * of_rest + m.merged * of_merged) + bias + m.unfound * of_rest, bias);
+    const double of_rays = std::max(0.0, 1 - double(m.merged) - double(m.of_bias)), bias = m.bias * biased,
+                 square = of_rays * of_rest + m.merged * of_merged, now_noise = noise(m) * m.quantile_ratio(factor),
+                 all_noise = now_noise * std::sqrt(square + m.of_bias * biased * biased), paths = double(m.paths),
+                 unfound = m.unfound * of_rest * poisson_excess(paths * factor) / poisson_excess(paths);
+    all.emplace_back(all_noise + bias + unfound, bias + all_noise - now_noise * std::sqrt(square));
   }
   const double q = criterion_ == UPS_CRITERION_P95 ? 0.95 : criterion_ == UPS_CRITERION_MEDIAN ? 0.5 : 1;
   const auto at = all.begin() + ptrdiff_t(std::min(all.size() - 1, size_t(q * double(all.size()))));

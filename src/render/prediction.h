@@ -10,22 +10,43 @@ namespace ups {
 
 inline constexpr double prediction_horizon_s = 1e7;  // what would take longer is not told
 
-// The relative error of one meter, bound / max(E, floor), apart by what makes it fall: noise + bias + unfound.
+// The error bound of one meter or pixel, apart by what makes it fall: noise + bias + unfound. In lx or cd/m^2, or
+// relative: bound / max(E, floor).
 struct MeterError {
   float noise = 0, bias = 0;
   float merged = 0;  // share of noise^2 that merging makes: it falls with the radius too
   float deviations = 0;  // of the estimated bias from 0, in its own standard errors
   float halves = 0;  // log_ratio_of_halves() of the batches
   float unfound = 0;  // bounds on what few paths or none have found
+  float paths = 0;    // that have found what `unfound` bounds
+  float of_bias = 0;  // share of noise^2 that is how little bias is known: it falls as bias does
+  uint32_t visits = 0;  // by which the batches' quantile is in the noise; 0: whatever their number, it is the same
   float error() const { return noise + bias + unfound; }
+  MeterError scaled(double scale) const;
+  // Of few batches the quantile is large. What it will be after so many times the visits, over what it is.
+  double quantile_ratio(double factor) const;
 };
-// visits: for the quantile that is in the bound, which is known. unfound_lx: what is added to it.
-MeterError meter_error(const ups_meter_reading& reading, double unfound_lx, double floor, uint32_t visits);
+
+// Estimated bias that may be noise counts as noise: |b| max(0, 1 - threshold / z^2) remains (Breiman 1995, the
+// nonnegative garrote), so that what chance alone makes of b goes on falling as noise does.
+void demote_bias(MeterError& error, double threshold = 2);
+
+// The mean of many errors, part by part. Their bias is not demoted again.
+class MeanError {
+ public:
+  void add(const MeterError& error);
+  MeterError mean() const;
+
+ private:
+  double noise_ = 0, merged_ = 0, of_bias_ = 0, bias_ = 0, unfound_ = 0, paths_ = 0, count_ = 0;
+  uint32_t visits_ = 0;
+};
 
 // The model: with r^2 ~ n^(alpha - 1) (Knaus, Zwicker 2011), what is estimated without merging has noise^2 ~ 1 / n,
-// merging noise^2 ~ n^-alpha and bias ~ n^(alpha - 1); bounds on what is unfound fall as 1 / n. How much of each meter's
-// error is which is known from its batches; a common factor, and a common exponent beside the model's with that as prior
-// knowledge, are fitted to all looks.
+// merging noise^2 ~ n^-alpha and bias ~ n^(alpha - 1). Bounds on what none of n paths have found fall as 1 / n; where k
+// have, as u(k) / n with Poisson's limit u, and k grows with n. How much of each meter's error is which is known from
+// its batches; a common factor, and a common exponent beside the model's with that as prior knowledge, are fitted to
+// all looks.
 class Prediction {
  public:
   // ups_criterion of the render, resolved: not DEFAULT; alpha of the radius schedule.
@@ -34,7 +55,7 @@ class Prediction {
   struct Look {
     double iterations, elapsed_s, error;
   };
-  // meters: of the criterion; empty: their errors are noise alone.
+  // meters: of the criterion, or one that stands for all; empty: their errors are noise alone.
   void add_look(const Look& look, std::vector<MeterError> meters);
   bool is_known() const { return !looks_.empty(); }
 

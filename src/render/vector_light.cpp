@@ -74,6 +74,7 @@ MeterLight VectorLight::length(LightPart part) const {
   const double across2 = noise2 - std::pow(std::max(0.0f, out.error_of(part).first), 2);
   const double longer = across2 > 0 && length > 0 ? std::min(length, across2 / (2 * length)) : 0;
   out.bias.mean += longer;
+  if (!out.may_be_merged(part)) out.unfound[part] += longer;  // the bias of its merging is not this part's
   for (uint32_t b = 0; b < std::min(out.visits, batch_count); ++b)
     out.sums.bias[b] += longer * visits_of_batch(out.visits, b);
   return out;

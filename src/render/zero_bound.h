@@ -10,10 +10,15 @@ namespace ups {
 
 // Upper 95 % limit of a Poisson mean after k events, less k: half the quantile of chi-square of 2 k + 2 degrees of
 // freedom (Garwood 1936), by Byar's approximation from k = 8 on (Breslow, Day 1987, Eq. 2.13), there within 0.01.
-inline double poisson_excess(uint32_t k) {
-  static constexpr double table[] = {3.00, 3.74, 4.30, 4.75, 5.15, 5.51, 5.84, 6.15};
-  if (k < std::size(table)) return table[k];
-  const double n = double(k) + 1;
+// Between whole numbers, which a prediction asks for, on straight lines.
+inline double poisson_excess(double k) {
+  static constexpr double table[] = {3.00, 3.74, 4.30, 4.75, 5.15, 5.51, 5.84, 6.15, 6.43};
+  constexpr size_t last = std::size(table) - 1;
+  if (k < double(last)) {
+    const size_t i = size_t(k);
+    return table[i] + (k - double(i)) * (table[i + 1] - table[i]);
+  }
+  const double n = k + 1;
   return n * std::pow(1 - 1 / (9 * n) + 1.6449 / (3 * std::sqrt(n)), 3) - k;
 }
 

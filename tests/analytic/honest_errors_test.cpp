@@ -33,6 +33,51 @@ TEST(HonestErrors, AMeterThatASmallMirrorLights) {
   }
 }
 
+// A lamp of 1 cm2 and 100 cd that a mirror alone shows: E = 0.9 100 cos2 / d2 from its image, 2 m beside the meter and
+// 3.998 m above it. One eye path in 800,000 runs into it, and nothing else finds that light: the bound must hold it,
+// found or not. Without the mirror, and of direct light, such a hit would have a weight, and the bound stays small.
+TEST(HonestErrors, ALampThatAMirrorAloneShows) {
+  const double up = 2 * 2.999 - 2, d2 = 4 + up * up, truth = 0.9 * 100 * up * up / d2 / d2;
+  for (const bool mirrored : {true, false}) {
+    Scene scene;
+    scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0));
+    scene.add(quad({1.5, 1.5, 2.999}, {0, 1, 0}, {1, 0, 0}), mirrored ? mirror(0.9) : matte(0));
+    scene.add(quad({0.995, 1.995, 1}, {0.01, 0, 0}, {0, 0.01, 0}), emitter(1e6));
+    const Sensor meters = scene.add_meters({P3{3, 2, 1}}, {0, 0, 1});
+    for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL})
+      for (uint64_t seed = 1; seed <= 5; ++seed) {
+        const Result r = scene.render({.method = method, .iterations = 16, .seed = seed});
+        const ups_meter_reading m = r.readings(meters)[0];
+        EXPECT_LE(std::abs(m.illuminance_lx - (mirrored ? truth : 0)), m.error_bound_lx) << method << ", " << seed;
+        EXPECT_LT(r.part(meters, UPS_LIGHT_PART_DIRECT)[0].error_bound_lx, 0.03 * truth) << method << ", " << seed;
+        if (!mirrored) {
+          EXPECT_LT(m.error_bound_lx, 0.03 * truth) << method << ", " << seed;
+        }
+      }
+  }
+}
+
+// A lamp that is dimmed to nothing brings nothing, and that is sure; of one that shines this is never so.
+TEST(HonestErrors, ASourceThatIsOffIsExactlyDark) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
+  scene.add(box({1, 1, 0.4}, {1.5, 2, 0.5}), photon_mirror(0.9));
+  scene.set_group(1);
+  scene.add_point_light({2, 2, 2.5}, 100);
+  scene.set_group(2);
+  scene.add_point_light({1, 3, 2.5}, 0);
+  const Sensor meters = scene.add_meters({P3{1, 1, 0.8}, P3{3, 2, 0.8}}, {0, 0, 1});
+  for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING}) {
+    const Result r = scene.render({.method = method, .iterations = 16, .separation = UPS_SEPARATE_GROUPS});
+    for (const ups_meter_reading& m : r.readings_of_source(1, meters)) {
+      EXPECT_EQ(m.illuminance_lx, 0) << method;
+      EXPECT_EQ(m.standard_error_lx, 0) << method;
+      EXPECT_EQ(m.error_bound_lx, 0) << method;
+    }
+    for (const ups_meter_reading& m : r.readings_of_source(0, meters)) EXPECT_GT(m.error_bound_lx, 0) << method;
+  }
+}
+
 // One shadow ray each, and nothing that could send other light: no chance, and the truth is within the rounding.
 TEST(HonestErrors, ExactLightIsKnownToItsRounding) {
   for (const double far : {0.0, 1000.0}) {
@@ -118,6 +163,19 @@ TEST(HonestErrors, BeamAnglesHaveIntervals) {
   }
   EXPECT_GE(covered, 51);
   EXPECT_LT(width, 0.15 * truth);
+}
+
+// A beam of 1 degree on a grid of 5: between the peak and its neighbours it may end anywhere, and that is said.
+TEST(HonestErrors, BeamsNarrowerThanTheGridHaveNoLowerEnd) {
+  constexpr double degree = 3.14159265358979323846 / 180;
+  Scene scene;
+  scene.add_spot({0, 0, 0}, {0, 0, -1}, 100, 0.4 * degree, 0.5 * degree);
+  const Sensor goniometer = scene.add_goniometer(8, 37);
+  const Result r = scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 16, .light_paths = 1024});
+  const ups_goniometer_beam b = r.goniometer_beam(goniometer, 0, 0.5f);
+  EXPECT_NEAR(b.angle_deg, 5, 0.2);
+  EXPECT_LT(b.low_deg, 0.01f);
+  EXPECT_GE(b.high_deg, b.angle_deg);
 }
 
 // A room lit by a large panel, by path tracing: noise alone. Of 60 renders and 9 meters, whose eye paths share nothing,

@@ -141,6 +141,7 @@ TEST(Guide, AimsHaveAShareOfTheirOwn) {
   const EmissionGuide guide(set, training);
   EXPECT_GT(guide.density(0, small), 0.15 * 64 * 64);
   EXPECT_NEAR(guide.density(0, other), 0.8 * without.density(0, other), 0.01 * without.density(0, other));
+  EXPECT_GE(guide.density(0, other), 0.99f * guide.least_density(0));
   double sum = 0;
   for (int k = 0; k < 64 * 64; ++k) sum += guide.density(0, {(float(k / 64) + 0.5f) / 64, (float(k % 64) + 0.5f) / 64});
   EXPECT_NEAR(sum / (64 * 64), 1, 1e-4);

@@ -220,6 +220,45 @@ TEST(Accumulator, BoundOfFewPathsHolds) {
   }
 }
 
+// Photons that bring no direct light blur none of it, and their choice of discs does not make it noisy: its bound is
+// that of its own batches, t = 2.131 times their standard error.
+TEST(MeterLight, DirectLightHasNoErrorOfPhotonsThatBringNone) {
+  MeterLight light{};
+  light.visits = 16;
+  for (uint32_t b = 0; b < batch_count; ++b) {
+    light.sums.direct[b] = 300 + (b % 2 ? 0.4 : -0.4);
+    light.sums.value[b] = light.sums.direct[b] + (b % 4 < 2 ? 50 : 60);
+  }
+  light.sums.paths.fill({300, 16});
+  light.sums.batches.fill(0xffff);
+  light.bias = {5, 1};
+  light.photons.choice_variance = 4, light.photons.narrower = 9, light.photons.halves_differ = true;
+  const double noise = 0.4 / std::sqrt(15.0);
+  EXPECT_NEAR(light.part(UPS_LIGHT_PART_DIRECT).standard_error_lx, noise, 1e-5);
+  EXPECT_NEAR(light.part(UPS_LIGHT_PART_DIRECT).error_bound_lx, 2.131 * noise, 1e-4);
+  EXPECT_EQ(light.part(UPS_LIGHT_PART_DIRECT).bias_lx, 0);
+  EXPECT_GE(light.part(UPS_LIGHT_PART_INDIRECT).error_bound_lx, 9);
+  light.merges_direct = true;
+  EXPECT_GE(light.part(UPS_LIGHT_PART_DIRECT).error_bound_lx, 9) << "where photons bring it, too";
+}
+
+// Of two columns the second has no emitter: it is known to be dark, beside what is unknown of the other.
+TEST(Accumulator, AColumnWithoutLightIsExact) {
+  Rig rig(2);
+  rig.plan.separation.columns.resize(2);
+  rig.plan.separation.column_of_emitter = {0};
+  rig.tally.separated.assign(1, std::vector<MeterTally>(4));
+  rig.tally.meters[0][0] = rig.tally.separated[0][0] = path(5);
+  Accumulator sums(rig.scene, rig.plan);
+  for (int i = 0; i < 8; ++i) sums.add(rig.tally);
+  const MeterSetReading r = sums.read_meters_and_sources(0);
+  EXPECT_FLOAT_EQ(r.separated[0][1].error_bound_lx, 3.0f * 5 / 8) << "not found";
+  for (const ups_meter_reading& m : r.separated[1]) {
+    EXPECT_EQ(m.standard_error_lx, 0);
+    EXPECT_EQ(m.error_bound_lx, 0);
+  }
+}
+
 TEST(Accumulator, NothingEmitsIsExact) {
   Rig rig(2);
   rig.scene.emitters = {};

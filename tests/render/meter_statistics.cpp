@@ -172,6 +172,36 @@ TEST(MeterStatistics, HalvesOfTheirOwnBiasAreNoNoise) {
   EXPECT_NEAR(meters.bound(1), 2.145 * std::sqrt(84.0 / (16 * 14)), 1e-4);
 }
 
+// What a meter knows of its error beyond its batches its set's mean knows, too: of one meter the same; of more the mean
+// of what they know, as it may be light that they share.
+TEST(MeterStatistics, TheMeanIsNoNarrowerThanItsMeters) {
+  double batch[batch_count];
+  const double no_bias[batch_count] = {};
+  for (uint32_t b = 0; b < batch_count; ++b) batch[b] = 100 + (b % 2 ? 4 : -4);
+  MeterBatches meters(batch_count);
+  for (const double bound : {30.0, 40.0}) {
+    meters.add({100, {0, 0}, 0}, batch, no_bias);
+    meters.widen(bound);
+    EXPECT_NEAR(meter_statistics(meters, 32, true).mean_error_bound_lx, bound == 30 ? 30 : 35, 1e-4);
+  }
+}
+
+// A ratio to a mean that is off by more than half of itself is not known to first order; the minimum is known.
+TEST(MeterStatistics, AnUnknownMeanGivesNoUniformity) {
+  double batch[batch_count];
+  const double no_bias[batch_count] = {};
+  std::fill(batch, batch + batch_count, 5.0);
+  for (const double unfound : {2.0, 3.0}) {
+    MeterBatches meters(batch_count);
+    for (int m = 0; m < 2; ++m) meters.add({5, {0, 0}, unfound}, batch, no_bias);
+    const ups_meter_statistics s = meter_statistics(meters, 32, true);
+    EXPECT_EQ(s.uniformity_low >= 0, unfound < 2.5);
+    EXPECT_EQ(s.uniformity_high >= 0, unfound < 2.5);
+    EXPECT_EQ(s.diversity_low >= 0, unfound < 2.5);
+    EXPECT_NEAR(s.min_low_lx, 5 - unfound, 1e-6);
+  }
+}
+
 // Meters that rise and fall together: their ratio to the mean has no noise.
 TEST(MeterStatistics, RatiosLeaveCommonNoiseOut) {
   const double no_bias[batch_count] = {};

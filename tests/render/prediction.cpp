@@ -8,9 +8,10 @@
 #include <numeric>
 #include <random>
 
+#include "render/meter_sums.h"
 #include "render/progress.h"
-#include "render/spread.h"
 #include "render/tails.h"
+#include "render/zero_bound.h"
 
 namespace {
 
@@ -26,6 +27,23 @@ struct Room {
 };
 constexpr Room rays{25, 0.3, 0, 0}, merging{25, 0, 0.1, 0}, both{25, 0.3, 0.05, 0.1}, caustic{25, 0.02, 0.02, 0.5},
     rare{300, 0.3, 0, 0, 20};
+
+// Relative, of a meter whose batches these are, all of which paths have reached; as the accumulator has it. unfound:
+// by so many paths, lx.
+MeterError error_of(const double (&value)[batch_count], const double (&bias)[batch_count], uint32_t visits,
+                    double unfound = 0, uint32_t paths = 0) {
+  MeterLight light{};
+  std::copy(value, value + batch_count, light.sums.value);
+  std::copy(bias, bias + batch_count, light.sums.bias);
+  light.visits = visits;
+  light.sums.paths.fill({1, visits});
+  light.sums.batches.fill(0xffff);
+  light.bias = spread(bias, visits);
+  light.unfound[whole_light] = unfound, light.photons.caustics = paths;
+  MeterError apart;
+  light.error_of(whole_light, &apart);
+  return apart.scaled(1 / std::max(spread(value, visits).mean, 0.05));
+}
 
 // Sums of one room's meters, iteration by iteration.
 class Simulation {
@@ -46,10 +64,7 @@ class Simulation {
   std::vector<MeterError> errors() const {
     std::vector<MeterError> all;
     for (const Sums& s : sums_) {
-      const Spread value = spread(s.value, iterations_), bias = spread(s.bias, iterations_);
-      const ups_meter_reading r{float(value.mean), float(value.standard_error), float(bias.mean),
-                                error_bound(value, bias, iterations_), 0, 0};
-      all.push_back(meter_error(r, 0, 0.05, iterations_));
+      all.push_back(error_of(s.value, s.bias, iterations_));
       all.back().halves = float(log_ratio_of_halves(s.value, iterations_));
     }
     return all;
@@ -162,23 +177,49 @@ TEST(Prediction, IsRightAtAQuarterOfTheWay) {
   }
 }
 
-// Bounds on light that few paths have found fall as 1 / n, whatever else the error is made of.
+// Bounds on light that no path has found fall as 1 / n, whatever else the error is made of; on light that k have, which
+// become more, as Poisson's limit has it: nearly as 1 / sqrt(n). `paths` after 32 iterations.
 TEST(Prediction, BoundsOnUnfoundLightFallAsPathsDo) {
   for (const double unfound : {0.12, 12.0})
-    for (const bool found : {false, true}) {
-      Prediction prediction(UPS_CRITERION_WORST, alpha);
-      const auto error = [&](double n) { return 0.0107 * std::sqrt(16 / n) + unfound * 16 / n; };
-      for (const double n : {16.0, 20.0, 25.0, 32.0}) {
-        const ups_meter_reading r{1, found ? float(0.005 * std::sqrt(16 / n)) : -1, 0, float(error(n)), 0, 0};
-        prediction.add_look({n, n, error(n)}, {meter_error(r, found ? unfound * 16 / n : 0, 0.05, 16)});
+    for (const double paths : {0.0, 1.0, 5.0})
+      for (const bool known : {false, true}) {
+        Prediction prediction(UPS_CRITERION_WORST, alpha);
+        const auto bound = [&](double n) {
+          return unfound * 16 / n * poisson_excess(paths * n / 32) / poisson_excess(paths / 2);
+        };
+        const auto noise = [&](double n) { return known ? 0.0107 * std::sqrt(16 / n) : 0; };
+        const auto error = [&](double n) { return noise(n) + bound(n); };
+        for (const double n : {16.0, 20.0, 25.0, 32.0})
+          prediction.add_look({n, n, error(n)}, {{.noise = float(noise(n)),
+                                                  .unfound = float(bound(n)),
+                                                  .paths = float(paths * n / 32),
+                                                  .visits = uint32_t(n)}});
+        double n = 32;
+        while (error(n) > 0.02) n *= 1.01;
+        const Prediction::Expected e = prediction.expect(0.02);
+        const std::string what = std::to_string(unfound) + " by " + std::to_string(paths);
+        EXPECT_NEAR(e.iterations / n, 1, 0.2) << what;
+        EXPECT_LT(e.low, n) << what;
+        EXPECT_GT(e.high, n) << what;
       }
-      double n = 32;
-      while (error(n) > 0.02) n *= 1.01;
-      const Prediction::Expected e = prediction.expect(0.02);
-      EXPECT_NEAR(e.iterations / n, 1, 0.2) << unfound << " " << found;
-      EXPECT_LT(e.low, n) << unfound << " " << found;
-      EXPECT_GT(e.high, n) << unfound << " " << found;
-    }
+}
+
+// A reading tells how many paths found what it does not know.
+TEST(Prediction, IsToldHowManyPathsFoundLittle) {
+  double batches[batch_count] = {};
+  const double none[batch_count] = {};
+  for (uint32_t b = 0; b < batch_count; ++b) batches[b] = b % 2 ? 11 : 9;
+  const MeterError known = error_of(batches, none, 16, 5, 3);
+  EXPECT_FLOAT_EQ(known.unfound, 0.5f);
+  EXPECT_EQ(known.paths, 3);
+  MeterLight few{};
+  few.visits = 16, few.largest.fill(8);
+  few.sums.value[3] = few.sums.value[7] = 8;
+  few.sums.paths.fill({8, 2}), few.sums.batches.fill(0x88);
+  MeterError apart;
+  EXPECT_EQ(few.error_of(whole_light, &apart).first, -1);
+  EXPECT_EQ(apart.paths, 2);
+  EXPECT_FLOAT_EQ(apart.error(), 8 * 4.30f / 16);
 }
 
 // Noise that falls as n^(-1/3) makes 18 % of an error 60 % of the time; one meter's standard error is known no better
@@ -222,16 +263,48 @@ TEST(Prediction, OfNoiseWithoutItsOwnNoise) {
   EXPECT_EQ(met.iterations, 32);
 }
 
-// A bound t sqrt(s^2 + s_b^2) from merging alone, s_b = 2 s; from rays alone; one without a standard error.
+// 16 batches of 100 +- 4: s = 4 / sqrt(15). From merging alone, whose bias of 3 has twice the noise; from rays alone;
+// beside a bias of 10 without noise, of which 3.1 are not known: a share that falls as bias does.
 TEST(Prediction, TellsWhatMergingMakes) {
-  const float t = float(t_quantile(16));
-  EXPECT_NEAR(meter_error({100, 1, 3, 3 + t * std::sqrt(5.0f), 0, 0}, 0, 5, 16).merged, 1, 1e-4);
-  EXPECT_NEAR(meter_error({100, 1, 3, 3 + t * std::sqrt(5.0f), 0, 0}, 0, 5, 16).deviations, 1.5, 1e-4);
-  EXPECT_NEAR(meter_error({100, 1, 0, t, 0, 0}, 0, 5, 16).merged, 0, 1e-4);
-  const MeterError unknown = meter_error({100, -1, 0, 7, 0, 0}, 0, 5, 16), dark = meter_error({1, 1, 1, 2, 0, 0}, 0, 5, 16);
-  EXPECT_EQ(unknown.merged, 0);
-  EXPECT_FLOAT_EQ(unknown.error(), 0.07f);
-  EXPECT_FLOAT_EQ(dark.error(), 0.4f) << "bound / floor";
+  double value[batch_count], bias[batch_count], sure[batch_count];
+  const double none[batch_count] = {};
+  for (uint32_t b = 0; b < batch_count; ++b) {
+    value[b] = 100 + (b % 2 ? 4 : -4);
+    bias[b] = 3 + (b % 4 < 2 ? 8 : -8);
+    sure[b] = 10;
+  }
+  const double s = 4 / std::sqrt(15.0), t = t_quantile(16);
+  const MeterError merged = error_of(value, bias, 16), unmerged = error_of(value, none, 16),
+                   known = error_of(value, sure, 16);
+  EXPECT_NEAR(merged.merged + merged.of_bias, 1, 1e-4);
+  EXPECT_NEAR(merged.of_bias, 0.93 * 0.93 / (0.93 * 0.93 + 5 * s * s), 1e-4);
+  EXPECT_NEAR(merged.deviations, 3 / (2 * s), 1e-4);
+  EXPECT_NEAR(merged.bias, 0.03, 1e-6);
+  EXPECT_NEAR(unmerged.merged, 0, 1e-4);
+  EXPECT_NEAR(unmerged.noise, t * s / 100, 1e-6);
+  EXPECT_NEAR(known.noise, std::hypot(t * s, t * 3.1) / 100, 1e-6);
+  EXPECT_NEAR(known.of_bias, 3.1 * 3.1 / (3.1 * 3.1 + s * s), 1e-4);
+  EXPECT_NEAR(known.merged, 0, 1e-4);
+  EXPECT_EQ(known.visits, 16u);
+}
+
+// Of four batches the quantile is 3.182, of 16 it is 2.131: what it loses on the way is no rate of convergence.
+TEST(Prediction, FewBatchesHaveALargeQuantile) {
+  Prediction p(UPS_CRITERION_MEAN, alpha);
+  const auto noise = [](double n) { return t_quantile(uint32_t(n)) / std::sqrt(n); };
+  for (const double n : {4.0, 5.0, 6.0, 8.0})
+    p.add_look({n, n, noise(n)}, {{.noise = float(noise(n)), .visits = uint32_t(n)}});
+  EXPECT_NEAR(p.expect(0.1).iterations / std::pow(t_quantile(16) / 0.1, 2), 1, 0.05);
+}
+
+// What stands for all pixels is taken for its shares: an image of merged photons alone falls as n^-alpha does.
+TEST(Prediction, OneStandsForAll) {
+  Prediction p(UPS_CRITERION_MEAN, alpha);
+  const auto error = [](double n) { return std::pow(n, -alpha / 2); };
+  MeanError together;
+  together.add({.noise = 3, .merged = 1, .visits = 16}), together.add({.noise = 1, .merged = 1, .visits = 16});
+  for (const double n : {16.0, 20.0, 25.0, 32.0, 40.0}) p.add_look({n, n, error(n)}, {together.mean()});
+  EXPECT_NEAR(p.expect(0.05).iterations / 8000, 1, 0.1);
 }
 
 // What no rate reaches is told so: an error that has stopped falling, and one beyond 10^8 times what was done.
