@@ -49,6 +49,13 @@ struct ReplayOptions : JobOptions {
   uint32_t width = 0, height = 0;  // 0: as the file says
 };
 
+// Options of `ups replay` that must be those of the render, as they change its samples.
+struct OptionWord {
+  std::string name;  // "--method"
+  bool has_value;
+};
+std::vector<OptionWord> options_of_samples();
+
 struct GoniometerOptions : JobOptions {
   std::string name;                // of the scene's goniometer; empty: the only one
   std::string out, errors;         // .ies or .ldt, .csv; empty: not asked for
