@@ -95,16 +95,18 @@ std::string to_text(const Measurement& m) {
                             Seed(render.seed));
   text += format("goniometer %s: %u C-planes x %u gamma angles, symmetry %s\n", m.render.goniometers[0].name.c_str(),
                  info.c_count, info.gamma_count, symmetry_word(profile.symmetry));
+  const double bound = noise_bound(info.flux_standard_error_lm, render.iterations),
+               of_ratio = noise_bound(info.light_output_ratio_standard_error, render.iterations);
   text += format("flux balance, lm:\n  emitted by the sources  %12.6g\n  absorbed in the scene   %12.6g\n",
                  info.emitted_flux_lm, info.absorbed_flux_lm);
-  text += format("  out of the scene        %12.6g +- %.2g\n", info.flux_lm, info.flux_standard_error_lm);
+  text += format("  out of the scene        %12.6g%s\n", info.flux_lm, bound_text(bound, "").c_str());
   text += format("  unaccounted for         %12.2g\n", m.residual_lm());
   if (info.outside_flux_lm > 0)
     text += format("  beyond the range of gamma, in no reading: %.6g of what is out\n", info.outside_flux_lm);
-  text += format("light output ratio: %s +- %s\n", percent_text(info.light_output_ratio).c_str(),
-                 error_text(info.light_output_ratio_standard_error).c_str());
-  text += format("peak: %.6g cd, 95 %% within %.2g, at C %g deg, gamma %g deg\n", m.peak.intensity_cd, m.peak.error_bound_cd,
-                 profile.peak_c_deg, profile.peak_gamma_deg);
+  text += format("light output ratio: %s%s\n", percent_text(info.light_output_ratio).c_str(),
+                 bound_text(of_ratio < 0 ? -1 : 100 * of_ratio, " %").c_str());
+  text += format("peak: %.6g cd%s, at C %g deg, gamma %g deg\n", m.peak.intensity_cd,
+                 bound_text(double(m.peak.error_bound_cd), "").c_str(), profile.peak_c_deg, profile.peak_gamma_deg);
   text += beams_text(m.profile);
   text += format("flux of the table: %.6g lm as interpolated, %.6g lm by the band rule of other programs\n",
                  profile.interpolated_flux_lm, profile.flux_lm);

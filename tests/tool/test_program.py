@@ -284,6 +284,24 @@ class Render(ProgramTest):
         self.assertIn("meter by meter from", self.run_program("render", path, "--iterations", 16, "--ratio",
                                                               "upright/work_plane").stdout)
 
+    def test_the_text_has_an_interval_beside_each_number(self):
+        text = self.run_program("render", self.write("room.gltf", room()), "--iterations", 32).stdout
+        number = r"([\d.e+-]+)"
+        for what in ("mean", "min", "max"):
+            found = re.search(rf"meters work_plane: .*\b{what} {number} lx \({number} to {number}\)", text)
+            self.assertIsNotNone(found, text)
+            value, low, high = map(float, found.groups())
+            self.assertLessEqual(low, high)
+            if what == "mean":  # the least of noisy readings may lie below its interval
+                self.assertLessEqual(low, value)
+                self.assertLessEqual(value, high)
+
+    def test_the_text_says_what_is_unknown(self):
+        text = self.run_program("render", self.write("room.gltf", room()), "--iterations", 3).stdout
+        self.assertRegex(text, r"meters work_plane: mean [\d.]+ lx, min [\d.]+ lx, max [\d.]+ lx,")
+        self.assertIn("worst error unknown", text)
+        self.assertNotRegex(text, r"(?<![\w.(])-1\b")
+
     def test_json(self):
         result = self.render("--iterations", 32, "--threads", 1)
         self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
