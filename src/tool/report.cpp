@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "report/intervals.h"
 #include "tool/accuracy.h"
 #include "tool/text_format.h"
 

@@ -1,16 +1,7 @@
 // See accuracy.h.
 #include "report/accuracy.h"
 
-#include <algorithm>
-
 namespace ups::report {
-
-double noise_bound(double standard_error, uint32_t iterations) {
-  constexpr uint32_t fewest = 4, most = 16;  // batches, see UPS_READING_*; of fewer no error is known
-  constexpr double quantiles[most - fewest + 1] = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262,
-                                                   2.228, 2.201, 2.179, 2.160, 2.145, 2.131};
-  return standard_error < 0 ? -1 : quantiles[std::clamp(iterations, fewest, most) - fewest] * standard_error;
-}
 
 std::vector<PredictionReport> read_predictions(const ups_result* result) {
   std::vector<PredictionReport> all;
