@@ -7,7 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "report/findings.h"
 #include "report/intervals.h"
+#include "report/targets.h"
 #include "report/text_format.h"
 
 namespace ups::report {
@@ -79,6 +81,30 @@ TEST(Intervals, OfExtremesOfManyNoisyValuesHoldTheTrueOnes) {
   EXPECT_GE(least_holds, 184);
   EXPECT_GE(greatest_holds, 184);
   EXPECT_LT(own_holds, rounds / 2) << "the least one's own interval would have done";
+}
+
+TEST(Verdicts, OnGlareCountWhatNoRayHasSeen) {
+  Targets targets;
+  targets.areas.push_back({});
+  targets.areas[0].observers = {"eye"};
+  targets.areas[0].ugr = 19;
+  Report report{};
+  ObserverReport eye{};
+  eye.name = "eye";
+  eye.reading.flags = UPS_OBSERVER_NO_SOURCE;
+  eye.reading.ugr = eye.reading.ugr_low = -1;
+  struct Case {
+    float high;
+    Judgement judgement;
+  };
+  for (const Case& c : {Case{-1, Judgement::met}, Case{12, Judgement::met}, Case{19.5f, Judgement::not_sure},
+                        Case{INFINITY, Judgement::not_sure}}) {
+    eye.reading.ugr_high = c.high;
+    report.observers = {eye};
+    const std::vector<TargetVerdict> verdicts = judge(targets, report);
+    ASSERT_EQ(verdicts.size(), 1u);
+    EXPECT_EQ(verdicts[0].judgement, c.judgement) << c.high;
+  }
 }
 
 }  // namespace
