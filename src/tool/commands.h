@@ -14,7 +14,7 @@
 
 namespace ups::tool {
 
-inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2, exit_interrupted = 130;
+inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2;  // interrupted: see platform/process.h
 
 // Of every command that renders.
 struct JobOptions {

@@ -324,7 +324,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
   for (const char* word : {"--state", "--resume"}) add_later(*command, word);
   command->footer(
       "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"
-      "Ctrl-C stops it; the results so far are written.");
+      "Ctrl-C, SIGTERM or SIGHUP stops it; the results so far are written.");
 }
 
 const CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {

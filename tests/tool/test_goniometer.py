@@ -218,7 +218,8 @@ class Measures(GoniometerTest):
     def test_an_interrupted_run_writes_what_there_is(self):
         for patience in (1, 5, 20):  # until an iteration is done
             run = subprocess.Popen([test_program.PROGRAM, "goniometer", self.scene, "--time", "60", "--out",
-                                    self.path("cut.ies")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                                    self.path("cut.ies")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
             time.sleep(patience)
             run.send_signal(signal.SIGINT)
             out, err = run.communicate(timeout=60)

@@ -645,18 +645,38 @@ class Render(ProgramTest):
         self.assertTrue(lines[0].startswith(scene + ": method "), msg=lines[0])
         self.assertTrue(lines[0].endswith("seed 5"), msg=lines[0])
 
+    def start_under(self, number, handler, *arguments):
+        """Whoever runs the tests may have been told to ignore signals (nohup, the background)."""
+        return subprocess.Popen([PROGRAM, "render", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                text=True, preexec_fn=lambda: signal.signal(number, handler))
+
     def test_interrupt_writes_what_is_there(self):
         scene = self.write("room.gltf", room())
-        out = self.path("out")
-        process = subprocess.Popen([PROGRAM, "render", scene, "--time", "300", "--json", "--out", out],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(3)
-        process.send_signal(signal.SIGINT)
-        stdout, stderr = process.communicate(timeout=100)
-        self.assertEqual(process.returncode, 130, msg=stderr)
-        self.assertGreaterEqual(json.loads(stdout)["iterations"], 1)
-        self.assertIn("interrupted", stderr)
-        self.assertIn("work_plane.csv", os.listdir(out))
+        numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+        outs = [self.path(f"out{int(number)}") for number in numbers]
+        processes = [self.start_under(number, signal.SIG_DFL, scene, "--time", "300", "--json", "--out", out)
+                     for number, out in zip(numbers, outs)]
+        time.sleep(5)
+        for number, process in zip(numbers, processes):
+            process.send_signal(number)
+        for number, process, out in zip(numbers, processes, outs):
+            stdout, stderr = process.communicate(timeout=100)
+            self.assertEqual(process.returncode, 128 + number, msg=stderr)
+            self.assertGreaterEqual(json.loads(stdout)["iterations"], 1)
+            self.assertIn("interrupted", stderr)
+            self.assertIn("work_plane.csv", os.listdir(out))
+
+    def test_signals_that_are_ignored_stay_so(self):
+        scene = self.write("room.gltf", room())
+        numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+        processes = [self.start_under(number, signal.SIG_IGN, scene, "--time", "4", "--json") for number in numbers]
+        time.sleep(2)
+        for number, process in zip(numbers, processes):
+            process.send_signal(number)
+        for process in processes:
+            stdout, stderr = process.communicate(timeout=100)
+            self.assertEqual(process.returncode, 0, msg=stderr)
+            self.assertGreater(json.loads(stdout)["time_s"], 3)
 
 
 class MemoryLimit(ProgramTest):
