@@ -54,7 +54,7 @@ class Signals(faults.FaultTest):
         self.assertEqual(self.results(ticking), self.results(quiet))
 
     def test_signals_that_end_the_program(self):
-        """They ask for what was found so far; before there is anything they end it at once. Files are whole either way."""
+        """They ask for what was found so far, before there is anything they end it at once. Files are always whole."""
         scene, _ = self.write_scene()
         out, other = self.folder / "out", self.folder / "other"
         self.run_program(self.command(scene, out))
