@@ -104,6 +104,7 @@ void write_camera_exr(const std::string& path, const SensorEntry& camera, const 
     channels.push_back({"standard_error.illuminance.Y", illuminance_error.data(), 0, 0});
     attributes.emplace_back("unit.illuminance.Y", "lx");
     attributes.emplace_back("unit.standard_error.illuminance.Y", "lx");
+    attributes.emplace_back("visits", std::to_string(most_visits(result, camera.info)));  // of which that is
   }
   if (camera.info.projection != UPS_PERSPECTIVE)
     attributes.emplace_back("projection", projection_word(camera.info.projection));
@@ -174,7 +175,8 @@ void write_camera(Written& written, const std::string& base, const SensorEntry& 
   if (!camera.info.illuminance) return;
   attempt(written, base + "_illuminance", [&](const std::string& name) {
     const auto illuminance = within_image(camera.info, read_image(result, camera, UPS_CHANNEL_ILLUMINANCE));
-    const auto bound = bounds_of_noise(read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR));
+    const auto bound = bounds_of_noise(read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR),
+                                       most_visits(result, camera.info));
     write_map(written, name, image_map(camera.name, "Illuminance", "lx", illuminance, bound, width, height), map);
   });
 }

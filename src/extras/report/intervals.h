@@ -8,8 +8,8 @@
 
 namespace ups::report {
 
-// Of a mean of so many iterations. They are gathered in 16 batches, or in as many as there are: the errors have Student's
-// distribution. Where an iteration visits a part of an image's pixels there may be fewer batches. -1: not known.
+// Of a mean of so many iterations or visits. They are gathered in 16 batches, or in as many as there are: the errors have
+// Student's distribution. -1: not known.
 double noise_bound(double standard_error, uint32_t iterations);
 
 // The least and greatest of values with 95 % intervals each, of a render of so many iterations. The least of many noisy
