@@ -106,14 +106,16 @@ enum {
 /* UGR = 8 log10(0.25 / L_b * sum of L^2 w / p^2). L_b is the eye's indirect illuminance over pi, without what comes
  * straight from sources. Sources are luminaires and lights, each by its intensity over the area of its opening as the
  * eye sees it, and instances that emit; each is one source, weakened by panes and media, and by the share of it that
- * other things hide (by 64 rays, by 256 where some of them are stopped). One that looks smaller than 0.005 m^2, or has
- * no extent, counts 200 I^2 / (r^2 p^2) (CIE 147). */
+ * other things hide (by 256 rays, by 64 where it is less than a quarter of the worst and all or none of them arrive).
+ * One that looks smaller than 0.005 m^2, or has no extent, counts 200 I^2 / (r^2 p^2) (CIE 147). */
 typedef struct ups_observer_reading {
   uint32_t struct_size;
   uint32_t flags;                   /* UPS_OBSERVER_* */
   float ugr;                        /* -1 with NO_SOURCE or NO_BACKGROUND, else as it is: below 10 and even below 0 */
   float ugr_standard_error;         /* of background and hidden shares; -1: not known */
-  float ugr_low, ugr_high;          /* 95 %, noise and bias; -1: not known, or ugr_high without an end */
+  float ugr_low, ugr_high;          /* 95 %, noise and bias, and what rays may have missed; -1: not known, or ugr_high
+                                     * without an end. With NO_SOURCE ugr_high is -1 where none is in view, else the
+                                     * most that those may rate which no ray has seen; infinite without background */
   float background_cd_m2;
   float background_standard_error_cd_m2, background_error_bound_cd_m2; /* the latter 95 %, bias too; -1: not known */
   uint32_t source_count;            /* that count in the rating */

@@ -95,7 +95,8 @@ uint32_t flags_of(const SeenGlare& glare) {
   return flags | (glare.has_unrated ? uint32_t(UPS_OBSERVER_UNRATED_SOURCE) : 0);
 }
 
-// dUGR = 8 / ln 10 (dS / S - dL_b / L_b); the ends of the interval by the ends of both.
+// dUGR = 8 / ln 10 (dS / S - dL_b / L_b); the ends of the interval by the ends of both and by what rays may have
+// missed.
 void rate(const SeenGlare& glare, ups_observer_reading& out) {
   const double background = out.background_cd_m2, error = out.background_standard_error_cd_m2,
                bound = out.background_error_bound_cd_m2;
@@ -103,9 +104,19 @@ void rate(const SeenGlare& glare, ups_observer_reading& out) {
   const double hidden = glare.sum_error / glare.sum, slope = 8 / std::log(10.0);
   if (error >= 0) out.ugr_standard_error = float(slope * std::hypot(error / background, hidden));
   if (!(bound >= 0)) return;
-  const auto away = [&](double end) { return std::hypot(8 * std::log10(end), slope * 1.96 * hidden); };
-  out.ugr_low = out.ugr - float(away((background + bound) / background));
-  if (bound < background) out.ugr_high = out.ugr + float(away(background / (background - bound)));
+  const auto away = [&](double end, double missed) {
+    return std::hypot(8 * std::log10(end), slope * 1.96 * hidden, 8 * std::log10(missed));
+  };
+  out.ugr_low = out.ugr - float(away((background + bound) / background, 1 - glare.hidden / glare.sum));
+  if (bound < background)
+    out.ugr_high = out.ugr + float(away(background / (background - bound), 1 + glare.unseen / glare.sum));
+}
+
+// No ray has seen a source, but one is there: the most that it may rate.
+void rate_unseen(const SeenGlare& glare, ups_observer_reading& out) {
+  const double bound = out.background_error_bound_cd_m2, least = out.background_cd_m2 - bound;
+  const bool known = !(out.flags & UPS_OBSERVER_NO_BACKGROUND) && bound >= 0 && least > 0;
+  out.ugr_high = known ? float(photometry::ugr(glare.unseen, least)) : INFINITY;
 }
 
 // d(2.55 (1 + Ed / 220) / (1 + Ed / Ei)) has the sign of Ei - 220 for Ed: the ends are among the corners of both errors.
@@ -140,6 +151,7 @@ ups_observer_reading reading_of(const RenderResult& r, size_t observer) {
   // What is left where all light comes straight is rounding.
   const double least = 1e-6 * double(eye.meters[0].illuminance_lx) / double(pi);
   if (!(double(out.background_cd_m2) > least)) out.flags |= UPS_OBSERVER_NO_BACKGROUND;
+  if (out.flags & UPS_OBSERVER_NO_SOURCE && glare.unseen > 0) rate_unseen(glare, out);
   if (out.flags & (UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_NO_BACKGROUND)) return out;
   rate(glare, out);
   if (glare.ceiling_coverage > 0) rate_large(eye.parts[UPS_LIGHT_PART_DIRECT][0], glare.ceiling_coverage, out);

@@ -18,8 +18,10 @@ int terminal_columns();
 // A file that grows beyond what the process may write (ulimit -f) ends it no more: writing fails.
 void let_large_files_fail();
 
-// Ctrl-C calls this from now on, within a signal handler or on a thread of the system's: it may set lock-free atomics
-// and call std::_Exit().
-void on_interrupt(void (*handler)());
+// Ctrl-C calls this from now on, and so do what ends a job (SIGTERM) and a terminal that is gone (SIGHUP); each only
+// where the process was not started to ignore it, as in the background or by nohup. exit_code: 128 and the signal's
+// number, as shells tell it; 130 of Ctrl-C. It is called within a signal handler or on a thread of the system's: it may
+// set lock-free atomics and call std::_Exit().
+void on_interrupt(void (*handler)(int exit_code));
 
 }  // namespace ups::platform

@@ -39,7 +39,10 @@ std::string advice_text(double target, double time_limit_s, const ups_prediction
   const char* limit = p.limited_by == UPS_LIMIT_BIAS
                           ? "bias of merging, which falls slowly: a smaller merge radius may take less"
                           : "noise";
-  std::string text = "within " + duration_text(time_limit_s) + " the target is out of reach: at this rate " +
+  const std::string limit_text = duration_text(time_limit_s);
+  const bool nearly = p.seconds >= 0 && duration_text(p.seconds) == limit_text;
+  std::string text = "within " + limit_text + " the target is " + (nearly ? "just " : "") +
+                     "out of reach: at this rate " +
                      prediction_text(target, p) + ", limited by " + limit;
   if (!worst) return text;
   const ups_largest_error& e = worst->error;

@@ -111,7 +111,7 @@ int goniometer(const GoniometerOptions& options) {
   const LoadedScene scene = load(options);
   const Finished finished = run_render(scene.scene, options.desc);
   tell_interruption(finished);
-  if (!finished.result) return exit_interrupted;
+  if (!finished.result) return finished.exit_code();
   const ups_result* result = finished.result.get();
   const SensorEntry& sensor = scene.sensors[0];
   Report render = make_report(options.scene, scene, result);

@@ -91,7 +91,7 @@ int render(const RenderOptions& options) {
   const MeterQuestions questions = questions_of(options, scene);
   const Finished finished = run_render(scene.scene, options.desc);
   tell_interruption(finished);
-  if (!finished.result) return exit_interrupted;
+  if (!finished.result) return finished.exit_code();
   RenderReport report = report_of(options, scene, finished, questions, targets);
   Written written;
   if (!options.out.empty())

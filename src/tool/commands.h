@@ -14,7 +14,7 @@
 
 namespace ups::tool {
 
-inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2, exit_interrupted = 130;
+inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2;  // interrupted: see platform/process.h
 
 // Of every command that renders.
 struct JobOptions {
@@ -48,6 +48,13 @@ struct ReplayOptions : JobOptions {
   std::string sample, plot;        // an address; a drawing, empty: not asked for
   uint32_t width = 0, height = 0;  // 0: as the file says
 };
+
+// Options of `ups replay` that must be those of the render, as they change its samples.
+struct OptionWord {
+  std::string name;  // "--method"
+  bool has_value;
+};
+std::vector<OptionWord> options_of_samples();
 
 struct GoniometerOptions : JobOptions {
   std::string name;                // of the scene's goniometer; empty: the only one

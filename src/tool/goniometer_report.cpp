@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/intervals.h"
 #include "tool/report.h"
 #include "tool/tables.h"
 #include "tool/text_format.h"
@@ -34,6 +35,15 @@ NodeError worst_of(const GoniometerNodes& nodes, double peak) {
       worst = {nodes.c_deg_of(i), nodes.gamma_deg_of(i), relative, std::abs(r.bias_cd) / scale};
   }
   return worst;
+}
+
+ups_interval peak_interval(const GoniometerNodes& nodes, uint32_t iterations) {
+  std::vector<ups_interval> all;
+  for (const ups_intensity_reading& r : nodes.readings) {
+    const double value = double(r.intensity_cd), bound = double(r.error_bound_cd);
+    all.push_back({value, bound < 0 ? -1 : std::max(0.0, value - bound), bound < 0 ? -1 : value + bound});
+  }
+  return greatest_of(all, iterations);
 }
 
 }  // namespace
@@ -73,8 +83,8 @@ Measurement measure(const std::string& file, const SensorEntry& goniometer, cons
     return a.intensity_cd < b.intensity_cd;
   };
   const ups_intensity_reading peak = *std::max_element(nodes.readings.begin(), nodes.readings.end(), brighter);
-  Measurement m{
-      std::move(render), make_report(file, profile), worst_of(nodes, double(peak.intensity_cd)), peak, {}, {}};
+  Measurement m{std::move(render), make_report(file, profile), worst_of(nodes, double(peak.intensity_cd)), peak,
+                peak_interval(nodes, render.info.iterations), {}, {}};
   const auto read_beam = [&](float c_deg, float fraction, ups_goniometer_beam& beam) {
     beam.struct_size = sizeof beam;
     check(ups_result_get_goniometer_beam(result, goniometer.info.sensor, c_deg, fraction, &beam));
@@ -95,15 +105,19 @@ std::string to_text(const Measurement& m) {
                             Seed(render.seed));
   text += format("goniometer %s: %u C-planes x %u gamma angles, symmetry %s\n", m.render.goniometers[0].name.c_str(),
                  info.c_count, info.gamma_count, symmetry_word(profile.symmetry));
+  const double bound = noise_bound(info.flux_standard_error_lm, render.iterations),
+               of_ratio = noise_bound(info.light_output_ratio_standard_error, render.iterations);
   text += format("flux balance, lm:\n  emitted by the sources  %12.6g\n  absorbed in the scene   %12.6g\n",
                  info.emitted_flux_lm, info.absorbed_flux_lm);
-  text += format("  out of the scene        %12.6g +- %.2g\n", info.flux_lm, info.flux_standard_error_lm);
+  text += format("  out of the scene        %12.6g%s\n", info.flux_lm, bound_text(bound, "").c_str());
   text += format("  unaccounted for         %12.2g\n", m.residual_lm());
   if (info.outside_flux_lm > 0)
     text += format("  beyond the range of gamma, in no reading: %.6g of what is out\n", info.outside_flux_lm);
-  text += format("light output ratio: %s +- %s\n", percent_text(info.light_output_ratio).c_str(),
-                 error_text(info.light_output_ratio_standard_error).c_str());
-  text += format("peak: %.6g cd, 95 %% within %.2g, at C %g deg, gamma %g deg\n", m.peak.intensity_cd, m.peak.error_bound_cd,
+  text += format("light output ratio: %s%s\n", percent_text(info.light_output_ratio).c_str(),
+                 bound_text(of_ratio < 0 ? -1 : 100 * of_ratio, " %").c_str());
+  const ups_interval& peak = m.peak_interval;
+  text += format("peak: %.6g cd%s, at C %g deg, gamma %g deg\n", peak.value,
+                 peak.low < 0 ? " +- unknown" : format(" (95 %%: %.6g to %.6g)", peak.low, peak.high).c_str(),
                  profile.peak_c_deg, profile.peak_gamma_deg);
   text += beams_text(m.profile);
   text += format("flux of the table: %.6g lm as interpolated, %.6g lm by the band rule of other programs\n",

@@ -16,6 +16,7 @@ struct Measurement {
   ProfileReport profile;  // of the distribution, as its file would be
   NodeError worst;        // relative_error_bound < 0: not known, as in too short a render
   ups_intensity_reading peak;
+  ups_interval peak_interval;  // of the largest true intensity of a node: the largest of noisy ones is too large
   ups_goniometer_beam beam[2], field[2];  // of 50 % and 10 %, in the planes C0-C180 and C90-C270
 
   const ups_goniometer_info& info() const { return render.goniometers[0].info; }

@@ -1,4 +1,5 @@
-// Ctrl-C. Before a render there is nothing to save and the program ends at once; during one it is asked to stop.
+// Ctrl-C, SIGTERM, SIGHUP. Before a render there is nothing to save and the program ends at once; during one it is asked
+// to stop.
 #pragma once
 
 namespace ups::tool {
@@ -6,6 +7,6 @@ namespace ups::tool {
 void install_interrupt_handler();
 // Between these calls an interrupt only sets the flag; a second one ends the program.
 void begin_interruptible_work();
-bool interrupted();
+int interruption();  // the program's exit code then; 0: there was none
 
 }  // namespace ups::tool

@@ -399,6 +399,8 @@ std::string to_json(const Measurement& m) {
                 {{"intensity_cd", number(m.peak.intensity_cd)},
                  {"standard_error_cd", number(m.peak.standard_error_cd)},
                  {"error_bound_cd", number(m.peak.error_bound_cd)},
+                 {"low_cd", number(m.peak_interval.low)},
+                 {"high_cd", number(m.peak_interval.high)},
                  {"c_deg", number(profile.peak_c_deg)},
                  {"gamma_deg", number(profile.peak_gamma_deg)}}},
                {"beam", beams_json(m.profile.beam, m.beam)},

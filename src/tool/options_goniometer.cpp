@@ -198,7 +198,7 @@ const CLI::App* add_goniometer(CLI::App& app, GoniometerOptions& options) {
       "The file is relative photometry: its lamp lumens are what the sources emit. The photometric centre is the\n"
       "fixture's place of your choice: the file has none. Methods are those that trace light paths.\n"
       "Without --time, --iterations or --target-error it stops at 2 % or after 60 s.\n"
-      "Ctrl-C stops it; the results so far are written.");
+      "Ctrl-C, SIGTERM or SIGHUP stops it; the results so far are written.");
   return command;
 }
 

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -323,7 +324,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
   for (const char* word : {"--state", "--resume"}) add_later(*command, word);
   command->footer(
       "Without --time, --iterations or --target-error a render stops at 2 % or after 60 s.\n"
-      "Ctrl-C stops it; the results so far are written.");
+      "Ctrl-C, SIGTERM or SIGHUP stops it; the results so far are written.");
 }
 
 const CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {
@@ -341,6 +342,20 @@ const CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {
   add_method_options(*command, options.desc);
   command->footer("The options of method must be those of the render that the sample is of.");
   return command;
+}
+
+// All that the command has but those of the replay itself: an option of method that is added later is among them.
+std::vector<OptionWord> options_of_samples() {
+  const std::set<std::string> own = {"--help", "--threads", "--json", "--sample", "--plot"};
+  CLI::App app;
+  ReplayOptions unused;
+  std::vector<OptionWord> all;
+  for (const CLI::Option* option : add_replay(app, unused)->get_options()) {
+    const std::string name = option->get_name();
+    if (name.compare(0, 2, "--") == 0 && own.count(name) == 0)
+      all.push_back({name, option->get_items_expected_max() > 0});
+  }
+  return all;
 }
 
 }  // namespace ups::tool

@@ -104,6 +104,7 @@ void write_camera_exr(const std::string& path, const SensorEntry& camera, const 
     channels.push_back({"standard_error.illuminance.Y", illuminance_error.data(), 0, 0});
     attributes.emplace_back("unit.illuminance.Y", "lx");
     attributes.emplace_back("unit.standard_error.illuminance.Y", "lx");
+    attributes.emplace_back("visits", std::to_string(most_visits(result, camera.info)));  // of which that is
   }
   if (camera.info.projection != UPS_PERSPECTIVE)
     attributes.emplace_back("projection", projection_word(camera.info.projection));
@@ -174,7 +175,8 @@ void write_camera(Written& written, const std::string& base, const SensorEntry& 
   if (!camera.info.illuminance) return;
   attempt(written, base + "_illuminance", [&](const std::string& name) {
     const auto illuminance = within_image(camera.info, read_image(result, camera, UPS_CHANNEL_ILLUMINANCE));
-    const auto bound = bounds_of_noise(read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR));
+    const auto bound = bounds_of_noise(read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR),
+                                       most_visits(result, camera.info));
     write_map(written, name, image_map(camera.name, "Illuminance", "lx", illuminance, bound, width, height), map);
   });
 }
@@ -376,9 +378,12 @@ void prepare_files(const RenderOptions& options, const LoadedScene& scene) {
   for (const SensorEntry& sensor : scene.sensors)
     for (const std::string& ending : endings_of(sensor, options.desc)) names.push_back(sensor.name + ending);
   if (options.report) names.push_back("report.html");
-  for (const std::string& name : names)
-    if (const std::string path = platform::joined(options.out, name); platform::is_folder(path))
+  for (const std::string& name : names) {
+    const std::string path = platform::joined(options.out, name);
+    if (platform::is_folder(path))
       throw Failure("--out: '" + path + "' is a folder, where a file of that name would be written");
+    platform::folder_written_in(path);  // throws where it may not be
+  }
   std::sort(names.begin(), names.end());
   if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
     throw Failure("--out: two of the scene's cameras, meters and goniometers would write the file '" + *twice +

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "tool/commands.h"
+
 namespace ups::tool {
 namespace {
 
@@ -51,15 +53,14 @@ std::string command_text(const std::vector<std::string>& arguments, const ups_re
 }
 
 std::string replay_text(const std::vector<std::string>& arguments, const std::string& scene, const std::string& sample) {
+  const std::vector<OptionWord> options = options_of_samples();
   std::string text = "ups replay " + quoted(scene);
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
-    if (word == "--allow-outside") text += " " + word;
-    for (const char* option : {"--method", "--size", "--separate", "--techniques", "--max-path-length", "--light-paths",
-                               "--merge-radius", "--alpha", "--glossy-alpha", "--perturbation"}) {
-      if (!is_of(word, option)) continue;
+    for (const OptionWord& option : options) {
+      if (!is_of(word, option.name)) continue;
       text += " " + quoted(word);
-      if (word == option && i + 1 < arguments.size()) text += " " + quoted(arguments[++i]);
+      if (option.has_value && word == option.name && i + 1 < arguments.size()) text += " " + quoted(arguments[++i]);
       break;
     }
   }

@@ -53,7 +53,7 @@ ups_status wait_for(ups_job* job, double target) {
       progress.finish();
       return status;
     }
-    if (interrupted() && !cancelled) {
+    if (interruption() != 0 && !cancelled) {
       ups_job_cancel(job);
       cancelled = true;
     }
@@ -61,6 +61,8 @@ ups_status wait_for(ups_job* job, double target) {
 }
 
 }  // namespace
+
+int Finished::exit_code() const { return complete ? exit_done : failure.empty() ? interruption() : exit_failed; }
 
 Finished run_render(const ups_scene* scene, ups_render_desc desc) {
   set_limits(desc);

@@ -12,7 +12,7 @@ struct Finished {
   double target, time_limit_s;  // that the render had; 0: none
   ups_memory_estimate memory;
   std::string failure;          // why it ended early, where it has results all the same
-  int exit_code() const { return complete ? exit_done : failure.empty() ? exit_interrupted : exit_failed; }
+  int exit_code() const;
 };
 
 // desc: without any limit it gets those of the program, 2 % and 60 s. Throws Failure.

@@ -1,6 +1,9 @@
 // See report.h: the report for people.
 #include "tool/report.h"
 
+#include <algorithm>
+
+#include "report/intervals.h"
 #include "tool/accuracy.h"
 #include "tool/text_format.h"
 
@@ -21,15 +24,28 @@ std::string interval_text(const ups_interval& i, const char* number) {
   return format(both.c_str(), i.low, i.high);
 }
 
+std::string lumens(double lm) { return lm < 0 ? "unknown" : format("%.6g lm", lm); }
+
+std::string lux(double value, double low, double high) {
+  return format("%.6g lx", value) + interval_text({value, low, high}, "%.6g");
+}
+
+// Ratings may be below 0: -1 is the only one that is not known.
+std::string rating(float value, float low, float high) {
+  const std::string text = format("%.1f", double(value));
+  return low == -1 || high == -1 ? text : text + format(" (%.1f to %.1f)", double(low), double(high));
+}
+
 std::string meters_text(const MeterReport& meters) {
   const ups_meter_statistics& s = meters.statistics;
   const std::string kind = meters.kind == "planar" ? "" : " (" + meters.kind + ")";
+  const double mean_low = s.mean_error_bound_lx < 0 ? -1 : std::max(0.0, s.mean_lx - s.mean_error_bound_lx);
   std::string text =
-      format("meters %s%s: mean %.6g lx, min %.6g lx, max %.6g lx, uniformity %.3f%s, diversity %.3f%s, "
-             "worst error %s\n",
-             meters.name.c_str(), kind.c_str(), s.mean_lx, s.min_lx, s.max_lx, s.uniformity,
-             interval_text({s.uniformity, s.uniformity_low, s.uniformity_high}, "%.3f").c_str(), s.diversity,
-             interval_text({s.diversity, s.diversity_low, s.diversity_high}, "%.3f").c_str(),
+      format("meters %s%s: mean %s, min %s, max %s, uniformity %.3f%s, diversity %.3f%s, worst error %s\n",
+             meters.name.c_str(), kind.c_str(), lux(s.mean_lx, mean_low, s.mean_lx + s.mean_error_bound_lx).c_str(),
+             lux(s.min_lx, s.min_low_lx, s.min_high_lx).c_str(), lux(s.max_lx, s.max_low_lx, s.max_high_lx).c_str(),
+             s.uniformity, interval_text({s.uniformity, s.uniformity_low, s.uniformity_high}, "%.3f").c_str(),
+             s.diversity, interval_text({s.diversity, s.diversity_low, s.diversity_high}, "%.3f").c_str(),
              percent_text(s.worst_relative_error_bound).c_str());
   for (const IntervalAt& a : meters.above)
     text += format("meters %s: %.4g %% at least %.6g lx%s\n", meters.name.c_str(), 100 * a.interval.value, a.at,
@@ -38,8 +54,8 @@ std::string meters_text(const MeterReport& meters) {
 }
 
 std::string ratio_text(const RatioReport& r) {
-  std::string text = format("ratio %s / %s: %.4g%s", r.numerator.c_str(), r.denominator.c_str(), r.ratio.value,
-                            interval_text(r.ratio, "%.4g").c_str());
+  std::string text = "ratio " + r.numerator + " / " + r.denominator + ": " +
+                     (r.ratio.value < 0 ? "unknown" : format("%.4g", r.ratio.value)) + interval_text(r.ratio, "%.4g");
   if (r.points > 0)
     text += format("; meter by meter from %.4g%s to %.4g%s", r.least.value, interval_text(r.least, "%.4g").c_str(),
                    r.greatest.value, interval_text(r.greatest, "%.4g").c_str());
@@ -54,10 +70,10 @@ std::string observer_text(const ObserverReport& observer) {
   else if (r.flags & UPS_OBSERVER_NO_BACKGROUND)
     text += "no UGR, as no indirect light was found";
   else
-    text += format("UGR %.1f", r.ugr) +
-            (r.ugr_low == -1 || r.ugr_high == -1 ? "" : format(" (%.1f to %.1f)", r.ugr_low, r.ugr_high));
+    text += "UGR " + rating(r.ugr, r.ugr_low, r.ugr_high);
   if (r.ceiling_coverage > 0)
-    text += format(", GGR %.1f (CIE 147: large sources over %.0f %% of the ceiling)", r.ggr, 100 * r.ceiling_coverage);
+    text += ", GGR " + rating(r.ggr, r.ggr_low, r.ggr_high) +
+            format(" (CIE 147: large sources over %.0f %% of the ceiling)", 100 * r.ceiling_coverage);
   text += r.background_cd_m2 < 0 ? ", background unknown" : format(", background %.4g cd/m^2", r.background_cd_m2);
   if (observer.sources.empty()) return text + "\n";
   const GlareSourceReport& worst = observer.sources[0];
@@ -68,6 +84,10 @@ std::string observer_text(const ObserverReport& observer) {
 }  // namespace
 
 std::string percent_text(double fraction) { return fraction < 0 ? "unknown" : format("%.2f %%", 100 * fraction); }
+
+std::string bound_text(double bound, const char* unit) {
+  return bound < 0 ? " +- unknown" : format(" +- %.2g%s (95 %%)", bound, unit);
+}
 
 const char* projection_word(ups_projection projection) {
   constexpr const char* words[] = {"perspective", "equidistant", "equisolid", "panorama"};  // UPS_PERSPECTIVE, ...
@@ -80,8 +100,8 @@ std::string to_text(const RenderReport& report) {
                             method_word(info.method).c_str(), info.iterations, info.elapsed_s, info.threads,
                             static_cast<unsigned long long>(info.seed));
   text += "effects: " + joined(report.effects) + "\ntechniques: " + joined(report.techniques) + "\n";
-  text += format("flux: emitted %.6g lm, absorbed %.6g lm, escaped %.6g lm\n", info.emitted_flux_lm,
-                 info.absorbed_flux_lm, info.escaped_flux_lm);
+  text += "flux: emitted " + lumens(info.emitted_flux_lm) + ", absorbed " + lumens(info.absorbed_flux_lm) +
+          ", escaped " + lumens(info.escaped_flux_lm) + "\n";
   if (info.maintenance_factor != 1) text += format("maintenance factor: %g\n", info.maintenance_factor);
   for (const MeterReport& meters : report.meters) text += meters_text(meters);
   for (const RatioReport& ratio : report.ratios) text += ratio_text(ratio);
@@ -91,9 +111,12 @@ std::string to_text(const RenderReport& report) {
                    camera.height, projection_word(camera.projection), camera.mean_luminance_cd_m2);
   }
   for (const GoniometerReport& g : report.goniometers) {
-    text += format("goniometer %s: flux %.6g lm +- %.2g, light output ratio %s, median error %s, worst %s\n",
-                   g.name.c_str(), g.info.flux_lm, g.info.flux_standard_error_lm,
+    const double bound = noise_bound(g.info.flux_standard_error_lm, info.iterations);
+    const double of_ratio = noise_bound(g.info.light_output_ratio_standard_error, info.iterations);
+    text += format("goniometer %s: flux %s%s, light output ratio %s%s, median error %s, worst %s\n", g.name.c_str(),
+                   lumens(g.info.flux_lm).c_str(), bound_text(bound, "").c_str(),
                    percent_text(g.info.light_output_ratio).c_str(),
+                   bound_text(of_ratio < 0 ? -1 : 100 * of_ratio, " %").c_str(),
                    percent_text(g.info.median_relative_error_bound).c_str(),
                    percent_text(g.info.worst_relative_error_bound).c_str());
   }

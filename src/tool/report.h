@@ -16,6 +16,7 @@ struct RenderReport : Report {
 };
 
 std::string percent_text(double fraction);               // "1.25 %"; "unknown" below 0
+std::string bound_text(double bound, const char* unit);  // " +- 3.1 lm (95 %)"; " +- unknown" below 0
 const char* projection_word(ups_projection projection);  // as in a scene file
 
 std::string to_text(const RenderReport& report);

@@ -14,17 +14,22 @@ struct SeenSource {
   double visible_share = 0;  // of its light
   double term = 0;           // L^2 w / p^2
   double term_error = 0;     // standard error of it, by the rays that look for what hides it
+  double missed = 0;         // 95 %: what a term of 0 may be all the same, what one that nothing hides may lack
 };
 
 struct SeenGlare {
   std::vector<SeenSource> sources;  // with a term above 0, the largest first
   double sum = 0, sum_error = 0;    // of the terms
+  // 95 %: what the sum may have more, of sources that no ray has seen; and less, of those that all rays have seen. Of
+  // points, which one ray sees or not, nothing.
+  double unseen = 0, hidden = 0;
   double ceiling_coverage = 0;      // by large sources (CIE 147); 0 where none is seen
   bool has_unrated = false;         // sources without a luminance or intensity: parallel light, rays of a file
   bool has_fixture = false;         // one in view, whose own optics are no source
 };
 
-// From fixed places of each emitter. Ends early, with what was found, where `stop` was set.
+// By rays to places of each emitter that are spread evenly and by chance, the same in every render. Ends early, with
+// what was found, where `stop` was set.
 SeenGlare find_glare(const Snapshot& scene, const Observer& observer, ThreadPool& pool, const StopSignal& stop);
 
 }  // namespace ups

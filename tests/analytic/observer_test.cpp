@@ -135,7 +135,7 @@ TEST(Observer, SeesThePanelsLuminance) {
   EXPECT_NEAR(s.direction[2], 0.5, 1e-5);
 }
 
-// A screen up to x = 0.06 m half way hides x < 0.12 m of the panel: 0.7 of it, of 16 columns of rays 11.
+// A screen up to x = 0.06 m half way hides x < 0.12 m of the panel: 0.7 of it, of 16 columns of rays 11 and a fifth.
 TEST(Observer, ScreensHideAShare) {
   Dark dark;
   dark.scene.add(quad({-1, 1.2990381, 0}, {1.06, 0, 0}, {0, 0, 2}), matte(0));
@@ -144,6 +144,40 @@ TEST(Observer, ScreensHideAShare) {
   EXPECT_NEAR(s.luminance_cd_m2, 2500, 0.3);
   EXPECT_NEAR(s.solid_angle_sr, 0.04 * double(s.visible_share), 1e-6);
   EXPECT_EQ(s.flags, uint32_t(UPS_GLARE_FLAG_HIDDEN));
+}
+
+// Bars half way that stand between 8 columns of regular rays hide 7 * 0.03 m of the 0.6 m. Noise of the share: 0.03.
+TEST(Observer, BarsInRowsHideTheirShare) {
+  Dark dark;
+  for (int k = 1; k < 8; ++k)
+    dark.scene.add(quad({0.0375 * k - 0.1575, 1.2990381, 0}, {0.015, 0, 0}, {0, 0, 2}), matte(0));
+  const ups_glare_source s = dark.source();
+  EXPECT_NEAR(s.visible_share, 0.65, 0.1);
+  EXPECT_EQ(s.flags, uint32_t(UPS_GLARE_FLAG_HIDDEN));
+}
+
+// 256 rays see a share of 0 or 1 where it is up to 1 - 0.05^(1/256) from that, with 95 %.
+TEST(Observer, FewRaysLeaveADoubt) {
+  const double missed = 0.01163, area = pi_d * 0.01, term = std::pow(intensity / area, 2) * area / (2.91 * 2.91);
+  for (const bool screened : {false, true}) {
+    SphereRoom room;
+    const Profile lamp = profile_of(room.scene.context(), {0, 90, 180}, std::vector<float>(3, float(intensity)),
+                                    UPS_OPENING_SPHERE, 0.2f, 0.2f, 0.2f);
+    room.scene.add_luminaire(lamp.get(), {0, 0, 0}, {0, 0, -1}, true);
+    const P3 to_lamp = normalize({0.5, 1, 0.5}), a = normalize(cross(to_lamp, {0, 0, 1})), b = cross(a, to_lamp);
+    if (screened) room.scene.add(quad(to_lamp * -0.5 + a * -0.3 + b * -0.3, a * 0.6, b * 0.6), matte(rho));
+    const Result result = room.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 64});
+    const ups_observer_reading r = result.observer(room.eye);
+    EXPECT_EQ(r.flags, screened ? uint32_t(UPS_OBSERVER_NO_SOURCE) : 0u);
+    if (!screened) {
+      EXPECT_GT(r.ugr - r.ugr_low, -8 * std::log10(1 - missed) - 0.001);
+      continue;
+    }
+    EXPECT_EQ(r.ugr, -1);
+    EXPECT_EQ(r.ugr_low, -1);
+    const double least = double(r.background_cd_m2) - double(r.background_error_bound_cd_m2);
+    EXPECT_NEAR(r.ugr_high, ugr(missed * term, least), 0.2);  // rays of uneven weight are worth fewer
+  }
 }
 
 TEST(Observer, PanesWeaken) {

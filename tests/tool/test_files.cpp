@@ -171,7 +171,7 @@ TEST_F(Files, WhoMayNotGiveAFileAwayKeepsItsGroupOrNoRightsOfOne) {
   const auto prepare = [&] {
     ASSERT_EQ(write(file), UPS_OK);
     ASSERT_EQ(chown(file.c_str(), owner, shared), 0);
-    ASSERT_EQ(chmod(file.c_str(), 0664), 0);
+    ASSERT_EQ(chmod(file.c_str(), 0662), 0);
   };
   const auto as_other = [=](bool member) {
     return setgroups(member ? 1 : 0, &shared) == 0 && setgid(own) == 0 && setuid(other) == 0;
@@ -181,15 +181,37 @@ TEST_F(Files, WhoMayNotGiveAFileAwayKeepsItsGroupOrNoRightsOfOne) {
   ASSERT_EQ(written_by(file, [&] { return as_other(true); }), 0);
   ASSERT_EQ(stat(file.c_str(), &found), 0);
   EXPECT_EQ(found.st_gid, shared);
-  EXPECT_EQ(found.st_mode & 0777, 0664u);
+  EXPECT_EQ(found.st_mode & 0777, 0662u);
   prepare();
   ASSERT_EQ(written_by(file, [&] { return as_other(false); }), 0);
   ASSERT_EQ(stat(file.c_str(), &found), 0);
   EXPECT_EQ(found.st_gid, own);
-  EXPECT_EQ(found.st_mode & 0777, 0644u) << "another group has what everybody has";
+  EXPECT_EQ(found.st_mode & 0777, 0622u) << "another group has what everybody has";
   prepare();
   const int in_name_space = written_by(file, [&] { return as_other(false) && unshare(CLONE_NEWUSER) == 0; });
   EXPECT_TRUE(in_name_space == 0 || in_name_space == 2) << "2: there are no name spaces of users";
+}
+
+// Its owner has said so; that the folder takes new files does not matter. Root may write all the same.
+TEST_F(Files, OneThatMayNotBeWrittenIsNotReplaced) {
+  constexpr uid_t owner = 61001;
+  constexpr gid_t group = 62001;
+  fs::permissions(folder, fs::perms::all);
+  put(path("kept"), "old");
+  ASSERT_EQ(chmod(path("kept").c_str(), 0444), 0);
+  if (geteuid() == 0) {
+    ASSERT_EQ(chown(path("kept").c_str(), owner, group), 0);
+    const auto become = [=] { return setgroups(0, nullptr) == 0 && setgid(group) == 0 && setuid(owner) == 0; };
+    EXPECT_EQ(written_by(path("kept"), become), 1);
+    EXPECT_EQ(written_by(path("new"), become), 0);
+  } else {
+    EXPECT_NE(write(path("kept")), UPS_OK);
+    EXPECT_NE(std::string(ups_exr_last_error()).find("Permission denied"), std::string::npos) << ups_exr_last_error();
+    EXPECT_EQ(write(path("new")), UPS_OK);
+  }
+  EXPECT_EQ(text_of(path("kept")), "old");
+  EXPECT_EQ(mode_of(path("kept")), 0444u);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2) << "a temporary file is left";
 }
 
 // A few bytes may claim an image that would fill the memory.

@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -147,6 +148,23 @@ class Measures(GoniometerTest):
             self.assertEqual(a.read(), b.read())
         self.assertEqual(self.info("a.ies")["symmetry"], "quadrants")
 
+    def test_text_says_how_far_it_is_known(self):
+        """95 % by Student's t of the batches, of which there are 16 at the most; of three iterations nothing is known."""
+        options = ["--c-step", 45, "--gamma-step", 5, "--seed", 3]
+        for iterations, t in ((4, 3.182), (8, 2.365), (32, 2.131)):
+            text = self.run_program("goniometer", self.scene, "--iterations", iterations, *options).stdout
+            report = self.measure("--iterations", iterations, *options)
+            for what, bound in (("out of the scene .*", t * report["flux"]["out_standard_error_lm"]),
+                                ("light output ratio: .*", 100 * t * report["light_output_ratio_standard_error"])):
+                told = re.search(what + r" \+- (\S+)( %)? \(95 %\)", text)
+                self.assertIsNotNone(told, text)
+                self.assertAlmostEqual(float(told[1]), bound, delta=0.051 * bound)
+        text = self.run_program("goniometer", self.scene, "--iterations", 3, *options).stdout
+        for what in (r"out of the scene +[\d.]+ \+- unknown", r"light output ratio: [\d.]+ % \+- unknown",
+                     r"peak: [\d.]+ cd \+- unknown,", "median unknown, worst unknown"):
+            self.assertRegex(text, what)
+        self.assertNotRegex(text, r"(\+-|within) -")
+
     def test_it_ends_at_its_target(self):
         report = self.measure("--symmetry", "axial", "--gamma-step", 5, "--target-error", 0.02)  # no limit of time
         self.assertGreaterEqual(report["iterations"], 32)
@@ -200,7 +218,8 @@ class Measures(GoniometerTest):
     def test_an_interrupted_run_writes_what_there_is(self):
         for patience in (1, 5, 20):  # until an iteration is done
             run = subprocess.Popen([test_program.PROGRAM, "goniometer", self.scene, "--time", "60", "--out",
-                                    self.path("cut.ies")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                                    self.path("cut.ies")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
             time.sleep(patience)
             run.send_signal(signal.SIGINT)
             out, err = run.communicate(timeout=60)

@@ -110,7 +110,7 @@ class Maps(test_program.ProgramTest):
         luminance = 0.2126 * plane["R"] + 0.7152 * plane["G"] + 0.0722 * plane["B"]
         noise = plane["standard_error.illuminance.Y"]
         images = {"luminance": (luminance, plane["error_bound.Y"], 0.5),
-                  "illuminance": (plane["illuminance.Y"], np.where(noise < 0, -1, 1.96 * noise), 3)}
+                  "illuminance": (plane["illuminance.Y"], np.where(noise < 0, -1, 2.13145 * noise), 3)}
         for kind, (value, bound, least) in images.items():
             known = bound >= 0
             met, not_met = (known & (value - bound >= least)).sum(), (known & (value + bound < least)).sum()
@@ -123,6 +123,8 @@ class Maps(test_program.ProgramTest):
         image, drawing = os.path.join(out, "view.exr"), self.path("view.svg")
         self.run_program("map", image, drawing, "--map-threshold-luminance", 0.5, "--title", "view")
         self.assertEqual(self.svg("view.svg")[1], self.svg("out/view_luminance.svg")[1])
+        self.run_program("map", image, drawing, "--illuminance", "--map-threshold", 3, "--title", "view")
+        self.assertEqual(self.svg("view.svg")[1], self.svg("out/view_illuminance.svg")[1])
         self.expect_failure("map", image, drawing, "--map-threshold", 3, words=["--map-threshold-luminance", "cd/m2"])
         self.expect_failure("map", image, drawing, "--illuminance", "--map-threshold-luminance", 3, words=["lux"])
         grid = os.path.join(out, "work_plane.exr")

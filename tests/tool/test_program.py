@@ -284,6 +284,24 @@ class Render(ProgramTest):
         self.assertIn("meter by meter from", self.run_program("render", path, "--iterations", 16, "--ratio",
                                                               "upright/work_plane").stdout)
 
+    def test_the_text_has_an_interval_beside_each_number(self):
+        text = self.run_program("render", self.write("room.gltf", room()), "--iterations", 32).stdout
+        number = r"([\d.e+-]+)"
+        for what in ("mean", "min", "max"):
+            found = re.search(rf"meters work_plane: .*\b{what} {number} lx \({number} to {number}\)", text)
+            self.assertIsNotNone(found, text)
+            value, low, high = map(float, found.groups())
+            self.assertLessEqual(low, high)
+            if what == "mean":  # the least of noisy readings may lie below its interval
+                self.assertLessEqual(low, value)
+                self.assertLessEqual(value, high)
+
+    def test_the_text_says_what_is_unknown(self):
+        text = self.run_program("render", self.write("room.gltf", room()), "--iterations", 3).stdout
+        self.assertRegex(text, r"meters work_plane: mean [\d.]+ lx, min [\d.]+ lx, max [\d.]+ lx,")
+        self.assertIn("worst error unknown", text)
+        self.assertNotRegex(text, r"(?<![\w.(])-1\b")
+
     def test_json(self):
         result = self.render("--iterations", 32, "--threads", 1)
         self.assertEqual(set(result), {"scene", "method", "techniques", "effects", "iterations", "time_s", "threads",
@@ -627,18 +645,38 @@ class Render(ProgramTest):
         self.assertTrue(lines[0].startswith(scene + ": method "), msg=lines[0])
         self.assertTrue(lines[0].endswith("seed 5"), msg=lines[0])
 
+    def start_under(self, number, handler, *arguments):
+        """Whoever runs the tests may have been told to ignore signals (nohup, the background)."""
+        return subprocess.Popen([PROGRAM, "render", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                text=True, preexec_fn=lambda: signal.signal(number, handler))
+
     def test_interrupt_writes_what_is_there(self):
         scene = self.write("room.gltf", room())
-        out = self.path("out")
-        process = subprocess.Popen([PROGRAM, "render", scene, "--time", "300", "--json", "--out", out],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(3)
-        process.send_signal(signal.SIGINT)
-        stdout, stderr = process.communicate(timeout=100)
-        self.assertEqual(process.returncode, 130, msg=stderr)
-        self.assertGreaterEqual(json.loads(stdout)["iterations"], 1)
-        self.assertIn("interrupted", stderr)
-        self.assertIn("work_plane.csv", os.listdir(out))
+        numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+        outs = [self.path(f"out{int(number)}") for number in numbers]
+        processes = [self.start_under(number, signal.SIG_DFL, scene, "--time", "300", "--json", "--out", out)
+                     for number, out in zip(numbers, outs)]
+        time.sleep(5)
+        for number, process in zip(numbers, processes):
+            process.send_signal(number)
+        for number, process, out in zip(numbers, processes, outs):
+            stdout, stderr = process.communicate(timeout=100)
+            self.assertEqual(process.returncode, 128 + number, msg=stderr)
+            self.assertGreaterEqual(json.loads(stdout)["iterations"], 1)
+            self.assertIn("interrupted", stderr)
+            self.assertIn("work_plane.csv", os.listdir(out))
+
+    def test_signals_that_are_ignored_stay_so(self):
+        scene = self.write("room.gltf", room())
+        numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+        processes = [self.start_under(number, signal.SIG_IGN, scene, "--time", "4", "--json") for number in numbers]
+        time.sleep(2)
+        for number, process in zip(numbers, processes):
+            process.send_signal(number)
+        for process in processes:
+            stdout, stderr = process.communicate(timeout=100)
+            self.assertEqual(process.returncode, 0, msg=stderr)
+            self.assertGreater(json.loads(stdout)["time_s"], 3)
 
 
 class MemoryLimit(ProgramTest):

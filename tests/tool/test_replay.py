@@ -57,6 +57,34 @@ class Replay(test_program.ProgramTest):
         path = json.loads(self.run_program(*shlex.split(command), "--json").stdout)
         self.assertAlmostEqual(path["value"] / listed["value"], 1, delta=1e-5)
 
+    def test_what_is_printed_has_every_option_that_changes_samples(self):
+        values = {"--techniques": "emitter_hit,merge", "--max-path-length": 5, "--light-paths": 16,
+                  "--merge-radius": 0.2, "--alpha": 0.7, "--glossy-alpha": 0.3, "--perturbation": "virtual",
+                  "--technique-images": 2}
+        described = self.run_program("replay", "--help").stdout.split("Method in detail:")[1]
+        self.assertEqual(sorted(re.findall(r"^  (--[a-z-]+)", described, re.MULTILINE)), sorted(values))
+        values.update({"--method": "ppm", "--size": "16x16", "--separate": "luminaires"})
+        options = [word for option in values.items() for word in option]
+        flags = ["--allow-outside", "--iterations", 4]
+        told = self.run_program("render", self.scene, *options, *flags).stdout
+        listed = json.loads(self.run_program("render", self.scene, *options, *flags, "--json").stdout)
+        command = re.search(r"look into it: ups (replay .*)", told).group(1)
+        for option, value in values.items():
+            self.assertIn(f" {option} {value} ", command)
+        self.assertIn(" --allow-outside ", command)
+        for word in ("--iterations", "--json", "--threads"):
+            self.assertNotIn(word, command)
+        path = json.loads(self.run_program(*shlex.split(command), "--json").stdout)
+        self.assertAlmostEqual(path["value"] / listed["largest_samples"][0]["value"], 1, delta=1e-5)
+
+    def test_a_render_that_splits_by_technique_is_traced_again(self):
+        """It keeps all techniques, where without that option the program might have chosen some of them."""
+        options = ["--technique-images", "2"]
+        for sample in self.render(*options, "--iterations", 4)["largest_samples"][:4]:
+            path = json.loads(self.run_program("replay", self.scene, "--sample", sample["address"], *options,
+                                               "--json").stdout)
+            self.assertAlmostEqual(path["value"] / sample["value"], 1, delta=1e-5)
+
     def test_a_drawing_in_plan_and_section(self):
         address = self.result["largest_samples"][0]["address"]
         for name in ("path.svg", "path.png"):

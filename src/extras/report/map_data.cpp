@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "report/intervals.h"
 #include "report/map_field.h"
 #include "report/meter_places.h"
 #include "report/text_format.h"
@@ -282,9 +283,17 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
   return data;
 }
 
-std::vector<float> bounds_of_noise(std::vector<float> standard_errors) {
-  for (float& e : standard_errors) e = e < 0 ? -1 : 1.96f * e;
+std::vector<float> bounds_of_noise(std::vector<float> standard_errors, uint32_t visits) {
+  const auto of_one = float(noise_bound(1, visits));
+  for (float& e : standard_errors) e = e < 0 ? -1 : of_one * e;
   return standard_errors;
+}
+
+uint32_t most_visits(const ups_result* result, const SensorInfo& camera) {
+  auto info = sized<ups_result_info>();
+  check(ups_result_get_info(result, &info));
+  const uint64_t pixels = std::max<uint64_t>(1, uint64_t(camera.width) * camera.height);
+  return uint32_t(std::min<uint64_t>(info.iterations, info.eye_paths / pixels));
 }
 
 MapStyle of_luminance(MapStyle style) {

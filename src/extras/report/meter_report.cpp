@@ -1,7 +1,7 @@
 // See meter_report.h.
 #include "report/meter_report.h"
 
-#include <algorithm>
+#include "report/intervals.h"
 
 namespace ups::report {
 std::string kind_word(ups_meter_kind kind) {
@@ -12,16 +12,17 @@ std::string kind_word(ups_meter_kind kind) {
 
 namespace {
 
-// Meter by meter, least and greatest: of cylindrical over horizontal ones the modelling index.
+// Meter by meter, the least and greatest true ratio: of cylindrical over horizontal ones the modelling index.
 void read_points(const ups_result* result, const SensorInfo& a, const SensorInfo& b, RatioReport& r) {
   if (a.meter_count != b.meter_count) return;
   std::vector<ups_interval> points(a.meter_count);
   check(ups_result_read_meter_ratios(result, a.sensor, b.sensor, points.data(), points.size()));
   std::erase_if(points, [](const ups_interval& i) { return i.value < 0; });
   if (points.empty()) return;
-  const auto [least, greatest] = std::minmax_element(
-      points.begin(), points.end(), [](const ups_interval& i, const ups_interval& j) { return i.value < j.value; });
-  r.points = points.size(), r.least = *least, r.greatest = *greatest;
+  auto info = sized<ups_result_info>();
+  check(ups_result_get_info(result, &info));
+  r.points = points.size();
+  r.least = least_of(points, info.iterations), r.greatest = greatest_of(points, info.iterations);
 }
 
 }  // namespace

@@ -16,7 +16,12 @@ std::string rating(const ups_observer_reading& r) {
   std::string text = format("%.1f", double(r.ugr));
   if (r.ugr_low != -1 && r.ugr_high != -1)
     text += format(" <span class=\"i\">%.1f to %.1f</span>", double(r.ugr_low), double(r.ugr_high));
-  if (r.ceiling_coverage > 0) text += format(" <span class=\"i\">GGR %.1f</span>", double(r.ggr));
+  if (r.ceiling_coverage > 0) {
+    text += format(" <span class=\"i\">GGR %.1f", double(r.ggr));
+    if (r.ggr_low != -1 && r.ggr_high != -1)
+      text += format(", %.1f to %.1f", double(r.ggr_low), double(r.ggr_high));
+    text += "</span>";
+  }
   return text;
 }
 

@@ -26,6 +26,8 @@ std::string duration_text(double seconds) {
     std::snprintf(text, sizeof text, "%.2g s", seconds);
   } else if (seconds < 99.5) {
     std::snprintf(text, sizeof text, "%.0f s", seconds);
+  } else if (seconds < 597) {
+    std::snprintf(text, sizeof text, "%.2g min", seconds / 60);
   } else if (seconds < 5400) {
     std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
   } else {

@@ -1,4 +1,4 @@
-// See process.h: the terminal and Ctrl-C.
+// See process.h: the terminal, Ctrl-C and other signals that end a program.
 #include <csignal>
 
 #include <sys/ioctl.h>
@@ -10,9 +10,14 @@ namespace ups::platform {
 
 namespace {
 
-void (*interrupted)() = nullptr;
+void (*interrupted)(int exit_code) = nullptr;
 
-extern "C" void on_signal(int) { interrupted(); }
+extern "C" void on_signal(int number) { interrupted(128 + number); }
+
+bool is_ignored(int number) {
+  struct sigaction now {};
+  return ::sigaction(number, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
 
 }  // namespace
 
@@ -27,9 +32,10 @@ int terminal_columns() {
 
 void let_large_files_fail() { std::signal(SIGXFSZ, SIG_IGN); }
 
-void on_interrupt(void (*handler)()) {
+void on_interrupt(void (*handler)(int exit_code)) {
   interrupted = handler;
-  std::signal(SIGINT, on_signal);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    if (!is_ignored(number)) std::signal(number, on_signal);
 }
 
 }  // namespace ups::platform

@@ -70,6 +70,14 @@ Destination destination_of(const std::string& path) {
   return to;
 }
 
+// Of a file that will be replaced: who may not write into it must not, though the folder would let them.
+Destination writable_destination_of(const std::string& path) {
+  Destination to = destination_of(path);
+  if (to.exists && to.replaceable && ::faccessat(AT_FDCWD, to.file.c_str(), W_OK, AT_EACCESS) != 0)
+    fail_to_write(path, errno);
+  return to;
+}
+
 // See open_to_read; of folders, too.
 bool may_not_end(const std::string& path) {
   struct stat status;
@@ -161,7 +169,7 @@ std::ifstream open_to_read(const std::string& path) {
 }
 
 void replace_file(const std::string& path, const void* bytes, size_t size) {
-  const Destination to = destination_of(path);
+  const Destination to = writable_destination_of(path);
   if (!to.replaceable) return write_into(to, path, bytes, size);
   TemporaryFile temporary(to.folder());
   Descriptor& out = temporary.descriptor;
@@ -173,7 +181,7 @@ void replace_file(const std::string& path, const void* bytes, size_t size) {
 }
 
 std::optional<std::string> folder_written_in(const std::string& path) {
-  const Destination to = destination_of(path);
+  const Destination to = writable_destination_of(path);
   return to.replaceable ? std::optional(utf8_of(to.folder())) : std::nullopt;
 }
 

@@ -10,11 +10,12 @@ namespace ups::platform {
 
 namespace {
 
-void (*interrupted)() = nullptr;
+constexpr int exit_by_ctrl_c = 130;
+void (*interrupted)(int exit_code) = nullptr;
 
 BOOL WINAPI on_event(DWORD event) {
   if (event != CTRL_C_EVENT) return FALSE;
-  interrupted();
+  interrupted(exit_by_ctrl_c);
   return TRUE;
 }
 
@@ -45,7 +46,7 @@ int terminal_columns() {
 
 void let_large_files_fail() {}  // there is no such limit
 
-void on_interrupt(void (*handler)()) {
+void on_interrupt(void (*handler)(int exit_code)) {
   interrupted = handler;
   SetConsoleCtrlHandler(on_event, TRUE);
 }

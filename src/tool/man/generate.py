@@ -25,8 +25,8 @@ It failed; the reason is on standard error.
 2
 The command line was wrong; nothing was done.
 .TP
-130
-Ctrl\\-C stopped it; the results so far are written.
+129, 130, 143
+SIGHUP, Ctrl\\-C or SIGTERM stopped it; the results so far are written.
 """
 
 
