@@ -61,7 +61,8 @@ void DirectLight::find(const Iteration& in, ThreadPool& pool, WorkCounts& work) 
     std::vector<WorkCounts> of_block((visited + per_block - 1) / per_block);
     pool.for_blocks(visited, per_block, [&](size_t b, size_t begin, size_t end) {
       for (size_t i = begin; i < end && !in.stop.is_set(); ++i)
-        find(in, s, in.plan.visited_meter(in.number, i), of_block[b]);
+        if (const uint32_t m = in.plan.visited_meter(in.number, i); !meters_[s][m].is_found)
+          find(in, s, m, of_block[b]);
     });
     for (const WorkCounts& w : of_block) work.add(w);
   }
@@ -93,7 +94,7 @@ void DirectLight::find(const Iteration& in, size_t set, uint32_t m, WorkCounts& 
     found_from = lights[most_ - 1].first;
   }
   OfMeter& out = meters_[set][m];
-  out = {0, 0, found_from, 0};
+  out = {0, 0, found_from, 0, true};
   const size_t columns = in.plan.separation.columns.size();
   for (size_t k = 0; k < columns; ++k) separated_[set][m * columns + k] = {};
   std::sort(lights.begin(), lights.end(),  // so that the sum does not depend on how they were parted

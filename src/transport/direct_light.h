@@ -13,7 +13,7 @@ namespace ups {
 class DirectLight {
  public:
   DirectLight(const Snapshot& scene, const Plan& plan, const TransportSettings& settings);
-  // Finds it for the meters that the iteration visits, where it is the first to do so.
+  // Finds it for the meters that the iteration visits, where that has not been done.
   void find(const Iteration& in, ThreadPool& pool, WorkCounts& work);
   // Adds it to what the iteration found.
   void add(const Iteration& in, IterationTally& tally) const;
@@ -30,6 +30,7 @@ class DirectLight {
   struct OfMeter {
     double lx = 0, mirrored = 0;  // mirrored: of lx
     float found_from = 0, rounding = 0;  // found_from 0: all is
+    bool is_found = false;
   };
   struct OfColumn {
     double lx = 0, mirrored = 0;

@@ -1,7 +1,10 @@
 // See integrator.h: radii of the iteration, the light pass, the photon index, and the eye passes of all sensors.
 #include "transport/integrator.h"
 
+#include <utility>
+
 #include "transport/eye_pass.h"
+#include "transport/pilot.h"
 #include "transport/radii.h"
 #include "transport/replay.h"
 
@@ -56,8 +59,14 @@ void Integrator::choose_first_radii(const StopSignal& stop) {
 
 void Integrator::select(const std::optional<CasterAims>& aims, const StopSignal& stop) {
   const EmissionGuide guide = aims ? train_guide(*aims, stop) : EmissionGuide();
+  const Plan of_pilots = pilot_plan(*scene_, plan_, settings_);
+  direct_.find(Iteration(*scene_, of_pilots, settings_, 0, stop), pool_, pilot_shadow_rays_);
   selection_ = select_techniques(*scene_, plan_, settings_, guide, stop,
-                                 [this](const Iteration& in, IterationTally& tally) { return trace(in, tally); });
+                                 [this](const Iteration& in, IterationTally& tally) {
+                                   const bool is_whole = trace(in, tally);
+                                   direct_.add(in, tally);
+                                   return is_whole;
+                                 });
   if (selection_.shares.empty()) return;
   plan_.light_paths = selection_.light_paths;
   plan_.shares = selection_.shares;
@@ -163,6 +172,7 @@ bool Integrator::trace(const Iteration& in, IterationTally& tally) {
 void Integrator::look_from_meters(uint32_t iteration, const StopSignal& stop, WorkCounts& work) {
   if (plan_.meter_pass(iteration) > 0) return;
   if (iteration > 0) look_around_meters(*scene_, pool_, stop, iteration, plan_);
+  work.add(std::exchange(pilot_shadow_rays_, {}));
   direct_.find(Iteration(*scene_, plan_, settings_, iteration, stop), pool_, work);
 }
 

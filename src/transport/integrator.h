@@ -55,6 +55,7 @@ class Integrator {
   ThreadPool& pool_;
   Plan plan_;
   DirectLight direct_;
+  WorkCounts pilot_shadow_rays_;  // of what it has found before the first iteration
   LightPass light_pass_;
   Selection selection_;
   float largest_pixel_radius_ = 0;

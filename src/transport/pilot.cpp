@@ -13,11 +13,16 @@ class Pilot {
  public:
   Pilot(const Snapshot& scene, const Plan& plan, const Moments& moments)
       : scene_(scene), plan_(plan), sets_(moments.count()), row_(moments.row()), visits_(plan.units.count) {
-    for (auto* v : {&m_.variance, &m_.independent, &m_.landed, &m_.eye_share, &m_.light, &m_.caustic})
-      v->resize(plan.units.count);
+    for (const auto sums : sums_of_unit) (m_.*sums).resize(plan.units.count);
+    m_.eye_share.resize(plan.units.count), m_.focused.resize(plan.units.count);
     m_.excess.assign(plan.units.count, std::vector<double>(sets_));
-    for (const Camera& c : scene.cameras) points_.emplace_back(c.pixel_count());
-    for (const MeterSet& s : scene.meter_sets) points_.emplace_back(s.meters.size());
+    for (size_t c = 0; c < scene.cameras.size(); ++c) {
+      std::vector<Point>& points = points_.emplace_back();
+      plan.for_visited_pixels(0, scene.cameras[c].width(), scene.cameras[c].height(),
+                              [&](uint32_t, uint32_t pixel) { points.push_back({plan.units.of_pixel(c, pixel)}); });
+    }
+    for (size_t s = 0; s < scene.meter_sets.size(); ++s)
+      points_.emplace_back(plan.visited_meters(0, scene.meter_sets[s].meters.size()), Point{plan.units.of_set(s)});
   }
 
   void add(const Iteration& in, const IterationTally& tally) {
@@ -26,14 +31,14 @@ class Pilot {
     for (size_t c = 0; c < cameras; ++c) {
       const Camera& camera = scene_.cameras[c];
       plan_.for_visited_pixels(in.number, camera.width(), camera.height(), [&](uint32_t i, uint32_t pixel) {
-        points_[c][pixel].of_iterations.add(luminance(tally.pixels[c][i]));
+        points_[c][i].of_iterations.add(luminance(tally.pixels[c][i]));
         ++visits_[units.of_pixel(c, pixel)];
-        take(units.of_pixel(c, pixel), &tally.excess_of_pixels[c][i * row_], 1, 1, false, points_[c][pixel]);
+        take(units.of_pixel(c, pixel), &tally.excess_of_pixels[c][i * row_], 1, 1, false, points_[c][i]);
       });
       // A visit's splats are the mean of camera_subsets iterations' (1 / subsets of one's variance), and fall on all
       // pixels, of which one of camera_subsets is visited (as much again).
       const double of_visited = 1.0 / plan_.camera_subsets;
-      Point none;
+      Point none{};
       for (uint32_t t = 0; t < units.tiles(c); ++t)
         take(units.begin(c) + t, &tally.excess_of_splats[c][t * row_], of_visited, 0, false, none);
       for (const Splat& s : tally.splats[c]) {
@@ -43,7 +48,7 @@ class Pilot {
     }
     for (size_t s = 0; s < scene_.meter_sets.size(); ++s)
       for (size_t i = 0; i < tally.meters[s].size(); ++i) {
-        Point& point = points_[cameras + s][plan_.visited_meter(in.number, i)];
+        Point& point = points_[cameras + s][i];
         point.of_iterations.add(tally.meters[s][i].value);
         m_.eye_share[units.of_set(s)] += plan_.meter_samples;
         take(units.of_set(s), &tally.excess_of_meters[s][i * row_], 1, plan_.meter_samples, true, point);
@@ -55,11 +60,13 @@ class Pilot {
   const Measured& measured() {
     const size_t cameras = scene_.cameras.size();
     for (size_t s = 0; s < points_.size(); ++s)
-      for (uint32_t p = 0; p < points_[s].size(); ++p) {
-        const uint32_t unit = s < cameras ? plan_.units.of_pixel(s, p) : plan_.units.of_set(s - cameras);
-        m_.variance[unit] += points_[s][p].of_iterations.variance();
-        m_.independent[unit] +=
-            points_[s][p].of_paths.variance() * (s < cameras ? 1 : plan_.meter_samples);
+      for (const Point& point : points_[s]) {
+        const uint32_t unit = point.unit;
+        ++m_.visited[unit];
+        m_.reading[unit] += point.of_iterations.mean();
+        m_.variance[unit] += point.of_iterations.variance();
+        m_.independent[unit] += point.of_paths.variance() * (s < cameras ? 1 : plan_.meter_samples);
+        if (s >= cameras) m_.focused[unit] = std::max(m_.focused[unit], point.focused());
       }
     for (size_t c = 0; c < cameras; ++c) share_eye_paths(c);
     double paths = 0;
@@ -75,10 +82,18 @@ class Pilot {
     double sum = 0, square = 0;
     uint32_t count = 0;
     void add(double v) { sum += v, square += v * v, ++count; }
+    double mean() const { return sum / count; }
     double variance() const { return count < 2 ? 0.0 : std::max(0.0, (square - sum * sum / count) / (count - 1)); }
   };
   struct Point {
-    Sums of_iterations, of_paths;
+    uint32_t unit = 0;
+    Sums of_iterations{}, of_paths{};
+    double caustic = 0, landed2 = 0;  // landed2: squares of what light paths brought
+    // A few photons are chance, of many meters some meter's: three standard errors are left out.
+    double focused() const {
+      const double beyond_chance = caustic - 3 * std::sqrt(landed2);
+      return beyond_chance > 0 ? beyond_chance / of_iterations.sum : 0.0;
+    }
   };
   void take(uint32_t unit, const double* row, double scale, uint32_t eye_paths, bool landed, Point& point) {
     const double square = scale * scale;
@@ -88,6 +103,7 @@ class Pilot {
     m_.light[unit] += row[sets_ + 3] * scale;
     m_.caustic[unit] += row[sets_ + 4] * scale;
     point.of_paths.sum += row[sets_], point.of_paths.square += row[sets_ + 1], point.of_paths.count += eye_paths;
+    point.caustic += row[sets_ + 4], point.landed2 += row[sets_ + 2];
   }
 
   // A tile's, by its pixels: it may have been visited once too often, or not at all.
@@ -100,46 +116,34 @@ class Pilot {
   }
 
   static constexpr std::vector<double> Measured::*sums_of_unit[] = {
-      &Measured::variance, &Measured::independent, &Measured::landed, &Measured::light, &Measured::caustic};
+      &Measured::visited, &Measured::reading, &Measured::variance, &Measured::independent,
+      &Measured::landed,  &Measured::light,   &Measured::caustic};
   void add_sums(const Measured& own, uint32_t other, uint32_t unit) {
     for (const auto sums : sums_of_unit) (m_.*sums)[unit] += (own.*sums)[other];
     for (size_t k = 0; k < sets_; ++k) m_.excess[unit][k] += own.excess[other][k];
   }
 
-  // Tiles are noisy: each is judged with its neighbours; of an image so large that none of these was visited, with all.
+  // Tiles are noisy: each is judged with its neighbours; of a large image, whose pilot visits few pixels, with so many
+  // rings of them that no single pixel decides.
   void pool_tiles(const Measured& own, size_t camera) {
+    constexpr double least_pixels = 16;
     const Units& units = plan_.units;
     const auto columns = int(units.columns(camera)), rows = int(units.tiles(camera)) / columns;
-    std::vector<uint32_t> unvisited;
     for (int y = 0; y < rows; ++y)
       for (int x = 0; x < columns; ++x) {
         const uint32_t unit = units.begin(camera) + uint32_t(y * columns + x);
-        uint32_t visits = visits_[unit];
-        for (int j = std::max(0, y - 1); j <= std::min(rows - 1, y + 1); ++j)
-          for (int i = std::max(0, x - 1); i <= std::min(columns - 1, x + 1); ++i) {
-            const uint32_t other = units.begin(camera) + uint32_t(j * columns + i);
-            if (other == unit) continue;
-            add_sums(own, other, unit);
-            visits += visits_[other];
-          }
-        if (visits == 0) unvisited.push_back(unit);
+        for (int k = 1; k == 1 || (m_.visited[unit] < least_pixels && k < std::max(columns, rows)); ++k)
+          for (int j = std::max(0, y - k); j <= std::min(rows - 1, y + k); ++j)
+            for (int i = x - k; i <= x + k; i += std::abs(j - y) == k ? 1 : 2 * k)
+              if (i >= 0 && i < columns) add_sums(own, units.begin(camera) + uint32_t(j * columns + i), unit);
       }
-    if (unvisited.empty()) return;
-    const uint32_t first = unvisited[0];
-    for (const auto sums : sums_of_unit) (m_.*sums)[first] = 0;
-    m_.excess[first].assign(sets_, 0.0);
-    for (uint32_t u = units.begin(camera); u < units.end(camera); ++u) add_sums(own, u, first);
-    for (const uint32_t unit : unvisited) {
-      for (const auto sums : sums_of_unit) (m_.*sums)[unit] = (m_.*sums)[first];
-      m_.excess[unit] = m_.excess[first];
-    }
   }
 
   const Snapshot& scene_;
   const Plan& plan_;
   const size_t sets_, row_;
   Measured m_;
-  std::vector<std::vector<Point>> points_;  // cameras' pixels, then sets' meters
+  std::vector<std::vector<Point>> points_;  // that are visited: cameras' pixels, then sets' meters
   std::vector<uint32_t> visits_;            // by unit, of tiles: pixels
 };
 

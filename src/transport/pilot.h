@@ -9,12 +9,15 @@ namespace ups {
 
 // By unit.
 struct Measured {
+  std::vector<double> visited;              // pixels or meters
+  std::vector<double> reading;              // of a visit, summed over these: lx; of a camera what eye paths found
   std::vector<double> variance;             // of a visit, summed over the pixels or meters that are visited
   std::vector<double> independent;          // the same, had its samples not been stratified
   std::vector<double> landed;               // of that, by what lands on meters, which all their eye paths share
   std::vector<std::vector<double>> excess;  // of each set of techniques over `independent`
   std::vector<double> eye_share;            // of all eye paths
   std::vector<double> light, caustic;       // what was found, and by photons of caustics
+  std::vector<double> focused;              // the largest part of one meter's reading that is caustic beyond chance
   WorkCounts light_work, all;
 };
 

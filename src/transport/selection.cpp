@@ -2,12 +2,12 @@
 #include "transport/selection.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <span>
 
 #include "transport/pilot.h"
+#include "transport/radii.h"
 
 namespace ups {
 
@@ -20,8 +20,18 @@ void Moments::add(double value, const mis::Classes& relative, bool camera, doubl
     const mis::Classes& f = sets_[j];
     const double own = f.eye * relative.eye + f.connect * relative.connect + f.light * light +
                        f.caustic * relative.caustic + f.merge * relative.merge;
-    excess[j] += own > 0 ? square * (sum / own - 1) : INFINITY;  // where the set has no technique for the path
+    if (own > 0)
+      excess[j] += square * (sum / own - 1);
+    else if (!complete_)
+      excess[j] = INFINITY;  // the set has no technique for the path; otherwise it is rounding
   }
+}
+
+// Of t s / sqrt(n) + B / n = e, a quadratic equation in sqrt(n): n = (t / e)^2 (s / 2 + sqrt(s^2 / 4 + e B / t^2))^2.
+double variance_with_unfound(double variance, double unfound, double reading) {
+  constexpr double t = 2.13, target = 0.01;  // t: 95 %, of the batches' spread
+  const double root = 0.5 * (std::sqrt(variance) + std::sqrt(variance + 4 * target * reading * unfound / (t * t)));
+  return root * root;
 }
 
 namespace {
@@ -29,6 +39,7 @@ namespace {
 // Where caustics are more of the light, a pilot is too short to see how rare their brightest photons are: light paths
 // stay whole and many.
 constexpr double most_caustic = 0.02;
+constexpr double most_focused = 0.25;  // of one meter's reading
 // Nor does it see what eye paths find once in a while only; that of light paths does, and says how much it would be.
 constexpr double most_excess = 20;  // over the variance of all techniques
 // Below, the choice stays as it would be without a pilot, whose predictions differ by so much from one another.
@@ -36,18 +47,24 @@ constexpr double least_gain = 1.25;
 // Over all techniques: up to 2 is foretold where nothing comes of it, as photons beyond a pilot's are not counted on;
 // where it comes, 2.2 and more.
 constexpr double least_gain_over_all = 2;
+// Noise of a visit that nobody would see, over the largest mean reading of an image's tiles or of the sets of meters.
+constexpr double least_noise = 1e-5;
+// 95 % limit of the mean number of photons on a disc where none has come (render/zero_bound.h).
+constexpr double photons_unfound = 3;
 
 // A set of techniques that a sensor's part may take, at a share of the light paths.
 struct Candidate {
   double light_paths;  // over those of the plan
   TechniqueShare share;
   bool needs_whole_paths() const { return share.connect || share.light || share.merge == TechniqueShare::merge_all; }
-  // More photons than a pilot's are not taken to help merging: they share their noise with each other.
-  mis::Classes counts() const {
+  // photons: light paths of the plan over those of a pilot. More than a pilot's are not taken to help merging: they
+  // share their noise with each other. A share of whole paths is judged as if the pilot's were all.
+  mis::Classes counts(double photons) const {
+    const double caustics = needs_whole_paths() ? light_paths : std::min(1.0, photons * light_paths);
     return {.eye = 1,
             .connect = double(share.connect),
             .light = light_paths * share.light,
-            .caustic = light_paths * (share.merge != TechniqueShare::no_merge),
+            .caustic = caustics * (share.merge != TechniqueShare::no_merge),
             .merge = light_paths * (share.merge == TechniqueShare::merge_all)};
   }
 };
@@ -85,6 +102,10 @@ std::vector<Candidate> candidates(const TransportSettings& s) {
   return out;
 }
 
+uint32_t light_paths_of(const Plan& plan, double share) {
+  return std::max(std::min(64u, plan.light_paths), uint32_t(plan.light_paths * share));
+}
+
 // Counted operations in units of a ray that is traced and shaded.
 struct Costs {
   double eye = 0, connect = 0, merge = 0, light = 0, caustic_light = 0;
@@ -105,7 +126,7 @@ Costs costs_of(const Measured& m, const Measured& alone, double paths, double ph
   if (merges) c.merge = of_eye * (0.5 * photons * (double(m.all.merges) - landings)) + 0.1 * c.eye / (1 + choosing);
   c.light = of_light * (start * light_paths + double(m.light_work.rays) +
                         stored * double(m.light_work.light_vertices) + 0.5 * paths * landings);
-  c.caustic_light = of_light * (start * light_paths + 1.5 * double(m.light_work.caster_rays));
+  if (merges) c.caustic_light = of_light * (start * light_paths + 1.5 * double(m.light_work.caster_rays));
   return c;
 }
 
@@ -114,9 +135,9 @@ class Chooser {
   // photons: light paths of the plan over those of an iteration of the pilot.
   Chooser(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, const std::vector<Candidate>& all,
           const Measured& m, const Measured& eye, double photons)
-      : units_(plan.units), all_(all), m_(m), eye_(eye), photons_(photons),
-        trusts_eye_paths_(settings.prefers_eye_paths),
-        needs_landings_(units_.count) {
+      : plan_(plan), units_(plan.units), all_(all), m_(m), eye_(eye), photons_(photons),
+        trusts_eye_paths_(settings.prefers_eye_paths), needs_landings_(units_.count), counts_(units_.count),
+        disc_area_(units_.count), weight_(units_.count) {
     double paths = 0;
     for (const Camera& c : scene.cameras)
       paths += double(c.pixel_count()) * (1 + c.illuminance()) / plan.camera_subsets;
@@ -124,11 +145,13 @@ class Chooser {
       paths += double(scene.meter_sets[s].meters.size()) / plan.meter_subsets * plan.meter_samples;
       // A point's light by way of mirrors alone meets a cell, where nothing is merged, by landing.
       needs_landings_[units_.of_set(s)] = scene.meter_sets[s].is_cell() && !scene.effects.path_tracing_complete;
+      if (plan.lands_on(s)) disc_area_[units_.of_set(s)] = median_disc(plan, s, scene.meter_sets[s].meters.size());
     }
-    for (size_t s = 0; s < units_.sensors(); ++s) {
-      const uint32_t units = units_.end(s) - units_.begin(s);
-      weight_.insert(weight_.end(), units, 1.0 / (double(units) * double(units_.sensors())));
-    }
+    if (scene.effects.sharp_caster && !plan.images_suffice)
+      caustic_lm_ = brightest_caustic_lm(m.light_work), guided_caustic_lm_ = brightest_caustic_lm(eye.light_work);
+    for (size_t c = 0; c < scene.cameras.size(); ++c) leave_out_noiseless(units_.begin(c), units_.end(c));
+    leave_out_noiseless(units_.begin(scene.cameras.size()), units_.count);
+    weigh();
     cost_ = costs_of(m, eye, paths * pilot_rounds / std::max<double>(1, double(m.all.eye_paths)), photons,
                      scene.emitters.has_tree(), settings.has(UPS_TECHNIQUE_MERGE));
   }
@@ -140,18 +163,26 @@ class Chooser {
     double operations = 0, score = INFINITY, light_paths = 1;
   };
   // whole: with techniques that need whole light paths in some units.
-  Outcome at(double light_paths, bool whole) const {
-    const Outcome first = at(light_paths, whole, 1, operations_of_all());
-    return first.shares.empty() ? first : at(light_paths, whole, first.score / first.operations, first.operations);
+  Outcome best_of(std::span<const double> light_paths, bool whole) const {
+    Outcome best;
+    for (const double n : light_paths)
+      if (Outcome o = at(n, whole); o.score < best.score) best = std::move(o);
+    return best;
   }
   // Light paths for caustics alone are few where these are little of the light, which says nothing of what none of them
-  // has found yet: a bound of that falls with their number. So they may cost as much as a tenth of all else.
+  // has found yet: a bound of that falls with their number. So they may cost as much as a tenth of all else, and more
+  // where the bound pays for it.
   void add_caustic_paths(Outcome& of) const {
     constexpr double tenth = 0.1;
     const double all_else = of.operations - of.light_paths * cost_.caustic_light;
-    while (2 * of.light_paths <= 1 && 2 * of.light_paths * cost_.caustic_light <= tenth * all_else) {
-      of.operations += of.light_paths * cost_.caustic_light;
-      of.light_paths *= 2;
+    for (Outcome more = of; 2 * of.light_paths <= 1; of = more) {
+      more.light_paths = 2 * of.light_paths;
+      more.operations = all_else + more.light_paths * cost_.caustic_light;
+      size_t set = all_.size() - 1;
+      while (all_[set].light_paths > more.light_paths) --set;  // its noise, which more light paths do not raise
+      for (uint32_t u = 0; u < units_.count; ++u) more.variance_ratio[u] = ratio(u, set, more.light_paths, false);
+      more.score = mean(more.variance_ratio) * more.operations;
+      if (more.light_paths * cost_.caustic_light > tenth * all_else && !(more.score < of.score)) return;
     }
   }
   double operations_of_all() const {
@@ -161,6 +192,10 @@ class Chooser {
   }
 
  private:
+  Outcome at(double light_paths, bool whole) const {
+    const Outcome first = at(light_paths, whole, 1, operations_of_all());
+    return first.shares.empty() ? first : at(light_paths, whole, first.score / first.operations, first.operations);
+  }
   Outcome at(double light_paths, bool whole, double variance_of_all, double operations_of_all) const {
     Outcome out;
     const double shared = light_paths * (whole ? cost_.light : cost_.caustic_light);
@@ -171,7 +206,9 @@ class Chooser {
         const TechniqueShare& share = all_[j].share;
         if (all_[j].light_paths != light_paths || (all_[j].needs_whole_paths() && !whole)) continue;
         if (needs_landings_[u] && !share.light) continue;
-        const double r = ratio(u, j), own = eye_operations(u, share),
+        const double r = ratio(u, j, light_paths, whole);
+        if (!std::isfinite(r)) continue;
+        const double own = eye_operations(u, share),
                      score = weight_[u] * r * operations_of_all + variance_of_all * own;
         if (score < least) least = score, least_ratio = r, operations = own, best = share;
       }
@@ -188,25 +225,74 @@ class Chooser {
   double mean(const std::vector<double>& by_unit) const {
     return std::inner_product(by_unit.begin(), by_unit.end(), weight_.begin(), 0.0);
   }
+  static float median_disc(const Plan& plan, size_t set, size_t meters) {
+    std::vector<float> areas(plan.visited_meters(0, meters));
+    for (size_t i = 0; i < areas.size(); ++i) areas[i] = float(plan.meter_discs[set].area(plan.visited_meter(0, i)));
+    return median(areas);
+  }
+  // As long as no light path has met a caster, any might have.
+  static double brightest_caustic_lm(const WorkCounts& work) {
+    return work.brightest_caustic_lm > 0 ? work.brightest_caustic_lm : work.brightest_lm;
+  }
+  // A ratio to next to no noise says nothing.
+  void leave_out_noiseless(uint32_t begin, uint32_t end) {
+    double largest = 0;
+    for (uint32_t u = begin; u < end; ++u) largest = std::max(largest, m_.reading[u] / visited(u));
+    for (uint32_t u = begin; u < end; ++u) counts_[u] = std::sqrt(m_.variance[u] / visited(u)) > least_noise * largest;
+  }
+  // Sensors count alike, and the tiles of one.
+  void weigh() {
+    size_t sensors = 0;
+    for (size_t s = 0; s < units_.sensors(); ++s) {
+      const auto begin = counts_.begin() + units_.begin(s), end = counts_.begin() + units_.end(s);
+      const auto units = std::count(begin, end, true);
+      if (units == 0) continue;
+      ++sensors;
+      for (uint32_t u = units_.begin(s); u < units_.end(s); ++u) weight_[u] = counts_[u] ? 1.0 / double(units) : 0.0;
+    }
+    for (double& w : weight_) w = sensors > 0 ? w / double(sensors) : 1.0 / units_.count;
+  }
+  double visited(uint32_t u) const { return std::max(1.0, m_.visited[u]); }
+
   // Eye paths alone have a pilot of their own: stratification helps them more than those that meet photons, and a guide
-  // their photons. What leaving out others, or photons of theirs, adds to the variance is told by moments, and what more
-  // splats take from it. The noise of what lands falls with the number of light paths.
+  // their photons. What leaving out others, or photons of theirs, adds to the variance is told by moments, and what
+  // more splats take from it. The noise of what lands falls with the number of light paths.
   double variance(uint32_t u, size_t j) const {
-    if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
     const double traced = m_.independent[u];
     if (!all_[j].needs_whole_paths()) {
-      const bool rare = eye_.caustic[u] > most_caustic * eye_.light[u] || m_.excess[u].back() > most_excess * traced;
+      const bool rare = eye_.caustic[u] > most_caustic * eye_.light[u] || eye_.focused[u] > most_focused ||
+                        m_.excess[u].back() > most_excess * traced;
       if (rare && !trusts_eye_paths_) return INFINITY;
-      return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0);
+      return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0) + missed(u);
     }
     if (!(traced > 0)) return m_.variance[u];
     const double landed = m_.landed[u] / traced, least = std::min(1.0, 1 / photons_);
     return m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, least) * (1 - landed + landed / photons_);
   }
-  // To the variance of all techniques, the first candidate's.
-  double ratio(uint32_t u, size_t j) const {
-    const double v = variance(u, 0), own = variance(u, j);
-    return v > 0 ? own / v : own > 0 ? INFINITY : 1.0;
+  // By eye paths' own pilot, of the variance that the other's moments say they have: what their samples met too seldom,
+  // or never. It is a part of what leaving out the other techniques adds, as all else both pilots have met. Where the
+  // scene alone says that eye paths find all light, that they meet it often enough is known.
+  double missed(uint32_t u) const {
+    const double added = std::max(0.0, m_.excess[u].back());
+    return trusts_eye_paths_ ? 0.0 : std::clamp(m_.independent[u] + added - eye_.independent[u], 0.0, added);
+  }
+  // lx, of a point meter's visit: the bound of caustics that no photon on its disc has brought yet. Where these are
+  // much of the light, photons come soon. Guided photons are darker in a pilot, which may not have met the brightest:
+  // that is no gain over all techniques.
+  double unfound(uint32_t u, double light_paths, bool whole) const {
+    if (!(disc_area_[u] > 0) || m_.caustic[u] > most_caustic * m_.light[u]) return 0;
+    const double of_all = caustic_lm_ / plan_.light_paths,
+                 own = (whole ? caustic_lm_ : guided_caustic_lm_) / light_paths_of(plan_, light_paths);
+    return photons_unfound * std::max(own, of_all) / disc_area_[u];
+  }
+  double judged(uint32_t u, size_t j, double light_paths, bool whole) const {
+    const double n = visited(u);
+    return variance_with_unfound(variance(u, j) / n, unfound(u, light_paths, whole), m_.reading[u] / n);
+  }
+  // To that of all techniques, the first candidate's.
+  double ratio(uint32_t u, size_t j, double light_paths, bool whole) const {
+    if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
+    return counts_[u] ? judged(u, j, light_paths, whole) / judged(u, 0, 1, true) : 1.0;
   }
   double eye_operations(uint32_t u, const TechniqueShare& s) const {
     const double merge = s.merge == TechniqueShare::merge_all        ? cost_.merge
@@ -215,19 +301,17 @@ class Chooser {
     return m_.eye_share[u] * (cost_.eye + s.connect * cost_.connect + merge);
   }
 
+  const Plan& plan_;
   const Units& units_;
   const std::vector<Candidate>& all_;
   const Measured &m_, &eye_;
   const double photons_;
   const bool trusts_eye_paths_;  // the scene alone says that they find all light
-  std::vector<bool> needs_landings_;
-  std::vector<double> weight_;  // by unit: sensors count alike, and the tiles of one
+  std::vector<bool> needs_landings_, counts_;  // by unit; counts_: has noise to be compared
+  std::vector<double> disc_area_, weight_;     // by unit; m2, where photons land
+  double caustic_lm_ = 0, guided_caustic_lm_ = 0;  // of the brightest photon of whole light paths; of the guided
   Costs cost_;
 };
-
-uint32_t light_paths_of(const Plan& plan, double share) {
-  return std::max(std::min(64u, plan.light_paths), uint32_t(plan.light_paths * share));
-}
 
 // What a sensor's units take together.
 ups_sensor_choice choice_of(const Chooser::Outcome& best, double operations_of_all, const Plan& plan,
@@ -260,11 +344,12 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   Plan small = pilot_plan(scene, plan, settings);
   const double photons = double(plan.light_paths) / small.light_paths;
   std::vector<mis::Classes> sets;
-  for (const Candidate& c : all) sets.push_back(c.counts());
+  for (const Candidate& c : all) sets.push_back(c.counts(photons));
   Measured m, eye;
   Selection out;
   const double splats = photons * plan.camera_subsets / small.camera_subsets;
-  if (!run_pilot(scene, small, of_pilot, stop, trace, Moments(std::move(sets), splats), m)) return out;
+  const Moments moments(std::move(sets), splats, settings.prefers_eye_paths);
+  if (!run_pilot(scene, small, of_pilot, stop, trace, moments, m)) return out;
   small.shares.assign(plan.units.count, eye_paths_alone(settings));
   small.guide = guide;
   small.light_paths = light_paths_of(plan, caustic_shares[1]);
@@ -273,15 +358,11 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
 
   const Chooser chooser(scene, plan, settings, all, m, eye, photons);
   const double whole = chooser.operations_of_all();
-  Chooser::Outcome best, plain;
-  const auto take = [](Chooser::Outcome& of, Chooser::Outcome o) {
-    if (o.score * least_gain < of.score) of = std::move(o);
-  };
-  for (const double n : of_caustics(settings)) take(plain, chooser.at(n, false));
+  Chooser::Outcome plain = chooser.best_of(of_caustics(settings), false);
   if (!settings.light_paths && settings.has(UPS_TECHNIQUE_MERGE) && !plain.shares.empty())
     chooser.add_caustic_paths(plain);
-  best = plain;
-  for (const double n : of_light(settings)) take(best, chooser.at(n, true));
+  Chooser::Outcome best = chooser.best_of(of_light(settings), true);
+  if (!(best.score * least_gain < plain.score)) best = std::move(plain);
   if (!settings.prefers_eye_paths && !(best.score * least_gain_over_all < whole)) return out;
   if (best.shares.empty()) return out;
   out.light_paths = light_paths_of(plan, best.light_paths);

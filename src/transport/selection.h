@@ -15,8 +15,10 @@ namespace ups {
 // Second moments of sets of techniques, beyond that of the set that is traced.
 class Moments {
  public:
-  // splats: how many times as many of them there will be to an eye path as are traced.
-  explicit Moments(std::vector<mis::Classes> sets, double splats = 1) : sets_(std::move(sets)), splats_(splats) {}
+  // splats: how many times as many of them there will be to an eye path as are traced. complete: every set is proved to
+  // have a technique for every path.
+  explicit Moments(std::vector<mis::Classes> sets, double splats = 1, bool complete = false)
+      : sets_(std::move(sets)), splats_(splats), complete_(complete) {}
   size_t count() const { return sets_.size(); }
   // Of one sensor's row of sums: an excess a set, then of its eye paths sum and square, light paths' squares, and all
   // light and that by photons of caustics.
@@ -34,7 +36,12 @@ class Moments {
  private:
   std::vector<mis::Classes> sets_;  // counts of each class over those traced, of splats over splats_ times those
   double splats_;
+  bool complete_;
 };
+
+// Of a meter's visit: as much variance alone would need as many visits until the error is 1 % of the reading as this
+// variance and this bound of unfound light, which falls with the number of visits.
+double variance_with_unfound(double variance, double unfound, double reading);
 
 struct Selection {
   uint32_t light_paths = 0;
