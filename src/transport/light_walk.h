@@ -124,7 +124,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (!guide.sample(scene_.emitters, emitter_index_, position, rng_.direction(0), start_, square_)) return false;
     origin_ = emission_origin(start_.p, start_.n, start_.direction, start_.error);
     carried_ = start_carried_ = start_.flux / choice.probability;
-    if (!is_finite(carried_)) return drop(Drop::emission);
+    if (!is_finite(carried_) || !is_finite(origin_) || !is_finite(start_.direction)) return drop(Drop::emission);
     if (is_black(carried_)) return false;
     work_.flux.start(luminance(carried_));
     work_.brightest_lm = std::max(work_.brightest_lm, luminance(carried_));

@@ -39,6 +39,7 @@ template <class Walk, TransportMode mode>
 class Subpath {
  protected:
   static constexpr bool from_emitter = mode == TransportMode::importance;
+  static constexpr Drop own_walk = from_emitter ? Drop::light_walk : Drop::eye_walk;
   using State = std::conditional_t<from_emitter, mis::LightState, mis::EyeState>;
   using Vertex = End<State>;
 
@@ -62,7 +63,7 @@ class Subpath {
   // False where the path ends as what is left is not finite; the books then lack its flux.
   bool carry(const Rgb& share) {
     const Rgb after = carried_ * share;
-    if (!is_finite(after)) return drop(from_emitter ? Drop::light_walk : Drop::eye_walk);
+    if (!is_finite(after)) return drop(own_walk);
     if constexpr (from_emitter) work_.flux.absorbed += double(luminance(carried_)) - double(luminance(after));
     carried_ = after;
     return true;
@@ -103,6 +104,7 @@ class Subpath {
                      met_.distance);
     v.caster = v.bsdf->is_glossy(default_glossy_alpha);
     if (consistent_side(v.surface, v.wo, v.local_wo)) return true;
+    if (!is_finite(v.local_wo)) return drop(own_walk);
     lose_by_leaning(luminance(carried_ * v.bsdf->textured().reflectance));
     return false;
   }
@@ -118,6 +120,7 @@ class Subpath {
     if (!keep(s)) return false;
     const Vec3 wi = v.surface.shading.to_world(s.wi);
     if (is_finite(s.weight) && !consistent_side(v.surface, wi, s.wi)) {
+      if (!is_finite(wi)) return drop(own_walk);
       lose_by_leaning(luminance(carried_ * s.weight));
       return absorb();
     }

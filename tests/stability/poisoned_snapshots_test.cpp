@@ -67,24 +67,30 @@ TEST(Hazard02, PathsThatAMediumLeavesWithoutAFiniteThroughputAreCounted) {
   EXPECT_EQ(dropped(tally, Drop::eye_walk), tally.work.eye_paths);
 }
 
-class InfiniteEmitter : public PointEmitter {
+class PoisonedEmitter : public PointEmitter {
  public:
-  using PointEmitter::PointEmitter;
+  PoisonedEmitter(void (*poison)(EmissionSample&)) : PointEmitter(Vec3(), Rgb(1.0f), 0.0f), poison_(poison) {}
   bool sample_emission(const Vec2& u, const Vec2& v, EmissionSample& out) const override {
     const bool emits = PointEmitter::sample_emission(u, v, out);
-    out.flux = Rgb(std::numeric_limits<float>::infinity());
+    poison_(out);
     return emits;
   }
+
+ private:
+  void (*poison_)(EmissionSample&);
 };
 
-TEST(Hazard02, LightPathsThatStartWithoutAFiniteFluxAreCounted) {
-  const auto scene = test::room(UPS_MATERIAL_MATTE);
-  std::vector<std::shared_ptr<const Emitter>> emitters;
-  emitters.push_back(std::make_unique<InfiniteEmitter>(Vec3(), Rgb(1.0f), 0.0f));
-  scene->emitters = EmitterSet(std::move(emitters), {});
-  const IterationTally tally = run(scene, all_techniques);
-  EXPECT_EQ(dropped(tally, Drop::emission), tally.work.light_paths);
-  EXPECT_EQ(dropped(tally, Drop::light_walk), 0u);
+TEST(Hazard02, LightPathsThatStartWithoutAFiniteFluxPlaceOrDirectionAreCounted) {
+  for (const auto poison : {+[](EmissionSample& s) { s.flux = Rgb(std::numeric_limits<float>::infinity()); },
+                            +[](EmissionSample& s) { s.p.y = nan; }, +[](EmissionSample& s) { s.direction.z = nan; }}) {
+    const auto scene = test::room(UPS_MATERIAL_MATTE);
+    std::vector<std::shared_ptr<const Emitter>> emitters;
+    emitters.push_back(std::make_unique<PoisonedEmitter>(poison));
+    scene->emitters = EmitterSet(std::move(emitters), {});
+    const IterationTally tally = run(scene, all_techniques);
+    EXPECT_EQ(dropped(tally, Drop::emission), tally.work.light_paths);
+    EXPECT_EQ(dropped(tally, Drop::light_walk), 0u);
+  }
 }
 
 // Values of the material or the light: not a number, infinite, out of all range, or no more than denormal. Whatever
