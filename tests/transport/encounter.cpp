@@ -24,7 +24,7 @@ TEST(Encounter, FacesThatTouchAreTheStrongestSolids) {
       const Vec3 from = Vec3(Vec3d(sign > 0 ? -1 : 3, 0.4, 0.6) - scene.origin), d(sign, 0, 0);
       WorkCounts work;
       Encounter outside, between;
-      float u = 0;
+      PaneNumber u(0);
       meet(scene, from, d, {}, u, work, outside);
       ASSERT_TRUE(outside.found);
       meet(scene, outside.surface.ray_origin(d), d, outside.beyond(d), u, work, between);
