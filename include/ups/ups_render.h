@@ -71,9 +71,10 @@ typedef struct ups_render_desc {
                                        * the worst meter's error_bound / max(E, 5 % of its set's mean), without meters
                                        * the mean pixel's; without cameras too a goniometer's, whatever the criterion:
                                        * the noise of its nodes, 95 %, in the mean over the light; 0: off. The error is
-                                       * looked at after 16, 20, 25, 32, ... (steps of 1.25) visits of all meters,
-                                       * without meters of all pixels. Against stopping by luck two looks one after
-                                       * the other must find it below, the second no sooner than after 32 */
+                                       * looked at after 16, 20, 25, 32, ... (steps of 1.25) visits of all meters;
+                                       * without meters from 4 visits of all pixels and 16 iterations on. Against
+                                       * stopping by luck two looks one after the other must find it below, the second
+                                       * no sooner than after 32 visits */
   float merge_radius_m;               /* of pixels and walks the first one; of point meters the widest disc, from
                                        * whose rings each reading takes as many as serve it best. 0: from the scene,
                                        * whose diameter is the most */
@@ -231,8 +232,9 @@ typedef struct ups_curve_point {
 typedef int32_t ups_limit;
 enum { UPS_LIMIT_UNKNOWN = 0 /* no look at the error yet */, UPS_LIMIT_NOISE = 1, UPS_LIMIT_BIAS = 2 };
 /* When the error by ups_render_desc.target_criterion is small enough: what a look at it is expected to find. From all
- * looks so far; the first comes after 16 visits of all meters, without meters of all pixels. A render with that target
- * ends at the second such look. Once a look found the error met, as all after it, the times are that look's. */
+ * looks so far; the first comes after 16 visits of all meters (see ups_render_desc.target_relative_error). A render with
+ * that target ends at the second such look. Once a look found the error met, as all after it, the times are that
+ * look's. */
 typedef struct ups_prediction {
   uint32_t struct_size;
   ups_limit limited_by;             /* at that time */
@@ -270,7 +272,8 @@ typedef struct ups_memory_estimate {
 } ups_memory_estimate;
 /* Prepares a render as ups_render would, with the pilot that chooses techniques, and renders nothing: it takes as long
  * as that; where the least that it takes is too much, it says so at once, and where its pilot wants more than is
- * allowed, which it does not get, peak_bytes is what that wanted. out->struct_size must be set. OK then, too. */
+ * allowed, which it does not get, peak_bytes is what that wanted at least; without a limit it is all of it.
+ * out->struct_size must be set. OK then, too. */
 UPS_API ups_status ups_scene_estimate_memory(const ups_scene *scene, const ups_render_desc *desc,
                                              ups_memory_estimate *out);
 

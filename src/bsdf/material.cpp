@@ -76,7 +76,7 @@ float radiance_scale(const BsdfParameters& p, const Vec3& wo, const Vec3& wi, Tr
 void prepare_interface(Material& m) {
   if (m.model != MaterialModel::plastic && m.model != MaterialModel::metal) return;
   m.interface_albedo = InterfaceAlbedo(m.ior);
-  m.conductor_average = fresnel_conductor_average(m.ior_rgb, m.ior_k_rgb);
+  if (glossy::has_complex_index(m)) m.conductor_average = fresnel_conductor_average(m.ior_rgb, m.ior_k_rgb);
   if (!m.roughness_texture) m.interface_albedo->set_alpha(Textured(m, {}, m.ior).alpha);
 }
 

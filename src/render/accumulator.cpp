@@ -56,8 +56,7 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
     rings_.emplace_back(rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0, rings,
                         plan.merges_direct_light());
   }
-  const double hit_cd_m2 = plan.hits_alone_of_cameras ? emitted_[0].brightest_cd_m2 : 0;
-  for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d, hit_cd_m2);
+  for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d);
 }
 
 std::vector<Accumulator::Emitted> Accumulator::emitted_by_column(const Snapshot& scene, const Plan& plan) {
@@ -66,7 +65,7 @@ std::vector<Accumulator::Emitted> Accumulator::emitted_by_column(const Snapshot&
     const Emitter& emitter = scene.emitters[i];
     const double flux = emitter.flux_lm(), chance = double(plan.guide.probability(scene.emitters, i)),
                  started = chance > 0 ? flux / (chance * double(plan.guide.least_density(i))) : 0,
-                 cd_m2 = plan.hits_alone_of_cameras ? emitter.brightest_cd_m2() : 0;
+                 cd_m2 = plan.hits_alone && !scene.meter_sets.empty() ? emitter.brightest_cd_m2() : 0;
     const auto add = [&](Emitted& e) {
       e.lm += flux;
       e.brightest_lm = std::max(e.brightest_lm, started);

@@ -15,10 +15,10 @@ double luminance_at(const Floats& rgb, size_t pixel) {
 
 }  // namespace
 
-ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2, double hit_cd_m2)
+ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2)
     : plan_(plan), width_(camera.width()), height_(camera.height()),
       tile_columns_((width_ + Units::side - 1) / Units::side), tile_rows_((height_ + Units::side - 1) / Units::side),
-      emitted_cd_m2_(emitted_cd_m2), hit_cd_m2_(hit_cd_m2), layers_(camera),
+      emitted_cd_m2_(emitted_cd_m2), layers_(camera),
       illuminance_(camera.illuminance() ? camera.pixel_count() : 0), eye_(size_t(camera.pixel_count()) * 3),
       pending_(eye_.size()), largest_(camera.pixel_count()) {
   bool any = false;
@@ -41,7 +41,7 @@ ImageSums::Bytes ImageSums::bytes_per_pixel(const Camera& camera, const Transpor
            LayerSums::bytes_per_pixel(camera);
   b.reading = 3 * (4 + 4 + 4) + 2 * 4 + 2 * 4 * illuminance + 3 * 4 * (2 * techniques + families) +
               LayerReading::bytes_per_pixel(camera);
-  b.scratch = std::max(4 + 4.0, techniques > 0 ? 8 + 4.0 : 0);  // visits; luminance, or the techniques' scales
+  b.scratch = std::max(8 + 4 + 4.0, techniques > 0 ? 8 + 4.0 : 0);  // errors, visits, luminance; or techniques' scales
   return b;
 }
 
@@ -177,7 +177,7 @@ void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits
     if (bias_) r.bias[p] = bias_->mean(uint32_t(p), visits[p]);
   }
   if (passes < min_batches) return;
-  const std::vector<float> largest = largest_around(std::max(mean > 0 ? mean : emitted_cd_m2_, hit_cd_m2_));
+  const std::vector<float> largest = largest_around(mean > 0 ? mean : emitted_cd_m2_);
   const std::vector<Spread> squares = bias_ ? bias_->of_squares(passes, light) : std::vector<Spread>();
   for (uint32_t p = 0; p < light.size(); ++p) {
     const double noise = luminance_at(r.standard_error_rgb, p);

@@ -34,9 +34,8 @@ struct ImageReading {
 
 class ImageSums {
  public:
-  // emitted_cd_m2: luminance of the scene's bounding sphere, were it to give off all light of the emitters. hit_cd_m2:
-  // of the brightest emitter that eye paths alone may find.
-  ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2, double hit_cd_m2 = 0);
+  // emitted_cd_m2: luminance of the scene's bounding sphere, were it to give off all light of the emitters.
+  ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2);
   // What the camera's image takes, a pixel: its sums, where techniques are asked for with an iteration's tally; the
   // reading, which is kept; and what reading it takes besides. passes: of all pixels.
   struct Bytes {
@@ -81,7 +80,7 @@ class ImageSums {
 
   const Plan& plan_;
   const uint32_t width_, height_, tile_columns_, tile_rows_;
-  const double emitted_cd_m2_, hit_cd_m2_;
+  const double emitted_cd_m2_;
   std::vector<bool> blank_;          // pixels that see nothing at all: they are black without error; empty: none
   LayerSums layers_;
   ZeroedVector<double> illuminance_;  // of all visits; empty where not asked for

@@ -198,10 +198,11 @@ void RenderJob::prepare() {
     if (integrator_->plan().lands_on(s)) look_s_ += double(scene_->meter_sets[s].count()) * reading_s_of_disc;
   reading_s_ = std::min(reading_s_ + look_s_, 0.5 * desc_.time_limit_s);
   const Plan& plan = integrator_->plan();
-  const uint32_t pass = !scene_->meter_sets.empty() ? plan.meter_subsets : plan.camera_subsets;  // of what is judged
+  const bool of_pixels = scene_->meter_sets.empty() && !scene_->cameras.empty();
   const std::lock_guard lock(mutex_);
   estimate_.emplace(ProgressEstimate::Limits{desc_.time_limit_s, double(desc_.iteration_count),
-                                             desc_.target_relative_error, pass});
+                                             desc_.target_relative_error,
+                                             of_pixels ? plan.camera_subsets : plan.meter_subsets, of_pixels});
   estimate_->start(elapsed());
 }
 

@@ -117,7 +117,7 @@ class RenderJob {
   ups_status error_ = UPS_OK;
   std::string error_message_;
   uint32_t iterations_ = 0;  // traced; the sums may not have the last ones yet
-  double elapsed_ = 0;   // when the last iteration was delivered
+  double elapsed_ = 0;   // when an iteration, or books of flux, were delivered last
   double ended_s_ = 0;   // when the job was over
   float worst_ = -1, median_ = -1;  // relative errors
   std::optional<ups_memory_estimate> estimated_;

@@ -88,7 +88,7 @@ double MeterBatches::mean() const {
 
 double MeterBatches::unfound() const {
   double sum = 0;
-  for (size_t m = 0; m < count(); ++m) sum += meters_[m].weight * unfound(m);
+  for (const Meter& m : meters_) sum += m.weight * m.unfound;
   return sum / weights_;
 }
 

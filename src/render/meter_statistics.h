@@ -44,9 +44,7 @@ class MeterBatches {
   double unfound(size_t m) const { return meters_[m].unfound + double(widened_[m]); }
 
   double mean() const;
-  // Of the mean: what is unfound, and by how much its meters' own bounds are wider than their batches tell. Light that
-  // they share makes both at all of them.
-  double unfound() const;
+  double unfound() const;  // of the mean
   double stated_bound() const { return stated_; }  // of the one added last; < 0: it has none
   double mean_of_batch(uint32_t b) const;
   double bias_of_batch(uint32_t b) const { return bias_sums_[b] / weights_; }  // of the mean

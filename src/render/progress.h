@@ -9,13 +9,14 @@
 
 namespace ups {
 
-// When the error is looked at, in iterations: after 16, 20, 25, 32 ... passes of all meters, without meters of all
-// pixels. Two looks one after the
-// other must be below the target, which guards against stopping on a lucky one, and no sooner than after 32 passes.
+// When the error is looked at, in iterations: after 16, 20, 25, 32 ... passes of all meters; without meters after 4, 5,
+// 7, 9 ... passes of all pixels, and 16 iterations at the least. Two looks one after the other must be below the target,
+// which guards against stopping on a lucky one, and no sooner than after 32 passes.
 class TargetRule {
  public:
-  explicit TargetRule(uint32_t pass) : pass_(pass) {}
-  double first() const { return 16.0 * pass_; }
+  explicit TargetRule(uint32_t pass, bool of_pixels = false)
+      : pass_(pass), first_(of_pixels ? std::max(16.0, 4.0 * pass) : 16.0 * pass) {}
+  double first() const { return first_; }
   double next(double look) const {
     const double passes = std::floor(look / pass_);
     return pass_ * std::max(passes + 1, std::ceil(passes * 1.25));
@@ -24,7 +25,7 @@ class TargetRule {
   static constexpr uint32_t looks = 2;
 
  private:
-  double pass_;
+  double pass_, first_;
 };
 
 class ProgressEstimate {
@@ -32,8 +33,9 @@ class ProgressEstimate {
   struct Limits {  // 0: none
     double time_s = 0, iterations = 0, target = 0;
     uint32_t pass = 1;  // of TargetRule
+    bool of_pixels = false;
   };
-  explicit ProgressEstimate(const Limits& limits) : limits_(limits), rule_(limits.pass) {}
+  explicit ProgressEstimate(const Limits& limits) : limits_(limits), rule_(limits.pass, limits.of_pixels) {}
 
   void start(double elapsed_s) { start_s_ = elapsed_s; }  // of the first iteration
   double start_s() const { return start_s_; }

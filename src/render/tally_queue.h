@@ -1,7 +1,7 @@
 // Between a render, which finds one tally after the other, and the sums that these are added to and that others read.
 // A reader takes as long as it likes, and the render never waits for it, nor does anyone who does not need the sums.
-// Who takes the sums adds what waits: a reader what was delivered before, the render all, and what came last is added
-// in any case. A reader's time never grows with what is delivered meanwhile.
+// Who takes the sums adds what waits: a reader what was delivered before, the render all. The last delivery waits for
+// nobody: a reader that holds the sums then adds what has come meanwhile.
 #pragma once
 #include <condition_variable>
 #include <deque>

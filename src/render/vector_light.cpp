@@ -18,7 +18,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
   MeterLight out{{}, {}, UINT32_MAX, {}, {true, true, true}, sides_[0]->merges_direct, {}};
   for (const MeterLight* side : sides_) out.visits = std::min(out.visits, side->visits);
   if (out.visits == 0) return out;
-  double bias_variance = 0;
+  double bias_variance = 0, most_unfound = 0;
   for (uint32_t i = 0; i < vector_sides; ++i) {
     const MeterLight& side = *sides_[i];
     const double share = dot(direction, Vec3d(axis_of_side(i))), size = std::abs(share);
@@ -42,6 +42,8 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
       out.largest[part] = std::max(out.largest[part], side.largest[part]);
       out.exact[part] = out.exact[part] && side.exact[part];
       const auto [error, bound] = side.error_of(part);
+      if (part == whole_light && size * side.unfound[part] > most_unfound)
+        most_unfound = size * side.unfound[part], out.photons.caustics = side.photons.caustics;
       out.unfound[part] += size * (error < 0 ? std::max(bound, 0.0f) : float(side.unfound[part]));
     }
     out.bias.mean += share * side.bias.mean;

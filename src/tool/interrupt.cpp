@@ -14,9 +14,11 @@ std::atomic<bool> working = false;
 std::atomic<int> seen = 0;  // its exit code
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
+// Ctrl-C a second time ends at once; a hang-up after a request to end does not: some send both.
 void take_interrupt(int exit_code) {
-  if (!working || seen != 0) std::_Exit(exit_code);
-  seen = exit_code;
+  constexpr int ctrl_c = 130;
+  if (!working || (seen != 0 && exit_code == ctrl_c)) std::_Exit(exit_code);
+  if (seen == 0) seen = exit_code;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace ups::tool {
 
 void install_interrupt_handler();
-// Between these calls an interrupt only sets the flag; a second one ends the program.
+// Between these calls an interrupt only sets the flag; Ctrl-C after it ends the program.
 void begin_interruptible_work();
 int interruption();  // the program's exit code then; 0: there was none
 

@@ -2,6 +2,7 @@
 #include "tool/report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/intervals.h"
 #include "tool/accuracy.h"
@@ -62,11 +63,17 @@ std::string ratio_text(const RatioReport& r) {
   return text + "\n";
 }
 
+// Of sources that no ray has seen.
+std::string unseen_text(const ups_observer_reading& r) {
+  return std::isfinite(r.ugr_high) ? format("which may rate up to UGR %.1f all the same", double(r.ugr_high))
+                                   : "and what one that was missed would rate is not known";
+}
+
 std::string observer_text(const ObserverReport& observer) {
   const ups_observer_reading& r = observer.reading;
   std::string text = "observer " + printable(observer.name) + ": ";
   if (r.flags & UPS_OBSERVER_NO_SOURCE)
-    text += "no UGR, as no source of glare is visible";
+    text += r.ugr_high == -1 ? "no UGR, as no source of glare is visible" : "no source of glare was seen, " + unseen_text(r);
   else if (r.flags & UPS_OBSERVER_NO_BACKGROUND)
     text += "no UGR, as no indirect light was found";
   else

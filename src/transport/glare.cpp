@@ -161,6 +161,7 @@ SeenGlare find_glare(const Snapshot& scene, const Observer& observer, ThreadPool
   for_all([&](uint32_t i) {
     if (all[i].term > 0) eye.look_for(worst, all[i]);
   });
+  if (stop.is_set()) return {};
   SeenGlare out;
   for (size_t i = 0; i < all.size(); ++i) {
     const EmitterKind kind = scene.emitters[i].kind();

@@ -28,8 +28,8 @@ struct SeenGlare {
   bool has_fixture = false;         // one in view, whose own optics are no source
 };
 
-// By rays to places of each emitter that are spread evenly and by chance, the same in every render. Ends early, with
-// what was found, where `stop` was set.
+// By rays to places of each emitter that are spread evenly and by chance, the same in every render. Nothing where `stop`
+// was set.
 SeenGlare find_glare(const Snapshot& scene, const Observer& observer, ThreadPool& pool, const StopSignal& stop);
 
 }  // namespace ups

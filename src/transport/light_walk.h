@@ -90,6 +90,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
         return;
       }
       const bool lit = shade(a, light), continuous = lit && light.bsdf->has_continuous();
+      if (!lit && !is_finite(light.local_wo)) return;  // dropped
       light.merge = merge_gate(*light.bsdf) && (!light.state.first || in_.gates_of(emitter_index_).merge_at_first);
       if (in_.stores_vertices && (light.merge || continuous)) store(light, lit);
       // Light from behind a bump: nothing goes on, but next to it, where photons are merged, the normal may be another.

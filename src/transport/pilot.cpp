@@ -123,19 +123,27 @@ class Pilot {
     for (size_t k = 0; k < sets_; ++k) m_.excess[unit][k] += own.excess[other][k];
   }
 
-  // Tiles are noisy: each is judged with its neighbours; of a large image, whose pilot visits few pixels, with so many
-  // rings of them that no single pixel decides.
+  // Tiles are noisy: each is judged with its neighbours; of a large image, whose pilot visits few pixels, squares of so
+  // many of them that no single pixel decides.
   void pool_tiles(const Measured& own, size_t camera) {
-    constexpr double least_pixels = 16;
+    constexpr double least_pixels = 2;  // of a square on the average: with its neighbours' some 18
     const Units& units = plan_.units;
     const auto columns = int(units.columns(camera)), rows = int(units.tiles(camera)) / columns;
-    for (int y = 0; y < rows; ++y)
-      for (int x = 0; x < columns; ++x) {
-        const uint32_t unit = units.begin(camera) + uint32_t(y * columns + x);
-        for (int k = 1; k == 1 || (m_.visited[unit] < least_pixels && k < std::max(columns, rows)); ++k)
-          for (int j = std::max(0, y - k); j <= std::min(rows - 1, y + k); ++j)
-            for (int i = x - k; i <= x + k; i += std::abs(j - y) == k ? 1 : 2 * k)
-              if (i >= 0 && i < columns) add_sums(own, units.begin(camera) + uint32_t(j * columns + i), unit);
+    double visited = 0;
+    for (uint32_t u = units.begin(camera); u < units.end(camera); ++u) visited += own.visited[u];
+    const int side = std::max(1, int(std::ceil(std::sqrt(least_pixels * units.tiles(camera) / std::max(1.0, visited)))));
+    const auto unit_at = [&](int x, int y) { return units.begin(camera) + uint32_t(y * columns + x); };
+    for (int top = 0; top < rows; top += side)
+      for (int left = 0; left < columns; left += side) {
+        const uint32_t first = unit_at(left, top);
+        for (int y = std::max(0, top - side); y < std::min(rows, top + 2 * side); ++y)
+          for (int x = std::max(0, left - side); x < std::min(columns, left + 2 * side); ++x)
+            if (unit_at(x, y) != first) add_sums(own, unit_at(x, y), first);
+        for (int y = top; y < std::min(rows, top + side); ++y)
+          for (int x = left; x < std::min(columns, left + side); ++x) {
+            for (const auto sums : sums_of_unit) (m_.*sums)[unit_at(x, y)] = (m_.*sums)[first];
+            m_.excess[unit_at(x, y)] = m_.excess[first];
+          }
       }
   }
 
@@ -170,9 +178,10 @@ bool run_pilot(const Snapshot& scene, const Plan& plan, const TransportSettings&
                const TraceIteration& trace, const Moments& moments, Measured& out) {
   Pilot pilot(scene, plan, moments);
   IterationTally tally;
+  const uint64_t subsets = uint64_t(plan.camera_subsets) * plan.meter_subsets;
+  if (subsets > UINT32_MAX / pilot_rounds) return false;  // 10^9 pixels beside 10^7 meters: numbers end
   for (uint32_t k = 0; k < pilot_rounds; ++k) {  // the same pixels and meters again
-    Iteration in =
-        Iteration::of_pilot(scene, plan, settings, k * plan.camera_subsets * plan.meter_subsets, stop, Stream::pilot);
+    Iteration in = Iteration::of_pilot(scene, plan, settings, k * uint32_t(subsets), stop, Stream::pilot);
     in.light_visit = in.camera_visit = in.meter_visit = {k, 0};
     in.moments = &moments;
     if (!trace(in, tally)) return false;

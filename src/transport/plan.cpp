@@ -114,8 +114,8 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   if (settings.traces_light() && settings.light_paths) plan.light_paths = std::bit_ceil(settings.light_paths);
   plan.min_radius = 32 * 0x1p-24f * scene.radius;
   plan.images_suffice = scene.effects.images_suffice && settings.has(UPS_TECHNIQUE_MIRROR_SAMPLE);
-  plan.hits_alone_of_cameras = scene.effects.sharp_caster && settings.has(UPS_TECHNIQUE_EMITTER_HIT);
-  plan.hits_alone = plan.hits_alone_of_cameras && !plan.images_suffice && !settings.method.hits_after_specular;
+  plan.hits_alone = scene.effects.sharp_caster && !plan.images_suffice && settings.has(UPS_TECHNIQUE_EMITTER_HIT) &&
+                    !settings.method.hits_after_specular;
   // Nothing but light paths carries a ray emitter's light, from its first surface on.
   const bool samples = settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
   for (size_t i = 0; i < scene.emitters.size(); ++i) {

@@ -87,9 +87,9 @@ struct Plan {
   // Of point meters: all light straight from emitters is found so; no other light can reach them.
   bool exact_direct = false, exact_light = false;
   bool images_suffice = false;  // all that casters make of light straight from emitters is that of their images
-  // By way of casters some light may come to meters without photons, and to cameras, that eye paths alone find, as they
-  // run into its emitter.
-  bool hits_alone = false, hits_alone_of_cameras = false;
+  // By way of casters some light may come to meters without photons that eye paths alone find, as they run into its
+  // emitter.
+  bool hits_alone = false;
   Separation separation;  // of meters' readings
   // r_1 of each pixel, for the first vertex of its eye paths that scatters; empty without merging. All other vertices
   // merge within walk_radius: a hemisphere away from the sensor blur is not seen, but few photons are.

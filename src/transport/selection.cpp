@@ -47,8 +47,9 @@ constexpr double least_gain = 1.25;
 // Over all techniques: up to 2 is foretold where nothing comes of it, as photons beyond a pilot's are not counted on;
 // where it comes, 2.2 and more.
 constexpr double least_gain_over_all = 2;
-// Noise of a visit that nobody would see, over the largest mean reading of an image's tiles or of the sets of meters.
-constexpr double least_noise = 1e-5;
+// Noise of a visit that nobody would see, over its mean; and over the largest mean of an image's tiles or of the sets of
+// meters. In the sun's light a corridor has 1e-5.
+constexpr double least_noise = 1e-5, least_light = 1e-9;
 // 95 % limit of the mean number of photons on a disc where none has come (render/zero_bound.h).
 constexpr double photons_unfound = 3;
 
@@ -185,6 +186,7 @@ class Chooser {
       if (more.light_paths * cost_.caustic_light > tenth * all_else && !(more.score < of.score)) return;
     }
   }
+  const std::vector<double>& weights() const { return weight_; }  // by unit, of what its sensor gains
   double operations_of_all() const {
     double sum = cost_.light;
     for (uint32_t u = 0; u < units_.count; ++u) sum += eye_operations(u, {});
@@ -234,11 +236,14 @@ class Chooser {
   static double brightest_caustic_lm(const WorkCounts& work) {
     return work.brightest_caustic_lm > 0 ? work.brightest_caustic_lm : work.brightest_lm;
   }
-  // A ratio to next to no noise says nothing.
+  // A ratio to next to no noise, or of next to no light, says nothing.
   void leave_out_noiseless(uint32_t begin, uint32_t end) {
     double largest = 0;
     for (uint32_t u = begin; u < end; ++u) largest = std::max(largest, m_.reading[u] / visited(u));
-    for (uint32_t u = begin; u < end; ++u) counts_[u] = std::sqrt(m_.variance[u] / visited(u)) > least_noise * largest;
+    for (uint32_t u = begin; u < end; ++u) {
+      const double noise = std::sqrt(m_.variance[u] / visited(u));
+      counts_[u] = noise > least_noise * m_.reading[u] / visited(u) && noise > least_light * largest;
+    }
   }
   // Sensors count alike, and the tiles of one.
   void weigh() {
@@ -314,12 +319,12 @@ class Chooser {
 };
 
 // What a sensor's units take together.
-ups_sensor_choice choice_of(const Chooser::Outcome& best, double operations_of_all, const Plan& plan,
-                            const TransportSettings& settings, size_t sensor, bool camera) {
+ups_sensor_choice choice_of(const Chooser::Outcome& best, const std::vector<double>& weight, double operations_of_all,
+                            const Plan& plan, const TransportSettings& settings, size_t sensor, bool camera) {
   ups_sensor_choice c{};
   const uint32_t light = camera ? UPS_TECHNIQUE_SENSOR_CONNECT : UPS_TECHNIQUE_SENSOR_HIT,
                  begin = plan.units.begin(sensor), end = plan.units.end(sensor);
-  double variance = 0;
+  double variance = 0, weights = 0;
   c.techniques = settings.techniques &
                  (UPS_TECHNIQUE_EMITTER_HIT | UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_MIRROR_SAMPLE);
   for (uint32_t u = begin; u < end; ++u) {
@@ -328,9 +333,9 @@ ups_sensor_choice choice_of(const Chooser::Outcome& best, double operations_of_a
     if (share.light) c.techniques |= light & settings.techniques;
     if (share.merge != TechniqueShare::no_merge) c.techniques |= UPS_TECHNIQUE_MERGE;
     c.photons = std::max<ups_photons>(c.photons, share.merge);
-    variance += best.variance_ratio[u] / (end - begin);
+    variance += weight[u] * best.variance_ratio[u], weights += weight[u];
   }
-  c.predicted_gain = variance > 0 ? operations_of_all / (variance * best.operations) : 1;
+  c.predicted_gain = variance > 0 ? weights * operations_of_all / (variance * best.operations) : 1;
   return c;
 }
 
@@ -368,7 +373,7 @@ Selection select_techniques(const Snapshot& scene, const Plan& plan, const Trans
   out.light_paths = light_paths_of(plan, best.light_paths);
   out.shares = best.shares;
   for (size_t s = 0; s < plan.units.sensors(); ++s)
-    out.sensors.push_back(choice_of(best, whole, plan, settings, s, s < scene.cameras.size()));
+    out.sensors.push_back(choice_of(best, chooser.weights(), whole, plan, settings, s, s < scene.cameras.size()));
   return out;
 }
 

@@ -68,7 +68,10 @@ class Subpath {
     carried_ = after;
     return true;
   }
-  bool carry_to_met() { return met_.is_clear() || carry(met_.transmittance(scene_, met_.distance)); }
+  bool carry_to_met() {
+    if (!met_.is_clear()) return carry(met_.transmittance(scene_, met_.distance));
+    return is_finite(carried_) || drop(own_walk);
+  }
   void lose_by_leaning(double lm) {
     if constexpr (from_emitter) work_.leaning_lm += lm, work_.leaning_lm2 += lm * lm;
   }

@@ -200,7 +200,7 @@ TEST(Accuracy, VisitsOfManyPixelsCount) {
   });
   std::vector<uint32_t> looks;
   for (const ups_curve_point& p : o.curve()) looks.push_back(p.iterations);
-  EXPECT_EQ(looks, (std::vector<uint32_t>{3 * 16, 3 * 20, 3 * 25, 3 * 32}));
+  EXPECT_EQ(looks, (std::vector<uint32_t>{16, 3 * 7, 3 * 9, 3 * 12, 3 * 15, 3 * 19, 3 * 24, 3 * 30, 3 * 38}));
 }
 
 // The last look by the rule may be old when a render ends: then there is one more.

@@ -77,17 +77,6 @@ TEST(PixelBias, TellsWhatMergingMakes) {
   }
 }
 
-// A black pixel may see a bright emitter by way of a mirror, where eye paths alone find it.
-TEST(ImageBounds, OfWhatEyePathsAloneMayFind) {
-  Rig rig;
-  ImageSums sums(rig.camera, rig.plan, 1), hits(rig.camera, rig.plan, 1, 5000);
-  rig.tally.pixels[0][7] = Rgb(0.0f);
-  for (uint32_t i = 0; i < 32; ++i) sums.add(i, rig.tally, 0), hits.add(i, rig.tally, 0);
-  EXPECT_FLOAT_EQ(sums.read(32).error_bound[7], 3.0f / 32);
-  EXPECT_FLOAT_EQ(hits.read(32).error_bound[7], 3.0f * 5000 / 32);
-  EXPECT_EQ(hits.read(32).error_bound[8], 0);
-}
-
 // One sample in a thousand brings nearly all of a pixel's light.
 TEST(RobustImage, LeavesOutWhatASingleSampleBrought) {
   Rig rig;

@@ -116,7 +116,7 @@ TEST(Progress, TellsNoEndOfAHopelessTarget) {
 
 TEST(Progress, ALastLookIsForOldOnes) {
   ProgressEstimate estimate({0, 1000, 0, 3});
-  EXPECT_FALSE(estimate.is_last_look_old(3 * 16 - 1)) << "too few to tell an error";
+  EXPECT_FALSE(estimate.is_last_look_old(3 * 16 - 1)) ;
   EXPECT_TRUE(estimate.is_last_look_old(3 * 16));
   estimate.leave_out_look(3 * 16);
   EXPECT_EQ(estimate.next_look(), 3 * 20);
@@ -124,6 +124,17 @@ TEST(Progress, ALastLookIsForOldOnes) {
   estimate.add_look(3 * 20, -1, nullptr);
   EXPECT_FALSE(estimate.is_last_look_old(3 * 22));
   EXPECT_TRUE(estimate.is_last_look_old(3 * 23));
+}
+
+// Of pixels, of which each iteration visits a tenth, an error is known after four passes.
+TEST(Progress, LooksAtPixelsAsSoonAsTheyHaveAnError) {
+  ProgressEstimate few({0, 1000, 0.1, 10, true}), one({0, 1000, 0.1, 1, true});
+  EXPECT_EQ(few.next_look(), 40);
+  EXPECT_EQ(one.next_look(), 16);
+  few.add_look(40, 0.01, nullptr), few.add_look(50, 0.01, nullptr);
+  EXPECT_FALSE(few.target_is_met()) << "by luck";
+  few.add_look(320, 0.01, nullptr);
+  EXPECT_TRUE(few.target_is_met());
 }
 
 // Meters that are visited in turn: what counts are passes.

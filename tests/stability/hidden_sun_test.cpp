@@ -16,9 +16,9 @@ void furnish(Scene& scene) {
 
 // Cells, whose light by way of the mirror is sampled, without the sun and with it: by eye paths the same numbers, but for
 // light that is found by way of another random number; by all techniques and by `auto` the same mean within 1 %. Of the
-// means' noise, 0.2 % at most, the difference's is 0.28 %: a right engine fails with P(|t_30| > 1 / 0.28 - 2.04) = 14 % where the
-// noise is at its limit, and seeds are fixed; what is off by 1 % passes with 2.5 %. (Three quarters of the light paths
-// start from the sun.)
+// means' noise, 0.2 % at most, the difference's is 0.28 %: a right engine fails with P(|t_30| > 1 / 0.28 - 2.04) = 14 %
+// where the noise is at its limit, and seeds are fixed; what is off by 1 % passes with 2.5 %. (Three quarters of the
+// light paths start from the sun.)
 TEST(Taught, AHiddenSunDrownsNoLamps) {
   Scene without, with;
   furnish(without), furnish(with);

@@ -36,8 +36,8 @@ struct Fireflies {
 };
 
 // 64 meters, few paths each: means over seeds within 4 standard errors of at most 0.16 %, so that 1 % is found in 98 of
-// 100 cases and a false alarm comes once in 12,000 (P(|t_399| > 4)); in the fast form of at most 0.25 %, so that 1.5 %
-// is. Every reading that a few paths made is flagged as such: of those without a flag, which are most, at most 1 % err by
+// 100 cases and a false alarm comes once in 13,000 (P(|t_399| > 4)); in the fast form of at most 0.25 %, so that 1.5 %
+// is (P(|t_159| > 4), once in 10,000). Every reading that a few paths made is flagged as such: of those without a flag, which are most, at most 1 % err by
 // twice their bound.
 TEST(Hazard28, FirefliesAtMetersAreFlaggedAndUnbiased) {
   Fireflies room(0, 0, 0.12);

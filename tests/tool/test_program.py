@@ -654,9 +654,10 @@ class Render(ProgramTest):
         scene = self.write("room.gltf", room())
         numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
         outs = [self.path(f"out{int(number)}") for number in numbers]
-        processes = [self.start_under(number, signal.SIG_DFL, scene, "--time", "300", "--json", "--out", out)
+        processes = [self.start_under(number, signal.SIG_DFL, scene, "--time", "300", "--threads", "1", "--json", "--out",
+                                      out)
                      for number, out in zip(numbers, outs)]
-        time.sleep(5)
+        time.sleep(8)
         for number, process in zip(numbers, processes):
             process.send_signal(number)
         for number, process, out in zip(numbers, processes, outs):

@@ -292,8 +292,9 @@ std::vector<float> bounds_of_noise(std::vector<float> standard_errors, uint32_t 
 uint32_t most_visits(const ups_result* result, const SensorInfo& camera) {
   auto info = sized<ups_result_info>();
   check(ups_result_get_info(result, &info));
-  const uint64_t pixels = std::max<uint64_t>(1, uint64_t(camera.width) * camera.height);
-  return uint32_t(std::min<uint64_t>(info.iterations, info.eye_paths / pixels));
+  // An illuminance camera traces a second path from what a pixel sees.
+  const uint64_t paths = uint64_t(camera.width) * camera.height * (camera.illuminance ? 2 : 1);
+  return uint32_t(std::min<uint64_t>(info.iterations, info.eye_paths / std::max<uint64_t>(1, paths)));
 }
 
 MapStyle of_luminance(MapStyle style) {

@@ -22,7 +22,8 @@ void read_points(const ups_result* result, const SensorInfo& a, const SensorInfo
   auto info = sized<ups_result_info>();
   check(ups_result_get_info(result, &info));
   r.points = points.size();
-  r.least = least_of(points, info.iterations), r.greatest = greatest_of(points, info.iterations);
+  const auto visits = uint32_t(std::min<uint64_t>(info.iterations, info.eye_paths / a.meter_count));  // at most
+  r.least = least_of(points, visits), r.greatest = greatest_of(points, visits);
 }
 
 }  // namespace

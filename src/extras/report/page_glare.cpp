@@ -1,5 +1,6 @@
 // See page.h: the glare ratings of observers, and what makes them.
 #include <algorithm>
+#include <cmath>
 
 #include "report/page.h"
 #include "report/text_format.h"
@@ -11,7 +12,10 @@ constexpr size_t shown_sources = 3;
 
 // "19.4", to a tenth as CIE 117 gives it; "none" where there is nothing to rate.
 std::string rating(const ups_observer_reading& r) {
-  if (r.flags & UPS_OBSERVER_NO_SOURCE) return "no source in view";
+  if (r.flags & UPS_OBSERVER_NO_SOURCE)
+    return r.ugr_high == -1           ? "no source in view"
+           : std::isfinite(r.ugr_high) ? format("none seen <span class=\"i\">at most %.1f</span>", double(r.ugr_high))
+                                       : "none seen <span class=\"i\">at most unknown</span>";
   if (r.flags & UPS_OBSERVER_NO_BACKGROUND) return "no background";
   std::string text = format("%.1f", double(r.ugr));
   if (r.ugr_low != -1 && r.ugr_high != -1)

@@ -67,7 +67,7 @@ struct Version {
   // Above the second limit, which only version 2 has, a group is slowed down until next to nothing gets done.
   const char *limit, *slow_limit, *usage;
   View active_files, inactive_files;
-  const char *swap_limit, *swap_usage;  // of version 2; version 1 counts swap with the memory
+  const char *swap_limit, *swap_usage;  // of version 2
 };
 constexpr Version versions[] = {
     {"cgroup2", "", "/memory.max", "/memory.high", "/memory.current", "active_file", "inactive_file",
