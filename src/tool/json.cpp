@@ -89,7 +89,7 @@ ordered_json observer_json(const ObserverReport& observer) {
   ordered_json all = {{"ugr", number(r.ugr)},
                       {"ugr_standard_error", number(r.ugr_standard_error)},
                       {"ugr_low", number(r.ugr_low)},
-                      {"ugr_high", std::isinf(r.ugr_high) ? ordered_json() : number(r.ugr_high)},
+                      {"ugr_high", std::isinf(r.ugr_high) ? ordered_json() : ordered_json(number(r.ugr_high))},
                       {"background_cd_m2", number(r.background_cd_m2)},
                       {"background_standard_error_cd_m2", number(r.background_standard_error_cd_m2)},
                       {"background_error_bound_cd_m2", number(r.background_error_bound_cd_m2)},
