@@ -45,7 +45,7 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
       scene_lx_(scene.radius > 0 ? emitted_lm_ / (4 * pi_d * scene.radius * scene.radius) : emitted_lm_),
       emits_(emitted_lm_ > 0),
       largest_(scene.meter_sets.size(), std::vector<Largest>(plan.separation.columns.size() + 1)),
-      largest_exact_(largest_.size(), std::vector<double>(plan.separation.columns.size() + 1)),
+      largest_exact_(largest_.size()),
       emitted_(emitted_by_column(scene, plan)) {
   for (const Goniometer& g : scene.goniometers) goniometers_.emplace_back(g, emitted_lm_, plan.light_paths);
   for (const MeterSet& set : scene.meter_sets) {
@@ -91,12 +91,12 @@ void Accumulator::add(const IterationTally& tally) {
     sums.add(meter_batch, t, iterations_);
     Largest& largest = largest_[set][column];
     for (size_t k = 0; k < light_part_count; ++k) largest[k] = std::max(largest[k], t.paths[k].largest);
-    largest_exact_[set][column] = std::max(largest_exact_[set][column], t.exact);
   };
   for (size_t s = 0; s < meters_.size(); ++s)
     for (size_t i = 0; i < tally.meters[s].size(); ++i) {
       const size_t m = plan_.visited_meter(iterations_, i);
       add(tally.meters[s][i], meters_[s][m], s, 0);
+      largest_exact_[s] = std::max(largest_exact_[s], tally.meters[s][i].exact);
       for (size_t c = 0; c < columns; ++c)
         add(tally.separated[s][i * columns + c], separated_[s][m * columns + c], s, c + 1);
     }
@@ -120,7 +120,8 @@ double Accumulator::brightest_lm(size_t column) const {
 }
 
 // At least the brightest photon on the whole disc; and as an eye path that sees a surface as bright as the brightest
-// exact light makes a white one, or the scene's mean. One that runs into the brightest emitter by way of casters brings
+// exact light makes a white one, or the scene's mean; of one source, too: emitters are chosen in proportion to what they
+// bring, so that the few paths that choose a weak one weigh as much as the others. One that runs into the brightest emitter by way of casters brings
 // the most of all. Where photons bring that light, too, it counts by its weight no more than one of them; light
 // straight from emitters next-event estimation brings.
 double Accumulator::largest_path(size_t set, size_t m, size_t column, double disc_area, LightPart part) const {
@@ -130,8 +131,7 @@ double Accumulator::largest_path(size_t set, size_t m, size_t column, double dis
   const bool photons = plan_.light_paths > 0 && area > 0 &&
                        (part != direct_light || meters.is_cell() || plan_.merges_direct_light());
   const double photon = photons ? brightest_lm(column) / (plan_.light_paths * area) : 0,
-               scene_lx = column > 0 ? scene_lx_ * emitted_[column].lm / emitted_lm_ : scene_lx_,
-               seen = std::max(largest_exact_[set][column], scene_lx),
+               seen = std::max(largest_exact_[set], scene_lx_),
                hit = plan_.hits_alone && !photons && part != direct_light
                          ? double(meters.response(m).total()) * emitted_[column].brightest_cd_m2
                          : 0;

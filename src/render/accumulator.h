@@ -108,9 +108,9 @@ class Accumulator {
   uint32_t iterations_ = 0;
   std::vector<ZeroedVector<MeterSums>> meters_;
   std::vector<ZeroedVector<MeterSums>> separated_;  // a meter by a column, column fastest
-  // Of all light, then by column of Plan::separation: that one path brought to any meter of a set; exact light of any.
+  // Of all light, then by column of Plan::separation: that one path brought to any meter of a set.
   std::vector<std::vector<Largest>> largest_;
-  std::vector<std::vector<double>> largest_exact_;
+  std::vector<double> largest_exact_;  // of a set, lx
   std::vector<Emitted> emitted_;
   std::vector<MeterRings> rings_;  // a meter by all its light and the columns, these fastest; empty: nothing is merged
   std::vector<ImageSums> images_;
