@@ -268,18 +268,11 @@ class Chooser {
       const bool rare = eye_.caustic[u] > most_caustic * eye_.light[u] || eye_.focused[u] > most_focused ||
                         m_.excess[u].back() > most_excess * traced;
       if (rare && !trusts_eye_paths_) return INFINITY;
-      return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0) + missed(u);
+      return eye_.variance[u] + (all_[j].light_paths < caustic_shares[1] ? eye_.excess[u][0] : 0.0);
     }
     if (!(traced > 0)) return m_.variance[u];
     const double landed = m_.landed[u] / traced, least = std::min(1.0, 1 / photons_);
     return m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, least) * (1 - landed + landed / photons_);
-  }
-  // By eye paths' own pilot, of the variance that the other's moments say they have: what their samples met too seldom,
-  // or never. It is a part of what leaving out the other techniques adds, as all else both pilots have met. Where the
-  // scene alone says that eye paths find all light, that they meet it often enough is known.
-  double missed(uint32_t u) const {
-    const double added = std::max(0.0, m_.excess[u].back());
-    return trusts_eye_paths_ ? 0.0 : std::clamp(m_.independent[u] + added - eye_.independent[u], 0.0, added);
   }
   // lx, of a point meter's visit: the bound of caustics that no photon on its disc has brought yet. Where these are
   // much of the light, photons come soon. Guided photons are darker in a pilot, which may not have met the brightest:

@@ -196,18 +196,6 @@ TEST_F(Chosen, TheBestIsTakenOfTheWholeSets) {
   EXPECT_EQ(choose().light_paths, plan.light_paths / 4);
 }
 
-// 10 of the variance are by paths that light paths find: as long as eye paths' own pilot has not met them.
-TEST_F(Chosen, WhatEyePathsMissCounts) {
-  add_sets(1);
-  const double without = gain();
-  all[0].excess = 10;
-  EXPECT_NEAR(without / gain(), 11, 1e-6);
-  eye[0].independent = 6;
-  EXPECT_NEAR(without / gain(), 6, 1e-6);
-  eye[0].independent = 11;
-  EXPECT_NEAR(without / gain(), 1, 1e-6);
-}
-
 // Without casters an eighth of the light paths, for a tenth of all else.
 TEST_F(Chosen, LightPathsForCausticsAreAsManyAsTheirBoundPaysFor) {
   add_sets(1);
