@@ -7,7 +7,6 @@
 #include <span>
 
 #include "transport/pilot.h"
-#include "transport/radii.h"
 
 namespace ups {
 
@@ -27,13 +26,6 @@ void Moments::add(double value, const mis::Classes& relative, bool camera, doubl
   }
 }
 
-// Of t s / sqrt(n) + B / n = e, a quadratic equation in sqrt(n): n = (t / e)^2 (s / 2 + sqrt(s^2 / 4 + e B / t^2))^2.
-double variance_with_unfound(double variance, double unfound, double reading) {
-  constexpr double t = 2.13, target = 0.01;  // t: 95 %, of the batches' spread
-  const double root = 0.5 * (std::sqrt(variance) + std::sqrt(variance + 4 * target * reading * unfound / (t * t)));
-  return root * root;
-}
-
 namespace {
 
 // Where caustics are more of the light, a pilot is too short to see how rare their brightest photons are: light paths
@@ -50,8 +42,6 @@ constexpr double least_gain_over_all = 2;
 // Noise of a visit that nobody would see, over its mean; and over the largest mean of an image's tiles or of the sets of
 // meters. In the sun's light a corridor has 1e-5.
 constexpr double least_noise = 1e-5, least_light = 1e-9;
-// 95 % limit of the mean number of photons on a disc where none has come (render/zero_bound.h).
-constexpr double photons_unfound = 3;
 
 // A set of techniques that a sensor's part may take, at a share of the light paths.
 struct Candidate {
@@ -136,9 +126,9 @@ class Chooser {
   // photons: light paths of the plan over those of an iteration of the pilot.
   Chooser(const Snapshot& scene, const Plan& plan, const TransportSettings& settings, const std::vector<Candidate>& all,
           const Measured& m, const Measured& eye, double photons)
-      : plan_(plan), units_(plan.units), all_(all), m_(m), eye_(eye), photons_(photons),
+      : units_(plan.units), all_(all), m_(m), eye_(eye), photons_(photons),
         trusts_eye_paths_(settings.prefers_eye_paths), needs_landings_(units_.count), counts_(units_.count),
-        disc_area_(units_.count), weight_(units_.count) {
+        weight_(units_.count) {
     double paths = 0;
     for (const Camera& c : scene.cameras)
       paths += double(c.pixel_count()) * (1 + c.illuminance()) / plan.camera_subsets;
@@ -146,10 +136,7 @@ class Chooser {
       paths += double(scene.meter_sets[s].meters.size()) / plan.meter_subsets * plan.meter_samples;
       // A point's light by way of mirrors alone meets a cell, where nothing is merged, by landing.
       needs_landings_[units_.of_set(s)] = scene.meter_sets[s].is_cell() && !scene.effects.path_tracing_complete;
-      if (plan.lands_on(s)) disc_area_[units_.of_set(s)] = median_disc(plan, s, scene.meter_sets[s].meters.size());
     }
-    if (scene.effects.sharp_caster && !plan.images_suffice)
-      caustic_lm_ = brightest_caustic_lm(m.light_work), guided_caustic_lm_ = brightest_caustic_lm(eye.light_work);
     for (size_t c = 0; c < scene.cameras.size(); ++c) leave_out_noiseless(units_.begin(c), units_.end(c));
     leave_out_noiseless(units_.begin(scene.cameras.size()), units_.count);
     weigh();
@@ -171,19 +158,14 @@ class Chooser {
     return best;
   }
   // Light paths for caustics alone are few where these are little of the light, which says nothing of what none of them
-  // has found yet: a bound of that falls with their number. So they may cost as much as a tenth of all else, and more
-  // where the bound pays for it.
+  // has found yet: a bound of that falls with their number. So they may cost as much as a tenth of all else.
   void add_caustic_paths(Outcome& of) const {
     constexpr double tenth = 0.1;
     const double all_else = of.operations - of.light_paths * cost_.caustic_light;
-    for (Outcome more = of; 2 * of.light_paths <= 1; of = more) {
-      more.light_paths = 2 * of.light_paths;
-      more.operations = all_else + more.light_paths * cost_.caustic_light;
-      size_t set = all_.size() - 1;
-      while (all_[set].light_paths > more.light_paths) --set;  // its noise, which more light paths do not raise
-      for (uint32_t u = 0; u < units_.count; ++u) more.variance_ratio[u] = ratio(u, set, more.light_paths, false);
-      more.score = mean(more.variance_ratio) * more.operations;
-      if (more.light_paths * cost_.caustic_light > tenth * all_else && !(more.score < of.score)) return;
+    while (2 * of.light_paths <= 1 && 2 * of.light_paths * cost_.caustic_light <= tenth * all_else) {
+      of.light_paths *= 2;
+      of.operations = all_else + of.light_paths * cost_.caustic_light;
+      of.score = mean(of.variance_ratio) * of.operations;
     }
   }
   const std::vector<double>& weights() const { return weight_; }  // by unit, of what its sensor gains
@@ -208,7 +190,7 @@ class Chooser {
         const TechniqueShare& share = all_[j].share;
         if (all_[j].light_paths != light_paths || (all_[j].needs_whole_paths() && !whole)) continue;
         if (needs_landings_[u] && !share.light) continue;
-        const double r = ratio(u, j, light_paths, whole);
+        const double r = ratio(u, j);
         if (!std::isfinite(r)) continue;
         const double own = eye_operations(u, share),
                      score = weight_[u] * r * operations_of_all + variance_of_all * own;
@@ -226,15 +208,6 @@ class Chooser {
   }
   double mean(const std::vector<double>& by_unit) const {
     return std::inner_product(by_unit.begin(), by_unit.end(), weight_.begin(), 0.0);
-  }
-  static float median_disc(const Plan& plan, size_t set, size_t meters) {
-    std::vector<float> areas(plan.visited_meters(0, meters));
-    for (size_t i = 0; i < areas.size(); ++i) areas[i] = float(plan.meter_discs[set].area(plan.visited_meter(0, i)));
-    return median(areas);
-  }
-  // As long as no light path has met a caster, any might have.
-  static double brightest_caustic_lm(const WorkCounts& work) {
-    return work.brightest_caustic_lm > 0 ? work.brightest_caustic_lm : work.brightest_lm;
   }
   // A ratio to next to no noise, or of next to no light, says nothing.
   void leave_out_noiseless(uint32_t begin, uint32_t end) {
@@ -274,23 +247,12 @@ class Chooser {
     const double landed = m_.landed[u] / traced, least = std::min(1.0, 1 / photons_);
     return m_.variance[u] * std::max(1 + m_.excess[u][j] / traced, least) * (1 - landed + landed / photons_);
   }
-  // lx, of a point meter's visit: the bound of caustics that no photon on its disc has brought yet. Where these are
-  // much of the light, photons come soon. Guided photons are darker in a pilot, which may not have met the brightest:
-  // that is no gain over all techniques.
-  double unfound(uint32_t u, double light_paths, bool whole) const {
-    if (!(disc_area_[u] > 0) || m_.caustic[u] > most_caustic * m_.light[u]) return 0;
-    const double of_all = caustic_lm_ / plan_.light_paths,
-                 own = (whole ? caustic_lm_ : guided_caustic_lm_) / light_paths_of(plan_, light_paths);
-    return photons_unfound * std::max(own, of_all) / disc_area_[u];
-  }
-  double judged(uint32_t u, size_t j, double light_paths, bool whole) const {
-    const double n = visited(u);
-    return variance_with_unfound(variance(u, j) / n, unfound(u, light_paths, whole), m_.reading[u] / n);
-  }
   // To that of all techniques, the first candidate's.
-  double ratio(uint32_t u, size_t j, double light_paths, bool whole) const {
+  double ratio(uint32_t u, size_t j) const {
     if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
-    return counts_[u] ? judged(u, j, light_paths, whole) / judged(u, 0, 1, true) : 1.0;
+    const double v = variance(u, 0), own = variance(u, j);
+    if (!counts_[u]) return 1;
+    return v > 0 ? own / v : own > 0 ? INFINITY : 1.0;
   }
   double eye_operations(uint32_t u, const TechniqueShare& s) const {
     const double merge = s.merge == TechniqueShare::merge_all        ? cost_.merge
@@ -299,15 +261,13 @@ class Chooser {
     return m_.eye_share[u] * (cost_.eye + s.connect * cost_.connect + merge);
   }
 
-  const Plan& plan_;
   const Units& units_;
   const std::vector<Candidate>& all_;
   const Measured &m_, &eye_;
   const double photons_;
   const bool trusts_eye_paths_;  // the scene alone says that they find all light
   std::vector<bool> needs_landings_, counts_;  // by unit; counts_: has noise to be compared
-  std::vector<double> disc_area_, weight_;     // by unit; m2, where photons land
-  double caustic_lm_ = 0, guided_caustic_lm_ = 0;  // of the brightest photon of whole light paths; of the guided
+  std::vector<double> weight_;                 // by unit
   Costs cost_;
 };
 

@@ -39,10 +39,6 @@ class Moments {
   bool complete_;
 };
 
-// Of a meter's visit: as much variance alone would need as many visits until the error is 1 % of the reading as this
-// variance and this bound of unfound light, which falls with the number of visits.
-double variance_with_unfound(double variance, double unfound, double reading);
-
 struct Selection {
   uint32_t light_paths = 0;
   std::vector<TechniqueShare> shares;      // by Units; empty: nothing was chosen

