@@ -77,7 +77,8 @@ std::vector<Accumulator::Emitted> Accumulator::emitted_by_column(const Snapshot&
   return out;
 }
 
-// All meters' light, and beside it the choice of discs, then profiles, or two more copies of the batches and their ranks.
+// All meters' light, and beside it the choice of discs, then profiles, or two more copies of the batches and their
+// ranks.
 double Accumulator::scratch_bytes(bool has_discs) {
   constexpr double profiles = sizeof(RingProfile) + sizeof(MeterRings::Choice);
   return sizeof(MeterLight) + std::max(sizeof(OwnBias) + sizeof(NeighbourCurvature) + has_discs * profiles,
@@ -120,10 +121,10 @@ double Accumulator::brightest_lm(size_t column) const {
 }
 
 // At least the brightest photon on the whole disc; and as an eye path that sees a surface as bright as the brightest
-// exact light makes a white one, or the scene's mean; of one source, too: emitters are chosen in proportion to what they
-// bring, so that the few paths that choose a weak one weigh as much as the others. One that runs into the brightest emitter by way of casters brings
-// the most of all. Where photons bring that light, too, it counts by its weight no more than one of them; light
-// straight from emitters next-event estimation brings.
+// exact light makes a white one, or the scene's mean; of one source, too: emitters are chosen in proportion to what
+// they bring, so that the few paths that choose a weak one weigh as much as the others. One that runs into the
+// brightest emitter by way of casters brings the most of all. Where photons bring that light, too, it counts by its
+// weight no more than one of them; light straight from emitters next-event estimation brings.
 double Accumulator::largest_path(size_t set, size_t m, size_t column, double disc_area, LightPart part) const {
   const MeterSet& meters = scene_.meter_sets[set];
   const TechniqueShare share = plan_.shares.empty() ? TechniqueShare{} : plan_.shares[plan_.units.of_set(set)];

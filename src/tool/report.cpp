@@ -73,7 +73,8 @@ std::string observer_text(const ObserverReport& observer) {
   const ups_observer_reading& r = observer.reading;
   std::string text = "observer " + printable(observer.name) + ": ";
   if (r.flags & UPS_OBSERVER_NO_SOURCE)
-    text += r.ugr_high == -1 ? "no UGR, as no source of glare is visible" : "no source of glare was seen, " + unseen_text(r);
+    text += r.ugr_high == -1 ? "no UGR, as no source of glare is visible"
+                             : "no source of glare was seen, " + unseen_text(r);
   else if (r.flags & UPS_OBSERVER_NO_BACKGROUND)
     text += "no UGR, as no indirect light was found";
   else

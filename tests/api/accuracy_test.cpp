@@ -89,8 +89,8 @@ TEST(Accuracy, NoiseOfAnOfficeIsForetold) {
 // A mirror throws a patch of light into a black room; the outer meters stand near its edge, so that bias is what
 // remains. A disc is kept until its bias shows, and then a narrower one is taken: no power of the time, but the time is
 // foretold to a factor of 1.5 in the median of 3 renders. (Where looks are by chance as low from the
-// first one on as the last one is, the first is told: the second seed's is, 15 times too soon.) Before discs have a thousand photons or so they do
-// not see the edge, and their error does not fall.
+// first one on as the last one is, the first is told: the second seed's is, 15 times too soon.) Before discs have a
+// thousand photons or so they do not see the edge, and their error does not fall.
 TEST(Accuracy, BiasAtAnEdgeIsForetold) {
   Scene scene;
   scene.add(box({0, 0, 0}, {6, 6, 3}).flipped(), matte(0));

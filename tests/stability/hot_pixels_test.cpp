@@ -37,8 +37,8 @@ struct Fireflies {
 
 // 64 meters, few paths each: means over seeds within 4 standard errors of at most 0.16 %, so that 1 % is found in 98 of
 // 100 cases and a false alarm comes once in 13,000 (P(|t_399| > 4)); in the fast form of at most 0.25 %, so that 1.5 %
-// is (P(|t_159| > 4), once in 10,000). Every reading that a few paths made is flagged as such: of those without a flag, which are most, at most 1 % err by
-// twice their bound.
+// is (P(|t_159| > 4), once in 10,000). Every reading that a few paths made is flagged as such: of those without a flag,
+// which are most, at most 1 % err by twice their bound.
 TEST(Hazard28, FirefliesAtMetersAreFlaggedAndUnbiased) {
   Fireflies room(0, 0, 0.12);
   double expected = 0;
@@ -78,8 +78,8 @@ TEST(Hazard28, RareFirefliesAtMetersAreAllFlagged) {
 
 // The same at pixels that another lamp lights: their mean is right, the robust channel leaves the specks out, and the
 // difference of the two tells the pixels that have some. The mean is judged to 4 standard errors of at most 0.33 %: 2 %
-// is found in 98 of 100 cases, and a false alarm comes once in 5,500 (P(|t_59| > 4)); in the fast form of at most 0.4 %,
-// so that 2.4 % is (P(|t_23| > 4), once in 1,800). At least 95 % of the specks must be told.
+// is found in 98 of 100 cases, and a false alarm comes once in 5,500 (P(|t_59| > 4)); in the fast form of at most 0.4
+// %, so that 2.4 % is (P(|t_23| > 4), once in 1,800). At least 95 % of the specks must be told.
 TEST(Hazard28, FirefliesInAnImageAreToldByItsRobustChannel) {
   constexpr double rho = 0.5;
   Fireflies room(50, rho, 0.12);
