@@ -115,7 +115,7 @@ typedef struct ups_observer_reading {
   float ugr_standard_error;         /* of background and hidden shares; -1: not known */
   float ugr_low, ugr_high;          /* 95 %, noise and bias, and what rays may have missed; -1: not known, or ugr_high
                                      * without an end. With NO_SOURCE ugr_high is -1 where none is in view, else the
-                                     * most that those may rate which no ray has seen; infinite where nothing ends it (in JSON null) */
+                                     * most that those may rate which no ray has seen; infinite where nothing ends it */
   float background_cd_m2;
   float background_standard_error_cd_m2, background_error_bound_cd_m2; /* the latter 95 %, bias too; -1: not known */
   uint32_t source_count;            /* that count in the rating */

@@ -67,7 +67,7 @@ void MeanError::add(const MeterError& m) {
   noise_ += m.noise, bias_ += m.bias, unfound_ += m.unfound;
   merged_ += double(m.noise) * m.merged, of_bias_ += double(m.noise) * m.of_bias;
   paths_ += double(m.unfound) * m.paths;
-  if (m.noise > 0) visits_ = visits_ > 0 ? std::min(visits_, m.visits) : m.visits;
+  if (m.noise > 0 && m.visits > 0) visits_ = visits_ > 0 ? std::min(visits_, m.visits) : m.visits;
   ++count_;
 }
 

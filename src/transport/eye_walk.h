@@ -60,8 +60,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
  private:
   friend Subpath;
   using EyeEndOf = Method::EyeEnd;
-  template <class At>
-  mis::EyeState first_state(const At&, float cos_in, double d2, double pass) const {
+  mis::EyeState first_state(float cos_in, double d2, double pass) const {
     return mis::eye_first(counts_, edge_.scatter.pdf, cos_in, d2, pass);
   }
   void gather_at_meter(EyeEnd& eye);

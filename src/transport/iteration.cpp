@@ -46,7 +46,7 @@ mis::Counts Iteration::counts(const TechniqueShare& share) const {
 }
 
 mis::Counts Iteration::camera_counts(size_t c, uint32_t pixel) const {
-  const TechniqueShare own = plan.shares.empty() ? TechniqueShare{} : plan.shares[plan.units.of_pixel(c, pixel)];
+  const TechniqueShare own = share([&] { return plan.units.of_pixel(c, pixel); });
   mis::Counts n = counts(own);
   n.eta_first = own.merge == TechniqueShare::no_merge ? 0 : eta(pixel_radius2(c, pixel));
   if (own.light && has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = double(plan.light_paths) * plan.camera_subsets;
@@ -54,7 +54,7 @@ mis::Counts Iteration::camera_counts(size_t c, uint32_t pixel) const {
 }
 
 mis::Counts Iteration::meter_counts(size_t set) const {
-  const TechniqueShare own = share(plan.units.of_set(set));
+  const TechniqueShare own = share([&] { return plan.units.of_set(set); });
   mis::Counts n = counts(own);
   if (own.light && scene.meter_sets[set].is_cell() && has(UPS_TECHNIQUE_SENSOR_HIT))
     n.land = double(plan.light_paths) / plan.meter_samples;

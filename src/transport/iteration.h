@@ -67,7 +67,9 @@ struct Iteration {
   const mis::Gates& gates_of(uint32_t emitter) const { return plan.gates[emitter]; }
 
  private:
-  TechniqueShare share(uint32_t unit) const { return plan.shares.empty() ? TechniqueShare{} : plan.shares[unit]; }
+  // unit(): which one, asked only where they differ.
+  template <class Unit>
+  TechniqueShare share(const Unit& unit) const { return plan.shares.empty() ? TechniqueShare{} : plan.shares[unit()]; }
   mis::Counts counts(const TechniqueShare& share) const;
 };
 

@@ -155,9 +155,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   }
 
   // x_1 needs to know how next-event estimation would have found x_0.
-  template <class At>
-  mis::LightState first_state(const At& receiver, float cos_in, double d2, double pass) const {
-    const Receiver at = receiver();
+  mis::LightState first_state(const Receiver& at, float cos_in, double d2, double pass) const {
     if (image_ != none) return first_state_of_image(at, cos_in, d2, pass);
     const float chosen = counts_.light_sample > 0 ? scene_.emitters.direct_probability(at, emitter_index_) : 0;
     return first_state(chosen, at.p, 1, cos_in, d2, pass);

@@ -12,7 +12,7 @@ namespace {
 class Pilot {
  public:
   Pilot(const Snapshot& scene, const Plan& plan, const Moments& moments)
-      : scene_(scene), plan_(plan), sets_(moments.count()), row_(moments.row()), visits_(plan.units.count) {
+      : scene_(scene), plan_(plan), sets_(moments.count()), row_(moments.row()) {
     for (const auto sums : sums_of_unit) (m_.*sums).resize(plan.units.count);
     m_.eye_share.resize(plan.units.count), m_.focused.resize(plan.units.count);
     m_.excess.assign(plan.units.count, std::vector<double>(sets_));
@@ -32,7 +32,6 @@ class Pilot {
       const Camera& camera = scene_.cameras[c];
       plan_.for_visited_pixels(in.number, camera.width(), camera.height(), [&](uint32_t i, uint32_t pixel) {
         points_[c][i].of_iterations.add(luminance(tally.pixels[c][i]));
-        ++visits_[units.of_pixel(c, pixel)];
         take(units.of_pixel(c, pixel), &tally.excess_of_pixels[c][i * row_], 1, 1, false, points_[c][i]);
       });
       // A visit's splats are the mean of camera_subsets iterations' (1 / subsets of one's variance), and fall on all
@@ -110,7 +109,7 @@ class Pilot {
   void share_eye_paths(size_t camera) {
     const Units& units = plan_.units;
     double visits = 0;
-    for (uint32_t u = units.begin(camera); u < units.end(camera); ++u) visits += visits_[u];
+    for (const Point& point : points_[camera]) visits += point.of_iterations.count;
     const auto pixels = uint32_t(scene_.cameras[camera].pixel_count());
     for (uint32_t p = 0; p < pixels; ++p) m_.eye_share[units.of_pixel(camera, p)] += visits / pixels;
   }
@@ -152,7 +151,6 @@ class Pilot {
   const size_t sets_, row_;
   Measured m_;
   std::vector<std::vector<Point>> points_;  // that are visited: cameras' pixels, then sets' meters
-  std::vector<uint32_t> visits_;            // by unit, of tiles: pixels
 };
 
 }  // namespace

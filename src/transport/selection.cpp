@@ -250,8 +250,8 @@ class Chooser {
   // To that of all techniques, the first candidate's.
   double ratio(uint32_t u, size_t j) const {
     if (!std::isfinite(m_.excess[u][j])) return INFINITY;  // there is light that the set has no technique for
-    const double v = variance(u, 0), own = variance(u, j);
     if (!counts_[u]) return 1;
+    const double v = variance(u, 0), own = variance(u, j);
     return v > 0 ? own / v : own > 0 ? INFINITY : 1.0;
   }
   double eye_operations(uint32_t u, const TechniqueShare& s) const {

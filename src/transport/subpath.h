@@ -80,7 +80,7 @@ class Subpath {
     return false;
   }
 
-  // The weights' state at a point that the current edge reaches. at(): how it sees emitters, for a walk's first edge.
+  // The weights' state at a point that the current edge reaches. at(): how it sees emitters, for a light's first edge.
   template <class At>
   State arrive(const At& at, float cos_in, float distance) const {
     if (!from_emitter && in_.light_samples_alone) return {};  // all weights are 1
@@ -89,9 +89,13 @@ class Subpath {
       if constexpr (from_emitter) return mis::light_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
       else return mis::eye_step_delta(edge_.state, edge_.chi, edge_.scatter.cos_out, cos_in);
     }
-    if (edge_.kind == Edge::first) return static_cast<const Walk*>(this)->first_state(at, cos_in, d2, pass);
-    if constexpr (from_emitter) return mis::light_step(edge_.state, edge_.scatter, cos_in, d2, pass);
-    else return mis::eye_step(edge_.state, counts_, edge_.scatter, cos_in, d2, pass);
+    const auto& walk = static_cast<const Walk&>(*this);
+    if constexpr (from_emitter)
+      return edge_.kind == Edge::first ? walk.first_state(at(), cos_in, d2, pass)
+                                       : mis::light_step(edge_.state, edge_.scatter, cos_in, d2, pass);
+    else
+      return edge_.kind == Edge::first ? walk.first_state(cos_in, d2, pass)
+                                       : mis::eye_step(edge_.state, counts_, edge_.scatter, cos_in, d2, pass);
   }
 
   // What the current edge has met, once its light is there; false where nothing scatters on.

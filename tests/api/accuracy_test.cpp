@@ -44,6 +44,16 @@ Outcome render(const Scene& scene, const std::function<void(ups_render_desc&)>& 
   return o;
 }
 
+// By path tracing; the caller owns the job.
+ups_job* start(const Scene& scene, const std::function<void(ups_render_desc&)>& set) {
+  auto d = make_desc<ups_render_desc>(ups_render_desc_init);
+  d.method = UPS_METHOD_PATH_TRACING;
+  set(d);
+  ups_job* job = nullptr;
+  check(ups_job_start(scene.get(), &d, &job), "ups_job_start");
+  return job;
+}
+
 // Matte, two spots, 6 meters.
 void make_office(Scene& scene) {
   scene.add(box({0, 0, 0}, {4, 3, 2.6}).flipped(), matte(0.5));
@@ -230,11 +240,7 @@ TEST(Accuracy, ARenderLooksAtItsEnd) {
 TEST(Accuracy, ACancelledRenderLooksNoMore) {
   Scene scene;
   make_office(scene);
-  auto d = make_desc<ups_render_desc>(ups_render_desc_init);
-  d.method = UPS_METHOD_PATH_TRACING;
-  d.time_limit_s = 1000;
-  ups_job* job = nullptr;
-  check(ups_job_start(scene.get(), &d, &job), "ups_job_start");
+  ups_job* job = start(scene, [](ups_render_desc& d) { d.time_limit_s = 1000; });
   ups_progress progress{};
   progress.struct_size = sizeof progress;
   do check(ups_job_poll(job, &progress), "ups_job_poll");
@@ -278,11 +284,7 @@ TEST(Accuracy, TargetsAreMetByTheTrueError) {
 TEST(Accuracy, CurveAndLargestErrorAreToldLive) {
   Scene scene;
   make_office(scene);
-  auto d = make_desc<ups_render_desc>(ups_render_desc_init);
-  d.method = UPS_METHOD_PATH_TRACING;
-  d.iteration_count = 40;
-  ups_job* job = nullptr;
-  check(ups_job_start(scene.get(), &d, &job), "ups_job_start");
+  ups_job* job = start(scene, [](ups_render_desc& d) { d.iteration_count = 40; });
   ups_prediction p{};
   p.struct_size = sizeof p;
   uint32_t before = 0, looks = 0;

@@ -311,6 +311,16 @@ TEST(Prediction, OneStandsForAll) {
   EXPECT_NEAR(p.expect(0.05).iterations / 8000, 1, 0.1);
 }
 
+// What few paths have found has no batches: in whatever order, the others' visits count.
+TEST(Prediction, VisitsOfAMeanAreThoseThatAreKnown) {
+  const MeterError few{.noise = 1}, known{.noise = 1, .visits = 5};
+  for (const auto& [first, second] : {std::pair(few, known), std::pair(known, few)}) {
+    MeanError together;
+    together.add(first), together.add(second);
+    EXPECT_EQ(together.mean().visits, 5u);
+  }
+}
+
 // What no rate reaches is told so: an error that has stopped falling, and one beyond 10^8 times what was done.
 TEST(Prediction, NeverIsTold) {
   Prediction stuck(UPS_CRITERION_WORST, alpha), far(UPS_CRITERION_WORST, alpha);
