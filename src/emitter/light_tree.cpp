@@ -1,13 +1,35 @@
 // See light_tree.h.
 #include "emitter/light_tree.h"
 
+#include <bit>
+
 namespace ups {
 namespace {
 
 constexpr float by_flux = 0.05f;  // the share that no estimate takes part in: half by flux, half by number
-constexpr size_t max_cut = 64;    // nodes that are weighed for a receiver
+constexpr size_t max_cut = 64;    // nodes that are chosen from
 constexpr float large2 = 0.16f;   // a node is opened whose radius is more than 0.4 of its distance
 static_assert(max_cut >= LightTree::max_listed && LightTree::max_listed % lane_count == 0);
+
+// Which of `count` shares holds u, that is the sum of those before it and more; `none` where all are 0. All are added
+// up, as that takes less time than a wrong guess where to end.
+struct Pick {
+  static constexpr uint32_t none = 0xffffffffu;
+  uint32_t at = none;
+  double start = 0, sum = 0;
+};
+template <class Share>
+inline Pick pick(uint32_t count, double u, const Share& share_of) {
+  Pick out;
+  for (uint32_t i = 0; i < count; ++i) {
+    const double share = share_of(i);
+    const bool taken = share > 0 && !(u < out.sum);  // rounding may leave u above the last one, which is then taken
+    out.at = taken ? i : out.at;
+    out.start = taken ? out.sum : out.start;
+    out.sum += share > 0 ? share : 0;
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -29,10 +51,25 @@ struct LightTree::Shares {
   float sum() const { return estimate + flux; }
 };
 
+// Lanes by number: lane_count times that of the four, and which of them.
 struct LightTree::Cut {
   uint32_t size = 0;
-  uint32_t node[max_cut];
+  uint32_t lane[max_cut];
   float estimate[max_cut], flux[max_cut];
+  Shares shares(uint32_t i) const { return {estimate[i], flux[i]}; }
+  // counts: a bit of each lane that is taken.
+  void add(uint32_t four, uint32_t counts, const Float4& estimates, const Float4& fluxes) {
+    for (uint32_t i = 0; i < lane_count; ++i) {  // without a branch: each in turn where the next one is to go
+      estimate[size] = estimates[i], flux[size] = fluxes[i];
+      lane[size] = four * lane_count + i;
+      size += counts >> i & 1;
+    }
+  }
+};
+
+// The shares of four below a node.
+struct LightTree::Parts {
+  Float4 estimate, flux;
   Shares shares(uint32_t i) const { return {estimate[i], flux[i]}; }
 };
 
@@ -49,9 +86,11 @@ inline LightTree::Placed<Real> LightTree::place(const View& view, const Vec3T<Re
   return {to, length2(to), dot(all_lanes<Real>(view.n), to), dot(all_lanes<Real>(view.size_n), half)};
 }
 
-// Altogether behind the receiver's plane.
-inline bool LightTree::is_behind(const View& view, const Placed<float>& node) {
-  return !(view.all_around || view.both_sides) && !(node.along > -node.reach);
+// Not altogether behind the receiver's plane: true, or a mask.
+template <class Real>
+inline auto LightTree::is_before(const View& view, const Placed<Real>& box) {
+  const Real any = all_lanes<Real>(view.all_around || view.both_sides ? -INFINITY : 0.0f);
+  return box.along + box.reach > any;
 }
 
 // How a box looks from the receiver.
@@ -87,25 +126,12 @@ inline Real LightTree::estimate(const Of& node, const Seen<Real>& seen, const Re
   return intensity * seen.cosine * smaller(Real(node.largest_falloff), seen.falloff);
 }
 
-inline LightTree::Shares LightTree::weigh(const View& view, const Node& node, const Placed<float>& placed) const {
-  const Seen<float> seen = see(view, placed);
-  return {estimate(node, seen, lobes_[node.lobe].towards(-placed.to, seen.inverse)), node.flux};
-}
-
-// False where the node cannot shine.
-bool LightTree::weigh(const View& view, const Node& node, Shares& out) const {
-  const Placed<float> placed = place(view, node.center, node.half);
-  if (is_behind(view, placed)) return false;
-  out = weigh(view, node, placed);
-  return true;
-}
-
-void LightTree::fill_lanes() {
-  lanes_.assign((nodes_.size() + lane_count - 1) / lane_count, Lanes{});
-  for (size_t k = 0; k < lanes_.size() * lane_count; ++k) {
-    Lanes& lanes = lanes_[k / lane_count];
-    const size_t lane = k % lane_count;
-    const Node& node = nodes_[std::min(k, nodes_.size() - 1)];
+LightTree::Lanes LightTree::lanes_of(const uint32_t* nodes, uint32_t count) const {
+  Lanes lanes{};
+  lanes.all_fine = true;
+  for (uint32_t lane = 0; lane < lane_count; ++lane) {
+    const uint32_t k = nodes[std::min(lane, count - 1)];
+    const Node& node = nodes_[k];
     const Lobe& lobe = lobes_[node.lobe];
     const auto put = [lane](const Vec3& v, Vec3T<Float4>& to) { to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z; };
     put(node.center, lanes.center), put(node.half, lanes.half);
@@ -113,9 +139,33 @@ void LightTree::fill_lanes() {
     lanes.intensity[lane] = node.intensity, lanes.spread[lane] = node.spread, lanes.flux[lane] = node.flux;
     lanes.radius2[lane] = node.radius2, lanes.largest_falloff[lane] = node.largest_falloff;
     lanes.lobe[lane] = &lobe;
-    lanes.all_fine = (lane == 0 || lanes.all_fine) && lobe.shape == Lobe::Shape::fine;
-    lanes.used[lane] = k < nodes_.size() ? -1 : 0;
+    lanes.all_fine = lanes.all_fine && lobe.shape == Lobe::Shape::fine;
+    lanes.node[lane] = k, lanes.below[lane] = none;
+    lanes.used[lane] = lane < count ? -1 : 0;
   }
+  return lanes;
+}
+
+// Makes the four below an inner node, and theirs: of the two below it those that look largest are replaced by what lies
+// below them. Their number.
+uint32_t LightTree::widen(uint32_t k) {
+  uint32_t nodes[lane_count] = {k + 1, right_of(k)}, count = 2;
+  while (count < lane_count) {
+    uint32_t widest = none;
+    for (uint32_t i = 0; i < count; ++i)
+      if (!is_leaf(nodes[i]) && (widest == none || nodes_[nodes[i]].radius2 > nodes_[nodes[widest]].radius2)) widest = i;
+    if (widest == none) break;
+    const uint32_t opened = nodes[widest];
+    nodes[widest] = opened + 1, nodes[count++] = right_of(opened);
+  }
+  const uint32_t number = uint32_t(lanes_.size());
+  lanes_.push_back(lanes_of(nodes, count));
+  for (uint32_t i = 0; i < count; ++i) {
+    if (is_leaf(nodes[i])) continue;
+    const uint32_t below = widen(nodes[i]);
+    lanes_[number].below[i] = below, lanes_[number].opens[i] = -1;
+  }
+  return number;
 }
 
 Float4 LightTree::lobes(const Lanes& lanes, const Vec3T<Float4>& to, const Float4& inverse) {
@@ -132,45 +182,45 @@ inline Float4 LightTree::fine_lobes(const Lanes& lanes, const Vec3T<Float4>& to)
   return Float4{towards(0), towards(1), towards(2), towards(3)};
 }
 
-void LightTree::weigh_list(const View& view, Cut& out) const {
-  const bool one_side = !(view.all_around || view.both_sides);
-  for (size_t group = 0; group < lanes_.size(); ++group) {
-    const Lanes& lanes = lanes_[group];
+Float4 LightTree::estimates(const View& view, const Lanes& lanes, const Placed<Float4>& placed) {
+  const Seen<Float4> seen = see(view, placed);
+  return estimate(lanes, seen, lanes.all_fine ? fine_lobes(lanes, placed.to) : lobes(lanes, placed.to, seen.inverse));
+}
+
+void LightTree::cut_list(const View& view, Cut& out) const {
+  for (uint32_t four = 0; four < lanes_.size(); ++four) {
+    const Lanes& lanes = lanes_[four];
     const Placed<Float4> placed = place(view, lanes.center, lanes.half);
-    const uint32_t counts = bits_of(one_side ? lanes.used & (placed.along > -placed.reach) : lanes.used);
-    if (!counts) continue;
-    const Seen<Float4> seen = see(view, placed);
-    const Float4 lobe = lanes.all_fine ? fine_lobes(lanes, placed.to) : lobes(lanes, placed.to, seen.inverse);
-    const Float4 estimates = estimate(lanes, seen, lobe);
-    for (uint32_t i = 0; i < lane_count; ++i) {  // without a branch: each in turn where the next one is to go
-      out.estimate[out.size] = estimates[i], out.flux[out.size] = lanes.flux[i];
-      out.node[out.size] = uint32_t(group) * lane_count + i;
-      out.size += counts >> i & 1;
+    if (const uint32_t counts = bits_of(lanes.used & is_before(view, placed)))
+      out.add(four, counts, estimates(view, lanes, placed), lanes.flux);
+  }
+}
+
+void LightTree::cut_tree(const View& view, Cut& out) const {
+  constexpr size_t most_opened = (max_cut - lane_count) / (lane_count - 1);
+  uint32_t queue[1 + most_opened], first = 0, last = 1;
+  size_t most = lane_count;  // nodes that are left in the end
+  queue[0] = 0;
+  while (first < last) {
+    const uint32_t four = queue[first++];
+    const Lanes& lanes = lanes_[four];
+    const Placed<Float4> placed = place(view, lanes.center, lanes.half);
+    const Int4 used = lanes.used & is_before(view, placed);
+    uint32_t counts = bits_of(used);
+    most -= lane_count - size_t(std::popcount(counts));
+    uint32_t opens = bits_of(used & lanes.opens & (lanes.radius2 > large2 * placed.distance2));
+    for (; opens && most + lane_count - 1 <= max_cut && last <= most_opened; opens &= opens - 1) {
+      const int i = std::countr_zero(opens);
+      queue[last++] = lanes.below[i], most += lane_count - 1;
+      counts &= ~(1u << i);
     }
+    if (counts) out.add(four, counts, estimates(view, lanes, placed), lanes.flux);
   }
 }
 
 void LightTree::cut(const View& view, Cut& out) const {
-  if (listed_) {
-    weigh_list(view, out);
-  } else {
-    uint32_t queue[2 * max_cut], first = 0, last = 1;
-    queue[0] = 0;
-    while (first < last) {
-      const uint32_t k = queue[first++];
-      const Node& node = nodes_[k];
-      const Placed<float> placed = place(view, node.center, node.half);
-      if (is_behind(view, placed)) continue;
-      const bool room = out.size + (last - first) + 2 <= max_cut && last + 2 <= 2 * max_cut;
-      if (room && !is_leaf(k) && node.radius2 > large2 * placed.distance2) {
-        queue[last++] = k + 1, queue[last++] = right_of(k);
-        continue;
-      }
-      const Shares shares = weigh(view, node, placed);
-      out.estimate[out.size] = shares.estimate, out.flux[out.size] = shares.flux;
-      out.node[out.size++] = k;
-    }
-  }
+  if (listed_) cut_list(view, out);
+  else cut_tree(view, out);
   if (listed_ && out.size == 1) {  // certain, however little it is
     out.estimate[0] = 1, out.flux[0] = 0;
     return;
@@ -183,75 +233,80 @@ void LightTree::cut(const View& view, Cut& out) const {
   for (uint32_t i = 0; i < out.size; ++i) out.estimate[i] *= of_estimates, out.flux[i] *= of_fluxes;
 }
 
-// A node's shares among its children. Where neither is weighed to have any, they go by flux.
-void LightTree::halve(const View& view, uint32_t node, const Shares& shares, Shares& left, Shares& right) const {
-  const uint32_t l = node + 1, r = right_of(node);
-  Shares a{}, b{};
-  if (!weigh(view, nodes_[l], a) & !weigh(view, nodes_[r], b)) a.flux = nodes_[l].flux, b.flux = nodes_[r].flux;
-  const float fluxes = a.flux + b.flux, estimates = a.estimate + b.estimate;
-  const float flux = a.flux / fluxes, estimate = estimates > 0 ? a.estimate / estimates : flux;
-  left = {shares.estimate * estimate, shares.flux * flux};
-  right = {shares.estimate * (1 - estimate), shares.flux * (1 - flux)};
+// A node's shares among the four below it. Where none is weighed to have any, they go by flux.
+LightTree::Parts LightTree::part(const View& view, uint32_t four, const Shares& shares) const {
+  const Lanes& lanes = lanes_[four];
+  const Placed<Float4> placed = place(view, lanes.center, lanes.half);
+  const Int4 before = lanes.used & is_before(view, placed), counts = bits_of(before) ? before : lanes.used;
+  const Float4 zero{}, flux = counts ? lanes.flux : zero;
+  const Float4 weighed = bits_of(before) ? estimates(view, lanes, placed) : zero, estimate = before ? weighed : zero;
+  const float fluxes = flux[0] + flux[1] + flux[2] + flux[3];
+  const float sum = estimate[0] + estimate[1] + estimate[2] + estimate[3];
+  return {(sum > 0 ? estimate / sum : flux / fluxes) * shares.estimate, flux / fluxes * shares.flux};
 }
 
 EmitterChoice LightTree::choose(const Receiver& receiver, float u) const {
   const View view(receiver);
   constexpr float below_1 = 0x1.fffffep-1f;
   if (single_) {
-    if (is_behind(view, place(view, nodes_[0].center, nodes_[0].half))) return {};
+    if (!is_before(view, place(view, nodes_[0].center, nodes_[0].half))) return {};
     return {emitter_of_node_[0], 1, std::min(u, below_1)};
   }
   Cut c;
   cut(view, c);
-  // Where the sum of shares passes u. All are added up, as that takes less time than a wrong guess where to end.
-  double below = 0, start = 0;
-  uint32_t at = none;
-  for (uint32_t i = 0; i < c.size; ++i) {
-    const double share = c.shares(i).sum();
-    const bool taken = share > 0 && !(u < below);  // rounding may leave u above the last one, which is then taken
-    at = taken ? i : at;
-    start = taken ? below : start;
-    below += share > 0 ? share : 0;
+  const Pick of_cut = pick(c.size, u, [&](uint32_t i) { return c.shares(i).sum(); });
+  if (of_cut.at == none) return {};
+  uint32_t lane = c.lane[of_cut.at];
+  Shares shares = c.shares(of_cut.at);
+  double rest = std::clamp((u - of_cut.start) / shares.sum(), 0.0, 1.0);
+  for (;;) {
+    const Lanes& lanes = lanes_[lane / lane_count];
+    const uint32_t below = lanes.below[lane % lane_count], node = lanes.node[lane % lane_count];
+    if (below == none) return {emitter_of_node_[node], shares.sum(), std::min(float(rest), below_1)};
+    const Parts parts = part(view, below, shares);
+    const auto share = [&](uint32_t i) { return parts.shares(i).sum(); };
+    const double whole = double(share(0)) + share(1) + share(2) + share(3);
+    const Pick of_parts = pick(lane_count, rest * whole, share);
+    if (of_parts.at == none) return {};
+    lane = below * lane_count + of_parts.at;
+    shares = parts.shares(of_parts.at);
+    rest = std::clamp((rest * whole - of_parts.start) / shares.sum(), 0.0, 1.0);
   }
-  if (at == none) return {};
-  uint32_t k = c.node[at];
-  Shares shares = c.shares(at);
-  double rest = std::clamp((u - start) / shares.sum(), 0.0, 1.0);
-  while (!is_leaf(k)) {
-    Shares left, right;
-    halve(view, k, shares, left, right);
-    const double whole = double(left.sum()) + right.sum(), share = left.sum() / whole;
-    const bool to_left = right.sum() == 0 || (left.sum() > 0 && rest < share);
-    k = to_left ? k + 1 : right_of(k);
-    shares = to_left ? left : right;
-    rest = std::clamp(to_left ? rest / share : (rest - share) / (1 - share), 0.0, 1.0);
-  }
-  return {emitter_of_node_[k], shares.sum(), std::min(float(rest), below_1)};
 }
 
 float LightTree::brings(const Receiver& receiver, size_t emitter) const {
   const uint32_t leaf = emitter < leaf_of_emitter_.size() ? leaf_of_emitter_[emitter] : none;
-  Shares shares;
-  return leaf != none && weigh(View(receiver), nodes_[leaf], shares) ? shares.estimate * float(flux_lm_) : 0;
+  if (leaf == none) return 0;
+  const View view(receiver);
+  const Node& node = nodes_[leaf];
+  const Placed<float> placed = place(view, node.center, node.half);
+  if (!is_before(view, placed)) return 0;
+  const Seen<float> seen = see(view, placed);
+  return estimate(node, seen, lobes_[node.lobe].towards(-placed.to, seen.inverse)) * float(flux_lm_);
+}
+
+bool LightTree::holds(uint32_t lane, uint32_t leaf) const {
+  const uint32_t k = lanes_[lane / lane_count].node[lane % lane_count];
+  return leaf >= k && leaf < nodes_[k].end;
 }
 
 float LightTree::probability(const Receiver& receiver, size_t emitter) const {
   const uint32_t leaf = emitter < leaf_of_emitter_.size() ? leaf_of_emitter_[emitter] : none;
   if (leaf == none) return 0;
   const View view(receiver);
-  if (single_) return is_behind(view, place(view, nodes_[0].center, nodes_[0].half)) ? 0.0f : 1.0f;
+  if (single_) return is_before(view, place(view, nodes_[0].center, nodes_[0].half)) ? 1.0f : 0.0f;
   Cut c;
   cut(view, c);
   for (uint32_t i = 0; i < c.size; ++i) {
-    uint32_t k = c.node[i];
-    if (leaf < k || leaf >= nodes_[k].end) continue;
+    uint32_t lane = c.lane[i];
+    if (!holds(lane, leaf)) continue;
     Shares shares = c.shares(i);
-    while (!is_leaf(k)) {
-      Shares left, right;
-      halve(view, k, shares, left, right);
-      const bool to_left = leaf < right_of(k);
-      k = to_left ? k + 1 : right_of(k);
-      shares = to_left ? left : right;
+    for (uint32_t below; (below = lanes_[lane / lane_count].below[lane % lane_count]) != none;) {
+      const Parts parts = part(view, below, shares);
+      uint32_t k = 0;
+      while (!holds(below * lane_count + k, leaf)) ++k;
+      lane = below * lane_count + k;
+      shares = parts.shares(k);
     }
     return shares.sum();
   }

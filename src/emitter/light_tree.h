@@ -2,7 +2,8 @@
 // receiver times the cosine there over the squared distance. Few emitters are weighed one by one. Many are the leaves
 // of a tree: from its root down, nodes that look large from the receiver are opened, up to a number of them; one of the
 // nodes that remain is chosen, then a child at a time down to an emitter (in the manner of Conty Estevez and Kulla
-// 2018, Importance Sampling of Many Lights with Adaptive Tree Splitting).
+// 2018, Importance Sampling of Many Lights with Adaptive Tree Splitting). Nodes are weighed four at once: those of a
+// list, or four that lie below one of the tree.
 //
 // A small share goes by flux, and as much by number, among the emitters that are not behind the receiver's plane, so
 // that what is misjudged is never forgotten: what is strong, and what is weak where the strong ones are hidden.
@@ -63,13 +64,14 @@ class LightTree {
     uint32_t lobe;
     uint32_t end;  // one past the last node below this one, which all follow it: the left child first
   };
-  // What is weighed four at once of a list's nodes, with the frames of their lobes turned to look at the receiver. The
-  // last lanes may repeat a node.
+  // What is weighed four at once, with the frames of their lobes turned to look at the receiver. The last lanes may
+  // repeat a node.
   struct Lanes {
     Vec3T<Float4> center, half, minus_s, minus_t, minus_n;
     Float4 intensity, spread, flux, radius2, largest_falloff;
-    Int4 used;  // -1 or 0
+    Int4 used, opens;  // -1 or 0; opens: has lanes of its own below it
     const Lobe* lobe[lane_count];
+    uint32_t node[lane_count], below[lane_count];  // below: lanes, none of an emitter
     bool all_fine;  // their shapes
   };
   struct View;
@@ -77,25 +79,29 @@ class LightTree {
   template <class Real> struct Seen;
   struct Shares;
   struct Cut;
+  struct Parts;
   static constexpr uint32_t none = 0xffffffffu;
 
   bool is_leaf(uint32_t k) const { return nodes_[k].end == k + 1; }
   uint32_t right_of(uint32_t k) const { return nodes_[k + 1].end; }
   template <class Real>
   static Placed<Real> place(const View& view, const Vec3T<Real>& center, const Vec3T<Real>& half);
-  static bool is_behind(const View& view, const Placed<float>& node);
+  template <class Real>
+  static auto is_before(const View& view, const Placed<Real>& box);
   template <class Real>
   static Seen<Real> see(const View& view, const Placed<Real>& box);
   template <class Real, class Of>
   static Real estimate(const Of& node, const Seen<Real>& seen, const Real& lobe);
-  Shares weigh(const View& view, const Node& node, const Placed<float>& placed) const;
-  bool weigh(const View& view, const Node& node, Shares& out) const;
   static Float4 lobes(const Lanes& lanes, const Vec3T<Float4>& to, const Float4& inverse);
   static Float4 fine_lobes(const Lanes& lanes, const Vec3T<Float4>& to);
-  void weigh_list(const View& view, Cut& out) const;
-  void fill_lanes();
+  static Float4 estimates(const View& view, const Lanes& lanes, const Placed<Float4>& placed);
+  Lanes lanes_of(const uint32_t* nodes, uint32_t count) const;
+  uint32_t widen(uint32_t node);
+  void cut_list(const View& view, Cut& out) const;
+  void cut_tree(const View& view, Cut& out) const;
   void cut(const View& view, Cut& out) const;
-  void halve(const View& view, uint32_t node, const Shares& shares, Shares& left, Shares& right) const;
+  Parts part(const View& view, uint32_t lanes, const Shares& shares) const;
+  bool holds(uint32_t lane, uint32_t leaf) const;
 
   class Lobes;
   Node leaf_of(const Entry& entry, uint32_t lobe, double total_flux, float least) const;
@@ -112,7 +118,7 @@ class LightTree {
   double flux_lm_ = 0;  // of all
   bool listed_ = true;
   bool single_ = false;  // one emitter, which needs no weighing: 12 % of an office with one luminaire
-  std::vector<Lanes> lanes_;  // of a list
+  std::vector<Lanes> lanes_;  // of a list, or of a tree: the root's first
 };
 
 }  // namespace ups

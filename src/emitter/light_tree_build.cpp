@@ -113,7 +113,15 @@ LightTree::LightTree(const std::vector<Entry>& entries, size_t emitter_count, bo
   for (uint32_t& leaf : emitter_of_node_) leaf = leaf == none ? none : emitters[leaf];
   for (uint32_t k = 0; k < nodes_.size(); ++k)
     if (is_leaf(k)) leaf_of_emitter_[emitter_of_node_[k]] = k;
-  if (listed_) fill_lanes();
+  if (!listed_) {
+    widen(0);
+    return;
+  }
+  for (uint32_t k = 0; k < nodes_.size(); k += lane_count) {
+    uint32_t four[lane_count], count = 0;
+    while (count < lane_count && k + count < nodes_.size()) four[count] = k + count, ++count;
+    lanes_.push_back(lanes_of(four, count));
+  }
 }
 
 LightTree::Node LightTree::leaf_of(const Entry& e, uint32_t lobe, double total_flux, float least) const {

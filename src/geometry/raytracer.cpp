@@ -151,11 +151,10 @@ bool Raytracer::visible(const SurfacePoint& a, const Vec3& b, float b_error) con
 // ---- surface points ----
 
 // The shading normal from vertex normals and the normal texture; false where there is none to use.
-bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& point, const Triangle& triangle,
-                                Vec3& out) const {
+bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& point, Vec3& out) const {
   const Mesh& mesh = *traced[instance.traced]->source;
   const uint32_t* i = &mesh.indices[3 * size_t(point.primitive)];
-  const Texture* bumps = instance.material < texturing.size() ? texturing[instance.material].normal : nullptr;
+  const Texture* bumps = bumps_of(instance);
   if (mesh.normals.empty() && !bumps) return false;
   Vec3d n(point.ng);
   if (!mesh.normals.empty()) {
@@ -167,7 +166,8 @@ bool Raytracer::Impl::normal_at(const Placed& instance, const SurfacePoint& poin
     if (dot(n, Vec3d(point.ng)) < 0) n = -n;  // files whose winding and normals disagree
   }
   Vec3d tangent, bitangent;
-  if (bumps && tangents_at(mesh, i, point, instance.to_scene, instance.side, triangle, n, tangent, bitangent)) {
+  if (bumps && tangents_at(mesh, i, point, instance.to_scene, instance.side, triangle(instance, point.primitive), n,
+                           tangent, bitangent)) {
     const Rgb texel = bumps->rgb(point.uv);
     const double scale = texturing[instance.material].normal_scale;
     n = tangent * ((2.0 * texel.r - 1) * scale) + bitangent * ((2.0 * texel.g - 1) * scale) + n * (2.0 * texel.b - 1);
@@ -192,43 +192,55 @@ void Raytracer::Impl::place_on_revolution(const Placed& instance, const Revoluti
   point.shading = Frame(point.ng);
 }
 
+// The normal of a triangle of its own frame; false at an edge. low: the least weight, by what turns an area into a
+// height in the scene, at least.
+bool Raytracer::Impl::place_within(const Placed& instance, const Triangle& own, double low, SurfacePoint& point) {
+  const Vec3d area_normal = own.area_normal();
+  if (!(low * length(area_normal) >= double(point.error))) return false;
+  point.ng = Vec3(normalize(instance.normals * area_normal * instance.side));
+  return true;
+}
+
+// At an edge, or of a sliver, where such figures are too coarse. weights: of the vertices.
+void Raytracer::Impl::place_by_edges(const Placed& instance, double (&weights)[3], SurfacePoint& point) const {
+  const Triangle met = triangle(instance, point.primitive);
+  const Vec3d area_normal = met.area_normal() * instance.side;
+  const double area = length(area_normal);
+  point.ng = area > 0 ? Vec3(area_normal / area) : Vec3(0, 0, 1);
+  keep_off_edges(met, area, std::sqrt(met.longest_edge2()), double(point.error), weights);
+  point.p = Vec3(met.sum(weights) / (weights[0] + weights[1] + weights[2]));
+}
+
 SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float u, float v) const {
   const Impl::Placed& placed = impl_->placed[instance];
   const TracedMesh& traced = *impl_->traced[placed.traced];
   const Mesh& mesh = *traced.source;
   const Facet* facet = traced.facets.empty() ? nullptr : &traced.facets[primitive];
-  if (!mesh.normals.empty())
+  if (!mesh.normals.empty() && !(facet && facet->is_flat))
     for (int k = 0; k < 3; ++k) prefetch(&mesh.normals[mesh.indices[3 * size_t(primitive) + k]]);
-  const Triangle triangle = impl_->triangle(placed, primitive);
+  const Triangle own = traced.triangle(primitive);  // in the frame of the traced mesh
   SurfacePoint point;
   point.instance = instance, point.primitive = primitive;
   point.u = u, point.v = v;
   point.material = placed.material;
   point.uv = uv_at(mesh, primitive, u, v);
   double weights[3] = {1 - double(u) - double(v), double(u), double(v)};
-  Vec3d sum = triangle.sum(weights);
-  double longest_edge = facet ? double(facet->longest_edge) : std::sqrt(triangle.longest_edge2());
-  const float extent = max_abs(Vec3(sum)) + float(longest_edge);
+  const Vec3d named = own.sum(weights);
+  point.p = Vec3(placed.baked ? named : placed.to_scene.point(named));
+  const double longest_edge = facet ? double(facet->longest_edge) : std::sqrt(own.longest_edge2());
+  const float extent = max_abs(point.p) + float(longest_edge * placed.most_stretch);
   point.error = gamma_error * (placed.error_scale * extent + placed.error_offset);
   if (mesh.revolution) {
     impl_->place_on_revolution(placed, *mesh.revolution, point);
     return point;
   }
-  const double inset = double(point.error);
-  if (facet && std::min({weights[0], weights[1], weights[2]}) * double(facet->low_height) >= inset) {
+  const double low = std::min({weights[0], weights[1], weights[2]}), inset = double(point.error);
+  if (facet && low * double(facet->low_height) >= inset)
     point.ng = placed.side < 0 ? -facet->ng : facet->ng;
-  } else {
-    const Vec3d area_normal = triangle.area_normal() * placed.side;
-    const double area = length(area_normal);
-    point.ng = area > 0 ? Vec3(area_normal / area) : Vec3(0, 0, 1);
-    if (facet) longest_edge = std::sqrt(triangle.longest_edge2());  // which facets have rounded
-    keep_off_edges(triangle, area, longest_edge, inset, weights);
-    sum = triangle.sum(weights);
-  }
-  const double total = weights[0] + weights[1] + weights[2];
-  point.p = Vec3(total == 1 ? sum : sum / total);
+  else if (facet || !impl_->place_within(placed, own, low * placed.least_stretch / longest_edge, point))
+    impl_->place_by_edges(placed, weights, point);
   Vec3 n = point.ng;
-  impl_->normal_at(placed, point, triangle, n);
+  if (!(facet && facet->is_flat) || impl_->bumps_of(placed)) impl_->normal_at(placed, point, n);
   point.shading = Frame(n);
   return point;
 }

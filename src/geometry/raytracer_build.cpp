@@ -43,6 +43,19 @@ double stretch(const Affine& m) {
   return det > 0 ? std::sqrt(forward * cofactor) / (3 * det) : std::numeric_limits<double>::infinity();
 }
 
+// The largest and the least stretch of any length, by Gershgorin's circles about the eigenvalues of M^T M: exact where a
+// scale comes first and a rotation after it.
+std::pair<double, double> stretches(const Affine& m) {
+  double most = 0, least = std::numeric_limits<double>::infinity();
+  for (int c = 0; c < 3; ++c) {
+    const double own = length2(m.column(c));
+    double others = 0;
+    for (int k = 0; k < 3; ++k) others += k == c ? 0 : std::abs(dot(m.column(c), m.column(k)));
+    most = std::max(most, own + others), least = std::min(least, own - others);
+  }
+  return {std::sqrt(most), std::sqrt(std::max(least, 0.0))};
+}
+
 // Which instances Embree is given as triangles of the scene; the others keep the mesh's frame, so that who moves them
 // builds nothing but the index above all. In a scene too large for one index the largest meshes of one instance do: as
 // few as leave the others an index without groups, or if that cannot be those that would fill a group alone.
@@ -180,7 +193,8 @@ class RaytracerBuild {
   void place(size_t i, bool baked) {
     const Affine& to_scene = instances_[i].to_scene;
     const double side = to_scene.determinant() < 0 ? -1 : 1;
-    Impl::Placed placed{0, instances_[i].material, baked, to_scene, side, NormalMatrix(to_scene), 0, 1};
+    const auto [most, least] = baked ? std::pair(1.0, 1.0) : stretches(to_scene);
+    Impl::Placed placed{0, instances_[i].material, baked, to_scene, side, NormalMatrix(to_scene), most, least, 0, 1};
     if (!baked) {
       // Embree takes rays to the object's frame in float: it loses digits of the translation, and more where stretched.
       placed.error_scale = float(2 * std::max(1.0, stretch(to_scene)));
@@ -194,7 +208,7 @@ class RaytracerBuild {
       if (earlier_)
         if (const auto known = earlier_->made_of.find(key); known != earlier_->made_of.end()) traced = known->second;
       if (!traced)
-        traced = make_traced_mesh(meshes_[instances_[i].mesh], has_holes, baked ? &to_scene : nullptr);
+        traced = make_traced_mesh(meshes_[instances_[i].mesh], has_holes, baked ? &to_scene : nullptr, pool_);
       out_.traced.push_back(traced);
       index_[traced.get()] = uint32_t(out_.traced.size() - 1);
       if (has_holes) out_.holes[traced.get()] = out_.texturing[material];

@@ -28,6 +28,7 @@ struct Raytracer::Impl {
     Affine to_scene;
     double side;                      // -1: the transform mirrors, so that winding and front part
     NormalMatrix normals;             // of to_scene
+    double most_stretch, least_stretch;  // of lengths from the traced mesh's frame to the scene's, at most and at least
     float error_offset, error_scale;  // error = gamma * (error_scale * (|p| + edge) + error_offset)
   };
   // An index of its own; geometry i is of meshes[i].
@@ -67,11 +68,16 @@ struct Raytracer::Impl {
     if (id == RTC_INVALID_GEOMETRY_ID) return hit.geomID;
     return id < placed.size() ? id : members[id - placed.size()][hit.geomID];
   }
+  const Texture* bumps_of(const Placed& instance) const {
+    return instance.material < texturing.size() ? texturing[instance.material].normal : nullptr;
+  }
   static bool grazes(const Placed& instance, const Vec3& ng, const Vec3& d);
   void refine(const Vec3& ng, const Vec3& o, const Vec3& d, Hit& hit) const;
   Hit to_hit(const RTCHit& hit, float t, const Vec3& o, const Vec3& d) const;
   void place_on_revolution(const Placed& instance, const Revolution& revolution, SurfacePoint& point) const;
-  bool normal_at(const Placed& instance, const SurfacePoint& point, const Triangle& triangle, Vec3& out) const;
+  static bool place_within(const Placed& instance, const Triangle& own, double low, SurfacePoint& point);
+  void place_by_edges(const Placed& instance, double (&weights)[3], SurfacePoint& point) const;
+  bool normal_at(const Placed& instance, const SurfacePoint& point, Vec3& out) const;
 };
 
 struct Raytracer::Impl::Key {

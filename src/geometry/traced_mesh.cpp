@@ -138,11 +138,28 @@ void sort_out_triangles(TracedMesh& mesh) {
     for (int k = 0; k < 3; ++k) mesh.indices.push_back(mesh.source->indices[3 * size_t(p) + size_t(k)]);
 }
 
-Facet facet_of(const Triangle& triangle) {
+constexpr size_t triangles_of_block = 4096;
+
+// Normals of a mesh that agree with a triangle's own but for their rounding in files.
+bool is_flat(const Mesh& mesh, const uint32_t* i, const Vec3d& ng, const NormalMatrix& normals) {
+  constexpr double rounding = 1e-6;
+  for (int k = 0; k < 3 && !mesh.normals.empty(); ++k) {
+    const Vec3d n = normals * Vec3d(mesh.normals[i[k]]);
+    const double size = length(n), along = dot(n, ng);
+    if (!(size > 0) || !(length(n - ng * along) <= rounding * size)) return false;
+  }
+  return true;
+}
+
+// normals: what the mesh's are turned by.
+Facet facet_of(const TracedMesh& mesh, uint32_t primitive, const NormalMatrix& normals) {
+  const Triangle triangle = mesh.triangle(primitive);
   const Vec3d area_normal = triangle.area_normal();
   const double area = length(area_normal), edge = std::sqrt(triangle.longest_edge2());
-  if (!(area > 0)) return {Vec3(0, 0, 1), float(edge), 0};
-  return {Vec3(area_normal / area), float(edge), float(area / edge * (1 - 0x1p-20))};
+  if (!(area > 0)) return {Vec3(0, 0, 1), float(edge), 0, false};
+  const Vec3d ng = area_normal / area;
+  return {Vec3(ng), float(edge), float(area / edge * (1 - 0x1p-20)),
+          is_flat(*mesh.source, &mesh.source->indices[3 * size_t(primitive)], ng, normals)};
 }
 
 }  // namespace
@@ -166,7 +183,7 @@ RTCGeometry make_geometry(embree::Device& device, const TracedMesh& mesh) {
 }
 
 std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<const Mesh> source, bool has_holes,
-                                                   const Affine* bake) {
+                                                   const Affine* bake, ThreadPool& pool) {
   auto traced = std::make_shared<TracedMesh>();
   const Mesh& mesh = *source;
   traced->source = std::move(source);
@@ -180,11 +197,12 @@ std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<const Mesh> s
     return traced;
   }
   sort_out_triangles(*traced);
-  if (bake) {
-    traced->facets.reserve(mesh.triangle_count());
-    for (size_t i = 0; i < mesh.triangle_count(); ++i)
-      traced->facets.push_back(facet_of(traced->triangle(uint32_t(i))));
-  }
+  if (!bake) return traced;
+  const NormalMatrix normals(*bake);
+  traced->facets.resize(mesh.triangle_count());
+  pool.for_blocks(mesh.triangle_count(), triangles_of_block, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) traced->facets[i] = facet_of(*traced, uint32_t(i), normals);
+  });
   return traced;
 }
 

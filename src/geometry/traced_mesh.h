@@ -22,11 +22,13 @@ struct Triangle {
 // plane.
 bool meet_plane(const Triangle& triangle, const Vec3d& o, const Vec3d& d, double (&weights)[3], double& t);
 
-// What a triangle of a baked mesh always is, found once.
+// What a triangle of a baked mesh always is, found once. Meshes of their own frame have none: they may be large, and
+// their vertices fit the caches where so much a triangle would not.
 struct Facet {
   Vec3 ng;             // by its winding; unit, (0, 0, 1) where it has no area
   float longest_edge;
   float low_height;    // above the longest edge, rounded down
+  bool is_flat;        // so say the normals of its vertices, too, or there are none
 };
 
 // Immutable once made: several builds may have it, whatever Embree has made of it.
@@ -78,7 +80,7 @@ Vec2 uv_at(const Mesh& mesh, uint32_t primitive, float u, float v);
 
 // bake: the transform of the only instance; null: the mesh stays in its own frame.
 std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<const Mesh> mesh, bool has_holes,
-                                                   const Affine* bake);
+                                                   const Affine* bake, ThreadPool& pool);
 // What Embree builds from: it reads the mesh's own arrays, which must outlive it. The caller owns it, has it committed
 // and checks the device. Null: no triangle has an area.
 RTCGeometry make_geometry(embree::Device& device, const TracedMesh& mesh);

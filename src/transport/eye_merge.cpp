@@ -15,30 +15,30 @@ bool EyeWalk::ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) const {
 // Vertices lie anywhere in memory: some are asked for before the first of them is read.
 void EyeWalk::merge(const EyeEnd& eye, const PhotonIndex::Query& query) {
   const EyeSensor::Disc& disc = this->disc(eye);
-  struct Photon {
-    uint32_t place;
+  struct Near {
+    const PhotonIndex::Photon* photon;
     float d2;
   } waiting[32];
   size_t count = 0;
   const auto merge_waiting = [&] {
-    for (size_t i = 0; i < count; ++i) merge_photon(eye, waiting[i].place, waiting[i].d2, disc.radius);
+    for (size_t i = 0; i < count; ++i) merge_photon(eye, *waiting[i].photon, waiting[i].d2, disc.radius);
     count = 0;
   };
-  disc.photons->visit(query, [&](uint32_t place, float d2) {
-    prefetch(&photons_.paths.at(place));
-    waiting[count++] = {place, d2};
+  disc.photons->visit(query, [&](const PhotonIndex::Photon& photon, float d2) {
+    prefetch(&photons_.paths.at(photon.place).ng);  // the line that is read
+    waiting[count++] = {&photon, d2};
     if (count == std::size(waiting)) merge_waiting();
   });
   merge_waiting();
 }
 
-void EyeWalk::merge_photon(const EyeEnd& eye, uint32_t place, float d2, double radius) {
-  const LightVertex& light = photons_.paths.at(place);
-  const Found c = ups::merge(in_, counts_, eye, light, radius);
-  if (!c || !nothing_between(scene_, eye.surface, light.wo, light.p, light.error, radius, work_)) return;
+void EyeWalk::merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon, float d2, double radius) {
+  const LightVertex& light = photons_.paths.at(photon.place);
+  const Found c = ups::merge(in_, counts_, eye, light, photon.p, radius);
+  if (!c || !nothing_between(scene_, eye.surface, light.wo, photon.p, light.most_error(), radius, work_)) return;
   ++work_.merges;
   const float weight = float(c->weight(in_, 1));
-  if (in_.recorder) in_.recorder->found(*c, {1, c->value, weight}, photons_.paths.running_number(place));
+  if (in_.recorder) in_.recorder->found(*c, {1, c->value, weight}, photons_.paths.running_number(photon.place));
   add(*c, c->value, 1, weight, Drop::merge);
   const float r2 = float(radius * radius);
   const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);

@@ -39,12 +39,14 @@ void run_blocks(const Iteration& in, const SensorIndex& sensors, ThreadPool& poo
 LightPaths paths_of(const Iteration& in, const std::vector<Block>& blocks) {
   LightPaths paths;
   paths.share = MemoryShare(in.settings.memory);
-  paths.share.take((in.plan.light_paths + 1) * sizeof(uint32_t) + blocks.size() * sizeof(paths.blocks[0]));
+  paths.share.take((in.plan.light_paths + 1) * sizeof(uint32_t) +
+                   blocks.size() * (sizeof(paths.blocks[0]) + sizeof(paths.photons[0])));
   paths.blocks.reserve(blocks.size());
+  paths.photons.reserve(blocks.size());
   paths.begin.reserve(in.plan.light_paths + 1);
   uint32_t at = 0;
   for (const Block& b : blocks) {
-    paths.blocks.push_back(b.vertices), paths.merged += b.merged;
+    paths.blocks.push_back(b.vertices), paths.photons.push_back(b.photons), paths.merged += b.photons.size();
     for (uint32_t n : b.counts) paths.begin.push_back(at), at += n;
   }
   paths.begin.push_back(at);
@@ -136,7 +138,7 @@ LightPassCounts count_light_pass(const Iteration& in, const SensorIndex& sensors
   run_blocks(in, sensors, pool, paths, blocks);
   for (const Block& b : blocks) {
     n.vertices += double(b.vertices.size()) / paths;
-    n.merged += double(b.merged) / paths;
+    n.merged += double(b.photons.size()) / paths;
     n.splats += double(b.splats.size()) / paths;
     n.landings += double(b.landings.size()) / paths;
     n.escapes += double(b.escapes.size()) / paths;
@@ -148,6 +150,7 @@ double LightPassCounts::bytes(uint32_t paths) const {
   const double blocks = std::ceil(double(paths) / paths_per_block), of_block = paths / blocks;
   const double tracing = blocks * (sizeof(Block) + of_block * sizeof(uint32_t) +
                                    grown_bytes(of_block * vertices, sizeof(LightVertex)) +
+                                   grown_bytes(of_block * merged, sizeof(StoredPhoton)) +
                                    grown_bytes(of_block * splats, sizeof(Block::CameraSplat)) +
                                    grown_bytes(of_block * landings, sizeof(Block::Landing)) +
                                    grown_bytes(of_block * escapes, sizeof(Block::Escape))),

@@ -13,8 +13,8 @@ namespace ups {
 // Blocks are summed in their order, so the number of threads never shows.
 struct LightPass::Block {
   std::vector<LightVertex> vertices;
+  std::vector<StoredPhoton> photons;
   std::vector<uint32_t> counts;  // vertices a path
-  size_t merged = 0;             // of the vertices
   struct CameraSplat {
     Splat splat;
     Rgb unweighted;
@@ -44,8 +44,8 @@ struct LightPass::Block {
 
   // For other paths; what has grown stays.
   void clear() {
-    vertices.clear(), counts.clear(), splats.clear(), landings.clear(), escapes.clear(), starts.clear();
-    merged = 0;
+    vertices.clear(), photons.clear(), counts.clear();
+    splats.clear(), landings.clear(), escapes.clear(), starts.clear();
     work = {};
   }
 };
@@ -248,7 +248,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     v.wo = light.wo;
     v.textured = light.bsdf->textured();
     v.flux = carried_;
-    v.error = light.surface.error;
+    v.set_error(light.surface.error);
     v.material = light.surface.material;
     v.emitter = emitter_index_;
     v.relative_ior = met_.relative_ior;
@@ -257,11 +257,11 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     v.lit = lit;
     v.lambertian = light.bsdf->min_alpha_continuous() == 1;
     v.both_sides = light.bsdf->transmits_continuously();
-    v.coverage = coverage(scene_, light.surface);
-    v.mis = light.state;
+    v.set_coverage(coverage(scene_, light.surface));
+    v.set_state(light.state);
+    if (light.merge) block_.share.push_back(block_.photons, {v.p, uint32_t(block_.vertices.size())});
     block_.share.push_back(block_.vertices, v);
     ++block_.counts.back();
-    block_.merged += light.merge;
     useful_ |= casters_ && !light.state.first;
     ++work_.light_vertices;
     if (in_.recorder) in_.recorder->store();

@@ -25,7 +25,7 @@ class PhotonIndex {
   // While it is built, at most.
   static size_t bytes(size_t photons) {
     const size_t buckets = std::bit_ceil(std::max<size_t>(photons, 16));
-    return photons * (sizeof(uint32_t) + 2 * sizeof(Photon)) + 2 * buckets * sizeof(uint32_t);
+    return photons * (sizeof(uint32_t) + sizeof(Photon)) + 2 * buckets * sizeof(uint32_t);
   }
 
   // A query in three steps. Each asks for what the next one reads, so that memory answers while the caller does
@@ -60,14 +60,18 @@ class PhotonIndex {
       prefetch(photons_.data() + q.bucket[k]);
     }
   }
-  // visit(place, squared distance) for every photon within the radius, each once.
+  struct Photon {
+    Vec3 p;
+    uint32_t place;  // of LightPaths
+  };
+  // visit(photon, squared distance) for every one within the radius, each once.
   template <class Visit>
   void visit(const Query& q, const Visit& visit) const {
     const float r2 = q.radius * q.radius;
     for (int k = 0; k < q.count; ++k)
       for (uint32_t i = q.bucket[k]; i < q.end[k]; ++i) {
         const float d2 = length2(photons_[i].p - q.p);
-        if (d2 < r2) visit(photons_[i].place, d2);
+        if (d2 < r2) visit(photons_[i], d2);
       }
   }
   template <class Visit>
@@ -82,32 +86,29 @@ class PhotonIndex {
   struct Cell {
     int64_t x, y, z;
   };
-  struct Photon {
-    Vec3 p;
-    uint32_t place;  // of LightPaths
-  };
   bool fill(const LightPaths& paths, const StopSignal& stop) {
-    std::vector<Photon> photons;
-    photons.reserve(paths.merged);
-    for (size_t b = 0; b < paths.blocks.size(); ++b) {
-      if (stop.is_set()) return false;
-      for (size_t i = 0; i < paths.blocks[b].size(); ++i)
-        if (paths.blocks[b][i].merge) photons.push_back({paths.blocks[b][i].p, paths.place(b, i)});
-    }
-    const size_t count = photons.size(), buckets = std::bit_ceil(std::max<size_t>(count, 16));
+    const size_t count = paths.merged, buckets = std::bit_ceil(std::max<size_t>(count, 16));
     mask_ = uint32_t(buckets - 1);
     begin_.assign(buckets + 1, 0);
-    std::vector<uint32_t> bucket(count);
-    const auto find_bucket = [&](size_t i) {
-      const Cell c = cell_of(photons[i].p);
-      bucket[i] = bucket_of(row_of(c.y, c.z), c.x);
-      ++begin_[bucket[i] + 1];
-    };
-    if (!stop.for_each(count, find_bucket)) return false;
+    std::vector<uint32_t> bucket;
+    bucket.reserve(count);
+    for (const auto& block : paths.photons) {
+      if (stop.is_set()) return false;
+      for (const StoredPhoton& f : block) {
+        const Cell c = cell_of(f.p);
+        bucket.push_back(bucket_of(row_of(c.y, c.z), c.x));
+        ++begin_[bucket.back() + 1];
+      }
+    }
     for (size_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
     std::vector<uint32_t> next(begin_.begin(), begin_.end() - 1);
     photons_.resize(count);
-    return stop.for_each(count, [&](size_t i) { photons_[next[bucket[i]]++] = photons[i]; });
+    size_t at = 0;
+    for (size_t b = 0; b < paths.photons.size(); ++b) {
+      if (stop.is_set()) return false;
+      for (const StoredPhoton& f : paths.photons[b]) photons_[next[bucket[at++]]++] = {f.p, paths.place(b, f.vertex)};
+    }
+    return true;
   }
   // Caustics are mostly elsewhere: a coarse grid of bits about all photons says so at once.
   static constexpr int side = 32;

@@ -64,7 +64,7 @@ float typical_spacing(const LightPaths& photons, float largest, const StopSignal
   photons.each([&](uint32_t, const LightVertex& v) {
     if (running++ % step != 0 || stop.is_set()) return;
     float nearest = INFINITY, next = INFINITY;  // itself, and another
-    index.query(v.p, largest, [&](uint32_t, float distance2) {
+    index.query(v.p, largest, [&](const PhotonIndex::Photon&, float distance2) {
       next = std::min(next, std::max(nearest, distance2));
       nearest = std::min(nearest, distance2);
     });

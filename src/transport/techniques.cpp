@@ -255,8 +255,8 @@ float connection_estimate(const Iteration& in, const mis::Counts& n, const EyeEn
   constexpr float dark = 0.05f;  // of a coat or what shines through
   const float size = luminance(light.flux) * std::max(dark, max_component(light.textured.reflectance)) * g;
   if (!in.weighted()) return size;
-  const double photons = light.merge ? (light.mis.casters ? 1.0 : n.merge_all) * n.eta : 0.0;
-  return size / float(1 + g * double(inv_pi) * (light.mis.inverse_density + eye.state.by_connection + photons));
+  const double photons = light.merge ? (light.casters ? 1.0 : n.merge_all) * n.eta : 0.0;
+  return size / float(1 + g * double(inv_pi) * (double(light.inverse_density) + eye.state.by_connection + photons));
 }
 
 std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd& light, uint32_t emitter) {
@@ -299,30 +299,32 @@ namespace {
 
 // Against leaks through thin walls and around edges: same orientation, same side, in the tangent plane; and of a blended
 // surface, which may lie on another, the same material.
-bool same_surface(const Snapshot& scene, const SurfacePoint& s, const LightVertex& l, float cos_light, double radius) {
-  if (l.material != s.material && (l.coverage < 1 || scene.panes.is_blended(s.instance))) return false;
+bool same_surface(const Snapshot& scene, const SurfacePoint& s, const LightVertex& l, const Vec3& p, float cos_light,
+                  double radius) {
+  if ((l.blended || scene.panes.is_blended(s.instance)) && l.material != s.material) return false;
   return dot(l.ng, s.ng) >= min_merge_cosine && cos_light * dot(l.wo, l.ng) > 0 && std::abs(cos_light) >= min_cosine &&
-         std::abs(dot(s.ng, l.p - s.p)) <= max_merge_height * radius;
+         std::abs(dot(s.ng, p - s.p)) <= max_merge_height * radius;
 }
 
 }  // namespace
 
-Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& l, double radius) {
+Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& l, const Vec3& p,
+            double radius) {
   const float cos_light = dot(l.wo, eye.surface.ng);
-  if (!l.mis.casters && !(n.merge_all > 0)) return {};
-  if (in.is_too_long(eye.edges + l.depth) || !same_surface(in.scene, eye.surface, l, cos_light, radius)) return {};
+  if (!l.casters && !(n.merge_all > 0)) return {};
+  if (in.is_too_long(eye.edges + l.depth) || !same_surface(in.scene, eye.surface, l, p, cos_light, radius)) return {};
   Vec3 local;
   if (!scatters(eye, l.wo, local)) return {};
   // evaluate() carries |cos(wi, n_s)|; a photon's surface density already carries |cos(wi, n_g)|.
   const Scattering f = eye.evaluate(local, TransportMode::radiance);
   if (is_black(f.value)) return {};
   // Both paths had to meet what is blended, where light that goes on from there has met it once.
-  const double norm = in.photon_norm(radius * radius) / double(l.coverage);
+  const double norm = in.photon_norm(radius * radius) / (l.blended ? double(l.coverage) : 1.0);
   Contribution c{{Family::density_estimation, l.depth + 1u, eye.edges + l.depth}, l.emitter,
                  eye.carried * f.value * l.flux * (float(norm / std::abs(cos_light)) * terminator(eye, l.wo))};
-  c.own = l.mis.casters ? &mis::Classes::caustic : &mis::Classes::merge;
+  c.own = l.casters ? &mis::Classes::caustic : &mis::Classes::merge;
   if (in.weighted())
-    c.others = mis::others_of_merge(l.mis, f.pdf, eye.state, eye.scatter(f), n, in.gates_of(l.emitter));
+    c.others = mis::others_of_merge(l.state(), f.pdf, eye.state, eye.scatter(f), n, in.gates_of(l.emitter));
   return c;
 }
 

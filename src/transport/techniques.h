@@ -82,7 +82,9 @@ struct Splatted {
   uint32_t pixel;
 };
 std::optional<Splatted> splat(const Iteration& in, size_t camera, const LightEnd& light, uint32_t emitter);  // t = 1
-Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& light, double radius);
+// p: the light vertex's place.
+Found merge(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const LightVertex& light, const Vec3& p,
+            double radius);
 // No wall stands between a vertex and a point of its surface within the merge radius, such as a thin one on a floor that
 // goes on beyond it; looked for on the side of `side`.
 bool nothing_between(const Snapshot& scene, const SurfacePoint& s, const Vec3& side, const Vec3& p, float error,

@@ -16,14 +16,11 @@ constexpr size_t query_count = 1u << 14;
 constexpr size_t sizes[] = {10'000, 100'000, 1'000'000};
 constexpr const char* size_names[] = {"1e4", "1e5", "1e6"};
 
-const std::vector<LightVertex>& photons_of(size_t photon_count) {
-  static std::map<size_t, std::vector<LightVertex>> photons;
+const std::vector<StoredPhoton>& photons_of(size_t photon_count) {
+  static std::map<size_t, std::vector<StoredPhoton>> photons;
   auto& these = photons[photon_count];
-  if (these.empty()) these.resize(photon_count);
-  for (size_t i = 0; i < photon_count && !these[i].merge; ++i) {
-    these[i].p = room_of(room_triangles).random_point(uint32_t(query_count + i)).p;
-    these[i].merge = true;
-  }
+  for (size_t i = these.size(); i < photon_count; ++i)
+    these.push_back({room_of(room_triangles).random_point(uint32_t(query_count + i)).p, uint32_t(i)});
   return these;
 }
 
@@ -33,7 +30,7 @@ float radius_of(size_t photon_count) {
 }
 
 void build(benchmark::State& state, size_t photon_count) {
-  const std::vector<LightVertex>& photons = photons_of(photon_count);
+  const std::vector<StoredPhoton>& photons = photons_of(photon_count);
   const float radius = radius_of(photon_count);
   for (auto _ : state) {
     const PhotonIndex index(LightPaths::of(photons), radius);
@@ -49,7 +46,7 @@ void query(benchmark::State& state, size_t photon_count) {
   for (uint32_t i = 0; i < query_count; ++i) places.push_back(room_of(room_triangles).random_point(i).p);
   size_t found = 0;
   for (auto _ : state)
-    for (const Vec3& p : places) index.query(p, radius, [&](uint32_t, float) { ++found; });
+    for (const Vec3& p : places) index.query(p, radius, [&](const PhotonIndex::Photon&, float) { ++found; });
   benchmark::DoNotOptimize(found);
   count(state, "queries", double(query_count));
   count(state, "found", double(found) / double(state.iterations()));

@@ -16,14 +16,14 @@ Vec3 random_point(uint32_t i, float scale, float offset) {
           to_unit_float(bits[2]) * scale};
 }
 
-void compare(const std::vector<LightVertex>& vertices, float radius, const std::vector<Vec3>& queries) {
-  const PhotonIndex index(LightPaths::of(vertices), radius);
+void compare(const std::vector<StoredPhoton>& photons, float radius, const std::vector<Vec3>& queries) {
+  const PhotonIndex index(LightPaths::of(photons), radius);
   size_t found_any = 0;
   for (const Vec3& q : queries) {
     std::multiset<uint32_t> found, expected;
-    index.query(q, radius, [&](uint32_t v, float) { found.insert(v); });
-    for (uint32_t v = 0; v < vertices.size(); ++v)
-      if (vertices[v].merge && length2(vertices[v].p - q) < radius * radius) expected.insert(v);
+    index.query(q, radius, [&](const PhotonIndex::Photon& f, float) { found.insert(f.place); });
+    for (const StoredPhoton& f : photons)
+      if (length2(f.p - q) < radius * radius) expected.insert(f.vertex);
     ASSERT_EQ(found, expected);
     found_any += found.size();
   }
@@ -33,32 +33,29 @@ void compare(const std::vector<LightVertex>& vertices, float radius, const std::
 // 60 photons make 64 buckets: cells of one query share buckets often.
 TEST(Hazard23, CellsThatShareABucketCountOnce) {
   for (float offset : {-0.5f, 1000.0f}) {
-    std::vector<LightVertex> vertices(60);
+    std::vector<StoredPhoton> photons;
     std::vector<Vec3> queries;
-    for (uint32_t i = 0; i < 60; ++i) {
-      vertices[i].p = random_point(i, 1, offset);
-      vertices[i].merge = i % 7 != 0;
-    }
+    for (uint32_t i = 0; i < 60; ++i)
+      if (i % 7 != 0) photons.push_back({random_point(i, 1, offset), i});
     for (uint32_t i = 0; i < 500; ++i) queries.push_back(random_point(1000 + i, 1, offset));
-    compare(vertices, 0.11f, queries);
+    compare(photons, 0.11f, queries);
   }
 }
 
 // Coplanar photons, queried in their plane and a step of a float beside it.
 TEST(Hazard24, FlatPhotonsAreNotLostToRounding) {
-  std::vector<LightVertex> vertices(2000);
+  std::vector<StoredPhoton> photons;
   std::vector<Vec3> queries;
-  for (uint32_t i = 0; i < vertices.size(); ++i) {
-    vertices[i].p = random_point(i, 1, 0);
-    vertices[i].p.z = 0.75f;
-    vertices[i].merge = true;
+  for (uint32_t i = 0; i < 2000; ++i) {
+    photons.push_back({random_point(i, 1, 0), i});
+    photons.back().p.z = 0.75f;
   }
   for (uint32_t i = 0; i < 300; ++i) {
     Vec3 q = random_point(5000 + i, 1, 0);
     q.z = i % 3 == 0 ? 0.75f : std::nextafter(0.75f, i % 3 == 1 ? 0.0f : 1.0f);
     queries.push_back(q);
   }
-  compare(vertices, 0.05f, queries);
+  compare(photons, 0.05f, queries);
 }
 
 // Far from the origin, a radius of a few steps of a float; one photon; and clusters with nothing in between.
@@ -66,32 +63,31 @@ TEST(Hazard24, SparsePhotonsAreNotLostToRounding) {
   for (const float offset : {0.0f, 1000.0f})
     for (const uint32_t count : {1u, 2u, 40u})
       for (const float radius : {2e-4f, 0.02f}) {
-        std::vector<LightVertex> vertices(count);
+        std::vector<StoredPhoton> photons;
         std::vector<Vec3> queries;
         for (uint32_t i = 0; i < count; ++i) {
-          vertices[i].p = random_point(i, radius, offset + float(i % 2));
-          vertices[i].merge = true;
+          photons.push_back({random_point(i, radius, offset + float(i % 2)), i});
           for (uint32_t k = 0; k < 100; ++k)
-            queries.push_back(vertices[i].p + (random_point(100 * i + k, 2, 0) - Vec3(1, 1, 1)) * radius);
+            queries.push_back(photons[i].p + (random_point(100 * i + k, 2, 0) - Vec3(1, 1, 1)) * radius);
         }
-        compare(vertices, radius, queries);
+        compare(photons, radius, queries);
       }
 }
 
 TEST(Hazard24, AnEmptyIndexFindsNothing) {
-  PhotonIndex().query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
-  PhotonIndex(LightPaths::of(std::vector<LightVertex>(3)), 1.0f).query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
+  const auto fail = [](const PhotonIndex::Photon&, float) { FAIL(); };
+  PhotonIndex().query({0, 0, 0}, 1.0f, fail);
+  PhotonIndex(LightPaths(), 1.0f).query({0, 0, 0}, 1.0f, fail);
 }
 
 // What is cut off is of no use, but may be asked.
 TEST(Hazard24, AnIndexThatIsStoppedFindsNothing) {
-  std::vector<LightVertex> vertices(100);
-  for (LightVertex& v : vertices) v.merge = true;
+  const std::vector<StoredPhoton> photons(100);
   StopSignal stop;
   stop.cancel();
-  PhotonIndex index(LightPaths::of(vertices), 1.0f, stop);
+  PhotonIndex index(LightPaths::of(photons), 1.0f, stop);
   EXPECT_TRUE(index.empty());
-  index.query({0, 0, 0}, 1.0f, [](uint32_t, float) { FAIL(); });
+  index.query({0, 0, 0}, 1.0f, [](const PhotonIndex::Photon&, float) { FAIL(); });
 }
 
 }  // namespace

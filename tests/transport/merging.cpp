@@ -34,7 +34,7 @@ bool is_merged(const Photon& photon) {
   v.wo = normalize(photon.wo);
   v.flux = Rgb(1.0f);
   v.depth = 1;
-  return merge(in, counts, eye, v, 0.1).has_value();
+  return merge(in, counts, eye, v, v.p, 0.1).has_value();
 }
 
 TEST(Merging, TakesPhotonsOfTheSameSideOfTheSameSurface) {
