@@ -107,7 +107,7 @@ struct Costs {
 // comes within a third (samples/evaluation/README.md).
 Costs costs_of(const Measured& m, const Measured& alone, double paths, double photons, bool tree, bool merges) {
   constexpr double start = 2;  // of a light path: its emitter and direction
-  const double choosing = tree ? 2.8 : 0.0;  // an emitter by the light tree, an eye path's ray
+  const double choosing = tree ? 1.8 : 0.0;  // an emitter by the light tree, an eye path's ray
   const double stored = merges ? 1.25 : 0.25;  // a light vertex: written, and sorted into a grid
   const double light_paths = double(m.light_work.light_paths), landings = double(m.light_work.merges);
   const double of_eye = paths / pilot_rounds, of_light = photons / pilot_rounds;
