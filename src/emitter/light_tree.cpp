@@ -54,8 +54,8 @@ struct LightTree::Shares {
 // Lanes by number: lane_count times that of the four, and which of them.
 struct LightTree::Cut {
   uint32_t size = 0;
-  uint32_t lane[max_cut];
-  float estimate[max_cut], flux[max_cut];
+  uint32_t lane[max_cut + 1];  // add() writes one beyond the last, too
+  float estimate[max_cut + 1], flux[max_cut + 1];
   Shares shares(uint32_t i) const { return {estimate[i], flux[i]}; }
   // counts: a bit of each lane that is taken.
   void add(uint32_t four, uint32_t counts, const Float4& estimates, const Float4& fluxes) {
@@ -152,8 +152,9 @@ uint32_t LightTree::widen(uint32_t k) {
   uint32_t nodes[lane_count] = {k + 1, right_of(k)}, count = 2;
   while (count < lane_count) {
     uint32_t widest = none;
+    float radius2 = 0;
     for (uint32_t i = 0; i < count; ++i)
-      if (!is_leaf(nodes[i]) && (widest == none || nodes_[nodes[i]].radius2 > nodes_[nodes[widest]].radius2)) widest = i;
+      if (!is_leaf(nodes[i]) && nodes_[nodes[i]].radius2 > radius2) widest = i, radius2 = nodes_[nodes[i]].radius2;
     if (widest == none) break;
     const uint32_t opened = nodes[widest];
     nodes[widest] = opened + 1, nodes[count++] = right_of(opened);

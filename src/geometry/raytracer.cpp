@@ -192,11 +192,11 @@ void Raytracer::Impl::place_on_revolution(const Placed& instance, const Revoluti
   point.shading = Frame(point.ng);
 }
 
-// The normal of a triangle of its own frame; false at an edge. low: the least weight, by what turns an area into a
-// height in the scene, at least.
-bool Raytracer::Impl::place_within(const Placed& instance, const Triangle& own, double low, SurfacePoint& point) {
+// The normal of a triangle of its own frame; false at an edge, or without area. low: the least weight.
+bool Raytracer::Impl::place_within(const Placed& instance, const Triangle& own, double low, double longest_edge,
+                                   SurfacePoint& point) {
   const Vec3d area_normal = own.area_normal();
-  if (!(low * length(area_normal) >= double(point.error))) return false;
+  if (!(low * instance.least_stretch * length(area_normal) > double(point.error) * longest_edge)) return false;
   point.ng = Vec3(normalize(instance.normals * area_normal * instance.side));
   return true;
 }
@@ -237,7 +237,7 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   const double low = std::min({weights[0], weights[1], weights[2]}), inset = double(point.error);
   if (facet && low * double(facet->low_height) >= inset)
     point.ng = placed.side < 0 ? -facet->ng : facet->ng;
-  else if (facet || !impl_->place_within(placed, own, low * placed.least_stretch / longest_edge, point))
+  else if (facet || !impl_->place_within(placed, own, low, longest_edge, point))
     impl_->place_by_edges(placed, weights, point);
   Vec3 n = point.ng;
   if (!(facet && facet->is_flat) || impl_->bumps_of(placed)) impl_->normal_at(placed, point, n);

@@ -75,7 +75,8 @@ struct Raytracer::Impl {
   void refine(const Vec3& ng, const Vec3& o, const Vec3& d, Hit& hit) const;
   Hit to_hit(const RTCHit& hit, float t, const Vec3& o, const Vec3& d) const;
   void place_on_revolution(const Placed& instance, const Revolution& revolution, SurfacePoint& point) const;
-  static bool place_within(const Placed& instance, const Triangle& own, double low, SurfacePoint& point);
+  static bool place_within(const Placed& instance, const Triangle& own, double low, double longest_edge,
+                           SurfacePoint& point);
   void place_by_edges(const Placed& instance, double (&weights)[3], SurfacePoint& point) const;
   bool normal_at(const Placed& instance, const SurfacePoint& point, Vec3& out) const;
 };

@@ -110,6 +110,23 @@ TEST(ShadingNormal, FollowsVertexNormalsAndTheNormalTexture) {
   EXPECT_EQ(useless.tracer->surface_at(0, 0, 0.5f, 0).shading.n.z, 1);
 }
 
+// Normals of files that are a triangle's own but for rounding are not worth looking at; others are kept.
+TEST(ShadingNormal, IsTheTrianglesOwnWhereItsVerticesSaySo) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {3, 0.5f, 1}, {0.2f, 2, -1}};
+  mesh.indices = {0, 1, 2};
+  const Vec3 ng = Vec3(normalize(cross(Vec3d(mesh.positions[1]), Vec3d(mesh.positions[2]))));
+  const Frame frame(ng);
+  for (const float tilt : {0.0f, 2e-7f, 1e-4f})
+    for (const float side : {1.0f, -1.0f}) {
+      mesh.normals.assign(3, (ng + frame.s * tilt) * side);
+      const SurfacePoint point = Rig({mesh}, {{0, Affine()}}).tracer->surface_at(0, 0, 0.3f, 0.3f);
+      const float lean = length(point.shading.n - point.ng);
+      if (tilt < 1e-6f) EXPECT_EQ(lean, 0);
+      else EXPECT_NEAR(lean, tilt, 0.01f * tilt);
+    }
+}
+
 TEST(Holes, MaskCutsAndBlendIsThereForEachRay) {
   Mesh mesh;
   add_quad(mesh, {0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0});
@@ -138,15 +155,20 @@ TEST(Degenerate, TrianglesWithoutAreaAreLeftOut) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5f, 0, 0}};
   mesh.indices = {0, 1, 3, 0, 0, 1, 0, 1, 2, 2, 2, 2};
-  const Rig rig({mesh}, {{0, Affine()}});
-  Hit hit;
-  ASSERT_TRUE(rig.tracer->intersect({0.2f, 0.2f, 1}, {0, 0, -1}, infinity, hit));
-  EXPECT_EQ(hit.primitive, 2u);
-  EXPECT_NEAR(hit.t, 1, 1e-6f);
-  for (uint32_t primitive = 0; primitive < 4; ++primitive) {
-    const SurfacePoint point = rig.tracer->surface_at(0, primitive, 0.25f, 0.25f);
-    EXPECT_TRUE(is_finite(point.p) && is_finite(point.ng) && is_finite(point.shading.n));
-    EXPECT_TRUE(is_finite(point.shading.s) && is_finite(point.shading.t) && std::isfinite(point.error));
+  mesh.positions.push_back({});  // a point at the origin, where errors are 0
+  mesh.indices.insert(mesh.indices.end(), {4, 4, 4});
+  for (const bool shared : {false, true}) {  // baked, and in its own frame
+    const Rig rig({mesh}, shared ? std::vector<Raytracer::Instance>{{0, Affine()}, {0, tilted(1, {5, 0, 0})}}
+                                 : std::vector<Raytracer::Instance>{{0, Affine()}});
+    Hit hit;
+    ASSERT_TRUE(rig.tracer->intersect({0.2f, 0.2f, 1}, {0, 0, -1}, infinity, hit));
+    EXPECT_EQ(hit.primitive, 2u);
+    EXPECT_NEAR(hit.t, 1, 1e-6f);
+    for (uint32_t primitive = 0; primitive < 5; ++primitive) {
+      const SurfacePoint point = rig.tracer->surface_at(0, primitive, 0.25f, 0.25f);
+      EXPECT_TRUE(is_finite(point.p) && is_finite(point.ng) && is_finite(point.shading.n));
+      EXPECT_TRUE(is_finite(point.shading.s) && is_finite(point.shading.t) && std::isfinite(point.error));
+    }
   }
   mesh.indices = {0, 1, 3, 0, 0, 1};
   const Rig nothing({mesh}, {{0, Affine()}});
