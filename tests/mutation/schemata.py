@@ -11,6 +11,7 @@ A table is a text file of records, separated by empty lines; a line that starts 
 a semicolon is a statement, any other an expression. Each becomes a choice by the number of the mutant, which the
 program reads from the environment variable UPS_MUTANT; 0 or none leaves everything as it is."""
 import pathlib
+import re
 import shutil
 import subprocess
 import zlib
@@ -43,6 +44,8 @@ class Mutant:
         self.text = self.was.replace("«", "").replace("»", "")
         self.start, self.old = self.was.index("«"), self.was[self.was.index("«") + 1:self.was.index("»")]
         self.number = 0  # of its choice, by place in the table
+        if not self.old.endswith(";") and re.match(r"(if|for|while|return|throw)\b", self.now):
+            raise SystemExit(f"{where}: `now` of {self.name} is a statement, its place is not: a semicolon at its end")
 
     def identity(self):  # a result holds as long as this is the same
         return zlib.crc32(f"{self.file}\n{self.was}\n{self.now}".encode())
