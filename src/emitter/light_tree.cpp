@@ -54,10 +54,11 @@ struct LightTree::Shares {
 // Lanes by number: lane_count times that of the four, and which of them.
 struct LightTree::Cut {
   uint32_t size = 0;
-  uint32_t lane[max_cut + 1];  // add() writes one beyond the last, too
-  float estimate[max_cut + 1], flux[max_cut + 1];
+  uint32_t lane[max_cut];
+  float estimate[max_cut], flux[max_cut];
   Shares shares(uint32_t i) const { return {estimate[i], flux[i]}; }
-  // counts: a bit of each lane that is taken.
+  // counts: a bit of each lane that is taken. There is room for those that are not: only four that are all taken fill
+  // it.
   void add(uint32_t four, uint32_t counts, const Float4& estimates, const Float4& fluxes) {
     for (uint32_t i = 0; i < lane_count; ++i) {  // without a branch: each in turn where the next one is to go
       estimate[size] = estimates[i], flux[size] = fluxes[i];

@@ -216,7 +216,8 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   const TracedMesh& traced = *impl_->traced[placed.traced];
   const Mesh& mesh = *traced.source;
   const Facet* facet = traced.facets.empty() ? nullptr : &traced.facets[primitive];
-  if (!mesh.normals.empty() && !(facet && facet->is_flat))
+  const bool is_flat = facet && facet->is_flat;
+  if (!mesh.normals.empty() && !is_flat)
     for (int k = 0; k < 3; ++k) prefetch(&mesh.normals[mesh.indices[3 * size_t(primitive) + k]]);
   const Triangle own = traced.triangle(primitive);  // in the frame of the traced mesh
   SurfacePoint point;
@@ -240,7 +241,7 @@ SurfacePoint Raytracer::surface_at(uint32_t instance, uint32_t primitive, float 
   else if (facet || !impl_->place_within(placed, own, low, longest_edge, point))
     impl_->place_by_edges(placed, weights, point);
   Vec3 n = point.ng;
-  if (!(facet && facet->is_flat) || impl_->bumps_of(placed)) impl_->normal_at(placed, point, n);
+  if (!is_flat || impl_->bumps_of(placed)) impl_->normal_at(placed, point, n);
   point.shading = Frame(n);
   return point;
 }
