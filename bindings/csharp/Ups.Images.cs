@@ -64,6 +64,8 @@ namespace Ups
             {
                 case Channel.Illuminance:
                 case Channel.IlluminanceStandardError:
+                case Channel.IlluminanceBias:
+                case Channel.IlluminanceErrorBound:
                 case Channel.Bias:
                 case Channel.ErrorBound:
                 case Channel.Depth:

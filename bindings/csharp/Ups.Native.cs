@@ -299,6 +299,8 @@ namespace Ups
         Normal = 10,
         Depth = 11,
         Id = 12,
+        IlluminanceBias = 13,
+        IlluminanceErrorBound = 14,
     }
 
     public enum Contribution : int

@@ -281,7 +281,7 @@ UPS_API ups_status ups_scene_estimate_memory(const ups_scene *scene, const ups_r
  * INVALID_STATE where the time limit was over before the first iteration was done. OUT_OF_MEMORY before the first
  * iteration where more is wanted than allowed (memory_limit_bytes), and later where light paths become more or longer
  * than expected; the message says what is wanted and what would be right. As a guide: a camera takes up to 300 bytes a
- * pixel, 60 at first and 12 more with each of the first 16 visits of all pixels (`illuminance`: 80 more;
+ * pixel, 60 at first and 12 more with each of the first 16 visits of all pixels (`illuminance`: 100 more;
  * technique_images: 96 more for each image), a meter up to 6000, of many meters and where no photons are merged less,
  * for each source of `separation` 5000 more. Where the scene has edits that were not committed, it is rendered as it was
  * at the last commit; UPS_TEXT_WARNINGS says so. */
@@ -444,7 +444,8 @@ enum {
   UPS_CHANNEL_DENSITY_ESTIMATION_RGB = 4,
   /* Of luminance, 1 float a pixel, cd/m^2: what merging photons within a radius has moved a pixel by, as estimated, mostly
    * noise where it is small; and the 95 % bound of noise and bias together, -1: not known. A bias that the pixel's own
-   * photons do not tell from noise is that of the 8 x 8 pixels around it. */
+   * photons do not tell from noise is that of the 8 x 8 pixels around it. Beside mirrors, glass and gloss the bound
+   * also holds caustics on those 8 x 8 pixels of which fewer than eight photons were found. */
   UPS_CHANNEL_BIAS = 5,
   UPS_CHANNEL_ERROR_BOUND = 6,
   /* 3 floats a pixel: LUMINANCE_RGB, but where single samples dominate a pixel a mean without the outermost batches of
@@ -457,8 +458,11 @@ enum {
   UPS_CHANNEL_NORMAL = 10,    /* 3 floats, x, y, z in the scene: of shading, towards the camera; a mean, so its length
                                * may be below 1; 0 where nothing was met */
   UPS_CHANNEL_DEPTH = 11,     /* 1 float, m from the camera's place, along the ray; -1 where nothing was met */
-  UPS_CHANNEL_ID = 12         /* 1 float: the lower 24 bits of the ups_instance_id.v at the pixel's centre; 0: nothing.
+  UPS_CHANNEL_ID = 12,        /* 1 float: the lower 24 bits of the ups_instance_id.v at the pixel's centre; 0: nothing.
                                * 1 is the scene's first instance, 2 its second */
+  /* What BIAS and ERROR_BOUND are of luminance, of ILLUMINANCE: 1 float a pixel, lx; a bound of -1: not known */
+  UPS_CHANNEL_ILLUMINANCE_BIAS = 13,
+  UPS_CHANNEL_ILLUMINANCE_ERROR_BOUND = 14
 };
 /* Row 0 is the image's top. row_stride_bytes 0: tight; size_bytes is the size of out. */
 UPS_API ups_status ups_result_read_image(const ups_result *result, ups_sensor_id camera, ups_channel channel,

@@ -74,6 +74,12 @@ Plane layer_of(const std::vector<float>& values, uint32_t channels, const std::s
                   " in `layers`");
   return {values, channels};
 }
+Plane illuminance_of(const ImageReading& image, std::vector<float> IlluminanceReading::*values, const char* end) {
+  if (!image.illuminance)
+    fail_argument(std::string("channel UPS_CHANNEL_ILLUMINANCE") + end +
+                  ": this camera's desc did not set `illuminance`");
+  return {*image.illuminance.*values, 1};
+}
 Plane plane_of(const ImageReading& image, ups_channel channel) {
   switch (channel) {
     case UPS_CHANNEL_LUMINANCE_RGB: return {image.luminance_rgb, 3};
@@ -81,13 +87,12 @@ Plane plane_of(const ImageReading& image, ups_channel channel) {
     case UPS_CHANNEL_ROBUST_RGB: return {image.robust_rgb, 3};
     case UPS_CHANNEL_BIAS: return {image.bias, 1};
     case UPS_CHANNEL_ERROR_BOUND: return {image.error_bound, 1};
-    case UPS_CHANNEL_ILLUMINANCE:
+    case UPS_CHANNEL_ILLUMINANCE: return illuminance_of(image, &IlluminanceReading::lx, "");
     case UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR:
-      if (image.illuminance.empty())
-        fail_argument(std::string("channel UPS_CHANNEL_ILLUMINANCE") +
-                      (channel == UPS_CHANNEL_ILLUMINANCE ? "" : "_STANDARD_ERROR") +
-                      ": this camera's desc did not set `illuminance`");
-      return {channel == UPS_CHANNEL_ILLUMINANCE ? image.illuminance : image.illuminance_error, 1};
+      return illuminance_of(image, &IlluminanceReading::standard_error, "_STANDARD_ERROR");
+    case UPS_CHANNEL_ILLUMINANCE_BIAS: return illuminance_of(image, &IlluminanceReading::bias, "_BIAS");
+    case UPS_CHANNEL_ILLUMINANCE_ERROR_BOUND:
+      return illuminance_of(image, &IlluminanceReading::error_bound, "_ERROR_BOUND");
     case UPS_CHANNEL_PATH_INTEGRATION_RGB:
     case UPS_CHANNEL_DENSITY_ESTIMATION_RGB: {
       const bool edge = channel == UPS_CHANNEL_PATH_INTEGRATION_RGB;

@@ -13,9 +13,6 @@ namespace ups {
 
 namespace {
 
-// Light by way of casters, that photons alone bring, hides in other light that the batches know: so few photons do not
-// know their own error.
-constexpr uint32_t few_caustics = 8;
 constexpr double pi_d = 3.14159265358979323846;
 
 void check(const StopSignal* stop) {
@@ -113,39 +110,6 @@ void Accumulator::add(const IterationTally& tally) {
   ++iterations_;
 }
 
-// Of a separated source its own: its flux is known, and with what chance light paths start from it. Of all light what
-// they did start with.
-double Accumulator::brightest_lm(size_t column) const {
-  const double found = double(work_.brightest_lm);
-  return column > 0 ? std::min(found, emitted_[column].brightest_lm) : found;
-}
-
-// At least the brightest photon on the whole disc; and as an eye path that sees a surface as bright as the brightest
-// exact light makes a white one, or the scene's mean; of one source, too: emitters are chosen in proportion to what
-// they bring, so that the few paths that choose a weak one weigh as much as the others. One that runs into the
-// brightest emitter by way of casters brings the most of all. Where photons bring that light, too, it counts by its
-// weight no more than one of them; light straight from emitters next-event estimation brings.
-double Accumulator::largest_path(size_t set, size_t m, size_t column, double disc_area, LightPart part) const {
-  const MeterSet& meters = scene_.meter_sets[set];
-  const TechniqueShare share = plan_.shares.empty() ? TechniqueShare{} : plan_.shares[plan_.units.of_set(set)];
-  const double area = meters.is_cell() && share.light ? meters.area(m) : disc_area;
-  const bool photons = plan_.light_paths > 0 && area > 0 &&
-                       (part != direct_light || meters.is_cell() || plan_.merges_direct_light());
-  const double photon = photons ? brightest_lm(column) / (plan_.light_paths * area) : 0,
-               seen = std::max(largest_exact_[set], scene_lx_),
-               hit = plan_.hits_alone && !photons && part != direct_light
-                         ? double(meters.response(m).total()) * emitted_[column].brightest_cd_m2
-                         : 0;
-  return std::max({double(largest_[set][column][part]), photon, std::max(seen, hit) / plan_.meter_samples});
-}
-
-// As long as no light path has met a caster whose light is not that of an image, any might have.
-double Accumulator::brightest_caustic_lm(size_t column) const {
-  if (!scene_.effects.sharp_caster || plan_.images_suffice) return 0;
-  const double found = double(work_.brightest_caustic_lm), most = brightest_lm(column);
-  return found > 0 ? std::min(found, most) : most;
-}
-
 NeighbourProfiles Accumulator::profiles_of(size_t set, size_t column, const StopSignal* stop) const {
   const size_t rows = plan_.separation.columns.size() + 1;
   std::vector<RingProfile> profiles(rings_[set].empty() ? 0 : meters_[set].size());
@@ -195,13 +159,14 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
     light.photons = rings_[set].read(row + column, rings, discs[m], light.visits);
     light.sums.add(light.photons);
   }
+  constexpr size_t beside = 2;  // cells: as far as a point's disc may reach
+  const CausticSearch search = point ? CausticSearch{area * light.visits, double(light.sums.caustics)}
+                                     : search_of_cells(set, m - std::min(m, beside), m + beside + 1, column);
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
     light.largest[part] = std::max(largest_path(set, m, column, area, part), double(light.sums.paths[part].largest));
     const bool no_chance = part == direct_light ? plan_.exact_direct : plan_.exact_light;
     light.exact[part] = !(emitted_[column].lm > 0) || (point && no_chance);
-    if (part != direct_light && area > 0 && plan_.light_paths > 0 && light.photons.caustics < few_caustics)
-      light.unfound[part] = brightest_caustic_lm(column) * poisson_excess(light.photons.caustics) /
-                            (double(plan_.light_paths) * area * light.visits);
+    if (part != direct_light) light.unfound[part] = search.unfound_lx(brightest_caustic_lm(column), plan_.light_paths);
   }
   return light;
 }
@@ -276,7 +241,7 @@ MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const
     const auto components = v.components();
     for (size_t part = 0; part < components.size(); ++part) r.vectors[part].push_back(components[part]);
   }
-  add_statistics(lights, r);
+  add_statistics(set, lights, r);
   r.statistics.count = scene_.meter_sets[set].count();
   return r;
 }
@@ -308,10 +273,14 @@ size_t Accumulator::unvisited_meters(size_t set) const {
 
 // Of the meters that were visited. A pass that is under way visited some of them more often than others: each meter's
 // batch counts as its mean.
-void Accumulator::add_statistics(const std::vector<MeterLight>& lights, MeterSetReading& r) const {
+void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& lights, MeterSetReading& r) const {
   const std::vector<ups_meter_reading>& readings = r.meters;
   MeterBatches batches(std::min(plan_.meter_pass(iterations_), batch_count));
   uint16_t reached = 0;  // batches, by any path
+  // Cells have together, in the mean, what no path has shown on any of them.
+  const bool cells = scene_.meter_sets[set].is_cell();
+  const CausticSearch of_cells = cells ? search_of_cells(set, 0, SIZE_MAX, 0) : CausticSearch{};
+  const double of_set = of_cells.unfound_lx(brightest_caustic_lm(0), plan_.light_paths);
   for (size_t m = 0; m < readings.size(); ++m) {
     const uint32_t n = lights[m].visits;
     if (n == 0) continue;
@@ -323,9 +292,9 @@ void Accumulator::add_statistics(const std::vector<MeterLight>& lights, MeterSet
     }
     const Spread& bias = lights[m].bias;
     const bool known = readings[m].standard_error_lx >= 0;
-    const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean));
-    batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] + sums.rounding / n : all,
-                 lights[m].weight, known, lights[m].photons.halves_differ},
+    const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean)), rounding = sums.rounding / n;
+    batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] + rounding : all,
+                 lights[m].weight, known, lights[m].photons.halves_differ, known && cells ? of_set + rounding : -1},
                 means, biases);
     batches.widen(double(readings[m].error_bound_lx));
     reached |= sums.batches[whole_light];
@@ -409,7 +378,7 @@ ErrorSummary Accumulator::summarize_images() const {
   MeanError together;
   double sum = 0;
   for (const ImageSums& image : images_)
-    if (!image.relative_errors(iterations_, errors, sum, together)) return {};
+    if (!image.relative_errors(iterations_, brightest_caustic_lm(0), errors, sum, together)) return {};
   const double mean = errors.empty() ? -1 : sum / double(errors.size());
   ErrorSummary s = summary_of(std::move(errors), 0.0);
   s.mean = float(mean);

@@ -9,6 +9,7 @@
 
 #include "base/stop.h"
 #include "base/zeroed.h"
+#include "render/caustic_search.h"
 #include "render/goniometer_sums.h"
 #include "render/image_sums.h"
 #include "render/meter_statistics.h"
@@ -60,7 +61,9 @@ class Accumulator {
   std::string goniometer_asymmetry(size_t goniometer) const {
     return goniometers_[goniometer].asymmetry(iterations_);
   }
-  ImageReading read_image(size_t camera) const { return images_[camera].read(iterations_); }  // without its techniques
+  ImageReading read_image(size_t camera) const {  // without its techniques
+    return images_[camera].read(iterations_, brightest_caustic_lm(0));
+  }
   ImageReading read_image_and_techniques(size_t camera) const;
   std::vector<ups_sample> largest_samples(size_t camera, const ImageReading& image, uint64_t seed) const;
   std::vector<ups_sample> largest_samples(size_t set, const MeterSetReading& meters, uint64_t seed) const;
@@ -94,10 +97,12 @@ class Accumulator {
   // Of a set's meters as the caller counts them: of vectors, from those of their sides, their lengths.
   std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
   VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;
+  bool lands_on_cells(size_t set) const;  // light paths do
+  CausticSearch search_of_cells(size_t set, size_t begin, size_t end, size_t column) const;
   // What one path may bring to an iteration's reading, as far as is known.
   double largest_path(size_t set, size_t meter, size_t column, double disc_area, LightPart part) const;
   MeterSetReading read_meters(size_t set, const Choices& discs) const;
-  void add_statistics(const std::vector<MeterLight>& lights, MeterSetReading& r) const;
+  void add_statistics(size_t set, const std::vector<MeterLight>& lights, MeterSetReading& r) const;
   ErrorSummary summarize_images() const;
   ErrorSummary summarize_goniometers() const;
   const Snapshot& scene_;

@@ -8,6 +8,8 @@ namespace ups {
 
 namespace {
 
+constexpr double pi_d = 3.14159265358979323846;
+
 template <class Floats>
 double luminance_at(const Floats& rgb, size_t pixel) {
   return luminance(Rgb(rgb[pixel * 3], rgb[pixel * 3 + 1], rgb[pixel * 3 + 2]));
@@ -16,11 +18,10 @@ double luminance_at(const Floats& rgb, size_t pixel) {
 }  // namespace
 
 ImageSums::ImageSums(const Camera& camera, const Plan& plan, double emitted_cd_m2)
-    : plan_(plan), width_(camera.width()), height_(camera.height()),
-      tile_columns_((width_ + Units::side - 1) / Units::side), tile_rows_((height_ + Units::side - 1) / Units::side),
-      emitted_cd_m2_(emitted_cd_m2), layers_(camera),
-      illuminance_(camera.illuminance() ? camera.pixel_count() : 0), eye_(size_t(camera.pixel_count()) * 3),
-      pending_(eye_.size()), largest_(camera.pixel_count()) {
+    : plan_(plan), width_(camera.width()), height_(camera.height()), tiles_(width_, height_),
+      emitted_cd_m2_(emitted_cd_m2), layers_(camera), eye_(size_t(camera.pixel_count()) * 3), pending_(eye_.size()),
+      largest_(camera.pixel_count()) {
+  if (camera.illuminance()) illuminance_.emplace(camera, plan, emitted_cd_m2 * pi_d);
   bool any = false;
   for (uint32_t y = 0; y < height_; ++y)
     for (uint32_t x = 0; x < width_; ++x) {
@@ -36,25 +37,29 @@ ImageSums::Bytes ImageSums::bytes_per_pixel(const Camera& camera, const Transpor
   const double illuminance = camera.illuminance(), techniques = technique_count(settings.technique_edges),
                families = settings.technique_edges ? 2 : 0;
   Bytes b;
-  b.sums = sizeof(Sample) + 3 * (8 + 4 + 8 * splats + 4 * batches) + merges * PixelBias::bytes_per_pixel(batches) +
-           illuminance * (8 + 4 * begun) + 3 * (8 + 4) * (2 * techniques + families) +
-           LayerSums::bytes_per_pixel(camera);
-  b.reading = 3 * (4 + 4 + 4) + 2 * 4 + 2 * 4 * illuminance + 3 * 4 * (2 * techniques + families) +
-              LayerReading::bytes_per_pixel(camera);
+  const double of_merges = merges ? PixelBias::bytes_per_pixel(batches) + PixelCaustics::bytes_per_pixel : 0;
+  b.sums = sizeof(Sample) + 3 * (8 + 4 + 8 * splats + 4 * batches) + of_merges +
+           illuminance * IlluminanceSums::bytes_per_pixel(merges, batches, begun) +
+           3 * (8 + 4) * (2 * techniques + families) + LayerSums::bytes_per_pixel(camera);
+  b.reading = 3 * (4 + 4 + 4) + 2 * 4 + IlluminanceReading::bytes_per_pixel * illuminance +
+              3 * 4 * (2 * techniques + families) + LayerReading::bytes_per_pixel(camera);
   b.scratch = std::max(8 + 4 + 4.0, techniques > 0 ? 8 + 4.0 : 0);  // errors, visits, luminance; or techniques' scales
   return b;
 }
 
 void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   if (!tally.techniques.empty()) add_techniques(tally.techniques[c]);
-  if (!illuminance_.empty()) add_illuminance(iteration, tally.illuminance[c]);
+  if (illuminance_) illuminance_->add(iteration, tally.illuminance[c], !tally.pixel_merges.empty());
   layers_.add(plan_, iteration, tally, c);
-  if (!bias_ && !tally.pixel_bias.empty()) bias_.emplace(width_, height_);
+  if (!bias_ && !tally.pixel_merges.empty()) bias_.emplace(width_, height_), caustics_.emplace(width_, height_);
   const auto keep_largest = [&](uint32_t pixel, float value, PathNumber path) {
     if (value > largest_[pixel].value) largest_[pixel] = {value, {iteration, path}};
   };
   plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
-    if (!tally.pixel_bias.empty()) bias_->add(pixel, tally.pixel_bias[c][i]);
+    if (!tally.pixel_merges.empty()) {
+      bias_->add(pixel, tally.pixel_merges[c][i].bias);
+      caustics_->add(pixel, tally.pixel_merges[c][i]);
+    }
     const Rgb& v = tally.pixels[c][i];
     keep_largest(pixel, luminance(v), {});
     const float rgb[3] = {v.r, v.g, v.b};
@@ -79,15 +84,6 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   for (size_t i = 0; i < batch.size(); ++i) batch[i] += pending_[i];
   std::fill(pending_.begin(), pending_.end(), 0.0f);
   if (bias_) bias_->end_pass(plan_.pass(iteration));
-}
-
-void ImageSums::add_illuminance(uint32_t iteration, const std::vector<float>& found) {
-  ZeroedVector<float>& batch = illuminance_batches_[plan_.pass(iteration) % batch_count];
-  batch.resize(illuminance_.size());
-  plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
-    illuminance_[pixel] += found[i];
-    batch[pixel] += found[i];
-  });
 }
 
 namespace {
@@ -119,24 +115,22 @@ std::vector<uint32_t> ImageSums::all_visits(uint32_t iterations) const {
   return all;
 }
 
-ImageReading ImageSums::read(uint32_t iterations) const {
+ImageReading ImageSums::read(uint32_t iterations, double caustic_lm) const {
   const size_t pixels = size_t(width_) * height_;
   ImageReading r{width_, height_, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f), {},
-                 std::vector<float>(pixels), std::vector<float>(pixels, -1.0f), std::vector<float>(illuminance_.size()),
-                 std::vector<float>(illuminance_.size(), -1.0f), layers_.read(), {}, {}};
+                 std::vector<float>(pixels), std::vector<float>(pixels, -1.0f), {}, layers_.read(), {}, {}};
   const uint32_t n = passes(iterations);
   const std::vector<uint32_t> all = all_visits(iterations);
   for (size_t p = 0; p < pixels; ++p) {
     const double per_visit = all[p] ? 1.0 / all[p] : 0.0;
-    if (!illuminance_.empty()) r.illuminance[p] = float(illuminance_[p] * per_visit);
     for (size_t i = p * 3; i < p * 3 + 3; ++i) r.luminance_rgb[i] = float(eye_[i] * per_visit);
   }
+  if (illuminance_) r.illuminance = illuminance_->read(all, n, caustic_lm);
   if (n == 0) fill_unvisited(all, r);
   for (size_t i = 0; i < splat_.size(); ++i) r.luminance_rgb[i] += float(splat_[i] / iterations);
   r.robust_rgb = r.luminance_rgb;
   if (n >= min_batches) read_errors(n, r);
-  read_bounds(n, all, r);
-  read_illuminance_errors(all, r);
+  read_bounds(n, all, caustic_lm, r);
   clear_blank(r);
   return r;
 }
@@ -147,7 +141,9 @@ void ImageSums::clear_blank(ImageReading& r) const {
     for (std::vector<float>* rgb : {&r.luminance_rgb, &r.standard_error_rgb, &r.robust_rgb})
       std::fill_n(rgb->begin() + std::ptrdiff_t(3 * p), 3, 0.0f);
     r.bias[p] = r.error_bound[p] = 0;
-    if (!r.illuminance.empty()) r.illuminance[p] = r.illuminance_error[p] = 0;
+    if (!r.illuminance) continue;
+    IlluminanceReading& i = *r.illuminance;
+    i.lx[p] = i.standard_error[p] = i.bias[p] = i.error_bound[p] = 0;
   }
 }
 
@@ -168,7 +164,12 @@ void ImageSums::read_errors(uint32_t passes, ImageReading& r) const {
   }
 }
 
-void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, ImageReading& r) const {
+double ImageSums::unfound_at(uint32_t pixel, double caustic_lm) const {
+  return caustics_ ? caustics_->unfound_lx(pixel, caustic_lm, plan_.light_paths) / pi_d : 0;  // of a white surface
+}
+
+void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, double caustic_lm,
+                            ImageReading& r) const {
   std::vector<float> light(r.bias.size());
   double mean = 0;
   for (size_t p = 0; p < light.size(); ++p) {
@@ -177,22 +178,14 @@ void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits
     if (bias_) r.bias[p] = bias_->mean(uint32_t(p), visits[p]);
   }
   if (passes < min_batches) return;
-  const std::vector<float> largest = largest_around(mean > 0 ? mean : emitted_cd_m2_);
+  const std::vector<float> largest = tiles_.around(largest_of_tiles(), mean > 0 ? mean : emitted_cd_m2_);
   const std::vector<Spread> squares = bias_ ? bias_->of_squares(passes, light) : std::vector<Spread>();
   for (uint32_t p = 0; p < light.size(); ++p) {
     const double noise = luminance_at(r.standard_error_rgb, p);
     const Spread bias = bias_ ? bias_->of_pixel(p, visits[p], light[p], squares) : Spread{0, 0};
     r.error_bound[p] = noise >= 0 ? ups::error_bound({light[p], noise}, bias, passes)
-                                  : float(chance(p, passes).bound(largest[tile_of(p)], passes));
-  }
-}
-
-void ImageSums::read_illuminance_errors(const std::vector<uint32_t>& visits, ImageReading& r) const {
-  for (size_t p = 0; p < illuminance_.size(); ++p) {
-    float sums[batch_count];
-    for (uint32_t b = 0; b < std::min(visits[p], batch_count); ++b) sums[b] = illuminance_batches_[b][p];
-    if (!(emitted_cd_m2_ > 0) || chance_light(sums, visits[p]).is_enough(visits[p]))
-      r.illuminance_error[p] = float(spread(sums, visits[p]).standard_error);
+                                  : float(chance(p, passes).bound(largest[tiles_.of(p)], passes));
+    r.error_bound[p] += float(unfound_at(p, caustic_lm));
   }
 }
 
@@ -202,7 +195,7 @@ void ImageSums::fill_unvisited(const std::vector<uint32_t>& all, ImageReading& r
   for (size_t p = 0; p < blank_.size(); ++p)
     if (blank_[p]) known[p] = 0;
   fill_gaps(width_, height_, 3, known, r.luminance_rgb);
-  if (!r.illuminance.empty()) fill_gaps(width_, height_, 1, known, r.illuminance);
+  if (r.illuminance) fill_gaps(width_, height_, 1, known, r.illuminance->lx);
 }
 
 // Splats count for each iteration, eye paths for each visit of their pixel.
@@ -241,19 +234,8 @@ ChanceLight ImageSums::chance(size_t pixel, uint32_t passes) const {
 }
 
 std::vector<float> ImageSums::largest_of_tiles() const {
-  std::vector<float> out(size_t(tile_columns_) * tile_rows_);
-  for (uint32_t p = 0; p < largest_.size(); ++p) out[tile_of(p)] = std::max(out[tile_of(p)], largest_[p].value);
-  return out;
-}
-
-std::vector<float> ImageSums::largest_around(double least) const {
-  const int columns = int(tile_columns_), rows = int(tile_rows_);
-  const std::vector<float> own = largest_of_tiles();
-  std::vector<float> out(own.size(), float(least));
-  for (int i = 0; i < rows * columns; ++i)
-    for (int y = std::max(0, i / columns - 1); y <= std::min(rows - 1, i / columns + 1); ++y)
-      for (int x = std::max(0, i % columns - 1); x <= std::min(columns - 1, i % columns + 1); ++x)
-        out[size_t(i)] = std::max(out[size_t(i)], own[size_t(y * columns + x)]);
+  std::vector<float> out(tiles_.count());
+  for (uint32_t p = 0; p < largest_.size(); ++p) out[tiles_.of(p)] = std::max(out[tiles_.of(p)], largest_[p].value);
   return out;
 }
 
@@ -264,30 +246,34 @@ void ImageSums::find_largest(uint32_t iterations, const ImageReading& r, Largest
     out.add(p, largest_[p], visits(iterations, p % width_, p / width_), luminance_at(r.luminance_rgb, p), mean);
 }
 
-// As of a meter: bias that may be noise counts as noise, and merging has a quarter of the variance of its bias.
+// As of a meter: bias that may be noise counts as noise, and merging has a quarter of the variance of its bias. Discs
+// shrink, so that what is unfound falls a little more slowly than a meter's; it is little.
 MeterError ImageSums::apart(uint32_t p, uint32_t passes, uint32_t visits, const ImageReading& r,
-                            const std::vector<Spread>& squares) const {
-  const double noise = luminance_at(r.standard_error_rgb, p), bound = double(r.error_bound[p]);
+                            const std::vector<Spread>& squares, double caustic_lm) const {
+  const double noise = luminance_at(r.standard_error_rgb, p), bound = double(r.error_bound[p]),
+               unfound = unfound_at(p, caustic_lm);
   if (noise < 0) return {.unfound = float(bound), .paths = float(chance(p, passes).paths)};
   if (!bias_) return {.noise = float(bound), .visits = passes};
   const Spread bias = bias_->of_pixel(p, visits, float(luminance_at(r.luminance_rgb, p)), squares);
   const double b = std::abs(bias.mean), s_b = std::max(0.0, bias.standard_error),
                own = bias_->own(p, visits).standard_error, all = noise * noise + s_b * s_b,
                merged = s_b * s_b + std::min(noise * noise, own * own / 4);
-  MeterError m{.noise = float(std::max(0.0, bound - b)),
+  MeterError m{.noise = float(std::max(0.0, bound - unfound - b)),
                .bias = float(b),
                .merged = all > 0 ? float(merged / all) : 0,
                .deviations = s_b > 0 ? float(b / s_b) : 1e9f,
+               .unfound = float(unfound),
+               .paths = float(caustics_->photons(p)),
                .visits = passes};
   demote_bias(m);
   return m;
 }
 
-bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, double& sum,
+bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vector<double>& out, double& sum,
                                 MeanError& together) const {
   const uint32_t n = passes(iterations);
   if (n < min_batches) return false;
-  const ImageReading image = read(iterations);
+  const ImageReading image = read(iterations, caustic_lm);
   const size_t pixels = image.luminance_rgb.size() / 3;
   out.reserve(out.size() + pixels);
   double mean = 0, of_dark = 0;
@@ -311,7 +297,7 @@ bool ImageSums::relative_errors(uint32_t iterations, std::vector<double>& out, d
     const bool counts = own > 0 || !lit;
     if (counts) sum += out.back();
     if (!counts && out.back() <= of_dark) continue;
-    const MeterError part = apart(p, n, all[p], image, squares).scaled(scale);
+    const MeterError part = apart(p, n, all[p], image, squares, caustic_lm).scaled(scale);
     if (counts)
       together.add(part);
     else

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "base/zeroed.h"
+#include "render/illuminance_sums.h"
 #include "render/largest_samples.h"
 #include "render/layer_sums.h"
-#include "render/pixel_bias.h"
+#include "render/pixel_caustics.h"
 #include "render/prediction.h"
 #include "render/zero_bound.h"
 #include "transport/tally.h"
@@ -26,7 +27,7 @@ struct ImageReading {
   std::vector<float> luminance_rgb, standard_error_rgb;  // 3 a pixel; standard error -1: not known
   std::vector<float> robust_rgb;                         // 3 a pixel
   std::vector<float> bias, error_bound;                  // of luminance; bound -1: not known
-  std::vector<float> illuminance, illuminance_error;     // 1 a pixel, the latter standard; empty where not asked for
+  std::optional<IlluminanceReading> illuminance;         // where asked for
   LayerReading layers;
   std::array<std::vector<float>, 2> families;            // luminance_rgb apart by Family; empty where not asked for
   std::vector<TechniqueReading> techniques;
@@ -44,28 +45,27 @@ class ImageSums {
   static Bytes bytes_per_pixel(const Camera& camera, const TransportSettings& settings, double passes);
 
   void add(uint32_t iteration, const IterationTally& tally, size_t camera);
-  ImageReading read(uint32_t iterations) const;  // without its techniques
+  // Without its techniques. caustic_lm: that one light path starts with, where photons alone may bring light by way of
+  // casters; 0: nowhere.
+  ImageReading read(uint32_t iterations, double caustic_lm) const;
   void read_techniques(uint32_t iterations, ImageReading& reading) const;
   void find_largest(uint32_t iterations, const ImageReading& reading, LargestSamples& out) const;
   size_t unvisited_pixels(uint32_t iterations) const;  // by eye paths so far
   // Adds those of all pixels: bound / max(L, share_of_mean of the image's mean), of luminance; and their sum to `sum`,
   // to which all pixels that no path has brought light to add what one of them could have: had any of them much, some
   // path would have found it. together: the same, by what makes them fall. False where they are not known yet.
-  bool relative_errors(uint32_t iterations, std::vector<double>& out, double& sum, MeanError& together) const;
+  bool relative_errors(uint32_t iterations, double caustic_lm, std::vector<double>& out, double& sum,
+                       MeanError& together) const;
 
  private:
   uint32_t passes(uint32_t iterations) const { return iterations / plan_.camera_subsets; }
-  void add_illuminance(uint32_t iteration, const std::vector<float>& found);
-  size_t tile_of(uint32_t pixel) const {
-    return pixel % width_ / Units::side + size_t(pixel / width_ / Units::side) * tile_columns_;
-  }
   ChanceLight chance(size_t pixel, uint32_t passes) const;
-  // That one path may bring to a pixel: what one brought to a tile (Units::side) or its neighbours; of all tiles.
-  std::vector<float> largest_around(double least) const;
   std::vector<float> largest_of_tiles() const;
   // What a pixel's error bound is made of, of so many whole passes.
   MeterError apart(uint32_t pixel, uint32_t passes, uint32_t visits, const ImageReading& reading,
-                   const std::vector<Spread>& bias_of_squares) const;
+                   const std::vector<Spread>& bias_of_squares, double caustic_lm) const;
+  // Luminance that caustics may bring of which too few photons were found.
+  double unfound_at(uint32_t pixel, double caustic_lm) const;
   void add_techniques(const TechniqueTally& tally);
   uint32_t visits(uint32_t iterations, uint32_t x, uint32_t y) const {
     return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);
@@ -73,25 +73,26 @@ class ImageSums {
   std::vector<uint32_t> all_visits(uint32_t iterations) const;
   bool is_blank(size_t pixel) const { return !blank_.empty() && blank_[pixel]; }
   void read_errors(uint32_t passes, ImageReading& reading) const;
-  void read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, ImageReading& reading) const;
-  void read_illuminance_errors(const std::vector<uint32_t>& visits, ImageReading& reading) const;
+  void read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, double caustic_lm,
+                   ImageReading& reading) const;
   void fill_unvisited(const std::vector<uint32_t>& visits, ImageReading& reading) const;
   void clear_blank(ImageReading& reading) const;
 
   const Plan& plan_;
-  const uint32_t width_, height_, tile_columns_, tile_rows_;
+  const uint32_t width_, height_;
+  const Tiles tiles_;
   const double emitted_cd_m2_;
   std::vector<bool> blank_;          // pixels that see nothing at all: they are black without error; empty: none
   LayerSums layers_;
-  ZeroedVector<double> illuminance_;  // of all visits; empty where not asked for
-  std::array<ZeroedVector<float>, batch_count> illuminance_batches_;  // the same, by a pixel's own visits
+  std::optional<IlluminanceSums> illuminance_;  // where asked for
   ZeroedVector<double> eye_;          // 3 a pixel, of all visits
   ZeroedVector<double> splat_;        // 3 a pixel, of all iterations; empty until light paths bring something
   ZeroedVector<float> pending_;       // eye and splats of the pass under way
   ZeroedVector<Sample> largest_;      // of each pixel, luminance
   // 3 a pixel, of whole passes; each is empty before its first.
   std::array<ZeroedVector<float>, batch_count> batches_;
-  std::optional<PixelBias> bias_;  // where photons are merged
+  std::optional<PixelBias> bias_;          // where photons are merged
+  std::optional<PixelCaustics> caustics_;  // the same
   // Of all iterations, 3 a pixel, technique by technique; empty where not asked for.
   ZeroedVector<double> weighted_, unweighted_;
   std::array<ZeroedVector<double>, 2> families_;  // of eye paths

@@ -31,7 +31,8 @@ void add_images(const Snapshot& scene, const TransportSettings& settings, const 
     m.images += pixels * one.sums;
     m.reading += pixels * one.reading;
     m.scratch = std::max(m.scratch, pixels * one.scratch);
-    m.iteration += visited * (sizeof(uint32_t) + sizeof(Rgb) + 2 * sizeof(float) +
+    m.iteration += visited * (sizeof(uint32_t) + sizeof(Rgb) + sizeof(PixelMerges) +
+                              (c.illuminance() ? sizeof(PixelIlluminance) : 0) +
                               (c.layers() ? sizeof(FirstHit) + sizeof(uint32_t) : 0));
   }
 }

@@ -88,7 +88,7 @@ double MeterBatches::mean() const {
 
 double MeterBatches::unfound() const {
   double sum = 0;
-  for (const Meter& m : meters_) sum += m.weight * m.unfound;
+  for (const Meter& m : meters_) sum += m.weight * (m.unfound_in_mean < 0 ? m.unfound : m.unfound_in_mean);
   return sum / weights_;
 }
 

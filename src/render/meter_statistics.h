@@ -20,6 +20,7 @@ class MeterBatches {
     double weight = 1;  // in the mean and in percentiles: an area, or all alike
     bool known = true;  // the batches know the error of all other light
     bool halves_differ = false;  // even and odd batches have a bias of their own each
+    double unfound_in_mean = -1;  // where all meters together leave less open than each; < 0: the same
   };
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);

@@ -16,6 +16,7 @@ void MeterSums::add(uint32_t batch, const MeterTally& t, uint32_t iteration) {
   exact += t.exact;
   exact_mirrored += t.exact_mirrored;
   rounding += t.rounding;
+  count_up(caustics, t.caustics);
   if (t.paths[whole_light].largest > paths[whole_light].largest)
     largest_batch = uint8_t(batch), largest = {iteration, t.largest};
   for (size_t k = 0; k < light_part_count; ++k) {
@@ -27,6 +28,7 @@ void MeterSums::add(uint32_t batch, const MeterTally& t, uint32_t iteration) {
 void MeterSums::add(const MeterRings::Photons& photons) {
   if (photons.paths.largest > paths[whole_light].largest)
     largest_batch = photons.largest_batch, largest = photons.largest;
+  count_up(caustics, photons.caustics);
   for (uint32_t b = 0; b < batch_count; ++b) {
     value[b] += photons.value[b];
     direct[b] += photons.direct[b];
@@ -84,7 +86,7 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
               .merged = float(merged && all > 0 ? std::max(0.0, 1 - share * of_rays - of_bias) : 0),
               .deviations = blur.standard_error > 0 ? float(offset / blur.standard_error) : 1e9f,
               .unfound = float(added),
-              .paths = float(photons.caustics),
+              .paths = float(sums.caustics),
               .of_bias = float(of_bias),
               .visits = visits};
   }

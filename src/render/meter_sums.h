@@ -13,6 +13,7 @@ namespace ups {
 struct MeterSums {
   double value[batch_count] = {}, direct[batch_count] = {}, bias[batch_count] = {};
   double exact = 0, exact_mirrored = 0, rounding = 0;
+  uint32_t caustics = 0;  // paths that came by way of casters alone
   std::array<PathRecord, light_part_count> paths;
   std::array<uint16_t, light_part_count> batches{};  // a bit for each that such paths have brought light to
   uint8_t largest_batch = 0;                         // that with paths[whole_light].largest

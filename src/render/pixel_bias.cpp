@@ -10,14 +10,14 @@ void PixelBias::end_pass(uint32_t pass) {
   std::fill(pending_.begin(), pending_.end(), 0.0);
 }
 
-std::vector<Spread> PixelBias::of_squares(uint32_t passes, const std::vector<float>& luminance) const {
-  std::vector<double> light(pending_.size());
-  for (uint32_t p = 0; p < luminance.size(); ++p) light[square_of(p)] += luminance[p];
-  std::vector<Spread> squares(light.size());
-  for (size_t i = 0; i < light.size(); ++i) {
-    if (!(light[i] > 0)) continue;
+std::vector<Spread> PixelBias::of_squares(uint32_t passes, const std::vector<float>& light) const {
+  std::vector<double> sum(pending_.size());
+  for (uint32_t p = 0; p < light.size(); ++p) sum[square_of(p)] += light[p];
+  std::vector<Spread> squares(sum.size());
+  for (size_t i = 0; i < sum.size(); ++i) {
+    if (!(sum[i] > 0)) continue;
     double sums[batch_count];
-    for (uint32_t b = 0; b < std::min(passes, batch_count); ++b) sums[b] = batches_[b][i] / light[i];
+    for (uint32_t b = 0; b < std::min(passes, batch_count); ++b) sums[b] = batches_[b][i] / sum[i];
     squares[i] = spread(sums, passes);
   }
   return squares;
@@ -30,11 +30,11 @@ Spread PixelBias::own(uint32_t pixel, uint32_t visits) const {
   return own;
 }
 
-Spread PixelBias::of_pixel(uint32_t pixel, uint32_t visits, float luminance, const std::vector<Spread>& squares) const {
+Spread PixelBias::of_pixel(uint32_t pixel, uint32_t visits, float light, const std::vector<Spread>& squares) const {
   const Spread own = this->own(pixel, visits);
   if (own.standard_error >= 0 && std::abs(own.mean) > 3 * own.standard_error) return own;
   const Spread& square = squares[square_of(pixel)];
-  return {square.mean * luminance, square.standard_error * luminance};
+  return {square.mean * light, square.standard_error * light};
 }
 
 }  // namespace ups

@@ -43,7 +43,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
       out.exact[part] = out.exact[part] && side.exact[part];
       const auto [error, bound] = side.error_of(part);
       if (part == whole_light && size * side.unfound[part] > most_unfound)
-        most_unfound = size * side.unfound[part], out.photons.caustics = side.photons.caustics;
+        most_unfound = size * side.unfound[part], out.sums.caustics = side.sums.caustics;
       out.unfound[part] += size * (error < 0 ? std::max(bound, 0.0f) : float(side.unfound[part]));
     }
     out.bias.mean += share * side.bias.mean;

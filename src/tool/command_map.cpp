@@ -115,8 +115,8 @@ MapData map_of_image(const MapOptions& options, const std::string& title) {
   if (options.illuminance) {
     if (!file.has("illuminance.Y"))
       throw Failure(options.file + ": has no illuminance; it must be of a camera with \"illuminance_camera\": true");
-    const auto bounds = bounds_of_noise(plane_or_none(file, "standard_error.illuminance.Y"), file.visits());
-    return image_map(title, "Illuminance", "lx", file.channel("illuminance.Y"), bounds, file.width(), file.height());
+    return image_map(title, "Illuminance", "lx", file.channel("illuminance.Y"),
+                     plane_or_none(file, "error_bound.illuminance.Y"), file.width(), file.height());
   }
   if (file.has("R") && file.has("G") && file.has("B")) {
     const std::vector<float> r = file.channel("R"), g = file.channel("G"), b = file.channel("B");

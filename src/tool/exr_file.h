@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -33,12 +32,6 @@ class ExrFile {
     std::vector<float> values(pixels());
     check(ups_exr_read_channel(image_.get(), name.c_str(), values.data(), values.size()), ups_exr_last_error);
     return values;
-  }
-  // Of each pixel, at most; of a file that does not tell them as many as matter.
-  uint32_t visits() const {
-    char text[16] = "";
-    const ups_status status = ups_exr_get_attribute(image_.get(), "visits", text, sizeof text, nullptr);
-    return status == UPS_OK ? uint32_t(std::strtoul(text, nullptr, 10)) : UINT32_MAX;
   }
 
  private:

@@ -75,6 +75,16 @@ std::vector<LayerPlane> layer_planes(const SensorEntry& camera, const ups_result
   return planes;
 }
 
+std::vector<std::pair<const char*, std::vector<float>>> illuminance_planes(const SensorEntry& camera,
+                                                                           const ups_result* result) {
+  if (!camera.info.illuminance) return {};
+  const auto read = [&](ups_channel channel) { return read_image(result, camera, channel); };
+  return {{"illuminance.Y", read(UPS_CHANNEL_ILLUMINANCE)},
+          {"standard_error.illuminance.Y", read(UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR)},
+          {"bias.illuminance.Y", read(UPS_CHANNEL_ILLUMINANCE_BIAS)},
+          {"error_bound.illuminance.Y", read(UPS_CHANNEL_ILLUMINANCE_ERROR_BOUND)}};
+}
+
 void write_camera_exr(const std::string& path, const SensorEntry& camera, const ups_result* result,
                       Attributes attributes) {
   const auto luminance = read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB);
@@ -96,15 +106,10 @@ void write_camera_exr(const std::string& path, const SensorEntry& camera, const 
                                            {"error_bound.Y", bound.data(), 0, 0}};
   for (const ups_exr_channel& channel : channels)
     attributes.emplace_back(std::string("unit.") + channel.name, "cd/m^2");
-  std::vector<float> illuminance, illuminance_error;
-  if (camera.info.illuminance) {
-    illuminance = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE);
-    illuminance_error = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR);
-    channels.push_back({"illuminance.Y", illuminance.data(), 0, 0});
-    channels.push_back({"standard_error.illuminance.Y", illuminance_error.data(), 0, 0});
-    attributes.emplace_back("unit.illuminance.Y", "lx");
-    attributes.emplace_back("unit.standard_error.illuminance.Y", "lx");
-    attributes.emplace_back("visits", std::to_string(most_visits(result, camera.info)));  // of which that is
+  const std::vector<std::pair<const char*, std::vector<float>>> illuminance = illuminance_planes(camera, result);
+  for (const auto& [name, values] : illuminance) {
+    channels.push_back({name, values.data(), 0, 0});
+    attributes.emplace_back(std::string("unit.") + name, "lx");
   }
   if (camera.info.projection != UPS_PERSPECTIVE)
     attributes.emplace_back("projection", projection_word(camera.info.projection));
@@ -175,8 +180,7 @@ void write_camera(Written& written, const std::string& base, const SensorEntry& 
   if (!camera.info.illuminance) return;
   attempt(written, base + "_illuminance", [&](const std::string& name) {
     const auto illuminance = within_image(camera.info, read_image(result, camera, UPS_CHANNEL_ILLUMINANCE));
-    const auto bound = bounds_of_noise(read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR),
-                                       most_visits(result, camera.info));
+    const auto bound = read_image(result, camera, UPS_CHANNEL_ILLUMINANCE_ERROR_BOUND);
     write_map(written, name, image_map(camera.name, "Illuminance", "lx", illuminance, bound, width, height), map);
   });
 }

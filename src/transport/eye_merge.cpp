@@ -5,11 +5,22 @@
 namespace ups {
 
 // For photons on the same side of the same surface within the radius: density estimation. False where there is none.
-bool EyeWalk::ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) const {
+bool EyeWalk::ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) {
   const EyeSensor::Disc& disc = this->disc(eye);
   if (!eye.merge || !(disc.radius > 0)) return false;
+  if (&disc == &sensor_.first) count_disc(eye, pi * float(disc.radius * disc.radius));
   disc.photons->ask(eye.surface.p, float(disc.radius), query);
   return query.count > 0;
+}
+
+// Discs of neighbours overlap, and find the same photons. Of a path that has two such vertices the first one counts.
+void EyeWalk::count_disc(const EyeEnd& eye, float area) {
+  if (counted_edges_ != none) return;
+  const float cosine = std::abs(dot(eye.wo, eye.surface.ng)),
+              own = eye.edges == 0 ? sensor_.own_area_m2 : own_angle_sr_ * seen_from_m_ * seen_from_m_ / cosine;
+  counted_edges_ = eye.edges;
+  tally_.disc_m2 = std::min(area, own);
+  counted_share_ = tally_.disc_m2 / area;
 }
 
 // Vertices lie anywhere in memory: some are asked for before the first of them is read.
@@ -44,6 +55,7 @@ void EyeWalk::merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon,
   const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);
   if (!std::isfinite(bias)) return;
   tally_.bias += bias;
+  if (light.casters && !light.first && eye.edges == counted_edges_) tally_.caustics += counted_share_;
   keep_separated(c->emitter, 0.0, 0.0, bias);
 }
 

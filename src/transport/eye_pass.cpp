@@ -46,13 +46,16 @@ void add_work(const std::vector<WorkCounts>& blocks, IterationTally& tally) {
 }
 
 // What the pixel sees first that is not a mirror or clear glass, measured like a meter that faces the eye.
-float pixel_illuminance(const Iteration& in, const Photons& photons, const Camera& camera, const Vec3& d,
-                        EyeSensor sensor, PathSampler rng, WorkCounts& work) {
+PixelIlluminance pixel_illuminance(const Iteration& in, const Photons& photons, const Camera& camera, const Vec3& d,
+                                   EyeSensor sensor, PathSampler rng, WorkCounts& work) {
   Encounter seen;
   Vec3 direction;
   const float u = in.scene.panes.blended.empty() ? 0 : rng.get(0, Slot::cell_x);
-  if (first_diffuse(in.scene, camera.position(), d, *sensor.media, u, seen, direction) <= 0) return 0;
+  const float distance = first_diffuse(in.scene, camera.position(), d, *sensor.media, u, seen, direction);
+  if (distance <= 0) return {};
   const SurfacePoint& surface = seen.surface;
+  sensor.own_area_m2 = float(in.plan.camera_subsets) * distance * distance /
+                       (camera.pdf_w(d) * std::max(std::abs(dot(direction, surface.ng)), min_cosine));
   sensor.camera = false;
   sensor.techniques = nullptr;
   sensor.excess = nullptr;  // what a pilot judges by is luminance
@@ -62,7 +65,8 @@ float pixel_illuminance(const Iteration& in, const Photons& photons, const Camer
   const Frame frame(dot(direction, surface.ng) < 0 ? surface.ng : -surface.ng);
   sensor.media = &seen.media;
   ++work.eye_paths;
-  return luminance(EyeWalk(in, photons, sensor, rng, work).from_surface(surface, frame).value());
+  const EyeTally found = EyeWalk(in, photons, sensor, rng, work).from_surface(surface, frame);
+  return {luminance(found.value()), found.merges()};
 }
 
 bool meet_first(const Snapshot& scene, const Camera& camera, const Vec3& d, Hit& hit) {
@@ -89,7 +93,7 @@ class CameraPaths {
       : in_(in), photons_(photons), c_(c), camera_(in.scene.cameras[c]), first_path_(first_path), tally_(tally),
         pixels_(visited_pixels(in.plan, camera_, in.number)), pairing_(in, photons.paths) {
     tally.pixels[c].resize(pixels_.size());
-    if (!tally.pixel_bias.empty()) tally.pixel_bias[c].resize(pixels_.size());
+    if (!tally.pixel_merges.empty()) tally.pixel_merges[c].resize(pixels_.size());
     if (camera_.illuminance()) tally.illuminance[c].resize(pixels_.size());
     if (camera_.layers() & ~uint32_t(UPS_LAYER_ID)) tally.first_hits[c].resize(pixels_.size());
     if ((camera_.layers() & UPS_LAYER_ID) && in.plan.pass(in.number) == 0) tally.first_ids[c].resize(pixels_.size());
@@ -117,7 +121,7 @@ class CameraPaths {
     const EyeTally found =
         EyeWalk(in_, photons_, sensor, rng, work).from_camera(camera_.position(), *d, camera_.pdf_w(*d));
     tally_.pixels[c_][i] = found.value();
-    if (!tally_.pixel_bias.empty()) tally_.pixel_bias[c_][i] = float(found.bias);
+    if (!tally_.pixel_merges.empty()) tally_.pixel_merges[c_][i] = found.merges();
     return d;
   }
   EyeSensor sensor_of(size_t i) const {

@@ -15,6 +15,7 @@ EyeTally EyeWalk::from_camera(const Vec3& p, const Vec3& direction, float pdf_w)
   origin_ = last_.p = p;
   direction_ = direction;
   edge_.scatter.pdf = pdf_w;
+  own_angle_sr_ = float(in_.plan.camera_subsets) / pdf_w;
   specular_ = true;
   walk();
   test_edges();
@@ -90,6 +91,7 @@ void EyeWalk::walk() {
     const SurfacePoint& surface = met_.surface;
     const float cos_in = std::abs(dot(direction_, surface.ng));
     if (cos_in < min_cosine) return;
+    if (!scattered_) seen_from_m_ += met_.distance;
     if (const uint32_t emitter = scene_.emitter_of_instance[surface.instance]; emitter != none)
       hit_emitter(emitter, surface.primitive, surface.p, cos_in, met_.distance, edges, Rgb(1.0f));
     if (method.eye_end == EyeEndOf::first_surface) return;

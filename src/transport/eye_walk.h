@@ -13,9 +13,11 @@ struct EyeTally {
   double rgb[3] = {};
   double direct = 0;  // luminance of the part with one edge
   double bias = 0;    // luminance; see MeterTally
+  float disc_m2 = 0, caustics = 0;  // see PixelMerges
 
   void add(const Rgb& v) { rgb[0] += v.r, rgb[1] += v.g, rgb[2] += v.b; }
   Rgb value() const { return {float(rgb[0]), float(rgb[1]), float(rgb[2])}; }
+  PixelMerges merges() const { return {float(bias), disc_m2, caustics}; }
 };
 
 // A sensor as its eye paths know it.
@@ -37,6 +39,7 @@ struct EyeSensor {
   uint32_t pixel = 0;
   MeterTally* separated = nullptr;  // of the meter, a column of Plan::separation each, where asked for
   double share = 1;                 // of this eye path in the meter's reading
+  float own_area_m2 = 0;  // of a path that starts on what a pixel sees: what no other pixel of the iteration sees of it
 };
 
 class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
@@ -84,7 +87,8 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   bool perturb(const EyeEnd& eye, Arrival& out);
   void look_for_light(const EyeEnd& eye, const Arrival& arrival, float direct_found_from, float image_found_from);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
-  bool ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) const;
+  bool ask_photons(const EyeEnd& eye, PhotonIndex::Query& query);
+  void count_disc(const EyeEnd& eye, float area);
   void merge(const EyeEnd& eye, const PhotonIndex::Query& query);
   void merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon, float d2, double radius);
   LightEnd& light_end(uint32_t i);  // the light path's vertex as connections read it
@@ -128,6 +132,9 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   };
   LightEnds* light_ends_ = nullptr;
   Bend bend_;
+  float own_angle_sr_ = 0, seen_from_m_ = 0;  // a camera: what no other pixel of the iteration sees; along the path
+  uint32_t counted_edges_ = none;             // to the vertex whose caustics are counted
+  float counted_share_ = 0;                   // of its disc
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
 };

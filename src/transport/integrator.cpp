@@ -91,7 +91,7 @@ void reset(const Iteration& in, IterationTally& tally) {
     tally.techniques = std::move(techniques);
   }
   tally.pixels.resize(scene.cameras.size());
-  if (in.has(UPS_TECHNIQUE_MERGE)) tally.pixel_bias.resize(scene.cameras.size());
+  if (in.has(UPS_TECHNIQUE_MERGE)) tally.pixel_merges.resize(scene.cameras.size());
   tally.illuminance.resize(scene.cameras.size());
   tally.first_hits.resize(scene.cameras.size());
   tally.first_ids.resize(scene.cameras.size());

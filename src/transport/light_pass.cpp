@@ -100,7 +100,7 @@ LightPaths LightPass::trace(const Iteration& in, const SensorIndex& sensors, Thr
       const uint32_t column = columns ? in.plan.separation.column_of_emitter[l.emitter] : 0;
       if (l.ring != none && !in.moments) {
         tally.landings[e.set].push_back({e.visited, column, uint8_t(l.ring), l.value.direct != 0, l.octant,
-                                         l.value.largest.number(), l.lm, l.caustic});
+                                         l.value.largest.number(), l.lm, l.value.caustics > 0});
         continue;
       }
       // A pilot takes whole discs: its photons are too few to choose by.

@@ -27,7 +27,6 @@ struct LightPass::Block {
     MeterTally value;
     uint32_t ring;  // of a point's disc; none: a cell
     uint8_t octant;
-    bool caustic;
     double lm;
     mis::Classes relative;
   };
@@ -232,12 +231,12 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const double weight = c.weight(in_, 1), value = luminance(c.value) * weight;
     if (in_.recorder) in_.recorder->landed(c, {1, c.value, weight}, p, e.set, e.meter);
     if (!std::isfinite(value)) return drop(cell ? Drop::sensor_hit : Drop::merge, p);
-    useful_ |= casters_ && !is_first_edge();
-    block_.share.push_back(
-        block_.landings,
-        {crossing.disc, emitter_index_,
-         MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0, PathNumber::light(path_)), ring,
-         MeterDiscs::octant_of(x, y), casters_ && !is_first_edge(), value * e.area, c.relative(1)});
+    const bool caustic = casters_ && !is_first_edge();
+    useful_ |= caustic;
+    MeterTally brought = MeterTally::of_path(value, a == 1 ? value : 0.0, 0.0, PathNumber::light(path_));
+    brought.caustics = caustic;
+    block_.share.push_back(block_.landings, {crossing.disc, emitter_index_, brought, ring, MeterDiscs::octant_of(x, y),
+                                             value * e.area, c.relative(1)});
   }
 
   void store(const LightEnd& light, bool lit) {

@@ -114,6 +114,8 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   if (settings.traces_light() && settings.light_paths) plan.light_paths = std::bit_ceil(settings.light_paths);
   plan.min_radius = 32 * 0x1p-24f * scene.radius;
   plan.images_suffice = scene.effects.images_suffice && settings.has(UPS_TECHNIQUE_MIRROR_SAMPLE);
+  plan.lands = settings.has(UPS_TECHNIQUE_SENSOR_HIT);
+  plan.seeks_caustics = scene.effects.sharp_caster && !plan.images_suffice && settings.max_path_length != 1;
   plan.hits_alone = scene.effects.sharp_caster && !plan.images_suffice && settings.has(UPS_TECHNIQUE_EMITTER_HIT) &&
                     !settings.method.hits_after_specular;
   // Nothing but light paths carries a ray emitter's light, from its first surface on.

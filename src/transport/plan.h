@@ -87,6 +87,8 @@ struct Plan {
   // Of point meters: all light straight from emitters is found so; no other light can reach them.
   bool exact_direct = false, exact_light = false;
   bool images_suffice = false;  // all that casters make of light straight from emitters is that of their images
+  bool lands = false;  // light paths do, on cells
+  bool seeks_caustics = false;  // casters may make such of what photons alone bring
   // By way of casters some light may come to meters without photons that eye paths alone find, as they run into its
   // emitter.
   bool hits_alone = false;

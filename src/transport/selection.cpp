@@ -43,6 +43,10 @@ constexpr double least_gain_over_all = 2;
 // meters. In the sun's light a corridor has 1e-5.
 constexpr double least_noise = 1e-5, least_light = 1e-9;
 
+// Of an image's tiles: the light that a dark one is judged by, over the image's mean; the largest weight over the
+// median's.
+constexpr double dark = 0.1, most_weight = 8;
+
 // A set of techniques that a sensor's part may take, at a share of the light paths.
 struct Candidate {
   double light_paths;  // over those of the plan
@@ -59,6 +63,12 @@ struct Candidate {
             .merge = light_paths * (share.merge == TechniqueShare::merge_all)};
   }
 };
+
+double median(std::vector<double>& v) {
+  const auto middle = v.begin() + std::ptrdiff_t(v.size() / 2);
+  std::nth_element(v.begin(), middle, v.end());
+  return *middle;
+}
 
 constexpr double light_shares[] = {1.0, 1.0 / 4, 1.0 / 16};  // the last where nothing is merged: see most_caustic
 constexpr double caustic_shares[] = {1.0 / 64, 1.0 / 4};  // where only caustics need light paths
@@ -218,17 +228,37 @@ class Chooser {
       counts_[u] = noise > least_noise * m_.reading[u] / visited(u) && noise > least_light * largest;
     }
   }
-  // Sensors count alike, and the tiles of one.
+  // Sensors count alike; an image's tiles by their relative variance, as its squared error is a mean over pixels, but
+  // the noisiest, where a few bright samples decide, by no more than most_weight times the median's.
   void weigh() {
     size_t sensors = 0;
     for (size_t s = 0; s < units_.sensors(); ++s) {
-      const auto begin = counts_.begin() + units_.begin(s), end = counts_.begin() + units_.end(s);
-      const auto units = std::count(begin, end, true);
-      if (units == 0) continue;
+      const uint32_t begin = units_.begin(s), end = units_.end(s);
+      const double floor = dark * mean_light(begin, end);
+      std::vector<double> counted;
+      for (uint32_t u = begin; u < end; ++u)
+        if (counts_[u]) counted.push_back(weight_[u] = relative_variance(u, floor));
+      if (counted.empty()) continue;
       ++sensors;
-      for (uint32_t u = units_.begin(s); u < units_.end(s); ++u) weight_[u] = counts_[u] ? 1.0 / double(units) : 0.0;
+      const double most = most_weight * median(counted);
+      double sum = 0;
+      for (uint32_t u = begin; u < end; ++u) {
+        if (!counts_[u]) continue;
+        weight_[u] = most > 0 && std::isfinite(most) ? std::min(weight_[u], most) : 1.0;
+        sum += weight_[u];
+      }
+      for (uint32_t u = begin; u < end; ++u) weight_[u] /= sum;
     }
     for (double& w : weight_) w = sensors > 0 ? w / double(sensors) : 1.0 / units_.count;
+  }
+  double mean_light(uint32_t begin, uint32_t end) const {
+    double sum = 0, visits = 0;
+    for (uint32_t u = begin; u < end; ++u) sum += m_.reading[u], visits += visited(u);
+    return sum / visits;
+  }
+  double relative_variance(uint32_t u, double floor) const {  // of a visit
+    const double light = m_.reading[u] / visited(u);
+    return m_.variance[u] / visited(u) / (light * light + floor * floor);
   }
   double visited(uint32_t u) const { return std::max(1.0, m_.visited[u]); }
 

@@ -102,6 +102,7 @@ struct MeterTally {
   double exact = 0;    // part of value that is no matter of chance
   double exact_mirrored = 0;  // part of that which is not direct
   float rounding = 0;  // of exact, at most
+  uint32_t caustics = 0;  // light paths that landed by way of casters alone
   std::array<PathRecord, light_part_count> paths;
   PathNumber largest;  // that of paths[whole_light]
 
@@ -121,6 +122,7 @@ struct MeterTally {
     exact += o.exact * scale;
     exact_mirrored += o.exact_mirrored * scale;
     rounding += float(o.rounding * scale);
+    count_up(caustics, o.caustics);
     if (float(o.paths[whole_light].largest * scale) > paths[whole_light].largest) largest = o.largest;
     for (size_t k = 0; k < light_part_count; ++k) paths[k].add(o.paths[k], scale);
   }
@@ -144,6 +146,20 @@ struct Splat {
   Rgb value;
 };
 
+// What merging says of a pixel besides its light.
+struct PixelMerges {
+  float bias = 0;  // see MeterTally: luminance, lx
+  // About the first vertex that scatters: of the disc where photons were looked for what is no other pixel's, 0 where
+  // there is no such vertex; and as much of the number of those that came by way of casters alone.
+  float disc_m2 = 0, caustics = 0;
+};
+
+// On the first diffuse surface that a pixel sees.
+struct PixelIlluminance {
+  float lx = 0;
+  PixelMerges merges;
+};
+
 // The surface that a camera's eye path meets first, whatever it is made of: panes and mirrors too.
 struct FirstHit {
   Rgb albedo;       // base_colour()
@@ -155,8 +171,8 @@ struct FirstHit {
 // (Plan::for_visited_pixels, Plan::visited_meter).
 struct IterationTally {
   std::vector<std::vector<Rgb>> pixels;         // a camera: eye paths
-  std::vector<std::vector<float>> pixel_bias;   // a camera: see MeterTally, luminance; empty without merging
-  std::vector<std::vector<float>> illuminance;  // a camera: lx on the first diffuse surface; empty where not asked for
+  std::vector<std::vector<PixelMerges>> pixel_merges;  // a camera; empty without merging
+  std::vector<std::vector<PixelIlluminance>> illuminance;  // a camera; empty where not asked for
   std::vector<std::vector<FirstHit>> first_hits;  // a camera; empty where its layers are not asked for
   std::vector<std::vector<uint32_t>> first_ids;   // a camera: instances at pixels' centres, 0: none; of a first visit
   std::vector<std::vector<Splat>> splats;       // a camera
@@ -185,7 +201,7 @@ inline size_t IterationTally::bytes() const {
   const auto count = [&](const auto& all) {
     for (const auto& one : all) sum += one.size() * sizeof one[0];
   };
-  count(pixels), count(pixel_bias), count(illuminance), count(splats), count(meters), count(landings);
+  count(pixels), count(pixel_merges), count(illuminance), count(splats), count(meters), count(landings);
   count(first_hits), count(first_ids);
   count(separated);
   for (const TechniqueTally& t : techniques)

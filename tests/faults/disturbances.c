@@ -1,10 +1,13 @@
 /* Preloaded into the program. UPS_DISTURB=clock: the time of day runs backwards, a second with each look at it; steady
  * time does not. UPS_DISTURB=ticks: 1000 signals a second whose handler interrupts system calls (SIGALRM, SIGPROF).
- * UPS_DISTURB=full: after UPS_DISTURB_BYTES bytes of files the disk is full. */
+ * UPS_DISTURB=full: after UPS_DISTURB_BYTES bytes of files the disk is full. UPS_DISTURB=fsync, close or rename: it is,
+ * and says so no sooner than in that call. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +18,7 @@
 
 static atomic_long looks, ticks;
 static int backwards, full;
+static const char *late = ""; /* the call that fails */
 static atomic_llong space; /* bytes */
 
 static void tick(int signal_number) {
@@ -33,6 +37,7 @@ __attribute__((constructor)) static void begin(void) {
   const char *bytes = getenv("UPS_DISTURB_BYTES");
   if (bytes) atomic_store(&space, atoll(bytes));
   full = strcmp(what, "full") == 0;
+  late = what;
   if (strcmp(what, "ticks") != 0) return;
   struct sigaction action = {.sa_handler = tick}; /* without SA_RESTART */
   const struct itimerval each_ms = {{0, 1000}, {0, 1000}};
@@ -82,4 +87,31 @@ ssize_t write(int file, const void *from, size_t size) {
     atomic_fetch_sub(&space, (long long)size);
   }
   return real(file, from, size);
+}
+
+static int finds_no_space(const char *call, int is_written) {
+  if (!is_written || strcmp(late, call) != 0) return 0;
+  errno = ENOSPC;
+  return 1;
+}
+static int is_written(int file) {
+  struct stat about;
+  const int flags = fcntl(file, F_GETFL);
+  return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY && fstat(file, &about) == 0 && S_ISREG(about.st_mode);
+}
+int fsync(int file) {
+  static int (*real)(int);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "fsync");
+  return finds_no_space("fsync", is_written(file)) ? -1 : real(file);
+}
+int close(int file) { /* closes it all the same */
+  static int (*real)(int);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "close");
+  const int fails = is_written(file), status = real(file);
+  return finds_no_space("close", fails) ? -1 : status;
+}
+int rename(const char *from, const char *to) {
+  static int (*real)(const char *, const char *);
+  if (!real) *(void **)&real = dlsym(RTLD_NEXT, "rename");
+  return finds_no_space("rename", 1) ? -1 : real(from, to);
 }

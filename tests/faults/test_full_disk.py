@@ -120,6 +120,14 @@ class FullDisk(faults.FaultTest):
                 if space == 0:
                     self.assertEqual(found, old)
 
+    def test_space_that_is_missed_late(self):
+        """As file systems do that find room for what was written when they have to, or have a limit elsewhere."""
+        for writer, out, old in self.written_once(self.folder / "late"):
+            for call in ("fsync", "close", "rename"):
+                environment = preloaded(DISTURBANCES) | {"UPS_DISTURB": call}
+                found = self.expect_old_files(writer, out, old, "No space left on device", env=environment)
+                self.assertEqual(found, old, msg=f"{writer}: {call}")
+
     def test_limit_of_file_sizes(self):
         for writer, out, old in self.written_once(self.folder / "limited"):
             largest = max(map(len, self.new[writer].values()))

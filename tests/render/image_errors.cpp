@@ -11,7 +11,7 @@ namespace {
 struct Rig {
   Rig() {
     tally.pixels.assign(1, std::vector<Rgb>(camera.pixel_count(), Rgb(1.0f)));
-    tally.pixel_bias.assign(1, std::vector<float>(camera.pixel_count()));
+    tally.pixel_merges.assign(1, std::vector<PixelMerges>(camera.pixel_count()));
     tally.splats.resize(1);
   }
   const Camera camera{Affine(), 16, 8, 1.0f, false};
@@ -26,10 +26,10 @@ TEST(PixelBias, SharedNoiseIsKnownAsNoise) {
   std::mt19937 random(1);
   std::normal_distribution<float> noise(0.0f, 1.0f);
   for (uint32_t i = 0; i < 400; ++i) {
-    std::fill(rig.tally.pixel_bias[0].begin(), rig.tally.pixel_bias[0].end(), noise(random));
+    std::fill(rig.tally.pixel_merges[0].begin(), rig.tally.pixel_merges[0].end(), PixelMerges{noise(random)});
     sums.add(i, rig.tally, 0);
   }
-  const ImageReading image = sums.read(400);
+  const ImageReading image = sums.read(400, 0);
   for (float bound : image.error_bound) {  // t |b| and its noise of 0.05, the luminance has none
     EXPECT_GT(bound, 2.1 * 0.05 * 0.5);    // 16 batches know a deviation to 18 %: 3 of them
     EXPECT_LT(bound, (2.2 + 4) * 0.05 * 1.6);
@@ -43,11 +43,11 @@ TEST(PixelBias, OwnBiasStaysWhereItIsBeyondDoubt) {
   std::mt19937 random(2);
   std::normal_distribution<float> noise(0.0f, 0.1f);
   for (uint32_t i = 0; i < 64; ++i) {
-    for (float& b : rig.tally.pixel_bias[0]) b = noise(random);
-    rig.tally.pixel_bias[0][5] += 0.5f;
+    for (PixelMerges& m : rig.tally.pixel_merges[0]) m.bias = noise(random);
+    rig.tally.pixel_merges[0][5].bias += 0.5f;
     sums.add(i, rig.tally, 0);
   }
-  const ImageReading image = sums.read(64);
+  const ImageReading image = sums.read(64, 0);
   EXPECT_NEAR(image.bias[5], 0.5, 0.1);
   EXPECT_GT(image.error_bound[5], 0.4);
   EXPECT_LT(image.error_bound[6], 0.1);
@@ -62,14 +62,14 @@ TEST(PixelBias, TellsWhatMergingMakes) {
     std::mt19937 random(3);
     std::normal_distribution<float> noise(0.0f, 0.1f);
     for (uint32_t i = 0; i < 64; ++i) {
-      for (float& b : rig.tally.pixel_bias[0]) b = merged > 0 ? 2 * noise(random) : 0;
+      for (PixelMerges& m : rig.tally.pixel_merges[0]) m.bias = merged > 0 ? 2 * noise(random) : 0;
       for (Rgb& v : rig.tally.pixels[0]) v = Rgb(1 + noise(random));
       sums.add(i, rig.tally, 0);
     }
     std::vector<double> errors;
     double sum = 0;
     MeanError together;
-    ASSERT_TRUE(sums.relative_errors(64, errors, sum, together));
+    ASSERT_TRUE(sums.relative_errors(64, 0, errors, sum, together));
     EXPECT_NEAR(together.mean().error() * double(errors.size()) / sum, 1, 1e-4);
     EXPECT_NEAR(together.mean().merged, merged, 0.25) << merged;
     EXPECT_LT(together.mean().bias, 0.2f * together.mean().noise);
@@ -85,10 +85,25 @@ TEST(RobustImage, LeavesOutWhatASingleSampleBrought) {
     rig.tally.pixels[0][7] = i == 500 ? Rgb(9000.0f) : Rgb(1.0f);
     sums.add(i, rig.tally, 0);
   }
-  const ImageReading image = sums.read(1000);
+  const ImageReading image = sums.read(1000, 0);
   EXPECT_NEAR(image.luminance_rgb[7 * 3], 10, 1e-2);
   EXPECT_NEAR(image.robust_rgb[7 * 3], 1, 1e-3);
   EXPECT_FLOAT_EQ(image.robust_rgb[8 * 3], image.luminance_rgb[8 * 3]);
+}
+
+// A square of pixels, half of which see something 1 cm2 of which is theirs, in 100 iterations of 1000 light paths.
+TEST(PixelCaustics, AreBoundedUntilEightPhotonsHaveCome) {
+  for (const uint32_t found : {0u, 7u, 8u}) {
+    PixelCaustics caustics(16, 8);
+    for (uint32_t i = 0; i < 100; ++i)
+      for (uint32_t p = 0; p < 4; ++p) caustics.add(p, {0, p < 2 ? 1e-4f : 0.0f, p == 0 && i < found ? 1.0f : 0.0f});
+    const double m2_paths = 200 * 1e-4 * 1000;
+    const double expected = found == 0 ? 3.0 : found == 7 ? 6.15 : 0;
+    EXPECT_NEAR(caustics.unfound_lx(3, 500, 1000), 0.5 * 500 * expected / m2_paths, 1e-3) << found;
+    EXPECT_EQ(caustics.photons(1), found);
+    EXPECT_EQ(caustics.unfound_lx(8, 500, 1000), 0) << "another square, which was not looked at";
+    EXPECT_EQ(caustics.unfound_lx(3, 0, 1000), 0) << "nothing casts any";
+  }
 }
 
 }  // namespace

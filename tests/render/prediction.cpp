@@ -39,7 +39,7 @@ MeterError error_of(const double (&value)[batch_count], const double (&bias)[bat
   light.sums.paths.fill({1, visits});
   light.sums.batches.fill(0xffff);
   light.bias = spread(bias, visits);
-  light.unfound[whole_light] = unfound, light.photons.caustics = paths;
+  light.unfound[whole_light] = unfound, light.sums.caustics = paths;
   MeterError apart;
   light.error_of(whole_light, &apart);
   return apart.scaled(1 / std::max(spread(value, visits).mean, 0.05));

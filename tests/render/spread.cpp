@@ -99,7 +99,7 @@ TEST(ImageSums, SplatsCountByIterations) {
     tally.splats.push_back({{3, 0, Rgb(float(i / 2 % 2))}});  // 0 and 1 by passes
     sums.add(i, tally, 0);
   }
-  const ImageReading image = sums.read(32);
+  const ImageReading image = sums.read(32, 0);
   EXPECT_FLOAT_EQ(image.luminance_rgb[0], 1);
   EXPECT_FLOAT_EQ(image.luminance_rgb[3 * 3], 1.5f);
   EXPECT_FLOAT_EQ(image.standard_error_rgb[0], 0);

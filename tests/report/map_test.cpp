@@ -330,14 +330,5 @@ TEST(MapData, OfATurnedLatticeLiesStraight) {
   EXPECT_NEAR(std::atan2(data->north_x, data->north_y), 0.3, 1e-6);  // north turned the other way on paper
 }
 
-TEST(Bounds, OfPixelsFollowTheirVisits) {
-  for (const uint32_t visits : {4u, 5u, 16u, 1000u}) {
-    const std::vector<float> bounds = bounds_of_noise({1, -1, 0}, visits);
-    EXPECT_NEAR(bounds[0], visits == 4 ? 3.182 : visits == 5 ? 2.776 : 2.131, 0.001) << visits;
-    EXPECT_EQ(bounds[1], -1);
-    EXPECT_EQ(bounds[2], 0);
-  }
-}
-
 }  // namespace
 }  // namespace ups::report

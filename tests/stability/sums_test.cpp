@@ -46,7 +46,7 @@ TEST(Hazard27, AMillionAdditionsToAPixel) {
   Plan plan;
   IterationTally tally;
   tally.pixels.assign(1, std::vector<Rgb>(camera.pixel_count(), Rgb(1.0f)));
-  tally.pixel_bias.assign(1, std::vector<float>(camera.pixel_count()));
+  tally.pixel_merges.assign(1, std::vector<PixelMerges>(camera.pixel_count()));
   tally.splats.resize(1);
   ImageSums sums(camera, plan, 1);
   constexpr uint32_t million = 1'000'000;
@@ -54,7 +54,7 @@ TEST(Hazard27, AMillionAdditionsToAPixel) {
     tally.pixels[0][7] = Rgb(float(term(i)));
     sums.add(i, tally, 0);
   }
-  const ImageReading image = sums.read(million);
+  const ImageReading image = sums.read(million, 0);
   EXPECT_NEAR(image.luminance_rgb[7 * 3], 1, 1.2e-7);
   EXPECT_GE(image.standard_error_rgb[7 * 3], 0);
   EXPECT_LE(image.standard_error_rgb[7 * 3], 1e-4);

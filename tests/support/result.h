@@ -20,7 +20,8 @@ inline void check(ups_status status, const char* call) {
 struct Image {
   uint32_t width = 0, height = 0;
   std::vector<float> luminance, standard_error;  // rgb
-  std::vector<float> illuminance;                // lx; empty unless the camera has it
+  // lx; empty unless the camera has it
+  std::vector<float> illuminance, illuminance_error, illuminance_bias, illuminance_bound;
   std::vector<float> bias, error_bound;          // of luminance
   std::vector<float> robust;                     // rgb
 };
@@ -175,9 +176,13 @@ class Result {
     return s;
   }
   Image image(const Sensor& camera) const {
+    const auto lux = [&](ups_channel channel) {
+      return camera.illuminance ? read(camera, channel, 1) : std::vector<float>{};
+    };
     return {camera.width, camera.height, read(camera, UPS_CHANNEL_LUMINANCE_RGB, 3),
-            read(camera, UPS_CHANNEL_STANDARD_ERROR_RGB, 3),
-            camera.illuminance ? read(camera, UPS_CHANNEL_ILLUMINANCE, 1) : std::vector<float>{},
+            read(camera, UPS_CHANNEL_STANDARD_ERROR_RGB, 3), lux(UPS_CHANNEL_ILLUMINANCE),
+            lux(UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR), lux(UPS_CHANNEL_ILLUMINANCE_BIAS),
+            lux(UPS_CHANNEL_ILLUMINANCE_ERROR_BOUND),
             read(camera, UPS_CHANNEL_BIAS, 1), read(camera, UPS_CHANNEL_ERROR_BOUND, 1),
             read(camera, UPS_CHANNEL_ROBUST_RGB, 3)};
   }

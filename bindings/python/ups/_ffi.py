@@ -268,6 +268,8 @@ class Channel(enum.IntEnum):
     NORMAL = 10
     DEPTH = 11
     ID = 12
+    ILLUMINANCE_BIAS = 13
+    ILLUMINANCE_ERROR_BOUND = 14
 
 
 class Contribution(enum.IntEnum):

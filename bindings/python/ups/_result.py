@@ -21,8 +21,8 @@ from ._status import check
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-SINGLE_CHANNELS = (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR, Channel.BIAS, Channel.ERROR_BOUND,
-                   Channel.DEPTH, Channel.ID)
+SINGLE_CHANNELS = (Channel.ILLUMINANCE, Channel.ILLUMINANCE_STANDARD_ERROR, Channel.ILLUMINANCE_BIAS,
+                   Channel.ILLUMINANCE_ERROR_BOUND, Channel.BIAS, Channel.ERROR_BOUND, Channel.DEPTH, Channel.ID)
 
 
 def read_curve(count_of: Callable[..., int], point_of: Callable[..., int], owner: Handle) -> list[_ffi.CurvePoint]:
@@ -181,8 +181,8 @@ class Result(Handle):
 
     def image(self, camera: SensorId, channel: Channel = Channel.LUMINANCE_RGB,
               out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
-        """(height, width, 3), or (height, width) for ILLUMINANCE and its error, BIAS, ERROR_BOUND, DEPTH and ID; row 0
-        is the image's top. The camera's layers (add_camera(layers=Layer.ALBEDO | Layer.DEPTH)) are channels too."""
+        """(height, width, 3), or (height, width) for ILLUMINANCE and its errors, BIAS, ERROR_BOUND, DEPTH and ID; row
+        0 is the image's top. The camera's layers (add_camera(layers=Layer.ALBEDO | Layer.DEPTH)) are channels too."""
         out = output(out, self.view_image(camera, channel))
         check(lib.ups_result_read_image(self, camera, channel, target(out, ctypes.c_float), 0, out.nbytes))
         return out

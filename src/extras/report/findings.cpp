@@ -70,6 +70,7 @@ double mean_luminance(const SensorInfo& camera, const std::vector<float>& rgb) {
 
 std::vector<float> read_image(const ups_result* result, const SensorEntry& camera, ups_channel channel) {
   const bool one = channel == UPS_CHANNEL_ILLUMINANCE || channel == UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR ||
+                   channel == UPS_CHANNEL_ILLUMINANCE_BIAS || channel == UPS_CHANNEL_ILLUMINANCE_ERROR_BOUND ||
                    channel == UPS_CHANNEL_BIAS || channel == UPS_CHANNEL_ERROR_BOUND ||
                    channel == UPS_CHANNEL_DEPTH || channel == UPS_CHANNEL_ID;
   const size_t channels = one ? 1 : 3;

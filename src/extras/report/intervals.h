@@ -8,7 +8,7 @@
 
 namespace ups::report {
 
-// Of a mean of so many iterations or visits. They are gathered in 16 batches, or in as many as there are: the errors
+// Of a mean of so many iterations. They are gathered in 16 batches, or in as many as there are: the errors
 // have Student's distribution. -1: not known.
 double noise_bound(double standard_error, uint32_t iterations);
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "report/intervals.h"
 #include "report/map_field.h"
 #include "report/meter_places.h"
 #include "report/text_format.h"
@@ -281,20 +280,6 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
   }
   data.summary = good > 0 ? summary_text(sum / good, -1, least, most, -1, unit) : "no pixel is known";
   return data;
-}
-
-std::vector<float> bounds_of_noise(std::vector<float> standard_errors, uint32_t visits) {
-  const auto of_one = float(noise_bound(1, visits));
-  for (float& e : standard_errors) e = e < 0 ? -1 : of_one * e;
-  return standard_errors;
-}
-
-uint32_t most_visits(const ups_result* result, const SensorInfo& camera) {
-  auto info = sized<ups_result_info>();
-  check(ups_result_get_info(result, &info));
-  // An illuminance camera traces a second path from what a pixel sees.
-  const uint64_t paths = uint64_t(camera.width) * camera.height * (camera.illuminance ? 2 : 1);
-  return uint32_t(std::min<uint64_t>(info.iterations, info.eye_paths / std::max<uint64_t>(1, paths)));
 }
 
 MapStyle of_luminance(MapStyle style) {

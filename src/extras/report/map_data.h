@@ -28,10 +28,6 @@ std::vector<float> within_image(const SensorInfo& camera, std::vector<float> val
 // values and their 95 % bounds (< 0: not known; none at all: of none): columns * rows, row 0 at the top.
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
                   const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows);
-// Bounds of pixels that have standard errors alone, of so many visits each; -1 stays.
-std::vector<float> bounds_of_noise(std::vector<float> standard_errors, uint32_t visits);
-// How often each pixel was visited, at most: eye paths of other sensors count as if they were the camera's.
-uint32_t most_visits(const ups_result* result, const SensorInfo& camera);
 MapStyle of_luminance(MapStyle style);  // with the threshold of luminances
 std::vector<float> luminance_of(const std::vector<float>& rgb);
 

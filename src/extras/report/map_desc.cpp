@@ -31,8 +31,7 @@ MapData camera_map(const ups_report_map_desc& d, const SensorEntry& camera) {
   if (!camera.info.illuminance)
     throw Failure(camera.name + " has no illuminance: set ups_camera_desc.illuminance to 1, or take its luminance");
   return image_map(camera.name, "Illuminance", "lx", within_image(camera.info, read(UPS_CHANNEL_ILLUMINANCE)),
-                   bounds_of_noise(read(UPS_CHANNEL_ILLUMINANCE_STANDARD_ERROR), most_visits(d.result, camera.info)),
-                   width, height);
+                   read(UPS_CHANNEL_ILLUMINANCE_ERROR_BOUND), width, height);
 }
 
 MapData meters_map(const ups_report_map_desc& d, const SensorEntry& meters, const LitScene& scene) {

@@ -170,6 +170,9 @@ public sealed partial class BindingTest : IDisposable
                 foreach (var flags in result.MeterFlags(meters))
                     Expect(flags == Reading.Exact || flags == Reading.FewPaths, "light by chance is none");
                 Expect(result.Image(eye, 6, 4, Channel.IlluminanceStandardError).Length == 24, "errors of an image");
+                Expect(result.Image(eye, 6, 4, Channel.IlluminanceBias).Length == 24, "bias of an image");
+                foreach (var e in result.Image(eye, 6, 4, Channel.IlluminanceErrorBound))
+                    Expect(e >= 0 && e < 1, "bounds of an image");
                 // 400 cd / (2.5 m)^2 below the lamp; 0.5 % less at the picture's corners.
                 foreach (var e in result.Image(eye, 6, 4, Channel.Illuminance)) ExpectNear(e, 64, 0.01, "floor");
                 int width, height;

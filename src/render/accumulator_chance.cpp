@@ -1,0 +1,55 @@
+// See accumulator.h: what meters' readings may hide, as no path or too few have found it yet.
+#include "render/accumulator.h"
+
+#include <algorithm>
+
+namespace ups {
+
+// Of a separated source its own: its flux is known, and with what chance light paths start from it. Of all light what
+// they did start with.
+double Accumulator::brightest_lm(size_t column) const {
+  const double found = double(work_.brightest_lm);
+  return column > 0 ? std::min(found, emitted_[column].brightest_lm) : found;
+}
+
+bool Accumulator::lands_on_cells(size_t set) const {
+  return plan_.lands && (plan_.shares.empty() || plan_.shares[plan_.units.of_set(set)].light);
+}
+
+// At least the brightest photon on the whole disc; and as an eye path that sees a surface as bright as the brightest
+// exact light makes a white one, or the scene's mean; of one source, too: emitters are chosen in proportion to what
+// they bring, so that the few paths that choose a weak one weigh as much as the others. One that runs into the
+// brightest emitter by way of casters brings the most of all. Where photons bring that light, too, it counts by its
+// weight no more than one of them; light straight from emitters next-event estimation brings.
+double Accumulator::largest_path(size_t set, size_t m, size_t column, double disc_area, LightPart part) const {
+  const MeterSet& meters = scene_.meter_sets[set];
+  const double area = meters.is_cell() && lands_on_cells(set) ? meters.area(m) : disc_area;
+  const bool photons = plan_.light_paths > 0 && area > 0 &&
+                       (part != direct_light || meters.is_cell() || plan_.merges_direct_light());
+  const double photon = photons ? brightest_lm(column) / (plan_.light_paths * area) : 0,
+               seen = std::max(largest_exact_[set], scene_lx_),
+               hit = plan_.hits_alone && !photons && part != direct_light
+                         ? double(meters.response(m).total()) * emitted_[column].brightest_cd_m2
+                         : 0;
+  return std::max({double(largest_[set][column][part]), photon, std::max(seen, hit) / plan_.meter_samples});
+}
+
+// As long as no light path has met a caster whose light is not that of an image, any might have.
+double Accumulator::brightest_caustic_lm(size_t column) const {
+  if (!plan_.seeks_caustics) return 0;
+  const double found = double(work_.brightest_caustic_lm), most = brightest_lm(column);
+  return found > 0 ? std::min(found, most) : most;
+}
+
+CausticSearch Accumulator::search_of_cells(size_t set, size_t begin, size_t end, size_t column) const {
+  CausticSearch all;
+  if (!lands_on_cells(set)) return all;
+  const size_t columns = plan_.separation.columns.size();
+  for (size_t m = begin; m < std::min(end, meters_[set].size()); ++m) {
+    const MeterSums& sums = column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1];
+    all.add({double(scene_.meter_sets[set].area(m)) * visits(m), double(sums.caustics)});
+  }
+  return all;
+}
+
+}  // namespace ups
