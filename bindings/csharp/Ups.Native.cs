@@ -1046,6 +1046,8 @@ namespace Ups
         public uint StructSize;
         public uint ThreadLimit;
         public Priority Priority;
+        public uint Reserved;
+        public ulong MemoryLimitBytes;
         /// <summary>With the library's defaults.</summary>
         public static CommitDesc Create()
         {

@@ -230,6 +230,10 @@ typedef struct ups_commit_desc {
                           * With it, or with a low priority, the job has threads of its own beside the context's, which
                           * other jobs keep to themselves */
   ups_priority priority;
+  uint32_t reserved;     /* 0 */
+  uint64_t memory_limit_bytes; /* that the index of surfaces may take beside what earlier commits left; 0: what the
+                                * machine has free and the process's control groups allow, as of ups_scene_commit.
+                                * Reached, the commit is OUT_OF_MEMORY, and the scene renders as before */
 } ups_commit_desc;
 UPS_API void ups_commit_desc_init(ups_commit_desc *desc, uint32_t struct_size);
 /* As ups_scene_start_commit, which has the defaults; the same bits on any number of threads. INVALID_ARGUMENT: priority

@@ -62,10 +62,11 @@ void start_commit(ups_scene* scene, const ups_commit_desc& desc, ups_job** out) 
   ups_scene& s = require(scene, "scene");
   require(out, "out");
   check_priority(desc.priority);
+  if (desc.reserved != 0) fail_argument("reserved is " + std::to_string(desc.reserved) + "; it must be 0");
   auto job = std::make_unique<ups_job>();
   job->context = s.context;
   job->commit = std::make_unique<CommitJob>(
-      s.builds, s.description, JobThreads{s.context->pool, desc.thread_limit, desc.priority},
+      s.builds, s.description, JobThreads{s.context->pool, desc.thread_limit, desc.priority}, desc.memory_limit_bytes,
       [context = s.context](const SceneBuild& b) { log_warnings(*context, b); });
   *out = job.release();
 }

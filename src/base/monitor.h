@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 
 namespace ups {
 
@@ -15,6 +16,9 @@ class Monitor {
   void check() const {
     if (is_cancelled()) throw Cancelled();
   }
+  // What the work may take beside what is there, bytes; 0: what the system has. Before it begins.
+  void limit_memory(uint64_t bytes) { memory_limit_ = bytes; }
+  uint64_t memory_limit() const { return memory_limit_; }
   float fraction() const { return fraction_.load(std::memory_order_relaxed); }
   // The work goes on to a part that ends at this fraction of the whole.
   void begin_part(float end) {
@@ -33,6 +37,7 @@ class Monitor {
   std::atomic<bool> cancelled_{false};
   std::atomic<float> fraction_{0};
   float begin_ = 0, end_ = 0;
+  uint64_t memory_limit_ = 0;
 };
 
 }  // namespace ups

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <string>
@@ -21,6 +22,7 @@
 
 #include "base/error.h"
 #include "base/floating_point.h"
+#include "base/memory_budget.h"
 #include "base/monitor.h"
 #include "base/parallel.h"
 #include "base/vec.h"
@@ -132,6 +134,11 @@ class Device {
   // Of trees and what they are built from, without buffers that are shared with it.
   size_t bytes() const { return size_t(std::max<ssize_t>(0, bytes_.load(std::memory_order_relaxed))); }
 
+  // Until the next call: what may be taken beside what there is, and whose limit that is. More is refused.
+  void allow(uint64_t bytes, std::string limit) {
+    allowed_ = bytes, limit_ = std::move(limit);
+    most_.store(ssize_t(std::min<uint64_t>(bytes, uint64_t(most_bytes) - this->bytes()) + this->bytes()));
+  }
   // Once anything went wrong but that a build was cancelled: exhausted memory in a build may leave it in disorder. What it
   // has built stands.
   bool is_spoiled() const { return spoiled_.load(); }
@@ -141,6 +148,10 @@ class Device {
     const RTCError code = std::exchange(code_, RTC_ERROR_NONE);
     if (code == RTC_ERROR_NONE) return;
     if (code == RTC_ERROR_CANCELLED) throw Cancelled();
+    if (refused_.exchange(false))
+      throw Error(UPS_ERROR_OUT_OF_MEMORY, "the index of the scene's surfaces wants more than " +
+                                               MemoryBudget::in_bytes(double(allowed_)) + " of memory, as " + limit_ +
+                                               " allows; fewer triangles, or more memory, would be right");
     const ups_status status = code == RTC_ERROR_OUT_OF_MEMORY ? UPS_ERROR_OUT_OF_MEMORY : UPS_ERROR_INTERNAL;
     throw Error(status, std::string("Embree: ") + message_);
   }
@@ -154,11 +165,20 @@ class Device {
     device.code_ = code;
     std::snprintf(device.message_, sizeof device.message_, "%s", text ? text : "unknown error");
   }
-  static bool on_memory(void* self, ssize_t bytes, bool) {
-    static_cast<Device*>(self)->bytes_.fetch_add(bytes, std::memory_order_relaxed);
-    return true;
+  // done: it is taken already.
+  static bool on_memory(void* self, ssize_t bytes, bool done) {
+    Device& device = *static_cast<Device*>(self);
+    const ssize_t now = device.bytes_.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+    if (bytes <= 0 || done || now <= device.most_.load(std::memory_order_relaxed)) return true;
+    device.bytes_.fetch_sub(bytes, std::memory_order_relaxed);
+    device.refused_.store(true);
+    return false;
   }
-  std::atomic<bool> spoiled_{false};
+  static constexpr ssize_t most_bytes = std::numeric_limits<ssize_t>::max();
+  std::atomic<bool> spoiled_{false}, refused_{false};
+  std::atomic<ssize_t> most_{most_bytes};
+  uint64_t allowed_ = 0;
+  std::string limit_;
   std::atomic<ssize_t> bytes_{0};  // before the device, which tells of its end
   RTCDevice device_;
   std::mutex mutex_;

@@ -7,6 +7,7 @@
 #include "base/monitor.h"
 #include "geometry/grouping.h"
 #include "geometry/raytracer_impl.h"
+#include "platform/memory.h"
 
 namespace ups {
 namespace {
@@ -122,6 +123,8 @@ class RaytracerBuild {
     const std::vector<Box> boxes = mesh_boxes();
     const std::vector<bool> baked = choose_baked(meshes_, instances_, boxes);
     const Grouping grouping = choose_groups(baked, boxes);
+    before_ = out_.device->bytes();
+    limit_memory();
     out_.top = std::make_unique<embree::Scene>(*out_.device, out_.finds_all);
     for (size_t i = 0; i < instances_.size(); ++i) {
       place(i, baked[i]);
@@ -137,6 +140,7 @@ class RaytracerBuild {
       out_.members.push_back(members);
       report();
     }
+    limit_memory();
     out_.top->commit(pool_, monitor_, share(done_), 1);
   }
 
@@ -233,6 +237,7 @@ class RaytracerBuild {
       for (size_t k = 0; k < meshes.size(); ++k) attach(made->scene, *meshes[k], uint32_t(k));
       size_t triangles = 0;
       for (const Traced& mesh : meshes) triangles += mesh->source->triangle_count();
+      if (triangles > group_triangles) limit_memory();
       made->scene.commit(pool_, monitor_, share(done_), share(done_ + triangles));
       part = std::move(made);
     }
@@ -258,6 +263,17 @@ class RaytracerBuild {
                  [&](const Vec3d& p) { out_.bounds.grow(Vec3d(Vec3(instance.to_scene.point(p)))); });
   }
 
+  // Of what Embree takes: it is most of what a build does.
+  void limit_memory() const {
+    if (!monitor_) return;
+    const platform::AvailableMemory system = platform::available_memory();
+    const uint64_t now = out_.device->bytes(), taken = now - std::min<uint64_t>(before_, now),
+                   limit = monitor_->memory_limit(), left = limit - std::min(limit, taken);
+    if (limit > 0 && left < system.bytes)
+      out_.device->allow(left, "memory_limit_bytes");
+    else
+      out_.device->allow(system.bytes, system.limit);
+  }
   float share(size_t triangles) const {
     return std::min(1.0f, float(triangles) / float(std::max<size_t>(1, out_.triangles)));
   }
@@ -275,6 +291,7 @@ class RaytracerBuild {
   Monitor* monitor_;
   bool shares_parts_ = false;  // with `earlier_`
   size_t done_ = 0;            // triangles of parts
+  size_t before_ = 0;          // bytes of the device, of earlier builds
   std::map<const TracedMesh*, uint32_t> index_;
 };
 

@@ -45,9 +45,10 @@ std::shared_ptr<const SceneBuild> SceneBuilds::commit(const Description& descrip
 }
 
 CommitJob::CommitJob(std::shared_ptr<SceneBuilds> builds, Description description, JobThreads threads,
-                     std::function<void(const SceneBuild&)> on_build)
+                     uint64_t memory_limit, std::function<void(const SceneBuild&)> on_build)
     : builds_(std::move(builds)), description_(std::move(description)), threads_(std::move(threads)),
       on_build_(std::move(on_build)) {
+  monitor_.limit_memory(memory_limit);
   builds_->begin();
   try {
     thread_ = start_thread("commit", [this] { run(); });

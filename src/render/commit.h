@@ -46,8 +46,8 @@ class SceneBuilds {
 
 class CommitJob {
  public:
-  // on_build: with a new build, on the job's thread. Throws Error.
-  CommitJob(std::shared_ptr<SceneBuilds> builds, Description description, JobThreads threads,
+  // on_build: with a new build, on the job's thread. memory_limit: bytes, 0: the system's. Throws Error.
+  CommitJob(std::shared_ptr<SceneBuilds> builds, Description description, JobThreads threads, uint64_t memory_limit,
             std::function<void(const SceneBuild&)> on_build);
   ~CommitJob();  // cancels and joins
 

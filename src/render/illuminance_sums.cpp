@@ -41,9 +41,11 @@ void IlluminanceSums::read_bounds(const std::vector<uint32_t>& visits, uint32_t 
                                   IlluminanceReading& r) const {
   double mean = 0;
   for (const float lx : r.lx) mean += lx / double(r.lx.size());
-  const std::vector<float> largest = tiles_.around(largest_, mean > 0 ? mean : emitted_lx_);
+  const std::vector<float> largest = tiles_.largest_around(largest_, mean > 0 ? mean : emitted_lx_);
   const bool whole = passes >= min_batches;
   const std::vector<Spread> squares = bias_ && whole ? bias_->of_squares(passes, r.lx) : std::vector<Spread>();
+  std::vector<PixelCaustics::Unfound> unfound(tiles_.count());
+  if (caustics_) unfound = caustics_->unfound(caustic_lm, plan_.light_paths);
   for (uint32_t p = 0; p < sums_.size(); ++p) {
     const uint32_t n = visits[p];
     float sums[batch_count];
@@ -55,7 +57,7 @@ void IlluminanceSums::read_bounds(const std::vector<uint32_t>& visits, uint32_t 
     const Spread bias = bias_ ? bias_->of_pixel(p, n, r.lx[p], squares) : Spread{0, 0};
     r.error_bound[p] =
         noise >= 0 ? error_bound({r.lx[p], noise}, bias, n) : float(light.bound(largest[tiles_.of(p)], n));
-    if (caustics_) r.error_bound[p] += float(caustics_->unfound_lx(p, caustic_lm, plan_.light_paths));
+    r.error_bound[p] += float(unfound[tiles_.of(p)].lx);
   }
 }
 

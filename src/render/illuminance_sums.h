@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/zeroed.h"
+#include "render/pixel_bias.h"
 #include "render/pixel_caustics.h"
 #include "render/tiles.h"
 #include "transport/tally.h"

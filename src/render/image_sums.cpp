@@ -164,8 +164,9 @@ void ImageSums::read_errors(uint32_t passes, ImageReading& r) const {
   }
 }
 
-double ImageSums::unfound_at(uint32_t pixel, double caustic_lm) const {
-  return caustics_ ? caustics_->unfound_lx(pixel, caustic_lm, plan_.light_paths) / pi_d : 0;  // of a white surface
+std::vector<PixelCaustics::Unfound> ImageSums::unfound_caustics(double caustic_lm) const {
+  return caustics_ ? caustics_->unfound(caustic_lm, plan_.light_paths)
+                   : std::vector<PixelCaustics::Unfound>(tiles_.count());
 }
 
 void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, double caustic_lm,
@@ -178,14 +179,15 @@ void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits
     if (bias_) r.bias[p] = bias_->mean(uint32_t(p), visits[p]);
   }
   if (passes < min_batches) return;
-  const std::vector<float> largest = tiles_.around(largest_of_tiles(), mean > 0 ? mean : emitted_cd_m2_);
+  const std::vector<float> largest = tiles_.largest_around(largest_of_tiles(), mean > 0 ? mean : emitted_cd_m2_);
   const std::vector<Spread> squares = bias_ ? bias_->of_squares(passes, light) : std::vector<Spread>();
+  const std::vector<PixelCaustics::Unfound> unfound = unfound_caustics(caustic_lm);
   for (uint32_t p = 0; p < light.size(); ++p) {
     const double noise = luminance_at(r.standard_error_rgb, p);
     const Spread bias = bias_ ? bias_->of_pixel(p, visits[p], light[p], squares) : Spread{0, 0};
     r.error_bound[p] = noise >= 0 ? ups::error_bound({light[p], noise}, bias, passes)
                                   : float(chance(p, passes).bound(largest[tiles_.of(p)], passes));
-    r.error_bound[p] += float(unfound_at(p, caustic_lm));
+    r.error_bound[p] += float(unfound[tiles_.of(p)].lx / pi_d);  // of a white surface
   }
 }
 
@@ -249,9 +251,9 @@ void ImageSums::find_largest(uint32_t iterations, const ImageReading& r, Largest
 // As of a meter: bias that may be noise counts as noise, and merging has a quarter of the variance of its bias. Discs
 // shrink, so that what is unfound falls a little more slowly than a meter's; it is little.
 MeterError ImageSums::apart(uint32_t p, uint32_t passes, uint32_t visits, const ImageReading& r,
-                            const std::vector<Spread>& squares, double caustic_lm) const {
+                            const std::vector<Spread>& squares, const PixelCaustics::Unfound& caustics) const {
   const double noise = luminance_at(r.standard_error_rgb, p), bound = double(r.error_bound[p]),
-               unfound = unfound_at(p, caustic_lm);
+               unfound = caustics.lx / pi_d;
   if (noise < 0) return {.unfound = float(bound), .paths = float(chance(p, passes).paths)};
   if (!bias_) return {.noise = float(bound), .visits = passes};
   const Spread bias = bias_->of_pixel(p, visits, float(luminance_at(r.luminance_rgb, p)), squares);
@@ -263,7 +265,7 @@ MeterError ImageSums::apart(uint32_t p, uint32_t passes, uint32_t visits, const 
                .merged = all > 0 ? float(merged / all) : 0,
                .deviations = s_b > 0 ? float(b / s_b) : 1e9f,
                .unfound = float(unfound),
-               .paths = float(caustics_->photons(p)),
+               .paths = float(caustics.photons),
                .visits = passes};
   demote_bias(m);
   return m;
@@ -288,6 +290,7 @@ bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vec
     for (size_t p = 0; p < pixels; ++p) light[p] = float(luminance_at(image.luminance_rgb, p));
     squares = bias_->of_squares(n, light);
   }
+  const std::vector<PixelCaustics::Unfound> unfound = unfound_caustics(caustic_lm);
   MeterError darkest;
   for (uint32_t p = 0; p < pixels; ++p) {
     if (is_blank(p)) continue;
@@ -297,7 +300,7 @@ bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vec
     const bool counts = own > 0 || !lit;
     if (counts) sum += out.back();
     if (!counts && out.back() <= of_dark) continue;
-    const MeterError part = apart(p, n, all[p], image, squares, caustic_lm).scaled(scale);
+    const MeterError part = apart(p, n, all[p], image, squares, unfound[tiles_.of(p)]).scaled(scale);
     if (counts)
       together.add(part);
     else

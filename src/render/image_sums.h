@@ -9,6 +9,7 @@
 #include "render/illuminance_sums.h"
 #include "render/largest_samples.h"
 #include "render/layer_sums.h"
+#include "render/pixel_bias.h"
 #include "render/pixel_caustics.h"
 #include "render/prediction.h"
 #include "render/zero_bound.h"
@@ -63,9 +64,8 @@ class ImageSums {
   std::vector<float> largest_of_tiles() const;
   // What a pixel's error bound is made of, of so many whole passes.
   MeterError apart(uint32_t pixel, uint32_t passes, uint32_t visits, const ImageReading& reading,
-                   const std::vector<Spread>& bias_of_squares, double caustic_lm) const;
-  // Luminance that caustics may bring of which too few photons were found.
-  double unfound_at(uint32_t pixel, double caustic_lm) const;
+                   const std::vector<Spread>& bias_of_squares, const PixelCaustics::Unfound& unfound) const;
+  std::vector<PixelCaustics::Unfound> unfound_caustics(double caustic_lm) const;  // by tile
   void add_techniques(const TechniqueTally& tally);
   uint32_t visits(uint32_t iterations, uint32_t x, uint32_t y) const {
     return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);

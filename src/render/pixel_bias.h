@@ -9,30 +9,16 @@
 
 namespace ups {
 
-// Squares of an image's pixels.
-class PixelSquares {
- public:
-  static constexpr uint32_t side = 8;  // pixels
-  PixelSquares(uint32_t width, uint32_t height)
-      : width_(width), columns_((width + side - 1) / side), rows_((height + side - 1) / side) {}
-  size_t count() const { return size_t(columns_) * rows_; }
-  size_t of(uint32_t pixel) const { return size_t(pixel / width_ / side) * columns_ + pixel % width_ / side; }
-
- private:
-  uint32_t width_, columns_, rows_;
-};
-
 // One pixel's photons seldom tell bias from noise, and neighbours share them: squares of pixels have batches of their
 // own, so that the noise of their mean is known with all that they share.
 class PixelBias {
  public:
-  static double bytes_per_pixel(double batches) {
-    return 4 + 4 + (batches + 1) * 8 / (PixelSquares::side * PixelSquares::side);
-  }
+  static constexpr uint32_t side = 8;  // of a square, pixels
+  static double bytes_per_pixel(double batches) { return 4 + 4 + (batches + 1) * 8 / (side * side); }
 
   PixelBias(uint32_t width, uint32_t height)
-      : squares_of_(width, height), sums_(size_t(width) * height), squares_(sums_.size()),
-        pending_(squares_of_.count()) {}
+      : columns_((width + side - 1) / side), width_(width), sums_(size_t(width) * height), squares_(sums_.size()),
+        pending_(size_t(columns_) * ((height + side - 1) / side)) {}
 
   void add(uint32_t pixel, float bias) {
     sums_[pixel] += bias;
@@ -49,9 +35,9 @@ class PixelBias {
   Spread of_pixel(uint32_t pixel, uint32_t visits, float light, const std::vector<Spread>& squares) const;
 
  private:
-  size_t square_of(uint32_t pixel) const { return squares_of_.of(pixel); }
+  size_t square_of(uint32_t pixel) const { return size_t(pixel / width_ / side) * columns_ + pixel % width_ / side; }
 
-  const PixelSquares squares_of_;
+  const uint32_t columns_, width_;
   std::vector<float> sums_, squares_;  // by pixel, of all visits
   std::vector<double> pending_;        // by square, of the pass under way
   std::array<std::vector<double>, batch_count> batches_;

@@ -3,36 +3,45 @@
 #include <vector>
 
 #include "render/caustic_search.h"
-#include "render/pixel_bias.h"
+#include "render/tiles.h"
+#include "transport/tally.h"
 
 namespace ups {
 
-// By squares of pixels: a smaller caustic is not looked for, as nothing that is seen elsewhere says where it may be.
+// By tiles and those beside them, as far as what one path may bring is told: a smaller caustic is not looked for, as
+// nothing that is seen elsewhere says where it may be.
 class PixelCaustics {
  public:
-  static constexpr double bytes_per_pixel = 24.0 / (PixelSquares::side * PixelSquares::side);
-  PixelCaustics(uint32_t width, uint32_t height) : squares_(width, height), of_square_(squares_.count()) {}
+  static constexpr double bytes_per_pixel = 24.0 / (Units::side * Units::side);
+  PixelCaustics(uint32_t width, uint32_t height) : tiles_(width, height), of_tile_(tiles_.count()) {}
 
   void add(uint32_t pixel, const PixelMerges& merges) {
-    Square& s = of_square_[squares_.of(pixel)];
-    ++s.visits;
-    s.seen += merges.disc_m2 > 0;
-    s.search.add({double(merges.disc_m2), double(merges.caustics)});
+    of_tile_[tiles_.of(pixel)].add({{double(merges.disc_m2), double(merges.caustics)}, 1, merges.disc_m2 > 0});
   }
-  double photons(uint32_t pixel) const { return of_square_[squares_.of(pixel)].search.paths; }  // in its square
-  // In the mean over the pixel's square, parts of which may see nothing that light falls on.
-  double unfound_lx(uint32_t pixel, double brightest_lm, uint32_t light_paths) const {
-    const Square& s = of_square_[squares_.of(pixel)];
-    return s.visits ? s.search.unfound_lx(brightest_lm, light_paths) * s.seen / s.visits : 0;
+  struct Unfound {
+    double lx = 0;       // in the mean over the tiles, parts of which may see nothing that light falls on
+    double photons = 0;  // that were found
+  };
+  // By tile. Of a light path that starts with so many lm.
+  std::vector<Unfound> unfound(double brightest_lm, uint32_t light_paths) const {
+    std::vector<Unfound> out;
+    for (size_t t = 0; t < of_tile_.size(); ++t) {
+      Tile all;
+      tiles_.each_around(t, [&](size_t tile) { all.add(of_tile_[tile]); });
+      const double lx = all.search.unfound_lx(brightest_lm, light_paths);
+      out.push_back({all.visits > 0 ? lx * all.seen / all.visits : 0, all.search.paths});
+    }
+    return out;
   }
 
  private:
-  struct Square {
+  struct Tile {
     CausticSearch search;
     uint32_t visits = 0, seen = 0;  // of its pixels, together; with a disc
+    void add(const Tile& o) { search.add(o.search), count_up(visits, o.visits), count_up(seen, o.seen); }
   };
-  const PixelSquares squares_;
-  std::vector<Square> of_square_;
+  const Tiles tiles_;
+  std::vector<Tile> of_tile_;
 };
 
 }  // namespace ups

@@ -17,14 +17,18 @@ class Tiles {
   size_t of(uint32_t pixel) const {
     return pixel % width_ / Units::side + size_t(pixel / width_ / Units::side) * columns_;
   }
+  // Of the tile and those beside it.
+  template <class Visit>
+  void each_around(size_t tile, const Visit& visit) const {
+    const int x = int(tile % columns_), y = int(tile / columns_), columns = int(columns_), rows = int(rows_);
+    for (int j = std::max(0, y - 1); j <= std::min(rows - 1, y + 1); ++j)
+      for (int i = std::max(0, x - 1); i <= std::min(columns - 1, x + 1); ++i) visit(size_t(j) * columns_ + size_t(i));
+  }
   // The largest of each tile and those beside it, by tile.
-  std::vector<float> around(const std::vector<float>& own, double least) const {
-    const int columns = int(columns_), rows = int(rows_);
+  std::vector<float> largest_around(const std::vector<float>& own, double least) const {
     std::vector<float> out(own.size(), float(least));
-    for (int i = 0; i < rows * columns; ++i)
-      for (int y = std::max(0, i / columns - 1); y <= std::min(rows - 1, i / columns + 1); ++y)
-        for (int x = std::max(0, i % columns - 1); x <= std::min(columns - 1, i % columns + 1); ++x)
-          out[size_t(i)] = std::max(out[size_t(i)], own[size_t(y * columns + x)]);
+    for (size_t t = 0; t < out.size(); ++t)
+      each_around(t, [&](size_t tile) { out[t] = std::max(out[t], own[tile]); });
     return out;
   }
 

@@ -474,6 +474,30 @@ TEST_F(Commit, ACommitsJobHasFewerThreadsAndALowPriority) {
   EXPECT_EQ(job, nullptr);
 }
 
+// A limit is a status: the scene is what it was, and the next commit without it makes what it makes of a new scene.
+TEST_F(Commit, WantsNoMoreMemoryThanItIsAllowed) {
+  EditedRoom whole(context), r(context);
+  EXPECT_OK(ups_scene_commit(r.scene));
+  const Readings before = r.render();
+  for (EditedRoom* room : {&whole, &r}) room->add_instance(room->add_sheet(room->wall, 500, 3.9f), 0.05, 0.05, 0.02);
+  EXPECT_OK(ups_scene_commit(whole.scene));
+  auto d = make(&ups_commit_desc_init);
+  EXPECT_EQ(d.memory_limit_bytes, 0u);
+  for (const uint64_t megabytes : {1, 8, 1000}) {
+    d.memory_limit_bytes = megabytes << 20;
+    ups_job* job = nullptr;
+    EXPECT_OK(ups_scene_start_commit_with(r.scene, &d, &job));
+    while (ups_job_wait(job, 1000) == UPS_TIMEOUT) {}
+    const ups_status status = ups_job_wait(job, 0);
+    if (megabytes < 1000)
+      expect_error(status, UPS_ERROR_OUT_OF_MEMORY, {"memory_limit_bytes", "triangles"});
+    else
+      EXPECT_OK(status);
+    ups_job_destroy(job);
+    EXPECT_TRUE(r.render() == (megabytes < 1000 ? before : whole.render())) << megabytes;
+  }
+}
+
 TEST_F(Commit, GoesOnBesideRendersOfTheSameScene) {
   EditedRoom r(context);
   EXPECT_OK(ups_scene_commit(r.scene));

@@ -91,18 +91,21 @@ TEST(RobustImage, LeavesOutWhatASingleSampleBrought) {
   EXPECT_FLOAT_EQ(image.robust_rgb[8 * 3], image.luminance_rgb[8 * 3]);
 }
 
-// A square of pixels, half of which see something 1 cm2 of which is theirs, in 100 iterations of 1000 light paths.
+// Of four pixels half see something, 1 cm2 of which is theirs, in 100 iterations of 1000 light paths.
 TEST(PixelCaustics, AreBoundedUntilEightPhotonsHaveCome) {
   for (const uint32_t found : {0u, 7u, 8u}) {
-    PixelCaustics caustics(16, 8);
+    PixelCaustics caustics(64, 16);
     for (uint32_t i = 0; i < 100; ++i)
       for (uint32_t p = 0; p < 4; ++p) caustics.add(p, {0, p < 2 ? 1e-4f : 0.0f, p == 0 && i < found ? 1.0f : 0.0f});
-    const double m2_paths = 200 * 1e-4 * 1000;
-    const double expected = found == 0 ? 3.0 : found == 7 ? 6.15 : 0;
-    EXPECT_NEAR(caustics.unfound_lx(3, 500, 1000), 0.5 * 500 * expected / m2_paths, 1e-3) << found;
-    EXPECT_EQ(caustics.photons(1), found);
-    EXPECT_EQ(caustics.unfound_lx(8, 500, 1000), 0) << "another square, which was not looked at";
-    EXPECT_EQ(caustics.unfound_lx(3, 0, 1000), 0) << "nothing casts any";
+    const double m2_paths = 200 * 1e-4 * 1000, limit = found == 0 ? 3.0 : found == 7 ? 6.15 : 0,
+                 bound = 0.5 * 500 * limit / m2_paths;
+    const auto unfound = caustics.unfound(500, 1000);
+    ASSERT_EQ(unfound.size(), 4u);
+    EXPECT_NEAR(unfound[0].lx, bound, 1e-3) << found;
+    EXPECT_NEAR(unfound[1].lx, bound, 1e-3) << found << ", of the tile beside it";
+    EXPECT_EQ(unfound[0].photons, found);
+    EXPECT_EQ(unfound[2].lx, 0) << "where nothing was looked at";
+    EXPECT_EQ(caustics.unfound(0, 1000)[0].lx, 0) << "nothing casts any";
   }
 }
 

@@ -717,10 +717,14 @@ class CommitDesc(Structure):
     struct_size: int
     thread_limit: int
     priority: int
+    reserved: int
+    memory_limit_bytes: int
     _fields_ = [
         ("struct_size", c_uint32),
         ("thread_limit", c_uint32),
         ("priority", c_int32),
+        ("reserved", c_uint32),
+        ("memory_limit_bytes", c_uint64),
     ]
 
 

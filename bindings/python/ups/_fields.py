@@ -92,6 +92,7 @@ class LuminaireDescFields(TypedDict, total=False):
 class CommitDescFields(TypedDict, total=False):
     thread_limit: SupportsIndex
     priority: SupportsIndex
+    memory_limit_bytes: SupportsIndex
 
 
 class FixtureEmitterDescFields(TypedDict, total=False):
