@@ -14,7 +14,7 @@ namespace Ups
         /// <summary>The same as a job: watched, waited for and cancelled as a render's; it has no Result().</summary>
         public Job StartCommit() { return StartCommit(CommitDesc.Create()); }
 
-        /// <summary>On so many threads, of that priority.</summary>
+        /// <summary>On so many threads, of that priority, within that memory.</summary>
         public Job StartCommit(CommitDesc desc)
         {
             JobHandle job;

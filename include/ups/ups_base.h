@@ -20,7 +20,8 @@
  *     library libtbbmalloc installed, which it loads by itself and takes such memory from. Embree's own assertions can
  *     end the process where all memory fails within the index of a commit after an edit of geometry. OpenColorIO, Cairo
  *     and the extras' JSON reader do too; what they take is asked for before they are called, but other threads may take
- *     it. And Linux may grant memory that it does not have, and end the process that writes to it.
+ *     it. And Linux may grant memory that it does not have, and end the process that writes to it: renders and
+ *     commits ask first what there is, but two at a time may ask for the same.
  *   - The library prints nothing. Its threads are named "ups/...", block all signals but those of faults (SIGSEGV,
  *     SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS), and end with the last handle that needs them.
  *   - Results do not depend on the calling thread's rounding mode, nor on whether it flushes subnormal numbers to zero:

@@ -445,8 +445,8 @@ enum {
   /* Of luminance, 1 float a pixel, cd/m^2: what merging photons within a radius has moved a pixel by, as estimated, mostly
    * noise where it is small; and the 95 % bound of noise and bias together, -1: not known. A bias that the pixel's own
    * photons do not tell from noise is that of the 8 x 8 pixels around it. Near mirrors, glass and gloss the bound
-   * also holds what caustics may bring to the 48 x 48 pixels around, as long as fewer than eight photons of any were
-   * found there. */
+   * also holds what caustics may bring to the tile of 16 x 16 pixels and those beside it, as long as fewer than eight
+   * photons of any were found there. */
   UPS_CHANNEL_BIAS = 5,
   UPS_CHANNEL_ERROR_BOUND = 6,
   /* 3 floats a pixel: LUMINANCE_RGB, but where single samples dominate a pixel a mean without the outermost batches of

@@ -215,7 +215,9 @@ UPS_API ups_status ups_scene_remove_sensor(ups_scene *scene, ups_sensor_id id);
  * minute from there, as long as they neither shine nor are measured and there is neither parallel light nor a
  * goniometer. What then still makes the scene too wide for the rest is named by a warning, too, which says so where
  * readings are wrong: where places are known to a centimetre at best, and what shines and measures, or most of the
- * scene, lies within a 2^16th of the width. */
+ * scene, lies within a 2^16th of the width.
+ * OUT_OF_MEMORY, too, where the index of surfaces wants more than the machine has free or the process's control groups
+ * allow: the scene then renders as before. */
 UPS_API ups_status ups_scene_commit(ups_scene *scene);
 /* The same on a thread of the library: poll, wait for, cancel and destroy the job as a render's (ups_render.h);
  * ups_progress.fraction tells how far it is, iterations_done stays 0, and the functions that ask for a render's findings
@@ -231,13 +233,13 @@ typedef struct ups_commit_desc {
                           * other jobs keep to themselves */
   ups_priority priority;
   uint32_t reserved;     /* 0 */
-  uint64_t memory_limit_bytes; /* that the index of surfaces may take beside what earlier commits left; 0: what the
-                                * machine has free and the process's control groups allow, as of ups_scene_commit.
-                                * Reached, the commit is OUT_OF_MEMORY, and the scene renders as before */
+  uint64_t memory_limit_bytes; /* that an index of surfaces may take beside those of earlier commits; 0, and beside it:
+                                * what the machine has free and the process's control groups allow. Reached, the job is
+                                * OUT_OF_MEMORY, and the scene renders as before. Copies of meshes are not counted */
 } ups_commit_desc;
 UPS_API void ups_commit_desc_init(ups_commit_desc *desc, uint32_t struct_size);
 /* As ups_scene_start_commit, which has the defaults; the same bits on any number of threads. INVALID_ARGUMENT: priority
- * is no UPS_PRIORITY_*. */
+ * is no UPS_PRIORITY_*, reserved is not 0. */
 UPS_API ups_status ups_scene_start_commit_with(ups_scene *scene, const ups_commit_desc *desc, ups_job **out);
 /* 1: there are edits that no commit has taken, or there was none; 0: what renders is what was described. */
 UPS_API ups_status ups_scene_is_dirty(const ups_scene *scene, int32_t *out);

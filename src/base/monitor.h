@@ -1,4 +1,4 @@
-// How far long work is, and whether it shall go on. One thread works, any others ask.
+// How far long work is, whether it shall go on, and what it may take. One thread works, any others ask.
 #pragma once
 #include <algorithm>
 #include <atomic>

@@ -134,23 +134,26 @@ class Device {
   // Of trees and what they are built from, without buffers that are shared with it.
   size_t bytes() const { return size_t(std::max<ssize_t>(0, bytes_.load(std::memory_order_relaxed))); }
 
-  // Until the next call: what may be taken beside what there is, and whose limit that is. More is refused.
+  // Until the next call: what may be taken beside what there is; more is refused. limit: which one ends there, in
+  // words.
   void allow(uint64_t bytes, std::string limit) {
-    allowed_ = bytes, limit_ = std::move(limit);
-    most_.store(ssize_t(std::min<uint64_t>(bytes, uint64_t(most_bytes) - this->bytes()) + this->bytes()));
+    const size_t taken = this->bytes();
+    limit_ = std::move(limit);
+    refused_.store(false);
+    most_.store(ssize_t(std::min<uint64_t>(bytes, uint64_t(most_bytes) - taken) + taken));
   }
-  // Once anything went wrong but that a build was cancelled: exhausted memory in a build may leave it in disorder. What it
-  // has built stands.
+  // Once anything went wrong but that a build was cancelled or refused memory: where that is exhausted a build may
+  // leave the device in disorder. What it has built stands.
   bool is_spoiled() const { return spoiled_.load(); }
   // Throws what went wrong since the last time.
   void check() {
     const std::lock_guard lock(mutex_);
     const RTCError code = std::exchange(code_, RTC_ERROR_NONE);
     if (code == RTC_ERROR_NONE) return;
+    const bool refused = refused_.exchange(false);
     if (code == RTC_ERROR_CANCELLED) throw Cancelled();
-    if (refused_.exchange(false))
-      throw Error(UPS_ERROR_OUT_OF_MEMORY, "the index of the scene's surfaces wants more than " +
-                                               MemoryBudget::in_bytes(double(allowed_)) + " of memory, as " + limit_ +
+    if (refused)
+      throw Error(UPS_ERROR_OUT_OF_MEMORY, "the index of the scene's surfaces wants more memory than " + limit_ +
                                                " allows; fewer triangles, or more memory, would be right");
     const ups_status status = code == RTC_ERROR_OUT_OF_MEMORY ? UPS_ERROR_OUT_OF_MEMORY : UPS_ERROR_INTERNAL;
     throw Error(status, std::string("Embree: ") + message_);
@@ -160,7 +163,7 @@ class Device {
   static void on_error(void* self, RTCError code, const char* text) {
     Device& device = *static_cast<Device*>(self);
     const std::lock_guard lock(device.mutex_);
-    if (code != RTC_ERROR_CANCELLED) device.spoiled_.store(true);
+    if (code != RTC_ERROR_CANCELLED && !device.refused_.load()) device.spoiled_.store(true);
     if (device.code_ != RTC_ERROR_NONE) return;
     device.code_ = code;
     std::snprintf(device.message_, sizeof device.message_, "%s", text ? text : "unknown error");
@@ -177,7 +180,6 @@ class Device {
   static constexpr ssize_t most_bytes = std::numeric_limits<ssize_t>::max();
   std::atomic<bool> spoiled_{false}, refused_{false};
   std::atomic<ssize_t> most_{most_bytes};
-  uint64_t allowed_ = 0;
   std::string limit_;
   std::atomic<ssize_t> bytes_{0};  // before the device, which tells of its end
   RTCDevice device_;

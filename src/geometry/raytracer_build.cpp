@@ -133,6 +133,7 @@ class RaytracerBuild {
       report();
     }
     for (const uint32_t i : grouping.ungrouped) attach(*out_.top, *traced_of(i), i);
+    limit_memory();
     for (const auto& members : grouping.groups) {
       std::vector<Traced> meshes;
       for (const uint32_t i : members) meshes.push_back(traced_of(i));
@@ -263,16 +264,20 @@ class RaytracerBuild {
                  [&](const Vec3d& p) { out_.bounds.grow(Vec3d(Vec3(instance.to_scene.point(p)))); });
   }
 
-  // Of what Embree takes: it is most of what a build does.
+  // Of what Embree takes, which is most of what a build does, besides meshes' copies: as these are made the system has
+  // less, and is asked again.
   void limit_memory() const {
-    if (!monitor_) return;
+    if (!monitor_) return out_.device->allow(UINT64_MAX, "");
     const platform::AvailableMemory system = platform::available_memory();
     const uint64_t now = out_.device->bytes(), taken = now - std::min<uint64_t>(before_, now),
                    limit = monitor_->memory_limit(), left = limit - std::min(limit, taken);
+    const auto text = [](const std::string& whose, uint64_t bytes) {
+      return whose + " (" + MemoryBudget::in_bytes(double(bytes)) + ")";
+    };
     if (limit > 0 && left < system.bytes)
-      out_.device->allow(left, "memory_limit_bytes");
+      out_.device->allow(left, text("memory_limit_bytes", limit));
     else
-      out_.device->allow(system.bytes, system.limit);
+      out_.device->allow(system.bytes, text(system.limit, system.bytes));
   }
   float share(size_t triangles) const {
     return std::min(1.0f, float(triangles) / float(std::max<size_t>(1, out_.triangles)));

@@ -10,7 +10,7 @@ struct AvailableMemory {
   std::string limit;            // what ends there, in words
 };
 
-// Of the machine, and of the groups of processes that this one is in. Asked by a render before it starts. What cannot
+// Of the machine, and of the groups of processes that this one is in. Asked by renders and commits. What cannot
 // be read limits nothing.
 AvailableMemory available_memory();
 

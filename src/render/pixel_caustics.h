@@ -19,7 +19,7 @@ class PixelCaustics {
     of_tile_[tiles_.of(pixel)].add({{double(merges.disc_m2), double(merges.caustics)}, 1, merges.disc_m2 > 0});
   }
   struct Unfound {
-    double lx = 0;       // in the mean over the tiles, parts of which may see nothing that light falls on
+    double lx = 0;       // in the mean over the tile, parts of which may see nothing that light falls on
     double photons = 0;  // that were found
   };
   // By tile. Of a light path that starts with so many lm.
@@ -29,7 +29,8 @@ class PixelCaustics {
       Tile all;
       tiles_.each_around(t, [&](size_t tile) { all.add(of_tile_[tile]); });
       const double lx = all.search.unfound_lx(brightest_lm, light_paths);
-      out.push_back({all.visits > 0 ? lx * all.seen / all.visits : 0, all.search.paths});
+      const Tile& own = of_tile_[t];
+      out.push_back({own.visits > 0 ? lx * own.seen / own.visits : lx, all.search.paths});
     }
     return out;
   }

@@ -496,6 +496,24 @@ TEST_F(Commit, WantsNoMoreMemoryThanItIsAllowed) {
     ups_job_destroy(job);
     EXPECT_TRUE(r.render() == (megabytes < 1000 ? before : whole.render())) << megabytes;
   }
+  // What is refused now is a part that two builds would share; a smaller one than that has room.
+  const ups_instance_id more = r.add_instance(r.add_sheet(r.wall, 500, 3.9f), 0.05, 0.05, 0.03);
+  d.memory_limit_bytes = 8 << 20;
+  ups_job* job = nullptr;
+  EXPECT_OK(ups_scene_start_commit_with(r.scene, &d, &job));
+  while (ups_job_wait(job, 1000) == UPS_TIMEOUT) {}
+  expect_error(ups_job_wait(job, 0), UPS_ERROR_OUT_OF_MEMORY, {"memory_limit_bytes (8389 kB)"});
+  ups_job_destroy(job);
+  EXPECT_TRUE(r.render() == whole.render());
+  EXPECT_OK(ups_scene_remove_instance(r.scene, more));
+  r.add_instance(r.add_sheet(r.wall, 4, 0.2f), 0.05, 0.05, 0.03);
+  EXPECT_OK(ups_scene_start_commit_with(r.scene, &d, &job));
+  while (ups_job_wait(job, 1000) == UPS_TIMEOUT) {}
+  EXPECT_OK(ups_job_wait(job, 0));
+  ups_job_destroy(job);
+
+  d.reserved = 1;
+  expect_error(ups_scene_start_commit_with(r.scene, &d, &job), UPS_ERROR_INVALID_ARGUMENT, {"reserved is 1"});
 }
 
 TEST_F(Commit, GoesOnBesideRendersOfTheSameScene) {

@@ -142,7 +142,7 @@ class Scene(Edits):
     def start_commit(self, **fields: Unpack[_fields.CommitDescFields]) -> CommitJob:
         """A commit of the scene as it is now, by itself: edits go on meanwhile and belong to the next one. Its watch,
         wait and poll tell of its end; the scene renders as before until then. One at a time. thread_limit and priority
-        as of start."""
+        as of start, memory_limit_bytes of the index of surfaces."""
         desc = describe(_ffi.CommitDesc, fields)
         return CommitJob(create(lib.ups_scene_start_commit_with, self, byref(desc)), lib.ups_job_destroy)
 
