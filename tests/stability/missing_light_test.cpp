@@ -145,21 +145,23 @@ TEST_F(Taught_SmallMirror, IsInTheBoundThoughNoPhotonHasMetIt) {
   EXPECT_LE(missed, 2);  // of 95 % bounds
 }
 
-// The same of pixels: 8 x 8 of them, 12 cm of the floor that the mirror lights all over. Without a bound of its own
-// some 40 of 100 renders have found none of its light and say that they are within a third of it.
+// The same of pixels: 8 x 8 of them, 12 cm of the floor that the mirror lights all over. Without a bound of its own two
+// images of illuminance of twelve miss it, and one of luminance, which splats find as well. 12 at 95 %: more than one
+// misses in 12 of 100 cases; seeds are fixed.
 TEST_F(Taught_SmallMirror, IsInTheBoundOfPixelsThatNoneHasReached) {
   const double x = lit_x, lx_of_mirror = 0.95 * candela * 4.5 / std::pow((x + 5) * (x + 5) + 4.5 * 4.5, 1.5);
   const Image plain = image(false, {.method = UPS_METHOD_PATH_TRACING, .iterations = 4096});
   const double lx = mean(plain.illuminance) + lx_of_mirror,
                luminance = mean(plain.luminance) + lx_of_mirror * 0.5 / pi_d;
   int missed = 0, missed_of_lx = 0;
-  for (uint64_t seed = 1; seed <= 20; ++seed) {
-    const Image i = image(true, {.iterations = 512, .seed = seed, .light_paths = 128});
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    const Image i = image(true, {.iterations = 512, .seed = seed, .light_paths = 32});
     missed += std::abs(mean(i.luminance) - luminance) > mean(i.error_bound);
     missed_of_lx += std::abs(mean(i.illuminance) - lx) > mean(i.illuminance_bound);
-    EXPECT_LT(mean(i.error_bound), luminance) << "seed " << seed;
-    EXPECT_LT(mean(i.illuminance_bound), lx) << "seed " << seed;
+    EXPECT_LT(mean(i.error_bound), 2 * luminance) << "seed " << seed;
+    EXPECT_LT(mean(i.illuminance_bound), 2 * lx) << "seed " << seed;
   }
+  measured("pixels that no caustic has reached: %d and %d of 12 bounds missed", missed, missed_of_lx);
   EXPECT_LE(missed, 1);  // of 95 % bounds, and means of 64 pixels' are wider
   EXPECT_LE(missed_of_lx, 1);
 }
@@ -181,6 +183,7 @@ TEST_F(Taught_SmallMirror, IsInTheBoundOfACellThatNoneHasReached) {
     missed += std::abs(r.illuminance_lx - expected) > r.error_bound_lx;
     EXPECT_LT(r.error_bound_lx, 3 * expected) << "seed " << seed;
   }
+  measured("a cell that no caustic has reached: %d of 40 bounds missed", missed);
   EXPECT_LE(missed, 2);  // of 95 % bounds
 }
 
