@@ -12,17 +12,15 @@ IlluminanceSums::IlluminanceSums(const Camera& camera, const Plan& plan, double 
 void IlluminanceSums::add(uint32_t iteration, const std::vector<PixelIlluminance>& found, bool merges) {
   ZeroedVector<float>& batch = batches_[plan_.pass(iteration) % batch_count];
   batch.resize(sums_.size());
-  if (merges && !bias_) bias_.emplace(width_, height_), caustics_.emplace(width_, height_);
+  if (merges && !merges_) merges_.emplace(width_, height_);
   plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
     sums_[pixel] += found[i].lx;
     batch[pixel] += found[i].lx;
     float& largest = largest_[tiles_.of(pixel)];
     largest = std::max(largest, found[i].lx);
-    if (!bias_) return;
-    bias_->add(pixel, found[i].merges.bias);
-    caustics_->add(pixel, found[i].merges);
+    if (merges_) merges_->add(pixel, found[i].merges);
   });
-  if (bias_ && (iteration + 1) % plan_.camera_subsets == 0) bias_->end_pass(plan_.pass(iteration));
+  if (merges_ && (iteration + 1) % plan_.camera_subsets == 0) merges_->bias.end_pass(plan_.pass(iteration));
 }
 
 IlluminanceReading IlluminanceSums::read(const std::vector<uint32_t>& visits, uint32_t passes,
@@ -31,7 +29,7 @@ IlluminanceReading IlluminanceSums::read(const std::vector<uint32_t>& visits, ui
   for (uint32_t p = 0; p < sums_.size(); ++p) {
     if (visits[p] == 0) continue;
     r.lx[p] = float(sums_[p] / visits[p]);
-    if (bias_) r.bias[p] = bias_->mean(p, visits[p]);
+    if (merges_) r.bias[p] = merges_->bias.mean(p, visits[p]);
   }
   read_bounds(visits, passes, caustic_lm, r);
   return r;
@@ -43,9 +41,9 @@ void IlluminanceSums::read_bounds(const std::vector<uint32_t>& visits, uint32_t 
   for (const float lx : r.lx) mean += lx / double(r.lx.size());
   const std::vector<float> largest = tiles_.largest_around(largest_, mean > 0 ? mean : emitted_lx_);
   const bool whole = passes >= min_batches;
-  const std::vector<Spread> squares = bias_ && whole ? bias_->of_squares(passes, r.lx) : std::vector<Spread>();
+  const std::vector<Spread> squares = merges_ && whole ? merges_->bias.of_squares(passes, r.lx) : std::vector<Spread>();
   std::vector<PixelCaustics::Unfound> unfound(tiles_.count());
-  if (caustics_) unfound = caustics_->unfound(caustic_lm, plan_.light_paths);
+  if (merges_) unfound = merges_->caustics.unfound(caustic_lm, plan_.light_paths);
   for (uint32_t p = 0; p < sums_.size(); ++p) {
     const uint32_t n = visits[p];
     float sums[batch_count];
@@ -54,7 +52,7 @@ void IlluminanceSums::read_bounds(const std::vector<uint32_t>& visits, uint32_t 
     if (!(emitted_lx_ > 0) || light.is_enough(n)) r.standard_error[p] = float(spread(sums, n).standard_error);
     if (!whole) continue;
     const double noise = double(r.standard_error[p]);
-    const Spread bias = bias_ ? bias_->of_pixel(p, n, r.lx[p], squares) : Spread{0, 0};
+    const Spread bias = merges_ ? merges_->bias.of_pixel(p, n, r.lx[p], squares) : Spread{0, 0};
     r.error_bound[p] =
         noise >= 0 ? error_bound({r.lx[p], noise}, bias, n) : float(light.bound(largest[tiles_.of(p)], n));
     r.error_bound[p] += float(unfound[tiles_.of(p)].lx);

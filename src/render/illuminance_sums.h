@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/zeroed.h"
-#include "render/pixel_bias.h"
 #include "render/pixel_caustics.h"
 #include "render/tiles.h"
 #include "transport/tally.h"
@@ -17,7 +16,7 @@ namespace ups {
 struct IlluminanceReading {
   static constexpr double bytes_per_pixel = 4 * sizeof(float);
   std::vector<float> lx, standard_error, bias, error_bound;
-  explicit IlluminanceReading(size_t pixels = 0)
+  explicit IlluminanceReading(size_t pixels)
       : lx(pixels), standard_error(pixels, -1.0f), bias(pixels), error_bound(pixels, -1.0f) {}
 };
 
@@ -27,7 +26,7 @@ class IlluminanceSums {
   IlluminanceSums(const Camera& camera, const Plan& plan, double emitted_lx);
   // batches: whole passes of all pixels, at most batch_count; begun: with the one under way.
   static double bytes_per_pixel(bool merges, double batches, double begun) {
-    return 8 + 4 * begun + merges * (PixelBias::bytes_per_pixel(batches) + PixelCaustics::bytes_per_pixel);
+    return 8 + 4 * begun + merges * PixelMergeSums::bytes_per_pixel(batches);
   }
 
   // merges: photons, within the iteration.
@@ -45,8 +44,7 @@ class IlluminanceSums {
   std::vector<float> largest_;  // by tile, of one visit
   ZeroedVector<double> sums_;   // of all visits
   std::array<ZeroedVector<float>, batch_count> batches_;  // the same, by a pixel's own visits
-  std::optional<PixelBias> bias_;                         // where photons are merged
-  std::optional<PixelCaustics> caustics_;                 // the same
+  std::optional<PixelMergeSums> merges_;                  // where photons are merged
 };
 
 }  // namespace ups

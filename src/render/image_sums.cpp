@@ -37,8 +37,7 @@ ImageSums::Bytes ImageSums::bytes_per_pixel(const Camera& camera, const Transpor
   const double illuminance = camera.illuminance(), techniques = technique_count(settings.technique_edges),
                families = settings.technique_edges ? 2 : 0;
   Bytes b;
-  const double of_merges = merges ? PixelBias::bytes_per_pixel(batches) + PixelCaustics::bytes_per_pixel : 0;
-  b.sums = sizeof(Sample) + 3 * (8 + 4 + 8 * splats + 4 * batches) + of_merges +
+  b.sums = sizeof(Sample) + 3 * (8 + 4 + 8 * splats + 4 * batches) + merges * PixelMergeSums::bytes_per_pixel(batches) +
            illuminance * IlluminanceSums::bytes_per_pixel(merges, batches, begun) +
            3 * (8 + 4) * (2 * techniques + families) + LayerSums::bytes_per_pixel(camera);
   b.reading = 3 * (4 + 4 + 4) + 2 * 4 + IlluminanceReading::bytes_per_pixel * illuminance +
@@ -51,15 +50,12 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   if (!tally.techniques.empty()) add_techniques(tally.techniques[c]);
   if (illuminance_) illuminance_->add(iteration, tally.illuminance[c], !tally.pixel_merges.empty());
   layers_.add(plan_, iteration, tally, c);
-  if (!bias_ && !tally.pixel_merges.empty()) bias_.emplace(width_, height_), caustics_.emplace(width_, height_);
+  if (!merges_ && !tally.pixel_merges.empty()) merges_.emplace(width_, height_);
   const auto keep_largest = [&](uint32_t pixel, float value, PathNumber path) {
     if (value > largest_[pixel].value) largest_[pixel] = {value, {iteration, path}};
   };
   plan_.for_visited_pixels(iteration, width_, height_, [&](uint32_t i, uint32_t pixel) {
-    if (!tally.pixel_merges.empty()) {
-      bias_->add(pixel, tally.pixel_merges[c][i].bias);
-      caustics_->add(pixel, tally.pixel_merges[c][i]);
-    }
+    if (!tally.pixel_merges.empty()) merges_->add(pixel, tally.pixel_merges[c][i]);
     const Rgb& v = tally.pixels[c][i];
     keep_largest(pixel, luminance(v), {});
     const float rgb[3] = {v.r, v.g, v.b};
@@ -83,7 +79,7 @@ void ImageSums::add(uint32_t iteration, const IterationTally& tally, size_t c) {
   batch.resize(pending_.size());
   for (size_t i = 0; i < batch.size(); ++i) batch[i] += pending_[i];
   std::fill(pending_.begin(), pending_.end(), 0.0f);
-  if (bias_) bias_->end_pass(plan_.pass(iteration));
+  if (merges_) merges_->bias.end_pass(plan_.pass(iteration));
 }
 
 namespace {
@@ -165,7 +161,7 @@ void ImageSums::read_errors(uint32_t passes, ImageReading& r) const {
 }
 
 std::vector<PixelCaustics::Unfound> ImageSums::unfound_caustics(double caustic_lm) const {
-  return caustics_ ? caustics_->unfound(caustic_lm, plan_.light_paths)
+  return merges_ ? merges_->caustics.unfound(caustic_lm, plan_.light_paths)
                    : std::vector<PixelCaustics::Unfound>(tiles_.count());
 }
 
@@ -176,15 +172,15 @@ void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits
   for (size_t p = 0; p < light.size(); ++p) {
     light[p] = float(luminance_at(r.luminance_rgb, p));
     mean += light[p] / double(light.size());
-    if (bias_) r.bias[p] = bias_->mean(uint32_t(p), visits[p]);
+    if (merges_) r.bias[p] = merges_->bias.mean(uint32_t(p), visits[p]);
   }
   if (passes < min_batches) return;
   const std::vector<float> largest = tiles_.largest_around(largest_of_tiles(), mean > 0 ? mean : emitted_cd_m2_);
-  const std::vector<Spread> squares = bias_ ? bias_->of_squares(passes, light) : std::vector<Spread>();
+  const std::vector<Spread> squares = merges_ ? merges_->bias.of_squares(passes, light) : std::vector<Spread>();
   const std::vector<PixelCaustics::Unfound> unfound = unfound_caustics(caustic_lm);
   for (uint32_t p = 0; p < light.size(); ++p) {
     const double noise = luminance_at(r.standard_error_rgb, p);
-    const Spread bias = bias_ ? bias_->of_pixel(p, visits[p], light[p], squares) : Spread{0, 0};
+    const Spread bias = merges_ ? merges_->bias.of_pixel(p, visits[p], light[p], squares) : Spread{0, 0};
     r.error_bound[p] = noise >= 0 ? ups::error_bound({light[p], noise}, bias, passes)
                                   : float(chance(p, passes).bound(largest[tiles_.of(p)], passes));
     r.error_bound[p] += float(unfound[tiles_.of(p)].lx / pi_d);  // of a white surface
@@ -255,10 +251,10 @@ MeterError ImageSums::apart(uint32_t p, uint32_t passes, uint32_t visits, const 
   const double noise = luminance_at(r.standard_error_rgb, p), bound = double(r.error_bound[p]),
                unfound = caustics.lx / pi_d;
   if (noise < 0) return {.unfound = float(bound), .paths = float(chance(p, passes).paths)};
-  if (!bias_) return {.noise = float(bound), .visits = passes};
-  const Spread bias = bias_->of_pixel(p, visits, float(luminance_at(r.luminance_rgb, p)), squares);
+  if (!merges_) return {.noise = float(bound), .visits = passes};
+  const Spread bias = merges_->bias.of_pixel(p, visits, float(luminance_at(r.luminance_rgb, p)), squares);
   const double b = std::abs(bias.mean), s_b = std::max(0.0, bias.standard_error),
-               own = bias_->own(p, visits).standard_error, all = noise * noise + s_b * s_b,
+               own = merges_->bias.own(p, visits).standard_error, all = noise * noise + s_b * s_b,
                merged = s_b * s_b + std::min(noise * noise, own * own / 4);
   MeterError m{.noise = float(std::max(0.0, bound - unfound - b)),
                .bias = float(b),
@@ -285,10 +281,10 @@ bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vec
   if (!lit) mean = emitted_cd_m2_;
   const std::vector<uint32_t> all = all_visits(iterations);
   std::vector<Spread> squares;
-  if (bias_) {
+  if (merges_) {
     std::vector<float> light(pixels);
     for (size_t p = 0; p < pixels; ++p) light[p] = float(luminance_at(image.luminance_rgb, p));
-    squares = bias_->of_squares(n, light);
+    squares = merges_->bias.of_squares(n, light);
   }
   const std::vector<PixelCaustics::Unfound> unfound = unfound_caustics(caustic_lm);
   MeterError darkest;

@@ -9,7 +9,6 @@
 #include "render/illuminance_sums.h"
 #include "render/largest_samples.h"
 #include "render/layer_sums.h"
-#include "render/pixel_bias.h"
 #include "render/pixel_caustics.h"
 #include "render/prediction.h"
 #include "render/zero_bound.h"
@@ -91,8 +90,7 @@ class ImageSums {
   ZeroedVector<Sample> largest_;      // of each pixel, luminance
   // 3 a pixel, of whole passes; each is empty before its first.
   std::array<ZeroedVector<float>, batch_count> batches_;
-  std::optional<PixelBias> bias_;          // where photons are merged
-  std::optional<PixelCaustics> caustics_;  // the same
+  std::optional<PixelMergeSums> merges_;  // where photons are merged
   // Of all iterations, 3 a pixel, technique by technique; empty where not asked for.
   ZeroedVector<double> weighted_, unweighted_;
   std::array<ZeroedVector<double>, 2> families_;  // of eye paths

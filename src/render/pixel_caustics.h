@@ -1,8 +1,10 @@
-// What an image may not show yet: light by way of casters. Kept by its sums where photons are merged.
+// What an image may not show yet: light by way of casters; with the bias of its pixels, which is kept where photons are
+// merged, too.
 #pragma once
 #include <vector>
 
 #include "render/caustic_search.h"
+#include "render/pixel_bias.h"
 #include "render/tiles.h"
 #include "transport/tally.h"
 
@@ -43,6 +45,20 @@ class PixelCaustics {
   };
   const Tiles tiles_;
   std::vector<Tile> of_tile_;
+};
+
+// What merging says of an image's pixels, luminance or illuminance.
+struct PixelMergeSums {
+  static double bytes_per_pixel(double batches) {
+    return PixelBias::bytes_per_pixel(batches) + PixelCaustics::bytes_per_pixel;
+  }
+  PixelBias bias;
+  PixelCaustics caustics;
+  PixelMergeSums(uint32_t width, uint32_t height) : bias(width, height), caustics(width, height) {}
+  void add(uint32_t pixel, const PixelMerges& merges) {
+    bias.add(pixel, merges.bias);
+    caustics.add(pixel, merges);
+  }
 };
 
 }  // namespace ups

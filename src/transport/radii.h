@@ -21,7 +21,8 @@ void look_around_meters(const Snapshot& scene, ThreadPool& pool, const StopSigna
                         Plan& plan);
 
 // Reorders v, which is not empty.
-inline float median(std::vector<float>& v) {
+template <class T>
+T median(std::vector<T>& v) {
   const auto middle = v.begin() + ptrdiff_t(v.size() / 2);
   std::nth_element(v.begin(), middle, v.end());
   return *middle;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "transport/pilot.h"
+#include "transport/radii.h"
 
 namespace ups {
 
@@ -63,12 +64,6 @@ struct Candidate {
             .merge = light_paths * (share.merge == TechniqueShare::merge_all)};
   }
 };
-
-double median(std::vector<double>& v) {
-  const auto middle = v.begin() + std::ptrdiff_t(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 constexpr double light_shares[] = {1.0, 1.0 / 4, 1.0 / 16};  // the last where nothing is merged: see most_caustic
 constexpr double caustic_shares[] = {1.0 / 64, 1.0 / 4};  // where only caustics need light paths
