@@ -6,6 +6,7 @@
 namespace ups {
 
 inline constexpr float pi = 3.14159265358979323846f;
+inline constexpr double pi_d = 3.14159265358979323846;
 inline constexpr float inv_pi = 0.31830988618379067154f;
 
 template <class T>

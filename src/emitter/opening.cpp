@@ -11,7 +11,6 @@
 namespace ups {
 namespace {
 
-constexpr double pi_d = 3.141592653589793238463;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest_u = 1 - 0x1p-24;
 constexpr double far_away = 100;  // in radii: beyond, faces weigh as if they were small

@@ -13,8 +13,6 @@ namespace ups {
 
 namespace {
 
-constexpr double pi_d = 3.14159265358979323846;
-
 void check(const StopSignal* stop) {
   if (stop && stop->is_cancelled()) throw Cancelled();
 }

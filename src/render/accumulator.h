@@ -97,7 +97,6 @@ class Accumulator {
   // Of a set's meters as the caller counts them: of vectors, from those of their sides, their lengths.
   std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
   VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;
-  bool lands_on_cells(size_t set) const;  // light paths do
   CausticSearch search_of_cells(size_t set, size_t begin, size_t end, size_t column) const;
   // What one path may bring to an iteration's reading, as far as is known.
   double largest_path(size_t set, size_t meter, size_t column, double disc_area, LightPart part) const;

@@ -12,10 +12,6 @@ double Accumulator::brightest_lm(size_t column) const {
   return column > 0 ? std::min(found, emitted_[column].brightest_lm) : found;
 }
 
-bool Accumulator::lands_on_cells(size_t set) const {
-  return plan_.lands && (plan_.shares.empty() || plan_.shares[plan_.units.of_set(set)].light);
-}
-
 // At least the brightest photon on the whole disc; and as an eye path that sees a surface as bright as the brightest
 // exact light makes a white one, or the scene's mean; of one source, too: emitters are chosen in proportion to what
 // they bring, so that the few paths that choose a weak one weigh as much as the others. One that runs into the
@@ -23,7 +19,7 @@ bool Accumulator::lands_on_cells(size_t set) const {
 // weight no more than one of them; light straight from emitters next-event estimation brings.
 double Accumulator::largest_path(size_t set, size_t m, size_t column, double disc_area, LightPart part) const {
   const MeterSet& meters = scene_.meter_sets[set];
-  const double area = meters.is_cell() && lands_on_cells(set) ? meters.area(m) : disc_area;
+  const double area = meters.is_cell() && plan_.lands_on_cells(set) ? meters.area(m) : disc_area;
   const bool photons = plan_.light_paths > 0 && area > 0 &&
                        (part != direct_light || meters.is_cell() || plan_.merges_direct_light());
   const double photon = photons ? brightest_lm(column) / (plan_.light_paths * area) : 0,
@@ -43,7 +39,7 @@ double Accumulator::brightest_caustic_lm(size_t column) const {
 
 CausticSearch Accumulator::search_of_cells(size_t set, size_t begin, size_t end, size_t column) const {
   CausticSearch all;
-  if (!lands_on_cells(set)) return all;
+  if (!plan_.lands_on_cells(set)) return all;
   const size_t columns = plan_.separation.columns.size();
   for (size_t m = begin; m < std::min(end, meters_[set].size()); ++m) {
     const MeterSums& sums = column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1];

@@ -166,6 +166,17 @@ struct Letters {
 
 }  // namespace
 
+std::string not_sampleable(const Snapshot& scene) {
+  std::vector<std::string> emitters;
+  for (size_t i = 0; i < scene.emitters.size(); ++i)
+    if (source_kind(scene.emitters[i]) != SourceKind::hittable) emitters.push_back(scene.emitter_names[i]);
+  if (scene.cameras.empty() || emitters.empty()) return {};
+  const std::string specular = materials_of(scene, [](const Material& m) { return traits_of(m).delta; });
+  return "not_sampleable: light of " + listed(emitters) + " (without extent) straight to a camera" +
+         (specular.empty() ? "" : ", or by way of specular surfaces alone (" + specular + ")") +
+         ": pixels show what it lights, not its source; what has a luminous opening or surface is seen\n";
+}
+
 std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& of_render) {
   const Sensors has = sensors_of(scene);
   TransportSettings settings = of_render;

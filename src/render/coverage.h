@@ -31,4 +31,7 @@ bool is_measurable(std::string_view vertices, SourceKind source, SensorKind sens
 // way of which surfaces.
 std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& settings);
 
+// What no set can: a line on the sources of the scene that none of its cameras shows (not is_measurable); or nothing.
+std::string not_sampleable(const Snapshot& scene);
+
 }  // namespace ups

@@ -8,8 +8,6 @@ namespace ups {
 
 namespace {
 
-constexpr double pi_d = 3.14159265358979323846;
-
 template <class Floats>
 double luminance_at(const Floats& rgb, size_t pixel) {
   return luminance(Rgb(rgb[pixel * 3], rgb[pixel * 3 + 1], rgb[pixel * 3 + 2]));
@@ -112,6 +110,11 @@ std::vector<uint32_t> ImageSums::all_visits(uint32_t iterations) const {
 }
 
 ImageReading ImageSums::read(uint32_t iterations, double caustic_lm) const {
+  PixelMergeSums::Errors errors;
+  return read(iterations, caustic_lm, errors);
+}
+
+ImageReading ImageSums::read(uint32_t iterations, double caustic_lm, PixelMergeSums::Errors& errors) const {
   const size_t pixels = size_t(width_) * height_;
   ImageReading r{width_, height_, std::vector<float>(pixels * 3), std::vector<float>(pixels * 3, -1.0f), {},
                  std::vector<float>(pixels), std::vector<float>(pixels, -1.0f), {}, layers_.read(), {}, {}};
@@ -126,7 +129,7 @@ ImageReading ImageSums::read(uint32_t iterations, double caustic_lm) const {
   for (size_t i = 0; i < splat_.size(); ++i) r.luminance_rgb[i] += float(splat_[i] / iterations);
   r.robust_rgb = r.luminance_rgb;
   if (n >= min_batches) read_errors(n, r);
-  read_bounds(n, all, caustic_lm, r);
+  read_bounds(n, all, caustic_lm, r, errors);
   clear_blank(r);
   return r;
 }
@@ -160,13 +163,8 @@ void ImageSums::read_errors(uint32_t passes, ImageReading& r) const {
   }
 }
 
-std::vector<PixelCaustics::Unfound> ImageSums::unfound_caustics(double caustic_lm) const {
-  return merges_ ? merges_->caustics.unfound(caustic_lm, plan_.light_paths)
-                   : std::vector<PixelCaustics::Unfound>(tiles_.count());
-}
-
-void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, double caustic_lm,
-                            ImageReading& r) const {
+void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, double caustic_lm, ImageReading& r,
+                            PixelMergeSums::Errors& errors) const {
   std::vector<float> light(r.bias.size());
   double mean = 0;
   for (size_t p = 0; p < light.size(); ++p) {
@@ -176,14 +174,15 @@ void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits
   }
   if (passes < min_batches) return;
   const std::vector<float> largest = tiles_.largest_around(largest_of_tiles(), mean > 0 ? mean : emitted_cd_m2_);
-  const std::vector<Spread> squares = merges_ ? merges_->bias.of_squares(passes, light) : std::vector<Spread>();
-  const std::vector<PixelCaustics::Unfound> unfound = unfound_caustics(caustic_lm);
+  errors.unfound.resize(tiles_.count());
+  if (merges_)
+    errors = {merges_->bias.of_squares(passes, light), merges_->caustics.unfound(caustic_lm, plan_.light_paths)};
   for (uint32_t p = 0; p < light.size(); ++p) {
     const double noise = luminance_at(r.standard_error_rgb, p);
-    const Spread bias = merges_ ? merges_->bias.of_pixel(p, visits[p], light[p], squares) : Spread{0, 0};
+    const Spread bias = merges_ ? merges_->bias.of_pixel(p, visits[p], light[p], errors.squares) : Spread{0, 0};
     r.error_bound[p] = noise >= 0 ? ups::error_bound({light[p], noise}, bias, passes)
                                   : float(chance(p, passes).bound(largest[tiles_.of(p)], passes));
-    r.error_bound[p] += float(unfound[tiles_.of(p)].lx / pi_d);  // of a white surface
+    r.error_bound[p] += float(errors.unfound[tiles_.of(p)].lx / pi_d);  // of a white surface
   }
 }
 
@@ -247,12 +246,13 @@ void ImageSums::find_largest(uint32_t iterations, const ImageReading& r, Largest
 // As of a meter: bias that may be noise counts as noise, and merging has a quarter of the variance of its bias. Discs
 // shrink, so that what is unfound falls a little more slowly than a meter's; it is little.
 MeterError ImageSums::apart(uint32_t p, uint32_t passes, uint32_t visits, const ImageReading& r,
-                            const std::vector<Spread>& squares, const PixelCaustics::Unfound& caustics) const {
+                            const PixelMergeSums::Errors& errors) const {
+  const PixelCaustics::Unfound& caustics = errors.unfound[tiles_.of(p)];
   const double noise = luminance_at(r.standard_error_rgb, p), bound = double(r.error_bound[p]),
                unfound = caustics.lx / pi_d;
   if (noise < 0) return {.unfound = float(bound), .paths = float(chance(p, passes).paths)};
   if (!merges_) return {.noise = float(bound), .visits = passes};
-  const Spread bias = merges_->bias.of_pixel(p, visits, float(luminance_at(r.luminance_rgb, p)), squares);
+  const Spread bias = merges_->bias.of_pixel(p, visits, float(luminance_at(r.luminance_rgb, p)), errors.squares);
   const double b = std::abs(bias.mean), s_b = std::max(0.0, bias.standard_error),
                own = merges_->bias.own(p, visits).standard_error, all = noise * noise + s_b * s_b,
                merged = s_b * s_b + std::min(noise * noise, own * own / 4);
@@ -271,7 +271,8 @@ bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vec
                                 MeanError& together) const {
   const uint32_t n = passes(iterations);
   if (n < min_batches) return false;
-  const ImageReading image = read(iterations, caustic_lm);
+  PixelMergeSums::Errors errors;
+  const ImageReading image = read(iterations, caustic_lm, errors);
   const size_t pixels = image.luminance_rgb.size() / 3;
   out.reserve(out.size() + pixels);
   double mean = 0, of_dark = 0;
@@ -280,13 +281,6 @@ bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vec
   const bool lit = mean > 0;
   if (!lit) mean = emitted_cd_m2_;
   const std::vector<uint32_t> all = all_visits(iterations);
-  std::vector<Spread> squares;
-  if (merges_) {
-    std::vector<float> light(pixels);
-    for (size_t p = 0; p < pixels; ++p) light[p] = float(luminance_at(image.luminance_rgb, p));
-    squares = merges_->bias.of_squares(n, light);
-  }
-  const std::vector<PixelCaustics::Unfound> unfound = unfound_caustics(caustic_lm);
   MeterError darkest;
   for (uint32_t p = 0; p < pixels; ++p) {
     if (is_blank(p)) continue;
@@ -296,7 +290,7 @@ bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vec
     const bool counts = own > 0 || !lit;
     if (counts) sum += out.back();
     if (!counts && out.back() <= of_dark) continue;
-    const MeterError part = apart(p, n, all[p], image, squares, unfound[tiles_.of(p)]).scaled(scale);
+    const MeterError part = apart(p, n, all[p], image, errors).scaled(scale);
     if (counts)
       together.add(part);
     else

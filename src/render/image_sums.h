@@ -63,8 +63,8 @@ class ImageSums {
   std::vector<float> largest_of_tiles() const;
   // What a pixel's error bound is made of, of so many whole passes.
   MeterError apart(uint32_t pixel, uint32_t passes, uint32_t visits, const ImageReading& reading,
-                   const std::vector<Spread>& bias_of_squares, const PixelCaustics::Unfound& unfound) const;
-  std::vector<PixelCaustics::Unfound> unfound_caustics(double caustic_lm) const;  // by tile
+                   const PixelMergeSums::Errors& errors) const;
+  ImageReading read(uint32_t iterations, double caustic_lm, PixelMergeSums::Errors& errors) const;
   void add_techniques(const TechniqueTally& tally);
   uint32_t visits(uint32_t iterations, uint32_t x, uint32_t y) const {
     return iterations / plan_.camera_subsets + (plan_.pixel_subset(x, y) < iterations % plan_.camera_subsets);
@@ -72,8 +72,9 @@ class ImageSums {
   std::vector<uint32_t> all_visits(uint32_t iterations) const;
   bool is_blank(size_t pixel) const { return !blank_.empty() && blank_[pixel]; }
   void read_errors(uint32_t passes, ImageReading& reading) const;
-  void read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, double caustic_lm,
-                   ImageReading& reading) const;
+  // Keeps for apart() what pixels' bounds are made of, once `passes` are enough for them.
+  void read_bounds(uint32_t passes, const std::vector<uint32_t>& visits, double caustic_lm, ImageReading& reading,
+                   PixelMergeSums::Errors& errors) const;
   void fill_unvisited(const std::vector<uint32_t>& visits, ImageReading& reading) const;
   void clear_blank(ImageReading& reading) const;
 

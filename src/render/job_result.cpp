@@ -103,6 +103,7 @@ void RenderJob::add_warnings(RenderResult& r) const {
   r.warnings += radius_notice(*integrator_, sums_->iterations());
   if (desc_.merge_radius_m > 0)
     for (size_t c = 0; c < r.images.size(); ++c) r.warnings += blur_notice(scene_->camera_ids[c], r.images[c]);
+  r.warnings += crowd_notice(sums_->work());
   const double emitted = scene_->emitters.flux_lm();
   r.warnings += leaning_notice(books(), emitted);
   if (!(emitted > 0)) return;

@@ -78,7 +78,7 @@ std::string words(const Snapshot& scene, uint32_t t, const Sensors& s, bool was_
                ? "light paths are counted where they leave the scene for a goniometer, or land on a meter's cell"
                : "light paths are counted where they land on a meter's cell",
            s.cells || s.goniometers ? nullptr : "no meter measures a cell");
-  return text;
+  return text + not_sampleable(scene);
 }
 
 }  // namespace

@@ -59,6 +59,11 @@ struct PixelMergeSums {
     bias.add(pixel, merges.bias);
     caustics.add(pixel, merges);
   }
+  // What is told by all pixels at once: see PixelBias::of_squares and PixelCaustics::unfound.
+  struct Errors {
+    std::vector<Spread> squares;
+    std::vector<PixelCaustics::Unfound> unfound;
+  };
 };
 
 }  // namespace ups

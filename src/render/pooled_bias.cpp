@@ -14,7 +14,6 @@ constexpr size_t reach = 16, least_neighbours = 4;  // on either side; without t
 constexpr uint32_t quarter = 4, narrower = 2, most_narrow = 8;  // rings: to a quarter of a radius; steps down to a 16th
 constexpr double rounding = 1e-9;  // of a reading: a few photons' bias that varies by less is zero, and tells nothing
 constexpr double certain = 2.5;  // standard deviations, of one of several estimates that are looked at
-constexpr double pi_d = 3.14159265358979323846;
 
 struct Estimate {
   double value = 0, variance = 0;

@@ -13,6 +13,9 @@ std::string reading_warnings(uint32_t set_id, const MeterSet& meters, const Mete
 // rod, most of the disc misses it, and no bound that is told by the disc's halves holds.
 std::string blur_notice(uint32_t camera_id, const ImageReading& image);
 
+// Where so many photons lay about what eye paths met that only some of them were merged.
+std::string crowd_notice(const WorkCounts& work);
+
 // What of the light shading normals lose that lean from their faces.
 std::string leaning_notice(const WorkCounts& flux, double emitted_lm);
 

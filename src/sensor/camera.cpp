@@ -7,8 +7,6 @@ namespace ups {
 
 namespace {
 
-constexpr double pi_d = 3.14159265358979323846;
-
 // Distance from the image circle's middle, its radius being 1, of light at `angle` from the axis; and the inverse.
 float radius_of(Projection p, float angle) {
   return p == Projection::equidistant ? angle * (2 * inv_pi) : std::sqrt(2.0f) * std::sin(0.5f * angle);

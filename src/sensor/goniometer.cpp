@@ -11,8 +11,6 @@ namespace ups {
 
 namespace {
 
-constexpr double pi_d = 3.14159265358979323846;
-
 // Integral of sin(gamma) times a function that falls linearly from 1 at gamma to 0 at gamma + h (h < 0: towards the
 // nadir). = |cos g - (sin(g + h) - sin g) / h|, written so that small h keep their digits.
 double hat_side(double gamma, double h) {

@@ -89,8 +89,10 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
   bool ask_photons(const EyeEnd& eye, PhotonIndex::Query& query);
   void count_disc(const EyeEnd& eye, float area);
-  void merge(const EyeEnd& eye, const PhotonIndex::Query& query);
-  void merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon, float d2, double radius);
+  void merge(const EyeEnd& eye, PhotonIndex::Query& query);
+  uint32_t thin(const EyeEnd& eye, PhotonIndex::Query& query);
+  // share: of how many photons it stands for.
+  void merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon, float d2, double radius, float share);
   LightEnd& light_end(uint32_t i);  // the light path's vertex as connections read it
   const EyeSensor::Disc& disc(const EyeEnd& eye) const {
     return eye.edges == 0 || (sensor_.camera && !scattered_) ? sensor_.first : sensor_.later;

@@ -28,11 +28,11 @@ Iteration Iteration::of_pilot(const Snapshot& of_scene, const Plan& by_plan, con
 }
 
 double Iteration::eta(double radius2) const {
-  return has(UPS_TECHNIQUE_MERGE) ? double(plan.light_paths) * 3.14159265358979323846 * radius2 : 0.0;
+  return has(UPS_TECHNIQUE_MERGE) ? double(plan.light_paths) * pi_d * radius2 : 0.0;
 }
 
 double Iteration::photon_norm(double radius2) const {
-  return 1.0 / (double(plan.light_paths) * 3.14159265358979323846 * radius2);
+  return 1.0 / (double(plan.light_paths) * pi_d * radius2);
 }
 
 mis::Counts Iteration::counts(const TechniqueShare& share) const {
@@ -54,9 +54,8 @@ mis::Counts Iteration::camera_counts(size_t c, uint32_t pixel) const {
 }
 
 mis::Counts Iteration::meter_counts(size_t set) const {
-  const TechniqueShare own = share([&] { return plan.units.of_set(set); });
-  mis::Counts n = counts(own);
-  if (own.light && scene.meter_sets[set].is_cell() && has(UPS_TECHNIQUE_SENSOR_HIT))
+  mis::Counts n = counts(share([&] { return plan.units.of_set(set); }));
+  if (scene.meter_sets[set].is_cell() && has(UPS_TECHNIQUE_SENSOR_HIT) && plan.lands_on_cells(set))
     n.land = double(plan.light_paths) / plan.meter_samples;
   return n;
 }

@@ -36,9 +36,12 @@ class PhotonIndex {
     // 8, but for rounding; after find_rows() the first photon of each and one past its last.
     uint32_t bucket[27], end[27];
     int count = 0;
+    uint64_t candidates = 0;  // photons in them
+    // What visit() looks at of these: each stride-th, from number `first` on.
+    uint32_t stride = 1, first = 0;
   };
   void ask(const Vec3& p, float radius, Query& q) const {
-    q.p = p, q.radius = radius, q.count = 0;
+    q.p = p, q.radius = radius, q.count = 0, q.candidates = 0;
     if (!may_find(p)) return;
     const Cell lo = cell_of(p - Vec3(radius, radius, radius)), hi = cell_of(p + Vec3(radius, radius, radius));
     for (int64_t z = lo.z; z <= hi.z; ++z)
@@ -57,6 +60,7 @@ class PhotonIndex {
     for (int k = 0; k < q.count; ++k) {
       q.end[k] = begin_[q.bucket[k] + 1];
       q.bucket[k] = begin_[q.bucket[k]];
+      q.candidates += q.end[k] - q.bucket[k];
       prefetch(photons_.data() + q.bucket[k]);
     }
   }
@@ -68,11 +72,15 @@ class PhotonIndex {
   template <class Visit>
   void visit(const Query& q, const Visit& visit) const {
     const float r2 = q.radius * q.radius;
-    for (int k = 0; k < q.count; ++k)
-      for (uint32_t i = q.bucket[k]; i < q.end[k]; ++i) {
+    uint64_t skip = q.first;
+    for (int k = 0; k < q.count; ++k) {
+      uint64_t i = q.bucket[k] + skip;
+      for (; i < q.end[k]; i += q.stride) {
         const float d2 = length2(photons_[i].p - q.p);
         if (d2 < r2) visit(photons_[i], d2);
       }
+      skip = i - q.end[k];
+    }
   }
   template <class Visit>
   void query(const Vec3& p, float radius, const Visit& to) const {

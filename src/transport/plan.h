@@ -106,7 +106,8 @@ struct Plan {
   bool merges_at(size_t set) const {
     return shares.empty() || shares[units.of_set(set)].merge != TechniqueShare::no_merge;
   }
-  // Photons land on discs of the set; some of them straight from an emitter.
+  // Light paths land on cells of the set; photons on discs of it, some of them straight from an emitter.
+  bool lands_on_cells(size_t set) const { return lands && (shares.empty() || shares[units.of_set(set)].light); }
   bool lands_on(size_t set) const { return set < meter_discs.size() && !meter_discs[set].empty() && merges_at(set); }
   bool merges_direct_light() const {
     return std::any_of(gates.begin(), gates.end(), [](const mis::Gates& g) { return g.merge_at_first; });

@@ -16,6 +16,7 @@ enum class Slot {
   perturb_x, perturb_y,  // where path integration arrives beside the vertex
   count,
   more_choice = connection,  // of a light path's vertex 0
+  crowd = perturb_x,     // which of the photons about the vertex are merged where they are very many
   pane = cell_x,         // of a later vertex: which panes the edge to it goes through
   later_edges = cell_y   // of number k > 0: which of a long path's edges that waited for test k get their shadow rays
 };

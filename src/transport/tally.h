@@ -35,6 +35,8 @@ struct DroppedSample {
 
 struct WorkCounts {
   uint64_t rays = 0, light_paths = 0, eye_paths = 0, light_vertices = 0, merges = 0, connections = 0;
+  // Vertices of eye paths about which were too many photons to look at all of them, and the most that were about one.
+  uint64_t crowds = 0, largest_crowd = 0;
   uint64_t caster_rays = 0;  // of light paths that have met nothing but casters
   float brightest_lm = 0;    // of all light paths, as they started
   float brightest_caustic_lm = 0;  // of those that a caster sent on, from no other surface
@@ -55,6 +57,8 @@ struct WorkCounts {
     light_vertices += o.light_vertices;
     merges += o.merges;
     connections += o.connections;
+    crowds += o.crowds;
+    largest_crowd = std::max(largest_crowd, o.largest_crowd);
     caster_rays += o.caster_rays;
     brightest_lm = std::max(brightest_lm, o.brightest_lm);
     brightest_caustic_lm = std::max(brightest_caustic_lm, o.brightest_caustic_lm);

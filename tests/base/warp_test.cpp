@@ -9,8 +9,6 @@
 namespace ups::test {
 namespace {
 
-constexpr double pi_d = 3.141592653589793238463;
-
 TEST(Warp, CosineAndSineAreRightToTheLastBits) {
   for (int i = -100000; i <= 100000; ++i) {
     const float angle = pi / 4 * (float(i) / 100000);

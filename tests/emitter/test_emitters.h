@@ -17,7 +17,6 @@
 namespace ups::test {
 
 constexpr float largest_u = 0x1.fffffep-1f;
-constexpr double pi_d = 3.141592653589793238463;
 
 constexpr double false_alarm = 1e-4;
 

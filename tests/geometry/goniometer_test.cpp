@@ -8,8 +8,6 @@
 namespace ups {
 namespace {
 
-constexpr double pi_d = 3.14159265358979323846;
-
 Vec3 towards(double c_deg, double gamma_deg) {
   const double c = c_deg / 180 * pi_d, g = gamma_deg / 180 * pi_d;
   return Vec3(Vec3d(std::sin(g) * std::cos(c), std::sin(g) * std::sin(c), -std::cos(g)));

@@ -10,7 +10,6 @@ namespace ups {
 namespace {
 
 constexpr Projection wide[] = {Projection::equidistant, Projection::equisolid, Projection::panorama};
-constexpr double pi_d = 3.14159265358979323846;
 
 // Looks along +x, +z up.
 Camera camera_of(Projection p, uint32_t width, uint32_t height) {

@@ -13,7 +13,6 @@ namespace {
 using namespace ups;
 
 constexpr float radius = 0.5f;
-constexpr double pi_d = 3.14159265358979323846;
 
 struct Part {
   std::function<double(double, double)> lx;

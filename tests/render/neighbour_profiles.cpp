@@ -16,7 +16,6 @@ using namespace ups;
 constexpr size_t meters = 24;
 constexpr int renders = 30;
 constexpr float radius = 0.5f;
-constexpr double pi_d = 3.14159265358979323846;
 using Light = std::function<double(size_t meter, double x)>;
 
 struct Figures {

@@ -51,6 +51,28 @@ TEST(Hazard30, WarnsOfTheLightOfACellLitByAMirror) {
   }
 }
 
+// A pinhole sees no source without extent but by chance: no set of techniques shows it in the mirror, and the techniques'
+// text says so, whatever the method. A lamp with extent is seen there.
+TEST(Hazard30, TellsThatNoTechniqueShowsAPointInAMirror) {
+  const auto told = [](const Result& r) { return r.text(UPS_TEXT_TECHNIQUES).find("not_sampleable: light of "); };
+  MirrorRoom room(0);
+  const P3 eye{0.1, 0, 0.5}, to_image{-0.1, 0, 2.5};
+  const Sensor camera = room.scene.add_camera(eye, to_image, 8, 8, 0.2);
+  for (ups_method m : all_methods) {
+    const Result r = room.scene.render({.method = m, .iterations = 16});
+    EXPECT_EQ(mean(r.image(camera).luminance), 0) << method_name(m);
+    ASSERT_NE(told(r), std::string::npos) << method_name(m);
+    EXPECT_NE(r.text(UPS_TEXT_TECHNIQUES).find("by way of specular surfaces alone (", told(r)), std::string::npos);
+  }
+  Scene lamp;
+  lamp.add(quad({-1, -1, 2}, {0, 2, 0}, {2, 0, 0}), photon_mirror(0.9));
+  lamp.add(quad({-0.02, -0.02, 1}, {0.04, 0, 0}, {0, 0.04, 0}), emitter(1000));
+  const Sensor sees = lamp.add_camera(eye, to_image, 8, 8, 0.2);
+  const Result r = lamp.render({.iterations = 16});
+  EXPECT_GT(mean(r.image(sees).luminance), 0);
+  EXPECT_EQ(told(r), std::string::npos);
+}
+
 // Specular, diffuse, specular; also what an illuminance camera measures there.
 TEST(Hazard30, WarnsOfTheLightOfACameraThatSeesACausticInAMirror) {
   MirrorRoom room(0.5);

@@ -5,15 +5,25 @@ namespace ups::test {
 namespace {
 
 // Metal, glass and plastic of one roughness in a room. 6e-3 is just above what lobes that are sampled resolve.
+// m: what is 1 m there; all of it moved by `offset`.
 struct RoughThings {
-  explicit RoughThings(double roughness) {
-    scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));
-    scene.add(quad({1, 1, 2.9}, {0, 2, 0}, {2, 0, 0}), emitter(1000));
-    scene.add(icosphere({1, 1, 0.8}, 0.4, 2), glass(1.5, roughness));
-    scene.add(box({2.6, 2.6, 0.1}, {3.4, 3.4, 0.9}), rough(UPS_MATERIAL_METAL, 0.9, roughness));
-    scene.add(box({0.5, 2.5, 0.1}, {1.3, 3.3, 0.9}), rough(UPS_MATERIAL_PLASTIC, 0.6, roughness));
-    meters = scene.add_meters(grid_points({0.5, 0.5, 0.05}, {3, 0, 0}, {0, 3, 0}, 5), {0, 0, 1});
-    add_small_camera(scene, {3.5, 0.5, 1.6}, {-1, 1, -0.4});
+  explicit RoughThings(double roughness, double m = 1, const P3& offset = {}) {
+    const auto block = [m](const P3& low, const P3& high) { return box(low * m, high * m); };
+    scene.add(block({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5), offset);
+    scene.add(quad(P3{1, 1, 2.9} * m, P3{0, 2, 0} * m, P3{2, 0, 0} * m), emitter(1000), offset);
+    scene.add(icosphere(P3{1, 1, 0.8} * m, 0.4 * m, 2), glass(1.5, roughness), offset);
+    scene.add(block({2.6, 2.6, 0.1}, {3.4, 3.4, 0.9}), rough(UPS_MATERIAL_METAL, 0.9, roughness), offset);
+    scene.add(block({0.5, 2.5, 0.1}, {1.3, 3.3, 0.9}), rough(UPS_MATERIAL_PLASTIC, 0.6, roughness), offset);
+    meters = scene.add_meters(grid_points(offset + P3{0.5, 0.5, 0.05} * m, P3{3, 0, 0} * m, P3{0, 3, 0} * m, 5),
+                              {0, 0, 1});
+    add_small_camera(scene, offset + P3{3.5, 0.5, 1.6} * m, {-1, 1, -0.4});
+  }
+  std::vector<Result> survive_all(const std::string& name, double m = 1) {
+    return survive(name, scene,
+                   {{.meters = meters,
+                     .looser = {{UPS_METHOD_SPPM, fast_or_full(0.012, 0.0033),
+                                 "its discs are as narrow as what stands about"}}}},
+                   {.merge_radius_m = 0.05 * m});  // for 0.5 % near the caustic
   }
   Scene scene;
   Sensor meters;
@@ -27,12 +37,33 @@ INSTANTIATE_TEST_SUITE_P(Steps, TortureRoughness,
 
 TEST_P(TortureRoughness, OfMetalGlassAndPlastic) {
   const double roughness = GetParam().second;
-  RoughThings room(roughness);
-  survive(
-      "roughness " + std::to_string(roughness).substr(0, 7), room.scene,
-      {{.meters = room.meters,
-        .looser = {{UPS_METHOD_SPPM, fast_or_full(0.012, 0.0033), "its discs are as narrow as what stands about"}}}},
-      {.merge_radius_m = 0.05});  // for 0.5 % near the caustic
+  RoughThings(roughness).survive_all("roughness " + std::to_string(roughness).substr(0, 7));
+}
+
+// Smooth glass, mirrors, plastic: rooms of 4 mm and of 400 km, and two that are 100 km from the origin, have the
+// illuminances of one of 4 m, whose lamp has the same luminance. Methods agree in each, and the rooms by each method.
+TEST(Torture, ThingsOfAllSizesAndFarFromTheOrigin) {
+  const P3 far{1e5, -1e5, 1e5};
+  struct Room {
+    const char* name;
+    double m;
+    P3 offset;
+  };
+  std::vector<std::vector<ups_meter_statistics>> found;
+  for (const auto& [name, m, offset] : {Room{"things of 1 m", 1, {}}, Room{"things of 1 mm", 1e-3, {}},
+                                        Room{"things of 100 km", 1e5, {}}, Room{"things of 1 m, far away", 1, far},
+                                        Room{"things of 1 cm, far away", 1e-2, far}}) {
+    RoughThings room(0, m, offset);
+    std::vector<ups_meter_statistics> of_room;
+    for (const Result& r : room.survive_all(name, m)) of_room.push_back(r.statistics(room.meters));
+    found.push_back(std::move(of_room));
+  }
+  for (size_t room = 1; room < found.size(); ++room)
+    for (size_t method = 0; method < found[room].size(); ++method) {
+      const ups_meter_statistics &a = found[room][method], &b = found[0][method];
+      EXPECT_NEAR(a.mean_lx, b.mean_lx, 4 * std::hypot(a.mean_standard_error_lx, b.mean_standard_error_lx))
+          << "room " << room << ", " << method_name(torture_methods[method]);
+    }
 }
 
 // Below, all three are smooth: the same bits.
