@@ -50,6 +50,7 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
     const uint32_t rings = plan.lands_on(s) ? plan.meter_discs[s].ring_count() : 0;
     rings_.emplace_back(rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0, rings,
                         plan.merges_direct_light());
+    discs_that_meet_.push_back(rings ? plan.meter_discs[s].most_that_meet(set.meters) : 1);
   }
   for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d);
 }
@@ -275,10 +276,9 @@ void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& ligh
   const std::vector<ups_meter_reading>& readings = r.meters;
   MeterBatches batches(std::min(plan_.meter_pass(iterations_), batch_count));
   uint16_t reached = 0;  // batches, by any path
-  // Cells have together, in the mean, what no path has shown on any of them.
-  const bool cells = scene_.meter_sets[set].is_cell();
-  const CausticSearch of_cells = cells ? search_of_cells(set, 0, SIZE_MAX, 0) : CausticSearch{};
-  const double of_set = of_cells.unfound_lx(brightest_caustic_lm(0), plan_.light_paths);
+  // Meters have together, in the mean, what no path has shown on any of them.
+  const CausticSearch search = search_of_mean(set, lights);
+  const double of_set = search.unfound_lx(brightest_caustic_lm(0), plan_.light_paths);
   for (size_t m = 0; m < readings.size(); ++m) {
     const uint32_t n = lights[m].visits;
     if (n == 0) continue;
@@ -292,7 +292,8 @@ void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& ligh
     const bool known = readings[m].standard_error_lx >= 0;
     const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean)), rounding = sums.rounding / n;
     batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] + rounding : all,
-                 lights[m].weight, known, lights[m].photons.halves_differ, known && cells ? of_set + rounding : -1},
+                 lights[m].weight, known, lights[m].photons.halves_differ,
+                 known && search.m2 > 0 ? of_set + rounding : -1},
                 means, biases);
     batches.widen(double(readings[m].error_bound_lx));
     reached |= sums.batches[whole_light];

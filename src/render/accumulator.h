@@ -98,6 +98,8 @@ class Accumulator {
   std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
   VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;
   CausticSearch search_of_cells(size_t set, size_t begin, size_t end, size_t column) const;
+  // Of a set's mean, by all its meters together: nothing where each is to tell by itself.
+  CausticSearch search_of_mean(size_t set, const std::vector<MeterLight>& lights) const;
   // What one path may bring to an iteration's reading, as far as is known.
   double largest_path(size_t set, size_t meter, size_t column, double disc_area, LightPart part) const;
   MeterSetReading read_meters(size_t set, const Choices& discs) const;
@@ -117,6 +119,7 @@ class Accumulator {
   std::vector<double> largest_exact_;  // of a set, lx
   std::vector<Emitted> emitted_;
   std::vector<MeterRings> rings_;  // a meter by all its light and the columns, these fastest; empty: nothing is merged
+  std::vector<uint32_t> discs_that_meet_;  // of a set, at most
   std::vector<ImageSums> images_;
   std::vector<GoniometerSums> goniometers_;
   WorkCounts work_;

@@ -37,6 +37,20 @@ double Accumulator::brightest_caustic_lm(size_t column) const {
   return found > 0 ? std::min(found, most) : most;
 }
 
+// Discs of which so many meet are so many groups whose discs do not: each group's photons are independent, and the
+// groups' bounds add up (no more than as many times that of the mean group, as poisson_excess is concave).
+CausticSearch Accumulator::search_of_mean(size_t set, const std::vector<MeterLight>& lights) const {
+  const MeterSet& meters = scene_.meter_sets[set];
+  if (meters.is_cell()) return search_of_cells(set, 0, SIZE_MAX, 0);
+  CausticSearch all;
+  if (rings_[set].empty() || meters.kind == UPS_METER_VECTOR) return all;
+  const double groups = discs_that_meet_[set];
+  for (size_t m = 0; m < lights.size(); ++m)
+    all.add({plan_.meter_discs[set].area(uint32_t(m)) * lights[m].visits / groups,
+             double(lights[m].sums.caustics) / groups});
+  return all;
+}
+
 CausticSearch Accumulator::search_of_cells(size_t set, size_t begin, size_t end, size_t column) const {
   CausticSearch all;
   if (!plan_.lands_on_cells(set)) return all;

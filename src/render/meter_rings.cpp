@@ -281,6 +281,7 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const Sums s = whole(row, rings, visits).sums;
   if (s.count[rings.count - 1] == 0) return p;
   p.halves_differ = choice[0] != choice[1];
+  p.widest = s.area[std::min(choice[0], choice[1])] == s.area[rings.count - 1];
   p.brings_direct = !direct_.empty();
   for (uint32_t b = 0; b < batch_count; ++b) {
     const uint32_t out_to = choice[b % 2];

@@ -91,6 +91,7 @@ class MeterRings {
     double bias_scale = 0;                    // of the discs: light that changes evenly is biased in proportion
     double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
     bool halves_differ = false;  // in their discs
+    bool widest = false;  // there are no wider ones
     bool brings_direct = false;  // light straight from emitters, too
   };
   Photons read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const;

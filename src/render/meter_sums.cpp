@@ -88,6 +88,7 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
               .unfound = float(added),
               .paths = float(sums.caustics),
               .of_bias = float(of_bias),
+              .widest = merged && photons.widest,
               .visits = visits};
   }
   return {float(e.standard_error), float(std::max(bound, narrower) + added)};

@@ -16,6 +16,9 @@ constexpr double look_deviation = 0.18, looks_of_knowledge = 1;
 // Of the exponent about the model's: stratification makes noise fall a little faster; estimated bias is that of a
 // smooth illuminance, real bias may fall more slowly.
 constexpr double rays_exponent_deviation = 0.03, merging_exponent_deviation = 0.06, bias_exponent_deviation = 0.13;
+// Batches of one visit each state an error that is off by more than chance: of a look's variance, which is small where
+// so many meters know together what 16 batches do not of one.
+constexpr double misfit = 3, meters_known_together = 100;
 constexpr double interval = 2.1;  // standard deviations of a 95 % interval; Student's t for some 20 degrees of freedom
 constexpr double step = 0.1;      // of the curve, in the logarithm of iterations
 constexpr size_t steps = 185;     // to 10^8 times the last look's
@@ -30,7 +33,7 @@ double log_of(double error) { return std::log(std::max(error, least_error)); }
 double exponent_deviation(const std::vector<MeterError>& meters) {
   double merged = 0, bias = 0, sum = least_error;
   for (const MeterError& m : meters)
-    merged += m.noise * m.merged, bias += m.bias + m.noise * m.of_bias, sum += m.error();
+    merged += m.widest ? 0 : m.noise * m.merged, bias += m.bias + m.noise * m.of_bias, sum += m.error();
   return (rays_exponent_deviation * (sum - merged - bias) + merging_exponent_deviation * merged +
           bias_exponent_deviation * bias) / sum;
 }
@@ -56,16 +59,57 @@ double MeterError::quantile_ratio(double factor) const {
   return t_quantile(uint32_t(then)) / t_quantile(visits);
 }
 
+// The widest disc stays as long as a wider one would have less error, of noise^2 ~ 1 / r^2 and bias ~ r^2: while
+// noise^2 is more than twice bias^2. Noise of a bound is some two standard errors.
+MeterError::Left MeterError::left_of_merging(double factor, double alpha, double stays) const {
+  const double noise2 = 0.25 * double(merged) * noise * noise, bias2 = double(bias) * bias,
+               until = noise2 > 2 * bias2 * stays ? stays : noise2 > 2 * bias2 ? noise2 / (2 * bias2) : 1,
+               wide = widest ? std::min(factor, until) : 1, shrinks = factor / wide;
+  return {std::pow(shrinks, -alpha) / wide, std::pow(shrinks, alpha - 1)};
+}
+
+// With its estimate goes what is not known of it.
+void MeterError::keep_of_bias(double share) {
+  const double lost = of_bias * (1 - share * share);
+  noise += float((1 - share) * bias), bias *= float(share);
+  of_bias -= float(lost), merged += float(lost);
+}
+
 void demote_bias(MeterError& m, double threshold) {
   const double z2 = double(m.deviations) * m.deviations;
-  const double kept = m.bias * (z2 > threshold ? 1 - threshold / z2 : 0.0);
-  m.noise += float(m.bias - kept);
-  m.bias = float(kept);
+  m.keep_of_bias(z2 > threshold ? 1 - threshold / z2 : 0.0);
 }
+
+namespace {
+
+// P(|t| > z) of Student's t for 16 batches, by its nearly Gaussian transform (Wallace 1959).
+double chance_beyond(double z) {
+  constexpr double nu = batch_count - 1;
+  return std::erfc((8 * nu + 1) / (8 * nu + 3) * std::sqrt(0.5 * nu * std::log1p(z * z / nu)));
+}
+
+// Of many meters chance makes some look biased: what it would make, over how many there are with so many deviations or
+// more, is the share that counts as noise (false discovery rate; Benjamini, Hochberg 1995).
+void demote_biases_of_chance(std::vector<MeterError>& meters, double threshold) {
+  std::vector<MeterError*> order;
+  for (MeterError& m : meters)
+    if (m.bias > 0) order.push_back(&m);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const MeterError* a, const MeterError* b) { return a->deviations > b->deviations; });
+  double by_chance = 1;
+  for (size_t k = order.size(); k-- > 0;) {
+    MeterError& m = *order[k];
+    by_chance = std::min(by_chance, double(order.size()) * chance_beyond(double(m.deviations)) / double(k + 1));
+    demote_bias(m, threshold);
+    m.keep_of_bias(1 - by_chance);
+  }
+}
+
+}  // namespace
 
 void MeanError::add(const MeterError& m) {
   noise_ += m.noise, bias_ += m.bias, unfound_ += m.unfound;
-  merged_ += double(m.noise) * m.merged, of_bias_ += double(m.noise) * m.of_bias;
+  merged_ += m.widest ? 0 : double(m.noise) * m.merged, of_bias_ += double(m.noise) * m.of_bias;
   paths_ += double(m.unfound) * m.paths;
   if (m.noise > 0 && m.visits > 0) visits_ = visits_ > 0 ? std::min(visits_, m.visits) : m.visits;
   ++count_;
@@ -93,11 +137,13 @@ void Prediction::add_look(const Look& look, std::vector<MeterError> meters) {
 
 // A curve of the criterion is found many times over: of many meters some stand for all.
 void Prediction::reduce(std::vector<MeterError>&& meters) {
+  meters_ = double(meters.size());
+  find_stay(meters);
   find_chance(meters);
   exponent_deviation_ = exponent_deviation(meters);
-  // Of many meters the worst one's bias is the largest of many that chance makes.
-  const double threshold = criterion_ == UPS_CRITERION_WORST ? 2 * std::max(1.0, std::log(double(meters.size()))) : 2;
-  for (MeterError& m : meters) demote_bias(m, threshold);
+  // The worst one's is the largest of all that chance makes.
+  const double threshold = criterion_ == UPS_CRITERION_WORST ? 2 * std::max(1.0, std::log(meters_)) : 2;
+  demote_biases_of_chance(meters, threshold);
   parts_.clear();
   if (criterion_ == UPS_CRITERION_MEAN) {
     MeanError mean;
@@ -114,6 +160,15 @@ void Prediction::reduce(std::vector<MeterError>&& meters) {
     for (size_t i = 0; i < most_parts; ++i)
       parts_.push_back(meters[size_t((double(i) + 0.5) / most_parts * double(meters.size()))]);
   }
+}
+
+// Were discs to leave the widest as odds of those that did grow with n, half of those that have not would by so many
+// times the visits.
+void Prediction::find_stay(const std::vector<MeterError>& meters) {
+  double widest = 0, narrower = 0;
+  for (const MeterError& m : meters)
+    if (m.merged > 0) (m.widest ? widest : narrower) += 1;
+  stays_ = 2 + widest / std::max(narrower, 1e-3);
 }
 
 // Of many stated errors a quantile or the worst is partly chance: 16 batches know a deviation the less surely the more
@@ -139,12 +194,13 @@ Prediction::Model Prediction::model(double factor) const {
     return m.noise > least_error ? m.noise * std::exp(rise + (nearer - 1) * (std::log(double(m.noise)) - log_mean_))
                                  : double(m.noise);
   };
-  const double of_rest = 1 / factor, of_merged = std::pow(factor, -alpha_), biased = std::pow(factor, alpha_ - 1);
+  const double of_rest = 1 / factor;
   std::vector<std::pair<double, double>> all;  // error, bias
   for (const MeterError& m : parts_) {
-    const double of_rays = std::max(0.0, 1 - double(m.merged) - double(m.of_bias)), bias = m.bias * biased,
-                 square = of_rays * of_rest + m.merged * of_merged, now_noise = noise(m) * m.quantile_ratio(factor),
-                 all_noise = now_noise * std::sqrt(square + m.of_bias * biased * biased), paths = double(m.paths),
+    const MeterError::Left left = m.left_of_merging(factor, alpha_, stays_);
+    const double of_rays = std::max(0.0, 1 - double(m.merged) - double(m.of_bias)), bias = m.bias * left.bias,
+                 square = of_rays * of_rest + m.merged * left.noise2, now_noise = noise(m) * m.quantile_ratio(factor),
+                 all_noise = now_noise * std::sqrt(square + m.of_bias * left.bias * left.bias), paths = double(m.paths),
                  unfound = m.unfound * of_rest * poisson_excess(paths * factor) / poisson_excess(paths);
     all.emplace_back(all_noise + bias + unfound, bias + all_noise - now_noise * std::sqrt(square));
   }
@@ -164,12 +220,16 @@ struct Line {
 // Through points (u, r) whose deviations have the correlation exp(-|u - u'|): those of looks at n < n' have n / n', as
 // the later one's batches hold the earlier one's. Generalized least squares, whitened as in a first-order
 // autoregression; the exponent is 0 but for the deviation given.
-Line fit_line(const std::vector<double>& u, const std::vector<double>& r, double exponent_deviation) {
+// variance: of each look, beside the others'.
+Line fit_line(const std::vector<double>& u, const std::vector<double>& r, const std::vector<double>& variance,
+              double exponent_deviation) {
+  std::vector<double> scale;
+  for (const double v : variance) scale.push_back(1 / std::sqrt(v));
   const auto for_rows = [&](const auto& row) {
-    row(1.0, u[0], r[0], 1.0);
+    row(scale[0], scale[0] * u[0], scale[0] * r[0], 1.0);
     for (size_t i = 1; i < u.size(); ++i) {
-      const double phi = std::exp(u[i - 1] - u[i]);
-      row(1 - phi, u[i] - phi * u[i - 1], r[i] - phi * r[i - 1], 1 / (1 - phi * phi));
+      const double phi = std::exp(u[i - 1] - u[i]), now = scale[i], before = phi * scale[i - 1];
+      row(now - before, now * u[i] - before * u[i - 1], now * r[i] - before * r[i - 1], 1 / (1 - phi * phi));
     }
   };
   Line l;
@@ -197,13 +257,15 @@ Line fit_line(const std::vector<double>& u, const std::vector<double>& r, double
 // What looks differ from the model by is fitted, and later looks get their best linear prediction (Goldberger 1962):
 // part of the last look's own deviation remains.
 void Prediction::fit() {
-  std::vector<double> u, r;
+  std::vector<double> u, r, variance;
   for (const Look& look : looks_) {
+    const double of_batch = look.iterations / batch_count;
+    variance.push_back(1 + misfit * meters_ / (meters_ + meters_known_together) / (of_batch * of_batch));
     const double factor = look.iterations / looks_.back().iterations;
     u.push_back(std::log(factor));
     r.push_back(log_of(look.error) - log_of(model(factor).error));
   }
-  const Line l = fit_line(u, r, exponent_deviation_);
+  const Line l = fit_line(u, r, variance, exponent_deviation_);
   curve_.clear(), bias_share_.clear();
   for (size_t i = 0; i < steps; ++i) {
     const double later = double(i) * step, phi = std::exp(-later), a = 1 - phi;

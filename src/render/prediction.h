@@ -20,11 +20,20 @@ struct MeterError {
   float unfound = 0;  // bounds on what few paths or none have found
   float paths = 0;    // that have found what `unfound` bounds
   float of_bias = 0;  // share of noise^2 that is how little bias is known: it falls as bias does
+  // Photons are merged over the widest disc there is: it does not shrink as long as its bias is little.
+  bool widest = false;
   uint32_t visits = 0;  // by which the batches' quantile is in the noise; 0: whatever their number, it is the same
   float error() const { return noise + bias + unfound; }
   MeterError scaled(double scale) const;
+  void keep_of_bias(double share);  // the rest counts as noise
   // Of few batches the quantile is large. What it will be after so many times the visits, over what it is.
   double quantile_ratio(double factor) const;
+  // What is left by then of merging's noise^2 and of bias, with r^2 ~ n^(alpha - 1) from where the disc shrinks. stays:
+  // up to so many times the visits the widest disc does, as far as other meters tell.
+  struct Left {
+    double noise2, bias;
+  };
+  Left left_of_merging(double factor, double alpha, double stays) const;
 };
 
 // Estimated bias that may be noise counts as noise: |b| max(0, 1 - threshold / z^2) remains (Breiman 1995, the
@@ -43,10 +52,10 @@ class MeanError {
 };
 
 // The model: with r^2 ~ n^(alpha - 1) (Knaus, Zwicker 2011), what is estimated without merging has noise^2 ~ 1 / n,
-// merging noise^2 ~ n^-alpha and bias ~ n^(alpha - 1). Bounds on what none of n paths have found fall as 1 / n; where k
-// have, as u(k) / n with Poisson's limit u, and k grows with n. How much of each meter's error is which is known from
-// its batches; a common factor, and a common exponent beside the model's with that as prior knowledge, are fitted to
-// all looks.
+// merging noise^2 ~ n^-alpha and bias ~ n^(alpha - 1), once the disc is narrower than the widest that there is. Bounds
+// on what none of n paths have found fall as 1 / n; where k have, as u(k) / n with Poisson's limit u, and k grows with
+// n. How much of each meter's error is which is known from its batches; a common factor, and a common exponent beside
+// the model's with that as prior knowledge, are fitted to all looks.
 class Prediction {
  public:
   // ups_criterion of the render, resolved: not DEFAULT; alpha of the radius schedule.
@@ -77,6 +86,7 @@ class Prediction {
   };
   void reduce(std::vector<MeterError>&& meters);
   void find_chance(const std::vector<MeterError>& meters);
+  void find_stay(const std::vector<MeterError>& meters);
   Model model(double factor) const;  // of the criterion, at so many times the last look's iterations
   void fit();
 
@@ -84,6 +94,8 @@ class Prediction {
   double alpha_;
   std::vector<Look> looks_;
   std::vector<MeterError> parts_;  // of the last look: what the criterion is found from
+  double meters_ = 0;  // how many were looked at last
+  double stays_ = 1;   // see MeterError::left_of_merging
   double excess_ = 0;  // of the last look: variance by chance of stated noises' logarithms, less that of Gaussian ones
   double log_mean_ = 0, log_variance_ = 0;  // of the noises that meters state
   double exponent_deviation_ = 0;  // of the fitted exponent, before any look is fitted

@@ -23,8 +23,9 @@ void EyeWalk::count_disc(const EyeEnd& eye, float area) {
   counted_share_ = tally_.disc_m2 / area;
 }
 
-// Of a crowd of photons each k-th counts, k times: what is merged stays the same in the mean, and a light path that lands
-// where all others do takes no more time. Returns k. Of what a disc's cells hold it has a fifth, so 3,000 photons of most.
+// Of a crowd of photons each k-th counts, k times: what is merged stays the same in the mean, and a light path that
+// lands where all others do takes no more time. Returns k. Of what a disc's cells hold it has a fifth, so 3,000 photons
+// of most.
 uint32_t EyeWalk::thin(const EyeEnd& eye, PhotonIndex::Query& query) {
   constexpr uint64_t most = 1 << 14;
   if (query.candidates <= most) return 1;

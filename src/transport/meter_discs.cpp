@@ -10,7 +10,7 @@ namespace ups {
 
 MeterDiscs::MeterDiscs(size_t meters, uint32_t rings, float radius, uint32_t rays)
     : rings_(rings), sectors_(rays / 2), radius_(meters, radius),
-      area_(meters, 3.14159265358979323846 * radius * radius), limits_(meters * sectors_, uint8_t(rings)) {}
+      area_(meters, pi_d * radius * radius), limits_(meters * sectors_, uint8_t(rings)) {}
 
 Rings MeterDiscs::rings(uint32_t m, float min_radius) const {
   Rings r;
@@ -22,7 +22,7 @@ Rings MeterDiscs::rings(uint32_t m, float min_radius) const {
   for (uint32_t k = 0; k < rings_; ++k) {
     seen -= ending[k];
     const double outer = std::ldexp(double(radius_[m]) * radius_[m], int(k + 1) - int(rings_));
-    r.area[k] = 3.14159265358979323846 * (outer - inner) * (sectors_ ? double(seen) / sectors_ : 1.0);
+    r.area[k] = pi_d * (outer - inner) * (sectors_ ? double(seen) / sectors_ : 1.0);
     r.radius2[k] = 0.5 * (outer + inner);
     r.bias_scale[k] = halved ? 2.0 / 3 * (std::pow(outer, 1.5) - std::pow(inner, 1.5)) / (outer - inner) : r.radius2[k];
     if (outer < double(min_radius) * min_radius && k + 1 < rings_) r.narrowest = k + 1;
@@ -79,7 +79,21 @@ void MeterDiscs::look_all_around(const Snapshot& scene, const Meter& meter, uint
     if (scene.raytracer->intersect(meter.p, d, free / between_rays, hit)) free = std::min(free, between_rays * hit.t);
   }
   radius_[m] = std::max(free, 0x1p-12f * largest);
-  area_[m] = 3.14159265358979323846 * radius_[m] * radius_[m];
+  area_[m] = pi_d * radius_[m] * radius_[m];
+}
+
+uint32_t MeterDiscs::most_that_meet(const std::vector<Meter>& meters) const {
+  constexpr size_t probes = 64;
+  uint32_t most = 1;
+  for (size_t m = 0; m < meters.size(); m += std::max<size_t>(1, meters.size() / probes)) {
+    uint32_t meet = 0;
+    for (size_t other = 0; other < meters.size(); ++other) {
+      const float reach = radius_[m] + radius_[other];
+      meet += length2(meters[other].p - meters[m].p) < reach * reach;
+    }
+    most = std::max(most, meet);
+  }
+  return most;
 }
 
 float meter_spacing(const MeterSet& set) {

@@ -100,6 +100,22 @@ TEST(MeterRings, ShareOutTheDisc) {
   EXPECT_NEAR(discs.area(1), pi_d * radius * radius, 1e-7);
 }
 
+// A ring without area, as behind a wall, makes no disc wider.
+TEST(MeterRings, TellWhetherTheirDiscIsTheWidest) {
+  Rig rig(1);
+  rig.add(0, 0.01, 0.01, 2);
+  const auto widest = [&](uint32_t even, uint32_t odd) {
+    return rig.sums.read(0, rig.rings, {even, odd}, batch_count).widest;
+  };
+  constexpr uint32_t last = max_rings - 1;
+  EXPECT_TRUE(widest(last, last));
+  EXPECT_FALSE(widest(last, last - 1));
+  EXPECT_FALSE(widest(last - 1, last));
+  rig.rings.area[last] = 0;
+  EXPECT_TRUE(widest(last, last - 1));
+  EXPECT_FALSE(widest(last - 2, last - 1));
+}
+
 // Four visits are the least that say anything of noise: before, a reading is of the whole disc.
 TEST(MeterRings, TakeTheWholeDiscFirst) {
   Rig rig(1);

@@ -51,8 +51,8 @@ TEST(Hazard30, WarnsOfTheLightOfACellLitByAMirror) {
   }
 }
 
-// A pinhole sees no source without extent but by chance: no set of techniques shows it in the mirror, and the techniques'
-// text says so, whatever the method. A lamp with extent is seen there.
+// A pinhole sees no source without extent but by chance: no set of techniques shows it in the mirror, and the
+// techniques' text says so, whatever the method. A lamp with extent is seen there.
 TEST(Hazard30, TellsThatNoTechniqueShowsAPointInAMirror) {
   const auto told = [](const Result& r) { return r.text(UPS_TEXT_TECHNIQUES).find("not_sampleable: light of "); };
   MirrorRoom room(0);
@@ -207,6 +207,27 @@ TEST_F(Taught_SmallMirror, IsInTheBoundOfACellThatNoneHasReached) {
   }
   measured("a cell that no caustic has reached: %d of 40 bounds missed", missed);
   EXPECT_LE(missed, 2);  // of 95 % bounds
+}
+
+// In the mean of meters whose discs do not meet less is open than at each, as the photons of all of them count; not so
+// where all discs find the same ones.
+TEST_F(Taught_SmallMirror, MetersFarApartLeaveLessOpenTogether) {
+  for (const double spacing : {0.6, 0.001}) {
+    Scene scene;
+    build(scene, true);
+    std::vector<P3> points;
+    for (int i = 0; i < 25; ++i) points.push_back({spacing * (i % 5 - 2), spacing * (i / 5 - 2), 0.8});
+    const Sensor meters = scene.add_meters(points, {0, 0, 1});
+    const Result r = scene.render({.iterations = 32, .merge_radius_m = 0.1, .light_paths = 16});
+    std::vector<float> bounds;
+    for (const ups_meter_reading& m : r.readings(meters)) bounds.push_back(m.error_bound_lx);
+    const double each = mean(bounds), together = r.statistics(meters).mean_error_bound_lx;
+    measured("spacing %g: bound of each %.3g lx, of their mean %.3g lx", spacing, each, together);
+    if (spacing > 0.2)
+      EXPECT_LT(together, each / 8);
+    else
+      EXPECT_GT(together, each / 3);
+  }
 }
 
 // A lamp of 2 cm right behind a diffuser, which eye paths from afar hardly ever meet; the lamp sees its own light

@@ -95,9 +95,10 @@ TEST(Hazard22, ACrowdedCellIsCountedWholly) {
   }
 }
 
-// A spot whose light is more than the disc of 5 cm and the cells about it hold: which of a crowd's photons are merged is
-// drawn, and their mean is the flux through the disc, 2 pi I (1 - h / sqrt(h^2 + r^2)), over its area. 32 seeds: the
-// standard error is 0.15 % at most, which is asserted, four of them are allowed, P(|t_31| > 4) = 0.04 %: 0.9 % is found.
+// A spot whose light is more than the disc of 5 cm and the cells about it hold: which of a crowd's photons are merged
+// is drawn, and their mean is the flux through the disc, 2 pi I (1 - h / sqrt(h^2 + r^2)), over its area. 32 seeds: the
+// standard error is 0.15 % at most, which is asserted, four of them are allowed, P(|t_31| > 4) = 0.04 %: 0.9 % is
+// found.
 TEST(Hazard22, WhatOfACrowdIsMergedStandsForAll) {
   constexpr double radius = 0.05, candela = 1000, cone = 0.15, rho = 0.5;
   const double expected =

@@ -6,7 +6,8 @@ namespace {
 
 // A spot of 1 cm catches all light paths, and a camera's pixel and a meter look at nothing else. Discs of 5 cm about
 // it: cells of photons of 10 cm, of which its middle is one's, and radii fall by less than a fifth. SPPM merges each
-// photon with the meter, and with the pixel's eye path 2^14 at most, each for many. The black patch makes the floor the middle of a layer of cells.
+// photon with the meter, and with the pixel's eye path 2^14 at most, each for many. The black patch makes the floor the
+// middle of a layer of cells.
 TEST(Torture, AMillionLightVerticesInOneCell) {
   const uint32_t paths = fast_or_full(1u << 16, 1u << 20);
   Scene scene;

@@ -18,12 +18,12 @@ struct RoughThings {
                               {0, 0, 1});
     add_small_camera(scene, offset + P3{3.5, 0.5, 1.6} * m, {-1, 1, -0.4});
   }
-  std::vector<Result> survive_all(const std::string& name, double m = 1) {
+  std::vector<Result> survive_all(const std::string& name, double m = 1, uint32_t iterations = 16) {
     return survive(name, scene,
                    {{.meters = meters,
                      .looser = {{UPS_METHOD_SPPM, fast_or_full(0.012, 0.0033),
                                  "its discs are as narrow as what stands about"}}}},
-                   {.merge_radius_m = 0.05 * m});  // for 0.5 % near the caustic
+                   {.iterations = iterations, .merge_radius_m = 0.05 * m});  // for 0.5 % near the caustic
   }
   Scene scene;
   Sensor meters;
@@ -40,8 +40,10 @@ TEST_P(TortureRoughness, OfMetalGlassAndPlastic) {
   RoughThings(roughness).survive_all("roughness " + std::to_string(roughness).substr(0, 7));
 }
 
-// Smooth glass, mirrors, plastic: rooms of 4 mm and of 400 km, and two that are 100 km from the origin, have the
-// illuminances of one of 4 m, whose lamp has the same luminance. Methods agree in each, and the rooms by each method.
+// Smooth glass, mirrors, plastic: rooms of 4 mm and of 400 km, and one that is 100 km from the origin, have the
+// illuminances of one of 4 m, whose lamp has the same luminance. Methods agree in each, and the rooms by each method:
+// 15 comparisons, of which one is beyond 4 standard errors in a thousand runs; 6 of them are found, 1 % but for SPPM's
+// 7 %.
 TEST(Torture, ThingsOfAllSizesAndFarFromTheOrigin) {
   const P3 far{1e5, -1e5, 1e5};
   struct Room {
@@ -51,11 +53,10 @@ TEST(Torture, ThingsOfAllSizesAndFarFromTheOrigin) {
   };
   std::vector<std::vector<ups_meter_statistics>> found;
   for (const auto& [name, m, offset] : {Room{"things of 1 m", 1, {}}, Room{"things of 1 mm", 1e-3, {}},
-                                        Room{"things of 100 km", 1e5, {}}, Room{"things of 1 m, far away", 1, far},
-                                        Room{"things of 1 cm, far away", 1e-2, far}}) {
+                                        Room{"things of 100 km", 1e5, {}}, Room{"things of 1 m, far away", 1, far}}) {
     RoughThings room(0, m, offset);
     std::vector<ups_meter_statistics> of_room;
-    for (const Result& r : room.survive_all(name, m)) of_room.push_back(r.statistics(room.meters));
+    for (const Result& r : room.survive_all(name, m, 24)) of_room.push_back(r.statistics(room.meters));
     found.push_back(std::move(of_room));
   }
   for (size_t room = 1; room < found.size(); ++room)
