@@ -276,9 +276,7 @@ void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& ligh
   const std::vector<ups_meter_reading>& readings = r.meters;
   MeterBatches batches(std::min(plan_.meter_pass(iterations_), batch_count));
   uint16_t reached = 0;  // batches, by any path
-  // Meters have together, in the mean, what no path has shown on any of them.
-  const CausticSearch search = search_of_mean(set, lights);
-  const double of_set = search.unfound_lx(brightest_caustic_lm(0), plan_.light_paths);
+  const double of_set = unfound_in_mean(set, lights);
   for (size_t m = 0; m < readings.size(); ++m) {
     const uint32_t n = lights[m].visits;
     if (n == 0) continue;
@@ -293,7 +291,7 @@ void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& ligh
     const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean)), rounding = sums.rounding / n;
     batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] + rounding : all,
                  lights[m].weight, known, lights[m].photons.halves_differ,
-                 known && search.m2 > 0 ? of_set + rounding : -1},
+                 known && of_set >= 0 ? of_set + rounding : -1},
                 means, biases);
     batches.widen(double(readings[m].error_bound_lx));
     reached |= sums.batches[whole_light];

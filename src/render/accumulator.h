@@ -98,8 +98,9 @@ class Accumulator {
   std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
   VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;
   CausticSearch search_of_cells(size_t set, size_t begin, size_t end, size_t column) const;
-  // Of a set's mean, by all its meters together: nothing where each is to tell by itself.
   CausticSearch search_of_mean(size_t set, const std::vector<MeterLight>& lights) const;
+  // lx, by all meters of the set together; -1: by each.
+  double unfound_in_mean(size_t set, const std::vector<MeterLight>& lights) const;
   // What one path may bring to an iteration's reading, as far as is known.
   double largest_path(size_t set, size_t meter, size_t column, double disc_area, LightPart part) const;
   MeterSetReading read_meters(size_t set, const Choices& discs) const;

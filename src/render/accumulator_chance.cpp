@@ -2,6 +2,7 @@
 #include "render/accumulator.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ups {
 
@@ -37,18 +38,32 @@ double Accumulator::brightest_caustic_lm(size_t column) const {
   return found > 0 ? std::min(found, most) : most;
 }
 
-// Discs of which so many meet are so many groups whose discs do not: each group's photons are independent, and the
-// groups' bounds add up (no more than as many times that of the mean group, as poisson_excess is concave).
+// A path that none has shown may light any of the meters, at most that which brings most to the mean. Discs of which so
+// many meet are so many groups whose discs do not: each group's photons are independent, and the groups' bounds add up
+// (no more than as many times that of the mean group, as poisson_excess is concave).
 CausticSearch Accumulator::search_of_mean(size_t set, const std::vector<MeterLight>& lights) const {
   const MeterSet& meters = scene_.meter_sets[set];
   if (meters.is_cell()) return search_of_cells(set, 0, SIZE_MAX, 0);
-  CausticSearch all;
-  if (rings_[set].empty() || meters.kind == UPS_METER_VECTOR) return all;
+  if (rings_[set].empty() || meters.kind == UPS_METER_VECTOR) return {};
+  double weights = 0, least = INFINITY, caustics = 0;
+  for (size_t m = 0; m < lights.size(); ++m) {
+    if (lights[m].visits == 0) continue;  // what its disc reaches may be found right now
+    weights += lights[m].weight;
+    least = std::min(least, plan_.meter_discs[set].area(uint32_t(m)) * lights[m].visits / lights[m].weight);
+    caustics += lights[m].sums.caustics;
+  }
   const double groups = discs_that_meet_[set];
-  for (size_t m = 0; m < lights.size(); ++m)
-    all.add({plan_.meter_discs[set].area(uint32_t(m)) * lights[m].visits / groups,
-             double(lights[m].sums.caustics) / groups});
-  return all;
+  return weights > 0 ? CausticSearch{weights * least / groups, caustics / groups} : CausticSearch{};
+}
+
+// Both what each leaves open and what all do holds.
+double Accumulator::unfound_in_mean(size_t set, const std::vector<MeterLight>& lights) const {
+  const CausticSearch together = search_of_mean(set, lights);
+  if (!(together.m2 > 0)) return -1;
+  double weights = 0, each = 0;
+  for (const MeterLight& light : lights)
+    if (light.visits > 0) weights += light.weight, each += light.weight * light.unfound[whole_light];
+  return std::min(each / weights, together.unfound_lx(brightest_caustic_lm(0), plan_.light_paths));
 }
 
 CausticSearch Accumulator::search_of_cells(size_t set, size_t begin, size_t end, size_t column) const {

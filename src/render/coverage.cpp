@@ -172,9 +172,9 @@ std::string not_sampleable(const Snapshot& scene) {
     if (source_kind(scene.emitters[i]) != SourceKind::hittable) emitters.push_back(scene.emitter_names[i]);
   if (scene.cameras.empty() || emitters.empty()) return {};
   const std::string specular = materials_of(scene, [](const Material& m) { return traits_of(m).delta; });
-  return "not_sampleable: light of " + listed(emitters) + " (without extent) straight to a camera" +
-         (specular.empty() ? "" : ", or by way of specular surfaces alone (" + specular + ")") +
-         ": pixels show what it lights, not its source; what has a luminous opening or surface is seen\n";
+  return "not_sampleable: sources without extent, or of rays (" + listed(emitters) + "), straight to a camera" +
+         (specular.empty() ? "" : " or by way of specular surfaces alone (" + specular + ")") +
+         ": pixels show what they light; what has a luminous opening or surface is seen itself\n";
 }
 
 std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& of_render) {

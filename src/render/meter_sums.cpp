@@ -76,6 +76,7 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
                model = 0.31 * offset,
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * blur.standard_error, t * model);
   if (apart) {
+    const bool disc = merged && photons.bias_scale > 0;
     // Bias is estimated with four times the variance that merging has, batch by batch. All but rays and what bias makes
     // falls as merging does.
     const double all = std::max(bound, narrower) - offset, own = merged ? spread(sums.bias, visits).standard_error : 0,
@@ -88,7 +89,8 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
               .unfound = float(added),
               .paths = float(sums.caustics),
               .of_bias = float(of_bias),
-              .widest = merged && photons.widest,
+              .widest = disc && photons.widest,
+              .narrower = disc && !photons.widest,
               .visits = visits};
   }
   return {float(e.standard_error), float(std::max(bound, narrower) + added)};

@@ -109,7 +109,8 @@ void demote_biases_of_chance(std::vector<MeterError>& meters, double threshold) 
 
 void MeanError::add(const MeterError& m) {
   noise_ += m.noise, bias_ += m.bias, unfound_ += m.unfound;
-  merged_ += m.widest ? 0 : double(m.noise) * m.merged, of_bias_ += double(m.noise) * m.of_bias;
+  merged_ += double(m.noise) * m.merged, of_bias_ += double(m.noise) * m.of_bias;
+  if (m.widest) widest_ += double(m.noise) * m.merged;
   paths_ += double(m.unfound) * m.paths;
   if (m.noise > 0 && m.visits > 0) visits_ = visits_ > 0 ? std::min(visits_, m.visits) : m.visits;
   ++count_;
@@ -124,6 +125,7 @@ MeterError MeanError::mean() const {
           .unfound = float(unfound_ / count),
           .paths = unfound_ > 0 ? float(paths_ / unfound_) : 0,
           .of_bias = noise_ > 0 ? float(of_bias_ / noise_) : 0,
+          .widest = widest_ > 0.5 * merged_,
           .visits = visits_};
 }
 
@@ -166,8 +168,7 @@ void Prediction::reduce(std::vector<MeterError>&& meters) {
 // times the visits.
 void Prediction::find_stay(const std::vector<MeterError>& meters) {
   double widest = 0, narrower = 0;
-  for (const MeterError& m : meters)
-    if (m.merged > 0) (m.widest ? widest : narrower) += 1;
+  for (const MeterError& m : meters) widest += m.widest, narrower += m.narrower;
   stays_ = 2 + widest / std::max(narrower, 1e-3);
 }
 
@@ -258,9 +259,12 @@ Line fit_line(const std::vector<double>& u, const std::vector<double>& r, const 
 // part of the last look's own deviation remains.
 void Prediction::fit() {
   std::vector<double> u, r, variance;
+  const double first = misfit * meters_ / (meters_ + meters_known_together);  // the first look's batches are short
+  const auto variance_at = [&](double iterations) {
+    return 1 + first * std::pow(looks_[0].iterations / iterations, 2);
+  };
   for (const Look& look : looks_) {
-    const double of_batch = look.iterations / batch_count;
-    variance.push_back(1 + misfit * meters_ / (meters_ + meters_known_together) / (of_batch * of_batch));
+    variance.push_back(variance_at(look.iterations));
     const double factor = look.iterations / looks_.back().iterations;
     u.push_back(std::log(factor));
     r.push_back(log_of(look.error) - log_of(model(factor).error));
@@ -270,9 +274,10 @@ void Prediction::fit() {
   for (size_t i = 0; i < steps; ++i) {
     const double later = double(i) * step, phi = std::exp(-later), a = 1 - phi;
     const Model m = model(1 / phi);
+    const double then = variance_at(looks_.back().iterations / phi), remains = phi * std::sqrt(then / variance.back());
     const double unknown = a * a * l.var_level + 2 * a * later * l.covariance + later * later * l.var_exponent;
-    curve_.push_back({log_of(m.error) + l.level + l.exponent * later + phi * (r.back() - l.level),
-                      std::sqrt(l.variance * (1 - phi * phi) + unknown)});
+    curve_.push_back({log_of(m.error) + l.level + l.exponent * later + remains * (r.back() - l.level),
+                      std::sqrt(l.variance * then * (1 - phi * phi) + unknown)});
     bias_share_.push_back(float(m.bias_share));
   }
 }

@@ -20,8 +20,8 @@ struct MeterError {
   float unfound = 0;  // bounds on what few paths or none have found
   float paths = 0;    // that have found what `unfound` bounds
   float of_bias = 0;  // share of noise^2 that is how little bias is known: it falls as bias does
-  // Photons are merged over the widest disc there is: it does not shrink as long as its bias is little.
-  bool widest = false;
+  // A disc of photons is the widest there is, which does not shrink as long as its bias is little; or a narrower one.
+  bool widest = false, narrower = false;
   uint32_t visits = 0;  // by which the batches' quantile is in the noise; 0: whatever their number, it is the same
   float error() const { return noise + bias + unfound; }
   MeterError scaled(double scale) const;
@@ -47,7 +47,7 @@ class MeanError {
   MeterError mean() const;
 
  private:
-  double noise_ = 0, merged_ = 0, of_bias_ = 0, bias_ = 0, unfound_ = 0, paths_ = 0, count_ = 0;
+  double noise_ = 0, merged_ = 0, widest_ = 0, of_bias_ = 0, bias_ = 0, unfound_ = 0, paths_ = 0, count_ = 0;
   uint32_t visits_ = 0;
 };
 

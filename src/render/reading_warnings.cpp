@@ -75,10 +75,9 @@ std::string blur_notice(uint32_t camera_id, const ImageReading& image) {
 
 std::string crowd_notice(const WorkCounts& work) {
   if (work.crowds == 0) return {};
-  return "merging: about " + std::to_string(work.crowds) + " of the places that eye paths met lay up to " +
-         std::to_string(work.largest_crowd) +
-         " photons: of these some were merged and count for all, which is right in the mean, and noisier. Fewer light "
-         "paths an iteration or a smaller merge radius waste less\n";
+  return "merging: at " + std::to_string(work.crowds) + " of the places that eye paths met there were very many photons, "
+         "up to " + std::to_string(work.largest_crowd) + ": some of them were merged and count for all, which is right in "
+         "the mean, and noisier. Fewer light paths an iteration or a smaller merge radius waste less\n";
 }
 
 // What is lost is missing from what all surfaces absorb, so in the mean from their illuminances.

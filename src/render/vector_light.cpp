@@ -18,6 +18,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
   MeterLight out{{}, {}, UINT32_MAX, {}, {true, true, true}, sides_[0]->merges_direct, {}};
   for (const MeterLight* side : sides_) out.visits = std::min(out.visits, side->visits);
   if (out.visits == 0) return out;
+  out.photons.widest = true;
   double bias_variance = 0, most_unfound = 0;
   for (uint32_t i = 0; i < vector_sides; ++i) {
     const MeterLight& side = *sides_[i];
@@ -52,6 +53,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
     out.photons.choice_variance += share * share * side.photons.choice_variance;
     out.photons.bias_scale = std::max(out.photons.bias_scale, side.photons.bias_scale);
     out.photons.halves_differ |= side.photons.halves_differ;
+    if (side.photons.bias_scale > 0) out.photons.widest &= side.photons.widest;
   }
   out.bias.standard_error = std::sqrt(bias_variance);
   return out;

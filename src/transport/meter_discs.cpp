@@ -83,11 +83,14 @@ void MeterDiscs::look_all_around(const Snapshot& scene, const Meter& meter, uint
 }
 
 uint32_t MeterDiscs::most_that_meet(const std::vector<Meter>& meters) const {
-  constexpr size_t probes = 64;
+  constexpr size_t all = 2048;  // of more some tell, spread by the golden section: grids have rows
+  const size_t n = meters.size(), probes = n <= all ? n : std::max<size_t>(16, all * all / n);
   uint32_t most = 1;
-  for (size_t m = 0; m < meters.size(); m += std::max<size_t>(1, meters.size() / probes)) {
+  for (size_t i = 0; i < probes; ++i) {
+    const double turn = 0.6180339887498949 * double(i);
+    const size_t m = n <= all ? i : size_t((turn - std::floor(turn)) * double(n));
     uint32_t meet = 0;
-    for (size_t other = 0; other < meters.size(); ++other) {
+    for (size_t other = 0; other < n; ++other) {
       const float reach = radius_[m] + radius_[other];
       meet += length2(meters[other].p - meters[m].p) < reach * reach;
     }

@@ -48,7 +48,7 @@ class MeterDiscs {
   float radius(uint32_t m) const { return radius_[m]; }
   double area(uint32_t m) const { return area_[m]; }
   Rings rings(uint32_t m, float min_radius) const;
-  // How many discs, at most, may find the photons of one, itself among them; by some of the meters, evenly chosen.
+  // How many discs, at most, may find the photons of one, itself among them; of many meters by some.
   uint32_t most_that_meet(const std::vector<Meter>& meters) const;
   // The eighth of a turn in which a point lies, by signs and by the larger of x and y.
   static uint8_t octant_of(float x, float y) {

@@ -41,7 +41,7 @@ class PhotonIndex {
     uint32_t stride = 1, first = 0;
   };
   void ask(const Vec3& p, float radius, Query& q) const {
-    q.p = p, q.radius = radius, q.count = 0, q.candidates = 0;
+    q.p = p, q.radius = radius, q.count = 0, q.candidates = 0, q.stride = 1, q.first = 0;
     if (!may_find(p)) return;
     const Cell lo = cell_of(p - Vec3(radius, radius, radius)), hi = cell_of(p + Vec3(radius, radius, radius));
     for (int64_t z = lo.z; z <= hi.z; ++z)

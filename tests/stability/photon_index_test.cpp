@@ -42,6 +42,27 @@ TEST(Hazard23, CellsThatShareABucketCountOnce) {
   }
 }
 
+// Of a crowd each k-th of all its cells' photons is looked at: those that the k starts find are all, each once.
+TEST(Hazard22, TheStartsOfACrowdShareItsPhotons) {
+  std::vector<StoredPhoton> photons;
+  for (uint32_t i = 0; i < 1000; ++i) photons.push_back({random_point(i, 0.4f, -0.2f), i});
+  const PhotonIndex index(LightPaths::of(photons), 0.1f);
+  std::multiset<uint32_t> expected, found;
+  index.query({0, 0, 0.2f}, 0.1f, [&](const PhotonIndex::Photon& f, float) { expected.insert(f.place); });
+  constexpr uint32_t stride = 7;
+  for (uint32_t first = 0; first < stride; ++first) {
+    PhotonIndex::Query q;
+    index.ask({0, 0, 0.2f}, 0.1f, q);
+    index.find_rows(q);
+    q.stride = stride, q.first = first;
+    uint64_t visited = 0;
+    index.visit(q, [&](const PhotonIndex::Photon& f, float) { found.insert(f.place), ++visited; });
+    EXPECT_LE(visited, q.candidates / stride + 1);
+  }
+  EXPECT_GT(expected.size(), 20u);
+  EXPECT_EQ(found, expected);
+}
+
 // Coplanar photons, queried in their plane and a step of a float beside it.
 TEST(Hazard24, FlatPhotonsAreNotLostToRounding) {
   std::vector<StoredPhoton> photons;
