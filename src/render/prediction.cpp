@@ -272,9 +272,9 @@ void Prediction::fit() {
   const Line l = fit_line(u, r, variance, exponent_deviation_);
   curve_.clear(), bias_share_.clear();
   for (size_t i = 0; i < steps; ++i) {
-    const double later = double(i) * step, phi = std::exp(-later), a = 1 - phi;
+    const double later = double(i) * step, phi = std::exp(-later), then = variance_at(looks_.back().iterations / phi),
+                 remains = phi * std::sqrt(then / variance.back()), a = 1 - remains;
     const Model m = model(1 / phi);
-    const double then = variance_at(looks_.back().iterations / phi), remains = phi * std::sqrt(then / variance.back());
     const double unknown = a * a * l.var_level + 2 * a * later * l.covariance + later * later * l.var_exponent;
     curve_.push_back({log_of(m.error) + l.level + l.exponent * later + remains * (r.back() - l.level),
                       std::sqrt(l.variance * then * (1 - phi * phi) + unknown)});
