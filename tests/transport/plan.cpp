@@ -147,6 +147,7 @@ TEST(Plan, CountsFollowTheTechniques) {
   plan.light_paths = 1024;
   plan.camera_subsets = 4;
   plan.meter_samples = 16;
+  plan.lands = true;
   plan.walk_radius = std::sqrt(0.5f);
   plan.pixel_radius = {std::vector<float>(16, 0.5f)};
   const StopSignal stop;
