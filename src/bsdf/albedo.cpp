@@ -142,7 +142,7 @@ struct Quadrature {
   Quadrature() {
     constexpr int shift[around_points] = {0, 6, 3, 9, 1, 7, 4, 10, 2, 8, 5, 11};
     for (int j = 0; j < around_points; ++j) {
-      const double phi = 3.141592653589793238463 * (j + 0.5) / around_points;
+      const double phi = pi_d * (j + 0.5) / around_points;
       cosine[j] = float(std::cos(phi));
       sine[j] = float(std::sin(phi));
       for (int i = 0; i < cap_points; ++i) {

@@ -52,7 +52,7 @@ bool GoniometerSums::relative_errors(uint32_t iterations, std::vector<double>& o
     peak = std::max(peak, double(own.back().intensity_cd));
   }
   if (!(emitted_lm_ > 0)) peak = 1;
-  if (!(peak > 0)) peak = emitted_lm_ / (4 * 3.14159265358979323846);
+  if (!(peak > 0)) peak = emitted_lm_ / (4 * pi_d);
   for (const ups_intensity_reading& r : own)
     out.push_back(r.error_bound_cd / std::max(double(r.intensity_cd), share_of_mean * peak));
   return true;

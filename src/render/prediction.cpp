@@ -63,7 +63,7 @@ double MeterError::quantile_ratio(double factor) const {
 // noise^2 is more than twice bias^2. Noise of a bound is some two standard errors.
 MeterError::Left MeterError::left_of_merging(double factor, double alpha, double stays) const {
   const double noise2 = 0.25 * double(merged) * noise * noise, bias2 = double(bias) * bias,
-               until = noise2 > 2 * bias2 * stays ? stays : noise2 > 2 * bias2 ? noise2 / (2 * bias2) : 1,
+               until = bias2 > 0 ? std::clamp(noise2 / (2 * bias2), 1.0, stays) : stays,
                wide = widest ? std::min(factor, until) : 1, shrinks = factor / wide;
   return {std::pow(shrinks, -alpha) / wide, std::pow(shrinks, alpha - 1)};
 }

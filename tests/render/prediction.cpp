@@ -255,8 +255,8 @@ TEST(Prediction, ChanceInStatedErrorsFades) {
 }
 
 // In even light the widest disc stays: merging's noise falls as that of rays, and with it what chance makes some of
-// many meters' biases look like. The 95th percentile is foretold 1.1 times too late; 1.46 times were its disc to
-// shrink, 1.42 were biases of chance to stay, 1.9 were what is not known of them.
+// many meters' biases look like. The 95th percentile is foretold 1.1 times too late; 1.5 times were its disc to
+// shrink, 1.44 were biases of chance to stay, 1.94 were what is not known of them.
 TEST(Prediction, TheWidestDiscStaysInEvenLight) {
   const std::array<Score, 4> s = scores(wide, 40, 32, 124);
   for (const size_t c : {1, 2, 3}) {

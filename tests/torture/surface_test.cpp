@@ -40,7 +40,7 @@ TEST_P(TortureRoughness, OfMetalGlassAndPlastic) {
   RoughThings(roughness).survive_all("roughness " + std::to_string(roughness).substr(0, 7));
 }
 
-// Smooth glass, mirrors, plastic: rooms of 4 mm and of 400 km, and one that is 100 km from the origin, have the
+// Smooth glass, metal, plastic: rooms of 4 mm and of 400 km, and one that is 100 km from the origin, have the
 // illuminances of one of 4 m, whose lamp has the same luminance. Methods agree in each, and the rooms by each method:
 // 15 comparisons, of which one is beyond 4 standard errors in a thousand runs; 6 of them are found, 1 % but for SPPM's
 // 7 %.
