@@ -208,6 +208,26 @@ def test_a_commits_job_has_a_thread_limit_and_a_priority(context):
         scene.start_commit(threads=1)
 
 
+def test_a_commit_is_held_to_its_memory(context):
+    scene, ids = lit_floor(context)
+    before = first_lx(scene, ids["meters"])
+    side = 200
+    y, x = np.mgrid[0:side, 0:side]
+    points = np.stack([x / side, y / side, np.sin(x + y) * 1e-3], axis=-1).reshape(-1, 3)
+    corner = (y * side + x)[:-1, :-1].ravel()
+    triangles = np.concatenate([corner[:, None] + (0, 1, side), corner[:, None] + (1, side + 1, side)])
+    scene.add_instance(scene.add_mesh(points, triangles, ids["material"]))
+    scene.set_dimming(ids["light"], 0.5)
+    with scene.start_commit(memory_limit_bytes=1 << 20) as job:
+        with pytest.raises(ups.Error, match="memory_limit_bytes") as refused:
+            job.wait()
+    assert refused.value.status == ups.Status.ERROR_OUT_OF_MEMORY
+    assert scene.is_dirty and first_lx(scene, ids["meters"]) == before
+    with scene.start_commit(memory_limit_bytes=1 << 28) as job:
+        assert job.wait() == ups.Status.OK
+    assert first_lx(scene, ids["meters"]) == pytest.approx(before / 2, rel=1e-3)
+
+
 def test_jobs_have_a_thread_limit_and_a_priority(context):
     scene, meters = box(context)
     limited = scene.render(iteration_count=4, seed=1, thread_limit=1, priority=ups.Priority.LOW)

@@ -209,6 +209,38 @@ public sealed class EditsTest : IDisposable
     }
 
     [Fact]
+    public void TestACommitIsHeldToItsMemory()
+    {
+        scene.Commit();
+        const int side = 200;
+        var points = new float[3 * side * side];
+        for (var i = 0; i < side * side; ++i)
+        {
+            points[3 * i] = i % side / (float)side;
+            points[3 * i + 1] = i / side / (float)side;
+            points[3 * i + 2] = i % 7 * 1e-3f;
+        }
+        var corners = from y in Enumerable.Range(0, side - 1) from x in Enumerable.Range(0, side - 1) select y * side + x;
+        var triangles = corners.SelectMany(c => new[] { c, c + 1, c + side, c + 1, c + side + 1, c + side });
+        var sheet = InstanceDesc.Create();
+        sheet.Mesh = scene.AddMesh(points, triangles.Select(c => (uint)c).ToArray(), material);
+        scene.AddInstance(sheet);
+        scene.SetDimming(light, 0.5f);
+        var small = CommitDesc.Create();
+        small.MemoryLimitBytes = 1 << 20;
+        using (var job = scene.StartCommit(small))
+        {
+            var error = Assert.Throws<UpsException>(() => job.Wait());
+            Assert.Equal(Status.ErrorOutOfMemory, error.Status);
+            Assert.Contains("memory_limit_bytes", error.Message);
+        }
+        Assert.True(scene.IsDirty && Lux() == 400, "as it was before");
+        small.MemoryLimitBytes = 1 << 28;
+        using (var job = scene.StartCommit(small)) Assert.Equal(Status.Ok, job.Wait());
+        Assert.Equal(200.0, Lux());
+    }
+
+    [Fact]
     public async Task TestAwaitedCommits()
     {
         Assert.True(scene.IsDirty, "nothing was committed");
