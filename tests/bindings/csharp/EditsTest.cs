@@ -220,7 +220,9 @@ public sealed class EditsTest : IDisposable
             points[3 * i + 1] = i / side / (float)side;
             points[3 * i + 2] = i % 7 * 1e-3f;
         }
-        var corners = from y in Enumerable.Range(0, side - 1) from x in Enumerable.Range(0, side - 1) select y * side + x;
+        var corners = from y in Enumerable.Range(0, side - 1)
+                      from x in Enumerable.Range(0, side - 1)
+                      select y * side + x;
         var triangles = corners.SelectMany(c => new[] { c, c + 1, c + side, c + 1, c + side + 1, c + side });
         var sheet = InstanceDesc.Create();
         sheet.Mesh = scene.AddMesh(points, triangles.Select(c => (uint)c).ToArray(), material);
