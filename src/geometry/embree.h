@@ -193,7 +193,12 @@ class Device {
 class Scene {
  public:
   explicit Scene(Device& device, bool query_filters = false) : device_(&device), scene_(rtcNewScene(device)) {
-    device.check();
+    try {
+      device.check();
+    } catch (...) {  // of what somebody else asked of the device, too
+      if (scene_) rtcReleaseScene(scene_);
+      throw;
+    }
     rtcSetSceneFlags(scene_, query_filters ? RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | with_query_filters)
                                            : RTC_SCENE_FLAG_ROBUST);
   }

@@ -8,19 +8,21 @@ struct Quantity {
   double value, batches[batch_count], bias_batches[batch_count], bias, bias_error, unfound;
 };
 
+Quantity meter_of(const MeterBatches& meters, size_t m) {
+  Quantity q{meters.value(m), {}, {}, meters.bias(m), meters.bias_error(m), meters.unfound(m)};
+  for (uint32_t b = 0; b < meters.used(); ++b) q.batches[b] = double(meters.batch(m, b));
+  return q;
+}
+
+// Of one meter what its own reading says, as its bound has what batches do not tell.
 Quantity mean_of(const MeterBatches& meters) {
+  if (meters.count() == 1) return meter_of(meters, 0);
   Quantity q{meters.mean(), {}, {}, 0, 0, meters.unfound()};
   for (uint32_t b = 0; b < meters.used(); ++b) {
     q.batches[b] = meters.mean_of_batch(b);
     q.bias_batches[b] = meters.bias_of_batch(b);
     q.bias += q.bias_batches[b] / meters.used();
   }
-  return q;
-}
-
-Quantity meter_of(const MeterBatches& meters, size_t m) {
-  Quantity q{meters.value(m), {}, {}, meters.bias(m), meters.bias_error(m), meters.unfound(m)};
-  for (uint32_t b = 0; b < meters.used(); ++b) q.batches[b] = double(meters.batch(m, b));
   return q;
 }
 

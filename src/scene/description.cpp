@@ -126,7 +126,8 @@ ups_texture_id Description::add_texture(const ups_texture_desc& d) { return {add
 
 // What the materials that have it want of it.
 void Description::set_texture(ups_texture_id id, const ups_texture_desc& d) {
-  const TextureDescription old = textures_.get(id.v, "texture");
+  textures_.get(id.v, "texture");
+  const auto old = textures_.shared(number_of(id.v));
   const auto before = revision_;
   set(textures_, id.v, read(d), "texture");
   try {
@@ -138,7 +139,7 @@ void Description::set_texture(ups_texture_id id, const ups_texture_desc& d) {
       }
     });
   } catch (...) {
-    textures_.set(id.v, old, "texture");
+    textures_.put_back(number_of(id.v), old);
     revision_ = before;
     throw;
   }
@@ -149,8 +150,9 @@ void Description::remove_texture(ups_texture_id id) {
   materials_.each([&](uint32_t number, const MaterialDescription& m) {
     for (const ups_texture_id used : {m.reflectance_texture, m.roughness_texture, m.metallic_texture, m.normal_texture,
                                       m.alpha_texture})
-      check::require(used.v != id.v, "texture id " + std::to_string(number_of(id.v)) + " is used by material " +
-                                         std::to_string(number) + "; set or remove that first");
+      if (used.v == id.v)
+        fail_argument("texture id " + std::to_string(number_of(id.v)) + " is used by material " +
+                      std::to_string(number) + "; set or remove that first");
   });
   textures_.remove(id.v, "texture"), ++revision_;
 }
@@ -203,8 +205,9 @@ void Description::set_material(ups_material_id id, const ups_material_desc& d) {
 void Description::remove_material(ups_material_id id) {
   materials_.get(id.v, "material");
   const uint32_t user = user_of(id);
-  check::require(user == 0, "material id " + std::to_string(number_of(id.v)) + " is used by mesh " +
-                                std::to_string(user) + "; set or remove that first");
+  if (user != 0)
+    fail_argument("material id " + std::to_string(number_of(id.v)) + " is used by mesh " + std::to_string(user) +
+                  "; set or remove that first");
   materials_.remove(id.v, "material"), ++revision_;
 }
 
@@ -267,8 +270,9 @@ void Description::set_mesh_vertices(ups_mesh_id id, const float* positions_m, co
 void Description::remove_mesh(ups_mesh_id id) {
   meshes_.get(id.v, "mesh");
   const uint32_t user = user_of(id);
-  check::require(user == 0, "mesh id " + std::to_string(number_of(id.v)) + " is used by instance " +
-                                std::to_string(user) + "; set or remove that first");
+  if (user != 0)
+    fail_argument("mesh id " + std::to_string(number_of(id.v)) + " is used by instance " + std::to_string(user) +
+                  "; set or remove that first");
   meshes_.remove(id.v, "mesh"), ++revision_;
 }
 

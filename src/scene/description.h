@@ -158,6 +158,13 @@ class Description {
   void remove_texture(ups_texture_id id);    // throws where a material has it
   void remove_material(ups_material_id id);  // where a mesh has it
   void remove_mesh(ups_mesh_id id);          // where an instance has it
+  // What was set, as it was before: takes no memory, as removing what nothing has takes none.
+  void put_back(ups_instance_id id, std::shared_ptr<const InstanceDescription> before) noexcept {
+    instances_.put_back(number_of(id.v), std::move(before));
+  }
+  void put_back(ups_material_id id, std::shared_ptr<const MaterialDescription> before) noexcept {
+    materials_.put_back(number_of(id.v), std::move(before));
+  }
   // Numbers of a mesh that has it, of an instance that has it; 0: none, or it is not there.
   uint32_t user_of(ups_material_id id) const;
   uint32_t user_of(ups_mesh_id id) const;

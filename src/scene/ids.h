@@ -76,6 +76,8 @@ class IdTable {
     get(id, noun);
     slot(number_of(id)) = std::make_shared<const T>(std::move(item));
   }
+  // As it was before it was set: takes no memory.
+  void put_back(uint32_t number, std::shared_ptr<const T> item) noexcept { slot(number) = std::move(item); }
   void remove(uint32_t id, const char* noun) {
     get(id, noun);
     slot(number_of(id)).reset();

@@ -261,6 +261,7 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / file_flux : 1;
   const Rgb scale = luminaire.color * float(double(source.dimming) * double(luminaire.intensity_scale) * to_flux *
                                             in_.maintenance_factor());
+  if (!is_finite(scale)) fail_argument("emits more than 1e20 lm");  // more than a float holds
   if (is_black(scale)) return;
   if (luminaire.use_opening && !luminaire.profile->rays.empty()) return add_rays(name, luminaire, source, scale);
   const std::shared_ptr<const photometry::Distribution> distribution(luminaire.profile,

@@ -172,7 +172,7 @@ TEST(MeterStatistics, HalvesOfTheirOwnBiasAreNoNoise) {
   EXPECT_NEAR(meters.bound(1), 2.145 * std::sqrt(84.0 / (16 * 14)), 1e-4);
 }
 
-// What a meter knows of its error beyond its batches the mean of a set of one knows, too.
+// What a meter knows of its error beyond its batches the mean of a set of one knows, too, and a ratio to it.
 TEST(MeterStatistics, TheMeanOfOneMeterIsAsWideAsTheMeter) {
   double batch[batch_count];
   const double no_bias[batch_count] = {};
@@ -181,6 +181,12 @@ TEST(MeterStatistics, TheMeanOfOneMeterIsAsWideAsTheMeter) {
   meters.add({100, {0, 0}, 0}, batch, no_bias);
   meters.widen(30);
   EXPECT_NEAR(meter_statistics(meters, 32, true).mean_error_bound_lx, 30, 1e-4);
+  MeterBatches surround(batch_count);
+  std::fill(batch, batch + batch_count, 200.0);
+  surround.add({200, {0, 0}, 0}, batch, no_bias);
+  const Ratio r = ratio_of_means(meters, surround);
+  EXPECT_NEAR(r.interval.low, 0.35, 1e-6);
+  EXPECT_NEAR(r.interval.high, 0.65, 1e-6);
 }
 
 // A ratio to a mean that is off by more than half of itself is not known to first order; the minimum is known.
