@@ -203,6 +203,27 @@ TEST(Prepare, LuminairesShareTheirProfile) {
   EXPECT_EQ(odd, 1) << "a profile's warnings are told once";
 }
 
+TEST(Prepare, RefusesMoreLightThanAFloatHolds) {
+  for (const float green : {1.0f, 0.0f})  // of an infinity a share of zero is no number
+    for (const float scale : {1e15f, 1e20f}) {
+      Things t;
+      ups_luminaire_desc d{};
+      const double place[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 2};
+      std::copy(std::begin(place), std::end(place), d.to_world);
+      d.flux_lm = -1, d.dimming = d.intensity_scale = scale;
+      d.color_rgb[0] = 1, d.color_rgb[1] = d.color_rgb[2] = green;
+      t.description.add_luminaire(d, std::make_shared<photometry::Photometry>(
+                                         photometry::Photometry{photometry::Distribution({0}, {0, 90}, {100, 0})}));
+      try {
+        t.build();
+        ADD_FAILURE() << green << " " << scale;
+      } catch (const Error& e) {
+        EXPECT_EQ(e.status(), UPS_ERROR_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(e.what()).find("luminaire 1: emits more than 1e20 lm"), std::string::npos) << e.what();
+      }
+    }
+}
+
 TEST(Prepare, FindsTheGlassThatThingsLieIn) {
   Things t;
   const uint32_t matte = t.material(UPS_MATERIAL_MATTE), water = t.material(UPS_MATERIAL_GLASS, 0, 0.3f);
