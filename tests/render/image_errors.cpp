@@ -77,6 +77,31 @@ TEST(PixelBias, TellsWhatMergingMakes) {
   }
 }
 
+// A pixel that light reaches too seldom for a standard error has a bound, and its bias is in that.
+TEST(PixelBias, IsInTheBoundOfWhatIsSeldomLit) {
+  std::vector<float> bounds[2];
+  for (const float bias : {0.0f, 3.0f}) {
+    Rig rig;
+    rig.tally.pixels[0].assign(rig.camera.pixel_count(), Rgb());
+    ImageSums image(rig.camera, rig.plan, 1);
+    IlluminanceSums illuminance(rig.camera, rig.plan, 1);
+    std::vector<PixelIlluminance> lx(rig.camera.pixel_count());
+    for (uint32_t i = 0; i < 64; ++i) {
+      rig.tally.pixels[0][5] = Rgb(i < 3 ? 40.0f : 0.0f);
+      rig.tally.pixel_merges[0][5].bias = lx[5].merges.bias = bias;
+      lx[5].lx = i < 3 ? 40 : 0;
+      image.add(i, rig.tally, 0);
+      illuminance.add(i, lx, true);
+    }
+    const std::vector<uint32_t> visits(lx.size(), 64);
+    const ImageReading seen = image.read(64, 0);
+    EXPECT_LT(seen.standard_error_rgb[5 * 3], 0);
+    bounds[0].push_back(seen.error_bound[5]);
+    bounds[1].push_back(illuminance.read(visits, 64, 0).error_bound[5]);
+  }
+  for (const auto& of : bounds) EXPECT_NEAR(of[1] - of[0], 3, 1e-4);
+}
+
 // One sample in a thousand brings nearly all of a pixel's light.
 TEST(RobustImage, LeavesOutWhatASingleSampleBrought) {
   Rig rig;
