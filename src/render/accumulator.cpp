@@ -300,9 +300,14 @@ void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& ligh
   const bool known = lights.front().exact[whole_light] || light.is_enough(plan_.meter_pass(iterations_));
   ups_meter_statistics s = meter_statistics(batches, plan_.meter_pass(iterations_), known);
   std::vector<double> errors;
-  for (const ups_meter_reading& m : readings)
-    if (m.error_bound_lx >= 0 && s.mean_lx > 0)
-      errors.push_back(m.error_bound_lx / std::max(double(m.illuminance_lx), share_of_mean * s.mean_lx));
+  bool of_all = true;  // that were visited: some may know no error yet, as others were visited once more
+  for (size_t m = 0; m < readings.size(); ++m) {
+    const double bound = double(readings[m].error_bound_lx);
+    of_all &= lights[m].visits == 0 || bound >= 0;
+    if (bound >= 0 && s.mean_lx > 0)
+      errors.push_back(bound / std::max(double(readings[m].illuminance_lx), share_of_mean * s.mean_lx));
+  }
+  if (!of_all) errors.clear();
   const ErrorSummary e = summary_of(std::move(errors), 0);
   const double of_dark = known && !emits_ ? 0 : -1;  // a set that no light has reached has no known error
   s.median_relative_error_bound = e.median >= 0 ? e.median : of_dark;

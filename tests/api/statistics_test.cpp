@@ -58,6 +58,27 @@ TEST(Statistics, PercentilesAreThoseOfTheReadings) {
   EXPECT_GE(s.diversity_high, s.diversity);
 }
 
+// Many meters are visited in turn: a fifth of these four times, for which there are errors, the others three times.
+TEST(Statistics, ErrorsOfSomeMetersAreNotThoseOfTheSet) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 3, 2.6}).flipped(), matte(0.5));
+  scene.add_luminaire(table_profile(scene.context(), 0).get(), {2, 1.5, 2.5}, {0, 0, -1}, false);
+  std::vector<P3> points;
+  for (int i = 0; i < 100000; ++i) points.push_back({0.2 + 0.01 * (i % 350), 0.2 + 0.009 * (i / 350), 0.75});
+  const Sensor floor = scene.add_meters(points, {0, 0, 1});
+  for (const uint32_t iterations : {16u, 20u}) {
+    const Result r = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = iterations, .max_path_length = 2});
+    const auto readings = r.readings(floor);
+    const auto known =
+        std::count_if(readings.begin(), readings.end(), [](const auto& m) { return m.error_bound_lx >= 0; });
+    EXPECT_EQ(known, iterations == 16 ? 20000 : 100000);
+    const ups_meter_statistics s = r.statistics(floor);
+    for (const double error : {s.median_relative_error_bound, s.p95_relative_error_bound, s.worst_relative_error_bound,
+                               s.mean_error_bound_lx})
+      EXPECT_EQ(error >= 0, iterations == 20) << error;
+  }
+}
+
 TEST(Statistics, SharesCountReadings) {
   Room room;
   const Result r = room.render();
