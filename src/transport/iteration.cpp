@@ -39,8 +39,8 @@ mis::Counts Iteration::counts(const TechniqueShare& share) const {
   mis::Counts n;
   n.hit = has(UPS_TECHNIQUE_EMITTER_HIT) && !settings.method.hits_after_specular;
   n.light_sample = has(UPS_TECHNIQUE_LIGHT_SAMPLE);
-  n.connect = share.connect && has(UPS_TECHNIQUE_CONNECT) ? connection_worth : 0;
-  n.eta = share.merge == TechniqueShare::no_merge ? 0 : later_photon_worth * eta(walk_radius2);
+  n.connect = share.connect && has(UPS_TECHNIQUE_CONNECT);
+  n.eta = share.merge == TechniqueShare::no_merge ? 0 : eta(walk_radius2);
   n.merge_all = share.merge == TechniqueShare::merge_all;
   return n;
 }

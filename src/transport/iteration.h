@@ -53,12 +53,6 @@ struct Iteration {
                ? 0
                : plan.meter_discs[s].area(m) / 3.14159265358979323846;
   }
-  // Samples that the weights count for a connection, and for a photon that is merged beyond the first vertex. Those of
-  // an eye path share the way there, and a connection stands for others and is tested by chance: they are worth less
-  // than as many that owe each other nothing (Grittmann et al. 2021, Correlation-aware multiple importance sampling,
-  // have a factor a vertex, from the whole path; walks that know none but their own vertices need fixed ones). All but 0
-  // leave expectations as they are; measured in samples/evaluation/README.md.
-  static constexpr double connection_worth = 0.5, later_photon_worth = 0.3;
   double eta(double radius2) const;                 // N pi r^2 where photons are merged
   double photon_norm(double radius2) const;         // 1 / (N pi r^2)
   mis::Counts camera_counts(size_t c, uint32_t pixel) const;

@@ -34,8 +34,7 @@ struct Classes {
   }
 };
 
-// How many samples each technique takes for one eye path, or is worth (Iteration::connection_worth). Zero switches a
-// technique off.
+// How many samples each technique takes for one eye path. Zero switches a technique off.
 struct Counts {
   double hit = 0;             // n_0: 0 or 1
   double light_sample = 0;    // n_1: 0 or 1

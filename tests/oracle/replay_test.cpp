@@ -47,10 +47,10 @@ class Replay {
     mis::Counts n;
     n.hit = has(UPS_TECHNIQUE_EMITTER_HIT);
     n.light_sample = has(UPS_TECHNIQUE_LIGHT_SAMPLE);
-    n.connect = share.connect && has(UPS_TECHNIQUE_CONNECT) ? Iteration::connection_worth : 0;
+    n.connect = share.connect && has(UPS_TECHNIQUE_CONNECT);
     n.merge_all = share.merge == TechniqueShare::merge_all;
     if (merges() && share.merge != TechniqueShare::no_merge) {
-      n.eta = Iteration::later_photon_worth * paths * pi_d * shrunk(plan_.walk_radius, number);
+      n.eta = paths * pi_d * shrunk(plan_.walk_radius, number);
       if (camera) n.eta_first = paths * pi_d * pixel_radius2(r);
     }
     if (camera && share.light && has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = paths * plan_.camera_subsets;
@@ -61,7 +61,7 @@ class Replay {
   double sensor_merge_share(const Replayed& r) const {
     if (!merges()) return 0;
     const double own = r.of_pixel ? pixel_radius2(r) : double(meter_radius) * meter_radius / plan_.meter_samples;
-    return own / (Iteration::later_photon_worth * shrunk(plan_.walk_radius, number));
+    return own / shrunk(plan_.walk_radius, number);
   }
   // Within which a camera's path merges: at the first vertex that is no mirror or glass its pixel's, then that of walks.
   double merge_radius2(const Replayed& r) const {

@@ -155,12 +155,10 @@ TEST(Plan, CountsFollowTheTechniques) {
   EXPECT_EQ(c.hit, 1);
   EXPECT_EQ(c.light_sample, 0);
   EXPECT_EQ(c.connect, 0);
-  s.techniques |= UPS_TECHNIQUE_CONNECT;
-  EXPECT_EQ(Iteration(scene, plan, s, 0, stop).camera_counts(0, 0).connect, 0.5);
   EXPECT_EQ(c.sensor_connect, 4096);  // light paths for each visit of a pixel
   EXPECT_EQ(c.land, 0);
   EXPECT_NEAR(c.eta_first, 1024 * 3.14159265358979 * 0.25, 1e-3);
-  EXPECT_NEAR(c.eta, 0.3 * 1024 * 3.14159265358979 * 0.5, 1e-3);
+  EXPECT_NEAR(c.eta, 1024 * 3.14159265358979 * 0.5, 1e-3);
   EXPECT_EQ(Iteration(scene, plan, s, 0, stop).meter_counts(1).land, 64);
   EXPECT_EQ(Iteration(scene, plan, s, 0, stop).meter_counts(0).land, 0);
   // A part of the sensors may take fewer.
