@@ -13,6 +13,7 @@ namespace ups::check {
 std::string text(double value);
 inline std::string element(const std::string& field, size_t i) { return field + "[" + std::to_string(i) + "]"; }
 
+// The message is put together even where all is well: not where there may be no memory, as in taking something back.
 inline void require(bool ok, const std::string& message) {
   if (!ok) fail_argument(message);
 }

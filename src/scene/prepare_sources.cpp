@@ -107,8 +107,9 @@ void Builder::bound(Source& source, const Mesh& mesh, const Affine& to_scene) co
 // Of the source that was begun last.
 bool Builder::add_emitter(const std::string& name, std::shared_ptr<const Emitter> emitter, UnitEmitter unit,
                           const Vec3& front, const EmitterProbe& probe, float size) {
-  if (!(emitter->flux_lm() > 0)) return false;
-  // Beyond it illuminance near by, or its square, would leave the range of a float.
+  if (emitter->flux_lm() <= 0) return false;
+  // Beyond it illuminance near by, or its square, would leave the range of a float; infinity, of a colour with a zero,
+  // gives no number.
   if (!(emitter->flux_lm() <= 1e20)) fail_argument("emits more than 1e20 lm");
   emitters_.push_back(std::move(emitter));
   unit_emitters_.push_back(std::move(unit));
@@ -261,7 +262,6 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / file_flux : 1;
   const Rgb scale = luminaire.color * float(double(source.dimming) * double(luminaire.intensity_scale) * to_flux *
                                             in_.maintenance_factor());
-  if (!is_finite(scale)) fail_argument("emits more than 1e20 lm");  // more than a float holds
   if (is_black(scale)) return;
   if (luminaire.use_opening && !luminaire.profile->rays.empty()) return add_rays(name, luminaire, source, scale);
   const std::shared_ptr<const photometry::Distribution> distribution(luminaire.profile,
