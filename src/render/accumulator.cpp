@@ -158,9 +158,8 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
     light.photons = rings_[set].read(row + column, rings, discs[m], light.visits);
     light.sums.add(light.photons);
   }
-  constexpr size_t beside = 2;  // cells: as far as a point's disc may reach
   const CausticSearch search = point ? CausticSearch{area * light.visits, double(light.sums.caustics)}
-                                     : search_of_cells(set, m - std::min(m, beside), m + beside + 1, column);
+                                     : search_about_cell(set, m, column);
   for (const LightPart part : {whole_light, direct_light, indirect_light}) {
     light.largest[part] = std::max(largest_path(set, m, column, area, part), double(light.sums.paths[part].largest));
     const bool no_chance = part == direct_light ? plan_.exact_direct : plan_.exact_light;
@@ -290,7 +289,7 @@ void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& ligh
     const bool known = readings[m].standard_error_lx >= 0;
     const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean)), rounding = sums.rounding / n;
     batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] + rounding : all,
-                 lights[m].weight, known, lights[m].photons.halves_differ,
+                 lights[m].weight, known, lights[m].photons.halves_differ, lights[m].photons.choice_variance,
                  known && of_set >= 0 ? of_set + rounding : -1},
                 means, biases);
     batches.widen(double(readings[m].error_bound_lx));

@@ -97,7 +97,8 @@ class Accumulator {
   // Of a set's meters as the caller counts them: of vectors, from those of their sides, their lengths.
   std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
   VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;
-  CausticSearch search_of_cells(size_t set, size_t begin, size_t end, size_t column) const;
+  CausticSearch search_of_cell(size_t set, size_t meter, size_t column) const;
+  CausticSearch search_about_cell(size_t set, size_t meter, size_t column) const;
   CausticSearch search_of_mean(size_t set, const std::vector<MeterLight>& lights) const;
   // lx, by all meters of the set together; -1: by each.
   double unfound_in_mean(size_t set, const std::vector<MeterLight>& lights) const;

@@ -43,8 +43,13 @@ double Accumulator::brightest_caustic_lm(size_t column) const {
 // (no more than as many times that of the mean group, as poisson_excess is concave).
 CausticSearch Accumulator::search_of_mean(size_t set, const std::vector<MeterLight>& lights) const {
   const MeterSet& meters = scene_.meter_sets[set];
-  if (meters.is_cell()) return search_of_cells(set, 0, SIZE_MAX, 0);
-  if (rings_[set].empty() || meters.kind == UPS_METER_VECTOR) return {};
+  if (meters.kind == UPS_METER_VECTOR) return {};  // any one of its sides may lack all of that light
+  if (meters.is_cell()) {
+    CausticSearch all;
+    for (size_t m = 0; m < lights.size(); ++m) all.add(search_of_cell(set, m, 0));
+    return all;
+  }
+  if (rings_[set].empty()) return {};
   double weights = 0, least = INFINITY, caustics = 0;
   for (size_t m = 0; m < lights.size(); ++m) {
     if (lights[m].visits == 0) continue;  // what its disc reaches may be found right now
@@ -66,14 +71,29 @@ double Accumulator::unfound_in_mean(size_t set, const std::vector<MeterLight>& l
   return std::min(each / weights, together.unfound_lx(brightest_caustic_lm(0), plan_.light_paths));
 }
 
-CausticSearch Accumulator::search_of_cells(size_t set, size_t begin, size_t end, size_t column) const {
-  CausticSearch all;
-  if (!plan_.lands_on_cells(set)) return all;
+CausticSearch Accumulator::search_of_cell(size_t set, size_t m, size_t column) const {
+  if (!plan_.lands_on_cells(set)) return {};
   const size_t columns = plan_.separation.columns.size();
-  for (size_t m = begin; m < std::min(end, meters_[set].size()); ++m) {
-    const MeterSums& sums = column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1];
-    all.add({double(scene_.meter_sets[set].area(m)) * visits(m), double(sums.caustics)});
-  }
+  const MeterSums& sums = column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1];
+  return {double(scene_.meter_sets[set].area(m)) * visits(m), double(sums.caustics)};
+}
+
+// A cell's with what its neighbours found, as far as a point's disc may reach: of those before and after it, that adjoin
+// it, face where it does and are of its size.
+CausticSearch Accumulator::search_about_cell(size_t set, size_t m, size_t column) const {
+  constexpr size_t beside = 2;
+  const MeterSet& meters = scene_.meter_sets[set];
+  const size_t alike = meters.kind == UPS_METER_VECTOR ? meters.count() : meters.meters.size(),  // of one side
+               first = m - m % alike;
+  const auto adjoins = [&](size_t j) {
+    const Meter &a = meters.meters[m], &b = meters.meters[j];
+    const double one = meters.area(m), other = meters.area(j);
+    return std::max(one, other) <= 4 * std::min(one, other) && dot(a.frame.n, b.frame.n) > 0.7f &&
+           double(length2(a.p - b.p)) <= 2.5 * 2.5 * std::max(one, other);
+  };
+  CausticSearch all;
+  for (size_t j = std::max(first + beside, m) - beside; j < std::min(first + alike, m + beside + 1); ++j)
+    if (j == m || adjoins(j)) all.add(search_of_cell(set, j, column));
   return all;
 }
 

@@ -92,6 +92,12 @@ double MeterBatches::unfound() const {
   return sum / weights_;
 }
 
+double MeterBatches::choice_variance() const {
+  double sum = 0;
+  for (const Meter& m : meters_) sum += m.weight * m.weight * m.choice_variance;
+  return sum / (weights_ * weights_);
+}
+
 double MeterBatches::mean_of_batch(uint32_t b) const {
   double sum = 0;
   for (size_t m = 0; m < count(); ++m) sum += meters_[m].weight * double(batch(m, b));
@@ -280,10 +286,11 @@ void add_mean(const MeterBatches& meters, uint32_t passes, bool known, ups_meter
     values[b] = meters.mean_of_batch(b) * visits_of_batch(passes, b);
     biases[b] = meters.bias_of_batch(b) * visits_of_batch(passes, b);
   }
-  const Spread value = meters.means() == 2 ? spread_of_halves(values, passes) : spread(values, passes),
-               bias = spread(biases, passes);
+  Spread value = meters.means() == 2 ? spread_of_halves(values, passes) : spread(values, passes);
+  const Spread bias = spread(biases, passes);
   s.mean_bias_lx = bias.mean;
   if (value.standard_error < 0) return;
+  value.standard_error = std::sqrt(std::pow(value.standard_error, 2) + meters.choice_variance());
   if (known) s.mean_standard_error_lx = value.standard_error;
   s.mean_error_bound_lx =
       meters.unfound() + (known ? double(error_bound(value, bias, passes, meters.means())) : std::abs(bias.mean));

@@ -20,6 +20,7 @@ class MeterBatches {
     double weight = 1;  // in the mean and in percentiles: an area, or all alike
     bool known = true;  // the batches know the error of all other light
     bool halves_differ = false;  // even and odd batches have a bias of their own each
+    double choice_variance = 0;  // that the batches do not show, of the choice of its disc
     double unfound_in_mean = -1;  // where all meters together leave less open than each; < 0: the same
   };
   // Means of `used` batches each.
@@ -45,7 +46,8 @@ class MeterBatches {
   double unfound(size_t m) const { return meters_[m].unfound + double(widened_[m]); }
 
   double mean() const;
-  double unfound() const;  // of the mean
+  double unfound() const;          // of the mean
+  double choice_variance() const;  // of the mean
   double stated_bound() const { return stated_; }  // of the one added last; < 0: it has none
   double mean_of_batch(uint32_t b) const;
   double bias_of_batch(uint32_t b) const { return bias_sums_[b] / weights_; }  // of the mean

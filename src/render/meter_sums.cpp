@@ -44,7 +44,7 @@ void MeterSums::add(const MeterRings::Photons& photons) {
 std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) const {
   const bool direct = part == direct_light;
   const double exact_of[] = {sums.exact, sums.exact - sums.exact_mirrored, sums.exact_mirrored},
-               of_exact = exact_of[part] / visits, rounding = exact_of[part] > 0 ? sums.rounding / visits : 0;
+               of_exact = exact_of[part] / visits, rounding = exact_of[part] != 0 ? sums.rounding / visits : 0;
   if (exact[part]) return {0.0f, float(rounding)};
   double values[batch_count];
   ChanceLight light{sums.paths[part].count, uint32_t(std::popcount(sums.batches[part])), 0};

@@ -101,6 +101,46 @@ TEST(HonestErrors, ExactLightIsKnownToItsRounding) {
   }
 }
 
+// Of a vector, too, whichever way it points.
+TEST(HonestErrors, ExactVectorsAreKnownToTheirRounding) {
+  for (const double side : {-1.0, 1.0}) {
+    Scene scene;
+    scene.add(quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0));
+    const P3 lamp{side * 1.3, side * 0.9, 1.5};
+    scene.add_point_light(lamp, 100);
+    scene.set_meter_kind(UPS_METER_VECTOR);
+    const Sensor meter = scene.add_meters({{0, 0, 0.6}}, {0, 0, 1});
+    const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 2});
+    const P3 to = lamp - P3{0, 0, 0.6};
+    const double distance = std::sqrt(to.x * to.x + to.y * to.y + to.z * to.z);
+    for (int k = 0; k < 3; ++k) {
+      const double truth = 100 * (k == 0 ? to.x : k == 1 ? to.y : to.z) / std::pow(distance, 3);
+      const ups_vector_reading v = result.vectors(meter)[0];
+      EXPECT_EQ(v.standard_error_lx[k], 0);
+      EXPECT_GT(v.error_bound_lx[k], 0) << k << ", " << side;
+      EXPECT_LE(std::abs(v.vector_lx[k] - truth), v.error_bound_lx[k]) << k << ", " << side;
+      EXPECT_LT(v.error_bound_lx[k], 1e-4 * std::abs(truth)) << "a bound that says something";
+    }
+  }
+}
+
+// Its mean is that meter, with all of its noise: that of the choice of its disc, too.
+TEST(HonestErrors, ASetOfOneMeterIsKnownAsThatMeter) {
+  for (const uint64_t seed : {3, 4}) {  // of 4 the choice matters
+    Scene scene;
+    scene.add(box({-2, -2, 0}, {2, 2, 3}).flipped(), matte(0.5));
+    scene.add(quad({-1, -0.5, 0.5}, {0, 1, 0}, {0, 0, 1}), photon_mirror(0.9));
+    scene.add_point_light({1, 0, 2.5}, 100);
+    const Sensor meter = scene.add_meters({{0.3, 0, 0.8}}, {0, 0, 1});
+    const Result r = scene.render({.method = UPS_METHOD_UPS, .iterations = 32, .seed = seed, .light_paths = 4096});
+    const ups_meter_reading reading = r.readings(meter)[0];
+    const ups_meter_statistics s = r.statistics(meter);
+    ASSERT_GT(reading.standard_error_lx, 0);
+    EXPECT_NEAR(s.mean_standard_error_lx, reading.standard_error_lx, 1e-5 * reading.standard_error_lx) << seed;
+    EXPECT_NEAR(s.mean_error_bound_lx, reading.error_bound_lx, 1e-5 * reading.error_bound_lx) << seed;
+  }
+}
+
 TEST(HonestErrors, PartsHaveErrorsOfTheirOwn) {
   Scene scene;
   scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0.5));

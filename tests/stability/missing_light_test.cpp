@@ -135,10 +135,11 @@ class Taught_SmallMirror : public ::testing::Test {
     const Sensor camera = scene.add_camera({lit_x, 0, 1}, {0, 0, -1}, 8, 8, 2 * std::atan(0.06), true);
     return scene.render(options).image(camera);
   }
-  const double expected = read(false, {.iterations = 128}).illuminance_lx + by_mirror;
+  double expected_lx() const { return read(false, {.iterations = 128}).illuminance_lx + by_mirror; }
 };
 
 TEST_F(Taught_SmallMirror, IsNotMissed) {
+  const double expected = expected_lx();
   std::vector<double> readings;
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     const ups_method method = seed < 4 ? UPS_METHOD_AUTO : UPS_METHOD_UPS;
@@ -158,6 +159,7 @@ TEST_F(Taught_SmallMirror, IsNotMissed) {
 // Of 512 light paths one render in five has some that meet the mirror, and none knows what they bring: bounds alone are
 // judged. Of 40 at 95 % more than two miss in 32 of 100 cases; seeds are fixed.
 TEST_F(Taught_SmallMirror, IsInTheBoundThoughNoPhotonHasMetIt) {
+  const double expected = expected_lx();
   int missed = 0;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     const ups_meter_reading r = read(true, {.iterations = 32, .seed = seed, .light_paths = 16});
@@ -199,6 +201,7 @@ TEST_F(Taught_SmallMirror, DiscsOfPixelsThatOverlapCountOnce) {
 
 // The same of a cell, on which a third of the renders has some light land by way of the mirror.
 TEST_F(Taught_SmallMirror, IsInTheBoundOfACellThatNoneHasReached) {
+  const double expected = expected_lx();
   int missed = 0;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     const ups_meter_reading r = read(true, {.iterations = 32, .seed = seed, .light_paths = 1024}, true);
@@ -228,6 +231,38 @@ TEST_F(Taught_SmallMirror, MetersFarApartLeaveLessOpenTogether) {
     else
       EXPECT_GT(together, each / 3);
   }
+}
+
+// A cell a metre off tells nothing of the light on this one, one right beside it some; nor one that is far larger.
+TEST_F(Taught_SmallMirror, CellsAreToldByThoseBesideThemAlone) {
+  const auto bound_in_row = [](int count, double spacing) {
+    Scene scene;
+    build(scene, true);
+    std::vector<P3> centers, ups;
+    for (int i = 0; i < count; ++i) centers.push_back({spacing * (i - count / 2), 0, 0.8}), ups.push_back({0, 0, 1});
+    const Sensor cells = scene.add_discs(centers, ups, 0.1);
+    const Result r = scene.render({.iterations = 16, .light_paths = 256});
+    return double(r.readings(cells)[size_t(count / 2)].error_bound_lx);
+  };
+  const double alone = bound_in_row(1, 1), apart = bound_in_row(5, 0.8), beside = bound_in_row(5, 0.1);
+  measured("a disc's bound: alone %.3g lx, four others 0.8 m apart %.3g, beside it %.3g", alone, apart, beside);
+  EXPECT_NEAR(apart, alone, 0.1 * alone);
+  EXPECT_LT(beside, alone / 3);
+}
+
+// What no path has shown may lie all on one side of a vector's disc: the mean of vectors leaves as much open as that of
+// planar meters, though their six sides together have six times the area.
+TEST_F(Taught_SmallMirror, VectorsLeaveAsMuchOpenAsPlanarMeters) {
+  double open[2];
+  for (const bool vectors : {false, true}) {
+    Scene scene;
+    build(scene, true);
+    if (vectors) scene.set_meter_kind(UPS_METER_VECTOR);
+    const Sensor discs = scene.add_discs({{-0.5, 0, 0.8}, {0.5, 0, 0.8}}, {{0, 0, 1}, {0, 0, 1}}, 0.1);
+    open[vectors] = scene.render({.iterations = 16, .light_paths = 256}).statistics(discs).mean_error_bound_lx;
+  }
+  measured("bound of the mean of two discs: planar %.3g lx, vectors %.3g lx", open[0], open[1]);
+  EXPECT_GT(open[1], 0.9 * open[0]);
 }
 
 // A lamp of 2 cm right behind a diffuser, which eye paths from afar hardly ever meet; the lamp sees its own light
