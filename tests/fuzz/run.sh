@@ -13,7 +13,7 @@ export ASAN_OPTIONS=quarantine_size_mb=32
 
 if [ "${1:-}" = --short ]; then
   if [ ! -x "$2" ]; then
-    echo "skipped: no clang++ with libFuzzer when $2 was to be built"
+    echo "skipped: there is no $2: the target fuzzers was not built, or there was no clang++ with libFuzzer"
     exit 77
   fi
   found=$(mktemp -d)
@@ -24,8 +24,8 @@ fi
 
 executions=${1:-10000000}
 build=${2:-$here/../../build/release}
-if ! compgen -G "$build/tests/fuzz/fuzz_*" >/dev/null; then
-  echo "$build has no fuzzers: install clang, then build the project there, as tests/run.sh does" >&2
+if ! cmake --build "$build" --target fuzzers || ! compgen -G "$build/tests/fuzz/fuzz_*" >/dev/null; then
+  echo "$build has no fuzzers: install clang, then configure the project there, as tests/run.sh does" >&2
   exit 2
 fi
 folder=$(cd "$build/tests/fuzz" && pwd)

@@ -25,10 +25,10 @@ bash samples/setup.sh test
 step "Configure (cmake --preset $preset)"
 cmake --preset "$preset"
 step "Build on $cores cores"
-cmake --build --preset "$preset" --parallel "$cores"
+cmake --build --preset "$preset" --parallel "$cores" --target all fuzzers
 step "Build without sanitizers, for the judgement"
 cmake --preset release
-cmake --build --preset release --parallel "$cores"
+cmake --build --preset release --parallel "$cores" --target all fuzzers
 step "Test (ctest --preset $preset)"
 export UPS_TEST_EFFORT=${UPS_TEST_EFFORT:-low}
 results=$PWD/build/$preset/results.xml
