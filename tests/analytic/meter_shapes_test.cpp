@@ -133,7 +133,7 @@ TEST_F(UnderALamp, TrianglesMeasureTheirMeanWhereverTheirInstanceGoes) {
   expect_at([](const P3& p) { return P3{-1.3 * p.x + 0.2, 0.8 * p.y - 0.1, p.z - 0.2}; }, true);
 }
 
-// Of the texels that triangles lie in, by points spread evenly over each in UV. Their mean finds 1 %, one of them 2 %.
+// Of the texels that triangles lie in, by points spread evenly over each in UV. An error of 1 % of any is found.
 TEST_F(UnderALamp, TexelsMeasureTheMeanOverWhatLiesInThem) {
   constexpr uint32_t width = 4, height = 3;
   constexpr int n = 200;
@@ -174,7 +174,7 @@ TEST_F(UnderALamp, TexelsMeasureTheMeanOverWhatLiesInThem) {
   double whole_flux = 0, whole_area = 0;
   for (size_t i = 0; i < places.size(); ++i) whole_flux += flux[i], whole_area += area[i];
   for (const Way& way : direct_ways) {
-    const Result result = render(scene, way, 2);
+    const Result result = render(scene, {way.name, way.techniques, 3 * way.iterations});
     const auto s = result.statistics(map);  // by area
     expect_lx(s.mean_lx, s.mean_standard_error_lx, whole_flux / whole_area, noise, std::string(way.name) + ", mean");
     const auto readings = result.readings(map);
@@ -182,7 +182,7 @@ TEST_F(UnderALamp, TexelsMeasureTheMeanOverWhatLiesInThem) {
       if (!places[i].valid)
         EXPECT_EQ(readings[i].illuminance_lx, 0) << i;
       else if (places[i].area_m2 > 0.01f)
-        expect_lx(readings[i], flux[i] / area[i], one_of(0.004),
+        expect_lx(readings[i], flux[i] / area[i], quiet,
                   std::string(way.name) + ", texel " + std::to_string(i));
   }
 }

@@ -71,7 +71,7 @@ TEST(Torture, AMillionMeters) {
   const uint32_t passes = uint32_t(points.size() / 32768 + 1) | 1u;  // an iteration visits 32768 at most
   const std::vector<Result> results = survive("many meters", scene, {{.meters = meters, .noise = INFINITY}},
                                               {.iterations = 4 * passes,
-                                               .light_paths = fast_or_full(1u << 14, 1u << 16),
+                                               .light_paths = fast_or_full(1u << 14, 1u << 19),
                                                .sppm_factor = 1,
                                                .merge_radius_m = fast_or_full(0.02, 0.01),
                                                .sppm_radius_m = fast_or_full(0.02, 0.01)});
@@ -81,7 +81,7 @@ TEST(Torture, AMillionMeters) {
     const bool by_photons = method == UPS_METHOD_UPS || method == UPS_METHOD_SPPM || method == UPS_METHOD_AUTO;
     const double straight = method == UPS_METHOD_SPPM ? 0 : direct, rest = direct + mirrored - straight;
     if (by_photons)
-      expect_lx(s.mean_lx - straight, s.mean_standard_error_lx, rest, fast_or_full(0.02, 0.004),
+      expect_lx(s.mean_lx - straight, s.mean_standard_error_lx, rest, fast_or_full(0.02, 0.0016),
                 std::string("photons, ") + method_name(method));
     if (method == UPS_METHOD_SPPM) continue;
     const auto readings = results[r].readings(meters);
