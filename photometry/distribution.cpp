@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "photometry/text_reader.h"
+
 namespace photometry {
 namespace {
 
@@ -83,9 +85,9 @@ void check_angles(const std::vector<double>& angle, const char* field, double fi
   const bool last_allowed = range[std::char_traits<char>::length(range) - 1] == ']';
   for (size_t i = 0; i < angle.size(); ++i) {
     if (std::isnan(angle[i]) || angle[i] < first || angle[i] > last || (angle[i] == last && !last_allowed))
-      throw std::invalid_argument(element(field, i) + " = " + std::to_string(angle[i]) + " is outside " + range);
+      throw std::invalid_argument(element(field, i) + " = " + shortest(angle[i]) + " is outside " + range);
     if (i > 0 && !(angle[i] > angle[i - 1]))
-      throw std::invalid_argument(element(field, i) + " = " + std::to_string(angle[i]) +
+      throw std::invalid_argument(element(field, i) + " = " + shortest(angle[i]) +
                                   " does not ascend: it must be greater than the one before");
   }
 }

@@ -131,11 +131,15 @@ double even_step(const std::vector<double>& angle, double end) {
 double reference_flux(const Photometry& p, bool& absolute) {
   constexpr double least = 1e-3;  // a rating below it is none, and the quotients stay within a double's range
   absolute = !(p.rated_flux_lm >= least);
-  if (!absolute) return in_field(p.rated_flux_lm, 12);
-  const double stated = p.lamp_set < p.lamp_sets.size() && p.lamp_sets[p.lamp_set].count < 0
-                            ? p.lamp_sets[p.lamp_set].flux_lm
-                            : flux_lm(p);
-  return stated >= least ? in_field(stated, 12) : 1000;
+  double stated = p.rated_flux_lm;
+  if (absolute)
+    stated = p.lamp_set < p.lamp_sets.size() && p.lamp_sets[p.lamp_set].count < 0 ? p.lamp_sets[p.lamp_set].flux_lm
+                                                                                  : flux_lm(p);
+  if (!(stated >= least)) return 1000;
+  const double field = in_field(stated, 12);
+  if (!(field > 0))
+    throw std::invalid_argument("the flux, " + shortest(stated) + " lm, has more than the 12 characters of its field");
+  return field;
 }
 
 // The factor on all intensities, 1 unless those of six characters would be too small or too large for five digits.

@@ -8,12 +8,17 @@
 namespace photometry {
 namespace {
 
+// RFC 3629, section 4: without overlong forms, surrogates and what is beyond U+10FFFF.
 bool is_utf8(const unsigned char* s, size_t size) {
   for (size_t i = 0; i < size;) {
-    const int more = s[i] < 0x80 ? 0 : s[i] >> 5 == 6 ? 1 : s[i] >> 4 == 14 ? 2 : s[i] >> 3 == 30 ? 3 : -1;
+    const unsigned lead = s[i];
+    const int more = lead < 0x80 ? 0 : lead < 0xc2 ? -1 : lead < 0xe0 ? 1 : lead < 0xf0 ? 2 : lead < 0xf5 ? 3 : -1;
     if (more < 0 || i + size_t(more) >= size) return false;
-    for (int k = 1; k <= more; ++k)
-      if (s[i + size_t(k)] >> 6 != 2) return false;
+    for (int k = 1; k <= more; ++k) {
+      const unsigned least = k > 1 ? 0x80 : lead == 0xe0 ? 0xa0 : lead == 0xf0 ? 0x90 : 0x80,
+                     most = k > 1 ? 0xbf : lead == 0xed ? 0x9f : lead == 0xf4 ? 0x8f : 0xbf;
+      if (s[i + size_t(k)] < least || s[i + size_t(k)] > most) return false;
+    }
     i += size_t(more) + 1;
   }
   return true;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "photometry/writer_text.h"
 #include "photometry/xml.h"
 
 namespace photometry {
@@ -137,8 +138,8 @@ void Tm33Reader::read_root() {
 void Tm33Reader::check_version(const std::string& version, size_t line) {
   const std::string known = file_.format == "IES TM-33-18" ? "1.0" : "1.1";
   if (token(version) != known && !(token(version) + ".0" == known))
-    warn(line, "the version is \"" + std::string(trimmed(version).substr(0, 40)) + "\"; read as " + known + " of " +
-                   file_.format);
+    warn(line, "the version is \"" + one_line(std::string(trimmed(version).substr(0, 40))) + "\"; read as " + known +
+                   " of " + file_.format);
 }
 
 void Tm33Reader::read_header() {

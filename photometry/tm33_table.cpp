@@ -124,8 +124,12 @@ Distribution sum_of(const std::vector<Distribution>& parts) {
   sort_unique(gamma);
   c.push_back(0);
   sort_unique(c);
-  if (c.size() > Distribution::max_values / gamma.size())
-    throw std::invalid_argument("the sum of the emitters has too many directions");
+  constexpr double most_looked_up = 1e8;  // some seconds
+  if (c.size() > Distribution::max_values / gamma.size() ||
+      double(c.size() * gamma.size()) * double(parts.size()) > most_looked_up)
+    throw std::invalid_argument("the sum of the " + std::to_string(parts.size()) +
+                                " emitters has too many directions, " + std::to_string(c.size()) + " angles h by " +
+                                std::to_string(gamma.size()) + " angles v");
   std::vector<double> table;
   for (double ci : c)
     for (double g : gamma) {

@@ -130,12 +130,14 @@ namespace Ups
         public MaterialDesc GetMaterial(MaterialId id, out PaneTable pane)
         {
             var desc = MaterialDesc.Create();
-            Library.Check(Native.ups_scene_get_material(Handle, id, &desc));
-            var count = (int)desc.PaneAngleCount;
-            pane = new PaneTable { AngleDeg = Elements.Copy(desc.PaneAngleDeg, count),
-                                   Transmittance = Elements.Copy(desc.PaneTransmittance, count),
-                                   Reflectance = Elements.Copy(desc.PaneReflectance, count) };
-            GC.KeepAlive(this);  // the arrays were the scene's
+            using (Handle.Held())
+            {
+                Library.Check(Native.ups_scene_get_material(Handle, id, &desc));
+                var count = (int)desc.PaneAngleCount;
+                pane = new PaneTable { AngleDeg = Elements.Copy(desc.PaneAngleDeg, count),
+                                       Transmittance = Elements.Copy(desc.PaneTransmittance, count),
+                                       Reflectance = Elements.Copy(desc.PaneReflectance, count) };
+            }
             desc.PaneAngleDeg = desc.PaneTransmittance = desc.PaneReflectance = null;
             return desc;
         }
@@ -188,16 +190,17 @@ namespace Ups
         public MeshArrays GetMesh(MeshId id)
         {
             var desc = MeshDesc.Create();
-            Library.Check(Native.ups_scene_get_mesh(Handle, id, &desc));
-            var vertices = (int)desc.VertexCount;
-            var indices = new ReadOnlySpan<uint>(desc.Indices, 3 * (int)desc.TriangleCount).ToArray();
-            var mesh = new MeshArrays { PositionsM = Elements.Copy(desc.PositionsM, 3 * vertices),
+            using (Handle.Held())
+            {
+                Library.Check(Native.ups_scene_get_mesh(Handle, id, &desc));
+                var vertices = (int)desc.VertexCount;
+                var indices = new ReadOnlySpan<uint>(desc.Indices, 3 * (int)desc.TriangleCount).ToArray();
+                return new MeshArrays { PositionsM = Elements.Copy(desc.PositionsM, 3 * vertices),
                                         Normals = Elements.Copy(desc.Normals, 3 * vertices),
                                         Uvs = Elements.Copy(desc.Uvs, 2 * vertices),
                                         Tangents = Elements.Copy(desc.Tangents, 4 * vertices), Indices = indices,
                                         Material = desc.Material };
-            GC.KeepAlive(this);  // the arrays were the scene's
-            return mesh;
+            }
         }
 
         public InstanceId AddInstance(InstanceDesc desc)

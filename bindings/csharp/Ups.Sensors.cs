@@ -78,15 +78,16 @@ namespace Ups
         public MeterArrays GetMeters(SensorId id)
         {
             var desc = MeterDesc.Create();
-            Library.Check(Native.ups_scene_get_meters(Handle, id, &desc));
-            var values = 3 * (int)desc.Count;
-            var meters = new MeterArrays { PositionsM = Elements.Copy(desc.PositionsM, values),
-                                           Normals = Elements.Copy(desc.Normals, values),
-                                           Tangents = Elements.Copy(desc.Tangents, values),
-                                           CellWidthM = desc.CellSizeM[0], CellHeightM = desc.CellSizeM[1],
-                                           FootprintM = desc.FootprintM, Kind = desc.Kind };
-            GC.KeepAlive(this);  // the arrays were the scene's
-            return meters;
+            using (Handle.Held())
+            {
+                Library.Check(Native.ups_scene_get_meters(Handle, id, &desc));
+                var values = 3 * (int)desc.Count;
+                return new MeterArrays { PositionsM = Elements.Copy(desc.PositionsM, values),
+                                         Normals = Elements.Copy(desc.Normals, values),
+                                         Tangents = Elements.Copy(desc.Tangents, values),
+                                         CellWidthM = desc.CellSizeM[0], CellHeightM = desc.CellSizeM[1],
+                                         FootprintM = desc.FootprintM, Kind = desc.Kind };
+            }
         }
 
         /// <summary>One planar meter for each triangle of the instances, counted through them.</summary>
@@ -118,16 +119,12 @@ namespace Ups
         public InstanceId[] GetSurfaceMeters(SensorId id, out bool back)
         {
             var desc = SurfaceMetersDesc.Create();
-            Library.Check(Native.ups_scene_get_surface_meters(Handle, id, &desc));
-            back = desc.Back != 0;
-            return Copy(desc.Instances, desc.InstanceCount);
-        }
-
-        private InstanceId[] Copy(InstanceId* instances, uint count)
-        {
-            var copy = new ReadOnlySpan<InstanceId>(instances, (int)count).ToArray();
-            GC.KeepAlive(this);
-            return copy;
+            using (Handle.Held())
+            {
+                Library.Check(Native.ups_scene_get_surface_meters(Handle, id, &desc));
+                back = desc.Back != 0;
+                return new ReadOnlySpan<InstanceId>(desc.Instances, (int)desc.InstanceCount).ToArray();
+            }
         }
 
         /// <summary>One planar meter for each texel of the instances' UVs, row 0 at v = 0 first.</summary>
@@ -163,11 +160,14 @@ namespace Ups
         public InstanceId[] GetLightmap(SensorId id, out uint width, out uint height, out bool back)
         {
             var desc = LightmapDesc.Create();
-            Library.Check(Native.ups_scene_get_lightmap(Handle, id, &desc));
-            width = desc.Width;
-            height = desc.Height;
-            back = desc.Back != 0;
-            return Copy(desc.Instances, desc.InstanceCount);
+            using (Handle.Held())
+            {
+                Library.Check(Native.ups_scene_get_lightmap(Handle, id, &desc));
+                width = desc.Width;
+                height = desc.Height;
+                back = desc.Back != 0;
+                return new ReadOnlySpan<InstanceId>(desc.Instances, (int)desc.InstanceCount).ToArray();
+            }
         }
 
         /// <summary>What each meter of the committed scene measures.</summary>
@@ -241,10 +241,12 @@ namespace Ups
         public GoniometerDesc GetGoniometer(SensorId id, out float[] cDeg, out float[] gammaDeg)
         {
             var desc = GoniometerDesc.Create();
-            Library.Check(Native.ups_scene_get_goniometer(Handle, id, &desc));
-            cDeg = Elements.Copy(desc.CDeg, (int)desc.CCount);
-            gammaDeg = Elements.Copy(desc.GammaDeg, (int)desc.GammaCount);
-            GC.KeepAlive(this);  // the arrays were the scene's
+            using (Handle.Held())
+            {
+                Library.Check(Native.ups_scene_get_goniometer(Handle, id, &desc));
+                cDeg = Elements.Copy(desc.CDeg, (int)desc.CCount);
+                gammaDeg = Elements.Copy(desc.GammaDeg, (int)desc.GammaCount);
+            }
             desc.CDeg = desc.GammaDeg = null;
             return desc;
         }

@@ -32,6 +32,29 @@ namespace Ups
     {
         protected NativeHandle() : base(IntPtr.Zero, true) { }
         public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
+
+        /// <summary>Until it is disposed of the handle stays, whoever disposes of that: for arrays that are its
+        /// own.</summary>
+        internal Hold Held() { return new Hold(this); }
+
+        internal struct Hold : IDisposable
+        {
+            private readonly NativeHandle handle_;
+            private bool held_;
+
+            public Hold(NativeHandle handle)
+            {
+                handle_ = handle;
+                held_ = false;
+                handle.DangerousAddRef(ref held_);
+            }
+
+            public void Dispose()
+            {
+                if (held_) handle_.DangerousRelease();
+                held_ = false;
+            }
+        }
     }
 
     /// <summary>Version of the loaded library.</summary>

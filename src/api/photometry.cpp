@@ -99,11 +99,18 @@ void set_keyword(photometry::Photometry& data, const std::string& given, const s
   all.erase(std::remove_if(first + 1, all.end(), same), all.end());
 }
 
+// Of what is listed line by line, in a C string.
+std::string as_line(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r' || c == '\0') c = ' ';
+  return text;
+}
+
 std::string values_of(const photometry::Photometry& data, std::string name) {
   name = upper(std::move(name));
   std::string text;
   for (const photometry::Keyword& k : data.keywords)
-    if (upper(k.name) == name) text += (text.empty() ? "" : "\n") + k.value;
+    if (upper(k.name) == name) text += (text.empty() ? "" : "\n") + as_line(k.value);
   return text;
 }
 
@@ -124,7 +131,7 @@ std::string text_of(const photometry::Photometry& data, ups_profile_text topic) 
       return data.tilt_file_name;
     case UPS_PROFILE_TEXT_KEYWORDS: {
       std::string text;
-      for (const photometry::Keyword& k : data.keywords) text += k.name + "=" + k.value + "\n";
+      for (const photometry::Keyword& k : data.keywords) text += k.name + "=" + as_line(k.value) + "\n";
       return text;
     }
     case UPS_PROFILE_TEXT_TILT_TABLE: {
@@ -347,7 +354,7 @@ ups_status ups_profile_get_zonal_flux(const ups_profile* profile, const float* g
     for (size_t i = 0; i < count; ++i) {
       const std::string element = "gamma_deg: element " + std::to_string(i);
       check::require(std::isfinite(gamma_deg[i]) && gamma_deg[i] >= 0 && gamma_deg[i] <= 180,
-                     element + " is " + std::to_string(gamma_deg[i]) + "; it must lie in [0, 180]");
+                     element + " is " + check::text(double(gamma_deg[i])) + "; it must lie in [0, 180]");
       check::require(i == 0 || gamma_deg[i] > gamma_deg[i - 1], element + " is not greater than the one before");
     }
     std::vector<double> zones;
@@ -362,7 +369,7 @@ ups_status ups_profile_get_beam(const ups_profile* profile, float c_deg, float f
     const photometry::Photometry& data = *require(profile, "profile").data;
     check::require(std::isfinite(c_deg), "c_deg is not finite");
     check::require(fraction > 0 && fraction <= 1,
-                   "fraction is " + std::to_string(fraction) + "; it must be greater than 0 and at most 1");
+                   "fraction is " + check::text(double(fraction)) + "; it must be greater than 0 and at most 1");
     const photometry::Beam b = photometry::beam_of(data, c_deg, fraction);
     ups_profile_beam out{};
     out.peak_cd = float(b.peak_cd);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/atomic_file.h"
 #include "tool/commands.h"
 #include "tool/profile_file.h"
 #include "tool/text_format.h"
@@ -40,12 +41,14 @@ int convert(const std::string& in, const std::string& out) {
   if (is_scene_file(in)) throw Failure(in + ": a scene; a photometric file can be converted");
   const Context context = make_context(1);
   const Profile profile = read_profile(context.get(), in);
-  const WrittenProfile made = write_profile(out, profile.get());  // the command line admits .ies and .ldt alone
+  const WrittenProfile made = make_profile(out, profile.get());  // the command line admits .ies and .ldt alone
   const ProfileReport report = report_of_file(in, profile.get());
   for (const std::string& warning : report.warnings) put_warning(in + ": " + warning);
   ups_profile* again = nullptr;
-  check(ups_profile_parse(context.get(), made.bytes.data(), made.bytes.size(), *photometric_format(out), &again));
+  if (ups_profile_parse(context.get(), made.bytes.data(), made.bytes.size(), *photometric_format(out), &again))
+    throw Failure(out + ": not written, as it could not be read again: " + ups_last_error());
   const Profile written(again);
+  extras::write_file(out, made.bytes.data(), made.bytes.size());
   std::vector<std::string> lacks = losses(report, make_report(out, written.get()));
   append_once(lacks, made.lacks);
   for (const std::string& lack : lacks) put_warning(out + ": " + lack);

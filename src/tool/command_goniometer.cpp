@@ -1,6 +1,7 @@
 // ups goniometer: a fixture in, its luminous intensity distribution out: loads a scene, measures what leaves it, writes
 // .ies or .ldt, a table of errors and diagrams, prints the flux balance.
 
+#include "common/atomic_file.h"
 #include "platform/paths.h"
 #include "tool/commands.h"
 #include "tool/goniometer_report.h"
@@ -94,7 +95,9 @@ Written write_files(const GoniometerOptions& options, const SensorEntry& goniome
   Written written;
   if (!options.out.empty())
     attempt(written, options.out, [&](const std::string& path) {
-      for (const std::string& lack : write_profile(path, profile).lacks) put_warning(path + ": " + lack);
+      const WrittenProfile made = make_profile(path, profile);
+      extras::write_file(path, made.bytes.data(), made.bytes.size());
+      for (const std::string& lack : made.lacks) put_warning(path + ": " + lack);
     });
   if (!options.errors.empty())
     attempt(written, options.errors, [&](const std::string& path) { write_goniometer_csv(path, goniometer, result); });

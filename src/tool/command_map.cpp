@@ -140,6 +140,10 @@ int map(const MapOptions& options) {
   const std::string extension = lower_extension(options.file);
   if (extension != ".csv" && extension != ".exr")
     throw Failure(options.file + ": must be a .csv table of meters or a .exr image by `ups render --out`");
+  if (extension == ".csv" && options.illuminance)
+    throw Failure("--illuminance: goes with a .exr image of a camera; " + options.file + " is a table");
+  if (extension == ".exr" && !options.scene.empty())
+    throw Failure("--scene: goes with a .csv table of meters; " + options.file + " is an image");
   const MapData data = extension == ".csv" ? map_of_table(options, title) : map_of_image(options, title);
   const bool lux = data.unit == "lx";
   if (lux && options.style.luminance_threshold > 0)

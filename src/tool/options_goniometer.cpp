@@ -116,7 +116,7 @@ std::string keyword(const std::string& text) {
                      std::all_of(text.begin(), text.begin() + ptrdiff_t(equals),
                                  [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   const bool one_line = std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; });
-  return named && one_line && text.size() - equals <= 1000 ? ""
+  return named && one_line && text.size() - equals - 1 <= 1000 ? ""
                                                            : "must be NAME=VALUE, such as MANUFAC=Example, the name of "
                                                              "letters, digits and _, the value one line of at "
                                                              "most 1000 bytes, not '" +

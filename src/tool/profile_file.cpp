@@ -96,7 +96,7 @@ bool is_scene_file(const std::string& file) {
   return std::equal(first, first + 4, "glTF") || (!photometric_format(file) && first[0] == '{');
 }
 
-WrittenProfile write_profile(const std::string& file, const ups_profile* profile) {
+WrittenProfile make_profile(const std::string& file, const ups_profile* profile) {
   const ups_profile_format format = *photometric_format(file);
   std::string bytes, lacks;
   try {
@@ -109,7 +109,6 @@ WrittenProfile write_profile(const std::string& file, const ups_profile* profile
   } catch (const Failure& e) {
     throw Failure(file + ": " + e.what());
   }
-  extras::write_file(file, bytes.data(), bytes.size());
   return {std::move(bytes), lines_of(lacks)};
 }
 

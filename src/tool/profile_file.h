@@ -20,11 +20,11 @@ bool is_scene_file(const std::string& file);  // by its name or its first bytes
 // By its content, whatever its name. Throws Failure that names the file.
 Profile read_profile(ups_context* context, const std::string& file);
 struct WrittenProfile {
-  std::string bytes;               // as what is no file cannot be read again
+  std::string bytes;
   std::vector<std::string> lacks;  // what the file does not hold as the profile has it, such as flux and peak
 };
-// As .ies or .ldt, by its name, whole or not at all. Throws Failure that names the file.
-WrittenProfile write_profile(const std::string& file, const ups_profile* profile);
+// As .ies or .ldt, by its name; writes nothing yet. Throws Failure that names the file.
+WrittenProfile make_profile(const std::string& file, const ups_profile* profile);
 inline bool is_written_format(const std::string& file) {
   return lower_extension(file) == ".ies" || lower_extension(file) == ".ldt";
 }

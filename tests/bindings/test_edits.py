@@ -59,6 +59,20 @@ def test_meshes(context):
     assert scene.info.triangle_count == 1 and scene.get_mesh(ids["mesh"]).arrays["positions_m"].shape == (3, 3)
 
 
+def test_a_scene_that_is_closed_stays_until_its_arrays_are_copied(context):
+    scene, ids = lit_floor(context)
+
+    def get_and_close(*arguments):
+        status = ups._convert.lib.ups_scene_get_mesh(*arguments)
+        scene.close()  # as another thread may, between the call and the copy
+        assert scene._destroy.alive
+        return status
+
+    got = scene._get(get_and_close, ups._ffi.MeshDesc, ids["mesh"])
+    assert got.arrays["positions_m"].shape == (4, 3)
+    assert not scene._destroy.alive
+
+
 def test_sensors_keep_their_size_until_the_commit(context):
     scene, ids = lit_floor(context)
     camera = scene.add_camera(4, 2, vertical_fov_rad=1, to_world=ups.translation(0, 0, 2))

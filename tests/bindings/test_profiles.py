@@ -32,6 +32,18 @@ def test_keywords_by_name(context):
     assert (again.keyword("LUMCAT"), again.keyword("MANUFAC")) == ("DL 50", "maker")
 
 
+def test_texts_keep_to_their_lines(context):
+    """Whatever a file has in them: a line feed, or what str.splitlines() takes for the end of a line."""
+    profile = ups.Profile.parse(context, IES.replace(b"first", b"fi\x85r\x0cst"))
+    assert profile.keywords == ["MANUFAC=maker", "OTHER=fi\x85r\x0cst", "OTHER=second"]
+    tm33 = (b"<IESTM33-22><Header><Manufacturer>A</Manufacturer><Description>one&#10;MANUFAC=X</Description></Header>"
+            b"<Emitter><LuminousData><LuminousIntensity><IntData h='0' v='0'>2</IntData>"
+            b"<IntData h='0' v='90'>1</IntData></LuminousIntensity></LuminousData></Emitter></IESTM33-22>")
+    profile = ups.Profile.parse(context, tm33)
+    assert profile.keywords == ["MANUFAC=A", "LUMINAIRE=one MANUFAC=X"]
+    assert profile.keyword("MANUFAC") == "A"
+
+
 def test_a_tilt_file_is_asked_for_and_applied(context):
     plain = ups.Profile.parse(context, IES)
     assert plain.tilt_file == "hid.tlt"

@@ -95,6 +95,19 @@ TEST(Ies, ReadsKeywordsInAnyEncoding) {
       "enleuchte 30\xC2\xB0";  // UTF-8
   EXPECT_EQ(keyword(read_file("s13_bom_lf_trailing.ies"), "LUMINAIRE"), street);
   EXPECT_EQ(keyword(read_file("s14_latin1.ies"), "LUMINAIRE"), street);
+  // What only looks like UTF-8 (RFC 3629, section 4) is Latin-1, of which each byte is a letter.
+  const auto with = [](const std::string& text) {
+    return read_text("IESNA:LM-63-2002\n[TEST] " + text +
+                     "\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 1\n0 90\n0\n1 1\n");
+  };
+  for (const std::string odd : {"\xC0\xA9", "\xC1\xBF", "\xE0\x9F\xBF", "\xED\xA0\x80", "\xF0\x8F\xBF\xBF",
+                                "\xF4\x90\x80\x80", "\xF5\x80\x80\x80"}) {
+    std::string decoded;
+    for (const char c : odd) decoded += char(0xC0 | (uint8_t(c) >> 6)), decoded += char(0x80 | (c & 0x3F));
+    EXPECT_EQ(keyword(with(odd), "TEST"), decoded) << int(uint8_t(odd[0]));
+  }
+  for (const std::string fine : {"\xC2\x80", "\xE0\xA0\x80", "\xED\x9F\xBF", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF"})
+    EXPECT_EQ(keyword(with(fine), "TEST"), fine);
   const Photometry p = read_file("s03_lm63_1995.ies");
   EXPECT_EQ(keyword(p, "TEST"), "synthetic");
   EXPECT_EQ(keyword(p, "MANUFAC"), "synthetic");

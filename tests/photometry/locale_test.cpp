@@ -47,6 +47,12 @@ TEST(Locale, ChangesNothingOfWhatIsReadAndWritten) {
     EXPECT_EQ(write_eulumdat(p), plain_ldt);
     EXPECT_EQ(read_text(plain_ldt).distribution.peak_cd(), ldt_peak_cd);
     EXPECT_EQ(p.warnings, plain.warnings);
+    try {
+      Distribution({0}, {1500.5, 90}, {1, 1});
+      ADD_FAILURE() << "an angle of 1500.5 degrees is none";
+    } catch (const std::invalid_argument& e) {
+      EXPECT_NE(std::string(e.what()).find("= 1500.5 is"), std::string::npos) << e.what();
+    }
   }
   if (!in_c) GTEST_SKIP() << "C++ streams alone: samples/setup.sh test installs what a German locale is made of";
 }

@@ -367,6 +367,15 @@ TEST(Tm33, Refusals) {
   expect_refused<UnsupportedError>(
       file("<Emitter><IntensityDistribution><Metric>Radiant</Metric></IntensityDistribution></Emitter>"), "RADIANT");
   expect_refused<ParseError>(file(emitter("")), "there are no intensities");
+  // A thousand tables of two directions each and one of a hundred planes: 200 million look-ups and more.
+  std::string many;
+  for (int i = 0; i < 1000; ++i)
+    many += emitter("<IntData h='0' v='" + number(0.05 + 0.05 * i) + "'>1</IntData><IntData h='0' v='" +
+                    number(60.03 + 0.05 * i) + "'>1</IntData>");
+  std::string planes;
+  for (int h = 0; h < 360; h += 3)
+    for (const int v : {0, 90}) planes += "<IntData h='" + number(h) + "' v='" + number(v) + "'>1</IntData>";
+  expect_refused<ParseError>(file(many + emitter(planes)), "the sum of the 1001 emitters has too many directions");
   expect_refused<ParseError>(file(emitter("<IntData h='0'>1</IntData>")), "has no attribute v");
   expect_refused<ParseError>(file(emitter("<IntData h='0' v='x'>1</IntData>")),
                              "the attribute v of <IntData> is \"x\"");

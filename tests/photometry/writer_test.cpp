@@ -334,5 +334,21 @@ TEST(Writer, AbsoluteEulumdatStatesTheLuminairesFlux) {
   EXPECT_EQ(keyword(q, "_DFF_PERCENT"), "50");
 }
 
+// Intensities are per 1000 lm of what the field holds.
+TEST(Writer, AFluxThatItsFieldCannotHoldIsRefused) {
+  const std::string table = " 1 2 1 1 2 0 0 0\n1 1 1\n0 90\n0\n1e9 1e9\n";
+  const auto file = [&](const char* lamps) {
+    return read_text("IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n" + std::string(lamps) + table);
+  };
+  const Photometry fits = file("1 999999999999"), none = file("1000 1e12");
+  EXPECT_EQ(again(write_eulumdat(fits)).rated_flux_lm, fits.rated_flux_lm);
+  try {
+    write_eulumdat(none);
+    ADD_FAILURE() << "was written";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("the flux, 1e+15 lm, has more than"), std::string::npos) << e.what();
+  }
+}
+
 }  // namespace
 }  // namespace photometry

@@ -567,6 +567,14 @@ class Convert(test_program.ProgramTest):
 
     def test_errors(self):
         lamp = self.write("lamp.ies", LAMBERTIAN)
+        old = self.write("old.ldt", "kept")
+        bright = self.write("bright.ies", "IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n1000 1e12 1 2 1 1 2 0 0 0\n1 1 1\n"
+                                          "0 90\n0\n1 1\n")
+        self.expect_failure("convert", bright, old, words=["old.ldt", "1e+15 lm"])
+        with open(old, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "kept")
+        os.remove(old)
+        os.remove(bright)
         self.assertIn(".ldt", self.run_program("convert", lamp, self.path("lamp.txt"), code=2).stderr)
         self.run_program("convert", lamp, code=2)
         self.expect_failure("convert", self.path("gone.ies"), self.path("x.ldt"), words=["gone.ies"])

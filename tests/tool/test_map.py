@@ -140,6 +140,8 @@ class Maps(test_program.ProgramTest):
             error = self.run_program("map", file, out, *options, code=2).stderr
             for word in words:
                 self.assertIn(word, error)
+        self.expect_failure("map", file, out, "--illuminance", words=["--illuminance", "plane.csv", "table"])
+        self.expect_failure("map", self.write("x.exr", "x"), out, "--scene", "gone.gltf", words=["--scene", "x.exr"])
         self.run_program("map", file, self.path("x.gif"), code=2)
         self.run_program("map", file, code=2)
         broken = {"line 3: has 2 of the 12 fields": table([(0, 0, 0, 5, 1)]) + "1,0\n",

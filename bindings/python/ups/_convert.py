@@ -242,6 +242,11 @@ def read_text(function: Callable[..., int], *arguments: Any, checked: Callable[[
     return read_bytes(function, *arguments, checked=checked).decode("utf-8", "replace")
 
 
+def lines_of(text: str) -> list[str]:
+    """At line feeds alone: str.splitlines() splits at other characters, too, which a file's texts may have."""
+    return text.removesuffix("\n").split("\n") if text else []
+
+
 @functools.cache
 def dtype_of(cls: Any) -> np.dtype[np.void]:
     """Of a record array whose records are these structs."""

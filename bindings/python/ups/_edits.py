@@ -52,6 +52,7 @@ class Edits(Handle):
     stays as it is. remove_X: what others still need is not removed. Edits take effect at the next commit."""
 
     def _get(self, function: Callable[..., int], cls: type[Desc], id: Any) -> Desc:
+        _owner = self._as_parameter_  # what another thread closes stays until its arrays are copied
         desc = read_info(cls, function, self, id)
         arrays: dict[str, NDArray[Any]] = {}
         for name, (count, width) in _ARRAYS.get(cls, {}).items():

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _ffi
-from ._convert import c_path, describe, read_text, target
+from ._convert import c_path, describe, lines_of, read_text, target
 from ._core import Context, Handle
 from ._ffi import GltfLayout, GltfSensorKind, SensorId, SourceKind
 from ._library import load
@@ -93,4 +93,4 @@ class GltfImport(Handle):
 
     @property
     def warnings(self) -> list[str]:
-        return read_text(self._lib.ups_gltf_get_warnings, self, checked=_check).splitlines()
+        return lines_of(read_text(self._lib.ups_gltf_get_warnings, self, checked=_check))

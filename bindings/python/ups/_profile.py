@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, c_text, describe, lib, merged, read_bytes, read_info, read_text, target
+from ._convert import (address, as_array, c_text, describe, lib, lines_of, merged, read_bytes, read_info, read_text,
+                       target)
 from ._core import Context, Handle, create
 from ._ffi import ProfileFormat, ProfileText
 from ._status import check
@@ -71,12 +72,12 @@ class Profile(Handle):
 
     @property
     def warnings(self) -> list[str]:
-        return read_text(lib.ups_profile_get_text, self, ProfileText.WARNINGS).splitlines()
+        return lines_of(read_text(lib.ups_profile_get_text, self, ProfileText.WARNINGS))
 
     @property
     def keywords(self) -> list[str]:
         """The file's keywords, a line each: MANUFAC=..."""
-        return read_text(lib.ups_profile_get_text, self, ProfileText.KEYWORDS).splitlines()
+        return lines_of(read_text(lib.ups_profile_get_text, self, ProfileText.KEYWORDS))
 
     def keyword(self, name: str) -> str:
         """The values of one keyword, in any case: a line each where there are several, empty where there is none."""
@@ -114,7 +115,7 @@ class Profile(Handle):
 
     def write_warnings(self, format: ProfileFormat = ProfileFormat.IES_LM63) -> list[str]:
         """What the file that write makes does not hold as the profile has it: flux, peak, texts."""
-        return read_text(lib.ups_profile_get_write_warnings, self, format).splitlines()
+        return lines_of(read_text(lib.ups_profile_get_write_warnings, self, format))
 
     def _eval(self, function: Callable[..., int], directions: ArrayLike) -> NDArray[np.float32]:
         d = as_array(directions, np.float32, (-1, 3), "directions")

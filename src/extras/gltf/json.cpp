@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "base/text.h"
 #include "common/boundary.h"
 
 namespace ups::gltf {
@@ -75,12 +75,7 @@ std::string in_quotes(std::string_view text) {
   return result += '"';
 }
 
-std::string number_text(double value) {
-  std::ostringstream out;
-  out.precision(10);
-  out << value;
-  return out.str();
-}
+std::string number_text(double value) { return short_number(value, 10); }
 
 std::string range_text(double low, double high) {
   if (std::isinf(low)) return "of any size";

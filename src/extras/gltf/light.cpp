@@ -115,7 +115,7 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
     const bool embedded = is_data_uri(uri);
     if (!embedded) where += ", file '" + uri + "'";
     const std::string folder = embedded ? "" : folder_of(platform::joined(document_.folder, percent_decoded(uri)));
-    desc.profile = profile({embedded ? light.where() : uri, read_uri(document_, uri, where), folder}, where);
+    desc.profile = profile({embedded ? light.where() : "uri " + uri, read_uri(document_, uri, where), folder}, where);
   } else {
     const int64_t view = light.integer("bufferView", 0, 0, std::numeric_limits<int32_t>::max());
     const ByteRange range = buffer_view(document_, int(view), where);
