@@ -136,8 +136,9 @@ double LuminousBody::circumscribed_radius() const {
   }
 }
 
-double LuminousBody::projected_area(const Vec3d& w) const {
-  const double a = half_.x, b = half_.y, c = half_.z;
+double LuminousBody::projected_area(const Vec3d& w, double margin) const {
+  const Vec3d half = half_ + Vec3d(margin, margin, margin);
+  const double a = half.x, b = half.y, c = half.z;
   switch (kind_) {
     case Kind::rectangle:
     case Kind::ellipse:
@@ -145,7 +146,7 @@ double LuminousBody::projected_area(const Vec3d& w) const {
     case Kind::box:
       return 4 * (b * c * std::abs(w.x) + c * a * std::abs(w.y) + a * b * std::abs(w.z));
     case Kind::cylinder:
-      return mantle_seen(w) + pi_d * a * b * std::abs(w.z);
+      return mantle_seen(half, w) + pi_d * a * b * std::abs(w.z);
     default:
       return pi_d * length(Vec3d(b * c * w.x, c * a * w.y, a * b * w.z));
   }
@@ -179,8 +180,8 @@ void LuminousBody::face_weights(const Vec3d& reference, double (&weights)[3]) co
   }
 }
 
-double LuminousBody::mantle_seen(const Vec3d& w) const {
-  return 4 * half_.z * std::hypot(half_.y * w.x, half_.x * w.y);
+double LuminousBody::mantle_seen(const Vec3d& half, const Vec3d& w) {
+  return 4 * half.z * std::hypot(half.y * w.x, half.x * w.y);
 }
 
 // How often a cylinder's mantle is chosen over the end that the reference faces, if it sees both: as it is seen from
@@ -189,7 +190,7 @@ double LuminousBody::mantle_share(const Vec3d& reference) const {
   const bool end = std::abs(reference.z) > half_.z;
   const bool mantle = std::hypot(reference.x / half_.x, reference.y / half_.y) > 1;
   if (!end || !mantle) return mantle ? 1 : 0;
-  const double sides = mantle_seen(reference), ends = face_area(2) * std::abs(reference.z);
+  const double sides = mantle_seen(half_, reference), ends = face_area(2) * std::abs(reference.z);
   const double radius = circumscribed_radius(), least = 0.1 / std::max(1.0, length2(reference) / (radius * radius));
   return std::clamp(sides / (sides + ends), least, 1 - least);
 }

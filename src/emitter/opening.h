@@ -24,7 +24,8 @@ class LuminousBody {
   // to state densities by.
   double area() const { return area_; }
   // m^2, as seen from afar in the direction w (unit, away from the body). 0 for a flat opening edge on.
-  double projected_area(const Vec3d& w) const;
+  // margin: that of enter().
+  double projected_area(const Vec3d& w, double margin = 0) const;
 
   struct Point {
     Vec3d p, n;        // n: unit, outwards; of a flat opening, of the side that is seen
@@ -51,7 +52,7 @@ class LuminousBody {
   double face_area(int axis) const;
   void sample_face(int axis, double sign, const Vec2& u, Point& out) const;
   void face_weights(const Vec3d& reference, double (&weights)[3]) const;
-  double mantle_seen(const Vec3d& w) const;  // its projected area
+  static double mantle_seen(const Vec3d& half, const Vec3d& w);  // its projected area
   double mantle_share(const Vec3d& reference) const;
   double mantle_stretch(double c, double s) const;
   void place_on_mantle(const Vec3d& towards, double sine, double v, Point& out) const;

@@ -183,7 +183,7 @@ bool ProfileOpeningEmitter::eval_hit(const Vec3& reference, const Vec3& p, uint3
   Vec3d n;
   Emitted e;
   if (!body_.normal_at(local, w, n) || !emitted(wo, w, n, e)) return false;
-  out.radiance = e.intensity * float(1 / e.projected_area);
+  out.radiance = e.intensity * float(1 / body_.projected_area(w, lift()));  // of what rays run into
   out.pdf_nee_a = float(body_.pdf_seen_from(place_in_body(reference), local, n));
   out.pdf_position_a = pdf_a_;
   out.pdf_direction_w = e.pdf_direction_w;
@@ -202,7 +202,7 @@ bool ProfileOpeningEmitter::seen_from(const Vec3& eye, Sight& out) const {
 }
 
 bool ProfileOpeningEmitter::enter(const Vec3& o, const Vec3& d, float& t, float& cosine) const {
-  const double lift = 2 * double(error_), margin = body_.is_flat() && dot(front_, frame_.n) < 0 ? -lift : lift;
+  const double margin = body_.is_flat() && dot(front_, frame_.n) < 0 ? -lift() : lift();
   const Vec3d w = normalize(to_body(d));
   double distance;
   Vec3d n;

@@ -85,6 +85,7 @@ class ProfileOpeningEmitter : public Emitter {
  private:
   Vec3d to_body(const Vec3& v) const { return {dot(v, frame_.s), dot(v, frame_.t), dot(v, frame_.n)}; }
   Vec3d place_in_body(const Vec3& p) const;
+  double lift() const { return 2 * double(error_); }
   Vec3 from_body(const Vec3d& v) const;
   // visit(direction, its density) of directions in proportion to the intensity.
   template <class Visit>

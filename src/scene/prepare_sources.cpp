@@ -80,6 +80,14 @@ Source source_of(const SourceDescription& from, uint32_t id) {
   return source;
 }
 
+double area_m2(const Mesh& mesh, const Affine& to_scene) {
+  const auto corner = [&](size_t i) { return to_scene.point(Vec3d(mesh.positions[mesh.indices[i]])); };
+  double sum = 0;
+  for (size_t t = 0; t < mesh.indices.size(); t += 3)
+    sum += 0.5 * length(cross(corner(t + 1) - corner(t), corner(t + 2) - corner(t)));
+  return sum;
+}
+
 }  // namespace
 
 std::vector<EmitterTriangle> emitting_triangles(const Mesh& mesh, const Affine& to_scene) {
@@ -156,6 +164,9 @@ void Builder::add_emissive_instances() {
       if (shines_as_before) probe = earlier_->emitter_probes[known->second];
       same_emitters_ = same_emitters_ && shines_as_before;
     }
+    // The flux of a fixture's emitter is given: far from the origin, floats make a small one's area larger or smaller.
+    if (described.of_fixture && emitter->area() > 0)
+      *emitter = AreaEmitter(*emitter, radiance * float(area_m2(mesh, instances[i].to_scene) / emitter->area()), both_sides);
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     emitter->set_least_error(s.error);
     const std::string name = "instance " + std::to_string(out_->instance_ids[i]);

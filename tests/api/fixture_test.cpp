@@ -36,6 +36,21 @@ TEST_F(Fixtures, EmittedFluxIsWhatWasAskedFor) {
   EXPECT_NEAR(scene_info().emitted_flux_lm / 2468, 1, 1e-4);
 }
 
+// Corners of a chip are floats of the scene's frame: 60 m off they are 4 um apart, some hundredths of the chip's side.
+TEST_F(Fixtures, SmallEmittersKeepTheirFluxFarFromTheCentre) {
+  auto chip = make(&ups_fixture_emitter_desc_init);
+  chip.shape = UPS_EMITTER_RECTANGLE, chip.width_m = 0.0003, chip.length_m = 0.00031, chip.flux_lm = 100;
+  EXPECT_OK(ups_fixture_add_emitter(fixture, &chip, nullptr));
+  auto wire = make(&ups_fixture_emitter_desc_init);
+  wire.shape = UPS_EMITTER_CYLINDER, wire.radius_m = 0.0003, wire.length_m = 0.004, wire.flux_lm = 50;
+  EXPECT_OK(ups_fixture_add_emitter(fixture, &wire, nullptr));
+  place(-60.123, -50, 9);
+  const ups_fixture_id second = place(60.123, 50, 9);
+  EXPECT_NEAR(scene_info().emitted_flux_lm / 300, 1, 1e-5);
+  EXPECT_OK(ups_scene_set_fixture_dimming(scene, second, 0.5f));  // of emitters that stay where they are
+  EXPECT_NEAR(scene_info().emitted_flux_lm / 225, 1, 1e-5);
+}
+
 TEST_F(Fixtures, AreDimmedMovedScaledAndRemoved) {
   const auto emitter = cob(0.01, 1000);
   const auto reflector = cup();

@@ -265,5 +265,33 @@ TEST(LuminousBody, WalksRunIntoTheLiftedSurface) {
   EXPECT_NEAR(t, 1 - 2 * error, 1e-6);
 }
 
+// Rays meet a body that is larger by the rounding of places in its scene, and see all of its intensity in it.
+TEST(LuminousBody, ShowsItsIntensityHoweverFarItsSurfaceIsLifted) {
+  constexpr double candela = 100;
+  const auto even = std::make_shared<const photometry::Distribution>(
+      std::vector<double>{0}, std::vector<double>{0, 180}, std::vector<double>{candela, candela});
+  Random random(37);
+  for (const NamedOpening& named : all_openings()) {
+    const double radius = LuminousBody(named.opening).circumscribed_radius(), error = 0.02 * radius;
+    const ProfileOpeningEmitter emitter(even, Frame(Vec3(0, 0, -1)), {}, named.opening, Rgb(1), float(error));
+    if (emitter.is_flat()) continue;
+    const Vec3d w = on_sphere(random);
+    const Frame f{Vec3(w)};
+    constexpr int lines = 400;
+    const double side = 2 * (radius + 4 * error);
+    double seen = 0;
+    for (int i = 0; i < lines; ++i)
+      for (int j = 0; j < lines; ++j) {
+        const Vec3 o = Vec3(w * (5 * radius)) + f.s * float(side * ((i + 0.5) / lines - 0.5)) +
+                       f.t * float(side * ((j + 0.5) / lines - 0.5));
+        float t, cosine;
+        EmitterHit hit;
+        if (emitter.enter(o, Vec3(-w), t, cosine) && emitter.eval_hit(o, o - Vec3(w) * t, 0, Vec3(w), hit))
+          seen += double(luminance(hit.radiance)) * side * side / (double(lines) * lines);
+      }
+    EXPECT_NEAR(seen / candela, 1, 0.01) << named.name;
+  }
+}
+
 }  // namespace
 }  // namespace ups::test
