@@ -46,12 +46,12 @@ inline void set_identity(double (&m)[12]) {
   m[0] = m[5] = m[10] = 1;
 }
 
-// The whole desc: what the caller has, defaults for the rest.
+// The whole desc: what the caller has, defaults for the rest. argument: its name.
 template <class Desc>
-Desc read_desc(const Desc* desc, void (*init)(Desc*, uint32_t)) {
-  require(desc, "desc");
-  const uint32_t size = checked_size(desc, "desc");
-  check_unknown_fields(desc, size, sizeof *desc, "desc");
+Desc read_desc(const Desc* desc, void (*init)(Desc*, uint32_t), const char* argument = "desc") {
+  require(desc, argument);
+  const uint32_t size = checked_size(desc, argument);
+  check_unknown_fields(desc, size, sizeof *desc, argument);
   Desc whole;
   init(&whole, uint32_t(sizeof whole));
   std::memcpy(&whole, desc, std::min<size_t>(size, sizeof whole));
@@ -59,12 +59,14 @@ Desc read_desc(const Desc* desc, void (*init)(Desc*, uint32_t)) {
   return whole;
 }
 
-// For *_get_info and the like: at most out->struct_size bytes; struct_size itself stays.
+// For *_get_info and the like: out->struct_size bytes, of which 0 are those of later versions' fields; struct_size itself
+// stays.
 template <class Info>
 void write_info(Info* out, Info whole, const char* argument) {
   require(out, argument);
   const uint32_t size = checked_size(out, argument);
   whole.struct_size = size;
+  std::memset(static_cast<void*>(out), 0, size);
   std::memcpy(out, &whole, std::min<size_t>(size, sizeof whole));
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 // A desc that another one points to, made whole in turn.
 template <class Desc>
-void complete(const Desc*& nested, Desc& whole, void (*init)(Desc*, uint32_t)) {
-  if (nested) nested = &(whole = read_desc(nested, init));
+void complete(const Desc*& nested, Desc& whole, void (*init)(Desc*, uint32_t), const char* field) {
+  if (nested) nested = &(whole = read_desc(nested, init, field));
 }
 
 // Adds what `desc` describes; errors say which part it would have been.
@@ -26,8 +26,8 @@ ups_status add(const char* function, ups_fixture* fixture, const Desc* desc, voi
       ups_material_desc material;
       ups_mesh_desc mesh;
       if constexpr (requires { d.material; })
-        if (d.finish == UPS_FINISH_CUSTOM) complete(d.material, material, &ups_material_desc_init);
-      if constexpr (requires { d.mesh; }) complete(d.mesh, mesh, &ups_mesh_desc_init);
+        if (d.finish == UPS_FINISH_CUSTOM) complete(d.material, material, &ups_material_desc_init, "material");
+      if constexpr (requires { d.mesh; }) complete(d.mesh, mesh, &ups_mesh_desc_init, "mesh");
       parts.push_back(std::make_shared<const FixturePart>(make_part(d)));
     } catch (const Error& e) {
       throw Error(e.status(), name + e.what());

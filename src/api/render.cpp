@@ -375,7 +375,8 @@ ups_status ups_result_get_goniometer_profile(const ups_result* result, ups_senso
     std::vector<double> intensity;
     for (const ups_intensity_reading& node : reading.nodes) intensity.push_back(photometry::shorter(node.intensity_cd));
     photometry::Photometry data{photometry::Distribution(g.c_deg(), g.gamma_deg(), std::move(intensity))};
-    data.opening = scene.goniometer_openings[index];
+    if (const auto& opening = scene.goniometer_openings[index]; opening.shape != photometry::OpeningShape::point)
+      data.opening = opening;  // a point's sizes stay behind
     data.symmetry = g.symmetry();
     data.rated_flux_lm = photometry::shorter(float(reading.info.emitted_flux_lm));
     data.format = "virtual goniophotometer";

@@ -81,12 +81,11 @@ void check_indices_of_refraction(const ups_material_desc& d) {
   const bool dielectric =
       d.model == UPS_MATERIAL_PLASTIC || d.model == UPS_MATERIAL_GLASS || d.model == UPS_MATERIAL_GLAZING;
   if (dielectric)
-    check::at_least(double(d.ior), 1, "ior");
+    check::range(double(d.ior), 1, max_ior, "ior");
   else
     check::finite(double(d.ior), "ior");
-  constexpr double most = 1e6;  // whose fourth powers are numbers; no metal has a hundred
-  check::colour(d.ior_k_rgb, 0, most, "ior_k_rgb");
-  check::colour(d.ior_rgb, 0, most, "ior_rgb");
+  check::colour(d.ior_k_rgb, 0, max_ior, "ior_k_rgb");
+  check::colour(d.ior_rgb, 0, max_ior, "ior_rgb");
   const bool complex = d.ior_k_rgb[0] > 0 || d.ior_k_rgb[1] > 0 || d.ior_k_rgb[2] > 0;
   for (size_t i = 0; complex && d.model == UPS_MATERIAL_METAL && i < 3; ++i)
     check::require(d.ior_rgb[i] > 0,

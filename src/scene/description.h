@@ -19,6 +19,7 @@ namespace ups {
 
 // Of ups_material_desc_init, and of what a fixture's finish leaves open.
 ups_material_desc default_material();
+inline constexpr double max_ior = 1e6;  // whose fourth powers are numbers; no material has a hundred
 
 struct MaterialDescription : ups_material_desc {  // pane_*: NULL, as `pane` holds them
   std::shared_ptr<const PaneTable> pane;

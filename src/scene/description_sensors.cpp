@@ -215,11 +215,12 @@ const Kind& Description::sensor_of(ups_sensor_id id) const {
 }
 
 const SurfaceMetersDescription& Description::surface_of(ups_sensor_id id, bool is_lightmap) const {
-  const auto& surface = sensor_of<SurfaceMetersDescription>(id);
-  check::require((surface.width > 0) == is_lightmap,
-                 "sensor id " + std::to_string(number_of(id.v)) + " is " + kind_of(Sensor(surface)) +
-                     (is_lightmap ? ", not a lightmap" : ", not a set of meters on surfaces"));
-  return surface;
+  const Sensor& sensor = sensors_.get(id.v, "sensor");
+  const auto* surface = std::get_if<SurfaceMetersDescription>(&sensor);
+  if (!surface || (surface->width > 0) != is_lightmap)
+    fail_argument("sensor id " + std::to_string(number_of(id.v)) + " is " + kind_of(sensor) +
+                  (is_lightmap ? ", not a lightmap" : ", not a set of meters on surfaces"));
+  return *surface;
 }
 
 void Description::set_camera(ups_sensor_id id, const ups_camera_desc& d) {

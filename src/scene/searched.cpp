@@ -107,7 +107,8 @@ std::vector<std::string> known_warnings(const Snapshot& scene) {
   Warnings out;
   for (SearchedWarnings* searched : {scene.surface_search.get(), scene.light_search.get()}) {
     if (!searched) continue;
-    const std::lock_guard lock(searched->mutex);
+    const std::unique_lock lock(searched->mutex, std::try_to_lock);
+    if (!lock.owns_lock()) continue;  // somebody searches right now, for as long as that takes
     out.insert(out.end(), searched->texts.begin(), searched->texts.end());
   }
   return out;

@@ -98,8 +98,21 @@ TEST_F(Api, FieldsOfALaterVersionMustBeZero) {
   part.finish = UPS_FINISH_CUSTOM, part.material = &longer.desc;
   ups_fixture* fixture = nullptr;
   ASSERT_EQ(ups_fixture_create(context, &fixture), UPS_OK);
-  expect_error(ups_fixture_add_part(fixture, &part, nullptr), UPS_ERROR_UNSUPPORTED, {"struct_size"});
+  expect_error(ups_fixture_add_part(fixture, &part, nullptr), UPS_ERROR_UNSUPPORTED, {"material->struct_size"});
   ups_fixture_destroy(fixture);
+}
+
+TEST_F(Api, FieldsOfALaterVersionAreReadAsZero) {
+  struct {
+    ups_material_desc desc;
+    char future[64];
+  } longer;
+  std::memset(&longer, 0xff, sizeof longer);
+  longer.desc.struct_size = sizeof longer;
+  ASSERT_EQ(ups_scene_get_material(scene, material, &longer.desc), UPS_OK);
+  EXPECT_EQ(longer.desc.struct_size, sizeof longer);
+  for (const char byte : longer.future) ASSERT_EQ(byte, 0);
+  EXPECT_OK(ups_scene_set_material(scene, material, &longer.desc));  // so it can be handed back
 }
 
 TEST_F(Api, SizesThatCannotBeAreErrors) {

@@ -190,6 +190,8 @@ TEST_F(Edits, SensorsKeepTheirKind) {
   EXPECT_EQ(s.instances[0].v, r.first.v);
   auto map = sized<ups_lightmap_desc>();
   expect_error(ups_scene_get_lightmap(r.scene, r.surface, &map), UPS_ERROR_INVALID_ARGUMENT, {"not a lightmap"});
+  expect_error(ups_scene_get_lightmap(r.scene, r.meters, &map), UPS_ERROR_INVALID_ARGUMENT,
+               {"set of meters", "not a lightmap"});
   auto d = make(&ups_lightmap_desc_init);
   d.instance_count = 1, d.instances = &r.panel, d.width = d.height = 3;
   ups_sensor_id id{};

@@ -77,7 +77,8 @@ TEST_F(Fixtures, ReflectorFields) {
        {[](D& d) { d.normal_tolerance_rad = NAN; }, {"normal_tolerance_rad is nan"}},
        {[](D& d) { d.finish = 11; }, {"finish is 11", "UPS_FINISH_*"}},
        {[](D& d) { d.finish = UPS_FINISH_PMMA; }, {"finish", "sheet"}},
-       {[](D& d) { d.finish_reflectance = 1.5f; }, {"reflectance_rgb[0] is 1.5"}},
+       {[](D& d) { d.finish_reflectance = 1.5f; }, {"finish_reflectance is 1.5"}},
+       {[](D& d) { d.finish_reflectance = NAN; }, {"finish_reflectance is nan"}},
        {[](D& d) { d.finish_roughness = 0.5f; }, {"finish_roughness is 0.5", "SPECULAR_ALUMINIUM has no"}},
        {[](D& d) { d.finish = UPS_FINISH_CUSTOM; }, {"material is NULL"}},
        {[&](D& d) { d.material = &material_desc; }, {"material is set", "UPS_FINISH_CUSTOM"}},
@@ -108,7 +109,9 @@ TEST_F(Fixtures, LensFields) {
                      {[](D& d) { d.entry_conic = NAN; }, {"entry_conic"}},
                      {[](D& d) { d.exit_coefficients[3] = INFINITY; }, {"exit_coefficients[3]"}},
                      {[](D& d) { d.finish = UPS_FINISH_OPAL; }, {"finish", "solid"}},
-                     {[](D& d) { d.finish_ior = 0.5f; }, {"ior is 0.5"}},
+                     {[](D& d) { d.finish_ior = 0.5f; }, {"finish_ior is 0.5"}},
+                     {[](D& d) { d.finish_ior = NAN; }, {"finish_ior is nan"}},
+                     {[](D& d) { d.finish_absorption_per_m = INFINITY; }, {"finish_absorption_per_m is inf"}},
                      {[](D& d) { d.finish_roughness = 0.5f; }, {"finish_roughness", "PMMA has no"}},
                      {[](D& d) { d.facets_around = 1; }, {"facets_around is 1"}}});
 }
@@ -137,10 +140,13 @@ TEST_F(Fixtures, MeshPartFields) {
   broken.vertex_count = 2;
   auto good = make(&ups_fixture_part_desc_init);
   good.mesh = &mesh_desc;
+  auto unsized_mesh = mesh_desc;
+  unsized_mesh.struct_size = 0;
   expect_refused<D>(fixture, good, &ups_fixture_add_part, "mesh",
                     {{[](D& d) { d.mesh = nullptr; }, {"mesh is NULL"}},
                      {[&](D& d) { d.mesh = &with_material; }, {"material is", "must be 0"}},
                      {[&](D& d) { d.mesh = &broken; }, {"indices: element 2 is 2"}},
+                     {[&](D& d) { d.mesh = &unsized_mesh; }, {"mesh->struct_size is 0"}},
                      {[](D& d) { d.finish = UPS_FINISH_GLASS; }, {"mesh is not closed"}},
                      {[](D& d) { d.reserved = 1; }, {"reserved"}}});
 }
@@ -176,6 +182,17 @@ TEST_F(Fixtures, PlacementFields) {
   expect_error(ups_fixture_create(nullptr, &fixture), UPS_ERROR_INVALID_ARGUMENT, {"context is NULL"});
   expect_error(ups_fixture_create(context, nullptr), UPS_ERROR_INVALID_ARGUMENT, {"out is NULL"});
   EXPECT_EQ(scene_info().triangle_count, 0u);  // nothing of what was refused is left
+  d = make(&ups_fixture_instance_desc_init);
+  d.to_world[3] = 1.7e308;  // that of a part that stands as far off is no number: refused before anything is there
+  auto far = make(&ups_fixture_part_desc_init);
+  auto mesh_desc = quad();
+  mesh_desc.material = {};
+  far.mesh = &mesh_desc, far.to_fixture[3] = 1.7e308;
+  EXPECT_OK(ups_fixture_add_part(fixture, &far, nullptr));
+  int32_t dirty = 1;
+  expect_error(ups_scene_add_fixture(scene, fixture, &d, &id), UPS_ERROR_INVALID_ARGUMENT, {"to_world[3] is inf"});
+  EXPECT_OK(ups_scene_is_dirty(scene, &dirty));
+  EXPECT_EQ(dirty, 0);
 }
 
 }  // namespace

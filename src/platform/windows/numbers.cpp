@@ -20,9 +20,10 @@ struct Before {
 }  // namespace
 
 PointInNumbers::PointInNumbers() {
-  const int per_thread = _configthreadlocale(_ENABLE_PER_THREAD_LOCALE);
   const char* numeric = setlocale(LC_NUMERIC, nullptr);
-  before_ = new Before{per_thread, numeric ? numeric : "C"};
+  const auto before = new Before{0, numeric ? numeric : "C"};  // which may throw: first
+  before->per_thread = _configthreadlocale(_ENABLE_PER_THREAD_LOCALE);
+  before_ = before;
   setlocale(LC_NUMERIC, "C");
 }
 

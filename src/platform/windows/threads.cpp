@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <new>
 #include <utility>
 
 #include "platform/windows/system.h"
@@ -17,7 +18,10 @@ void set_name(const std::string& name) {
   const HMODULE kernel = GetModuleHandleW(L"kernel32.dll");
   const auto set = reinterpret_cast<SetDescription>(
       reinterpret_cast<void*>(kernel ? GetProcAddress(kernel, "SetThreadDescription") : nullptr));
-  if (set) set(GetCurrentThread(), native_path(name).c_str());
+  try {
+    if (set) set(GetCurrentThread(), native_path(name).c_str());
+  } catch (const std::bad_alloc&) {  // it does without
+  }
 }
 
 }  // namespace
