@@ -221,6 +221,7 @@ float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>
   constexpr double least_share = 1e-4;  // of all flux
   constexpr size_t few = 64, most = 1024;
   const size_t count = scene.emitters.size();
+  if (count == 0) return 0;
   const uint32_t rays = count > few ? 64 : 256;
   const double least_lm = std::min(least_share, 0.1 / double(count)) * scene.emitters.flux_lm();
   std::vector<uint32_t> looked_at = some_emitters(scene.emitters, most);
