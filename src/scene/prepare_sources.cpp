@@ -1,5 +1,6 @@
 // See builder.h: emissive surfaces, lights, luminaires with their openings or rays.
 #include <algorithm>
+#include <limits>
 
 #include "base/parallel.h"
 #include "bsdf/material.h"
@@ -80,6 +81,8 @@ Source source_of(const SourceDescription& from, uint32_t id) {
   return source;
 }
 
+[[noreturn]] void fail_too_bright() { fail_argument("emits more than 1e20 lm"); }
+
 double area_m2(const Mesh& mesh, const Affine& to_scene) {
   const auto corner = [&](size_t i) { return to_scene.point(Vec3d(mesh.positions[mesh.indices[i]])); };
   double sum = 0;
@@ -118,7 +121,7 @@ bool Builder::add_emitter(const std::string& name, std::shared_ptr<const Emitter
   if (emitter->flux_lm() <= 0) return false;
   // Beyond it illuminance near by, or its square, would leave the range of a float; infinity, of a colour with a zero,
   // gives no number.
-  if (!(emitter->flux_lm() <= 1e20)) fail_argument("emits more than 1e20 lm");
+  if (!(emitter->flux_lm() <= 1e20)) fail_too_bright();
   emitters_.push_back(std::move(emitter));
   unit_emitters_.push_back(std::move(unit));
   emitter_fronts_.push_back(front);
@@ -271,8 +274,10 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   const double file_flux = photometry::flux_lm(*luminaire.profile);
   if (!(file_flux > 0)) return warn_of(out_->sources.back(), "the profile has no flux: nothing is emitted");
   const double to_flux = luminaire.flux_lm >= 0 ? double(luminaire.flux_lm) / file_flux : 1;
-  const Rgb scale = luminaire.color * float(double(source.dimming) * double(luminaire.intensity_scale) * to_flux *
-                                            in_.maintenance_factor());
+  const double factor = double(source.dimming) * double(luminaire.intensity_scale) * to_flux * in_.maintenance_factor(),
+               brightest = double(max_component(luminaire.color)) * factor * std::max(1.0, file_flux);
+  if (!(brightest <= double(std::numeric_limits<float>::max()))) fail_too_bright();  // as add_emitter does, in floats
+  const Rgb scale = luminaire.color * float(factor);
   if (is_black(scale)) return;
   if (luminaire.use_opening && !luminaire.profile->rays.empty()) return add_rays(name, luminaire, source, scale);
   const std::shared_ptr<const photometry::Distribution> distribution(luminaire.profile,
