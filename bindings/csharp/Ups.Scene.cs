@@ -265,17 +265,11 @@ namespace Ups
         private void PutLuminaire(Profile profile, LuminaireDesc desc, LuminaireId* added, LuminaireId id)
         {
             var handle = Library.Given(profile, "profile").Handle;
-            var held = false;
-            try
+            using (handle.Held())
             {
-                handle.DangerousAddRef(ref held);
                 desc.Profile = handle.DangerousGetHandle();
                 Library.Check(added != null ? Native.ups_scene_add_luminaire(Handle, &desc, added)
                                             : Native.ups_scene_set_luminaire(Handle, id, &desc));
-            }
-            finally
-            {
-                if (held) handle.DangerousRelease();
             }
         }
 

@@ -33,8 +33,8 @@ namespace Ups
         protected NativeHandle() : base(IntPtr.Zero, true) { }
         public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
 
-        /// <summary>Until it is disposed of the handle stays, whoever disposes of that: for arrays that are its
-        /// own.</summary>
+        /// <summary>Until it is disposed of the handle stays, whoever disposes of that: for arrays that are the handle's
+        /// own, and for descriptions that hold it.</summary>
         internal Hold Held() { return new Hold(this); }
 
         internal struct Hold : IDisposable

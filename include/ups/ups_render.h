@@ -306,8 +306,9 @@ UPS_API ups_status ups_job_get_curve_point(const ups_job *job, uint32_t index, u
 UPS_API ups_status ups_job_get_largest_error(const ups_job *job, ups_largest_error *error);
 UPS_API void ups_job_cancel(ups_job *job); /* asks; returns at once; NULL ok */
 /* What is there after the last whole iteration, also of a job that failed, but where there was no memory to add an
- * iteration to it; INVALID_STATE before the first. The render goes on meanwhile, but with technique_images. OUT_OF_MEMORY while it renders and the memory that is allowed leaves no
- * room for a result beside it: after its end there is. The caller owns *out. */
+ * iteration to it; INVALID_STATE before the first. The render goes on meanwhile, but with technique_images.
+ * OUT_OF_MEMORY while it renders and the memory that is allowed leaves no room for a result beside it: after its end
+ * there is. The caller owns *out. */
 UPS_API ups_status ups_job_result(const ups_job *job, ups_result **out);
 UPS_API void ups_job_destroy(ups_job *job); /* cancels and joins; NULL ok */
 

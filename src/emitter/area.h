@@ -22,6 +22,7 @@ class AreaEmitter : public Emitter {
     radiance_ = radiance, both_sides_ = both_sides;
   }
   bool emits_both_sides() const { return both_sides_; }
+  void set_radiance(const Rgb& radiance) { radiance_ = radiance; }
   // At least the ray tracer's of its points, which knows in which frame it meets them.
   void set_least_error(float m) { least_error_ = m; }
 

@@ -169,7 +169,7 @@ void Builder::add_emissive_instances() {
     }
     // The flux of a fixture's emitter is given: far from the origin, floats make a small one's area larger or smaller.
     if (described.of_fixture && emitter->area() > 0)
-      *emitter = AreaEmitter(*emitter, radiance * float(area_m2(mesh, instances[i].to_scene) / emitter->area()), both_sides);
+      emitter->set_radiance(radiance * float(area_m2(mesh, instances[i].to_scene) / emitter->area()));
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     emitter->set_least_error(s.error);
     const std::string name = "instance " + std::to_string(out_->instance_ids[i]);
