@@ -30,7 +30,7 @@ if [ $# = 0 ]; then
   if unknown=$(grep -vxF "$tests" <<<"$thorough"); then
     printf 'tests/thorough.txt names what is no test here:\n%s\n' "$unknown"
   fi
-  set -- -E "^($(sed 's/\./\\./g' <<<"$thorough" | paste -sd '|'))\$"
+  set -- -E "^($(sed 's/[.()]/\\&/g' <<<"$thorough" | paste -sd '|'))\$"
 fi
 
 step "Test (ctest --preset release)"

@@ -36,7 +36,7 @@ class EmitterSet {
   // For next-event estimation at a point: by about what each emitter would bring there, see light_tree.h. Never one
   // that it cannot sample. Directional ones are chosen by themselves (far): the sun is strong, and mostly hidden
   // indoors.
-  Choice choose_direct(const Receiver& receiver, float u, bool far = false) const {
+  Choice choose_direct(const Receiver& receiver, double u, bool far = false) const {
     return direct_[far].choose(receiver, u);
   }
   // Among those of its kind.

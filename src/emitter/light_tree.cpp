@@ -57,6 +57,12 @@ struct LightTree::Cut {
   uint32_t lane[max_cut];
   float estimate[max_cut], flux[max_cut];
   Shares shares(uint32_t i) const { return {estimate[i], flux[i]}; }
+  // 1, but for the rounding of each, which would be the last one's loss or gain. Four sums, as adding up takes time.
+  double whole() const {
+    double sums[4] = {};
+    for (uint32_t i = 0; i < size; ++i) sums[i % 4] += shares(i).sum();
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  }
   // counts: a bit of each lane that is taken. There is room for those that are not: only four that are all taken fill
   // it.
   void add(uint32_t four, uint32_t counts, const Float4& estimates, const Float4& fluxes) {
@@ -247,20 +253,21 @@ LightTree::Parts LightTree::part(const View& view, uint32_t four, const Shares& 
   return {(sum > 0 ? estimate / sum : flux / fluxes) * shares.estimate, flux / fluxes * shares.flux};
 }
 
-EmitterChoice LightTree::choose(const Receiver& receiver, float u) const {
+EmitterChoice LightTree::choose(const Receiver& receiver, double u) const {
   const View view(receiver);
   constexpr float below_1 = 0x1.fffffep-1f;
   if (single_) {
     if (!is_before(view, place(view, nodes_[0].center, nodes_[0].half))) return {};
-    return {emitter_of_node_[0], 1, std::min(u, below_1)};
+    return {emitter_of_node_[0], 1, std::min(float(u), below_1)};
   }
   Cut c;
   cut(view, c);
-  const Pick of_cut = pick(c.size, u, [&](uint32_t i) { return c.shares(i).sum(); });
+  const double all = c.whole();
+  const Pick of_cut = pick(c.size, u * all, [&](uint32_t i) { return c.shares(i).sum(); });
   if (of_cut.at == none) return {};
   uint32_t lane = c.lane[of_cut.at];
   Shares shares = c.shares(of_cut.at);
-  double rest = std::clamp((u - of_cut.start) / shares.sum(), 0.0, 1.0);
+  double rest = std::clamp((u * all - of_cut.start) / shares.sum(), 0.0, 1.0);
   for (;;) {
     const Lanes& lanes = lanes_[lane / lane_count];
     const uint32_t below = lanes.below[lane % lane_count], node = lanes.node[lane % lane_count];

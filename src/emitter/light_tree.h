@@ -42,7 +42,7 @@ class LightTree {
   // emitter, too, which brings the same to the bit.
   LightTree(const std::vector<Entry>& entries, size_t emitter_count, bool weighs_one = false);
 
-  EmitterChoice choose(const Receiver& receiver, float u) const;
+  EmitterChoice choose(const Receiver& receiver, double u) const;
   float probability(const Receiver& receiver, size_t emitter) const;
   // What one of them is estimated to bring, unoccluded, lx.
   float brings(const Receiver& receiver, size_t emitter) const;

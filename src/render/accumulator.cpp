@@ -105,7 +105,10 @@ void Accumulator::add(const IterationTally& tally) {
     }
   for (size_t c = 0; c < images_.size(); ++c) images_[c].add(iterations_, tally, c);
   for (size_t g = 0; g < goniometers_.size(); ++g) goniometers_[g].add(batch, tally.goniometers[g]);
-  work_.add(tally.work);
+  static_assert(std::tuple_size_v<decltype(FluxBooks::batches)> == batch_count);
+  WorkCounts work = tally.work;
+  work.flux.settle(batch, work.light_paths);
+  work_.add(work);
   ++iterations_;
 }
 

@@ -11,6 +11,8 @@ namespace {
 
 // Floats all along: what an emitter's samples carry, each edge's flux. Measured: 6e-8 at the most.
 constexpr double rounding = 1e-6;
+// Of the games' variance by the largest one, where the batches' spread is believed: each has the like of it, then.
+constexpr double largest_share_of_games = 1e-2;
 
 // What a sum of independent or fair games strays from its mean, but for one in renders_per_false_alarm: x with
 // 2 exp(-x^2 / (2 (v + b x / 3))) = half of that (Freedman 1975, Theorem 1.6; of independent terms Bernstein's
@@ -19,6 +21,19 @@ constexpr double rounding = 1e-6;
 double chance(double variance, double largest) {
   const double l = std::log(4 * renders_per_false_alarm), half = l * largest / 3;
   return half + std::sqrt(half * half + 2 * l * variance);
+}
+
+// Of what ended, lm a path, by the spread of the batches' means; -1 where one of them has no path yet.
+double spread_of_batches(const FluxBooks& f, double paths) {
+  double ended = 0, square = 0;
+  for (const FluxBooks::OfBatch& b : f.batches) ended += b.ended;
+  for (const FluxBooks::OfBatch& b : f.batches) {
+    if (b.paths == 0) return -1;
+    const double more = b.ended - ended / paths * double(b.paths);
+    square += more * more;
+  }
+  const double count = double(f.batches.size());
+  return std::sqrt(square * count / (count - 1)) / paths;
 }
 
 bool is_chance(double lm, double chance_lm) { return std::abs(lm) <= chance_lm; }
@@ -40,7 +55,10 @@ FluxBalance flux_balance(const WorkCounts& light, double emitted_lm) {
   const double squares = std::max(0.0, f.started_squares - n * mean * mean);  // none deviates by more than their root
   const double of_starts = squares / (n * n);                                 // stratified ones vary less
   const double of_roulette = f.roulette_variance / (n * n);
-  b.standard_error = std::sqrt(of_starts + of_roulette);
+  // Where few games hold much of the variance, as of light that a lossless solid never lets out, batches do not show it.
+  const bool even = f.largest_game * f.largest_game <= largest_share_of_games * f.roulette_variance;
+  b.standard_error = std::sqrt(of_starts + of_roulette);  // as if nothing were stratified
+  if (const double spread = spread_of_batches(f, n); spread >= 0 && even) b.standard_error = spread;
   const double largest = std::min(double(light.brightest_lm), std::sqrt(squares));
   b.chance_of_starts = chance(of_starts, largest / n) + rounding * emitted_lm;
   b.chance_of_lost = rounding * std::max(emitted_lm, mean);

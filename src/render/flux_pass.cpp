@@ -33,6 +33,7 @@ void FluxPass::trace_part(const StopSignal& stop, WorkCounts& counts) {
   in.light_visit = {done_ % batch_count, done_ / batch_count};  // batches may have rays of their own of a file
   LightPass().trace(in, SensorIndex(in), pool_, tally);
   if (stop.is_set()) return;
+  tally.work.flux.settle(in.light_visit.batch, paths_of_part_);
   counts.add(tally.work);
   ++done_;
   seconds_ += std::chrono::duration<double>(StopSignal::Clock::now() - start).count();

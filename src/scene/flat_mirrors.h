@@ -88,7 +88,7 @@ FlatMirrors find_flat_mirrors(const Snapshot& scene);
 
 // Which image of a kind a receiver looks at, if at any: in proportion to what each would bring there, unoccluded. Its
 // index in `images`. See image_choice.cpp.
-EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, float u, bool far);
+EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, double u, bool far);
 float image_probability(const Snapshot& scene, const Receiver& receiver, uint32_t image);
 
 }  // namespace ups

@@ -83,7 +83,7 @@ bool FlatMirrors::may_show(const Image& image, const Vec3& p) const {
   return plane.holds(p + to * t, beside);
 }
 
-EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, float u, bool far) {
+EmitterChoice choose_image(const Snapshot& scene, const Receiver& receiver, double u, bool far) {
   const float frequency = scene.flat_mirrors.frequency;
   if (!(u < frequency)) return {};
   if (scene.flat_mirrors.images.size() > FlatMirrors::most_weighed) {

@@ -129,9 +129,9 @@ void EyeWalk::look_for_light(const EyeEnd& eye, const Arrival& arrival, float di
                              float image_found_from) {
   const bool into_mirrors = in_.looks_into_mirrors() && (image_found_from > 0 || scene_.flat_mirrors.of_extended);
   if (in_.plan.exact_direct && direct_found_from == 0 && !into_mirrors) return;  // a fifth of an office's light samples
-  const float choice = rng_.get(eye.edges, Slot::choice);
+  const double choice = rng_.get_fine(eye.edges, Slot::choice);
   const Vec2 position = scene_.emitters.have_extent() ? rng_.position(eye.edges) : Vec2{};
-  float u = choice;
+  double u = choice;
   for (const bool far : {false, true}) {
     if (!scene_.emitters.has_direct(far)) continue;
     u = choice;
@@ -217,7 +217,7 @@ void EyeWalk::test_edges() {
     const int rays = far && count[0] > 0 ? shadow_rays_beside : shadow_rays;
     const bool all = count[far] <= size_t(rays);
     const double certain = all ? 0 : size_of_certain_edges(far, rays);
-    double sum = all ? 0 : rng_.get(tests_, tests_ ? Slot::later_edges : Slot::roulette);
+    double sum = all ? 0 : rng_.get_fine(tests_, tests_ ? Slot::later_edges : Slot::edges);
     for (WaitingEdge& e : edges_) {
       if (e.far != far) continue;
       const double probability = all ? 1 : std::min(1.0, e.size / certain), before = sum;
@@ -370,7 +370,7 @@ void EyeWalk::connect_one(const EyeEnd& eye, const Arrival& arrival) {
     sum += size;
   }
   if (!(sum > 0)) return;
-  double target = sum * rng_.get(eye.edges, Slot::connection);
+  double target = sum * rng_.get_fine(eye.edges, Slot::connection);
   uint32_t chosen = none;
   for (uint32_t i = 0; i < count; ++i) {
     if (!(sizes[i] > 0)) continue;

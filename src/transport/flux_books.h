@@ -5,6 +5,8 @@
 // whether emission starts paths with the flux that it states, whether any are lost, and whether roulette is fair.
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace ups {
 
@@ -16,6 +18,16 @@ struct FluxBooks {  // lm, not yet divided by the number of paths
   // before it is played.
   double roulette = 0, roulette_variance = 0, largest_game = 0;
 
+  // What came to an end, and of how many paths, by batch: they owe each other nothing, where paths and games within one are
+  // stratified.
+  struct OfBatch {
+    double ended = 0;
+    uint64_t paths = 0;
+  };
+  std::array<OfBatch, 16> batches{};
+
+  // Once for all paths of an iteration, before they are added to others.
+  void settle(uint32_t batch, uint64_t paths) { batches[batch] = {absorbed + escaped, paths}; }
   void start(double lm) {
     started += lm;
     started_squares += lm * lm;
@@ -36,6 +48,10 @@ struct FluxBooks {  // lm, not yet divided by the number of paths
     roulette += o.roulette;
     roulette_variance += o.roulette_variance;
     largest_game = std::max(largest_game, o.largest_game);
+    for (size_t b = 0; b < batches.size(); ++b) {
+      batches[b].ended += o.batches[b].ended;
+      batches[b].paths += o.batches[b].paths;
+    }
   }
 };
 

@@ -53,8 +53,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
  public:
   LightWalk(const Iteration& in, const SensorIndex& sensors, LightPass::Block& block, uint32_t path)
       : Subpath(in,
-                {in.settings.seed, in.light_stream, in.light_visit.batch, in.light_visit.number * in.plan.light_paths + path,
-                 in.number, path},
+                {in.settings.seed, in.light_stream, in.light_visit.batch,
+                 uint64_t(in.light_visit.number) * in.plan.light_paths + path, in.number, path},
                 block.work),
         sensors_(sensors), block_(block), path_(path) {
     counts_ = in.light_counts();

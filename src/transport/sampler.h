@@ -11,14 +11,15 @@ namespace ups {
 enum class Slot {
   choice, position_x, position_y,  // next-event estimation; a light path's vertex 0: its emitter
   connection,                      // which of a vertex's connections gets its shadow ray
-  direction_x, direction_y, lobe, roulette,  // an eye path's vertex 0: roulette of its shadow rays
+  direction_x, direction_y, lobe, edges,  // vertex 0: which of an eye path's edges that waited get their shadow rays
   cell_x, cell_y,  // a point in a meter's cell
   perturb_x, perturb_y,  // where path integration arrives beside the vertex
   count,
   more_choice = connection,  // of a light path's vertex 0
   crowd = perturb_x,     // which of the photons about the vertex are merged where they are very many
   pane = cell_x,         // of a later vertex: which panes the edge to it goes through
-  later_edges = cell_y   // of number k > 0: which of a long path's edges that waited for test k get their shadow rays
+  later_edges = cell_y,  // of number k > 0: which of a long path's edges that waited for test k get their shadow rays
+  roulette = edges       // of vertex 1: the last bits of the path's number
 };
 
 // All that draws numbers of its own. Two streams share none, whatever their seeds: the seed alone is Philox's key, by a
@@ -60,33 +61,41 @@ class PathSampler {
  public:
   // key: which member of the stream (batch and pixel or meter), so that each has its own scrambling. index: the running
   // number of the sample within the batch.
-  // iteration, path: address of the independent numbers beyond the stratified ones.
-  PathSampler(uint64_t seed, Stream stream, uint64_t key, uint32_t index, uint32_t iteration, uint32_t path)
+  // iteration, path: address of the independent numbers beyond the stratified ones. A sequence has 2^32 points, then
+  // another begins.
+  PathSampler(uint64_t seed, Stream stream, uint64_t key, uint64_t index, uint32_t iteration, uint32_t path)
       : seed_(seed),
         stream_(stream),
-        scramble_(stream.scramble(seed, key)),
-        index_(index),
+        scramble_(stream.scramble(seed, index >> 32 ? hash_combine(key, index >> 32) : key)),
+        index_(uint32_t(index)),
         iteration_(iteration),
         path_(path) {}
 
   PathAddress address() const { return {stream_, iteration_, path_}; }
-  float get(uint32_t vertex, Slot slot) {
+  float get(uint32_t vertex, Slot slot) { return to_unit_float(bits(vertex, slot)); }
+  // All 32 bits, where what is seldom chosen weighs much.
+  double get_fine(uint32_t vertex, Slot slot) { return 0x1p-32 * bits(vertex, slot); }
+  // Decides how long the path gets, all by itself: what is left of it after each game is uniform again. So the lengths
+  // of paths are stratified as one dimension; in white rooms they are most of the noise.
+  double roulette() { return 0x1p-32 * (stratified(roulette_dimension) + double(get(1, Slot::roulette))); }
+  Vec2 position(uint32_t vertex) { return {get(vertex, Slot::position_x), get(vertex, Slot::position_y)}; }
+  Vec2 direction(uint32_t vertex) { return {get(vertex, Slot::direction_x), get(vertex, Slot::direction_y)}; }
+
+ private:
+  static constexpr int roulette_dimension = 20;
+  uint32_t bits(uint32_t vertex, Slot slot) {
     const int dimension = sobol_dimension(vertex, slot);
-    if (dimension >= 0) {
-      const uint32_t seed = uint32_t(mix64(scramble_ + uint64_t(dimension)));
-      return to_unit_float(sobol_owen(index_, dimension, seed));
-    }
+    if (dimension >= 0) return stratified(dimension);
     const uint32_t address = vertex * 3 + uint32_t(slot) / 4;
     if (address != cached_address_) {
       cached_ = stream_.numbers(seed_, iteration_, path_, address);
       cached_address_ = address;
     }
-    return to_unit_float(cached_[uint32_t(slot) % 4]);
+    return cached_[uint32_t(slot) % 4];
   }
-  Vec2 position(uint32_t vertex) { return {get(vertex, Slot::position_x), get(vertex, Slot::position_y)}; }
-  Vec2 direction(uint32_t vertex) { return {get(vertex, Slot::direction_x), get(vertex, Slot::direction_y)}; }
-
- private:
+  uint32_t stratified(int dimension) const {
+    return sobol_owen(index_, dimension, uint32_t(mix64(scramble_ + uint64_t(dimension))));
+  }
   // The best dimensions go where most of the variance is: the first two directions, then emitters, lobes, later ones.
   static int sobol_dimension(uint32_t vertex, Slot slot) {
     static constexpr int table[3][int(Slot::count)] = {{4, 5, 6, -1, 0, 1, -1, -1, 18, 19, -1, -1},

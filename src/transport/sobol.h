@@ -1,5 +1,5 @@
 // Owen-scrambled Sobol points: the first dimensions of a path, stratified over all samples of a batch.
-// Direction numbers: Joe, Kuo 2008 ("new-joe-kuo-6"), first 20 dimensions. Scrambling by hashing: Laine, Karras 2011;
+// Direction numbers: Joe, Kuo 2008 ("new-joe-kuo-6"), first 21 dimensions. Scrambling by hashing: Laine, Karras 2011;
 // Burley 2020, "Practical Hash-based Owen Scrambling".
 #pragma once
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace ups {
 
-inline constexpr int sobol_dimensions = 20;
+inline constexpr int sobol_dimensions = 21;
 
 namespace sobol_detail {
 
@@ -35,6 +35,7 @@ inline constexpr std::array<Primitive, sobol_dimensions - 1> primitives = {{
     {6, 22, {1, 3, 1, 15, 13, 25}},
     {6, 25, {1, 1, 5, 5, 19, 61}},
     {7, 1, {1, 3, 7, 11, 23, 15, 103}},
+    {7, 4, {1, 3, 7, 13, 13, 15, 69}},
 }};
 
 constexpr uint32_t reverse_bits(uint32_t x) {

@@ -139,8 +139,10 @@ class Subpath {
     if (correction != 1) lose_by_leaning(luminance(carried_ * s.weight) * (1 - double(correction)));
     if (!carry(s.weight * correction)) return false;
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
-    const float q = survival(carried_, start_carried_, v.edges, lossless);
-    if (is_black(carried_) || (q < 1 && !survives(v.edges, q))) return false;
+    // Of a dark surface that a sensor sees the light comes by dark paths alone: what it leaves is the start.
+    if (!from_emitter && v.edges == 1) start_carried_ = carried_;
+    const float q = survival(carried_, start_carried_, from_emitter ? light_reserve : eye_reserve, v.edges, lossless);
+    if (is_black(carried_) || (q < 1 && !survives(q))) return false;
     if (in_.recorder) in_.recorder->scatter(s, q, carried_);
     edge_.kind = s.delta ? Edge::delta : Edge::continuous;
     edge_.state = v.state;
@@ -153,8 +155,10 @@ class Subpath {
     return true;
   }
 
-  bool survives(uint32_t edges, float q) {
-    const bool survives = rng_.get(edges, Slot::roulette) < q;
+  bool survives(float q) {
+    if (roulette_ < 0) roulette_ = rng_.roulette();
+    const bool survives = roulette_ < q;
+    roulette_ /= q;
     const Rgb after = survives ? carried_ * (1 / q) : Rgb(0.0f);
     if constexpr (from_emitter) work_.flux.play(luminance(carried_), q, luminance(after));
     carried_ = after;
@@ -179,6 +183,7 @@ class Subpath {
   Vec3 origin_, direction_;
   Receiver last_;  // the vertex that the current edge leaves; without normal at a camera
   Rgb carried_{1.0f}, start_carried_{1.0f};
+  double roulette_ = -1;  // what is left of the path's number; none was drawn yet
   MediaStack media_;  // where the current edge starts
 };
 

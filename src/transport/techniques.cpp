@@ -144,7 +144,7 @@ Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& 
 }
 
 Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                    float u_choice, const Vec2& u_position, float found_from, bool far) {
+                    double u_choice, const Vec2& u_position, float found_from, bool far) {
   if (in.is_too_long(eye.edges + 2) || !(u_choice < in.scene.flat_mirrors.frequency)) return {};
   const EmitterChoice choice = choose_image(in.scene, receiver_of(eye, arrival), u_choice, far);
   if (!(choice.probability > 0)) return {};
@@ -190,7 +190,7 @@ bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, P
 }
 
 Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                   float& u_choice, const Vec2& u_position, float found_from, bool far) {
+                   double& u_choice, const Vec2& u_position, float found_from, bool far) {
   if (in.is_too_long(eye.edges + 1)) return {};
   const EmitterSet::Choice choice = in.scene.emitters.choose_direct(receiver_of(eye, arrival), u_choice, far);
   if (!(choice.probability > 0)) return {};

@@ -64,12 +64,12 @@ Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, c
                  const EmitterSet::Choice& choice, const Vec2& u_position);
 // found_from: what an emitter of Plan::exact brings from there on is found elsewhere. u_choice: uniform again afterwards.
 Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                   float& u_choice, const Vec2& u_position, float found_from, bool far);
+                   double& u_choice, const Vec2& u_position, float found_from, bool far);
 // The same by way of a flat mirror: choice: among the scene's images.
 Found light_from_image(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
                        const EmitterChoice& choice, const Vec2& u_position);
 Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
-                    float u_choice, const Vec2& u_position, float found_from, bool far);
+                    double u_choice, const Vec2& u_position, float found_from, bool far);
 // Is the new edge free, but for panes?
 bool edge_free(const Snapshot& scene, const Contribution& c, WorkCounts& work, Passage& passage);
 Found connect(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,  // 2 <= s <= k

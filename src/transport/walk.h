@@ -11,16 +11,20 @@ namespace ups {
 
 inline constexpr float min_cosine = 1e-6f;  // below it an edge is rejected by both walks (algorithm's grazing rule)
 
-// Survival probability: one before 4 edges; then the throughput left relative to its start, never below 0.05, so that
-// no path ends certainly and none lives long without light. Nearly lossless delta chains (light guides, facing mirrors)
-// are exempt up to 64 edges; beyond, even an enclosure that absorbs nothing ends its paths: (64 / n)^1.5 of them live
-// to n edges, 192 on the average. A constant share would leave guides of some hundred reflections to few paths of great
-// weight.
-inline float survival(const Rgb& now, const Rgb& start, uint32_t edges, bool lossless_delta) {
-  if (edges < 4 || (lossless_delta && edges < 64)) return 1.0f;
+// Survival probability of Russian roulette: the throughput left relative to the path's start (of an eye path, to what its
+// first surface leaves) times `reserve`, so that a path goes on for certain until it has lost all but 1 / reserve; never
+// below 0.05, so that no path ends certainly and none lives long without light. Nearly lossless delta chains (light
+// guides, facing mirrors) are exempt up to 64 edges; beyond, even an enclosure that absorbs nothing ends its paths:
+// (64 / n)^1.5 of them live to n edges, 192 on the average. A constant share would leave guides of some hundred
+// reflections to few paths of great weight.
+inline float survival(const Rgb& now, const Rgb& start, float reserve, uint32_t edges, bool lossless_delta) {
+  if (lossless_delta && edges < 64) return 1.0f;
   const float s = max_component(start);
-  return std::clamp(s > 0 ? max_component(now) / s : 1.0f, 0.05f, edges < 64 ? 1.0f : 1 - 1.5f / float(edges));
+  const float left = s > 0 ? reserve * max_component(now) / s : 1.0f;
+  return std::clamp(left, 0.05f, edges < 64 ? 1.0f : 1 - 1.5f / float(edges));
 }
+// Measured, as CPU time x variance (tests/benchmarks/README.md): light paths are dear, as they are all stored and many.
+inline constexpr float eye_reserve = 2, light_reserve = 1.5f;
 
 // Shading and geometric normal agree on which side w lies.
 inline bool consistent_side(const SurfacePoint& s, const Vec3& w, const Vec3& local) {

@@ -274,7 +274,7 @@ TEST(Openings, MethodsAgreeNearThem) {
   std::vector<Estimate> means;
   for (ups_method method : cell_methods) {
     const bool light = method == UPS_METHOD_LIGHT_TRACING;
-    const uint32_t iterations = light ? 48 : method == UPS_METHOD_PATH_TRACING ? 128 : 64;
+    const uint32_t iterations = light ? 80 : method == UPS_METHOD_PATH_TRACING ? 128 : 64;
     const Result result =
         scene.render({.method = method, .iterations = iterations, .light_paths = light ? 30000u : 1024u});
     all.push_back(result.readings(cells));

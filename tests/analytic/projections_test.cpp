@@ -47,7 +47,7 @@ TEST(Projections, AUniformRoomReadsItsLuminanceByEveryTechnique) {
     cameras.push_back(scene.add_camera({1.8, 2.1, 1.9}, {1, 0.3, -0.2}, side, side, 1.2, false, p));
   for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_BIDIRECTIONAL,
                                   UPS_METHOD_PPM, UPS_METHOD_UPS}) {
-    const Result result = scene.render({.method = method, .iterations = 64});
+    const Result result = scene.render({.method = method, .iterations = method == UPS_METHOD_PPM ? 256u : 64u});
     for (size_t c = 0; c < cameras.size(); ++c) {
       const Image image = result.image(cameras[c]);
       for (const double mean : means_of_parts(image.luminance, projections[c], side))

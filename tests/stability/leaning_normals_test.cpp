@@ -114,12 +114,12 @@ TEST(Taught, LeaningNormalsByEachTechniqueAlone) {
   scene.add(leaning(quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {sine, 0, cosine}), matte(0.8));
   scene.add(leaning(quad({1.3, -1, -1}, {0, 0, 3}, {0, 3, 0}), {-cosine, 0, sine}), matte(0.8));
   scene.add_spot({0.5, 0.5, 1.2}, {0, 0, -1}, 1000, 0.3, 0.35);
-  Trial connections = trial(UPS_METHOD_UPS, 288, 1u << 12);
+  Trial connections = trial(UPS_METHOD_UPS, 640, 1u << 12);
   connections.name = "connections alone";
   connections.options.techniques = UPS_TECHNIQUE_CONNECT;
   std::vector<Estimate> in_image, at_meters;
   const Sensor camera = scene.add_camera({1.02, 0.5, 0.2}, {1, 0, 0}, 8, 8, 1.2);
-  for (const Trial& t : {connections, trial(UPS_METHOD_LIGHT_TRACING, 16, 1u << 14)})
+  for (const Trial& t : {connections, trial(UPS_METHOD_LIGHT_TRACING, 64, 1u << 14)})
     in_image.push_back(estimate(t.name, image_mean(scene, camera, t.options)));
   connections.options.iterations = 64;
   const Sensor meters = scene.add_meters(grid_about({1.02, 0.5, 0.2}, {0, 0, 1}, {0, 1, 0}, 0.8, 8), {1, 0, 0});

@@ -31,7 +31,7 @@ TEST(Hazard13, SurvivorsCarryNoMoreThanTheyStartedWith) {
       const Rgb bounce = path % 8 == 0 ? Rgb(1.0f) : Rgb{share(), share(), share()};
       const bool lossless = max_component(bounce) > 0.9f && uniform(rng) < delta_share;
       carried *= bounce;
-      const float q = survival(carried, start, edges, lossless);
+      const float q = survival(carried, start, path % 2 ? eye_reserve : light_reserve, edges, lossless);
       ASSERT_GT(q, 0);
       ASSERT_LE(q, 1);
       if (uniform(rng) >= q) break;

@@ -77,6 +77,51 @@ TEST(PathSampler, AddressesDoNotCollide) {
   EXPECT_LE(equal, 1);  // 576 numbers of 24 bits: 0.01 expected pairs
 }
 
+// One number decides all games of a path: of 2^12 paths with the same chances as many go on each time as should, within
+// one for the stratum that is cut.
+TEST(PathSampler, LengthsOfPathsAreStratified) {
+  constexpr uint32_t paths = 1 << 12;
+  for (const float q : {0.05f, 0.5f, 0.9f, 0.98f}) {
+    std::vector<uint32_t> alive(64);
+    for (uint32_t path = 0; path < paths; ++path) {
+      PathSampler rng(7, Stream::light, 3, path, 5, path);
+      double u = rng.roulette();
+      ASSERT_TRUE(u >= 0 && u < 1);
+      for (uint32_t k = 0; k < alive.size() && u < q; ++k) u /= q, ++alive[k];
+    }
+    for (uint32_t k = 0; k < alive.size(); ++k)
+      EXPECT_NEAR(alive[k], paths * std::pow(double(q), k + 1), 1.01) << q << " " << k;
+  }
+}
+
+TEST(PathSampler, FineNumbersHaveMoreBits) {
+  PathSampler rng(1, {Stream::camera, 2}, 3, 4, 5, 6);
+  int finer = 0;
+  for (uint32_t v = 0; v < 64; ++v)
+    for (int s = 0; s < int(Slot::count); ++s) {
+      const double fine = rng.get_fine(v, Slot(s)), coarse = double(rng.get(v, Slot(s)));
+      ASSERT_TRUE(fine >= coarse && fine < coarse + 0x1p-24);
+      finer += fine > coarse;
+    }
+  EXPECT_GT(finer, 700);  // of 768: by chance all but 3
+}
+
+// As in a render of a day: points of a sequence would come again, with the rest of the path another.
+TEST(PathSampler, AnotherSequenceBeginsAfterTheLastPoint) {
+  const auto numbers = [](uint64_t index) {
+    PathSampler rng(1, Stream::light, 3, index, 5, 6);
+    std::vector<float> out;
+    for (uint32_t v = 0; v < 3; ++v)
+      for (const Slot s : {Slot::choice, Slot::direction_x, Slot::direction_y}) out.push_back(rng.get(v, s));
+    return out;
+  };
+  for (const uint64_t index : {0ull, 77ull, 0xffffffffull})
+    for (const uint64_t later : {1ull, 2ull}) {
+      const auto first = numbers(index), again = numbers(index + (later << 32));
+      for (size_t i = 0; i < first.size(); ++i) EXPECT_NE(first[i], again[i]) << index << " " << i;
+    }
+}
+
 // Seeds as people and programs choose them: small ones, powers of two, steps of the constant that hashes are made of.
 std::vector<uint64_t> related_seeds() {
   std::vector<uint64_t> seeds;
