@@ -10,9 +10,10 @@ sds      A spot without extent, folded by four plane mirrors onto a black plate 
          disc afterwards, and follow no schedule.) With the mirrors' images the light is that of a source
          at the unfolded distance; its intensities are such that the illuminance is E0 (1 - (x / R)^2) at x from the
          beam's axis, so that a disc of radius r is biased by -(r / R)^2 / 2 exactly, at every radius, and the pixel on
-         the axis reads E0 = rho^4 I / d^2. Mirrors of rho = 0.6: roulette keeps 0.6^4 of the paths. Without that
-         the directions of the photons would be one stratified (Sobol) pattern, whose noise falls faster than theory,
-         which is about independent photons, has it.
+         the axis reads E0 = rho^4 I / d^2. Mirrors of rho = 0.6: roulette keeps 1.5 * 0.6^4 of the
+         paths (`light_reserve` in src/transport/walk.h). Without that the directions of the photons would be one
+         stratified (Sobol) pattern, whose noise falls faster than theory, which is about independent photons, has it;
+         as roulette's numbers are of that pattern too, some of it is left.
 diffuse  A closed cube, its walls matte (rho = 0.7) and all emitting L: E = pi L / (1 - rho) at every point. Light of
          many bounces, which unbiased techniques carry.
 
@@ -49,6 +50,7 @@ import numpy as np  # noqa: E402
 import ups  # noqa: E402
 
 BEAM_RADIUS, MIRRORS, REFLECTANCE = 0.25, 4, 0.6
+RESERVE = 1.5  # of light paths: roulette begins beyond
 WALLS, LUMINANCE = 0.7, 100.0
 ITERATIONS = {"sds": [8, 14, 25, 45, 80, 142, 253, 450, 800, 1423, 2530],
               "diffuse": [4, 7, 13, 22, 40, 71, 126, 225, 400, 711, 1265]}
@@ -86,7 +88,7 @@ def slope_at(case):
     if region == "sds":
         x2 = (radius / BEAM_RADIUS) ** 2
         b = x2 / 2
-        photons = light_paths * REFLECTANCE ** MIRRORS * x2 * (2 - x2)
+        photons = light_paths * RESERVE * REFLECTANCE ** MIRRORS * x2 * (2 - x2)
         variance, bias = variance * (1 - b) ** 2 / photons, b * np.cumsum(f)[n - 1] / n
     return np.polyfit(np.log(n), np.log(variance + bias ** 2), 1)[0]
 

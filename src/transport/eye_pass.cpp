@@ -201,7 +201,7 @@ class MeterPaths {
     const uint32_t m = in_.plan.visited_meter(in_.number, i), samples = in_.plan.meter_samples;
     pairing_.assign(first_path_ + uint32_t(i) * samples + k, sensor);
     PathSampler rng(in_.settings.seed, {Stream::meters, s_}, hash_combine(in_.meter_visit.batch, m),
-                    in_.meter_visit.number * samples + k, in_.number, m * samples + k);
+                    uint64_t(in_.meter_visit.number) * samples + k, in_.number, m * samples + k);
     const Meter at = sensor.cell ? set_.sample(m, {rng.get(0, Slot::cell_x), rng.get(0, Slot::cell_y)}) : set_.meters[m];
     ++work.eye_paths;
     const EyeTally found = EyeWalk(in_, photons_, sensor, rng, work).from_meter(at.p, at.error, at.frame);

@@ -15,7 +15,7 @@ struct FluxBooks {  // lm, not yet divided by the number of paths
   double absorbed = 0, escaped = 0;
   double cut = 0;  // left at the greatest length of paths that was asked for
   // Taken by roulette from paths that it ended, less what it gave to others: each game is fair, of a variance known
-  // before it is played.
+  // before it is played. Numbers of a batch's paths are stratified, by which all together vary less.
   double roulette = 0, roulette_variance = 0, largest_game = 0;
 
   // What came to an end, and of how many paths, by batch: they owe each other nothing, where paths and games within one are
