@@ -15,7 +15,7 @@
 namespace ups::test {
 namespace {
 
-// A path that lives carries no more than it started with, whatever it met, and after a game no more than 1 / reserve of it;
+// A path that lives carries no more than it started with, whatever it met, after a game no more than 1 / reserve of that;
 // chains of lossless mirrors and glass, which are exempt, no more than ((n + 1) / 62.5)^1.5 times that after n edges.
 // Bounces take away up to all but 1e-6, in colours.
 TEST(Hazard13, SurvivorsCarryNoMoreThanTheyStartedWith) {
