@@ -23,7 +23,9 @@ struct RoughThings {
                    {{.meters = meters,
                      .looser = {{UPS_METHOD_SPPM, fast_or_full(0.012, 0.0033),
                                  "its discs are as narrow as what stands about"}}}},
-                   {.iterations = iterations, .merge_radius_m = 0.05 * m});  // for 0.5 % near the caustic
+                   {.iterations = iterations,
+                    .sppm_factor = 16,
+                    .merge_radius_m = 0.05 * m});  // for 0.5 % near the caustic
   }
   Scene scene;
   Sensor meters;

@@ -50,7 +50,7 @@ struct TortureOptions {
   uint32_t iterations = 16;  // the full form takes as many as the noise asks for
   uint32_t light_paths = 1u << 11;
   ups_separation separation = UPS_SEPARATE_NOTHING;
-  uint32_t sppm_factor = 10;  // light paths of SPPM, which has nothing but them, in proportion
+  uint32_t sppm_factor = 8;   // light paths of SPPM, which has nothing but them, in proportion
   double merge_radius_m = 0;  // 0: chosen by the library
   double sppm_radius_m = 0;   // 0: chosen by the library
   std::vector<ups_method> methods{std::begin(torture_methods), std::end(torture_methods)};
