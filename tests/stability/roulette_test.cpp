@@ -38,7 +38,7 @@ TEST(Hazard13, SurvivorsCarryNoMoreThanTheyStartedWith) {
       if (uniform(rng) >= q) break;
       carried *= 1 / q;
       largest = max_component(carried) / max_component(start);
-      if (q < 1 && edges < 64) ASSERT_LE(largest, (1 + 1e-4f) / reserve) << edges;
+      if (q < 1 && edges < 64) { ASSERT_LE(largest, (1 + 1e-4f) / reserve) << edges; }
       ASSERT_LE(largest, (1 + 1e-4f) * std::max(1.0f, std::pow(float(edges + 1) / 62.5f, 1.5f))) << edges;
     }
   }
