@@ -3,12 +3,13 @@
 A `Case` writes a scene; its `Check`s say what the scene's meters must read. `run` gives one `Row` a check and method.
 A row passes where
 
-    |E - E_ref| <= max(0.5 % of E_ref, 3 standard errors)   and   standard error <= 0.3 % of E_ref;
+    |E - E_ref| <= max(0.5 % of E_ref, 3 standard errors)   and   standard error <= 0.2 % of E_ref;
 
 where E_ref is 0, E must be exactly 0. Seeds are fixed: a case that passes once passes always on the same machine. How
 often a right engine would fail with another seed: noise decides only where 3 standard errors exceed 0.5 %, and then
 with probability P(|t| > 3) for Student's t with the 15 degrees of freedom of 16 batches, 0.9 % a check. With a standard
-error of 0.1 % the 0.5 % are five standard errors: 0.02 %.
+error of 0.1 % the 0.5 % are five standard errors: 0.02 %. What is found: an error of 1 % in 95 cases of 100 at the
+largest noise.
 
 Called by validate.py; the cases are in modules of their own, e.g. cie171.py, and tables.py writes the rows.
 """
@@ -28,7 +29,7 @@ from renders import Renderer, read_table  # noqa: E402
 
 RELATIVE_TOLERANCE = 0.005
 SIGMAS = 3
-LARGEST_NOISE = 0.003
+LARGEST_NOISE = 0.002
 
 
 @dataclass

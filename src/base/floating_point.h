@@ -39,9 +39,26 @@ class TrapsMasked {
  private:
   std::fenv_t before_;
 };
+// While it lives our own code traps, which Embree calls where traps are masked.
+class TrapsSet {
+ public:
+  TrapsSet() {
+    std::feholdexcept(&before_);
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+  }
+  ~TrapsSet() { std::fesetenv(&before_); }
+  TrapsSet(const TrapsSet&) = delete;
+  TrapsSet& operator=(const TrapsSet&) = delete;
+
+ private:
+  std::fenv_t before_;
+};
 #else
 struct TrapsMasked {
   TrapsMasked() {}
+};
+struct TrapsSet {
+  TrapsSet() {}
 };
 #endif
 

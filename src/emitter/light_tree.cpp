@@ -255,10 +255,10 @@ LightTree::Parts LightTree::part(const View& view, uint32_t four, const Shares& 
 
 EmitterChoice LightTree::choose(const Receiver& receiver, double u) const {
   const View view(receiver);
-  constexpr float below_1 = 0x1.fffffep-1f;
+  constexpr double below_1 = 1 - 0x1p-53;
   if (single_) {
     if (!is_before(view, place(view, nodes_[0].center, nodes_[0].half))) return {};
-    return {emitter_of_node_[0], 1, std::min(float(u), below_1)};
+    return {emitter_of_node_[0], 1, std::min(u, below_1)};
   }
   Cut c;
   cut(view, c);
@@ -271,7 +271,7 @@ EmitterChoice LightTree::choose(const Receiver& receiver, double u) const {
   for (;;) {
     const Lanes& lanes = lanes_[lane / lane_count];
     const uint32_t below = lanes.below[lane % lane_count], node = lanes.node[lane % lane_count];
-    if (below == none) return {emitter_of_node_[node], shares.sum(), std::min(float(rest), below_1)};
+    if (below == none) return {emitter_of_node_[node], shares.sum(), std::min(rest, below_1)};
     const Parts parts = part(view, below, shares);
     const auto share = [&](uint32_t i) { return parts.shares(i).sum(); };
     const double whole = double(share(0)) + share(1) + share(2) + share(3);

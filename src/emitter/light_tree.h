@@ -22,7 +22,7 @@ namespace ups {
 struct EmitterChoice {
   uint32_t index = 0;
   float probability = 0;  // 0: none can be chosen
-  float u = 0;            // uniform again in [0, 1): stratification is kept
+  double u = 0;           // uniform again in [0, 1): stratification is kept
 };
 
 class LightTree {

@@ -25,13 +25,12 @@ bool PunctualEmitter::seen_from(const Vec3& eye, Sight& out) const {
 bool PunctualEmitter::start_direct(const Vec3& reference, DirectSample& out) const {
   const Vec3 to_p = p_ - reference;
   const float distance2 = length2(to_p);
-  const float weight = 1 / distance2;
-  if (!(distance2 > 0) || !std::isfinite(weight)) return false;
+  if (!(distance2 > 0)) return false;
   out = {};
   out.p = p_;
   out.distance = std::sqrt(distance2);
   out.wi = to_p / out.distance;
-  out.weight = Rgb(weight);
+  out.weight = Rgb(1 / distance2);
   out.error = error_;
   return true;
 }
@@ -55,7 +54,7 @@ bool PointEmitter::sample_direct(const Vec3& reference, const Vec2&, DirectSampl
   if (is_black(intensity_) || !start_direct(reference, out)) return false;
   out.weight *= intensity_;
   out.pdf_direction_w = sphere_pdf;
-  return is_finite(out.weight);
+  return true;
 }
 
 bool PointEmitter::emission_square(const Vec3&, uint32_t, const Vec3& direction, Vec2& u) const {
@@ -117,7 +116,7 @@ bool SpotEmitter::sample_direct(const Vec3& reference, const Vec2&, DirectSample
   const double factor = attenuation(versine_to(-out.wi));
   out.weight *= intensity_ * float(factor);
   out.pdf_direction_w = float(factor / solid_angle_);
-  return factor > 0 && is_finite(out.weight) && !is_black(out.weight);
+  return factor > 0 && !is_black(out.weight);
 }
 
 bool SpotEmitter::emission_square(const Vec3&, uint32_t, const Vec3& direction, Vec2& u) const {

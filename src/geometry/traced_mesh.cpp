@@ -108,6 +108,7 @@ bool is_false_hit(const Triangle& triangle, const RTCRay& ray) {
 
 void filter(const RTCFilterFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
+  const TrapsSet traps;
   const TracedMesh& mesh = *static_cast<const TracedMesh*>(args->geometryUserPtr);
   const RTCRay& ray = *reinterpret_cast<const RTCRay*>(args->ray);
   const RTCHit& hit = *reinterpret_cast<const RTCHit*>(args->hit);

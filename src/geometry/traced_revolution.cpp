@@ -60,6 +60,7 @@ bool stands(const RTCIntersectFunctionNArguments* args, RTCRayHit& query) {
 
 void intersect_one(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
+  const TrapsSet traps;
   RTCRayHit& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);
   const RTCRayHit before = query;
   RevolutionHit hit;
@@ -77,6 +78,7 @@ void intersect_one(const RTCIntersectFunctionNArguments* args) {
 
 void occlude_one(const RTCOccludedFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
+  const TrapsSet traps;
   RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
   RevolutionHit hit;
   if (hit_band(args->geometryUserPtr, args->primID, ray, ray.tnear, hit))

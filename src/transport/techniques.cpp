@@ -108,6 +108,11 @@ Receiver receiver_of(const EyeEnd& eye, const Arrival& arrival) {
                   : meter_receiver(arrival.surface.p, eye.surface.ng, eye.response);
 }
 
+// found_from: infinite where nothing is. What is not finite is dropped there, and counted.
+bool is_found_elsewhere(const Iteration& in, const Contribution& c, float found_from) {
+  return found_from < INFINITY && in.plan.exact[c.emitter] && luminance(c.value) >= found_from;
+}
+
 }  // namespace
 
 Found light_from(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
@@ -149,7 +154,7 @@ Found sample_mirror(const Iteration& in, const mis::Counts& n, const EyeEnd& eye
   const EmitterChoice choice = choose_image(in.scene, receiver_of(eye, arrival), u_choice, far);
   if (!(choice.probability > 0)) return {};
   Found c = light_from_image(in, n, eye, arrival, choice, u_position);
-  if (!c || (in.plan.exact[c->emitter] && luminance(c->value) >= found_from)) return {};
+  if (!c || is_found_elsewhere(in, *c, found_from)) return {};
   c->value *= 1 / choice.probability;
   return c;
 }
@@ -196,7 +201,7 @@ Found sample_light(const Iteration& in, const mis::Counts& n, const EyeEnd& eye,
   if (!(choice.probability > 0)) return {};
   u_choice = choice.u;
   Found c = light_from(in, n, eye, arrival, choice, u_position);
-  if (!c || (in.plan.exact[choice.index] && luminance(c->value) >= found_from)) return {};
+  if (!c || is_found_elsewhere(in, *c, found_from)) return {};
   c->value *= 1 / choice.probability;
   return c;
 }

@@ -140,7 +140,8 @@ class LitFloor : public ::testing::Test {
     EXPECT_LE(std::abs(over_kinds), 0.005) << what;
   }
 
-  // What comes straight and the rest, within 1 % of the vector: a part's noise is no more than twice the whole's.
+  // What comes straight and the rest, within 0.6 % of the vector: a part's noise is no more than twice the whole's, three
+  // times which that is, so that 1 % of the light in the wrong part is found in 97 cases of 100.
   static void expect_parts(const Result& result, const Set& s, const std::string& of) {
     const auto all = result.vectors(s.meters, UPS_LIGHT_PART_ALL);
     for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT}) {
@@ -149,7 +150,7 @@ class LitFloor : public ::testing::Test {
       for (int k = 0; k < 3; ++k) {
         double mean = 0;
         for (const auto& v : vectors) mean += double(v.vector_lx[k]) / double(vectors.size());
-        EXPECT_NEAR(mean, component(expected, k), 0.01 * s.length) << of << ", part " << part << ", component " << k;
+        EXPECT_NEAR(mean, component(expected, k), 0.006 * s.length) << of << ", part " << part << ", component " << k;
       }
     }
     for (const auto& v : all)

@@ -146,10 +146,9 @@ struct LitMeters {
 
 // Light paths that are eight times as many as the file's rays repeat each eight times: a meter's disc must not be
 // narrowed to few of them, as if there were more light. Bounds of a few hundred rays, 3 to 5 %; the mean over 64 meters
-// has 0.4 %, of which four are 1.6 % and 2.4 % would be found (before: 8.8 % more, one meter seven times its light, and
-// bounds of 500 %).
+// of rays that lie evenly has XX % (before: 8.8 % more, one meter seven times its light, and bounds of 500 %).
 TEST(RayEmitter, PathsThatRepeatItsRaysNarrowNoMetersDisc) {
-  LitMeters lit(lambertian_disc(200000, 0.2, 1000, 2), 2);
+  LitMeters lit(even_lambertian_disc(200000, 0.2, 1000), 2);
   const Result result = lit.render(48);
   const auto readings = result.readings(lit.meters);
   for (size_t i = 0; i < readings.size(); ++i) {

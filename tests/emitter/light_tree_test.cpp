@@ -161,6 +161,9 @@ TEST(LightTreeOfMany, GivesEachItsShareHoweverSmall) {
     if (p > 1e-5 || which % 8 > 0) continue;
     const double first = edge(which, u, u - 1.5 * p), last = edge(which, u, std::min(u + 1.5 * p, 1.0));
     EXPECT_NEAR(last - first, p, 1e-4 * p) << which;
+    // What is left of the number chooses again, among images in mirrors: not to a float's steps either.
+    const double middle = (first + last) / 2;
+    EXPECT_NEAR(set.choose_direct(r, middle + 1e-8 * p).u - set.choose_direct(r, middle).u, 1e-8, 1e-9) << which;
     ++weak;
   }
   EXPECT_GT(weak, 100);

@@ -1,7 +1,7 @@
 // Blended surfaces (alpha): of the light that meets one, alpha is scattered as its material says, the rest goes
 // straight on. Against closed forms, by methods that share little code. Means over eight seeds: P(|t_7| > 4) = 0.5 % is
 // the chance that a right engine fails a comparison in which noise decides; standard errors are at most 0.16 %, and
-// 0.5 % or four of them are allowed, so that errors of 1 % are found in 98 of 100 cases (in pictures 1.5 %). Seeds are
+// 0.5 % or four of them are allowed, so that errors of 1 % are found in 97 of 100 cases (in pictures 1.5 %). Seeds are
 // fixed: a test that passes once passes always.
 #include "../support/expect_same.h"
 #include "measured.h"

@@ -52,7 +52,7 @@ TEST(Taught, BumpMapsFinerThanTheMergeRadius) {
 
 // The illuminance on what a camera sees is that of its face, whatever its normal map: a sun's is known. Mean of 256
 // pixels over eight seeds, without noise where the method sees the sun by next-event estimation. At a standard error of
-// 0.16 %, asserted, 0.5 % or four of them are allowed: 1 % is found in 98 of 100 cases. P(|t_7| > 4) = 0.5 % is the
+// 0.16 %, asserted, 0.5 % or four of them are allowed: 1 % is found in 97 of 100 cases. P(|t_7| > 4) = 0.5 % is the
 // chance of a false alarm where noise decides.
 TEST(Taught, BumpMapsDoNotChangeTheIlluminanceOfAnImage) {
   const double expected = 500 * 0.5 / std::sqrt(1.25);

@@ -2,7 +2,7 @@
 // radiance of an index, and scenes that a medium around everything must not change. Flat stacks: nested_media_test.cpp.
 //
 // Standard errors are at most 0.16 %, and 0.5 % or four of them are allowed (expect_lx.h, with its false alarms): an
-// error of 1 % is found in 98 of 100 cases at the least.
+// error of 1 % is found in 97 of 100 cases at the least.
 #include <gtest/gtest.h>
 
 #include "../support/expect_lx.h"

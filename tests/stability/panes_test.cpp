@@ -4,7 +4,7 @@
 //
 // Means over eight seeds: P(|t_7| > 4) = 0.5 % is the chance that a right engine fails a comparison in which noise
 // decides; where the half percent of expect_lx does, far less. Standard errors are at most 0.17 %, so that an error of
-// 1 % is found in 96 cases of 100. Seeds are fixed: a test that passes once passes always.
+// 1 % is found in 95 cases of 100. Seeds are fixed: a test that passes once passes always.
 #include "panes.h"
 
 #include "../support/expect_lx.h"

@@ -70,14 +70,21 @@ TEST(Hazard02, PathsThatAMediumLeavesWithoutAFiniteThroughputAreCounted) {
 class PoisonedEmitter : public PointEmitter {
  public:
   PoisonedEmitter(void (*poison)(EmissionSample&)) : PointEmitter(Vec3(), Rgb(1.0f), 0.0f), poison_(poison) {}
+  explicit PoisonedEmitter(float value) : PoisonedEmitter(nullptr) { value_ = value; }
   bool sample_emission(const Vec2& u, const Vec2& v, EmissionSample& out) const override {
     const bool emits = PointEmitter::sample_emission(u, v, out);
-    poison_(out);
+    if (poison_) poison_(out);
+    return emits;
+  }
+  bool sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const override {
+    const bool emits = PointEmitter::sample_direct(reference, u, out);
+    out.weight *= value_;
     return emits;
   }
 
  private:
   void (*poison_)(EmissionSample&);
+  float value_ = 1;
 };
 
 TEST(Hazard02, LightPathsThatStartWithoutAFiniteFluxPlaceOrDirectionAreCounted) {
@@ -90,6 +97,23 @@ TEST(Hazard02, LightPathsThatStartWithoutAFiniteFluxPlaceOrDirectionAreCounted) 
     const IterationTally tally = run(scene, all_techniques);
     EXPECT_EQ(dropped(tally, Drop::emission), tally.work.light_paths);
     EXPECT_EQ(dropped(tally, Drop::light_walk), 0u);
+  }
+}
+
+// In a convex room a vertex of any path sees the lamp: its light is dropped at each, and at the two meters, whose light
+// comes straight by a shadow ray, once.
+TEST(Hazard02, LightSamplesThatAreNotFiniteAreCounted) {
+  for (const float value : {nan, std::numeric_limits<float>::infinity()}) {
+    const TrapsMasked masked;
+    const auto scene = test::room(UPS_MATERIAL_MATTE);
+    std::vector<std::shared_ptr<const Emitter>> emitters;
+    emitters.push_back(std::make_unique<PoisonedEmitter>(value));
+    scene->emitters = EmitterSet(std::move(emitters), {});
+    const IterationTally tally = run(scene, UPS_TECHNIQUE_LIGHT_SAMPLE);
+    EXPECT_GE(dropped(tally, Drop::light_sample), tally.work.eye_paths);
+    for (const Drop other : {Drop::emitter_hit, Drop::eye_walk, Drop::light_walk}) EXPECT_EQ(dropped(tally, other), 0u);
+    for (const auto& set : tally.meters)
+      for (const MeterTally& m : set) EXPECT_EQ(m.value, 0);
   }
 }
 

@@ -12,7 +12,7 @@ INSTANTIATE_TEST_SUITE_P(Alphas, Hazard04, ::testing::Values(1e-2, 1e-4, 3.1e-5,
   return "of_" + std::to_string(std::lround(1e7 * i.param)) + "e_7";
 });
 
-// Within 0.5 % at standard errors of at most 0.17 %: errors of 1 % are found in 998 cases of 1000; a false alarm takes
+// Within 0.5 % at standard errors of at most 0.17 %: errors of 1 % are found in 995 cases of 1000; a false alarm takes
 // 3 standard errors, P(|t_15| > 3) = 0.9 % where one is at its limit.
 TEST_P(Hazard04, AFurnaceHasOneIlluminance) {
   if (!full() && GetParam() > 1e-3) GTEST_SKIP() << "in the full form";

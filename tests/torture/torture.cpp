@@ -73,13 +73,21 @@ uint64_t seed_of(const std::string& name, ups_method method) {
   return seed % 1000003;
 }
 
-void expect_balance(const ups_result_info& i, const std::string& what) {
+bool is_closed(const Result& r, const std::string& what) {
+  const ups_result_info i = r.info();
   const double missing = i.emitted_flux_lm - i.absorbed_flux_lm - i.escaped_flux_lm,
                s = i.flux_balance_standard_error_lm;
   std::printf("%s: %.2f s, balance %9.2e of %8.2e lm\n", what.c_str(), i.elapsed_s, missing, s);
   EXPECT_GE(s, 0) << what << ": no books of flux";
-  // 16 batches tell it, and some hundred renders are judged: P(|t_15| > 5.3) = 1e-4 for each.
-  EXPECT_LE(std::abs(missing), 5.3 * s + 1e-6 * i.emitted_flux_lm) << what;
+  return std::abs(missing) <= 3 * s + 1e-6 * i.emitted_flux_lm;
+}
+
+// One render in 111 is beyond 3 standard errors by chance, as 16 batches tell them: it is repeated with other numbers.
+void expect_balance(Scene& scene, RenderOptions options, const Result& first, const std::string& what) {
+  if (is_closed(first, what)) return;
+  options.seed += 1000003;
+  options.iterations *= 2;
+  EXPECT_TRUE(is_closed(scene.render(options), what + " again"));
 }
 
 bool is_among(ups_method method, const std::vector<ups_method>& methods) {
@@ -105,7 +113,7 @@ class Trial {
       results.push_back(render_until_quiet(scene_, o, full() ? 4096 : o.iterations,
                                            [&](const Result& r) { return excess(r, method); }));
       read_the_rest(results.back(), judged_);
-      expect_balance(results.back().info(), what(method));
+      expect_balance(scene_, o, results.back(), what(method));
     }
   }
   void judge() const {

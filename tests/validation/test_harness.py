@@ -20,11 +20,11 @@ class Judging(unittest.TestCase):
         self.assertIs(self.passed(100.49, 0.01), True)
         self.assertIs(self.passed(100.51, 0.01), False)
         self.assertIs(self.passed(99.49, 0.01), False)
-        self.assertIs(self.passed(100.86, 0.29), True)
-        self.assertIs(self.passed(100.88, 0.29), False)
+        self.assertIs(self.passed(100.56, 0.19), True)
+        self.assertIs(self.passed(100.58, 0.19), False)
 
     def test_noise_is_no_excuse(self):
-        self.assertIs(self.passed(100, 0.31), False)
+        self.assertIs(self.passed(100, 0.21), False)
         self.assertIs(self.passed(100, -1), False)  # not known
         self.assertIs(self.passed(math.nan, 0.01), False)
 
@@ -43,8 +43,8 @@ class Growing(unittest.TestCase):
                                for e in errors])
 
     def test_the_noisiest_check_decides(self):
-        self.assertEqual(self.growth(0.1, 0.6), 5)  # 1.1 * (0.6 / 0.3)^2
-        self.assertEqual(self.growth(0.31), 2)
+        self.assertEqual(self.growth(0.1, 0.4), 5)  # 1.1 * (0.4 / 0.2)^2
+        self.assertEqual(self.growth(0.21), 2)
         self.assertEqual(self.growth(30.0), 8)
         self.assertEqual(self.growth(0.6, -1.0), 4)
 
