@@ -109,7 +109,7 @@ TEST(Hazard14, MetersUnderWater) {
   square.expect([&](double offset) {
     return through_layers(offset, lamp_radius, luminance * n * n, 0, [&](double a, int) -> Passage {
       const double out = refracted(a, 1 / n);
-      if (!(out < pi_d / 2)) return {};
+      if (!std::isless(out, pi_d / 2)) return {};
       return {1 - fresnel(std::cos(a), 1 / n), d * std::tan(a) + h * std::tan(out)};
     });
   });
