@@ -14,7 +14,8 @@ struct RoughThings {
     scene.add(icosphere(P3{1, 1, 0.8} * m, 0.4 * m, 2), glass(1.5, roughness), offset);
     scene.add(block({2.6, 2.6, 0.1}, {3.4, 3.4, 0.9}), rough(UPS_MATERIAL_METAL, 0.9, roughness), offset);
     scene.add(block({0.5, 2.5, 0.1}, {1.3, 3.3, 0.9}), rough(UPS_MATERIAL_PLASTIC, 0.6, roughness), offset);
-    meters = scene.add_meters(grid_points(offset + P3{0.5, 0.5, 0.05} * m, P3{3, 0, 0} * m, P3{0, 3, 0} * m, 12),
+    // Away from the blocks, at whose edges discs of photons blur.
+    meters = scene.add_meters(grid_points(offset + P3{0.5, 0.5, 0.05} * m, P3{3, 0, 0} * m, P3{0, 1.7, 0} * m, 12),
                               {0, 0, 1});
     add_small_camera(scene, offset + P3{3.5, 0.5, 1.6} * m, {-1, 1, -0.4});
   }
