@@ -7,8 +7,8 @@
 For every meter z = (E - E_reference) / sqrt(s^2 + s_reference^2), s the standard errors of 16 batches, so that z is
 nearly Student's t with 15 to 30 degrees of freedom and rms z is about 1.05 where the methods agree. Fails where a
 |z| is above 4 (one of 32 right meters is, once in 30 checks at worst) or the total differs by over 3 standard errors s
-and 0.5 % (once in 200 where s is above 0.17 %); of the total 4.7 s, or 0.5 % + 1.7 s, is found in 95 cases of 100: s is
-printed, below 0.2 % it is 1 %.
+and 0.5 % (once in 110 to 190 where s is above 0.17 %); of the total 4.7 s, or 0.5 % + 1.7 s, is found in 95 cases of
+100: s is printed, below 0.2 % it is 1 %.
 """
 import argparse
 import math

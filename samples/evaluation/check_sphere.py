@@ -3,8 +3,8 @@
 
   check_sphere.py --ups build/release/bin/ups [--methods auto pt bpt ups] [--reflectances 0.5 0.9 0.95] [--time 10]
 
-Writes each scene with make_sphere.py, renders it, compares the mean of its meters. Exit code 1 above the tolerance, of
-three standard errors at 0.17 % (a false alarm in 111 then; the error is printed), where 1 % is found in 99 cases of 100.
+Writes each scene with make_sphere.py, renders it, compares the mean of its meters. Exit code 1 above the tolerance. The
+error is printed: where it is 0.17 %, 0.5 % are three of it, a false alarm in 111, and 1 % is found in 99 cases of 100.
 """
 import argparse
 import os

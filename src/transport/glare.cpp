@@ -48,7 +48,7 @@ struct Eye {
       DirectSample s;
       const auto random = philox({index, uint32_t(i), uint32_t(side), 0}, {0, 0});
       const Vec2 u{place(i % side, random[0]), place(i / side, random[1])};
-      if (!emitter.sample_direct(meter.p, u, s)) continue;
+      if (!emitter.sample_direct(meter.p, u, s) || !is_finite(s.weight)) continue;
       const double light = luminance(s.weight);
       out.light += light;
       out.squares += light * light;

@@ -108,9 +108,9 @@ Receiver receiver_of(const EyeEnd& eye, const Arrival& arrival) {
                   : meter_receiver(arrival.surface.p, eye.surface.ng, eye.response);
 }
 
-// found_from: infinite where nothing is. What is not finite is dropped there, and counted.
+// found_from: INFINITY where nothing is found elsewhere. What is no number counts as found, and was counted, there.
 bool is_found_elsewhere(const Iteration& in, const Contribution& c, float found_from) {
-  return found_from < INFINITY && in.plan.exact[c.emitter] && luminance(c.value) >= found_from;
+  return found_from < INFINITY && in.plan.exact[c.emitter] && !std::isless(luminance(c.value), found_from);
 }
 
 }  // namespace

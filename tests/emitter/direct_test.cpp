@@ -2,6 +2,7 @@
 // from midpoints of a fine grid over u, so the tests are deterministic.
 #include <gtest/gtest.h>
 
+#include "base/floating_point.h"
 #include "emitter/test_emitters.h"
 
 namespace ups::test {
@@ -25,6 +26,19 @@ TEST(Direct, PointFollowsInverseSquareAndCosine) {
   const PointEmitter e({1, 2, 3}, Rgb(100), 0);
   EXPECT_NEAR(illuminance(e, {1, 2, 1}, up, 1), 100.0 / 4, 1e-4);
   EXPECT_NEAR(illuminance(e, {1, 4, 1}, up, 1), 100 * std::cos(pi_d / 4) / 8, 1e-4);
+}
+
+// So close that the light is beyond a float: it is not hidden, so that whoever asked counts what is dropped.
+TEST(Direct, WhatIsNotFiniteIsNotHidden) {
+  const TrapsMasked masked;
+  constexpr float gap = 1e-20f;
+  DirectSample s;
+  ASSERT_TRUE(PointEmitter({0, 0, gap}, Rgb(1), 0).sample_direct({0, 0, 0}, {}, s));
+  EXPECT_FALSE(is_finite(s.weight));
+  ASSERT_TRUE(SpotEmitter({0, 0, gap}, {0, 0, -1}, Rgb(1), 0.3f, 0.7f, 0).sample_direct({0, 0, 0}, {}, s));
+  EXPECT_FALSE(is_finite(s.weight));
+  const AreaEmitter area(disc_facing_down(1e-22f, gap), Rgb(3e38f), false, 0);
+  if (area.sample_direct({0, 0, 0}, {0.5f, 0.5f}, s)) EXPECT_FALSE(is_finite(s.weight));
 }
 
 TEST(Direct, SpotHasItsFalloff) {

@@ -28,12 +28,13 @@ constexpr int threads = 1;  // the one that masks its traps
 constexpr int threads = 2;
 #endif
 
-IterationTally run(std::shared_ptr<Snapshot> scene, uint32_t techniques) {
+IterationTally run(std::shared_ptr<Snapshot> scene, uint32_t techniques, uint32_t longest = 0) {
   ThreadPool pool(threads);
   TransportSettings settings{.method = *method_of(UPS_METHOD_UPS)};
   settings.techniques = techniques;
   settings.light_paths = 1024;
   settings.merge_radius = 0.1f;
+  settings.max_path_length = longest;
   const StopSignal stop;
   Integrator integrator(std::move(scene), settings, pool, stop);
   IterationTally tally;
@@ -70,7 +71,7 @@ TEST(Hazard02, PathsThatAMediumLeavesWithoutAFiniteThroughputAreCounted) {
 class PoisonedEmitter : public PointEmitter {
  public:
   PoisonedEmitter(void (*poison)(EmissionSample&)) : PointEmitter(Vec3(), Rgb(1.0f), 0.0f), poison_(poison) {}
-  explicit PoisonedEmitter(float value) : PoisonedEmitter(nullptr) { value_ = value; }
+  PoisonedEmitter(const Vec3& p, float value) : PointEmitter(p, Rgb(1.0f), 0.0f), value_(value) {}
   bool sample_emission(const Vec2& u, const Vec2& v, EmissionSample& out) const override {
     const bool emits = PointEmitter::sample_emission(u, v, out);
     if (poison_) poison_(out);
@@ -83,7 +84,7 @@ class PoisonedEmitter : public PointEmitter {
   }
 
  private:
-  void (*poison_)(EmissionSample&);
+  void (*poison_)(EmissionSample&) = nullptr;
   float value_ = 1;
 };
 
@@ -100,19 +101,22 @@ TEST(Hazard02, LightPathsThatStartWithoutAFiniteFluxPlaceOrDirectionAreCounted) 
   }
 }
 
-// In a convex room a vertex of any path sees the lamp: its light is dropped at each, and at the two meters, whose light
-// comes straight by a shadow ray, once.
+// In a convex room every vertex of a path sees the lamp, which is above the meters: its light is dropped at each, and
+// at the two meters, whose light comes straight by a shadow ray, once.
 TEST(Hazard02, LightSamplesThatAreNotFiniteAreCounted) {
   for (const float value : {nan, std::numeric_limits<float>::infinity()}) {
     const TrapsMasked masked;
     const auto scene = test::room(UPS_MATERIAL_MATTE);
+    const Vec3 lamp = scene->emitters[0].center();
     std::vector<std::shared_ptr<const Emitter>> emitters;
-    emitters.push_back(std::make_unique<PoisonedEmitter>(value));
+    emitters.push_back(std::make_unique<PoisonedEmitter>(lamp, value));
     scene->emitters = EmitterSet(std::move(emitters), {});
-    const IterationTally tally = run(scene, UPS_TECHNIQUE_LIGHT_SAMPLE);
-    EXPECT_GE(dropped(tally, Drop::light_sample), tally.work.eye_paths);
-    for (const Drop other : {Drop::emitter_hit, Drop::eye_walk, Drop::light_walk}) EXPECT_EQ(dropped(tally, other), 0u);
-    for (const auto& set : tally.meters)
+    const IterationTally straight = run(scene, UPS_TECHNIQUE_LIGHT_SAMPLE, 1);
+    EXPECT_EQ(dropped(straight, Drop::light_sample), 2u);
+    const IterationTally all = run(scene, UPS_TECHNIQUE_LIGHT_SAMPLE);
+    EXPECT_GE(dropped(all, Drop::light_sample), all.work.eye_paths + 2);
+    for (const Drop other : {Drop::emitter_hit, Drop::eye_walk, Drop::light_walk}) EXPECT_EQ(dropped(all, other), 0u);
+    for (const auto& set : all.meters)
       for (const MeterTally& m : set) EXPECT_EQ(m.value, 0);
   }
 }

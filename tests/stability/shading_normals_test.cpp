@@ -26,8 +26,9 @@ struct Target {
   }
 };
 
-// PPM counts what lands on cells as light tracing does, bit for bit (refraction_test.cpp), and merges at points.
 const Limits limits = fast_or_full(usual, Limits{0.001, relative_tolerance});
+
+// PPM counts what lands on cells as light tracing does, bit for bit (refraction_test.cpp), and merges at points.
 constexpr double merge_radius = 0.04;
 Trial pt(uint32_t iterations) { return trial(UPS_METHOD_PATH_TRACING, iterations); }
 Trial bpt(uint32_t iterations) { return trial(UPS_METHOD_BIDIRECTIONAL, iterations, 1u << 13); }

@@ -44,9 +44,7 @@ TEST(Torture, WallsOfFiveMillimetres) {
   const Sensor lit = scene.add_meters(near_wall, {0, 0, 1}), dark = scene.add_meters(beyond, {0, 0, 1});
   add_small_camera(scene, {2, 2, 1.5}, {1, 0, 0});
   const Sensor in_dark = add_small_camera(scene, {6, 2, 1.5}, {-1, 0, 0});
-  const std::vector<Result> results =
-      survive("walls of 5 mm", scene,
-              {{.meters = lit}});
+  const std::vector<Result> results = survive("walls of 5 mm", scene, {{.meters = lit}});
   for (size_t r = 0; r < results.size(); ++r) {
     const double most = 1e-3 * results[r].statistics(lit).mean_lx;
     const std::string what = method_name(torture_methods[r]);

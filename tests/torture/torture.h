@@ -14,8 +14,8 @@
 // bounds cover the difference.
 //
 // Where a method keeps books of flux, emitted - absorbed - escaped is within 3 of its standard errors and 1e-6 of what
-// is emitted, in that render or, where chance (P(|t_15| > 3) = 0.9 %) has it that it is not, in another one: a false
-// alarm in 12,000 renders.
+// is emitted, in that render or, where chance (P(|t_15| > 3) = 0.9 %) has it that it is not, in another one, but within
+// 5.3 in the first: a false alarm in 5,000 renders.
 #pragma once
 #include <initializer_list>
 #include <string>
