@@ -37,8 +37,10 @@ TEST(Direct, WhatIsNotFiniteIsNotHidden) {
   EXPECT_FALSE(is_finite(s.weight));
   ASSERT_TRUE(SpotEmitter({0, 0, gap}, {0, 0, -1}, Rgb(1), 0.3f, 0.7f, 0).sample_direct({0, 0, 0}, {}, s));
   EXPECT_FALSE(is_finite(s.weight));
-  const AreaEmitter area(disc_facing_down(1e-22f, gap), Rgb(3e38f), false, 0);
-  if (area.sample_direct({0, 0, 0}, {0.5f, 0.5f}, s)) EXPECT_FALSE(is_finite(s.weight));
+  const AreaEmitter area(disc_facing_down(0.5f, 0), Rgb(1), false, 0);
+  ASSERT_TRUE(area.sample_direct({0, 0, -1}, {0.3f, 0.6f}, s));
+  ASSERT_TRUE(area.sample_direct(s.p - Vec3(0, 0, gap), {0.3f, 0.6f}, s));
+  EXPECT_FALSE(is_finite(s.weight));
 }
 
 TEST(Direct, SpotHasItsFalloff) {

@@ -19,7 +19,7 @@ struct RoughThings {
                               {0, 0, 1});
     };
     meters = grid(1.7, 12);  // away from the blocks
-    among_blocks = grid(3, 5);
+    among_blocks = grid(3, 10);
     add_small_camera(scene, offset + P3{3.5, 0.5, 1.6} * m, {-1, 1, -0.4});
   }
   std::vector<Result> survive_all(const std::string& name, double m = 1, uint32_t iterations = 16) {
