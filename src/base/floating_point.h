@@ -8,6 +8,10 @@
 
 namespace ups {
 
+#ifdef UPS_FLOAT_TRAPS
+inline constexpr int trapped = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+#endif
+
 // Sets the default environment; gives the host its own back, flags included.
 class DefaultFloatingPoint {
  public:
@@ -15,7 +19,7 @@ class DefaultFloatingPoint {
     std::fegetenv(&host_);
     std::fesetenv(FE_DFL_ENV);
 #ifdef UPS_FLOAT_TRAPS
-    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    feenableexcept(trapped);
 #endif
   }
   ~DefaultFloatingPoint() { std::fesetenv(&host_); }
@@ -44,7 +48,7 @@ class TrapsSet {
  public:
   TrapsSet() {
     std::feholdexcept(&before_);
-    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    feenableexcept(trapped);
   }
   ~TrapsSet() { std::fesetenv(&before_); }
   TrapsSet(const TrapsSet&) = delete;

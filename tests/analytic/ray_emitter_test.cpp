@@ -146,9 +146,9 @@ struct LitMeters {
 
 // Light paths that are eight times as many as the file's rays repeat each eight times: a meter's disc must not be
 // narrowed to few of them, as if there were more light. Bounds of a few hundred rays, 3 to 5 %; the mean over 64 meters
-// has 0.2 %, measured over 20 sets of rays that lie evenly, of which 3.3 are allowed (a false alarm in 250; what is told
-// takes them for random, and is more): 1 % is found in 95 cases of 100 (before: 8.8 % more, one meter seven times its
-// light, and bounds of 500 %).
+// has 0.2 %, measured over 20 sets of rays that lie evenly, of which 3.3 are allowed (a false alarm in 250; what is
+// told takes them for random, and is more): 1 % is found in 95 cases of 100 (before: 8.8 % more, one meter seven times
+// its light, and bounds of 500 %).
 TEST(RayEmitter, PathsThatRepeatItsRaysNarrowNoMetersDisc) {
   LitMeters lit(even_lambertian_disc(200000, 0.2, 1000), 2);
   const Result result = lit.render(48);

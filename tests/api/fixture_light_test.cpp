@@ -1,6 +1,7 @@
 // Whether light does in fixtures what geometrical optics says. Renders fix their seed and compare flux through cells
 // with closed forms within five of the reported standard errors, which come from 16 batches (P(|t_15| > 5) = 1.6e-4 a
 // check, and none once the seed passes), and what triangles cost, as stated at each; fixture_scene.h limits the errors.
+#include "../support/fresnel.h"
 #include "fixture_scene.h"
 
 #include <cmath>
@@ -45,15 +46,9 @@ TEST_F(Fixtures, EllipsoidGathersInItsOtherFocus) {
   expect_flux(flux({{meters, side}}, 16)[0], 0.95 * 500 + direct, 0.005);
 }
 
-double fresnel(double incidence, double n) {
-  const double c = std::cos(incidence), s = std::sin(incidence) / n, t = std::sqrt(1 - s * s);
-  const double across = (c - n * t) / (c + n * t), along = (n * c - t) / (n * c + t);
-  return (across * across + along * along) / 2;
-}
-
-// Share of the light of a Lambertian point in the focus of collimator() that leaves it parallel: through the lens, whose
-// hyperboloid turns what comes at theta by Snell's law from theta + b to b, tan b = sin theta / (n - cos theta); or
-// through the cavity's wall at 90 degrees - theta, and by total reflection; then straight through the exit face.
+// Share of the light of a Lambertian point in the focus of collimator() that leaves it parallel: through the lens,
+// whose hyperboloid turns what comes at theta by Snell's law from theta + b to b, tan b = sin theta / (n - cos theta);
+// or through the cavity's wall at 90 degrees - theta, and by total reflection; then straight through the exit face.
 double share_made_parallel(double n, double radius, double depth) {
   constexpr int steps = 100000;
   double sum = 0;
@@ -61,9 +56,9 @@ double share_made_parallel(double n, double radius, double depth) {
     const double theta = (i + 0.5) / steps * pi / 2, denominator = n * std::cos(theta) - 1;
     const bool meets_lens = denominator > 0 && depth * (n - 1) / denominator * std::sin(theta) < radius;
     const double incidence = meets_lens ? theta + std::atan2(std::sin(theta), n - std::cos(theta)) : pi / 2 - theta;
-    sum += std::sin(2 * theta) * (1 - fresnel(incidence, n)) * pi / 2 / steps;
+    sum += std::sin(2 * theta) * (1 - ups::test::fresnel(std::cos(incidence), n)) * pi / 2 / steps;
   }
-  return sum * (1 - fresnel(0, n));
+  return sum * (1 - ups::test::fresnel(1, n));
 }
 
 // A small disc in the focus of a hyperboloid lens, and of a TIR collimator: the light leaves parallel, in a beam no

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "../support/fresnel.h"
 #include "../support/scene_builder.h"
 
 namespace ups::test {
@@ -109,14 +110,6 @@ TEST(LargestSamples, AreTheSameForAnyThreadCount) {
       EXPECT_EQ(a[i].value, b[i].value);
     }
   }
-}
-
-// Unpolarised; cosine < 0: from within glass.
-double fresnel(double cosine, double ior) {
-  const double eta = cosine > 0 ? ior : 1 / ior, c = std::abs(cosine), sine2 = (1 - c * c) / (eta * eta);
-  if (sine2 >= 1) return 1;
-  const double t = std::sqrt(1 - sine2), s = (c - eta * t) / (c + eta * t), p = (eta * c - t) / (eta * c + t);
-  return (s * s + p * p) / 2;
 }
 
 // cos / pi where a matte wall has scattered, at glass the probabilities of its Fresnel choice, 1 at a mirror. Counts

@@ -5,18 +5,11 @@
 #include <functional>
 
 #include "../support/expect_same.h"
+#include "../support/fresnel.h"
 #include "full.h"
 
 namespace ups::test {
 namespace {
-
-double fresnel(double cos_i, double eta) {  // eta = n_t / n_i
-  const double square = 1 - (1 - cos_i * cos_i) / (eta * eta);
-  if (square <= 0) return 1;
-  const double cos_t = std::sqrt(square);
-  const double s = (cos_i - eta * cos_t) / (cos_i + eta * cos_t), p = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-  return (s * s + p * p) / 2;
-}
 
 // How much light of an angle passes flat interfaces, and how far aside it arrives; `bounces`: between two of them.
 struct Passage {

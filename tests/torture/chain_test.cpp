@@ -1,4 +1,5 @@
 // Chains of total reflection and of mirrors, whose light is known by unfolding them: integrals without a scene.
+#include "../support/fresnel.h"
 #include "torture.h"
 
 namespace ups::test {
@@ -28,14 +29,6 @@ struct Folded {
 Folded fold(double x, double slope, double side) {
   const double turns = std::floor(x / side), rest = x - turns * side;
   return std::fmod(std::abs(turns), 2) < 0.5 ? Folded{rest, slope} : Folded{side - rest, -slope};
-}
-
-// Unpolarised, from air onto glass.
-double fresnel(double cosine, double ior) {
-  const double inside = std::sqrt(1 - (1 - cosine * cosine) / (ior * ior)),
-               s = (cosine - ior * inside) / (cosine + ior * inside),
-               p = (ior * cosine - inside) / (ior * cosine + inside);
-  return (s * s + p * p) / 2;
 }
 
 // E / (pi L) over cells as wide as the rod, `gap` beyond its end; the emitter is as wide and as far before its other

@@ -73,7 +73,7 @@ uint64_t seed_of(const std::string& name, ups_method method) {
   return seed % 1000003;
 }
 
-// Standard errors that the balance is from 0; below 3 within 1e-6 of what is emitted.
+// Standard errors that the balance is off, beyond 1e-6 of what is emitted.
 double off_balance(const Result& r, const std::string& what) {
   const ups_result_info i = r.info();
   const double missing = i.emitted_flux_lm - i.absorbed_flux_lm - i.escaped_flux_lm,
