@@ -2,9 +2,11 @@
 #include "ups/ups_report.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -17,7 +19,21 @@
 
 namespace {
 
-std::string path_of(const std::string& name) { return testing::TempDir() + "ups_report_" + name; }
+// A folder of this process, as ctest runs these tests beside each other; removed with all in it at the end.
+struct Folder {
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("ups-report-" + std::to_string(::getpid()));
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() {
+    std::error_code error;
+    std::filesystem::remove_all(path, error);
+  }
+};
+
+std::string path_of(const std::string& name) {
+  static const Folder folder;
+  return (folder.path / name).string();
+}
 
 std::string read(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
