@@ -1,4 +1,6 @@
 // Commits build what changed, to the same bits as a commit of the whole; they run as jobs; renders say what they are of.
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -7,6 +9,7 @@
 #include <sstream>
 #include <thread>
 
+#include "../support/processors.h"
 #include "edited_room.h"
 
 using namespace ups_test;
@@ -40,6 +43,15 @@ Threads threads() {
     ++out.all, out.of_nice_19 += field == "19";
   }
   return out;
+}
+// Those that last: one that has ended stays listed for a moment after it was joined, on a busy machine for longer.
+int lasting_threads() {
+  int least = threads().all;
+  for (int i = 0; i < 20; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    least = std::min(least, threads().all);
+  }
+  return least;
 }
 
 struct Edit {
@@ -413,11 +425,12 @@ TEST_F(Commit, AJobHasFewerThreadsAndALowPriority) {
     ups_result_destroy(result);
     return readings;
   };
-  const auto all = run(2);
+  const int both = std::min(2, ups::test::processors());  // the context wants 2
+  const auto all = run(both);
   d.thread_limit = 1;
   const auto one = run(1);
   d.thread_limit = 0, d.priority = UPS_PRIORITY_LOW;
-  const auto low = run(2);
+  const auto low = run(both);
   for (const auto& other : {one, low}) EXPECT_EQ(std::memcmp(all.data(), other.data(), 2 * sizeof all[0]), 0);
   d.priority = 2;
   ups_result* result = nullptr;
@@ -429,12 +442,12 @@ TEST_F(Commit, ALowPriorityIsTheOperatingSystems) {
   EditedRoom r(context);
   EXPECT_OK(ups_scene_commit(r.scene));
   auto d = make(&ups_render_desc_init);
-  d.method = UPS_METHOD_UPS, d.time_limit_s = 30, d.priority = UPS_PRIORITY_LOW;
+  d.method = UPS_METHOD_UPS, d.time_limit_s = 1000, d.priority = UPS_PRIORITY_LOW;
   ups_job* job = nullptr;
   EXPECT_OK(ups_job_start(r.scene, &d, &job));
   auto progress = sized<ups_progress>();
   while (progress.iterations_done == 0 && ups_job_wait(job, 5) == UPS_TIMEOUT) EXPECT_OK(ups_job_poll(job, &progress));
-  EXPECT_EQ(threads().of_nice_19, 2) << "the job's thread and its one worker";
+  EXPECT_EQ(threads().of_nice_19, std::min(2, ups::test::processors())) << "the job's thread and its one worker";
   ups_job_cancel(job);
   ups_job_destroy(job);
 }
@@ -444,7 +457,7 @@ TEST_F(Commit, ACommitsJobHasFewerThreadsAndALowPriority) {
   EditedRoom whole(context);
   whole.add_instance(whole.add_sheet(whole.wall, 500, 3.9f), 0.05, 0.05, 0.02);
   EXPECT_OK(ups_scene_commit(whole.scene));
-  const int before = threads().all;
+  const int before = lasting_threads();
   for (const uint32_t limit : {0u, 1u, 7u})
     for (const ups_priority priority : {UPS_PRIORITY_NORMAL, UPS_PRIORITY_LOW}) {
       EditedRoom r(context);
@@ -452,6 +465,7 @@ TEST_F(Commit, ACommitsJobHasFewerThreadsAndALowPriority) {
       auto d = make(&ups_commit_desc_init);
       d.thread_limit = limit, d.priority = priority;
       ups_job* job = nullptr;
+      while (threads().all > before) std::this_thread::yield();
       EXPECT_OK(ups_scene_start_commit_with(r.scene, &d, &job));
       Threads most{0, 0};
       while (ups_job_wait(job, 5) == UPS_TIMEOUT) {
@@ -460,7 +474,7 @@ TEST_F(Commit, ACommitsJobHasFewerThreadsAndALowPriority) {
       }
       EXPECT_OK(ups_job_wait(job, 0));
       ups_job_destroy(job);
-      const int own = limit == 1 ? 1 : 2;  // of the context's 2 at most
+      const int own = limit == 1 ? 1 : std::min(2, ups::test::processors());  // of the context's 2 at most
       const bool apart = priority == UPS_PRIORITY_LOW || limit == 1;
       EXPECT_EQ(most.all - before, apart ? own : 1) << limit << " " << priority;
       EXPECT_EQ(most.of_nice_19, priority == UPS_PRIORITY_LOW ? own : 0) << limit << " " << priority;

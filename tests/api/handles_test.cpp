@@ -14,8 +14,8 @@ namespace {
 class SecondCopy {
  public:
   SecondCopy() {
-    char folder[] = "/tmp/ups_second_copy_XXXXXX";
-    if (!mkdtemp(folder)) return;
+    std::string folder = testing::TempDir() + "ups_second_copy_XXXXXX";
+    if (!mkdtemp(folder.data())) return;
     folder_ = folder;
     const std::string file = folder_ + "/copy.so";
     std::filesystem::copy_file(UPS_LIBRARY_FILE, file);

@@ -230,7 +230,7 @@ TEST_F(Jobs, EndAtTheirTargetError) {
 }
 
 TEST_F(Jobs, EndAtTheirTimeLimit) {
-  constexpr double limit_s = 0.3;
+  constexpr double limit_s = 2;  // long enough for a first iteration wherever
   auto desc = make(&ups_render_desc_init);
   desc.time_limit_s = limit_s;
   start(desc);
@@ -239,7 +239,7 @@ TEST_F(Jobs, EndAtTheirTimeLimit) {
   EXPECT_EQ(state.state, UPS_JOB_FINISHED);
   EXPECT_GT(state.iterations_done, 0u);
   EXPECT_GT(state.elapsed_s, 0.1 * limit_s);
-  EXPECT_LT(state.elapsed_s, 20 * limit_s);
+  EXPECT_LT(state.elapsed_s, 0.5 * patience_s) << "the limit ends it";
 }
 
 }  // namespace

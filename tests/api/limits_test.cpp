@@ -161,7 +161,7 @@ TEST_F(Limits, TimeLeavesTheBitsOfItsIterations) {
   EXPECT_OK(ups_scene_commit(scene));
   for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_UPS}) {
     auto d = of_iterations(method, 0);
-    d.time_limit_s = 0.8;
+    d.time_limit_s = 2;  // long enough for a first iteration wherever
     ASSERT_EQ(render(d), UPS_OK) << ups_last_error();
     const uint32_t iterations = info().iterations;
     EXPECT_GE(iterations, 1u);
@@ -208,7 +208,14 @@ TEST_F(Limits, AnImageCanBeReadInItsFirstPass) {
   while (polls == 0) std::this_thread::yield();
   const int before = polls;
   EXPECT_OK(ups_job_result(job, &result));
-  const int meanwhile = polls - before;
+  int meanwhile = polls - before;
+  for (int tries = 0; meanwhile < 3 && tries < 50; ++tries) {  // a busy machine keeps the poller from its turn
+    const int since = polls;
+    ups_result* another = nullptr;
+    EXPECT_OK(ups_job_result(job, &another));
+    meanwhile = polls - since;
+    ups_result_destroy(another);
+  }
   reading = false;
   poller.join();
   ups_job_destroy(job);

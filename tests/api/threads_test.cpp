@@ -19,16 +19,12 @@
 #include <string>
 #include <thread>
 
+#include "../support/processors.h"
 #include "../support/scene_builder.h"
 
 using namespace ups::test;
 
 namespace {
-
-int processors() {
-  cpu_set_t set;
-  return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-}
 
 // A rough metal needs tables that are made at first use; a mirror makes photons worth merging.
 void furnish(Scene& scene) {
@@ -81,18 +77,20 @@ TEST(Threads, BearNamesAndTakeNoSignals) {
   furnish(scene);
   scene.add_meters({{0.5, 0.5, 0.75}}, {0, 0, 1});
   const Job job(scene, 1u << 20);
-  ups_job_wait(job.job, 50);
-  std::multiset<std::string> names;
-  for (const std::string& thread : threads_of_process()) {
-    if (before.count(thread)) continue;
-    std::string name;
-    std::getline(std::ifstream(thread + "/comm") >> std::ws, name);
-    names.insert(name);
-    const uint64_t blocked = std::stoull(line_of(thread + "/status", "SigBlk:"), nullptr, 16);
-    EXPECT_EQ(blocked & expected_mask(), expected_mask()) << name;
-  }
-  std::multiset<std::string> expected{"ups/job"};
+  std::multiset<std::string> names, expected{"ups/job"};
   if (processors() > 1) expected.insert("ups/worker 1");
+  for (int tries = 0; names != expected && tries < 200; ++tries) {  // each names itself, on a busy machine late
+    ups_job_wait(job.job, 50);
+    names.clear();
+    for (const std::string& thread : threads_of_process()) {
+      if (before.count(thread)) continue;
+      std::string name;
+      std::getline(std::ifstream(thread + "/comm") >> std::ws, name);
+      names.insert(name);
+      const uint64_t blocked = std::stoull(line_of(thread + "/status", "SigBlk:"), nullptr, 16);
+      EXPECT_EQ(blocked & expected_mask(), expected_mask()) << name;
+    }
+  }
   EXPECT_EQ(names, expected) << "these alone are the library's";
   sigset_t mine;
   pthread_sigmask(SIG_BLOCK, nullptr, &mine);

@@ -217,7 +217,7 @@ def test_results_report_their_render(context):
     scene.commit()
     result = scene.render(iteration_count=32, seed=11, flux_paths=4096)
     info = result.info
-    assert (info.iterations, info.seed, info.threads) == (32, 11, 2)
+    assert (info.iterations, info.seed, info.threads) == (32, 11, min(2, len(os.sched_getaffinity(0))))
     assert info.method != ups.Method.AUTO and info.dropped_samples == 0
     assert info.flux_balance_standard_error_lm >= 0
     statistics = result.statistics(meters)

@@ -84,7 +84,7 @@ def check_csharp(prefix):
         print("installed: no .NET SDK: Ups.csproj was not read")
         return
     asked = subprocess.run(["dotnet", "msbuild", project, "-getProperty:Version", "-getProperty:UpsLicense"],
-                           capture_output=True, text=True)
+                           capture_output=True, text=True, env={**os.environ, "DOTNET_NOLOGO": "1"})
     assert asked.returncode == 0, asked.stdout + asked.stderr
     told = json.loads(asked.stdout)["Properties"]
     assert re.fullmatch(r"\d+\.\d+\.\d+", told["Version"]) and Path(told["UpsLicense"]).exists(), told

@@ -42,7 +42,8 @@ class MemoryOfExtras : public testing::Test {
  protected:
   void SetUp() override {
     folder = std::filesystem::temp_directory_path() /
-             ("ups_memory_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+             ("ups_memory_" + std::to_string(::getpid()) + "_" +
+              testing::UnitTest::GetInstance()->current_test_info()->name());
     std::filesystem::remove_all(folder);
     std::filesystem::create_directory(folder);
     begin_watch();

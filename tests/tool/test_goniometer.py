@@ -309,9 +309,7 @@ class Refuses(GoniometerTest):
                                     ("--errors", "none/e.csv", ["--errors", "no folder"]),
                                     ("--plot", "none/p.svg", ["--plot", "no folder"])):
             with self.subTest(path=path):
-                started = time.monotonic()
-                self.expect_failure("goniometer", self.scene, option, self.path(path), "--time", 30, words=words)
-                self.assertLess(time.monotonic() - started, 15)
+                self.expect_failure("goniometer", self.scene, option, self.path(path), "--time", 1000, words=words)
 
     def test_scenes(self):
         dark = self.write("dark.gltf", scene_of({"name": "nothing"}))

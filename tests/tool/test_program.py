@@ -460,20 +460,16 @@ class Render(ProgramTest):
                            ("spot_luminaires.csv", ["--separate", "luminaires"])):
             out = self.path("out_" + name)
             os.makedirs(os.path.join(out, name))
-            start = time.monotonic()
-            self.expect_failure("render", scene, "--time", 60, "--out", out, *more,
+            self.expect_failure("render", scene, "--time", 1000, "--out", out, *more,
                                 words=["--out", name, "is a folder"])
-            self.assertLess(time.monotonic() - start, 50)
             self.assertEqual(os.listdir(out), [name])
 
     def test_two_that_would_write_one_file_fail_before_the_render(self):
         scene = room()
         scene["nodes"][2]["extras"]["ups"]["meters"]["name"] = "spot_luminaires"
         path = self.write("room.gltf", scene)
-        start = time.monotonic()
-        self.expect_failure("render", path, "--time", 60, "--separate", "luminaires", "--out", self.path("out"),
+        self.expect_failure("render", path, "--time", 1000, "--separate", "luminaires", "--out", self.path("out"),
                             words=["--out", "two of the scene's", "spot_luminaires.csv"])
-        self.assertLess(time.monotonic() - start, 50)
         self.run_program("render", path, "--iterations", 1, "--out", self.path("out"))
 
     def test_a_folder_that_takes_no_file_fails_before_the_render(self):
@@ -484,10 +480,8 @@ class Render(ProgramTest):
             out = "/proc/self"
         else:
             os.mkdir(out, 0o500)
-        start = time.monotonic()
         scene = self.write("room.gltf", room())
-        self.expect_failure("render", scene, "--time", 60, "--out", out, words=["--out", out])
-        self.assertLess(time.monotonic() - start, 50)
+        self.expect_failure("render", scene, "--time", 1000, "--out", out, words=["--out", out])
 
     def test_a_grid_too_wide_for_a_picture(self):
         scene, out = room(), self.path("out")
@@ -584,13 +578,12 @@ class Render(ProgramTest):
         self.assertNotIn("exposure_ev100", report["cameras"]["view"])
 
     def test_time_limit(self):
-        result = self.render("--time", 0.5)
+        result = self.render("--time", 2)
         self.assertGreater(result["time_s"], 0)
-        self.assertLess(result["time_s"], 10)  # generous: machines that test are busy
+        self.assertLess(result["time_s"], 100)  # or nothing has ended it
 
     def test_target_error(self):
-        result = self.render("--target-error", 0.05, "--time", 100, scene=self.lit_by_its_ceiling())
-        self.assertLess(result["time_s"], 50)
+        result = self.render("--target-error", 0.05, "--time", 1000, scene=self.lit_by_its_ceiling())
         self.assertGreaterEqual(result["iterations"], 16)
         for name, statistics in result["meters"].items():
             self.assertGreaterEqual(statistics["worst_relative_error_bound"], 0, msg=name)
@@ -652,16 +645,15 @@ class Render(ProgramTest):
 
     def test_interrupt_writes_what_is_there(self):
         scene = self.write("room.gltf", room())
-        numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-        outs = [self.path(f"out{int(number)}") for number in numbers]
-        processes = [self.start_under(number, signal.SIG_DFL, scene, "--time", "300", "--threads", "1", "--json", "--out",
-                                      out)
-                     for number, out in zip(numbers, outs)]
-        time.sleep(8)
-        for number, process in zip(numbers, processes):
-            process.send_signal(number)
-        for number, process, out in zip(numbers, processes, outs):
-            stdout, stderr = process.communicate(timeout=100)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            out = self.path(f"out{int(number)}")
+            for patience in (2, 10, 50):  # until an iteration is done
+                process = self.start_under(number, signal.SIG_DFL, scene, "--time", "300", "--json", "--out", out)
+                time.sleep(patience)
+                process.send_signal(number)
+                stdout, stderr = process.communicate(timeout=100)
+                if stdout:
+                    break
             self.assertEqual(process.returncode, 128 + number, msg=stderr)
             self.assertGreaterEqual(json.loads(stdout)["iterations"], 1)
             self.assertIn("interrupted", stderr)

@@ -167,7 +167,7 @@ class Repeated(ReportTest):
         self.assertEqual(first, second)
 
     def test_its_command_gives_the_same_numbers(self):
-        page, first = self.report("--time", "0.7", "--target-error=1e-9")
+        page, first = self.report("--time", "2", "--target-error=1e-9")
         command = re.search(r"<pre><code>(.*?)</code></pre>", page).group(1)
         words = shlex.split(html.unescape(command))
         self.assertEqual(words[0], "ups")

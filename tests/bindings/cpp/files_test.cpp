@@ -1,4 +1,6 @@
 // The extras of ups.hpp: glTF, OpenEXR, maps and the report.
+#include <unistd.h>
+
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -10,7 +12,9 @@
 
 namespace {
 
-std::string in_temporary_folder(const char *name) { return testing::TempDir() + "ups_hpp_" + name; }
+std::string in_temporary_folder(const char *name) {
+  return testing::TempDir() + "ups_hpp_" + std::to_string(::getpid()) + "_" + name;
+}
 
 TEST(Exr, IsWrittenAndRead) {
   const std::string path = in_temporary_folder("image.exr");

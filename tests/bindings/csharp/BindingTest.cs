@@ -109,7 +109,7 @@ public sealed partial class BindingTest : IDisposable
     [Fact]
     public void TestContext()
     {
-        Expect(context.ThreadCount == 2, "threads");
+        Expect(context.ThreadCount == 1 || context.ThreadCount == 2, "threads: no more than processors");
         string message;
         LogLevel level;
         Expect(!context.TryPopLog(out message, out level) && message == "", "an empty log");
