@@ -33,13 +33,13 @@ DensityTable::Nodes::Nodes(const std::vector<double>& rad) {
   float narrowest = nodes_[n - 1].angle - nodes_[0].angle;
   for (size_t i = 0; i + 1 < n; ++i) {
     const float width = nodes_[i + 1].angle - nodes_[i].angle;
-    if (!(width > 0)) continue;  // in single precision; find() passes over it
+    if (!(width > FLT_MIN)) continue;  // in single precision; find() passes over it, and of less the inverse is none
     nodes_[i].inverse_width = 1 / width;
     narrowest = std::min(narrowest, width);
   }
   const float range = nodes_[n - 1].angle - nodes_[0].angle;
   // Of equal nodes each is in a step of its own, just above its start.
-  if (range > 0) steps_per_rad_ = 1.000001f * std::min(1 / narrowest, 2 * float(n) / range);
+  if (range > FLT_MIN) steps_per_rad_ = 1.000001f * std::min(1 / narrowest, 2 * float(n) / range);
   before_.assign(step(nodes_[n - 1].angle) + 2, 0);
   for (size_t i = 1; i + 1 < n; ++i) before_[step(nodes_[i].angle) + 1] = uint32_t(i);
   for (size_t k = 1; k < before_.size(); ++k) before_[k] = std::max(before_[k], before_[k - 1]);

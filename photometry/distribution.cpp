@@ -35,10 +35,11 @@ struct Band {
   double g0, h, a, b;
 
   // Integral of the function times sin(gamma) from t = 0 to t. Written about the middle of the range: with half width y
-  // it is 2 (mean sin(middle) sin(y) + slope cos(middle) (sin(y) - y cos(y))), which stays exact for needles.
+  // it is 2 (mean sin(middle) sin(y) + slope cos(middle) (sin(y) - y cos(y))), which stays exact for needles; of the
+  // narrowest the slope alone would be beyond a double.
   double integral(double t) const {
     const double y = 0.5 * h * t, middle = g0 + y, mean = a + 0.5 * (b - a) * t;
-    return 2 * (mean * std::sin(middle) * std::sin(y) + (b - a) / h * std::cos(middle) * sine_moment(y));
+    return 2 * (mean * std::sin(middle) * std::sin(y) + (b - a) * std::cos(middle) * (sine_moment(y) / h));
   }
   double density(double t) const { return (a + (b - a) * t) * std::max(0.0, std::sin(g0 + h * t)) * h; }
   double invert(double q) const;

@@ -41,7 +41,7 @@ class EulumdatText {
     const std::string_view text = line(name);
     double value = 0;
     if (parse(text, value)) return value;
-    warnings.push_back(at_line(in_.line(), std::string(name) + " is \"" + std::string(text.substr(0, 40)) +
+    warnings.push_back(at_line(in_.line(), std::string(name) + " is \"" + cut(text) +
                                                "\", which is not a number; taken as not stated"));
     return 0;
   }
@@ -82,7 +82,7 @@ class EulumdatText {
 
  private:
   [[noreturn]] void fail_number(std::string_view text, const std::string& name) const {
-    fail_at(in_.line(), "\"" + std::string(text.substr(0, 40)) + "\" is not a number; " + name + " is expected here");
+    fail_at(in_.line(), "\"" + cut(text) + "\" is not a number; " + name + " is expected here");
   }
   // A comma before three digits is decimal where all others may be; beside decimal points nobody can tell.
   bool parse(std::string_view text, double& value) {

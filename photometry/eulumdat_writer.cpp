@@ -60,7 +60,9 @@ FieldAngles field_angles(const std::vector<double>& angle, double end) {
 
 // The table by the angles that the fields hold: not moved, but called so.
 Distribution in_fields(const Distribution& d) {
-  const FieldAngles c = field_angles(d.c_deg(), 360), gamma = field_angles(d.gamma_deg(), 361);
+  const bool axial = d.c_deg().size() == 1;  // its plane stands for all, whatever its angle
+  const FieldAngles c = axial ? FieldAngles{{0}, {0}} : field_angles(d.c_deg(), 360),
+                    gamma = field_angles(d.gamma_deg(), 361);
   if (c.deg == d.c_deg() && gamma.deg == d.gamma_deg()) return d;
   if (gamma.deg.size() < 2)
     throw std::invalid_argument("the rows of the table lie too close together for the six characters of an angle");

@@ -137,7 +137,10 @@ Photometry read_lighttools(const FileBytes& f) {
 
 bool is_ray_file(const void* bytes, size_t size) {
   const FileBytes f(bytes, size);
-  return f.starts_with("TM25") || f.starts_with("LTRF") || is_zemax(f);
+  if (is_zemax(f)) return true;
+  // Numbers follow, of which a small one has a byte that no text has: a maker's name may begin so, too.
+  const std::string_view first(static_cast<const char*>(bytes), std::min<size_t>(size, 12));
+  return (f.starts_with("TM25") || f.starts_with("LTRF")) && (size < 12 || first.find('\0') != first.npos);
 }
 
 Photometry read_ray_file(const void* bytes, size_t size, const ReadOptions& options) {

@@ -8,22 +8,6 @@
 namespace photometry {
 namespace {
 
-// RFC 3629, section 4: without overlong forms, surrogates and what is beyond U+10FFFF.
-bool is_utf8(const unsigned char* s, size_t size) {
-  for (size_t i = 0; i < size;) {
-    const unsigned lead = s[i];
-    const int more = lead < 0x80 ? 0 : lead < 0xc2 ? -1 : lead < 0xe0 ? 1 : lead < 0xf0 ? 2 : lead < 0xf5 ? 3 : -1;
-    if (more < 0 || i + size_t(more) >= size) return false;
-    for (int k = 1; k <= more; ++k) {
-      const unsigned least = k > 1 ? 0x80 : lead == 0xe0 ? 0xa0 : lead == 0xf0 ? 0x90 : 0x80,
-                     most = k > 1 ? 0xbf : lead == 0xed ? 0x9f : lead == 0xf4 ? 0x8f : 0xbf;
-      if (s[i + size_t(k)] < least || s[i + size_t(k)] > most) return false;
-    }
-    i += size_t(more) + 1;
-  }
-  return true;
-}
-
 // 1,000 or 12,345,678.
 bool has_thousands_marks(std::string_view number) {
   if (!number.empty() && (number[0] == '-' || number[0] == '+')) number.remove_prefix(1);
@@ -80,7 +64,7 @@ void Commas::add_token(std::string_view token, size_t line) {
   double value;
   only_decimal_ &= commas < 2;
   only_thousands_ &= commas > 0 ? has_thousands_marks(token) : !(parse_number(token, value) && value >= 1000);
-  if (commas > 0 && inner_.line != line) inner_ = {line, std::string(token.substr(0, 40))};
+  if (commas > 0 && inner_.line != line) inner_ = {line, cut(token)};
 }
 
 bool Commas::are_decimal() const {
@@ -110,6 +94,22 @@ void append_utf8(std::string& out, uint32_t c) {
   constexpr uint32_t lead[] = {0, 0xC0, 0xE0, 0xF0};
   out += char(lead[more] | c >> 6 * more);
   for (int k = more - 1; k >= 0; --k) out += char(0x80 | (c >> 6 * k & 0x3F));
+}
+
+bool is_utf8(const void* bytes, size_t size) {
+  const auto* s = static_cast<const unsigned char*>(bytes);
+  for (size_t i = 0; i < size;) {
+    const unsigned lead = s[i];
+    const int more = lead < 0x80 ? 0 : lead < 0xc2 ? -1 : lead < 0xe0 ? 1 : lead < 0xf0 ? 2 : lead < 0xf5 ? 3 : -1;
+    if (more < 0 || i + size_t(more) >= size) return false;
+    for (int k = 1; k <= more; ++k) {
+      const unsigned least = k > 1 ? 0x80 : lead == 0xe0 ? 0xa0 : lead == 0xf0 ? 0x90 : 0x80,
+                     most = k > 1 ? 0xbf : lead == 0xed ? 0x9f : lead == 0xf4 ? 0x8f : 0xbf;
+      if (s[i + size_t(k)] < least || s[i + size_t(k)] > most) return false;
+    }
+    i += size_t(more) + 1;
+  }
+  return true;
 }
 
 std::string decode_text(const void* bytes, size_t size) {
@@ -156,7 +156,7 @@ bool TextReader::next_number(double& value, std::string_view& token) {
 
 void TextReader::fail_number(std::string_view token, const std::string& name) const {
   if (token.empty()) fail_at(line_, "the file ends before " + name);
-  fail_at(line_, "\"" + std::string(token.substr(0, 40)) + "\" is not a number; " + name + " is expected here");
+  fail_at(line_, "\"" + cut(token) + "\" is not a number; " + name + " is expected here");
 }
 
 double TextReader::number(const std::string& name) {

@@ -25,6 +25,13 @@ inline std::string_view trimmed(std::string_view s) {
   return first == s.npos ? std::string_view() : s.substr(first, s.find_last_not_of(blank) - first + 1);
 }
 
+// Its beginning, of whole characters of UTF-8: to quote in a message.
+inline std::string cut(std::string_view text, size_t most_bytes = 40) {
+  size_t size = std::min(text.size(), most_bytes);
+  while (size > 0 && size < text.size() && (text[size] & 0xc0) == 0x80) --size;
+  return std::string(text.substr(0, size));
+}
+
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 inline std::string upper_case(std::string_view s) {
@@ -65,6 +72,9 @@ inline std::string no_tilt_table(double tilt_deg) {
 
 // The character's UTF-8; U+FFFD for what is none.
 void append_utf8(std::string& out, uint32_t c);
+
+// RFC 3629, section 4: without overlong forms, surrogates and what is beyond U+10FFFF.
+bool is_utf8(const void* bytes, size_t size);
 
 // UTF-8 from bytes that are UTF-8, UTF-16 with its mark, or else taken as Latin-1.
 std::string decode_text(const void* bytes, size_t size);

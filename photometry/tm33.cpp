@@ -79,7 +79,7 @@ void Tm33Light::check_symmetry(const Tm33Intensity& in, Symmetry found) {
       return warn(in.line,
                   "Symm is " + in.symmetry + ", which the angles h do not agree with; they are used as they are");
     }
-  warn(in.line, "Symm is \"" + in.symmetry.substr(0, 40) + "\", which is not known; the angles h tell the symmetry");
+  warn(in.line, "Symm is \"" + cut(in.symmetry) + "\", which is not known; the angles h tell the symmetry");
 }
 
 Distribution Tm33Light::distribution_of_emitter(Tm33Emitter& e, Symmetry& symmetry) {

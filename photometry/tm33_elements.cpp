@@ -80,7 +80,7 @@ double Tm33Reader::number() {
   const std::string text = xml_.text();
   double value = 0;
   if (!parse_number(trimmed(text), value) || !std::isfinite(value))
-    fail_at(line, "<" + name + "> is \"" + std::string(trimmed(text).substr(0, 40)) + "\"; it must be a number");
+    fail_at(line, "<" + name + "> is \"" + cut(trimmed(text)) + "\"; it must be a number");
   return value;
 }
 
@@ -108,7 +108,7 @@ double Tm33Reader::attribute(std::initializer_list<const char*> names) {
     if (const std::string* text = xml_.attribute(name)) {
       double value = 0;
       if (!parse_number(trimmed(*text), value) || !std::isfinite(value))
-        xml_.fail("the attribute " + std::string(name) + " of <" + element + "> is \"" + text->substr(0, 40) +
+        xml_.fail("the attribute " + std::string(name) + " of <" + element + "> is \"" + cut(*text) +
                   "\"; it must be a number");
       return value;
     }
@@ -138,7 +138,7 @@ void Tm33Reader::read_root() {
 void Tm33Reader::check_version(const std::string& version, size_t line) {
   const std::string known = file_.format == "IES TM-33-18" ? "1.0" : "1.1";
   if (token(version) != known && !(token(version) + ".0" == known))
-    warn(line, "the version is \"" + one_line(std::string(trimmed(version).substr(0, 40))) + "\"; read as " + known +
+    warn(line, "the version is \"" + one_line(cut(trimmed(version))) + "\"; read as " + known +
                    " of " + file_.format);
 }
 
@@ -181,7 +181,7 @@ void Tm33Reader::check_dimensions() {
   children([&](std::string_view name) {
     const std::string of = "the luminaire's " + std::string(name);
     const size_t line = xml_.line();
-    const std::string text(trimmed(xml_.text()).substr(0, 40));
+    const std::string text = cut(trimmed(xml_.text()));
     double value = 0;
     if (!parse_number(text, value) || !(value >= 0) || !std::isfinite(value))
       warn(line, of + " is \"" + text + "\"; it must be metres, and is not read");
@@ -271,7 +271,7 @@ bool Tm33Reader::is_per_klm() {
   if (units == "CD/KLM" || units == "CD/1000LM" || units == "CANDELA/KLM" || units == "CANDELAPERKLM") return true;
   for (const std::string_view cd : {"", "CD", "CANDELA", "CANDELAS", "LM/SR"})
     if (units == cd) return false;
-  throw UnsupportedError(at_line(line, "the intensities' unit is \"" + units.substr(0, 40) +
+  throw UnsupportedError(at_line(line, "the intensities' unit is \"" + cut(units) +
                                            "\"; cd and cd/klm are read"));
 }
 

@@ -105,7 +105,7 @@ std::string XmlReader::decoded(std::string_view raw) const {
         fail("\"&" + std::string(name) + ";\" is no character reference");
       append_utf8(out, c);
     } else {
-      fail("\"&" + std::string(raw.substr(i + 1, 10)) +
+      fail("\"&" + cut(raw.substr(i + 1), 10) +
            "\": only &lt; &gt; &amp; &quot; &apos; and character references are known");
     }
     i = end;

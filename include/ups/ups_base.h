@@ -22,6 +22,8 @@
  *     and the extras' JSON reader do too; what they take is asked for before they are called, but other threads may take
  *     it. And Linux may grant memory that it does not have, and end the process that writes to it: renders and
  *     commits ask first what there is, but two at a time may ask for the same.
+ *   - After fork() the child has handles of its own, from a context that it creates itself. Of those that it has from
+ *     its parent it may call _destroy alone, which leaves them and their memory to the end of the process.
  *   - The library prints nothing. Its threads are named "ups/...", block all signals but those of faults (SIGSEGV,
  *     SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS), and end with the last handle that needs them.
  *   - Results do not depend on the calling thread's rounding mode, nor on whether it flushes subnormal numbers to zero:

@@ -25,7 +25,7 @@ typedef struct ups_exr_image ups_exr_image; /* immutable, thread-safe */
 
 /* Writes 32-bit float channels, compressed without loss. The file appears whole or not at all: it is written beside its
  * place, synchronised with the disk and renamed. A file that is replaced hands on its permissions; where path is a
- * symbolic link, its target is replaced; a device or a pipe is written to. */
+ * symbolic link, its target is replaced; a device or a pipe is written to, a named one when it has a reader. */
 UPS_API ups_status ups_exr_write(const char *path, uint32_t width, uint32_t height, const ups_exr_channel *channels,
                                  uint32_t channel_count, const ups_exr_attribute *attributes, uint32_t attribute_count);
 

@@ -33,7 +33,7 @@ typedef struct ups_camera_desc {
   uint32_t width, height;  /* pixels, 1..16384 each */
   double to_world[12];     /* looks along local -Z, local +Y is up in the image; scale and mirroring are
                             * ignored */
-  float vertical_fov_rad;  /* (0, pi); of a perspective alone */
+  float vertical_fov_rad;  /* [1e-6, pi); of a perspective alone */
   int32_t illuminance;     /* 1: also the illuminance on the first diffuse surface, UPS_CHANNEL_ILLUMINANCE */
   uint32_t layers;         /* UPS_LAYER_* to have as channels too */
   uint32_t reserved;       /* 0 */
@@ -71,7 +71,7 @@ typedef struct ups_meter_desc {
   const double *positions_m;  /* 3 * count */
   const float *normals;       /* 3 * count, any length > 0 */
   const float *tangents;      /* 3 * count: the rectangle's first side; NULL for points */
-  float cell_size_m[2];       /* rectangle's sides; 0, 0: points */
+  float cell_size_m[2];       /* rectangle's sides, 1e-9 or more; 0, 0: points */
   uint32_t count;             /* 1..16,777,216 */
   uint32_t reserved;          /* 0 */
   float footprint_m;          /* > 0: the mean over a disc of this diameter about each point, as a meter's head

@@ -83,11 +83,12 @@ void set_keyword(photometry::Photometry& data, const std::string& given, const s
   const std::string name = upper(given);
   if (name.empty() || name.size() > longest_name ||
       name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") != std::string::npos)
-    fail_argument("name: '" + given.substr(0, longest_name) +
+    fail_argument("name: '" + photometry::cut(given, longest_name) +
                   "' is no keyword; it must be 1 to 64 letters, digits or _");
   const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
   if (value.size() > longest_value || std::any_of(value.begin(), value.end(), is_control))
     fail_argument("value: of " + name + "; it must be one line of at most 1000 bytes without control characters");
+  if (!photometry::is_utf8(value.data(), value.size())) fail_argument("value: of " + name + "; it must be UTF-8");
   std::vector<photometry::Keyword>& all = data.keywords;
   const auto same = [&](const photometry::Keyword& k) { return upper(k.name) == name; };
   const auto first = std::find_if(all.begin(), all.end(), same);

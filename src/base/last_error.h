@@ -10,6 +10,16 @@
 
 namespace ups {
 
+// The size without a UTF-8 character that was cut in two.
+inline size_t whole_characters(const char* bytes, size_t size) {
+  size_t start = size;
+  while (start > 0 && (bytes[start - 1] & 0xc0) == 0x80) --start;
+  if (start == 0) return size;
+  const unsigned char lead = static_cast<unsigned char>(bytes[start - 1]);
+  const size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 1;
+  return start - 1 + length > size ? start - 1 : size;
+}
+
 class LastError {
  public:
   // Keeps "prefix: message", or the message alone where the prefix is empty. Without memory for a longer text than any
@@ -67,16 +77,6 @@ class LastError {
   static void release(void* kept) {
     if (kept != &no_memory) std::free(kept);
   }
-  // The size without a UTF-8 character that was cut in two.
-  static size_t whole_characters(const char* bytes, size_t size) {
-    size_t start = size;
-    while (start > 0 && (bytes[start - 1] & 0xc0) == 0x80) --start;
-    if (start == 0) return size;
-    const unsigned char lead = static_cast<unsigned char>(bytes[start - 1]);
-    const size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 1;
-    return start - 1 + length > size ? start - 1 : size;
-  }
-
   platform::ThreadSlot slot_{&release};
 };
 

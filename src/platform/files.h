@@ -1,6 +1,7 @@
 // Files by their names in UTF-8. How one is written: it appears whole or not at all, beside its place first and then
 // renamed. A symbolic link stays one, and the file that it leads to is replaced; a device, a pipe or an open descriptor
-// (/dev/stdout) is written to. A file that may not be written is not replaced.
+// (/dev/stdout) is written to; a named pipe waits for its reader. A file that may not be written is not replaced. No
+// signal of a pipe or of a limit reaches the process: the write fails.
 #pragma once
 #include <fstream>
 #include <optional>

@@ -1,5 +1,6 @@
 // Threads of a library that is a guest in its process.
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <thread>
@@ -8,6 +9,9 @@ namespace ups::platform {
 
 // Processors that this process may run on.
 int processor_count();
+
+// Other in the child of a fork().
+int64_t process_id();
 
 // A thread that debuggers and monitors show by its name, which takes no signals but those of faults: they are its own,
 // and the host's crash handler wants to see them. Throws std::system_error where it cannot start.

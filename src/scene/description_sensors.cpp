@@ -20,9 +20,9 @@ Description::Sensor Description::read(const ups_camera_desc& d) const {
   check_count(d.height, 1, 16384, "height");
   check::transform(d.to_world, "to_world");
   check::require(
-      d.projection != UPS_PERSPECTIVE || (std::isfinite(d.vertical_fov_rad) && d.vertical_fov_rad > 0 &&
+      d.projection != UPS_PERSPECTIVE || (std::isfinite(d.vertical_fov_rad) && d.vertical_fov_rad >= 1e-6f &&
                                           double(d.vertical_fov_rad) < 3.14159265358979),
-      "vertical_fov_rad is " + check::text(double(d.vertical_fov_rad)) + "; it must be above 0 and below pi");
+      "vertical_fov_rad is " + check::text(double(d.vertical_fov_rad)) + "; it must be at least 1e-6 and below pi");
   check::flag(d.illuminance, "illuminance");
   constexpr uint32_t all = UPS_LAYER_ALBEDO | UPS_LAYER_NORMAL | UPS_LAYER_DEPTH | UPS_LAYER_ID;
   check::require((d.layers & ~all) == 0,
@@ -40,12 +40,15 @@ Description::Sensor Description::read(const ups_meter_desc& d) const {
   check::pointer(d.positions_m, "positions_m");
   check::pointer(d.normals, "normals");
   const float width = d.cell_size_m[0], height = d.cell_size_m[1];
-  const bool cells = width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height);
+  constexpr float least_size = 1e-9f;  // of smaller ones the light per area is beyond a float
+  const bool cells = width >= least_size && height >= least_size && std::isfinite(width) && std::isfinite(height);
   check::require(cells || (width == 0 && height == 0), "cell_size_m is " + check::text(double(width)) + ", " +
                                                            check::text(double(height)) +
-                                                           "; it must be 0, 0 (points) or both above 0");
+                                                           "; it must be 0, 0 (points) or both at least 1e-9");
   if (cells) check::pointer(d.tangents, "tangents");
   check::at_least(double(d.footprint_m), 0, "footprint_m");
+  check::require(d.footprint_m == 0 || d.footprint_m >= least_size,
+                 "footprint_m is " + check::text(double(d.footprint_m)) + "; it must be 0 (points) or at least 1e-9");
   check::require(!(cells && d.footprint_m > 0),
                  "footprint_m is " + check::text(double(d.footprint_m)) +
                      " beside cell_size_m; a mean is over a disc or a rectangle: leave one of them 0");

@@ -15,6 +15,7 @@ namespace ups {
 namespace {
 
 constexpr uint32_t most_points = 16'777'216;
+constexpr double most_tests = 0x1p32;  // of a point against a corner
 constexpr double rounding = 1e-9;  // relative, of coordinates
 
 std::string text(double value) { return short_number(value, 6); }
@@ -165,6 +166,12 @@ En12464Grid en12464_grid(const En12464Area& area) {
   if (columns * rows > most_points)
     fail_argument("the polygon of " + text(e.width()) + " x " + text(e.height()) + " m would have more than " +
                   std::to_string(most_points) + " points; a smaller one would be right");
+  size_t corners = area.polygon.size();
+  for (const PlanOutline& hole : area.holes) corners += hole.size();
+  if (columns * rows * double(corners) > most_tests)
+    fail_argument("the polygon and its holes have " + std::to_string(corners) + " corners and would have " +
+                  text(columns * rows) + " points; corners times points may be 2^32 at most: fewer corners or a " +
+                  "smaller polygon would be right");
   grid.columns = uint32_t(columns), grid.rows = uint32_t(rows);
   grid.origin = {e.low.x + area.border, e.low.y + area.border};
   grid.cell = {width / columns, height / rows};

@@ -16,7 +16,8 @@ bool MeterTriangle::covers(float x, float y) const {
 
 double MeterSet::area(size_t m) const {
   if (on_surface()) return areas[m];
-  return disc_radius > 0 ? 3.14159265358979323846 * disc_radius * disc_radius : double(cell_width * cell_height);
+  if (disc_radius > 0) return 3.14159265358979323846 * disc_radius * disc_radius;
+  return double(cell_width) * double(cell_height);
 }
 
 bool MeterSet::covers(size_t m, size_t k, float x, float y) const {

@@ -218,6 +218,7 @@ TEST_F(Api, CameraFields) {
       {[](D& d) { d.vertical_fov_rad = 0; }, {"vertical_fov_rad is 0"}},
       {[](D& d) { d.vertical_fov_rad = 3.2f; }, {"vertical_fov_rad is 3.2", "pi"}},
       {[](D& d) { d.vertical_fov_rad = NAN; }, {"vertical_fov_rad is nan"}},
+      {[](D& d) { d.vertical_fov_rad = 1e-22f; }, {"vertical_fov_rad is 1e-22", "1e-6"}},
       {[](D& d) { d.illuminance = -1; }, {"illuminance is -1"}},
   };
   expect_each_fails(scene, make(&ups_camera_desc_init), &ups_scene_add_camera, cases + transform_cases<D>(),
@@ -237,6 +238,8 @@ TEST_F(Api, MeterFields) {
       {[](D& d) { d.normals = nullptr; }, {"normals is NULL"}},
       {[](D& d) { d.cell_size_m[0] = 1; }, {"cell_size_m is 1, 0"}},
       {[](D& d) { d.cell_size_m[0] = d.cell_size_m[1] = -1; }, {"cell_size_m is -1"}},
+      {[](D& d) { d.cell_size_m[0] = d.cell_size_m[1] = 1e-23f; }, {"cell_size_m is 1e-23", "at least 1e-9"}},
+      {[](D& d) { d.footprint_m = 1e-23f; }, {"footprint_m is 1e-23", "at least 1e-9"}},
       {[](D& d) { d.cell_size_m[0] = d.cell_size_m[1] = 1, d.tangents = nullptr; }, {"tangents is NULL"}},
       {[&](D& d) { d.positions_m = bad_position; }, {"positions_m: element 1, component 1 is inf"}},
       {[&](D& d) { d.normals = zero; }, {"normals: element 1 has length 0"}},

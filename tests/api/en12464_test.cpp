@@ -176,5 +176,18 @@ TEST(En12464, CountsBeyondTheLimit) {
   expect_error(ups_en12464_grid(&d, nullptr, nullptr, 0, &count), UPS_ERROR_INVALID_ARGUMENT, {"corners", "4096"});
 }
 
+// A polygon that would keep a thread for an hour.
+TEST(En12464, CornersTimesPointsBeyondTheLimit) {
+  Outline round;
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / 4000;
+    round.corners.insert(round.corners.end(), {20000 * std::cos(angle), 20000 * std::sin(angle)});
+  }
+  size_t count = 0;
+  const auto d = desc_of(round, 0);
+  expect_error(ups_en12464_grid(&d, nullptr, nullptr, 0, &count), UPS_ERROR_INVALID_ARGUMENT,
+               {"4000 corners", "1.6e+07 points", "2^32"});
+}
+
 }  // namespace
 }  // namespace ups_test

@@ -169,6 +169,7 @@ TEST_F(Profile, ACopyHasAnotherKeyword) {
   refused(std::string(65, 'A').c_str(), "x", {"name"});
   refused("TEST", "two\nlines", {"value", "TEST", "one line"});
   refused("TEST", std::string(1001, 'x').c_str(), {"value", "1000"});
+  refused("TEST", "\xff", {"value", "TEST", "UTF-8"});
   refused(nullptr, "x", {"name is NULL"});
   refused("TEST", nullptr, {"value is NULL"});
   expect_error(ups_profile_with_keyword(read, "TEST", "x", nullptr), UPS_ERROR_INVALID_ARGUMENT, {"out is NULL"});

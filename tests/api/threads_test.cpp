@@ -18,6 +18,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "../support/processors.h"
 #include "../support/scene_builder.h"
@@ -118,6 +119,30 @@ TEST(Threads, NoMoreThanProcessorsAndSilently) {
   }
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+// A child of fork() has none of its parent's threads: what it has from there goes with it, and is not waited for.
+TEST(Threads, AChildMayDestroyWhatItHasFromItsParent) {
+  Scene scene(2);
+  furnish(scene);
+  scene.add_meters({{0.5, 0.5, 0.75}}, {0, 0, 1});
+  Job job(scene, 1u << 20);
+  ups_job_wait(job.job, 100);
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(60);  // or it would wait for ever
+    ups_job_destroy(std::exchange(job.job, nullptr));
+    ups_scene_destroy(scene.get());
+    ups_context_destroy(scene.context());
+    Scene own(2);
+    furnish(own);
+    const Sensor meter = own.add_meters({{0.5, 0.5, 0.75}}, {0, 0, 1});
+    _exit(own.render({.iterations = 1}).readings(meter)[0].illuminance_lx > 0 ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(ups_job_wait(job.job, 0), UPS_TIMEOUT) << "the parent's goes on";
 }
 
 // ---- the host's floating-point environment ----

@@ -70,6 +70,23 @@ TEST_F(GoodFile, LuminairesTakeTheTiltFileBesideThem) {
   EXPECT_EQ(scene.luminaires[3].profile_bytes, scene.luminaires[0].profile_bytes);
 }
 
+TEST_F(GoodFile, FilesNamedAsOthersAreFoundAreNotThose) {
+  SceneBuilder builder;
+  write("lamp.ies", "by uri");
+  write("uri lamp.ies", "by name");
+  write("EXT_lights_ies light 1", "by another name");
+  const std::string text = "from view";
+  const int view = builder.add_view(text.data(), text.size());
+  builder.doc["extensions"]["EXT_lights_ies"]["lights"] = json::array({{{"uri", "lamp.ies"}}, {{"bufferView", view}}});
+  for (const int light : {0, 1}) builder.add_node({{"extensions", {{"EXT_lights_ies", {{"light", light}}}}}});
+  for (const char* file : {"uri lamp.ies", "EXT_lights_ies light 1"})
+    builder.add_node({{"extras", {{"ups", {{"luminaire", {{"file", file}}}}}}}});
+  import(builder);
+  ASSERT_EQ(scene.luminaires.size(), 4u);
+  const char* expected[] = {"by uri", "from view", "by name", "by another name"};
+  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(scene.luminaires[i].profile_bytes, expected[i]);
+}
+
 TEST_F(GoodFile, TheTiltFileIsFoundBesideASceneNamedWithoutItsFolder) {
   SceneBuilder builder;
   write("lamp.ies", "TILT=HID.tlt");

@@ -264,6 +264,21 @@ TEST(Distribution, InvertsTheFluxBelowGamma) {
   }
 }
 
+// Rows that no float, and hardly a double, tells apart.
+TEST(Distribution, AnglesMayLieAsCloseAsNumbersDo) {
+  const Distribution wide({0}, {0, 90}, {50, 10});
+  for (const double step : {1e-310, 1e-305, 1e-38, 2e-37, 1e-20}) {
+    const Distribution d({0}, {0, step, 90}, {100, 50, 10});
+    EXPECT_NEAR(d.interpolated_flux_lm(), wide.interpolated_flux_lm(), 1e-9) << step;
+    for (const double gamma : {0.1, 45.0, 89.0}) {
+      EXPECT_NEAR(eval_at(d, 1, rad(gamma)), eval_at(wide, 1, rad(gamma)), 1e-9) << step;
+      const auto x = float(std::sin(rad(gamma))), z = float(-std::cos(rad(gamma)));
+      EXPECT_NEAR(d.fast_pdf_w(x, 0, z), wide.fast_pdf_w(x, 0, z), 1e-6) << step;
+    }
+    EXPECT_TRUE(std::isfinite(Distribution({0}, {0, step}, {100, 50}).interpolated_flux_lm())) << step;
+  }
+}
+
 TEST(Distribution, WithoutLightHasNoSamples) {
   const Distribution d({0}, {0, 90}, {0, 0});
   EXPECT_EQ(d.interpolated_flux_lm(), 0);

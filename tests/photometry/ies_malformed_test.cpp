@@ -41,6 +41,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"text", &Parts::vertical, "0 abc 90", "line 6: \"abc\" is not a number; vertical angle 2 of 3"},
         Case{"missing", &Parts::second, "100 60", "line 9: the file ends before candela value 6 of 6"},
+        Case{"cut_word", &Parts::vertical, "0 aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\u00e9 90",
+             "line 6: \"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\" is not a number"},
         Case{"infinite", &Parts::second, "100 inf 20", "line 9: an intensity"},
         Case{"huge", &Parts::second, "100 1e999 20", "line 9: \"1e999\" is not a number"},
         Case{"fraction", &Parts::lamps, "1 -1 1 3.5 2 1 2 0 0 0", "line 4: the number of vertical angles is 3.5"},

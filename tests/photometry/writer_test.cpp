@@ -113,6 +113,23 @@ TEST(Writer, OddPlanesReadBack) {
   }
 }
 
+// An angle of six characters would be the circle's end.
+TEST(Writer, OnePlaneStandsForAllWhateverItsAngle) {
+  const Distribution d({359.9999}, {0, 90}, {1, 2}), axial({0}, {0, 90}, {1, 2});
+  expect_same(again(write_eulumdat(Photometry{d})).distribution, axial, six_characters);
+}
+
+TEST(Writer, AMakersNameMayBeginAsRayFilesDo) {
+  for (const char* maker : {"LTRF GmbH", "TM25 Ltd"}) {
+    Photometry p{Distribution({0}, {0, 90}, {1, 2})};
+    p.keywords.push_back({"MANUFAC", maker});
+    std::vector<std::string> warnings;
+    const std::string text = write_eulumdat(p, &warnings);
+    EXPECT_TRUE(warnings.empty()) << warnings[0];
+    EXPECT_EQ(keyword(again(text), "MANUFAC"), maker);
+  }
+}
+
 // Which the reader of EULUMDAT would refuse.
 TEST(Writer, AnOpenCircleHasAnInterpolatedPlaneMore) {
   const Distribution d({0, 90}, {10, 20}, {1, 2, 3, 4});

@@ -51,6 +51,15 @@ extern "C" __attribute__((visibility("default"))) int rename(const char* from, c
 
 namespace {
 
+// The exit code of a process of its own.
+int in_child(const std::function<int()>& run) {
+  const pid_t child = fork();
+  if (child == 0) _exit(run());
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
 class Files : public testing::Test {
  protected:
   void SetUp() override {
@@ -134,6 +143,46 @@ TEST_F(Files, AnOpenDescriptorIsWrittenToWhereItStands) {
   EXPECT_EQ(text_of(path("output")), "before;" + text_of(path("alone")) + ";after");
 }
 
+// Not what the number of its name, 0, would be.
+TEST_F(Files, TheFolderOfDescriptorsIsAFolder) {
+  const int kept = ::dup(0), stand_in = ::open(path("input").c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_EQ(::dup2(stand_in, 0), 0);
+  for (const char* folder_of_descriptors : {"/dev/fd/", "/dev/fd/.", "/proc/self/fd/"})
+    EXPECT_EQ(write(folder_of_descriptors), UPS_ERROR_IO) << folder_of_descriptors;
+  if (kept >= 0) ::dup2(kept, 0), ::close(kept);
+  else ::close(0);
+  ::close(stand_in);
+  EXPECT_EQ(text_of(path("input")), "");
+}
+
+// By default the system ends a process that writes there.
+TEST_F(Files, APipeThatNobodyReadsAnyMoreIsAnError) {
+  EXPECT_EQ(in_child([&] {
+    int ends[2];
+    if (::pipe(ends) != 0) return 2;
+    ::close(ends[0]);
+    std::signal(SIGPIPE, SIG_DFL);
+    if (write("/dev/fd/" + std::to_string(ends[1]), 64) != UPS_ERROR_IO) return 3;
+    sigset_t pending, blocked;
+    sigpending(&pending);
+    pthread_sigmask(SIG_BLOCK, nullptr, &blocked);
+    return sigismember(&pending, SIGPIPE) || sigismember(&blocked, SIGPIPE) ? 4 : 0;
+  }), 0);
+}
+
+TEST_F(Files, AnImageIsNotReadFromAPipe) {
+  ASSERT_EQ(write(path("a.exr")), UPS_OK);
+  const std::string bytes = text_of(path("a.exr"));
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  ASSERT_EQ(::write(ends[1], bytes.data(), bytes.size()), ssize_t(bytes.size()));
+  ::close(ends[1]);
+  ups_exr_image* image = nullptr;
+  EXPECT_EQ(ups_exr_read(("/dev/fd/" + std::to_string(ends[0])).c_str(), &image), UPS_ERROR_IO);
+  EXPECT_NE(std::string(ups_exr_last_error()).find("it is a pipe"), std::string::npos) << ups_exr_last_error();
+  ::close(ends[0]);
+}
+
 TEST_F(Files, PermissionsAreTheMasksOrThoseOfTheFileReplaced) {
   const mode_t mask = umask(027);
   EXPECT_EQ(write(path("new")), UPS_OK);
@@ -145,15 +194,6 @@ TEST_F(Files, PermissionsAreTheMasksOrThoseOfTheFileReplaced) {
   EXPECT_EQ(mode_of(path("new")), 0640u);
   EXPECT_EQ(mode_of(path("old")), 0646u);
   EXPECT_TRUE(is_image(path("old")));
-}
-
-// The exit code of a process of its own.
-int in_child(const std::function<int()>& run) {
-  const pid_t child = fork();
-  if (child == 0) _exit(run());
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 // As another user; 0: it was written.
@@ -252,7 +292,7 @@ TEST_F(Files, AWriteThatFailsLeavesTheOldFile) {
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   rlimit small = before;
   small.rlim_cur = 100;
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const auto handler = std::signal(SIGXFSZ, SIG_DFL);  // ends the process
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
   const ups_status status = write(path("a.exr"), 64);
   setrlimit(RLIMIT_FSIZE, &before);

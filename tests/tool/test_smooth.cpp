@@ -74,6 +74,18 @@ TEST(Smooth, OneLargeErrorLeavesTheOthers) {
   EXPECT_LE(most, 1e-6);
 }
 
+// Whose squares are beyond a float: it stays where it is.
+TEST(Smooth, WhatIsBrighterThanAnythingIsNotSpread) {
+  Picture picture;
+  const size_t sun = size_t(24) * width + 20;
+  picture.set(sun, 1e25f);
+  const std::vector<float> out = picture.smooth();
+  for (size_t i = 0; i < out.size(); ++i) {
+    if (i / 3 == sun) ASSERT_NEAR(out[i], 1e25f, 1e19);
+    else ASSERT_NEAR(out[i], 100, 1e-3) << i;
+  }
+}
+
 TEST(Smooth, NoiseOfAFlatSurfaceFalls) {
   Picture picture;
   const std::vector<float> truth = picture.rgb;

@@ -168,7 +168,9 @@ ups_status ups_exr_read(const char* path, ups_exr_image** out) {
     if (!file)
       throw Error(UPS_ERROR_IO, std::string("cannot open '") + path + "': " + ups::platform::why_not_open(path));
     if (file.peek(); file.bad()) throw Error(UPS_ERROR_IO, std::string("cannot read '") + path + "': no file?");
-    const uint64_t file_bytes = file.seekg(0, std::ios::end) ? uint64_t(file.tellg()) : 0;
+    if (!file.seekg(0, std::ios::end))
+      throw Error(UPS_ERROR_IO, std::string("cannot read '") + path + "': it is a pipe; images are read from files");
+    const auto file_bytes = uint64_t(file.tellg());
     auto image = std::make_unique<ups_exr_image>();
     try {
       read_image(path, file_bytes, *image);

@@ -67,7 +67,8 @@ void read_colour_temperature(const JsonReader& reader, float (&rgb)[3]);
 
 // A photometric file and how to read it.
 struct ProfileFile {
-  std::string name;  // for messages; files of one name are the same
+  std::string key;   // files of one key are the same
+  std::string name;  // for messages
   Bytes bytes;
   std::string folder;   // where its TILT file may be; empty: nowhere
   float tilt_deg = -1;  // >= 0: with the TILT factor at this tilt

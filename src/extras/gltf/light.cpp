@@ -115,11 +115,12 @@ void Importer::add_ies_light(const JsonReader& node, const Affine& frame) {
     const bool embedded = is_data_uri(uri);
     if (!embedded) where += ", file '" + uri + "'";
     const std::string folder = embedded ? "" : folder_of(platform::joined(document_.folder, percent_decoded(uri)));
-    desc.profile = profile({embedded ? light.where() : "uri " + uri, read_uri(document_, uri, where), folder}, where);
+    const std::string name = embedded ? light.where() : "uri " + uri;
+    desc.profile = profile({name, name, read_uri(document_, uri, where), folder}, where);
   } else {
     const int64_t view = light.integer("bufferView", 0, 0, std::numeric_limits<int32_t>::max());
     const ByteRange range = buffer_view(document_, int(view), where);
-    desc.profile = profile({light.where(), Bytes(range.data, range.data + range.size), {}}, where);
+    desc.profile = profile({light.where(), light.where(), Bytes(range.data, range.data + range.size), {}}, where);
   }
   Rgb color = use.rgb("color", {1, 1, 1}, 0, unlimited, false);
   if (*std::max_element(color.begin(), color.end()) > 1) {
@@ -149,7 +150,7 @@ void Importer::add_luminaire(const JsonReader& luminaire, const Affine& frame) {
   ups_luminaire_desc desc;
   ups_luminaire_desc_init(&desc, sizeof desc);
   const std::string path = platform::joined(document_.folder, file);
-  ProfileFile source{file, read_beside(document_, path, luminaire.where()), folder_of(path)};
+  ProfileFile source{"file " + file, file, read_beside(document_, path, luminaire.where()), folder_of(path)};
   if (luminaire.has("tilt_deg")) source.tilt_deg = float(luminaire.number("tilt_deg", 0, 0, 180));
   source.lamp_set = uint32_t(luminaire.integer("lamp_set", 0, 0, 999));
   desc.profile = profile(source, where);

@@ -144,7 +144,7 @@ void load_model(Document& document, const ByteRange& binary, std::vector<std::st
   const bool good = loader.LoadASCIIFromString(&document.model, &error, &warning, text.data(),
                                                static_cast<unsigned int>(text.size()), base);
   std::replace(error.begin(), error.end(), '\n', ' ');
-  if (error.size() > 300) error = error.substr(0, 300) + "...";  // it may quote a whole data URI
+  if (error.size() > 300) error = error.substr(0, whole_characters(error.data(), 300)) + "...";  // of a whole data URI
   if (!good) throw Error(UPS_ERROR_PARSE, error.empty() ? "not a valid glTF file" : error);
   if (!error.empty()) warnings.push_back(error);  // tinygltf went on
   for (const BareIndices& b : bare) document.model.meshes.at(b.mesh).primitives.at(b.primitive).indices = b.accessor;

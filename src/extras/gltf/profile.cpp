@@ -19,7 +19,7 @@ std::string core_text(const ups_profile* profile, ups_profile_text topic) {
 }  // namespace
 
 const ups_profile* Importer::profile(const ProfileFile& file, const std::string& where) {
-  const std::string key = file.name + "\n" + std::to_string(file.tilt_deg) + "\n" + std::to_string(file.lamp_set);
+  const std::string key = file.key + "\n" + std::to_string(file.tilt_deg) + "\n" + std::to_string(file.lamp_set);
   for (const auto& [known, profile] : profiles_) {
     if (known == key) return profile.get();
   }

@@ -155,7 +155,7 @@ class Smoother {
         const size_t p = at(x, y), q = at(x + dx, y + dy);
         float weight = 1;
         if (p != q) {
-          if (distance_[p] > farthest) continue;
+          if (!(distance_[p] <= farthest)) continue;  // squares of what shines like the sun may overflow
           weight = std::exp(-std::max(0.0f, distance_[p])) * same_surface(p, q, dx, dy);
           if (weight < least_weight) continue;
         }

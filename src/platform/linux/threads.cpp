@@ -3,6 +3,7 @@
 
 #include <sched.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
@@ -16,6 +17,8 @@ int processor_count() {
   if (sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 0) return CPU_COUNT(&set);
   return int(std::max(1u, std::thread::hardware_concurrency()));  // more processors than the set holds
 }
+
+int64_t process_id() { return ::getpid(); }
 
 std::thread start_thread(const std::string& name, std::function<void()> body) {
   constexpr size_t most_characters = 15;  // that are shown

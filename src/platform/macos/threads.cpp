@@ -2,6 +2,7 @@
 #include "platform/threads.h"
 
 #include <pthread/qos.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
@@ -11,6 +12,8 @@
 namespace ups::platform {
 
 int processor_count() { return int(std::max(1u, std::thread::hardware_concurrency())); }
+
+int64_t process_id() { return ::getpid(); }
 
 // A thread's class of service is not inherited.
 std::thread start_thread(const std::string& name, std::function<void()> body) {

@@ -2,6 +2,8 @@
 #include "platform/files.h"
 
 #include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -53,8 +55,10 @@ Destination destination_of(const std::string& path) {
   const auto descriptors = fs::canonical(descriptor_folder, error);
   constexpr int most_links = 40;  // as Linux's
   for (int links = 0; fs::exists(fs::symlink_status(to.file, error)); ++links) {
-    if (!descriptors.empty() && fs::canonical(to.folder(), error) == descriptors) {
-      to.descriptor = std::atoi(to.file.filename().c_str());
+    const std::string name = to.file.filename().string();
+    const bool is_number = !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
+    if (is_number && !descriptors.empty() && fs::canonical(to.folder(), error) == descriptors) {
+      to.descriptor = std::atoi(name.c_str());
       to.replaceable = false;
       return to;
     }
@@ -85,6 +89,46 @@ bool may_not_end(const std::string& path) {
   return !S_ISFIFO(status.st_mode) || destination_of(path).descriptor < 0;
 }
 
+// Signals that end a process by default where a pipe has no reader any more, or a file grows beyond its limit: while
+// this lives, the calling thread takes none, and those that came meanwhile are gone after it. Keeps errno.
+class WriteSignalsHeld {
+ public:
+  WriteSignalsHeld() {
+    sigset_t ours;
+    sigemptyset(&ours);
+    sigpending(&before_);
+    for (const int number : numbers) sigaddset(&ours, number);
+    pthread_sigmask(SIG_BLOCK, &ours, &mask_);
+  }
+  ~WriteSignalsHeld() {
+    const int error = errno;
+    sigset_t now;
+    sigpending(&now);
+    for (const int number : numbers)
+      if (sigismember(&now, number) == 1 && sigismember(&before_, number) != 1) take(number);
+    pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
+    errno = error;
+  }
+  WriteSignalsHeld(const WriteSignalsHeld&) = delete;
+  WriteSignalsHeld& operator=(const WriteSignalsHeld&) = delete;
+
+ private:
+  static constexpr int numbers[] = {SIGPIPE, SIGXFSZ};
+  static void take(int number) {
+    sigset_t one;
+    sigemptyset(&one);
+    sigaddset(&one, number);
+#ifdef __APPLE__
+    int taken;
+    sigwait(&one, &taken);
+#else
+    const timespec at_once{0, 0};
+    sigtimedwait(&one, nullptr, &at_once);
+#endif
+  }
+  sigset_t mask_, before_;
+};
+
 // An open file; the functions set errno where they return false.
 class Descriptor {
  public:
@@ -97,6 +141,7 @@ class Descriptor {
   bool close() { return !is_open() || ::close(std::exchange(descriptor_, -1)) == 0; }
   bool sync() { return ::fsync(descriptor_) == 0 || errno == EINVAL; }  // EINVAL: a file system without it
   bool write(const void* bytes, size_t size) {
+    const WriteSignalsHeld held;
     const char* from = static_cast<const char*>(bytes);
     while (size > 0) {
       const ssize_t n = ::write(descriptor_, from, size);

@@ -42,6 +42,8 @@ std::thread start_thread(const std::string& name, std::function<void()> body) {
   });
 }
 
+int64_t process_id() { return GetCurrentProcessId(); }
+
 void lower_priority() { SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_IDLE); }
 
 }  // namespace ups::platform
