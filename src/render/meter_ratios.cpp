@@ -6,6 +6,7 @@ namespace {
 
 struct Quantity {
   double value, batches[batch_count], bias_batches[batch_count], bias, bias_error, unfound;
+  double choice_variance = 0;  // of the mean of several, that batches do not show
 };
 
 Quantity meter_of(const MeterBatches& meters, size_t m) {
@@ -17,7 +18,7 @@ Quantity meter_of(const MeterBatches& meters, size_t m) {
 // Of one meter what its own reading says, as its bound has what batches do not tell.
 Quantity mean_of(const MeterBatches& meters) {
   if (meters.count() == 1) return meter_of(meters, 0);
-  Quantity q{meters.mean(), {}, {}, 0, 0, meters.unfound()};
+  Quantity q{meters.mean(), {}, {}, 0, 0, meters.unfound(), meters.choice_variance()};
   for (uint32_t b = 0; b < meters.used(); ++b) {
     q.batches[b] = meters.mean_of_batch(b);
     q.bias_batches[b] = meters.bias_of_batch(b);
@@ -36,7 +37,7 @@ Ratio ratio_of(const Quantity& x, const Quantity& y, uint32_t used, uint32_t mea
     return error_of_mean(used, means, [&](uint32_t b) { return batches[b]; });
   };
   const double t = t_quantile(used, means),
-               y_error = std::abs(y.bias) + y.unfound + t * std::hypot(error_of(y.batches), y.bias_error);
+               y_error = std::abs(y.bias) + y.unfound + t * std::sqrt(std::pow(error_of(y.batches), 2) + std::pow(y.bias_error, 2) + y.choice_variance);
   if (y_error > 0.5 * y.value) return r;  // first order is not enough
   double noise[batch_count], bias[batch_count];
   for (uint32_t b = 0; b < used; ++b) {
@@ -45,7 +46,9 @@ Ratio ratio_of(const Quantity& x, const Quantity& y, uint32_t used, uint32_t mea
   }
   const double s_bias = error_of(bias), own_bias = std::hypot(x.bias_error, r.value * y.bias_error) / y.value,
                offset = (std::abs(x.bias - r.value * y.bias) + x.unfound + r.value * y.unfound) / y.value,
-               error = offset + t * std::sqrt(std::pow(error_of(noise), 2) + s_bias * s_bias + own_bias * own_bias);
+               choice2 = (x.choice_variance + r.value * r.value * y.choice_variance) / (y.value * y.value),
+               error = offset + t * std::sqrt(std::pow(error_of(noise), 2) + s_bias * s_bias + own_bias * own_bias +
+                                              choice2);
   r.interval = {std::max(0.0, r.value - error), r.value + error};
   return r;
 }

@@ -54,7 +54,7 @@ std::vector<float> pixel_radii(const Snapshot& scene, size_t c, ThreadPool& pool
 }
 
 // Median distance of a photon to the next one: a query finds about one. Wider discs hardly lessen the noise, but they
-// reach past more edges and so lose more light.
+// reach past more edges and so lose more light. Photons of the same place are one: of paths that repeat a file's ray.
 float typical_spacing(const LightPaths& photons, float largest, const StopSignal& stop) {
   if (!(largest > 0)) return 0;
   const PhotonIndex index(photons, largest);
@@ -63,10 +63,9 @@ float typical_spacing(const LightPaths& photons, float largest, const StopSignal
   size_t running = 0;
   photons.each([&](uint32_t, const LightVertex& v) {
     if (running++ % step != 0 || stop.is_set()) return;
-    float nearest = INFINITY, next = INFINITY;  // itself, and another
+    float next = INFINITY;
     index.query(v.p, largest, [&](const PhotonIndex::Photon&, float distance2) {
-      next = std::min(next, std::max(nearest, distance2));
-      nearest = std::min(nearest, distance2);
+      if (distance2 > 0) next = std::min(next, distance2);
     });
     spacings.push_back(std::isfinite(next) ? std::sqrt(next) : largest);
   });
