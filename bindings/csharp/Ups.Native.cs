@@ -352,6 +352,7 @@ namespace Ups
         PointSource = 8,
         UnratedSource = 16,
         Fixture = 32,
+        CoveredSource = 64,
     }
 
     [Flags]

@@ -99,13 +99,16 @@ enum {
   UPS_OBSERVER_LARGE_SOURCE = 4,     /* a source above 0.1 sr, for which UGR is too low; rated as others. See ggr */
   UPS_OBSERVER_POINT_SOURCE = 8,     /* a source without extent, rated as a small one */
   UPS_OBSERVER_UNRATED_SOURCE = 16,  /* a directional light or the rays of a file: in no rating */
-  UPS_OBSERVER_FIXTURE = 32          /* a fixture is in view: what its own reflectors, lenses and covers send counts as
+  UPS_OBSERVER_FIXTURE = 32,         /* a fixture is in view: what its own reflectors, lenses and covers send counts as
                                       * background, so the rating is too low. Measure it with a goniometer and place
                                       * that profile */
+  UPS_OBSERVER_COVERED_SOURCE = 64   /* 5 % or more of a source in view is behind glass or a diffuser that is no thin
+                                      * pane: what these send counts as background, so the rating is too low */
 };
 /* UGR = 8 log10(0.25 / L_b * sum of L^2 w / p^2). L_b is the eye's indirect illuminance over pi, without what comes
  * straight from sources. Sources are luminaires and lights, each by its intensity over the area of its opening as the
- * eye sees it, and instances that emit; each is one source, weakened by panes and media, and by the share of it that
+ * eye sees it, and instances that emit; each is one source, or as many as an instance has parts that do not touch (of
+ * more than 4096 one), weakened by panes and media, and by the share of it that
  * other things hide (by 256 rays, by 64 where it is less than a quarter of the worst and all or none of them arrive).
  * One that looks smaller than 0.005 m^2, or has no extent, counts 200 I^2 / (r^2 p^2) (CIE 147). */
 typedef struct ups_observer_reading {
@@ -119,8 +122,8 @@ typedef struct ups_observer_reading {
   float background_cd_m2;
   float background_standard_error_cd_m2, background_error_bound_cd_m2; /* the latter 95 %, bias too; -1: not known */
   uint32_t source_count;            /* that count in the rating */
-  float ceiling_coverage;           /* 0 to 1: the area of sources above 1.5 m^2, as seen from below, over the
-                                     * ceiling's; 0: none is in view */
+  float ceiling_coverage;           /* 0 to 1: the area of sources above 1.5 m^2 that the eye sees where it turns
+                                     * round, as seen from below, over the ceiling's; 0: none is in view */
   float ggr;                        /* the rating with such sources by CIE 147: from coverages of 0.15 on above UGR's
                                      * where much light falls straight on the eye; -1 where ceiling_coverage is 0 */
   float ggr_low, ggr_high;          /* 95 %, noise and bias; -1: not known, or ggr_high without an end */

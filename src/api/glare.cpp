@@ -92,8 +92,12 @@ uint32_t flags_of(const SeenGlare& glare) {
     if (s.glare.luminance_cd_m2 < 0) flags |= UPS_OBSERVER_POINT_SOURCE;
   }
   if (glare.has_fixture) flags |= UPS_OBSERVER_FIXTURE;
+  if (glare.has_covered) flags |= UPS_OBSERVER_COVERED_SOURCE;
   return flags | (glare.has_unrated ? uint32_t(UPS_OBSERVER_UNRATED_SOURCE) : 0);
 }
+
+// Of what is in view a part counts as background.
+bool lacks_light(const SeenGlare& glare) { return glare.has_fixture || glare.has_covered; }
 
 // dUGR = 8 / ln 10 (dS / S - dL_b / L_b); the ends of the interval by the ends of both and by what rays may have
 // missed.
@@ -108,14 +112,15 @@ void rate(const SeenGlare& glare, ups_observer_reading& out) {
     return std::hypot(8 * std::log10(end), slope * 1.96 * hidden, 8 * std::log10(missed));
   };
   out.ugr_low = out.ugr - float(away((background + bound) / background, 1 - glare.hidden / glare.sum));
-  if (bound < background)
+  if (bound < background && !lacks_light(glare))
     out.ugr_high = out.ugr + float(away(background / (background - bound), 1 + glare.unseen / glare.sum));
 }
 
 // No ray has seen a source, but one is there: the most that it may rate.
 void rate_unseen(const SeenGlare& glare, ups_observer_reading& out) {
   const double bound = out.background_error_bound_cd_m2, least = out.background_cd_m2 - bound;
-  const bool known = !(out.flags & UPS_OBSERVER_NO_BACKGROUND) && bound >= 0 && least > 0;
+  const bool known =
+      !(out.flags & UPS_OBSERVER_NO_BACKGROUND) && bound >= 0 && least > 0 && !lacks_light(glare);
   out.ugr_high = known ? float(photometry::ugr(glare.unseen, least)) : INFINITY;
 }
 
@@ -129,10 +134,11 @@ void rate_large(const ups_meter_part_reading& direct, double coverage, ups_obser
   out.ggr = rating(double(out.ugr), ed, background);
   const double bound = double(out.background_error_bound_cd_m2), direct_bound = double(direct.error_bound_lx);
   if (!(bound >= 0 && direct_bound >= 0)) return;
-  out.ggr_low = INFINITY, out.ggr_high = bound < background ? -INFINITY : -1;
+  const bool ends = out.ugr_high != -1;
+  out.ggr_low = INFINITY, out.ggr_high = ends ? -INFINITY : -1;
   for (const double d : {std::max(0.0, ed - direct_bound), ed + direct_bound}) {
     out.ggr_low = std::min(out.ggr_low, rating(double(out.ugr_low), d, background + bound));
-    if (bound < background) out.ggr_high = std::max(out.ggr_high, rating(double(out.ugr_high), d, background - bound));
+    if (ends) out.ggr_high = std::max(out.ggr_high, rating(double(out.ugr_high), d, background - bound));
   }
 }
 
@@ -151,7 +157,7 @@ ups_observer_reading reading_of(const RenderResult& r, size_t observer) {
   // What is left where all light comes straight is rounding.
   const double least = 1e-6 * double(eye.meters[0].illuminance_lx) / double(pi);
   if (!(double(out.background_cd_m2) > least)) out.flags |= UPS_OBSERVER_NO_BACKGROUND;
-  if (out.flags & UPS_OBSERVER_NO_SOURCE && glare.unseen > 0) rate_unseen(glare, out);
+  if (out.flags & UPS_OBSERVER_NO_SOURCE && (glare.unseen > 0 || lacks_light(glare))) rate_unseen(glare, out);
   if (out.flags & (UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_NO_BACKGROUND)) return out;
   rate(glare, out);
   if (glare.ceiling_coverage > 0) rate_large(eye.parts[UPS_LIGHT_PART_DIRECT][0], glare.ceiling_coverage, out);

@@ -2,7 +2,10 @@
 // positions.
 #include "emitter/area.h"
 
+#include <algorithm>
 #include <map>
+#include <numeric>
+#include <tuple>
 
 #include "base/warp.h"
 #include "emitter/lobe.h"
@@ -148,6 +151,39 @@ bool AreaEmitter::sample_direct(const Vec3& reference, const Vec2& u, DirectSamp
   out.error = point.error;
   out.primitive = point.primitive;
   return true;
+}
+
+std::vector<AreaEmitter> AreaEmitter::separate_parts(size_t most) const {
+  std::vector<uint32_t> first(triangles_.size());  // of those joined to it; its own: none before
+  std::iota(first.begin(), first.end(), 0u);
+  const auto root = [&](uint32_t i) {
+    while (first[i] != i) i = first[i] = first[first[i]];
+    return i;
+  };
+  std::vector<std::tuple<float, float, float, uint32_t>> corners;
+  for (uint32_t i = 0; i < triangles_.size(); ++i)
+    for (const Vec3* p : {&triangles_[i].p0, &triangles_[i].p1, &triangles_[i].p2})
+      corners.emplace_back(p->x, p->y, p->z, i);
+  std::sort(corners.begin(), corners.end());
+  for (size_t k = 1; k < corners.size(); ++k) {
+    const auto& [x, y, z, i] = corners[k];
+    const auto& [x0, y0, z0, before] = corners[k - 1];
+    if (x != x0 || y != y0 || z != z0) continue;
+    const uint32_t a = root(i), b = root(before);
+    first[std::max(a, b)] = std::min(a, b);
+  }
+  std::map<uint32_t, std::vector<EmitterTriangle>> parts;
+  for (uint32_t i = 0; i < triangles_.size(); ++i) {
+    parts[root(i)].push_back(triangles_[i]);
+    if (parts.size() > most) return {};
+  }
+  std::vector<AreaEmitter> out;
+  if (parts.size() < 2) return out;
+  for (auto& [_, triangles] : parts) {
+    out.emplace_back(std::move(triangles), radiance_, both_sides_, instance_);
+    out.back().set_least_error(least_error_);
+  }
+  return out;
 }
 
 namespace {

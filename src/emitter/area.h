@@ -46,6 +46,9 @@ class AreaEmitter : public Emitter {
   bool emission_square(const Vec3& p, uint32_t primitive, const Vec3& direction, Vec2& u) const override;
 
   double area() const { return by_area_.total(); }
+  // Each of the parts whose triangles have no corner in common with the others', as an emitter of its own. Empty where
+  // there is one part alone, or where there are more than `most`.
+  std::vector<AreaEmitter> separate_parts(size_t most) const;
 
  private:
   struct Point {

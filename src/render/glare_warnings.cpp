@@ -28,6 +28,10 @@ std::string glare_warnings(const Snapshot& scene, uint32_t observer_id, const Se
     text += who + "fixtures are in view: of them only light straight from their emitters counts as glare, what their "
                   "reflectors, lenses and covers send as background, so that the rating is too low; a profile measured "
                   "by the goniometer, placed instead, is rated as a whole\n";
+  if (glare.has_covered)
+    text += who + "a source is in view behind glass or a diffuser that is no thin pane: what these send counts as "
+                  "background, so that the rating is too low; a profile of the whole luminaire, or the cover itself as "
+                  "what emits, is rated\n";
   if (glare.has_unrated)
     text += who + "parallel light and luminaires that emit the rays of a file have no part in its rating\n";
   return text;

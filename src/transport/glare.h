@@ -8,12 +8,13 @@
 namespace ups {
 
 struct SeenSource {
-  uint32_t emitter = 0;
+  uint32_t emitter = 0;      // or one of its parts, where it is a surface of several that do not touch
   photometry::GlareSource glare;
   Vec3 direction;            // from the eye
   double visible_share = 0;  // of its light
   double term = 0;           // L^2 w / p^2
   double term_error = 0;     // standard error of it, by the rays that look for what hides it
+  bool is_covered = false;   // by what lets light through and is no pane
   double missed = 0;         // 95 %: what a term of 0 may be all the same, what one that nothing hides may lack
 };
 
@@ -26,6 +27,7 @@ struct SeenGlare {
   double ceiling_coverage = 0;      // by large sources (CIE 147); 0 where none is seen
   bool has_unrated = false;         // sources without a luminance or intensity: parallel light, rays of a file
   bool has_fixture = false;         // one in view, whose own optics are no source
+  bool has_covered = false;         // one in view behind glass or a diffuser that is no pane, which are no source
 };
 
 // By rays to places of each emitter that are spread evenly and by chance, the same in every render. Nothing where `stop`

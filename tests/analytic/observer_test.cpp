@@ -213,6 +213,73 @@ TEST(Observer, LuminousCeilingsAreRatedByCie147) {
   }
 }
 
+// Panels that are one mesh are rated as those that are one each, the one behind the eye not at all. (The centre of all is
+// overhead, where a source troubles nobody.)
+TEST(Observer, PanelsOfOneMeshAreASourceEach) {
+  std::vector<ups_observer_reading> readings;
+  std::vector<std::vector<ups_glare_source>> sources;
+  for (const bool joined : {false, true}) {
+    Scene scene;
+    scene.add(box({-3, -6, 0}, {3, 6, 3}).flipped(), matte(0.5));
+    Shape all;
+    for (const double y : {-3.6, -1.2, 1.2, 3.6}) {
+      const Shape panel = quad({-0.3, y - 0.3, 2.99}, {0, 0.6, 0}, {0.6, 0, 0});
+      if (joined) all.append(panel);
+      else scene.add(panel, emitter(3000));
+    }
+    if (joined) scene.add(all, emitter(3000));
+    const Sensor eye = scene.add_observer({0, 0, 1.2}, {0, 1, 0});
+    const Result result = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 256});
+    readings.push_back(result.observer(eye)), sources.push_back(result.glare_sources(eye));
+  }
+  EXPECT_EQ(readings[1].flags, 0u);
+  ASSERT_EQ(sources[0].size(), 2u);
+  ASSERT_EQ(sources[1].size(), 2u);
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(sources[1][i].solid_angle_sr, sources[0][i].solid_angle_sr, 1e-6);
+    EXPECT_NEAR(sources[1][i].position_index, sources[0][i].position_index, 1e-4);
+  }
+  // Their backgrounds differ by noise; without it to rounding.
+  const double off = double(readings[1].ugr) - double(readings[0].ugr) +
+                     8 * std::log10(double(readings[1].background_cd_m2) / double(readings[0].background_cd_m2));
+  EXPECT_NEAR(off, 0, 1e-3);
+  EXPECT_GT(readings[0].ugr, 15);
+}
+
+// What a diffuser before it sends is background: no rating is below a limit for sure.
+TEST(Observer, SourcesBehindACoverAreTold) {
+  for (const bool transmits : {true, false}) {
+    SphereRoom room;
+    const Profile lamp = profile_of(room.scene.context(), {0, 90, 180}, std::vector<float>(3, float(intensity)),
+                                    UPS_OPENING_SPHERE, 0.2f, 0.2f, 0.2f);
+    room.scene.add_luminaire(lamp.get(), {0, 0, 0}, {0, 0, -1}, true);
+    const P3 to_lamp = normalize({0.5, 1, 0.5}), a = normalize(cross(to_lamp, {0, 0, 1})), b = cross(a, to_lamp);
+    auto cover = material(UPS_MATERIAL_DIFFUSER, 0.3f);
+    for (float& t : cover.transmittance_rgb) t = transmits ? 0.5f : 0.0f;
+    room.scene.add(quad(to_lamp * -0.5 + a * -0.3 + b * -0.3, a * 0.6, b * 0.6), cover);
+    const Result result = room.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 64});
+    ups_observer_reading r{};
+    r.struct_size = sizeof r;
+    ASSERT_EQ(ups_result_get_observer(result.get(), room.eye.id, &r), UPS_OK);
+    EXPECT_EQ(r.flags, transmits ? uint32_t(UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_COVERED_SOURCE)
+                                 : uint32_t(UPS_OBSERVER_NO_SOURCE));
+    EXPECT_EQ(std::isinf(r.ugr_high), transmits);
+    EXPECT_EQ(result.text(UPS_TEXT_WARNINGS).find("behind glass or a diffuser") != std::string::npos, transmits);
+  }
+}
+
+// Those of the room next door are not on this one's ceiling.
+TEST(Observer, LargeSourcesOfOtherRoomsDoNotCount) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), matte(0.4));
+  scene.add(box({5, 0, 0}, {9, 3, 2.5}).flipped(), matte(0.4));
+  scene.add(quad({1, 1, 2.49}, {0, 1.5, 0}, {2, 0, 0}), emitter(200));
+  scene.add(quad({5, 0, 2.49}, {0, 3, 0}, {4, 0, 0}), emitter(200));
+  const Sensor eye = scene.add_observer({2, 0.3, 1.2}, {0, 1, 0}, UPS_POSITION_INDEX_TABLE, 12);
+  const Result result = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16});
+  EXPECT_NEAR(result.observer(eye).ceiling_coverage, 0.25, 1e-3);
+}
+
 TEST(Observer, WithoutSourcesThereIsNoRating) {
   SphereRoom room;
   const Profile lamp = profile_of(room.scene.context(), {0, 90, 180}, std::vector<float>(3, float(intensity)),

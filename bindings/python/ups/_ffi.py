@@ -313,6 +313,7 @@ class Observer(enum.IntFlag):
     POINT_SOURCE = 8
     UNRATED_SOURCE = 16
     FIXTURE = 32
+    COVERED_SOURCE = 64
 
 
 class GlareFlag(enum.IntFlag):

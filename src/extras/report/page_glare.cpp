@@ -53,7 +53,9 @@ std::string remarks(const Report& report) {
       {UPS_OBSERVER_POINT_SOURCE, "A source without extent is in view, rated as a small one (CIE 147)"},
       {UPS_OBSERVER_UNRATED_SOURCE, "A directional light or the rays of a file are in no rating"},
       {UPS_OBSERVER_FIXTURE,
-       "A fixture is in view, whose own reflectors, lenses and covers count as background: the rating is too low"}};
+       "A fixture is in view, whose own reflectors, lenses and covers count as background: the rating is too low"},
+      {UPS_OBSERVER_COVERED_SOURCE,
+       "A source is in view behind glass or a diffuser, which count as background: the rating is too low"}};
   std::vector<std::string> items;
   for (const auto& [flag, words] : all) {
     std::string names;

@@ -59,7 +59,8 @@ void judge_observer(const Targets& targets, size_t index, const ObserverReport& 
   const double required = targets.areas[index].ugr, low = double(r.ugr_low), high = double(r.ugr_high);
   Judgement judgement = Judgement::not_sure;
   // What is left out, and makes the rating too low: enough to fail, never to pass.
-  const bool lacks = r.flags & (UPS_OBSERVER_UNRATED_SOURCE | UPS_OBSERVER_FIXTURE | UPS_OBSERVER_LARGE_SOURCE);
+  const bool lacks = r.flags & (UPS_OBSERVER_UNRATED_SOURCE | UPS_OBSERVER_FIXTURE |
+                                UPS_OBSERVER_COVERED_SOURCE | UPS_OBSERVER_LARGE_SOURCE);
   if (r.flags & UPS_OBSERVER_NO_SOURCE)  // nothing in view troubles, or no ray has seen what might
     judgement = high <= required ? Judgement::met : Judgement::not_sure;
   else if (!(r.flags & UPS_OBSERVER_NO_BACKGROUND) && low != -1)  // ratings may be below 0
