@@ -247,6 +247,9 @@ namespace Ups
                 cDeg = Elements.Copy(desc.CDeg, (int)desc.CCount);
                 gammaDeg = Elements.Copy(desc.GammaDeg, (int)desc.GammaCount);
             }
+            // Without them they would be equal steps: so many that are not handed on are an error.
+            if (desc.CDeg != null) desc.CCount = 0;
+            if (desc.GammaDeg != null) desc.GammaCount = 0;
             desc.CDeg = desc.GammaDeg = null;
             return desc;
         }

@@ -23,7 +23,7 @@ inline ups_status check_exr(ups_status status) {
 // Paths are UTF-8. The file appears whole or not at all.
 inline void exr_write(const std::string &path, std::uint32_t width, std::uint32_t height,
                       Span<const ups_exr_channel> channels, Span<const ups_exr_attribute> attributes = {}) {
-  detail::check_exr(ups_exr_write(path.c_str(), width, height, channels.data(),
+  detail::check_exr(ups_exr_write(detail::c_path(path), width, height, channels.data(),
                                   detail::count(channels.size(), 1, "channels"), attributes.data(),
                                   detail::count(attributes.size(), 1, "attributes")));
 }
@@ -33,7 +33,7 @@ class ExrImage : public Handle<ups_exr_image, detail::DestroyExr> {
  public:
   using Handle::Handle;
   explicit ExrImage(const std::string &path)
-      : Handle(detail::value<ups_exr_image *, detail::check_exr>(ups_exr_read, path.c_str())) {}
+      : Handle(detail::value<ups_exr_image *, detail::check_exr>(ups_exr_read, detail::c_path(path))) {}
 
   std::uint32_t width() const { return size().first; }   // pixels
   std::uint32_t height() const { return size().second; }

@@ -37,8 +37,8 @@ class GltfImport : public Handle<ups_gltf_import, detail::DestroyGltf> {
   // ups_gltf_import_file: adds all that is in the file, of a path in UTF-8, to the scene. Where it throws the scene
   // holds part of it.
   GltfImport(const Context &context, const std::string &path, Scene &scene, const GltfImportDesc &desc = {})
-      : Handle(detail::value<ups_gltf_import *, detail::check_gltf>(ups_gltf_import_file, context.get(), path.c_str(),
-                                                                    &desc, scene.get())) {}
+      : Handle(detail::value<ups_gltf_import *, detail::check_gltf>(ups_gltf_import_file, context.get(),
+                                                                    detail::c_path(path), &desc, scene.get())) {}
 
   // In the order of the node hierarchy; the functions below take their index.
   std::vector<ups_gltf_sensor_info> sensors() const {

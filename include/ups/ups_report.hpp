@@ -30,10 +30,10 @@ struct ReportPageDesc : ups_report_page_desc {
 // Paths are UTF-8, of a map they end in .png, .svg or .pdf. What the description points to is read during the call. The
 // file appears whole or not at all.
 inline void report_write_map(const std::string &path, const ReportMapDesc &desc) {
-  detail::check_report(ups_report_write_map(path.c_str(), &desc));
+  detail::check_report(ups_report_write_map(detail::c_path(path), &desc));
 }
 inline void report_write_page(const std::string &path, const ReportPageDesc &desc) {
-  detail::check_report(ups_report_write_page(path.c_str(), &desc));
+  detail::check_report(ups_report_write_page(detail::c_path(path), &desc));
 }
 
 }  // namespace v0_1

@@ -65,12 +65,12 @@ def test_a_scene_that_is_closed_stays_until_its_arrays_are_copied(context):
     def get_and_close(*arguments):
         status = ups._convert.lib.ups_scene_get_mesh(*arguments)
         scene.close()  # as another thread may, between the call and the copy
-        assert scene._destroy.alive
+        assert scene._end.alive
         return status
 
     got = scene._get(get_and_close, ups._ffi.MeshDesc, ids["mesh"])
     assert got.arrays["positions_m"].shape == (4, 3)
-    assert not scene._destroy.alive
+    assert not scene._end.alive
 
 
 def test_sensors_keep_their_size_until_the_commit(context):

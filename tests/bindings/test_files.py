@@ -1,5 +1,6 @@
 """glTF into a scene, OpenEXR and PNG out of a result."""
 import base64
+import copy
 import json
 
 import numpy as np
@@ -119,3 +120,28 @@ def test_a_folder_is_no_image_and_no_channels_make_none(tmp_path):
     with pytest.raises(ups.Error, match="no channels are given"):
         ups.write_exr(tmp_path / "none.exr", {})
     assert not list(tmp_path.iterdir())
+
+
+def test_channels_may_have_any_names(tmp_path):
+    path = tmp_path / "a.exr"
+    ups.write_exr(path, {"ab": np.full((2, 3), 7, np.float32)})
+    path.write_bytes(path.read_bytes().replace(b"ab\0", b"a\xe9\0"))  # Latin-1
+    image = ups.read_exr(path)
+    assert [image[name][0, 0] for name in image.channels] == [7]
+
+
+def test_a_scene_imports_after_its_context_was_closed(gltf_file):
+    with ups.Context() as own:
+        scene = ups.Scene(own)
+    imported = scene.import_gltf(gltf_file)
+    for sensor in imported.sensors:
+        if sensor.kind not in (ups.GltfSensorKind.CAMERA, ups.GltfSensorKind.GONIOMETER):
+            assert np.array_equal(imported.places(copy.copy(sensor))[0], imported.places(sensor)[0])
+            assert np.array_equal(imported.places(copy.deepcopy(sensor))[0], imported.places(sensor)[0])
+
+
+def test_the_library_that_is_named_is_the_one_that_is_loaded(tmp_path, monkeypatch):
+    file = tmp_path / ups._library._names("ups")[0]
+    file.touch()
+    monkeypatch.chdir(tmp_path)
+    assert ups._library._chosen(file.name, "ups") == ups._library._chosen(".", "ups") == [str(file)]

@@ -123,6 +123,33 @@ def test_a_second_ctrl_c_is_raised(context, monkeypatch):
         scene.render(time_limit_s=60)
 
 
+def test_ctrl_c_just_as_a_render_ends_is_told(context, monkeypatch):
+    scene, _ = box(context)
+    wait, fired = ups.Job.wait, []
+
+    def wait_and_interrupt(job, timeout_s=None):
+        status = wait(job)
+        if not fired:
+            fired.append(status)
+            raise KeyboardInterrupt
+        return status
+
+    monkeypatch.setattr(ups.Job, "wait", wait_and_interrupt)
+    result = scene.render(iteration_count=1)
+    assert fired == [ups.Status.OK] and result.interrupted and result.info.iterations == 1
+
+
+def test_a_child_of_fork_does_not_wait_for_its_parents_jobs():
+    process = start("""
+        job = scene.start(time_limit_s=600)
+        child = os.fork()
+        if child == 0:
+            os._exit(len(ups._job._running))
+        print(os.waitpid(child, 0)[1], len(ups._job._running))
+        """, stdout=subprocess.PIPE)
+    assert process.communicate(timeout=60)[0] == "0 1\n"
+
+
 def test_other_threads_render_meanwhile(context):
     scene, meters = box(context)
     found = []

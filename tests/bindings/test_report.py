@@ -82,3 +82,10 @@ def test_a_nul_cuts_no_text_short(tmp_path):
     with pytest.raises(ValueError, match="embedded null"):
         ups.read_exr("a.exr\0")
     assert not list(tmp_path.iterdir())
+
+
+def test_sources_are_luminaires_or_instances(lit, tmp_path):
+    scene, _, _, result = lit
+    with pytest.raises(TypeError, match="sources: expected a LuminaireId or an InstanceId, got FixtureId"):
+        ups.write_report(tmp_path / "page.html", scene, result, {}, sources={ups.FixtureId(1): "lamp"})
+    assert not (tmp_path / "page.html").exists()

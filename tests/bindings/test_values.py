@@ -246,11 +246,78 @@ def test_an_argument_of_another_type_is_told(context):
             (lambda: result.meters("desk"), r"ups_result_view_meters: argument 2: expected SensorId, got 'desk'$"),
             (lambda: result.meter_part(1, ups.LightPart.ALL), r"argument 2: expected SensorId, got 1$"),
             (lambda: result.meter_part(meters, "all"), r"ups_result_read_meter_part: part: expected an integer"),
-            (lambda: ups.Scene(1.5), r"ups_scene_create: argument 1: expected a handle, got 1.5$")):
+            (lambda: ups.Scene(1.5), r"ups_scene_create: argument 1: expected a handle, got 1.5$"),
+            (lambda: ups.Fixture(8), r"ups_fixture_create: argument 1: expected a handle, got 8$"),
+            (lambda: ups.Profile.parse("lamp.ies", b""), r"argument 1: expected a handle, got 'lamp.ies'$"),
+            (lambda: ups.Profile.from_table(True, [0], [0, 90], [[1, 1]]), r"expected a handle, got True$"),
+            (lambda: scene.add_fixture(3), r"ups_scene_add_fixture: argument 2: expected a handle, got 3$")):
         with pytest.raises(TypeError, match=text):
             use()
     scene.set_dimming(lamp, np.float32(0.5))
     assert scene.get_dimming(lamp) == 0.5
+
+
+def test_no_number_is_a_context():
+    for number in (8, True, np.int64(8)):  # as if it were the number of threads
+        with pytest.raises((TypeError, AttributeError)):
+            ups.Scene(number)
+
+
+def test_one_direction_may_stand_for_all_and_one_number_may_not(context):
+    scene, _ = box(context)
+    points = np.array(SQUARE[:3], float)
+    for normals in ((0, 0, 1), [(0, 0, 1)], np.tile((0, 0, 1), (3, 1))):
+        scene.add_meters(points, normals)
+    for normals in (1, np.ones((3, 1)), np.ones(1), np.ones((2, 3))):
+        with pytest.raises(ValueError, match="normals: expected an array of shape"):
+            scene.add_meters(points, normals)
+
+
+def test_what_a_mask_hides_is_not_known(context):
+    scene, _ = box(context)
+    masked = np.ma.masked_less(np.ones((3, 3)) * [0, 1, 1], 0.5)
+    with pytest.raises(TypeError, match="positions_m: a masked array"):
+        scene.add_meters(masked, (0, 0, 1))
+    with pytest.raises(TypeError, match="indices: .* a masked array"):
+        scene.add_mesh(SQUARE, np.ma.masked_equal([(0, 1, 2)], 0), scene.add_material())
+    scene.add_meters(np.ma.array(np.ones((3, 3))), (0, 0, 1))  # one that hides nothing
+
+
+def test_floats_that_are_not_aligned_are_copied(context):
+    scene, _ = box(context)
+    odd = np.frombuffer(b"x" + np.array(SQUARE, np.float32).tobytes(), np.float32, offset=1).reshape(4, 3)
+    assert not odd.flags.aligned
+    mesh = scene.add_mesh(odd, [(0, 1, 2), (0, 2, 3)], scene.add_material())
+    assert np.array_equal(scene.get_mesh(mesh).arrays["positions_m"], SQUARE)
+
+
+def test_one_sample_is_replayed_at_a_time(context):
+    scene, meters = box(context)
+    scene.commit()
+    samples = scene.render(iteration_count=16, method=ups.Method.PATH_TRACING).largest_samples(meters)
+    assert len(samples) > 1
+    with pytest.raises(ValueError, match="expected one of Result.largest_samples"):
+        scene.replay(samples, iteration_count=16, method=ups.Method.PATH_TRACING)
+
+
+def test_an_interrupt_right_after_a_call_leaves_nothing_behind():
+    made, gone = [], []
+
+    class Interrupted(ups.Context):
+        _destroy = staticmethod(lambda pointer: gone.append(pointer.value))
+
+    def create(desc, out):
+        status = _convert.lib.ups_context_create(desc, out)
+        made.append(out._obj.value)
+        _convert.lib.ups_context_destroy(out._obj)
+        raise KeyboardInterrupt
+
+    owner = Interrupted.__new__(Interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        ups._core.Handle.__init__(owner, create, None)
+    del owner
+    gc.collect()
+    assert made[0] and gone == made
 
 
 def test_complex_numbers_are_no_coordinates(context):

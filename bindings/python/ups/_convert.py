@@ -15,7 +15,7 @@ import numpy as np
 
 from . import _ffi
 from ._library import load
-from ._numbers import as_integer, as_integers, is_integer
+from ._numbers import as_integer, as_integers, is_integer, is_masked
 from ._status import check
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def translation(x: float, y: float, z: float) -> NDArray[np.float64]:
 
 
 def as_matrix(transform: ArrayLike, name: str) -> NDArray[np.float64]:
-    m = np.asarray(_real(transform, name), dtype=np.float64)
+    m = np.asarray(real(transform, name), dtype=np.float64)
     if m.shape == (4, 4):
         if not np.array_equal(m[3], (0, 0, 0, 1)):
             raise ValueError(f"{name}: the last row of a 4x4 transform must be 0 0 0 1")
@@ -55,12 +55,22 @@ def as_array(values: ArrayLike, dtype: Any, shape: Sequence[int], name: str) -> 
     """Contiguous and of the given shape; -1 stands for any length. A copy only where the values are not so already."""
     if np.dtype(dtype).kind in "iu":
         values = as_integers(values, dtype, name)
-    a = np.ascontiguousarray(_real(values, name), dtype=dtype)
+    a = np.require(np.ascontiguousarray(real(values, name), dtype=dtype), requirements=["ALIGNED"])
     _check_shape(a, shape, name)
     return a
 
 
-def _real(values: ArrayLike, name: str) -> NDArray[Any]:
+def one_or_each(values: ArrayLike, count: int, name: str) -> NDArray[np.float32]:
+    """Directions (count, 3), of which one, (3,) or (1, 3), may stand for all."""
+    a = real(values, name)
+    if a.shape in ((3,), (1, 3)):
+        a = np.broadcast_to(a, (count, 3))
+    return as_array(a, np.float32, (count, 3), name)
+
+
+def real(values: ArrayLike, name: str) -> NDArray[Any]:
+    if is_masked(values):
+        raise TypeError(f"{name}: a masked array has values that are not known; say what they are: .filled(numpy.nan)")
     a = np.asarray(values)
     if a.dtype.kind == "c":  # NumPy would drop the imaginary parts with a warning
         raise TypeError(f"{name}: expected real numbers, got complex ones")
@@ -69,7 +79,7 @@ def _real(values: ArrayLike, name: str) -> NDArray[Any]:
 
 def as_rows(values: ArrayLike, width: int, name: str) -> tuple[NDArray[np.float32], int]:
     """Floats (n, width) and the bytes from row to row: a part of the columns of a larger array is not copied."""
-    a = np.asarray(values)
+    a = real(values, name)
     if a.dtype == np.float32 and a.ndim == 2 and a.shape[1] == width and a.flags.aligned:
         if a.strides[1] == a.itemsize and a.strides[0] >= width * a.itemsize:
             return a, a.strides[0]
@@ -125,11 +135,11 @@ def merged(own: Mapping[str, Any], fields: Mapping[str, Any], counts: Iterable[s
     return {**own, **fields}
 
 
-def c_text(text: str) -> bytes:
+def c_text(text: str, encoding: tuple[str, str] = ("utf-8", "strict")) -> bytes:
     """As the library takes texts, which a NUL would cut short."""
     if "\0" in text:
         raise ValueError(f"embedded null character in {text!r}")
-    return text.encode()
+    return text.encode(*encoding)
 
 
 def c_path(path: str | os.PathLike[str]) -> bytes:
@@ -141,7 +151,7 @@ def c_path(path: str | os.PathLike[str]) -> bytes:
 
 def texture_fields(texels: ArrayLike) -> dict[str, Any]:
     """Texels (height, width) or (height, width, channels)."""
-    t = np.ascontiguousarray(_real(texels, "texels"), dtype=np.float32)
+    t = np.ascontiguousarray(real(texels, "texels"), dtype=np.float32)
     t = as_array(t[:, :, None] if t.ndim == 2 else t, np.float32, (-1, -1, -1), "texels")
     return {"width": t.shape[1], "height": t.shape[0], "channel_count": t.shape[2],
             "texels": address(t, ctypes.c_float)}
@@ -154,8 +164,7 @@ def meter_fields(positions_m: ArrayLike, normals: ArrayLike, tangents: ArrayLike
     for name, values in (("normals", normals), ("tangents", tangents)):
         fields[name] = None
         if values is not None:
-            a = as_array(np.broadcast_to(_real(values, name), p.shape), np.float32, (-1, 3), name)
-            fields[name] = address(a, ctypes.c_float)
+            fields[name] = address(one_or_each(values, len(p), name), ctypes.c_float)
     return fields
 
 
@@ -279,7 +288,7 @@ def output(out: NDArray[Any] | None, like: NDArray[Any]) -> NDArray[Any]:
         return np.empty(like.shape, like.dtype)
     if not isinstance(out, np.ndarray):
         raise TypeError(f"out: expected an array, got {type(out).__name__}")
-    if out.shape != like.shape or out.dtype != like.dtype or not out.flags.c_contiguous or not out.flags.writeable:
+    if out.shape != like.shape or out.dtype != like.dtype or not out.flags.carray:
         raise ValueError(f"out: expected a writeable, contiguous array of shape {like.shape} and type {like.dtype}, "
                          f"got {out.shape} and {out.dtype}")
     return out

@@ -29,12 +29,20 @@ class _Pointer(ctypes.c_void_p):
 
 
 class Handle:
-    """Owns a handle of the library, which it destroys once."""
+    """Owns a handle of the library, which it destroys once. Classes say what destroys theirs, and what their library's
+    answers are checked by."""
+    _destroy: Callable[[ctypes.c_void_p], None]
+    _check = staticmethod(check)
+    _as_parameter_: ctypes.c_void_p | None = None
 
-    def __init__(self, pointer: ctypes.c_void_p, destroy: Callable[[ctypes.c_void_p], None]):
-        self._as_parameter_: ctypes.c_void_p | None = _Pointer(pointer.value)
-        self._destroy = weakref.finalize(self._as_parameter_, destroy, pointer)
-        self._destroy.atexit = False  # a thread that nobody waits for, or an array, may still use it
+    def __init__(self, function: Callable[..., int], *arguments: Any):
+        """Of what the function makes. It has an owner before it is there: an interrupt may come right after."""
+        made, pointer = ctypes.c_void_p(), _Pointer()
+        self._end = weakref.finalize(pointer, self._destroy, made)
+        self._end.atexit = False  # a thread that nobody waits for, or an array, may still use it
+        self._check(function(*arguments, byref(made)))
+        pointer.value = made.value
+        self._as_parameter_ = pointer
 
     def close(self) -> None:
         self._as_parameter_ = None  # the library answers any later call with INVALID_ARGUMENT
@@ -58,18 +66,13 @@ def pointer_of(handle: Handle, kind: type[Handle]) -> ctypes.c_void_p:
     return pointer
 
 
-def create(function: Callable[..., int], *arguments: Any) -> ctypes.c_void_p:
-    pointer = ctypes.c_void_p()
-    check(function(*arguments, byref(pointer)))
-    return pointer
-
-
 class Context(Handle):
     """Threads and log. thread_count 0: all hardware threads."""
+    _destroy = lib.ups_context_destroy
 
     def __init__(self, thread_count: SupportsIndex = 0):
         desc = describe(_ffi.ContextDesc, {"thread_count": thread_count})
-        super().__init__(create(lib.ups_context_create, byref(desc)), lib.ups_context_destroy)
+        super().__init__(lib.ups_context_create, byref(desc))
 
     @property
     def thread_count(self) -> int:

@@ -14,7 +14,7 @@ import numpy as np
 from . import _ffi
 from ._convert import (address, angle_fields, as_array, as_matrix, assign, describe, instance_fields, lib,
                        material_fields, merged, mesh_fields, meter_fields, read_info, target, texture_fields)
-from ._core import Handle, create, pointer_of
+from ._core import Handle, pointer_of
 from ._ffi import FixtureId, InstanceId, LuminaireId, MaterialId, MeshId, SensorId, TextureId
 from ._job import Job
 from ._profile import Profile
@@ -154,7 +154,7 @@ class Edits(Handle):
         return self._get(lib.ups_scene_get_luminaire, _ffi.LuminaireDesc, luminaire)
 
     def get_luminaire_profile(self, luminaire: LuminaireId) -> Profile:
-        return Profile(create(lib.ups_scene_get_luminaire_profile, self, luminaire))
+        return Profile(lib.ups_scene_get_luminaire_profile, self, luminaire)
 
     def get_dimming(self, luminaire: LuminaireId) -> float:
         out = ctypes.c_float()

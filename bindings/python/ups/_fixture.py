@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _ffi
 from ._convert import address, as_array, describe, lib, material_fields, mesh_fields, read_info
-from ._core import Context, Handle, create
+from ._core import Context, Handle
 from ._status import check
 
 if TYPE_CHECKING:
@@ -36,8 +36,10 @@ class Fixture(Handle):
     the fields of the C description of the same name. material: a dict of the fields of ups_material_desc, for
     finish=Finish.CUSTOM."""
 
+    _destroy = lib.ups_fixture_destroy
+
     def __init__(self, context: Context):
-        super().__init__(create(lib.ups_fixture_create, context), lib.ups_fixture_destroy)
+        super().__init__(lib.ups_fixture_create, context)
 
     def _add(self, function: Callable[..., int], cls: type[ctypes.Structure], fields: dict[str, Any],
              material: Mapping[str, Any] | None = None) -> _ffi.FixturePartId:

@@ -48,14 +48,15 @@ class GltfSensor:
 
 
 class GltfImport(Handle):
-    """What the file named: immutable; the scene keeps what was added."""
+    """What the file named: immutable; the scene keeps what was added. context: that of the scene."""
+    _check = staticmethod(_check)
 
-    def __init__(self, context: Context, scene: Handle, path: str | os.PathLike[str],
+    def __init__(self, context: Context | ctypes.c_void_p | None, scene: Handle, path: str | os.PathLike[str],
                  fields: Mapping[str, Any]):
         self._lib = load("ups_gltf")
-        desc, pointer = describe(_ffi.GltfImportDesc, fields, self._lib), ctypes.c_void_p()
-        _check(self._lib.ups_gltf_import_file(context, c_path(path), byref(desc), scene, byref(pointer)))
-        super().__init__(pointer, self._lib.ups_gltf_import_destroy)
+        self._destroy = self._lib.ups_gltf_import_destroy
+        desc = describe(_ffi.GltfImportDesc, fields, self._lib)
+        super().__init__(self._lib.ups_gltf_import_file, context, c_path(path), byref(desc), scene)
         count = ctypes.c_uint32()
         _check(self._lib.ups_gltf_get_sensor_count(self, byref(count)))
         self.sensors = [self._sensor(i) for i in range(count.value)]
@@ -79,7 +80,8 @@ class GltfImport(Handle):
         Scene.meter_places."""
         count = max(sensor.info.meter_count, 1)
         positions, normals = np.empty((count, 3)), np.empty((count, 3), np.float32)
-        _check(self._lib.ups_gltf_read_meters(self, self.sensors.index(sensor), target(positions, ctypes.c_double),
+        index = [s.id for s in self.sensors].index(sensor.id)
+        _check(self._lib.ups_gltf_read_meters(self, index, target(positions, ctypes.c_double),
                                               target(normals, ctypes.c_float), count))
         return positions, normals
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, c_path, c_text, describe, read_text, target
+from ._convert import address, as_array, c_path, c_text, describe, read_bytes, read_text, real, target
 from ._core import Handle
 from ._library import load
 from ._status import check
@@ -25,14 +25,15 @@ if TYPE_CHECKING:
 
 _check_exr = functools.partial(check, library="ups_exr")
 _check_ocio = functools.partial(check, library="ups_ocio")
+_NAMES = "utf-8", "surrogateescape"  # of channels in files: what is not UTF-8 comes back as it was
 
 
 def _as_plane(values: ArrayLike, name: str) -> NDArray[np.float32]:
     """(height, width), with any strides that go forward: a channel of an interleaved image is not copied."""
-    a = np.asarray(values, dtype=np.float32)
+    a = np.asarray(real(values, f"channel {name!r}"), dtype=np.float32)
     if a.ndim != 2:
         raise ValueError(f"channel {name!r}: expected an array of shape (height, width), got {a.shape}")
-    return a if all(s >= 4 for s in a.strides) else np.ascontiguousarray(a)
+    return a if a.flags.aligned and all(s >= 4 for s in a.strides) else as_array(a, np.float32, (-1, -1), name)
 
 
 def write_exr(path: str | os.PathLike[str], channels: Mapping[str, ArrayLike],
@@ -56,22 +57,22 @@ def write_exr(path: str | os.PathLike[str], channels: Mapping[str, ArrayLike],
 
 class ExrImage(Handle):
     """An OpenEXR file that was read: image["R"] is a channel, (height, width), row 0 at the top."""
+    _check = staticmethod(_check_exr)
 
     def __init__(self, path: str | os.PathLike[str]):
         self._lib = load("ups_exr")
-        pointer = ctypes.c_void_p()
-        _check_exr(self._lib.ups_exr_read(c_path(path), byref(pointer)))
-        super().__init__(pointer, self._lib.ups_exr_image_destroy)
+        self._destroy = self._lib.ups_exr_image_destroy
+        super().__init__(self._lib.ups_exr_read, c_path(path))
         width, height, count = ctypes.c_uint32(), ctypes.c_uint32(), ctypes.c_uint32()
         _check_exr(self._lib.ups_exr_get_size(self, byref(width), byref(height)))
         _check_exr(self._lib.ups_exr_get_channel_count(self, byref(count)))
         self.shape = height.value, width.value
-        self.channels = [read_text(self._lib.ups_exr_get_channel_name, self, i, checked=_check_exr)
+        self.channels = [read_bytes(self._lib.ups_exr_get_channel_name, self, i, checked=_check_exr).decode(*_NAMES)
                          for i in range(count.value)]
 
     def __getitem__(self, channel: str) -> NDArray[np.float32]:
         out = np.empty(self.shape, np.float32)
-        _check_exr(self._lib.ups_exr_read_channel(self, c_text(channel), target(out, ctypes.c_float), out.size))
+        _check_exr(self._lib.ups_exr_read_channel(self, c_text(channel, _NAMES), target(out, ctypes.c_float), out.size))
         return out
 
     def rgb(self, prefix: str = "") -> NDArray[np.float32]:

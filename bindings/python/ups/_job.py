@@ -5,20 +5,24 @@ Used by programs, as ups.Job, which Scene.start makes.
 from __future__ import annotations
 
 import atexit
-import ctypes
 import math
+import os
 import weakref
-from typing import Callable, Union
+from typing import Any, Callable, Union
 
 from . import _ffi
 from ._convert import lib, read_info
-from ._core import Handle, create
+from ._core import Handle
 from ._ffi import Status
 from ._progress import view_of
 from ._result import Result, read_curve
 from ._status import Error, check
 
 _running: weakref.WeakSet[Job] = weakref.WeakSet()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_running.clear)  # their threads are the parent's
 
 
 @atexit.register
@@ -34,9 +38,10 @@ Watcher = Union[bool, Callable[[_ffi.Progress], object]]
 
 class Job(Handle):
     """A render on the library's own threads; any thread may call. Closing it cancels it."""
+    _destroy = lib.ups_job_destroy
 
-    def __init__(self, pointer: ctypes.c_void_p, destroy: Callable[[ctypes.c_void_p], None]):
-        super().__init__(pointer, destroy)
+    def __init__(self, function: Callable[..., int], *arguments: Any):
+        super().__init__(function, *arguments)
         _running.add(self)
 
     def close(self) -> None:
@@ -67,7 +72,8 @@ class Job(Handle):
                     view(self.poll())
             except KeyboardInterrupt:
                 self.cancel()
-                status = self.wait()
+                self.wait()
+                status = Status.CANCELLED  # also of one that has ended just now
             except Error:
                 if self._as_parameter_ is not None:
                     raise
@@ -98,7 +104,7 @@ class Job(Handle):
 
     def result(self) -> Result:
         """What is there after the last whole iteration."""
-        return Result(create(lib.ups_job_result, self))
+        return Result(lib.ups_job_result, self)
 
 
 def render(job: Job, progress: Watcher) -> Result:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _ffi
-from ._numbers import checked
+from ._numbers import HandleParameter, checked
 
 _MAJOR, _MINOR, _ = _ffi.HEADER_VERSION
 
@@ -38,8 +38,9 @@ def _in_folder(folder: Path, library: str) -> list[str]:
 def _chosen(places: str, library: str) -> list[str]:
     """By UPS_LIBRARY: a wrong choice is an error and never a silent fall back to another library."""
     if os.path.isfile(places) and library == "ups":
-        return [places]
-    folders = [Path(p).parent if os.path.isfile(p) else Path(p) for p in places.split(os.pathsep) if p]
+        return [os.path.abspath(places)]  # of a name without a folder the system would look elsewhere
+    given = [Path(os.path.abspath(p)) for p in places.split(os.pathsep) if p]
+    folders = [p.parent if p.is_file() else p for p in given]
     found = [file for folder in folders for file in _in_folder(folder, library)]
     return found or [str(folders[0] / _names(library)[0]) if folders else places]
 
@@ -79,6 +80,6 @@ def _bind(loaded: Any, name: str, library: str) -> None:
         except AttributeError:
             raise ImportError(f"{name} has no {function}: it is older than this package, which needs UPS "
                               + ".".join(map(str, _ffi.HEADER_VERSION))) from None
-        f.restype, f.argtypes = result, parameters
+        f.restype, f.argtypes = result, [HandleParameter if p is ctypes.c_void_p else p for p in parameters]
         if parameters and result is not None:  # the others take what the package made
             setattr(loaded, function, checked(f, integers))

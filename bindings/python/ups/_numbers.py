@@ -32,8 +32,15 @@ def as_integer(kind: Any, value: Any, name: str) -> int:
     return number
 
 
+def is_masked(values: Any) -> bool:
+    """What lies beneath a mask would count as known."""
+    return isinstance(values, np.ma.MaskedArray) and bool(np.any(np.asarray(values.mask)))
+
+
 def as_integers(values: Any, dtype: Any, name: str) -> np.ndarray[Any, Any]:
     """As an array of integers of that type; a copy only where it is not one. Errors as of as_integer."""
+    if is_masked(values):
+        raise TypeError(f"{name}: expected integers that are all known, got a masked array")
     a = np.asarray(values)
     if a.dtype == dtype or a.size == 0:
         return a.astype(dtype, copy=False)
@@ -66,7 +73,17 @@ def checked(function: Any, integers: dict[int, str]) -> Any:
     return call_with_integers if places else call
 
 
-_EXPECTED = {ctypes.c_float: "a number", ctypes.c_double: "a number", ctypes.c_void_p: "a handle"}
+class HandleParameter(ctypes.c_void_p):
+    """A parameter that takes a handle, or where the library writes. ctypes takes integers and texts for addresses, too,
+    which the library would read."""
+    @classmethod
+    def from_param(cls, value: Any) -> Any:
+        if value is not None and isinstance(value, (int, str, bytes, bytearray)):
+            raise TypeError("an address was expected")
+        return ctypes.c_void_p.from_param(value)
+
+
+_EXPECTED = {ctypes.c_float: "a number", ctypes.c_double: "a number", HandleParameter: "a handle"}
 
 
 def _refusal(function: Any, arguments: tuple[Any, ...], error: str) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 from . import _ffi
 from ._convert import (address, as_array, c_text, describe, lib, lines_of, merged, read_bytes, read_info, read_text,
                        target)
-from ._core import Context, Handle, create
+from ._core import Context, Handle
 from ._ffi import ProfileFormat, ProfileText
 from ._status import check
 
@@ -35,8 +35,7 @@ class LampSet(_ffi.ProfileLampSet):
 class Profile(Handle):
     """One luminous intensity distribution; immutable. Made by parse or from_table."""
 
-    def __init__(self, pointer: ctypes.c_void_p):
-        super().__init__(pointer, lib.ups_profile_destroy)
+    _destroy = lib.ups_profile_destroy
 
     @classmethod
     def parse(cls, context: Context, data: bytes | bytearray | memoryview, format: ProfileFormat = ProfileFormat.AUTO,
@@ -52,7 +51,7 @@ class Profile(Handle):
             own.update(tilt_file=ctypes.cast(ctypes.c_char_p(tilt_file), ctypes.c_void_p),
                        tilt_file_size=len(tilt_file))
         desc = describe(_ffi.ProfileParseDesc, merged(own, fields))
-        return cls(create(lib.ups_profile_parse_with, context, byref(desc)))
+        return cls(lib.ups_profile_parse_with, context, byref(desc))
 
     @classmethod
     def from_table(cls, context: Context, c_deg: ArrayLike, gamma_deg: ArrayLike, intensity_cd: ArrayLike,
@@ -64,7 +63,7 @@ class Profile(Handle):
         own = {"c_count": len(c), "gamma_count": len(gamma), "c_deg": address(c, ctypes.c_float),
                "gamma_deg": address(gamma, ctypes.c_float), "intensity_cd": address(table, ctypes.c_float)}
         desc = describe(_ffi.ProfileDesc, merged(own, fields))
-        return cls(create(lib.ups_profile_create, context, byref(desc)))
+        return cls(lib.ups_profile_create, context, byref(desc))
 
     @property
     def info(self) -> _ffi.ProfileInfo:
@@ -85,7 +84,7 @@ class Profile(Handle):
 
     def with_keyword(self, name: str, value: str) -> Profile:
         """A copy in which the keyword has this value alone, for write."""
-        return Profile(create(lib.ups_profile_with_keyword, self, c_text(name), c_text(value)))
+        return Profile(lib.ups_profile_with_keyword, self, c_text(name), c_text(value))
 
     @property
     def lamp_sets(self) -> list[LampSet]:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _ffi
-from ._convert import address, as_array, c_path, c_text, describe
+from ._convert import address, as_array, assign, c_path, c_text, describe, one_or_each
 from ._core import Handle, pointer_of
 from ._ffi import InstanceId, LuminaireId, ReportExposure, ReportQuantity, SensorId, SourceKind
 from ._library import load
@@ -69,7 +69,7 @@ def write_points_map(path: str | os.PathLike[str], positions_m: ArrayLike, illum
     """Of points (n, 3) in a plane; illuminance_lx, error_bounds_lx (n,): below 0 or not finite: not known. One normal
     may stand for all. columns: of a grid, row by row; 0: found out. scene: committed, whose plan is drawn."""
     p = as_array(positions_m, np.float64, (-1, 3), "positions_m")
-    n = as_array(np.broadcast_to(np.asarray(normals, np.float32), p.shape), np.float32, (-1, 3), "normals")
+    n = one_or_each(normals, len(p), "normals")
     v = as_array(illuminance_lx, np.float32, (len(p),), "illuminance_lx")
     b = None if error_bounds_lx is None else as_array(error_bounds_lx, np.float32, (len(p),), "error_bounds_lx")
     _write_map(path, {"positions_m": address(p, ctypes.c_double), "normals": address(n, ctypes.c_float),
@@ -100,7 +100,8 @@ class Picture:
     smoothed: bool = False
 
     def _as_c(self) -> _ffi.ReportPicture:
-        c = _ffi.ReportPicture(camera=self.camera, exposure=self.exposure, ev100=self.ev100, smoothed=self.smoothed)
+        c = _ffi.ReportPicture()
+        assign(c, {"camera": self.camera, "exposure": self.exposure, "ev100": self.ev100, "smoothed": self.smoothed})
         if isinstance(self.png, bytes):
             c.png = ctypes.cast(ctypes.c_char_p(self.png), ctypes.POINTER(ctypes.c_uint8))
             c.png_size = len(self.png)
@@ -110,6 +111,8 @@ class Picture:
 
 
 def _source(source: LuminaireId | InstanceId, words: str | tuple[str | None, str | None]) -> _ffi.ReportSource:
+    if not isinstance(source, (LuminaireId, InstanceId)):
+        raise TypeError(f"sources: expected a LuminaireId or an InstanceId, got {source!r}")
     kind = SourceKind.INSTANCE if isinstance(source, InstanceId) else SourceKind.LUMINAIRE
     name, file = (words, None) if isinstance(words, str) else words
     return _ffi.ReportSource(kind, source.v, _text(name), _text(file))

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _ffi
 from ._convert import dtype_of, lib, output, read_array, read_count, read_info, read_text, target
-from ._core import Handle, create
+from ._core import Handle
 from ._ffi import Channel, Contribution, LightPart, ResultText, SensorId
 from ._profile import Profile
 from ._status import check
@@ -35,9 +35,8 @@ class Result(Handle):
     view_meters() and view_image() are the result's own memory, read-only, which stays as long as they do, even when the
     result is closed."""
 
-    def __init__(self, pointer: ctypes.c_void_p):
-        super().__init__(pointer, lib.ups_result_destroy)
-        self.interrupted = False
+    _destroy = lib.ups_result_destroy
+    interrupted = False
 
     def _view(self, owner: ctypes.c_void_p | None, first: Any, dtype: Any, shape: tuple[int, ...]) -> NDArray[Any]:
         """An array of what `first` points to, which the owner, held since before it was asked for, has."""
@@ -177,7 +176,7 @@ class Result(Handle):
 
     def goniometer_profile(self, sensor: SensorId) -> Profile:
         """The distribution as a Profile: for luminaires, and to write a photometric file."""
-        return Profile(create(lib.ups_result_get_goniometer_profile, self, sensor))
+        return Profile(lib.ups_result_get_goniometer_profile, self, sensor)
 
     def image(self, camera: SensorId, channel: Channel = Channel.LUMINANCE_RGB,
               out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
@@ -239,8 +238,7 @@ class Result(Handle):
 class ReplayedPath(Handle):
     """A sample of a render, traced again by Scene.replay."""
 
-    def __init__(self, pointer: ctypes.c_void_p):
-        super().__init__(pointer, lib.ups_path_destroy)
+    _destroy = lib.ups_path_destroy
 
     @property
     def info(self) -> _ffi.PathInfo:

@@ -16,7 +16,7 @@ import numpy as np
 from . import _ffi
 from ._convert import (address, angle_fields, as_array, describe, dtype_of, instance_fields, lib, material_fields,
                        merged, mesh_fields, meter_fields, read_array, read_count, read_info, read_text, texture_fields)
-from ._core import Context, create, pointer_of
+from ._core import Context, pointer_of
 from ._edits import CommitJob, Edits
 from ._ffi import (FixtureId, FixturePartId, InstanceId, LuminaireId, MaterialId, MeshId, SceneText, SensorId,
                    TextureId)
@@ -40,9 +40,11 @@ AnyId = TypeVar("AnyId", bound=ctypes.Structure)
 class Scene(Edits):
     """Description of what there is. add_* return ids of this scene; changes take effect at the next commit."""
 
+    _destroy = lib.ups_scene_destroy
+
     def __init__(self, context: Context):
-        super().__init__(create(lib.ups_scene_create, context), lib.ups_scene_destroy)
-        self._context = context
+        super().__init__(lib.ups_scene_create, context)
+        self._context = context._as_parameter_  # which stays where the Context is closed
 
     def _add(self, function: Callable[..., int], id_type: type[AnyId], desc: ctypes.Structure) -> AnyId:
         out = id_type()
@@ -144,7 +146,7 @@ class Scene(Edits):
         wait and poll tell of its end; the scene renders as before until then. One at a time. thread_limit and priority
         as of start, memory_limit_bytes of the index of surfaces."""
         desc = describe(_ffi.CommitDesc, fields)
-        return CommitJob(create(lib.ups_scene_start_commit_with, self, byref(desc)), lib.ups_job_destroy)
+        return CommitJob(lib.ups_scene_start_commit_with, self, byref(desc))
 
     @property
     def is_dirty(self) -> bool:
@@ -196,13 +198,16 @@ class Scene(Edits):
 
     def source_profile(self, index: int) -> Profile:
         """The Profile of a luminaire, by its index in sources()."""
-        return Profile(create(lib.ups_scene_get_source_profile, self, index))
+        return Profile(lib.ups_scene_get_source_profile, self, index)
 
     def replay(self, sample: Any, **fields: Unpack[_fields.RenderDescFields]) -> ReplayedPath:
         """Traces one of Result.largest_samples again, as a ReplayedPath; fields: those of the render that it is of."""
-        own = _ffi.Sample.from_buffer_copy(np.asarray(sample, dtype=dtype_of(_ffi.Sample)).tobytes())
+        one = np.asarray(sample, dtype=dtype_of(_ffi.Sample))
+        if one.size != 1:
+            raise ValueError(f"sample: expected one of Result.largest_samples, got {one.size}")
+        own = _ffi.Sample.from_buffer_copy(one.tobytes())
         desc = describe(_ffi.RenderDesc, fields)
-        return ReplayedPath(create(lib.ups_replay, self, byref(desc), byref(own)))
+        return ReplayedPath(lib.ups_replay, self, byref(desc), byref(own))
 
     def render(self, progress: Watcher = False, **fields: Unpack[_fields.RenderDescFields]) -> Result:
         """Blocks until a limit or the target is met; progress: as of Job.watch. Ctrl-C ends it: the result has what
@@ -213,7 +218,7 @@ class Scene(Edits):
     def start(self, **fields: Unpack[_fields.RenderDescFields]) -> Job:
         """The same as a Job, which can be watched and cancelled."""
         desc = describe(_ffi.RenderDesc, fields)
-        return Job(create(lib.ups_job_start, self, byref(desc)), lib.ups_job_destroy)
+        return Job(lib.ups_job_start, self, byref(desc))
 
     def estimate_memory(self, **fields: Unpack[_fields.RenderDescFields]) -> _ffi.MemoryEstimate:
         """What a render with these fields will take, as ups_memory_estimate: scene_bytes, working_bytes, light_bytes,

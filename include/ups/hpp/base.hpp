@@ -150,6 +150,13 @@ inline void expect(std::size_t values, std::size_t wanted, const char *what) {
                                                 std::to_string(wanted));
 }
 
+// A NUL would cut it short, and another file be meant.
+inline const char *c_path(const std::string &path) {
+  if (path.find('\0') != std::string::npos)
+    throw Error(UPS_ERROR_INVALID_ARGUMENT, "the path '" + std::string(path.c_str()) + "' goes on after a NUL");
+  return path.c_str();
+}
+
 // Of an array that may be left out.
 template <typename T>
 const T *optional_array(Span<const T> array, std::size_t wanted, const char *what) {

@@ -3,6 +3,7 @@
 #define UPS_HPP_JOB_HPP
 
 #include <chrono>
+#include <cmath>
 
 #include "result.hpp"
 
@@ -18,10 +19,10 @@ class Job : public Handle<ups_job> {
   ups_progress poll() const { return detail::sized<ups_progress>(ups_job_poll, get()); }
   // UPS_OK, UPS_CANCELLED, or UPS_TIMEOUT where it goes on; a job that failed throws its error. Less than 0 ms: 0; more
   // than 2^32 - 1: so many.
-  ups_status wait(std::chrono::milliseconds timeout) const {
-    constexpr std::chrono::milliseconds::rep most = UINT32_MAX;
-    const auto ms = timeout.count() < 0 ? 0 : timeout.count() > most ? most : timeout.count();
-    return check(ups_job_wait(get(), static_cast<std::uint32_t>(ms)));
+  template <typename Rep, typename Period>
+  ups_status wait(std::chrono::duration<Rep, Period> timeout) const {
+    const double ms = std::ceil(std::chrono::duration<double, std::milli>(timeout).count());
+    return check(ups_job_wait(get(), ms >= UINT32_MAX ? UINT32_MAX : ms > 0 ? static_cast<std::uint32_t>(ms) : 0));
   }
   // To the end: UPS_OK or UPS_CANCELLED.
   ups_status wait() const {

@@ -31,6 +31,9 @@ TEST(Exr, IsWrittenAndRead) {
   EXPECT_EQ(image.read_channel("Y"), lux);
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {"Z"}, [&] { image.read_channel("Z"); });
   expect_error(UPS_ERROR_IO, {path}, [&] { ups::ExrImage again(path); });
+  const std::string cut = path + std::string("\0.png", 5);
+  expect_error(UPS_ERROR_INVALID_ARGUMENT, {"NUL"}, [&] { ups::exr_write(cut, 3, 2, channels, attributes); });
+  EXPECT_FALSE(std::ifstream(path).good());
 }
 
 std::string read_text(const std::string &path) {

@@ -34,6 +34,7 @@ TEST(Jobs, AreCancelledAndKeepWhatTheyFound) {
   room.scene.commit();
   ups::Job job = room.scene.start(Room::few(1000000000));
   EXPECT_EQ(job.wait(milliseconds(-5)), UPS_TIMEOUT) << "as 0";
+  EXPECT_EQ(job.wait(std::chrono::microseconds(1)), UPS_TIMEOUT);
   while (job.poll().iterations_done == 0) EXPECT_EQ(job.wait(milliseconds(1)), UPS_TIMEOUT);
   job.cancel();
   EXPECT_EQ(job.wait(), UPS_CANCELLED);
@@ -47,7 +48,7 @@ TEST(Jobs, CommitBesideEdits) {
   EXPECT_TRUE(room.scene.is_dirty());
   const ups::Job job = room.scene.start_commit();
   room.scene.set_dimming(room.lamp, 0.25f);
-  EXPECT_EQ(job.wait(), UPS_OK);
+  EXPECT_EQ(job.wait(std::chrono::hours::max()), UPS_OK) << "milliseconds would overflow";
   EXPECT_TRUE(room.scene.is_dirty()) << "the dimming belongs to the next commit";
   expect_error(UPS_ERROR_INVALID_STATE, {}, [&] { job.result(); });
   const float before = room.scene.render(Room::few()).read_meters(room.meters)[0].illuminance_lx;

@@ -188,6 +188,7 @@ public sealed class EditsTest : IDisposable
                                          new float[] { 0, 90, 180 });
         var desc = scene.GetGoniometer(sphere, out c, out gamma);
         Assert.Equal(new float[] { 0, 90, 180 }, gamma);
+        Assert.Throws<UpsException>(() => scene.SetGoniometer(sphere, desc));  // which would take other angles
         gamma[1] = 60;
         scene.SetGoniometer(sphere, desc, c, gamma);
         scene.GetGoniometer(sphere, out c, out gamma);
