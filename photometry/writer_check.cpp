@@ -8,7 +8,23 @@
 namespace photometry {
 namespace {
 
-constexpr double tolerance = 1e-3;
+constexpr double tolerance = 1e-3, tolerance_of_area = 0.02;
+
+// By what is seen of them from below and from the sides: luminance and glare go by it.
+void compare_openings(const Opening& before, const Opening& after, std::vector<std::string>& warnings) {
+  struct View {
+    const char* name;
+    double x, y, z;
+  };
+  for (const View& v : {View{"from below", 0, 0, -1}, View{"at C0, gamma 60", 0.866, 0, -0.5},
+                        View{"at C90, gamma 60", 0, 0.866, -0.5}}) {
+    const double had = projected_area_m2(before, v.x, v.y, v.z), has = projected_area_m2(after, v.x, v.y, v.z);
+    if (std::abs(has - had) <= tolerance_of_area * had) continue;
+    warnings.push_back("the opening of the written file has " + shown(has) + " m2 " + v.name + ", that of the light " +
+                       shown(had) + " m2: the format has no such shape, and luminance and glare differ as much");
+    return;
+  }
+}
 
 }  // namespace
 
@@ -33,6 +49,7 @@ void check_written(const Photometry& p, const std::string& text, std::vector<std
   };
   compare("the flux", " lm", flux_lm(p), flux_lm(*written));
   compare("the peak", " cd", p.distribution.peak_cd(), written->distribution.peak_cd());
+  compare_openings(p.opening, written->opening, warnings);
 }
 
 }  // namespace photometry

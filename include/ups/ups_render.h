@@ -198,7 +198,7 @@ typedef struct ups_meter_statistics {
   uint32_t struct_size;
   uint32_t count;                /* of the set's meters; those that are not valid have no part in what follows */
   double mean_lx, min_lx, max_lx; /* each meter counts the same in the mean, one on a surface by its area */
-  double uniformity;             /* min / mean; 0 where the mean is 0 */
+  double uniformity;             /* min / mean; 0 where the mean is 0, -1: not known */
   double mean_standard_error_lx; /* of the mean */
   /* -1: not known, as in too short a render, or where the scene emits light and none has reached the set */
   double median_relative_error_bound, p95_relative_error_bound, worst_relative_error_bound;
@@ -210,7 +210,7 @@ typedef struct ups_meter_statistics {
   double min_low_lx, min_high_lx, max_low_lx, max_high_lx, uniformity_low, uniformity_high;
   double percentile_5_lx;        /* 5 % of the meters are below; of those on a surface 5 % of their area */
   double percentile_5_low_lx, percentile_5_high_lx;
-  double diversity;              /* min / max (EN 12193's U1); 0 where the maximum is 0 */
+  double diversity;              /* min / max (EN 12193's U1); 0 where the maximum is 0, -1: not known */
   double diversity_low, diversity_high;
 } ups_meter_statistics;
 

@@ -305,6 +305,7 @@ ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passe
   s.mean_lx = s.min_lx = s.max_lx = s.mean_standard_error_lx = s.mean_error_bound_lx = s.percentile_5_lx = -1;
   s.min_low_lx = s.min_high_lx = s.max_low_lx = s.max_high_lx = s.uniformity_low = s.uniformity_high = -1;
   s.percentile_5_low_lx = s.percentile_5_high_lx = s.diversity_low = s.diversity_high = -1;
+  s.uniformity = s.diversity = -1;
   if (meters.count() == 0) return s;
   const LowerRanks ranks(meters);
   s.mean_lx = meters.mean();

@@ -151,7 +151,10 @@ int map(const MapOptions& options) {
   if (!lux && options.style.threshold > 0)
     throw Failure("--map-threshold: " + options.file + " is shown in cd/m2; take --map-threshold-luminance, or of a "
                   "camera with \"illuminance_camera\": true --illuminance");
-  const MapStyle style = lux ? options.style : of_luminance(options.style);
+  if (lux && options.style.luminance_high > 0)
+    throw Failure("--map-range-luminance: " + options.file + " is shown in lux; take --map-range");
+  MapStyle style = lux ? options.style : of_luminance(options.style);
+  if (!lux && !(style.high > 0)) style.low = options.style.low, style.high = options.style.high;  // of what there is
   const Drawing drawing = map_drawing(data, style);
   for (const std::string& path : options.out) write_drawing(path, drawing, map_words(data, style));
   return exit_done;

@@ -39,18 +39,21 @@ void add_map_options(CLI::App& command, MapStyle& style) {
       ->check(CLI::IsMember({"linear", "log"}))
       ->type_name("WORD")
       ->group(group);
-  command
-      .add_option_function<std::string>(
-          "--map-range", [&style](const std::string& text) { parse_range(text, style.low, style.high); },
-          "Ends of the colours, LOW:HIGH; without it the values decide")
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            double low, high;
-            return parse_range(text, low, high);
-          },
-          ""))
-      ->type_name("LOW:HIGH")
-      ->group(group);
+  const auto add_range = [&](const char* name, double& low, double& high, const char* words) {
+    const auto check = [](const std::string& text) {
+      double from, to;
+      return parse_range(text, from, to);
+    };
+    command
+        .add_option_function<std::string>(
+            name, [&low, &high](const std::string& text) { parse_range(text, low, high); }, words)
+        ->check(CLI::Validator(check, ""))
+        ->type_name("LOW:HIGH")
+        ->group(group);
+  };
+  add_range("--map-range", style.low, style.high,
+            "Ends of the colours of illuminances, LOW:HIGH; without it the values decide");
+  add_range("--map-range-luminance", style.luminance_low, style.luminance_high, "The same of cameras' luminances");
   command
       .add_option("--map-threshold", style.threshold,
                   "Of illuminances: which meet this, which do not, and of which the 95 % bound crosses it, in three colours")
@@ -71,8 +74,12 @@ void add_map_options(CLI::App& command, MapStyle& style) {
   command.add_flag("--map-cells", style.cells, "Each cell in one colour, without what lies between the values")
       ->group(group);
   command.parse_complete_callback([&style] {
-    if (style.scale == MapScale::logarithmic && style.high > 0 && !(style.low > 0))
-      throw CLI::ValidationError("--map-range", "a logarithmic scale must begin above 0");
+    const auto check = [&](const char* name, double low, double high) {
+      if (style.scale == MapScale::logarithmic && high > 0 && !(low > 0))
+        throw CLI::ValidationError(name, "a logarithmic scale must begin above 0");
+    };
+    check("--map-range", style.low, style.high);
+    check("--map-range-luminance", style.luminance_low, style.luminance_high);
   });
 }
 

@@ -40,6 +40,7 @@ std::string rating(float value, float low, float high) {
 std::string meters_text(const MeterReport& meters) {
   const ups_meter_statistics& s = meters.statistics;
   const std::string kind = meters.kind == "planar" ? "" : " (" + meters.kind + ")";
+  if (s.mean_lx < 0) return "meters " + meters.name + kind + ": no iteration has come to them yet\n";
   const double mean_low = s.mean_error_bound_lx < 0 ? -1 : std::max(0.0, s.mean_lx - s.mean_error_bound_lx);
   std::string text =
       format("meters %s%s: mean %s, min %s, max %s, uniformity %.3f%s, diversity %.3f%s, worst error %s\n",
@@ -94,7 +95,7 @@ std::string observer_text(const ObserverReport& observer) {
 std::string percent_text(double fraction) { return fraction < 0 ? "unknown" : format("%.2f %%", 100 * fraction); }
 
 std::string bound_text(double bound, const char* unit) {
-  return bound < 0 ? " +- unknown" : format(" +- %.2g%s (95 %%)", bound, unit);
+  return bound < 0 ? " +- unknown" : " +- " + report::significant(bound, 2) + unit + " (95 %)";
 }
 
 const char* projection_word(ups_projection projection) {

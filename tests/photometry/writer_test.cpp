@@ -119,6 +119,19 @@ TEST(Writer, OnePlaneStandsForAllWhateverItsAngle) {
   expect_same(again(write_eulumdat(Photometry{d})).distribution, axial, six_characters);
 }
 
+TEST(Writer, AnOpeningOfAnotherShapeIsTold) {
+  Photometry p{Distribution({0}, {0, 90}, {1, 2})};
+  p.opening = {OpeningShape::cylinder, {1.2, 0.03, 0.03}, 0};
+  std::vector<std::string> ies, ldt;
+  write_ies(p, &ies), write_eulumdat(p, &ldt);
+  EXPECT_TRUE(ies.empty()) << ies[0];
+  ASSERT_EQ(ldt.size(), 1u);
+  EXPECT_NE(ldt[0].find("the opening of the written file has"), std::string::npos) << ldt[0];
+  p.opening = {OpeningShape::box, {1.2, 0.3, 0.03}, 2};
+  write_eulumdat(p, &(ldt = {}));
+  EXPECT_TRUE(ldt.empty()) << ldt[0];
+}
+
 TEST(Writer, AMakersNameMayBeginAsRayFilesDo) {
   for (const char* maker : {"LTRF GmbH", "TM25 Ltd"}) {
     Photometry p{Distribution({0}, {0, 90}, {1, 2})};

@@ -26,6 +26,19 @@ TEST(Durations, HaveTwoDigits) {
   for (const Case& c : cases) EXPECT_EQ(duration_text(c.seconds), c.text) << c.seconds;
 }
 
+TEST(Significant, DigitsHaveNoExponent) {
+  struct Case {
+    double value;
+    int digits;
+    const char* text;
+  };
+  constexpr Case cases[] = {{100, 2, "100"},   {149, 2, "150"},      {9.96, 2, "10"},        {99.6, 2, "100"},
+                            {0.95, 2, "0.95"}, {0.999, 2, "1"},      {12346, 4, "12350"},    {1.2e5, 2, "120000"},
+                            {5, 2, "5"},       {5.04, 2, "5"},       {0.00012, 2, "0.00012"}, {0, 2, "0"},
+                            {-12.34, 3, "-12.3"}, {1e-9, 2, "1e-09"}, {INFINITY, 2, "inf"}};
+  for (const Case& c : cases) EXPECT_EQ(significant(c.value, c.digits), c.text) << c.value;
+}
+
 TEST(Intervals, OfNoiseAreThoseOfStudentsT) {
   constexpr std::array<double, 13> table = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262,
                                             2.228, 2.201, 2.179, 2.160, 2.145, 2.131};

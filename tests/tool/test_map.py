@@ -136,6 +136,7 @@ class Maps(test_program.ProgramTest):
         for options, words in ((["--map-range", "5"], ["--map-range", "LOW:HIGH"]),
                                (["--map-range", "9:5"], ["--map-range"]), (["--map-scale", "cube"], ["--map-scale"]),
                                (["--map-scale", "log", "--map-range", "0:5"], ["above 0"]),
+                               (["--map-scale", "log", "--map-range-luminance", "0:5"], ["above 0"]),
                                (["--map-threshold", "-3"], ["--map-threshold", "-3"])):
             error = self.run_program("map", file, out, *options, code=2).stderr
             for word in words:

@@ -104,7 +104,6 @@ void Importer::read_transmission(const JsonReader& material, ups_material_desc& 
   const auto skipped = [&](const std::string& what) { warn(material.where() + ": " + what); };
   if (ior_of(material) == total_reflection) return skipped("an \"ior\" of 0 reflects all light, none is transmitted");
   if (transmission->has("transmissionTexture")) skipped("transmissionTexture is skipped");
-  if (factor < 1) skipped("transmissionFactor below 1: the share that is not transmitted is absorbed");
   const JsonReader pbr = material.object_or_empty("pbrMetallicRoughness");
   if (pbr.number("metallicFactor", 1, 0, 1) > 0) skipped("metallicFactor is skipped, as the material transmits");
   if (desc.reflectance_texture.v != 0) skipped("baseColorTexture does not tint what is transmitted");
@@ -119,8 +118,8 @@ void Importer::read_transmission(const JsonReader& material, ups_material_desc& 
     desc.model = UPS_MATERIAL_GLASS;
     desc.roughness = roughness;
     if (volume->has("thicknessTexture")) skipped("thicknessTexture is skipped: the mesh is the solid");
-    if (color != Rgb{1, 1, 1} || factor < 1)
-      skipped("glass takes its colour from attenuationColor, baseColorFactor is skipped");
+    if (color != Rgb{1, 1, 1}) skipped("glass takes its colour from attenuationColor, baseColorFactor is skipped");
+    if (factor < 1) skipped("transmissionFactor is skipped: glass transmits what its surface does not reflect");
     const double distance = volume->number("attenuationDistance", unlimited, 0, unlimited);
     const Rgb attenuation = volume->rgb("attenuationColor", {1, 1, 1}, 0, 1, false);
     for (size_t i = 0; i < 3 && volume->has("attenuationDistance"); ++i) {
@@ -130,6 +129,7 @@ void Importer::read_transmission(const JsonReader& material, ups_material_desc& 
     return;
   }
   desc.model = UPS_MATERIAL_GLAZING;
+  if (factor < 1) skipped("transmissionFactor below 1: the share that is not transmitted is absorbed");
   if (roughness > 0) skipped("roughnessFactor of a thin pane is skipped: it is clear");
   // A clear pane transmits (1 - R) / (1 + R) at normal incidence, its inner reflections summed; base colour tints that.
   const double r = std::pow((desc.ior - 1.0) / (desc.ior + 1.0), 2);

@@ -61,7 +61,8 @@ struct MapStyle {
   MapColours colours = MapColours::viridis;
   double low = 0, high = 0;   // of the scale; both 0: from the values
   double threshold = 0;       // > 0: the cells that meet it, do not, and those whose bound crosses it, in three colours
-  double luminance_threshold = 0;  // the same, of images of luminance, cd/m2
+  // The same of images of luminance, cd/m2, where both kinds are drawn.
+  double luminance_low = 0, luminance_high = 0, luminance_threshold = 0;
   bool isolines = true, numbers = true;
   bool cells = false;         // each cell in one colour, without what lies between the values
   double width = 680;         // of the drawing, units; 680 units are 180 mm

@@ -284,6 +284,7 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
 
 MapStyle of_luminance(MapStyle style) {
   style.threshold = style.luminance_threshold;
+  style.low = style.luminance_low, style.high = style.luminance_high;
   return style;
 }
 
@@ -314,11 +315,13 @@ std::string summary_of(const std::vector<MeterPoint>& points) {
 
 std::string summary_text(double mean, double mean_bound, double min, double max, double worst_relative_bound,
                          const std::string& unit) {
-  std::string text = format("mean %.4g", mean);
-  if (mean_bound >= 0) text += format(" \u00b1 %.2g", mean_bound);
-  text += " " + unit + format(", min %.4g, max %.4g ", min, max) + unit;
+  if (mean < 0) return "no value is known";
+  std::string text = "mean " + significant(mean, 4);
+  if (mean_bound >= 0) text += " \u00b1 " + significant(mean_bound, 2);
+  text += " " + unit + ", min " + significant(min, 4) + ", max " + significant(max, 4) + " " + unit;
   if (unit == "lx" && mean > 0) text += format(", U0 %.3f", min / mean);
-  if (worst_relative_bound >= 0) text += format(", 95 %% bound of the worst value %.2g %%", 100 * worst_relative_bound);
+  if (worst_relative_bound >= 0)
+    text += ", 95 % bound of the worst value " + significant(100 * worst_relative_bound, 2) + " %";
   return text;
 }
 

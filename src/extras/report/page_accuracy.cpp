@@ -142,7 +142,7 @@ class Plot {
   Drawing drawing_;
 };
 
-std::string percent(double fraction) { return fraction < 0 ? "not known" : format("%.2g&nbsp;%%", 100 * fraction); }
+std::string percent(double fraction) { return fraction < 0 ? "not known" : significant(100 * fraction, 2) + "&nbsp;%"; }
 
 std::string predictions_table(const Report& report) {
   HtmlTable table{"When a smaller error is reached <span class=\"soft\">in all, from the start, on this machine</span>",

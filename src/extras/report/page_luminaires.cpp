@@ -182,7 +182,7 @@ std::string polar(const LuminaireType& type, size_t number) {
   Drawing drawing{width, height, {}};
   draw_polar(drawing, {margin, margin, width - 2 * margin, height - 2 * margin}, profile, report);
   std::string caption = "<strong>Type " + std::to_string(number) + "</strong>: " + html_text(type.file) +
-                        format(". Peak %.4g cd", double(report.info.peak_cd));
+                        ". Peak " + significant(double(report.info.peak_cd), 4) + " cd";
   std::string planes;
   constexpr const char* colours[] = {"blue, solid", "orange, dashed", "green, dotted"};
   const auto drawn = drawn_planes(report);

@@ -124,7 +124,7 @@ Section repeat_section(const PageInput& in) {
        {"Method", html_text(method_name(info.method))},
        {"Iterations", std::to_string(info.iterations)},
        {"Seed", std::to_string(info.seed)},
-       {"Rendering", format("%.4g s on ", info.elapsed_s) + counted(size_t(info.threads), "thread", "threads")},
+       {"Rendering", duration_text(info.elapsed_s) + " on " + counted(size_t(info.threads), "thread", "threads")},
        {"Paths", many(info.eye_paths) + " from meters and pixels, " + many(info.light_paths) + " from luminaires"},
        {"Program", "ups " + version_number()},
        {"Samples left out", info.dropped_samples ? std::to_string(info.dropped_samples) : ""},

@@ -124,8 +124,13 @@ std::string found_in_short(const Report& report) {
   std::string html;
   for (size_t i = 0; i < std::min(shown, report.meters.size()); ++i) {
     const ups_meter_statistics& s = report.meters[i].statistics;
-    html += "<p><strong>" + html_text(report.meters[i].name) + "</strong>: " + lux(s.mean_lx) + " lx";
-    if (s.mean_error_bound_lx >= 0) html += " \u00b1 " + format("%.2g", s.mean_error_bound_lx);
+    html += "<p><strong>" + html_text(report.meters[i].name) + "</strong>: ";
+    if (s.mean_lx < 0) {
+      html += "not known yet</p>\n";
+      continue;
+    }
+    html += lux(s.mean_lx) + " lx";
+    if (s.mean_error_bound_lx >= 0) html += " \u00b1 " + significant(s.mean_error_bound_lx, 2);
     if (s.count > 1)
       html += " on average, " + lux(s.min_lx) + " to " + lux(s.max_lx) + " lx, <i>U</i><sub>0</sub> " +
               ratio(s.uniformity);
@@ -281,8 +286,9 @@ Section summary_section(const PageInput& in) {
                             : found_in_short(in.report);
   const auto& curve = in.report.convergence;
   if (!curve.empty() && curve.back().p95_relative_error >= 0 && !in.report.meters.empty())
-    body += format("<p>95&nbsp;%% of the meters are known to %.2g&nbsp;%% or better, the worst to %.2g&nbsp;%%.</p>\n",
-                   100 * double(curve.back().p95_relative_error), 100 * double(curve.back().worst_relative_error));
+    body += "<p>95&nbsp;% of the meters are known to " + significant(100 * double(curve.back().p95_relative_error), 2) +
+            "&nbsp;% or better, the worst to " + significant(100 * double(curve.back().worst_relative_error), 2) +
+            "&nbsp;%.</p>\n";
   if (!in.report.warnings.empty() || !in.report.advice.empty()) {
     const size_t count = in.report.warnings.size() + in.report.advice.size();
     body += "<p><a href=\"#warnings\">" + counted(count, "remark", "remarks") + "</a> to read before use.</p>\n";

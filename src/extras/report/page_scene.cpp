@@ -34,7 +34,7 @@ std::string picture(const PageInput& in, const CameraReport& camera) {
   const std::vector<uint8_t> bytes = in.picture(camera.sensor);
   if (bytes.empty()) return {};
   const std::string caption = "<strong>" + html_text(camera.name) + "</strong>. " +
-                              format("Mean luminance %.4g cd/m\u00b2. ", camera.mean_luminance_cd_m2) +
+                              "Mean luminance " + significant(camera.mean_luminance_cd_m2, 4) + " cd/m\u00b2. " +
                               (camera.picture ? exposure_text(*camera.picture) : "");
   return html_figure(
       html_image("image/png", bytes, "Rendered picture of the camera " + camera.name, camera.width, camera.height),

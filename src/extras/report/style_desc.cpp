@@ -55,7 +55,7 @@ Style style_of(const ups_report_style_desc* given) {
   style.map.scale = d.scale == UPS_REPORT_SCALE_LOGARITHMIC ? MapScale::logarithmic : MapScale::linear;
   constexpr MapColours colours[] = {MapColours::viridis, MapColours::cividis, MapColours::grey};
   style.map.colours = colours[d.colours];
-  style.map.low = d.low, style.map.high = d.high;
+  style.map.low = style.map.luminance_low = d.low, style.map.high = style.map.luminance_high = d.high;
   style.map.threshold = d.threshold_lx;
   style.map.luminance_threshold = d.threshold_cd_m2;
   style.map.isolines = d.isolines == 1;

@@ -1,6 +1,9 @@
 // See text_format.h.
 #include "report/text_format.h"
 
+#include <cmath>
+#include <cstdlib>
+
 #include "ups/ups_base.h"
 
 namespace ups::report {
@@ -18,6 +21,17 @@ Utf8 utf8_at(const std::string& text, size_t at) {
   for (size_t i = 1; i < length; ++i) code = code << 6 | (byte(at + i) & 0x3fu);
   const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
   return overlong || (code >= 0xd800 && code <= 0xdfff) || code > 0x10ffff ? none : Utf8{length, code};
+}
+
+std::string significant(double value, int digits) {
+  const std::string scientific = format("%.*e", digits - 1, value);  // rounded: 9.99 may become 1.0e+01
+  const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
+  if (!std::isfinite(value) || exponent < -4 || exponent > 15) return format("%.*g", digits, value);
+  const double rounded = std::strtod(scientific.c_str(), nullptr);
+  std::string text = format("%.*f", std::max(0, digits - 1 - exponent), rounded);
+  if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
 }
 
 std::string duration_text(double seconds) {
