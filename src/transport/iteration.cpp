@@ -12,7 +12,9 @@ Iteration::Iteration(const Snapshot& of_scene, const Plan& by_plan, const Transp
   camera_visit = visit(camera_pass);
   meter_visit = visit(meter_pass);
   camera_shrinkage = Plan::radius2_factor(camera_pass, settings.radius_alpha);
-  walk_radius2 = plan.radius2(plan.walk_radius, Plan::radius2_factor(number, settings.radius_alpha));
+  // One radius a pass: all its iterations' splats weigh against the one eye path of a pixel by the same density.
+  walk_radius2 =
+      plan.radius2(plan.walk_radius, Plan::radius2_factor(camera_pass * plan.camera_subsets, settings.radius_alpha));
   stores_vertices = has(UPS_TECHNIQUE_MERGE | UPS_TECHNIQUE_CONNECT);
   light_samples_alone = !settings.traces_light() && !scene.emitters.have_extent();
 }

@@ -90,6 +90,24 @@ TEST(Plan, PixelsMeetAllBatchesOfLight) {
   }
 }
 
+// A pixel's eye path is of one iteration of a pass, what falls on it of all: their weights add up to 1 by one radius alone.
+TEST(Plan, MergesOfOnePassHaveOneRadius) {
+  Snapshot scene;
+  scene.cameras.emplace_back(Affine(), 512, 512, 1.0f, false);
+  Plan plan;
+  set_path_counts(scene, {}, UINT32_MAX, plan);
+  plan.walk_radius = 0.1f;
+  ASSERT_GT(plan.camera_subsets, 2u);
+  const TransportSettings settings{};
+  const StopSignal stop;
+  const auto radius2 = [&](uint32_t number) { return Iteration(scene, plan, settings, number, stop).walk_radius2; };
+  for (uint32_t pass = 0; pass < 3; ++pass) {
+    const uint32_t first = pass * plan.camera_subsets, last = first + plan.camera_subsets - 1;
+    EXPECT_EQ(radius2(first), radius2(last));
+    EXPECT_LT(radius2(last + 1), radius2(last));
+  }
+}
+
 // Tiles are judged with their neighbours: each of these squares has a pixel that a pilot visits, up to 1920 x 1080.
 TEST(Plan, APilotSeesAllOfAnImage) {
   const std::pair<uint32_t, uint32_t> sizes[] = {{640, 480}, {1280, 720}, {1000, 1000}, {1920, 1080}, {4000, 300}};
