@@ -107,9 +107,10 @@ enum {
 };
 /* UGR = 8 log10(0.25 / L_b * sum of L^2 w / p^2). L_b is the eye's indirect illuminance over pi, without what comes
  * straight from sources. Sources are luminaires and lights, each by its intensity over the area of its opening as the
- * eye sees it, and instances that emit; each is one source, or as many as an instance has parts that do not touch (of
- * more than 4096 one), weakened by panes and media, and by the share of it that
+ * eye sees it, and instances that emit; each is one source, weakened by panes and media, and by the share of it that
  * other things hide (by 256 rays, by 64 where it is less than a quarter of the worst and all or none of them arrive).
+ * Parts of an instance that stand apart, as panels of one mesh, by more than the smaller one's size and 10 cm, are
+ * rated each by its own place in view, and added up.
  * One that looks smaller than 0.005 m^2, or has no extent, counts 200 I^2 / (r^2 p^2) (CIE 147). */
 typedef struct ups_observer_reading {
   uint32_t struct_size;

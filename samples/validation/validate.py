@@ -34,7 +34,8 @@ def parse(cases):
     low_effort = os.environ.get("UPS_TEST_EFFORT") == "low"  # of tests under sanitizers
     parser.add_argument("--unjudged", type=int, default=64 if low_effort else 0, metavar="N",
                         help="nothing is judged: an Nth of the iterations, to see that all of it runs")
-    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), help="renders at once, each on one thread")
+    processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    parser.add_argument("--jobs", type=int, default=processors, help="renders at once, each on one thread")
     parser.add_argument("--plot", action="store_true", help="needs matplotlib")
     parser.add_argument("--out", default="out/validation")
     return parser.parse_args()

@@ -83,7 +83,7 @@ size_t observer_index(const RenderResult& r, ups_sensor_id observer) {
   return index_of(r, r.scene->observer_ids, observer, "rated eye (an observer)");
 }
 
-bool is_large(const SeenSource& s) { return s.glare.solid_angle_sr > photometry::large_source_sr; }
+bool is_large(const SeenSource& s) { return s.largest_sr > photometry::large_source_sr; }
 
 uint32_t flags_of(const SeenGlare& glare) {
   uint32_t flags = glare.sources.empty() ? UPS_OBSERVER_NO_SOURCE : 0;

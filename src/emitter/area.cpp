@@ -9,6 +9,7 @@
 
 #include "base/warp.h"
 #include "emitter/lobe.h"
+#include "geometry/box.h"
 
 namespace ups {
 namespace {
@@ -153,32 +154,79 @@ bool AreaEmitter::sample_direct(const Vec3& reference, const Vec2& u, DirectSamp
   return true;
 }
 
-std::vector<AreaEmitter> AreaEmitter::separate_parts(size_t most) const {
-  std::vector<uint32_t> first(triangles_.size());  // of those joined to it; its own: none before
-  std::iota(first.begin(), first.end(), 0u);
-  const auto root = [&](uint32_t i) {
-    while (first[i] != i) i = first[i] = first[first[i]];
+namespace {
+
+// Things that are joined step by step, each set known by its first one.
+class JoinedSets {
+ public:
+  explicit JoinedSets(size_t count) : first_(count) { std::iota(first_.begin(), first_.end(), 0u); }
+  uint32_t of(uint32_t i) {
+    while (first_[i] != i) i = first_[i] = first_[first_[i]];
     return i;
-  };
+  }
+  void join(uint32_t i, uint32_t j) {
+    const uint32_t a = of(i), b = of(j);
+    first_[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<uint32_t> firsts() {
+    std::vector<uint32_t> out;
+    for (uint32_t i = 0; i < first_.size(); ++i)
+      if (of(i) == i) out.push_back(i);
+    return out;
+  }
+
+ private:
+  std::vector<uint32_t> first_;
+};
+
+void join_at_corners(const std::vector<EmitterTriangle>& triangles, JoinedSets& sets) {
   std::vector<std::tuple<float, float, float, uint32_t>> corners;
-  for (uint32_t i = 0; i < triangles_.size(); ++i)
-    for (const Vec3* p : {&triangles_[i].p0, &triangles_[i].p1, &triangles_[i].p2})
+  corners.reserve(3 * triangles.size());
+  for (uint32_t i = 0; i < triangles.size(); ++i)
+    for (const Vec3* p : {&triangles[i].p0, &triangles[i].p1, &triangles[i].p2})
       corners.emplace_back(p->x, p->y, p->z, i);
   std::sort(corners.begin(), corners.end());
   for (size_t k = 1; k < corners.size(); ++k) {
     const auto& [x, y, z, i] = corners[k];
     const auto& [x0, y0, z0, before] = corners[k - 1];
-    if (x != x0 || y != y0 || z != z0) continue;
-    const uint32_t a = root(i), b = root(before);
-    first[std::max(a, b)] = std::min(a, b);
+    if (x == x0 && y == y0 && z == z0) sets.join(i, before);
   }
+}
+
+void join_neighbours(const std::vector<EmitterTriangle>& triangles, const std::vector<uint32_t>& firsts,
+                     JoinedSets& sets) {
+  constexpr double least_gap_m = 0.1;
+  std::vector<Box> boxes(firsts.size());
+  for (uint32_t i = 0; i < triangles.size(); ++i) {
+    const auto at = std::lower_bound(firsts.begin(), firsts.end(), sets.of(i)) - firsts.begin();
+    for (const Vec3* p : {&triangles[i].p0, &triangles[i].p1, &triangles[i].p2}) boxes[size_t(at)].grow(Vec3d(*p));
+  }
+  const auto size = [](const Box& b) { return length(b.upper - b.lower); };
+  const auto gap = [](const Box& a, const Box& b) {
+    const auto along = [](double a0, double a1, double b0, double b1) { return std::max({0.0, a0 - b1, b0 - a1}); };
+    return length(Vec3d(along(a.lower.x, a.upper.x, b.lower.x, b.upper.x),
+                        along(a.lower.y, a.upper.y, b.lower.y, b.upper.y),
+                        along(a.lower.z, a.upper.z, b.lower.z, b.upper.z)));
+  };
+  for (size_t i = 0; i < boxes.size(); ++i)
+    for (size_t k = i + 1; k < boxes.size(); ++k)
+      if (gap(boxes[i], boxes[k]) <= std::max(least_gap_m, std::min(size(boxes[i]), size(boxes[k]))))
+        sets.join(firsts[i], firsts[k]);
+}
+
+}  // namespace
+
+std::vector<AreaEmitter> AreaEmitter::separate_parts(size_t most) const {
+  JoinedSets sets(triangles_.size());
+  join_at_corners(triangles_, sets);
+  std::vector<uint32_t> firsts = sets.firsts();
+  if (firsts.size() < 2 || firsts.size() > most) return {};
+  join_neighbours(triangles_, firsts, sets);
+  firsts = sets.firsts();
+  if (firsts.size() < 2) return {};
   std::map<uint32_t, std::vector<EmitterTriangle>> parts;
-  for (uint32_t i = 0; i < triangles_.size(); ++i) {
-    parts[root(i)].push_back(triangles_[i]);
-    if (parts.size() > most) return {};
-  }
+  for (uint32_t i = 0; i < triangles_.size(); ++i) parts[sets.of(i)].push_back(triangles_[i]);
   std::vector<AreaEmitter> out;
-  if (parts.size() < 2) return out;
   for (auto& [_, triangles] : parts) {
     out.emplace_back(std::move(triangles), radiance_, both_sides_, instance_);
     out.back().set_least_error(least_error_);

@@ -46,8 +46,8 @@ class AreaEmitter : public Emitter {
   bool emission_square(const Vec3& p, uint32_t primitive, const Vec3& direction, Vec2& u) const override;
 
   double area() const { return by_area_.total(); }
-  // Each of the parts whose triangles have no corner in common with the others', as an emitter of its own. Empty where
-  // there is one part alone, or where there are more than `most`.
+  // Parts that stand apart, as emitters of their own: those without a common corner, and farther from one another than
+  // the smaller one is large, and than 10 cm. Empty where all is one part, or more than `most` have no common corner.
   std::vector<AreaEmitter> separate_parts(size_t most) const;
 
  private:

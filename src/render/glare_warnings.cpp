@@ -19,7 +19,7 @@ std::string glare_warnings(const Snapshot& scene, uint32_t observer_id, const Se
     text += who + scene.emitter_names[first->emitter] +
             (count > 1 ? " and " + std::to_string(count - 1) + " more" : "") + what + "\n";
   };
-  worst([](const SeenSource& s) { return s.glare.solid_angle_sr > photometry::large_source_sr; },
+  worst([](const SeenSource& s) { return s.largest_sr > photometry::large_source_sr; },
         ": seen under more than 0.1 sr, for which UGR is not made and too low; rated like the others (the rating by "
         "CIE 147, ggr, is for those above 1.5 m2)");
   worst([](const SeenSource& s) { return s.glare.luminance_cd_m2 < 0; },

@@ -186,7 +186,10 @@ void RenderJob::prepare() {
   take_memory();
   books_flux_ = integrator_->books_flux();
   auto glare = std::make_shared<std::vector<SeenGlare>>();
-  for (const Observer& o : scene_->observers) glare->push_back(find_glare(*scene_, o, *pool_, stop_));
+  if (!scene_->observers.empty()) {
+    const GlareParts parts(*scene_, *pool_, stop_);
+    for (const Observer& o : scene_->observers) glare->push_back(find_glare(*scene_, parts, o, *pool_, stop_));
+  }
   glare_ = std::move(glare);
   auto sums = std::make_unique<Accumulator>(*scene_, integrator_->plan());
   queue_.read([&] {

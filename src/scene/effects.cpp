@@ -34,16 +34,9 @@ bool is_coloured(const Rgb& c) {
 class Analysis {
  public:
   explicit Analysis(const Snapshot& scene) : scene_(scene) {
-    for (const Material& m : scene.materials) {
-      traits_.push_back(traits_of(m));
-      // Between indices that are hardly different rough glass is smooth.
-      traits_.back().delta |= scene.media.nest && m.model == MaterialModel::glass;
-    }
-    for (size_t i = 0; i < scene.instances.size(); ++i) {  // a pane that shines is met: what it lets through is a lobe
-      const uint32_t material = scene.instances[i].material;
-      traits_[material].delta |= scene.emitter_of_instance[i] != none && traits_[material].transmits &&
-                                 scene.materials[material].model == MaterialModel::glazing;
-    }
+    for (const Material& m : scene.materials) traits_.push_back(traits_of(m));
+    for (size_t i = 0; i < scene.instances.size(); ++i)
+      traits_[scene.instances[i].material].delta |= is_shining_pane(scene, i);
   }
 
   std::string materials(const std::function<bool(size_t)>& has) const {

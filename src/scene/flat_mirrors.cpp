@@ -63,7 +63,7 @@ class Search {
     if ((punctual_.empty() && suns_.empty() && extended_.empty()) || scene_.media.nest) return {};
     out_.planes_of_instance.resize(scene_.instances.size());
     for (size_t i = 0; i < scene_.instances.size(); ++i)
-      if (!add(i)) others_ |= traits_of(material_of(i)).delta;
+      if (!add(i)) others_ |= traits_of(material_of(i)).delta || is_shining_pane(scene_, i);
     leave_out_hidden();
     number_columns();
     choose_planes();

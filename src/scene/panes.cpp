@@ -24,6 +24,11 @@ bool Panes::meets_bounds(const Vec3& a, const Vec3& b) const {
          clip(a.z, b.z, bounds.lower.z, bounds.upper.z);
 }
 
+bool is_shining_pane(const Snapshot& scene, size_t instance) {
+  const Material& m = scene.materials[scene.instances[instance].material];
+  return m.model == MaterialModel::glazing && scene.emitter_of_instance[instance] != none && traits_of(m).transmits;
+}
+
 Panes find_panes(const Snapshot& scene, const std::vector<Raytracer::Instance>& instances) {
   Panes panes;
   const double margin = 0x1p-17 * scene.radius;  // no surface point's error is larger

@@ -36,6 +36,9 @@ struct Panes {
   bool meets_bounds(const Vec3& a, const Vec3& b) const;
 };
 
+// It is met as other surfaces are: what it lets through goes on by a lobe of its own, a delta.
+bool is_shining_pane(const Snapshot& scene, size_t instance);
+
 Panes find_panes(const Snapshot& scene, const std::vector<Raytracer::Instance>& instances);
 
 // The share of the light that meets a surface: alpha where it is blended.

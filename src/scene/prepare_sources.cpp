@@ -208,6 +208,9 @@ const EmitterProbe* Builder::known_probe(const SourceDescription& source) const 
   const uint32_t id = out_->sources.back().id;
   const auto known = earlier_emitter_.find({UPS_SOURCE_LUMINAIRE, id});
   if (!same_places_ || known == earlier_emitter_.end()) return nullptr;
+  // Rays of a directional light start on a disc about the scene's centre.
+  const auto* light = std::get_if<LightDescription>(&source.kind);
+  if (light && light->kind == UPS_LIGHT_DIRECTIONAL && length2(earlier_->centre - out_->centre) > 0) return nullptr;
   return stands_as(source, earlier_->described->sources().at(id)) ? &earlier_->emitter_probes[known->second] : nullptr;
 }
 

@@ -83,7 +83,9 @@ std::string observer_text(const ObserverReport& observer) {
   if (r.ceiling_coverage > 0)
     text += ", GGR " + rating(r.ggr, r.ggr_low, r.ggr_high) +
             format(" (CIE 147: large sources over %.0f %% of the ceiling)", 100 * r.ceiling_coverage);
-  text += r.background_cd_m2 < 0 ? ", background unknown" : format(", background %.4g cd/m^2", r.background_cd_m2);
+  text += r.background_cd_m2 < 0
+              ? ", background unknown"
+              : ", background " + report::significant(double(r.background_cd_m2), 4) + " cd/m^2";
   if (observer.sources.empty()) return text + "\n";
   const GlareSourceReport& worst = observer.sources[0];
   return text + format(", %u sources, the worst %s with %.0f %%\n", r.source_count, worst.name.c_str(),

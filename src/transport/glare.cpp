@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/rng.h"
-#include "emitter/area.h"
 #include "transport/encounter.h"
 #include "transport/walk.h"
 
@@ -14,7 +14,7 @@ namespace ups {
 namespace {
 
 constexpr int few_rays = 8, many_rays = 16;  // along either side of an emitter's square
-constexpr size_t most_parts = 4096;           // of an emitter, that are rated each by itself
+constexpr size_t most_parts = 1024;           // of a surface
 constexpr double least_covered = 0.05;        // of a source's light
 constexpr double rule_of_three = 3;           // where so many hits are expected there is one, with 95 %
 
@@ -25,12 +25,6 @@ struct Look {
   double covered = 0;                // that ends on what lets light through, and scatters or bends it
   double share() const { return light > 0 ? visible / light : 0; }
   double rays() const { return squares > 0 ? light * light / squares : 1; }  // of the same weight, as good
-};
-
-// What is rated as one source: an emitter, or a part of one.
-struct Bright {
-  const Emitter* emitter;
-  uint32_t index, part;
 };
 
 struct Eye {
@@ -46,7 +40,7 @@ struct Eye {
         media(s.media_stacks[s.media_of_meter[o.meter_set][0]]) {}
 
   // From one place in each of side * side cells, by chance within it: things in rows would hide all places or none.
-  Look look_at(const Bright& source, int side) const {
+  Look look_at(const GlareParts::Part& source, int side) const {
     const Emitter& emitter = *source.emitter;
     Look out;
     WorkCounts work;
@@ -56,7 +50,7 @@ struct Eye {
     };
     for (int i = 0; i < side * side; ++i) {
       DirectSample s;
-      const auto random = philox({source.index, uint32_t(i), uint32_t(side), source.part}, {0, 0});
+      const auto random = philox({source.index, uint32_t(i), uint32_t(side), source.number}, {0, 0});
       const Vec2 u{place(i % side, random[0]), place(i / side, random[1])};
       if (!emitter.sample_direct(meter.p, u, s) || !is_finite(s.weight)) continue;
       const double light = luminance(s.weight);
@@ -73,11 +67,20 @@ struct Eye {
     return out;
   }
 
-  // What hides it lets light through.
-  bool is_covered(const Vec3& from, const Vec3& to) const {
-    Hit hit;
-    return intersect_beyond_panes(scene, from, normalize(to - from), hit) &&
-           traits_of(scene.materials[scene.raytracer->surface_at(hit).material]).transmits;
+  // All that hides it lets light through.
+  bool is_covered(Vec3 from, const Vec3& to) const {
+    constexpr int most_surfaces = 16;
+    bool covered = false;
+    for (int i = 0; i < most_surfaces; ++i) {
+      const Vec3 d = normalize(to - from);
+      Hit hit;
+      if (!intersect_beyond_panes(scene, from, d, hit) || hit.t >= 0.9999f * length(to - from)) return covered;
+      const SurfacePoint s = scene.raytracer->surface_at(hit);
+      if (!traits_of(scene.materials[s.material]).transmits) return false;
+      covered = true;
+      from = s.ray_origin(d);
+    }
+    return false;
   }
 
   double index_of(const Vec3& direction) const {
@@ -87,7 +90,7 @@ struct Eye {
   bool is_in_view(const Emitter& emitter) const { return index_of(emitter.center() - meter.p) >= 0; }
 
   // As if nothing hid it. The term stays 0 where it troubles nobody, whatever hides it.
-  void rate(const Bright& source, SeenSource& out) const {
+  void rate(const GlareParts::Part& source, SeenSource& out) const {
     Sight sight;
     if (!source.emitter->seen_from(meter.p, sight)) return;
     out.glare.position_index = index_of(sight.direction);
@@ -96,7 +99,7 @@ struct Eye {
     out.emitter = source.index;
     out.direction = sight.direction;
     out.glare.luminance_cd_m2 = area > 0 ? sight.intensity_cd / area : -1;
-    out.glare.solid_angle_sr = sight.solid_angle_sr;
+    out.glare.solid_angle_sr = out.largest_sr = sight.solid_angle_sr;
     out.glare.intensity_cd = sight.intensity_cd;
     out.glare.distance_m = sight.distance;
     out.glare.is_small = area < photometry::small_source_m2;
@@ -105,7 +108,7 @@ struct Eye {
   }
 
   // What is left of it. A source that is far less than the worst needs fewer rays to be known as well.
-  void look_for(double worst, const Bright& of, SeenSource& source) const {
+  void look_for(double worst, const GlareParts::Part& of, SeenSource& source) const {
     const bool is_point = of.emitter->is_delta();
     int side = is_point ? 1 : 4 * source.term >= worst ? many_rays : few_rays;
     Look look = look_at(of, side);
@@ -138,19 +141,22 @@ double area_from_below(const Emitter& emitter) {
 }
 
 // CIE 147's CC, by the sources that the eye sees where it turns round: they cover its room's ceiling, too.
-double ceiling_coverage(const Eye& eye, const std::vector<Bright>& sources, const std::vector<SeenSource>& rated) {
+double ceiling_coverage(const Eye& eye, const std::vector<GlareParts::Part>& parts,
+                        const std::vector<SeenSource>& rated, const StopSignal& stop) {
   const auto is_large = [](double area_m2) { return area_m2 > photometry::large_source_m2; };
-  std::vector<double> area(sources.size());
-  bool sees_large = false;
-  for (size_t i = 0; i < sources.size(); ++i) {
-    area[i] = area_from_below(*sources[i].emitter);
+  const auto looks_large = [&](size_t i) {
     const photometry::GlareSource& g = rated[i].glare;
-    sees_large |= rated[i].term > 0 && (is_large(area[i]) || is_large(g.solid_angle_sr * g.distance_m * g.distance_m));
-  }
+    return rated[i].term > 0 && (is_large(g.solid_angle_sr * g.distance_m * g.distance_m) ||
+                                 is_large(area_from_below(*parts[i].emitter)));
+  };
+  bool sees_large = false;
+  for (size_t i = 0; i < parts.size() && !sees_large && !stop.is_set(); ++i) sees_large = looks_large(i);
   if (!sees_large) return 0;
   double sum = 0;
-  for (size_t i = 0; i < sources.size(); ++i)
-    if (is_large(area[i]) && eye.look_at(sources[i], few_rays).visible > 0) sum += area[i];
+  for (size_t i = 0; i < parts.size() && !stop.is_set(); ++i)
+    if (const double area = area_from_below(*parts[i].emitter);
+        is_large(area) && eye.look_at(parts[i], few_rays).visible > 0)
+      sum += area;
   const Snapshot& scene = eye.scene;
   const Vec3 extent = scene.raytracer->bounds_max() - scene.raytracer->bounds_min();
   const double ceiling =
@@ -170,48 +176,82 @@ void take(const SeenSource& source, SeenGlare& out) {
   out.sum += source.term;
 }
 
+// Of one emitter, the worst part first: place and kind stay that one's, its position index becomes that of the sum.
+void add_part(const SeenSource& part, SeenSource& all) {
+  photometry::GlareSource& g = all.glare;
+  const double light = all.term * g.position_index * g.position_index +
+                       part.term * part.glare.position_index * part.glare.position_index,
+               solid_angle = g.solid_angle_sr + part.glare.solid_angle_sr,
+               whole = g.solid_angle_sr / all.visible_share + part.glare.solid_angle_sr / part.visible_share;
+  all.term += part.term;
+  all.term_error = std::hypot(all.term_error, part.term_error);
+  all.largest_sr = std::max(all.largest_sr, part.largest_sr);
+  g.position_index = std::sqrt(light / all.term);
+  if (!(solid_angle > 0)) return;
+  all.visible_share = solid_angle / whole;
+  g.luminance_cd_m2 = (g.luminance_cd_m2 * g.solid_angle_sr +
+                       part.glare.luminance_cd_m2 * part.glare.solid_angle_sr) / solid_angle;
+  g.solid_angle_sr = solid_angle;
+  g.intensity_cd += part.glare.intensity_cd;
+}
+
+void sort_and_join(std::vector<SeenSource>& sources) {
+  const auto by_term = [](const SeenSource& a, const SeenSource& b) { return a.term > b.term; };
+  std::stable_sort(sources.begin(), sources.end(), by_term);
+  std::map<uint32_t, size_t> place;
+  size_t kept = 0;
+  for (const SeenSource source : sources) {  // a copy: it may be written over
+    const auto [at, is_new] = place.try_emplace(source.emitter, kept);
+    if (is_new) sources[kept++] = source;
+    else add_part(source, sources[at->second]);
+  }
+  sources.resize(kept);
+  std::stable_sort(sources.begin(), sources.end(), by_term);
+}
+
 }  // namespace
 
-SeenGlare find_glare(const Snapshot& scene, const Observer& observer, ThreadPool& pool, const StopSignal& stop) {
-  const Eye eye(scene, observer);
-  std::vector<std::vector<AreaEmitter>> parts(scene.emitters.size());
-  parallel_for(pool, parts.size(), [&](size_t i) {
+GlareParts::GlareParts(const Snapshot& scene, ThreadPool& pool, const StopSignal& stop) : own_(scene.emitters.size()) {
+  parallel_for(pool, own_.size(), [&](size_t i) {
     const auto* area = dynamic_cast<const AreaEmitter*>(&scene.emitters[i]);
-    if (area) parts[i] = area->separate_parts(most_parts);
+    if (area && !stop.is_set()) own_[i] = area->separate_parts(most_parts);
   });
-  std::vector<Bright> sources;
-  for (uint32_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].empty()) sources.push_back({&scene.emitters[i], i, 0});
-    for (uint32_t k = 0; k < parts[i].size(); ++k) sources.push_back({&parts[i][k], i, k + 1});
+  for (uint32_t i = 0; i < own_.size(); ++i) {
+    if (own_[i].empty()) all_.push_back({&scene.emitters[i], i, 0});
+    for (uint32_t k = 0; k < own_[i].size(); ++k) all_.push_back({&own_[i][k], i, k + 1});
   }
-  std::vector<SeenSource> all(sources.size());
+}
+
+SeenGlare find_glare(const Snapshot& scene, const GlareParts& parts, const Observer& observer, ThreadPool& pool,
+                     const StopSignal& stop) {
+  const Eye eye(scene, observer);
+  std::vector<SeenSource> all(parts.all().size());
   const auto for_all = [&](const auto& work) {
     pool.for_blocks(all.size(), 4, [&](size_t, size_t begin, size_t end) {
       for (size_t i = begin; i < end && !stop.is_set(); ++i) work(i);
     });
   };
-  for_all([&](size_t i) { eye.rate(sources[i], all[i]); });
+  for_all([&](size_t i) { eye.rate(parts.all()[i], all[i]); });
   double worst = 0, variance = 0;
   for (const SeenSource& source : all) worst = std::max(worst, source.term);
   for_all([&](size_t i) {
-    if (all[i].term > 0) eye.look_for(worst, sources[i], all[i]);
+    if (all[i].term > 0) eye.look_for(worst, parts.all()[i], all[i]);
   });
-  if (stop.is_set()) return {};
   SeenGlare out;
   for (size_t i = 0; i < scene.emitters.size(); ++i) {
     const EmitterKind kind = scene.emitters[i].kind();
     out.has_unrated |= kind == EmitterKind::directional || kind == EmitterKind::rays;
     out.has_fixture |= scene.sources[scene.source_of_emitter[i]].of_fixture && eye.is_in_view(scene.emitters[i]);
   }
-  out.ceiling_coverage = ceiling_coverage(eye, sources, all);
+  out.ceiling_coverage = ceiling_coverage(eye, parts.all(), all, stop);
+  if (stop.is_set()) return {};
   for (const SeenSource& source : all) {
     out.has_covered |= source.is_covered;
     take(source, out);
     variance += source.term_error * source.term_error;
   }
   out.sum_error = std::sqrt(variance);
-  std::stable_sort(out.sources.begin(), out.sources.end(),
-                   [](const SeenSource& a, const SeenSource& b) { return a.term > b.term; });
+  sort_and_join(out.sources);
   return out;
 }
 

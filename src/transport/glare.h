@@ -2,16 +2,18 @@
 #pragma once
 #include "base/parallel.h"
 #include "base/stop.h"
+#include "emitter/area.h"
 #include "photometry/ugr.h"
 #include "scene/snapshot.h"
 
 namespace ups {
 
 struct SeenSource {
-  uint32_t emitter = 0;      // or one of its parts, where it is a surface of several that do not touch
+  uint32_t emitter = 0;
   photometry::GlareSource glare;
   Vec3 direction;            // from the eye
   double visible_share = 0;  // of its light
+  double largest_sr = 0;     // of one of its parts, which stand apart, before anything hides it
   double term = 0;           // L^2 w / p^2
   double term_error = 0;     // standard error of it, by the rays that look for what hides it
   bool is_covered = false;   // by what lets light through and is no pane
@@ -30,8 +32,24 @@ struct SeenGlare {
   bool has_covered = false;         // one in view behind glass or a diffuser that is no pane, which are no source
 };
 
+// The emitters as an eye tells them apart: a surface in parts that stand apart has each by itself. For all observers.
+class GlareParts {
+ public:
+  struct Part {
+    const Emitter* emitter;
+    uint32_t index, number;  // in the scene; among its emitter's
+  };
+  GlareParts(const Snapshot& scene, ThreadPool& pool, const StopSignal& stop);
+  const std::vector<Part>& all() const { return all_; }
+
+ private:
+  std::vector<std::vector<AreaEmitter>> own_;
+  std::vector<Part> all_;
+};
+
 // By rays to places of each emitter that are spread evenly and by chance, the same in every render. Nothing where `stop`
 // was set.
-SeenGlare find_glare(const Snapshot& scene, const Observer& observer, ThreadPool& pool, const StopSignal& stop);
+SeenGlare find_glare(const Snapshot& scene, const GlareParts& parts, const Observer& observer, ThreadPool& pool,
+                     const StopSignal& stop);
 
 }  // namespace ups

@@ -213,9 +213,9 @@ TEST(Observer, LuminousCeilingsAreRatedByCie147) {
   }
 }
 
-// Panels that are one mesh are rated as those that are one each, the one behind the eye not at all. (The centre of all is
+// Panels that are one mesh are rated as those that are one each, the ones behind the eye not at all. (The centre of all is
 // overhead, where a source troubles nobody.)
-TEST(Observer, PanelsOfOneMeshAreASourceEach) {
+TEST(Observer, PanelsOfOneMeshAreRatedEachByItsPlace) {
   std::vector<ups_observer_reading> readings;
   std::vector<std::vector<ups_glare_source>> sources;
   for (const bool joined : {false, true}) {
@@ -234,16 +234,48 @@ TEST(Observer, PanelsOfOneMeshAreASourceEach) {
   }
   EXPECT_EQ(readings[1].flags, 0u);
   ASSERT_EQ(sources[0].size(), 2u);
-  ASSERT_EQ(sources[1].size(), 2u);
-  for (size_t i = 0; i < 2; ++i) {
-    EXPECT_NEAR(sources[1][i].solid_angle_sr, sources[0][i].solid_angle_sr, 1e-6);
-    EXPECT_NEAR(sources[1][i].position_index, sources[0][i].position_index, 1e-4);
-  }
+  ASSERT_EQ(sources[1].size(), 1u);
+  const ups_glare_source& all = sources[1][0];
+  EXPECT_NEAR(all.solid_angle_sr, sources[0][0].solid_angle_sr + sources[0][1].solid_angle_sr, 1e-6);
+  EXPECT_NEAR(all.luminance_cd_m2, 3000, 0.1);
+  EXPECT_NEAR(all.share, 1, 1e-6);
+  EXPECT_GT(all.position_index, std::min(sources[0][0].position_index, sources[0][1].position_index));
+  EXPECT_LT(all.position_index, std::max(sources[0][0].position_index, sources[0][1].position_index));
   // Their backgrounds differ by noise; without it to rounding.
   const double off = double(readings[1].ugr) - double(readings[0].ugr) +
                      8 * std::log10(double(readings[1].background_cd_m2) / double(readings[0].background_cd_m2));
   EXPECT_NEAR(off, 0, 1e-3);
   EXPECT_GT(readings[0].ugr, 15);
+}
+
+// Tiles of 1 cm, 2 cm apart, are one board, which is not small.
+TEST(Observer, TilesThatStandCloseAreOneSource) {
+  Scene scene;
+  Shape board;
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 20; ++k) board.append(quad({0.02 * i - 0.2, 3, 0.02 * k + 1}, {0.01, 0, 0}, {0, 0, 0.01}));
+  scene.add(board, emitter(3000));
+  const Sensor eye = scene.add_observer({0, 0, 0}, {0, 1, 0});
+  const auto sources = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1}).glare_sources(eye);
+  ASSERT_EQ(sources.size(), 1u);
+  EXPECT_EQ(sources[0].flags, 0u);
+  EXPECT_NEAR(sources[0].luminance_cd_m2, 3000, 0.1);
+}
+
+// A lamp behind a wall is none because glass stands before the wall.
+TEST(Observer, WhatAWallHidesIsNotBehindGlass) {
+  for (const bool wall : {false, true}) {
+    Dark dark;
+    auto glass = material(UPS_MATERIAL_GLASS, 1);
+    glass.ior = 1.5f;
+    dark.scene.add(box({-2, 0.5, -1}, {2, 0.6, 2}), glass);
+    if (wall) dark.scene.add(quad({-3, 1, -2}, {6, 0, 0}, {0, 0, 6}), matte(0.5));
+    const Result result = dark.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1});
+    ups_observer_reading r{};
+    r.struct_size = sizeof r;
+    ASSERT_EQ(ups_result_get_observer(result.get(), dark.eye.id, &r), UPS_OK);
+    EXPECT_EQ((r.flags & UPS_OBSERVER_COVERED_SOURCE) != 0, !wall);
+  }
 }
 
 // What a diffuser before it sends is background: no rating is below a limit for sure.

@@ -465,7 +465,8 @@ TEST_F(Commit, ACommitsJobHasFewerThreadsAndALowPriority) {
       auto d = make(&ups_commit_desc_init);
       d.thread_limit = limit, d.priority = priority;
       ups_job* job = nullptr;
-      while (threads().all > before) std::this_thread::yield();
+      for (int tries = 0; threads().all > before && tries < 5000; ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
       EXPECT_OK(ups_scene_start_commit_with(r.scene, &d, &job));
       Threads most{0, 0};
       while (ups_job_wait(job, 5) == UPS_TIMEOUT) {

@@ -136,7 +136,8 @@ TEST_P(MemoryEstimate, HoldsThePeak) {
   e.struct_size = sizeof e;
   ASSERT_EQ(ups_scene_estimate_memory(scene.get(), &d, &e), UPS_OK) << ups_last_error();
   EXPECT_LT(bytes_allocated() - before - committed, 100000);  // what threads keep
-  if (e.allowed_bytes < 1.5 * e.peak_bytes) GTEST_SKIP() << "the machine has not the memory";
+  EXPECT_GT(e.allowed_bytes, 0u);
+  if (e.allowed_bytes < 1.5 * double(e.peak_bytes) && e.peak_bytes > 500000000) GTEST_SKIP() << "of a small machine";
   begin_peak();
   ups_result* result = nullptr;
   ASSERT_EQ(ups_render(scene.get(), &d, &result), UPS_OK) << ups_last_error();

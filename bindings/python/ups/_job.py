@@ -39,6 +39,7 @@ Watcher = Union[bool, Callable[[_ffi.Progress], object]]
 class Job(Handle):
     """A render on the library's own threads; any thread may call. Closing it cancels it."""
     _destroy = lib.ups_job_destroy
+    interrupted = False
 
     def __init__(self, function: Callable[..., int], *arguments: Any):
         super().__init__(function, *arguments)
@@ -65,15 +66,16 @@ class Job(Handle):
     def watch(self, progress: Watcher = True) -> Status:
         """Waits for the end, and meanwhile shows how far it is: True, on the terminal or in the notebook; a function is
         called with a ups.Progress ten times a second; False shows nothing. Ctrl-C cancels the job, whose result holds
-        what whole iterations have found, and the answer is Status.CANCELLED; a second one is raised at once."""
+        what whole iterations have found, and the answer is Status.CANCELLED, or OK of one that has ended just then; the
+        job is `interrupted` either way. A second one is raised at once."""
         with view_of(progress) as view:
             try:
                 while (status := self.wait(0.1)) == Status.TIMEOUT:
                     view(self.poll())
             except KeyboardInterrupt:
                 self.cancel()
-                self.wait()
-                status = Status.CANCELLED  # also of one that has ended just now
+                status = self.wait()
+                self.interrupted = True
             except Error:
                 if self._as_parameter_ is not None:
                     raise
@@ -110,7 +112,7 @@ class Job(Handle):
 def render(job: Job, progress: Watcher) -> Result:
     """The job's end as the result of one call, see Scene.render."""
     with job:
-        interrupted = job.watch(progress) == Status.CANCELLED
+        interrupted = job.watch(progress) == Status.CANCELLED or job.interrupted
         try:
             result = job.result()
         except Error as error:

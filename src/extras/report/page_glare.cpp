@@ -31,9 +31,9 @@ std::string rating(const ups_observer_reading& r) {
 
 std::string background(const ups_observer_reading& r) {
   if (r.background_cd_m2 < 0) return {};
-  std::string text = format("%.3g", double(r.background_cd_m2));
+  std::string text = significant(double(r.background_cd_m2), 3);
   if (r.background_error_bound_cd_m2 >= 0)
-    text += format(" <span class=\"i\">\u00b1 %.2g</span>", double(r.background_error_bound_cd_m2));
+    text += " <span class=\"i\">\u00b1 " + significant(double(r.background_error_bound_cd_m2), 2) + "</span>";
   return text;
 }
 

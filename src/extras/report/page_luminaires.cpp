@@ -107,7 +107,8 @@ std::string connected_load(const ups_scene_info& scene, double power_w) {
   const double area = (scene.bounds_max_m[0] - scene.bounds_min_m[0]) * (scene.bounds_max_m[1] - scene.bounds_min_m[1]);
   std::string text = format("<p>Connected load: %.5g W", power_w);
   if (area > 0 && std::isfinite(area))
-    text += format(", %.3g W/m\u00b2 of the scene's extent in plan, %.4g m\u00b2", power_w / area, area);
+    text += ", " + significant(power_w / area, 3) + " W/m\u00b2 of the scene's extent in plan, " + significant(area, 4) +
+            " m\u00b2";
   return text + ".</p>\n";
 }
 
@@ -135,8 +136,8 @@ std::string schedule(const std::vector<LuminaireType>& types, const ups_scene_in
     const double n = double(type.sources.size());
     table.rows.push_back({std::to_string(i + 1), what, std::to_string(type.sources.size()), lux(type.flux_lm),
                           lux(n * type.flux_lm)});
-    if (with_power) table.rows.back().push_back(powers[i] > 0 ? format("%.4g", powers[i]) : "");
-    if (with_power) table.rows.back().push_back(powers[i] > 0 ? format("%.3g", type.flux_lm / powers[i]) : "");
+    if (with_power) table.rows.back().push_back(powers[i] > 0 ? significant(powers[i], 4) : "");
+    if (with_power) table.rows.back().push_back(powers[i] > 0 ? significant(type.flux_lm / powers[i], 3) : "");
     flux += n * type.flux_lm, power += n * powers[i], count += type.sources.size();
   }
   if (with_power) table.head.insert(table.head.end(), {"Power of each, W", "Efficacy, lm/W"});

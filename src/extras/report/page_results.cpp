@@ -60,6 +60,7 @@ std::string value_text(const TargetVerdict& v) {
   const Quantity& q = quantity_of(v.quantity);
   if (v.at_most && v.value == -1 && v.low == -1)
     return v.judgement == Judgement::met ? "no source in view" : "no rating";
+  if (!v.at_most && v.value < 0) return "not known";
   return beside(v.value, v.required, q.text) + q.unit;
 }
 

@@ -91,9 +91,14 @@ bool may_not_end(const std::string& path) {
 
 // Signals that end a process by default where a pipe has no reader any more, or a file grows beyond its limit: while
 // this lives, the calling thread takes none, and those that came meanwhile are gone after it. Keeps errno.
+#ifdef __APPLE__  // where the signal is the process's: a pipe can be told to send none
+struct WriteSignalsHeld {
+  explicit WriteSignalsHeld(int descriptor) { ::fcntl(descriptor, F_SETNOSIGPIPE, 1); }
+};
+#else
 class WriteSignalsHeld {
  public:
-  WriteSignalsHeld() {
+  explicit WriteSignalsHeld(int) {
     sigset_t ours;
     sigemptyset(&ours);
     sigpending(&before_);
@@ -118,16 +123,12 @@ class WriteSignalsHeld {
     sigset_t one;
     sigemptyset(&one);
     sigaddset(&one, number);
-#ifdef __APPLE__
-    int taken;
-    sigwait(&one, &taken);
-#else
     const timespec at_once{0, 0};
     sigtimedwait(&one, nullptr, &at_once);
-#endif
   }
   sigset_t mask_, before_;
 };
+#endif
 
 // An open file; the functions set errno where they return false.
 class Descriptor {
@@ -141,7 +142,7 @@ class Descriptor {
   bool close() { return !is_open() || ::close(std::exchange(descriptor_, -1)) == 0; }
   bool sync() { return ::fsync(descriptor_) == 0 || errno == EINVAL; }  // EINVAL: a file system without it
   bool write(const void* bytes, size_t size) {
-    const WriteSignalsHeld held;
+    const WriteSignalsHeld held(descriptor_);
     const char* from = static_cast<const char*>(bytes);
     while (size > 0) {
       const ssize_t n = ::write(descriptor_, from, size);
