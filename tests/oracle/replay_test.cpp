@@ -50,7 +50,7 @@ class Replay {
     n.connect = share.connect && has(UPS_TECHNIQUE_CONNECT);
     n.merge_all = share.merge == TechniqueShare::merge_all;
     if (merges() && share.merge != TechniqueShare::no_merge) {
-      n.eta = paths * pi_d * shrunk(plan_.walk_radius, number);
+      n.eta = paths * pi_d * shrunk(plan_.walk_radius, of_pass);
       if (camera) n.eta_first = paths * pi_d * pixel_radius2(r);
     }
     if (camera && share.light && has(UPS_TECHNIQUE_SENSOR_CONNECT)) n.sensor_connect = paths * plan_.camera_subsets;
@@ -61,12 +61,12 @@ class Replay {
   double sensor_merge_share(const Replayed& r) const {
     if (!merges()) return 0;
     const double own = r.of_pixel ? pixel_radius2(r) : double(meter_radius) * meter_radius / plan_.meter_samples;
-    return own / shrunk(plan_.walk_radius, number);
+    return own / shrunk(plan_.walk_radius, of_pass);
   }
   // Within which a camera's path merges: at the first vertex that is no mirror or glass its pixel's, then that of walks.
   double merge_radius2(const Replayed& r) const {
     const bool first = std::all_of(r.by_eye.begin() + 1, r.by_eye.end() - 1, [](const Node& n) { return n.delta; });
-    return first ? pixel_radius2(r) : shrunk(plan_.walk_radius, number);
+    return first ? pixel_radius2(r) : shrunk(plan_.walk_radius, of_pass);
   }
   bool looks_into_mirrors() const { return has(UPS_TECHNIQUE_MIRROR_SAMPLE); }
   const Room& room() const { return room_; }
@@ -74,7 +74,8 @@ class Replay {
   const std::vector<Replayed>& paths() const { return recorder_.paths; }
 
  private:
-  static constexpr uint32_t number = 3;  // of the iteration
+  static constexpr uint32_t number = 3;   // of the iteration
+  static constexpr uint32_t of_pass = 2;  // of the first one of its pass: walks have its radius
   static constexpr float meter_radius = 0.35f;
 
   bool has(uint32_t technique) const { return settings_.techniques & technique; }
