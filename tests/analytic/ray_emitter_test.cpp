@@ -254,8 +254,8 @@ TEST(RayEmitter, MethodsAgreeAndOtherEmittersKeepTheirLight) {
 
 // Two paths that draw the same ray begin at the same place, and where floors are dark most photons are those: the radius
 // of merging is found from photons apart. Meters look down at what the floor sends back. By the radius that is chosen and
-// by a given one alike within 4 % (before: 1.4 times): 4 standard errors and more, so that 6 % is found in 98 cases of
-// 100. What such light is to 1 % the tests above say.
+// by a given one alike within 8 % (before: 1.4 times), 4 standard errors and more: 12 % is found in 98 cases of 100. What
+// such light is to 1 % the tests above say.
 TEST(RayEmitter, PhotonsInOnePlaceSayNothingOfHowDenseTheyAre) {
   Scene scene;
   scene.add(quad({-8, -4, 0}, {16, 0, 0}, {0, 8, 0}), matte(0.15));
@@ -264,11 +264,11 @@ TEST(RayEmitter, PhotonsInOnePlaceSayNothingOfHowDenseTheyAre) {
   std::vector<P3> places;
   for (int i = 0; i < 60; ++i) places.push_back({0.1 * (i - 29.5), 0.6, 0.7});
   const Sensor meters = scene.add_meters(places, {0, 0, -1});
-  const auto chosen = scene.render({.method = UPS_METHOD_UPS, .iterations = 256}).statistics(meters),
-             given = scene.render({.method = UPS_METHOD_UPS, .iterations = 256, .merge_radius_m = 0.1})
+  const auto chosen = scene.render({.method = UPS_METHOD_UPS, .iterations = 96}).statistics(meters),
+             given = scene.render({.method = UPS_METHOD_UPS, .iterations = 96, .merge_radius_m = 0.1})
                          .statistics(meters);
-  EXPECT_LE(std::hypot(chosen.mean_standard_error_lx, given.mean_standard_error_lx), 0.01 * given.mean_lx);
-  EXPECT_NEAR(chosen.mean_lx / given.mean_lx, 1, 0.04);
+  EXPECT_LE(std::hypot(chosen.mean_standard_error_lx, given.mean_standard_error_lx), 0.02 * given.mean_lx);
+  EXPECT_NEAR(chosen.mean_lx / given.mean_lx, 1, 0.08);
 }
 
 TEST(RayEmitter, PathTracingSaysThatItIsDark) {
