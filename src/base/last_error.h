@@ -77,6 +77,7 @@ class LastError {
   static void release(void* kept) {
     if (kept != &no_memory) std::free(kept);
   }
+
   platform::ThreadSlot slot_{&release};
 };
 

@@ -37,7 +37,8 @@ Ratio ratio_of(const Quantity& x, const Quantity& y, uint32_t used, uint32_t mea
     return error_of_mean(used, means, [&](uint32_t b) { return batches[b]; });
   };
   const double t = t_quantile(used, means),
-               y_error = std::abs(y.bias) + y.unfound + t * std::sqrt(std::pow(error_of(y.batches), 2) + std::pow(y.bias_error, 2) + y.choice_variance);
+               y_noise = std::hypot(error_of(y.batches), y.bias_error, std::sqrt(y.choice_variance)),
+               y_error = std::abs(y.bias) + y.unfound + t * y_noise;
   if (y_error > 0.5 * y.value) return r;  // first order is not enough
   double noise[batch_count], bias[batch_count];
   for (uint32_t b = 0; b < used; ++b) {

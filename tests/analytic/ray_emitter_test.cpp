@@ -252,10 +252,10 @@ TEST(RayEmitter, MethodsAgreeAndOtherEmittersKeepTheirLight) {
   EXPECT_NEAR(info.absorbed_flux_lm + info.escaped_flux_lm, info.emitted_flux_lm, 0.01 * info.emitted_flux_lm);
 }
 
-// Two paths that draw the same ray begin at the same place, and where floors are dark most photons are those: the radius
-// of merging is found from photons apart. Meters look down at what the floor sends back. By the radius that is chosen and
-// by a given one alike within 8 % (before: 1.4 times), 4 standard errors and more: 12 % is found in 98 cases of 100. What
-// such light is to 1 % the tests above say.
+// Two paths that draw the same ray begin at the same place, and where floors are dark most photons are those: the
+// radius of merging is found from photons apart. Meters look down at what the floor sends back. By the radius that is
+// chosen and by a given one alike within 8 % (before: 1.4 times), 4 standard errors and more: 12 % is found in 98 cases
+// of 100. What such light is to 1 % the tests above say.
 TEST(RayEmitter, PhotonsInOnePlaceSayNothingOfHowDenseTheyAre) {
   Scene scene;
   scene.add(quad({-8, -4, 0}, {16, 0, 0}, {0, 8, 0}), matte(0.15));

@@ -90,7 +90,8 @@ TEST(Plan, PixelsMeetAllBatchesOfLight) {
   }
 }
 
-// A pixel's eye path is of one iteration of a pass, what falls on it of all: their weights add up to 1 by one radius alone.
+// A pixel's eye path is of one iteration of a pass, what falls on it of all: their weights add up to 1 by one radius
+// alone.
 TEST(Plan, MergesOfOnePassHaveOneRadius) {
   Snapshot scene;
   scene.cameras.emplace_back(Affine(), 512, 512, 1.0f, false);
